@@ -1,0 +1,63 @@
+# The workbook: `make help` lists what can be made.
+
+PYTHON ?= $(shell for p in python3 python3.13 python3.12 python3.11; do \
+  $$p -c 'import sys; sys.exit(not (3, 11) <= sys.version_info[:2] <= (3, 13))' 2>/dev/null && { echo $$p; break; }; done)
+VENV ?= .venv
+BIN := $(VENV)/bin
+# The environment is ready when this file is newer than what it is made from.
+INSTALLED ?= $(VENV)/.installed
+SPHINX_FLAGS := -n -W --keep-going
+
+.DEFAULT_GOAL := help
+.PHONY: help book book-student outputs serve test test-quick clean
+
+help:  ## this list
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-14s%s\n", $$1, $$2}' $(MAKEFILE_LIST)
+
+# Sphinx warns about a page only when it reads it: after a failed build all are to be read again.
+book: outputs _build/wheels  ## execute what is stale and build the site in _build/html
+	$(BIN)/jupyter-book build . $(SPHINX_FLAGS) || { rm -rf _build/.doctrees; exit 1; }
+	@rm -rf _build/html/wheels && cp -R _build/wheels _build/html/wheels
+
+# By plain sphinx-build, so that the book does not depend on Jupyter Book's own command.
+book-student: outputs _build/wheels  ## build the edition without solutions in _build/student/html
+	@mkdir -p _build/student
+	@sed 's|solutions/|exercises/|' _toc.yml > _build/student/_toc.yml
+	@$(BIN)/jupyter-book config sphinx . >/dev/null
+	PYTHONPATH=book/_ext $(BIN)/sphinx-build $(SPHINX_FLAGS) -q -d _build/student/.doctrees \
+	  -D external_toc_path=_build/student/_toc.yml -D html_title="Controlled Motion, student edition" . _build/student/html || \
+	  { rm -rf _build/student/.doctrees; exit 1; }
+	@rm -rf _build/student/html/wheels && cp -R _build/wheels _build/student/html/wheels
+	@echo "The student edition is in _build/student/html"
+
+outputs: $(INSTALLED)
+	$(BIN)/python book/execute.py
+
+serve:  ## show the built site at http://127.0.0.1:8000
+	@test -f _build/html/index.html || { echo "There is no site yet: run make book first." >&2; exit 1; }
+	@echo "The site is at http://127.0.0.1:8000 (Ctrl-C ends)"
+	@$(BIN)/python -m http.server --bind 127.0.0.1 --directory _build/html 8000
+
+test: $(INSTALLED)  ## all tests
+	$(BIN)/python -m pytest -n 2
+
+test-quick: $(INSTALLED)  ## the fast layers: without the built site and whatever is marked slow
+	$(BIN)/python -m pytest -n 2 -m "not site and not slow"
+
+clean:  ## remove everything built, but not the environment
+	rm -rf _build conf.py
+
+_build/wheels: $(INSTALLED) pyproject.toml $(shell find trajlib exercises -name '*.py' -o -name '*.ipynb')
+	@rm -rf $@
+	$(BIN)/pip wheel --quiet --no-deps --wheel-dir $@ .
+
+$(VENV)/.installed: requirements.txt pyproject.toml
+	@test -n "$(PYTHON)" || { echo "Python 3.11, 3.12 or 3.13 is needed and none was found (make PYTHON=... names one)." >&2; exit 1; }
+	@$(PYTHON) -c 'import sys; sys.exit(not (3, 11) <= sys.version_info[:2] <= (3, 13))' || \
+	  { echo "Python 3.11, 3.12 or 3.13 is needed; $(PYTHON) is another version." >&2; exit 1; }
+	@$(PYTHON) -c 'import ensurepip, venv' 2>/dev/null || \
+	  { echo "Python's venv is missing; on Debian and Ubuntu install the package python3-venv." >&2; exit 1; }
+	$(PYTHON) -m venv $(VENV)
+	$(BIN)/pip install --quiet -r requirements.txt
+	$(BIN)/pip install --quiet --no-deps -e .
+	@touch $@

@@ -1,0 +1,19 @@
+"""What the workbook's site adds to Jupyter Book.
+
+catalogue   the problems of the edition that is being built, from their front matter
+pages       a problem's page: title, chips, download, answers and hints, labels that hold in both editions
+listings    the list of all problems and the index by topic, so that no list is kept by hand
+downloads   the students' notebooks and the wheel
+boxes       statements; solutions, hints and code folded with the browser's own <details>
+numbering   numbers of equations and theorems follow their labels
+freshness   what makes a page outdated, beyond its own text
+offline     nothing is loaded from another host
+"""
+
+from workbook import boxes, catalogue, downloads, freshness, listings, numbering, offline, pages
+
+
+def setup(app):
+    for part in (catalogue, pages, listings, downloads, boxes, numbering, freshness, offline):
+        part.setup(app)
+    return {"version": "1", "env_version": freshness.EXTENSION, "parallel_read_safe": True, "parallel_write_safe": True}

@@ -1,0 +1,114 @@
+"""Statements, and folded solutions, hints and code.
+
+A fold is the browser's own <details>: it opens without scripts, by keyboard, on paper, and when a search or a link
+leads into it.
+"""
+
+from docutils import nodes
+from sphinx.transforms.post_transforms import SphinxPostTransform
+from sphinx_exercise.nodes import exercise_node, solution_node
+from sphinx_proof.nodes import unenumerable_node
+
+#: The code of these cells is folded, their outputs stay; the other roles (data, check) are shown whole.
+FOLDED_CODE = {"answer": "computation", "figure": "code of the figure"}
+
+
+class details(nodes.General, nodes.Element):
+    pass
+
+
+class summary(nodes.General, nodes.TextElement):
+    pass
+
+
+class UniqueIds(SphinxPostTransform):
+    """sphinx-exercise and sphinx-proof give every box of a kind the same id; an id may occur once in a page."""
+
+    default_priority = 10
+    formats = ("html",)
+    shared = {"exercise-content", "solution-content", "proof-content", "proof"}
+
+    def run(self, **kwargs):
+        for box in self.document.findall(lambda node: isinstance(node, (nodes.section, nodes.admonition))):
+            box["ids"] = [name for name in box["ids"] if name not in self.shared]
+        for box in self.document.findall(unenumerable_node):
+            # Its title repeats its id, for the writer to find the place of the word "Theorem".
+            box[0]["ids"] = []
+            box[0].insert(0, nodes.inline("", box["realtype"].capitalize(), classes=["caption-number"]))
+
+
+class FoldSolutions(SphinxPostTransform):
+    """Statement and solutions under short titles: the page's own title already says which problem it is."""
+
+    default_priority = 30  # after sphinx-exercise has resolved its titles (20 to 22)
+    formats = ("html",)
+
+    def run(self, **kwargs):
+        for exercise in self.document.findall(exercise_node):
+            exercise[0].children = [nodes.Text("Problem")]
+        for solution in list(self.document.findall(solution_node)):
+            if "dropdown" in solution["classes"]:
+                item = self._item(solution)
+                title = "Worked solution" + (f", item {item})" if item else "")
+                # A link to what is inside opens a fold, one to the fold itself does not.
+                solution[1]["ids"], solution["ids"] = solution["ids"], []
+                solution.replace_self(details("", summary("", title), *solution.children[1:], classes=["solution"]))
+
+    def _item(self, solution):
+        """The letter of sol-1-15-a; several items solved together keep all theirs, sol-1-15-ab."""
+        last = solution["label"].rpartition("-")[2]
+        return last if last.isalpha() else ""
+
+
+class FoldCode(SphinxPostTransform):
+    """Folds the code of the answer and figure cells by their role.
+
+    It does what myst-nb's own tag `hide-input` does. Done here and not in the cell's tags, the master says one thing
+    once, and the cached outputs, which are found by a cell's text and tags, stay valid.
+    """
+
+    default_priority = 190  # before myst-nb folds (199)
+    formats = ("html",)
+
+    def run(self, **kwargs):
+        if self.env.docname.startswith("exercises/"):
+            return  # the student's answer cells are stubs to be read
+        for cell in self.document.findall(nodes.container):
+            for role, what in FOLDED_CODE.items():
+                if cell.get("nb_element") == "cell_code" and f"tag_{role}" in cell["classes"]:
+                    cell.update_all_atts({"hide_mode": "input", "prompt_show": f"Show the {what}",
+                                          "prompt_hide": f"Hide the {what}"}, replace=True)
+
+
+def _open_statement(self, node):
+    self.body.append(self.starttag(node, "div", CLASS="admonition"))
+
+
+def _close_statement(self, node):
+    self.body.append("</div>\n")
+
+
+def _open_details(self, node):
+    self.body.append(self.starttag(node, "details"))
+
+
+def _close_details(self, node):
+    self.body.append("</details>\n")
+
+
+def _open_summary(self, node):
+    self.body.append(self.starttag(node, "summary", suffix=""))
+
+
+def _close_summary(self, node):
+    self.body.append("</summary>\n")
+
+
+def setup(app):
+    app.setup_extension("sphinx_proof")
+    app.add_node(unenumerable_node, override=True, html=(_open_statement, _close_statement))
+    app.add_node(details, html=(_open_details, _close_details))
+    app.add_node(summary, html=(_open_summary, _close_summary))
+    app.add_post_transform(UniqueIds)
+    app.add_post_transform(FoldSolutions)
+    app.add_post_transform(FoldCode)

@@ -1,0 +1,96 @@
+"""The problems of the edition that is being built.
+
+A problem's page is its master, solutions/ch1/p15.md, or in the student edition the notebook exercises/ch1/p15.ipynb.
+The table of contents alone decides which of the two is built.
+"""
+
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+import yaml
+from sphinx.errors import ExtensionError
+
+from trajlib import exercises
+
+PAGE = re.compile(r"(solutions|exercises)/ch\d+/p\d+")
+
+
+@dataclass(frozen=True)
+class Problem:
+    """What a page says about its problem; `answers` maps a name to (kind, meaning), `hints` to a list of texts."""
+
+    page: str
+    number: str
+    title: str
+    section: str
+    level: str
+    topics: tuple
+    answers: dict
+    hints: dict
+
+    @property
+    def order(self):
+        return tuple(int(part) for part in self.number.split("."))
+
+    @property
+    def chapter(self):
+        return self.number.split(".")[0]
+
+    @property
+    def label(self):
+        """The label of its exercise, ex-1-15."""
+        return "ex-" + self.number.replace(".", "-")
+
+    @property
+    def notebook(self):
+        """The student's notebook: its place in the repository and its address on the site."""
+        return self.page.replace("solutions/", "exercises/", 1) + ".ipynb"
+
+    @property
+    def solved(self):
+        """True if the page holds the solution."""
+        return self.page.startswith("solutions/")
+
+
+def read(page, path):
+    """The problem whose page `page` is the file `path`."""
+    path = Path(path)
+    about = exercises.read(path).about if path.suffix == ".ipynb" else _front_matter(path)
+    return Problem(page, about["number"], about["title"], about["section"], about["level"], tuple(about["topics"]),
+                   {name: _answer(answer) for name, answer in about["answers"].items()},
+                   {name: list(texts) for name, texts in about["hints"].items()})
+
+
+def of(env):
+    """The catalogue of a build: page -> Problem, in the order of the numbers."""
+    return env.workbook_catalogue
+
+
+def _front_matter(path):
+    text = path.read_text(encoding="utf-8")
+    try:
+        return yaml.safe_load(text.split("---", 2)[1])["problem"]
+    except (IndexError, KeyError, TypeError, yaml.YAMLError) as error:
+        raise ExtensionError(f"{path}: no front matter with problem: in it ({error})") from None
+
+
+def _answer(answer):
+    if isinstance(answer, dict):
+        return answer["kind"], answer["text"]
+    kind, _, meaning = answer.partition(":")
+    return kind.strip(), meaning.strip()
+
+
+def _load(app, env, added, changed, removed):
+    """Read all problems before any page; a change among them outdates the pages that list them."""
+    found = [read(page, env.doc2path(page)) for page in sorted(env.found_docs) if PAGE.fullmatch(page)]
+    previous = getattr(env, "workbook_catalogue", {})
+    env.workbook_catalogue = {problem.page: problem for problem in sorted(found, key=lambda problem: problem.order)}
+    if env.workbook_catalogue == previous:
+        return []
+    return sorted(getattr(env, "workbook_listings", set()) & env.found_docs)
+
+
+def setup(app):
+    app.connect("env-get-outdated", _load, priority=100)

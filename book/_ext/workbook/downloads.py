@@ -1,0 +1,43 @@
+"""What the site serves beside its pages: the students' notebooks and the wheel of trajlib.
+
+A notebook has the address it has in the repository, exercises/ch1/p15.ipynb; `make` puts the wheel into wheels/.
+"""
+
+import posixpath
+import shutil
+from html import escape
+from importlib.metadata import version
+
+from docutils import nodes
+from sphinx.util.docutils import SphinxRole
+
+from workbook import catalogue
+
+
+class WheelRole(SphinxRole):
+    """{wheel}`the wheel` links to the wheel that the site serves."""
+
+    def run(self):
+        name = f"trajlib-{version('trajlib')}-py3-none-any.whl"
+        return [link(self.env.docname, f"wheels/{name}", f"{escape(self.text)} (<code>{name}</code>)")], []
+
+
+def link(page, address, inner):
+    """A download link from a page to an address below the site's root; `inner` is its HTML."""
+    relative = posixpath.relpath(address, posixpath.dirname(page) or ".")
+    return nodes.raw("", f'<a class="download" href="{escape(relative)}" download>{inner}</a>', format="html")
+
+
+def _copy_notebooks(app, exception):
+    if exception is not None or app.builder.format != "html":
+        return
+    for problem in catalogue.of(app.env).values():
+        source, copy = app.srcdir / problem.notebook, app.outdir / problem.notebook
+        if source.exists():
+            copy.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(source, copy)
+
+
+def setup(app):
+    app.add_role("wheel", WheelRole())
+    app.connect("build-finished", _copy_notebooks)

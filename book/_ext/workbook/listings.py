@@ -1,0 +1,94 @@
+"""The list of all problems and the index by topic, made from the catalogue."""
+
+from itertools import groupby
+
+from docutils import nodes
+from sphinx.util.docutils import SphinxDirective
+
+from workbook import catalogue
+from workbook.pages import to_page, topic_label
+
+
+class Listing(SphinxDirective):
+    """A directive whose page is read again whenever a problem changes."""
+
+    def run(self):
+        if not hasattr(self.env, "workbook_listings"):
+            self.env.workbook_listings = set()
+        self.env.workbook_listings.add(self.env.docname)
+        return self.content_of(list(catalogue.of(self.env).values()))
+
+    def link(self, problem, text):
+        return to_page(self.env.docname, problem.page, text)
+
+
+class ProblemList(Listing):
+    """All problems, a table a chapter; with `:chapter:` the table of that chapter alone."""
+
+    option_spec = {"chapter": str}
+
+    def content_of(self, problems):
+        if "chapter" in self.options:
+            return [self._table([problem for problem in problems if problem.chapter == self.options["chapter"]])]
+        return [self._chapter(chapter, list(members)) for chapter, members in groupby(problems, lambda p: p.chapter)]
+
+    def _chapter(self, chapter, problems):
+        title = f"Chapter {chapter}"
+        section = nodes.section("", nodes.title("", title), ids=[f"problems-{chapter}"])
+        if f"book/ch{chapter}" in self.env.found_docs:
+            theory = to_page(self.env.docname, f"book/ch{chapter}", "theory and worked examples")
+            section += nodes.paragraph("", "", nodes.Text("The "), theory, nodes.Text(" of this chapter."))
+        section += self._table(problems)
+        return section
+
+    def _table(self, problems):
+        columns = {"number": 8, "title": 62, "section": 12, "level": 18}
+        body = nodes.tbody()
+        for problem in problems:
+            row = nodes.row()
+            for cell in (self.link(problem, problem.number), self.link(problem, problem.title),
+                         nodes.inline("", problem.section),
+                         nodes.inline("", "★ starred" if problem.level == "starred" else problem.level)):
+                row += nodes.entry("", nodes.paragraph("", "", cell))
+            body += row
+        head = nodes.thead("", nodes.row("", *(nodes.entry("", nodes.paragraph("", name)) for name in columns)))
+        group = nodes.tgroup("", *(nodes.colspec(colwidth=width) for width in columns.values()), head, body, cols=len(columns))
+        return nodes.table("", group, classes=["problem-list"])
+
+
+class TopicIndex(Listing):
+    """Every topic with its problems, under its first letter; the chips of the problem pages lead here."""
+
+    def content_of(self, problems):
+        topics = {}
+        for problem in problems:
+            for topic in problem.topics:
+                topics.setdefault(topic, []).append(problem)
+        ordered = sorted(topics, key=str.casefold)
+        return [self._letter(letter, list(members), topics)
+                for letter, members in groupby(ordered, lambda topic: topic[0].upper())]
+
+    def _letter(self, letter, names, topics):
+        section = nodes.section("", nodes.title("", letter), ids=[f"topics-{letter.lower()}"])
+        entries = nodes.definition_list(classes=["topics"])
+        for topic in names:
+            label = topic_label(topic)
+            term = nodes.term("", topic, ids=[label])
+            self.env.get_domain("std").note_hyperlink_target(label, self.env.docname, label, topic)
+            members = nodes.bullet_list()
+            for problem in topics[topic]:
+                members += nodes.list_item("", nodes.paragraph(
+                    "", "", self.link(problem, problem.number), nodes.Text(f" {problem.title}")))
+            entries += nodes.definition_list_item("", term, nodes.definition("", members))
+        section += entries
+        return section
+
+
+def _forget(app, env, page):
+    getattr(env, "workbook_listings", set()).discard(page)
+
+
+def setup(app):
+    app.connect("env-purge-doc", _forget)
+    app.add_directive("problem-list", ProblemList)
+    app.add_directive("topic-index", TopicIndex)

@@ -1,0 +1,56 @@
+"""Numbers follow labels.
+
+An equation labelled eq-1-15-a is (1.15a), a theorem labelled thm-1-2 is Theorem 1.2: on every page, in references, in the
+student's notebook, and in the problem book where the number comes from. What has no such label is counted as usual.
+"""
+
+import re
+from copy import deepcopy
+
+from docutils import nodes
+
+EQUATION = re.compile(r"eq-(\d+)-([\w-]+)")
+STATEMENT = re.compile(r"[a-z]+-(\d+)-(\d+)")
+
+
+def _number_equations(app, document):
+    equations = app.env.get_domain("math").equations
+    for node in document.findall(nodes.math_block):
+        match = EQUATION.fullmatch(node.get("label") or "")
+        if match:
+            node["number"] = f"{match[1]}.{match[2].replace('-', '')}"
+            equations[node["label"]] = node["docname"], node["number"]
+
+
+def _label_statements(app, document):
+    """Let [text](#thm-1-2) and {ref} find theorems, which sphinx-proof keeps in a domain of its own."""
+    labels = app.env.get_domain("std")
+    for node in document.findall(nodes.Admonition):
+        if "realtype" in node:
+            match = STATEMENT.fullmatch(node["label"])
+            name = f"{node['realtype'].capitalize()} {match[1]}.{match[2]}" if match else node["realtype"]
+            labels.note_hyperlink_target(node["label"], app.env.docname, node["label"], name)
+
+
+def _number_statements(app, env):
+    """Put the numbers of the labels over those that Sphinx has counted."""
+    env.workbook_counted = deepcopy(env.toc_fignumbers)
+    for label, entry in getattr(env, "proof_list", {}).items():
+        match = STATEMENT.fullmatch(label)
+        counted = env.toc_fignumbers.get(entry["docname"], {}).get(entry["countertype"], {})
+        if match and label in counted:
+            counted[label] = int(match[1]), int(match[2])
+    return []
+
+
+def _restore_counts(app, env, added, changed, removed):
+    # Sphinx compares its counts with those of the last build, and writes every page whose numbers differ.
+    env.toc_fignumbers = getattr(env, "workbook_counted", env.toc_fignumbers)
+    return []
+
+
+def setup(app):
+    app.connect("doctree-read", _number_equations)
+    app.connect("doctree-read", _label_statements)
+    app.connect("env-get-outdated", _restore_counts)
+    app.connect("env-get-updated", _number_statements, priority=900)

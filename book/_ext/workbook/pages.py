@@ -1,0 +1,153 @@
+"""A problem's page.
+
+The master says everything in its front matter; here, as a page is read, that is put where a reader looks for it:
+the number with the title, a line of chips and the notebook under it, the answers asked for and the hints under the
+statement. The file itself is never touched.
+"""
+
+import json
+import re
+
+from docutils import nodes
+from docutils.statemachine import StringList
+from sphinx import addnodes
+from sphinx.util import logging
+from sphinx.util.docutils import SphinxDirective, SphinxRole
+
+from workbook import catalogue
+from workbook.downloads import link
+from workbook.boxes import details, summary
+
+logger = logging.getLogger(__name__)
+
+TITLE = re.compile(r"^# .*$", re.M)
+EXERCISE_END = re.compile(r"^(`{3,}|:{3,})\{exercise-end\}[ \t]*\n(?:.*\n)*?\1[ \t]*$", re.M)
+# The student's notebooks link to the site of the checkout they lie in; here these pages are neighbours.
+TO_THE_SITE = re.compile(r"\]\((?:\.\./)+_build/html/([\w/-]+)\.html(?:#([\w-]+))?\)")
+
+
+def _complete(app, page, source):
+    problem = catalogue.of(app.env).get(page)
+    if problem is None:
+        return
+    if not (app.srcdir / problem.notebook).exists():
+        logger.warning(f"{problem.notebook} is missing; `trajlib exercises` writes it", location=page)
+    head = f"# {problem.number} {problem.title}\n\n```{{problem-head}}\n```\n"
+    if problem.solved:
+        text = TITLE.sub(lambda _: head, source[0], count=1)
+        source[0] = EXERCISE_END.sub(lambda end: f"{end[0]}\n\n```{{problem-answers}}\n```\n", text, count=1)
+    else:
+        source[0] = _student_page(source[0], head)
+
+
+def _student_page(source, head):
+    """The notebook with the page's head first, then where the data come from, without its own two headings."""
+    notebook = json.loads(source)
+    texts = [cell for cell in notebook["cells"] if cell["cell_type"] == "markdown"]
+    for cell in texts:
+        text = TO_THE_SITE.sub(lambda link: f"](#{link[2]})" if link[2] else f"](/{link[1]}.md)", "".join(cell["source"]))
+        cell["source"] = re.sub(r"^##? Problem .*$", "", text, flags=re.M).strip()
+    texts[0]["source"] = f"{head}\n:::{{div}} origin\n{texts[0]['source']}\n:::"
+    return json.dumps(notebook)
+
+
+class ProblemHead(SphinxDirective):
+    """The line under the title: section, level, topics, and the student's notebook."""
+
+    def run(self):
+        problem = catalogue.of(self.env)[self.env.docname]
+        chips = nodes.paragraph(classes=["problem-chips"])
+        chips += _chip(f"{problem.section}", "section")
+        chips += _chip("★ starred" if problem.level == "starred" else problem.level, problem.level)
+        for topic in problem.topics:
+            chips += to_label(self.env.docname, topic_label(topic), topic, "chip", "topic")
+        notebook = nodes.paragraph("", "", link(problem.page, problem.notebook, "Student’s notebook"),
+                                   classes=["problem-notebook"])
+        # Stock search takes "1.15" apart and drops the digits; an index entry is found whole.
+        index = addnodes.index(entries=[
+            ("single", entry, f"problem-{problem.number}", "main", None) for entry in self._index_entries(problem)])
+        target = nodes.target("", "", ids=[f"problem-{problem.number}"])
+        return [index, target, nodes.container("", chips, notebook, classes=["problem-head"])]
+
+    def _index_entries(self, problem):
+        # A master brings the entry of its number itself, its copy for students does not.
+        return [f"problem {problem.number}"] + ([] if problem.solved else [problem.number])
+
+
+class ProblemAnswers(SphinxDirective):
+    """What the student is to assign, each answer with its hints, one fold a hint."""
+
+    def run(self):
+        problem = catalogue.of(self.env)[self.env.docname]
+        box = nodes.container(classes=["problem-answers"])
+        box += nodes.rubric("", "What to answer")
+        for name, (kind, meaning) in problem.answers.items():
+            row = nodes.container(classes=["answer"])
+            row += self._markdown(f"`{name}` {meaning}")
+            row[0] += [nodes.Text(" "), nodes.inline("", kind, classes=["kind"])]
+            for k, hint in enumerate(problem.hints.get(name, []), start=1):
+                fold = details("", summary("", f"Hint {k}"), classes=["hint"])
+                fold += self._markdown(hint)
+                row += fold
+            box += row
+        return [box]
+
+    def _markdown(self, text):
+        parsed = nodes.Element()
+        self.state.nested_parse(StringList(text.splitlines(), self.env.docname), 0, parsed)
+        return parsed.children
+
+
+class ProblemRole(SphinxRole):
+    """{problem}`1.15` leads to the problem's page in whichever edition is built; a problem without a page is only named."""
+
+    def run(self):
+        for problem in catalogue.of(self.env).values():
+            if problem.number == self.text:
+                return [to_page(self.env.docname, problem.page, f"problem {problem.number}")], []
+        logger.info(f"problem {self.text} has no page yet", location=self.get_location())
+        return [nodes.inline("", f"problem {self.text}")], []
+
+
+def topic_label(topic):
+    return nodes.make_id(f"topic-{topic}")
+
+
+def to_label(page, label, text, *classes):
+    """A link to a label of the book, resolved when all pages are read."""
+    return _reference(page, "ref", label, text, *classes)
+
+
+def to_page(page, other, text, *classes):
+    return _reference(page, "doc", f"/{other}", text, *classes)
+
+
+def _reference(page, kind, target, text, *classes):
+    return addnodes.pending_xref("", nodes.inline("", text, classes=list(classes)), refdomain="std", reftype=kind,
+                                 reftarget=target, refexplicit=True, refwarn=True, refdoc=page)
+
+
+def _chip(text, *classes):
+    return nodes.inline("", text, classes=["chip", *classes])
+
+
+def _name_labels(app, document):
+    """`ex-1-15` reads "problem 1.15" wherever it is referred to, and exists in the student edition as well."""
+    problem = catalogue.of(app.env).get(app.env.docname)
+    if problem is None:
+        return
+    labels = app.env.get_domain("std")
+    anchor = problem.label if problem.solved else ""
+    labels.anonlabels[problem.label] = problem.page, anchor
+    labels.labels[problem.label] = problem.page, anchor, f"problem {problem.number}"
+    for name, (page, anchor, _) in list(labels.labels.items()):
+        if page == problem.page and name.startswith(f"sol-{problem.label[3:]}"):
+            labels.labels[name] = page, anchor, f"solution of problem {problem.number}"
+
+
+def setup(app):
+    app.connect("source-read", _complete)
+    app.connect("doctree-read", _name_labels, priority=900)
+    app.add_directive("problem-head", ProblemHead)
+    app.add_directive("problem-answers", ProblemAnswers)
+    app.add_role("problem", ProblemRole())

@@ -1,0 +1,167 @@
+"""Execute the pages of the book whose outputs are missing or stale, two at a time, into the cache the site is built from.
+
+    python book/execute.py
+
+A page is stale when its code cells changed, or a module of trajlib that it loads (however indirectly), or
+requirements.txt. Jupyter Book's own cache sees only the cells. Records that no page uses any more are removed.
+
+A cell that fails, also a check that finds an answer not right, ends with the page, the cell and the message, exit code 1.
+"""
+
+import hashlib
+import json
+import os
+import re
+import sys
+import time
+from concurrent.futures import ProcessPoolExecutor, as_completed
+from dataclasses import dataclass
+from pathlib import Path
+
+import yaml
+from jupyter_cache import get_cache
+from jupyter_cache.base import CacheBundleIn
+from jupyter_cache.executors.utils import single_nb_execution
+from myst_nb.core.read import is_myst_markdown_notebook, read_myst_markdown_notebook
+from myst_parser.config.main import MdParserConfig
+from nbclient.exceptions import DeadKernelError
+from nbformat import NotebookNode
+from sphinx_external_toc.parsing import parse_toc_yaml
+
+from trajlib.dependencies import module_closure
+
+ROOT = Path(__file__).resolve().parent.parent
+AT_ONCE = 2
+
+
+@dataclass(frozen=True)
+class Page:
+    path: Path
+    notebook: NotebookNode
+    fingerprint: str
+
+
+def main(root=ROOT):
+    """Bring the cache of the book at `root` up to date; returns the exit code."""
+    config = yaml.safe_load((root / "_config.yml").read_text(encoding="utf-8"))
+    cache = get_cache(root / "_build" / ".jupyter_cache")
+    pages = read_pages(root, config)
+    stale = keep_fresh_records(cache, pages)
+    if not stale:
+        print(f"all {len(pages)} pages with code are up to date")
+        return 0
+    print(f"{len(stale)} of {len(pages)} pages with code are to be executed")
+    failures = []
+    with ProcessPoolExecutor(AT_ONCE) as pool:
+        running = {pool.submit(execute, page, config["execute"]["timeout"]): page for page in stale}
+        for done in as_completed(running):
+            page, result = running[done], done.result()
+            name = page.path.relative_to(root).as_posix()
+            failure = result["failure"]
+            print(f"  {'failed  ' if failure else 'executed'} {result['seconds']:6.1f} s  {name}", flush=True)
+            if failure:
+                failures.append(f"{name}, {failure}")
+            else:
+                remember(cache, page, result)
+    for failure in sorted(failures):
+        print(f"\n{failure}", file=sys.stderr)
+    return 1 if failures else 0
+
+
+def read_pages(root, config):
+    """The pages of the table of contents that have code cells to execute."""
+    toc = parse_toc_yaml(root / "_toc.yml")
+    paths = {root / f"{name}.md" for name in toc} | {path for glob in toc.globs() for path in root.glob(f"{glob}.md")}
+    # The cells are found by the same Markdown dialect as when the site is built.
+    dialect = MdParserConfig(enable_extensions=set(config["parse"]["myst_enable_extensions"]))
+    shared = hashlib.sha256((root / "requirements.txt").read_bytes()).hexdigest() + sys.version
+    pages = []
+    for path in sorted(paths):
+        text = path.read_text(encoding="utf-8") if path.exists() else ""
+        if is_myst_markdown_notebook(text):
+            notebook = read_myst_markdown_notebook(text, dialect, add_source_map=True, path=path)
+            code = [cell.source for cell in notebook.cells if cell.cell_type == "code"]
+            if code:
+                parts = json.dumps([code, modules_loaded(code), shared], sort_keys=True)
+                pages.append(Page(path, notebook, hashlib.sha256(parts.encode()).hexdigest()))
+    return pages
+
+
+def modules_loaded(code):
+    """Module -> hash, for every module of trajlib that the cells load."""
+    try:
+        return module_closure("\n".join(code))
+    except SyntaxError:
+        return {}  # executing the page will say in which cell
+
+
+def keep_fresh_records(cache, pages):
+    """Remove what is stale or belongs to no page from the cache; returns the pages that are to be executed."""
+    current = {cache.create_hashed_notebook(page.notebook)[1]: page for page in pages}
+    fresh = set()
+    for record in cache.list_cache_records():
+        page = current.get(record.hashkey)
+        if page is not None and record.data.get("fingerprint") == page.fingerprint and record.uri == str(page.path):
+            fresh.add(record.hashkey)
+        else:
+            cache.remove_cache(record.pk)
+    return [page for key, page in current.items() if key not in fresh]
+
+
+def execute(page, timeout):
+    """Run in a worker: execute a page in a fresh kernel; returns its outputs or what failed."""
+    # Two kernels share the machine, and outputs should not depend on the order of a set.
+    os.environ.update(OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1", PYTHONHASHSEED="0")
+    start = time.monotonic()
+    try:
+        # A kernel's own log has nothing for the reader of a build: what a cell says is in its outputs.
+        result = single_nb_execution(page.notebook, cwd=str(page.path.parent), timeout=timeout, allow_errors=False,
+                                     extra_arguments=["--log-level=CRITICAL"])
+        failure = explain(result.nb, result.err) if result.err else missing_picture(result.nb)
+    except DeadKernelError as error:
+        failure = str(error)
+    return {"notebook": page.notebook, "seconds": time.monotonic() - start, "failure": failure}
+
+
+def explain(notebook, error):
+    """Which cell failed, where it stands in the file, and what it said."""
+    for number, cell in enumerate(notebook.cells):
+        for output in cell.get("outputs", []):
+            if output.output_type == "error":
+                said = output.evalue if output.ename == "NotYet" else f"{output.ename}: {output.evalue}"
+                return f"{place(notebook, number)}:\n    {failing_line(cell, output)}\n{said}"
+    return str(error)  # a time limit or a dead kernel leaves no output; nbclient's message quotes the cell
+
+
+def missing_picture(notebook):
+    """The first figure cell that shows nothing: its caption would stand under an empty place."""
+    for number, cell in enumerate(notebook.cells):
+        if "figure" in cell.metadata.get("tags", []):
+            if not any(output.output_type in ("display_data", "execute_result") for output in cell.outputs):
+                return f"{place(notebook, number)}: this figure cell shows no picture"
+    return None
+
+
+def place(notebook, number):
+    cell, line = notebook.cells[number], notebook.metadata.source_map[number] + 1
+    roles = ", ".join(cell.metadata.get("tags", [])) or "no role"
+    return f"cell {number + 1} ({roles}) at line {line}"
+
+
+def failing_line(cell, output):
+    """The line of the cell that the traceback points at; its first line if the traceback shows none."""
+    traceback = re.sub(r"\x1b\[[0-9;]*m", "", "\n".join(output.traceback))
+    arrow = re.search(r"^Cell In.*?^-+> (\d+) ", traceback, re.M | re.S)
+    return cell.source.splitlines()[int(arrow[1]) - 1 if arrow else 0].strip()
+
+
+def remember(cache, page, result):
+    cache.cache_notebook_bundle(
+        CacheBundleIn(result["notebook"], str(page.path),
+                      data={"fingerprint": page.fingerprint, "executed": time.time(),
+                            "execution_seconds": result["seconds"]}),
+        check_validity=False, overwrite=True)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,91 @@
+import numpy as np
+import sympy as sp
+from case import Case
+
+x, y, a, b, d = sp.symbols("x y a b d", real=True)
+w = sp.symbols("w", positive=True)
+n = sp.symbols("n", integer=True)
+r = 1 / sp.sqrt(-b)
+# The pendulum with friction: at rest at every multiple of pi.
+PENDULUM = (sp.Matrix([y, -d * y - w**2 * sp.sin(x)]), [x, y], [d, w], d > 0, n)
+# Duffing's equation: at rest at zero and, for b < 0, at two further places, which are saddles.
+SOFT = (sp.Matrix([y, -a * y - x - b * x**3]), [x, y], [a, b], [a > 0, b < 0])
+ANY = (SOFT[0], [x, y], [b])
+PORTRAIT = (SOFT[0].subs({a: 1, b: -sp.Rational(1, 25)}), [x, y])
+DOWN, UP = sp.Matrix([[0, 1], [-(w**2), -d]]), sp.Matrix([[0, 1], [w**2, -d]])
+SADDLE = (-d + sp.sqrt(d**2 + 4 * w**2)) / 2
+
+CASES = [
+    Case("rest_values", [2 * sp.pi * n, 2 * sp.pi * n + sp.pi], PENDULUM, "right", "two families"),
+    Case("rest_values", sp.pi * n, PENDULUM, "right", "one family"),
+    Case("rest_values", [(sp.pi * n, 0)], PENDULUM, "right", "as a point of the phase plane"),
+    Case("rest_values", sp.Symbol("n") * sp.pi, PENDULUM, "right", "a plain symbol"),
+    Case("rest_values", -sp.pi * (n + 100), PENDULUM, "right", "counted from elsewhere, downwards"),
+    Case("rest_values", 3.142 * n, PENDULUM, "right", "decimals"),
+    Case("rest_values", sp.solveset(sp.sin(x), x, sp.S.Reals), PENDULUM, "right", "the set that solveset gives"),
+    Case("rest_values", [0, sp.pi], PENDULUM, "wrong", "one period only"),
+    Case("rest_values", 2 * sp.pi * n, PENDULUM, "wrong", "one of the two families"),
+    Case("rest_values", sp.pi * n / 2, PENDULUM, "wrong", "the quarters taken along"),
+    Case("rest_values", [(sp.pi * n, 1)], PENDULUM, "wrong", "a point that moves"),
+    Case("rest_values", [0, r, -r], SOFT, "right", "parameters"),
+    Case("rest_values", {0, sp.sqrt(-1 / b), -sp.sqrt(-1 / b)}, SOFT, "right", "as a Python set"),
+    Case("rest_values", sp.FiniteSet(0, r, -r), SOFT, "right", "as a SymPy set"),
+    Case("rest_values", [0, r], SOFT, "wrong", "a sign lost"),
+    Case("rest_values", [0, 1 / sp.sqrt(b), -1 / sp.sqrt(b)], SOFT, "wrong", "values that are not real"),
+    Case("rest_values", [], SOFT, "wrong", "none at all"),
+    Case("rest_values", [0, ...], SOFT, "missing", "half of it"),
+    Case("rest_values", sp.Eq(sp.sin(x), 0), PENDULUM, "invalid", "the equation, not its solutions"),
+    Case("rest_values", sp.ConditionSet(x, sp.Eq(sp.sin(x), 0), sp.S.Reals), PENDULUM, "invalid", "the equation as a set"),
+    Case("rest_values", sp.Symbol("k") * sp.pi, PENDULUM, "invalid", "another letter for the integer"),
+    Case("stable_rest_values", 2 * sp.pi * n, PENDULUM, "right", "hanging"),
+    Case("stable_rest_values", sp.ImageSet(sp.Lambda(n, 2 * n * sp.pi), sp.S.Integers), PENDULUM, "right", "as a set"),
+    Case("stable_rest_values", 0, SOFT, "right", "a number"),
+    Case("stable_rest_values", sp.pi * n, PENDULUM, "wrong", "upright taken along"),
+    Case("stable_rest_values", [0], PENDULUM, "wrong", "one turn only"),
+    Case("stable_rest_values", "hanging", PENDULUM, "invalid", "a word"),
+    Case("unstable_rest_values", sp.pi * (2 * n - 1), PENDULUM, "right", "upright"),
+    Case("unstable_rest_values", [r, -r], SOFT, "right", "the saddles"),
+    Case("unstable_rest_values", [sp.pi], PENDULUM, "wrong", "one turn only"),
+    Case("unstable_rest_values", [0, r, -r], SOFT, "wrong", "the stable one taken along"),
+    Case("unstable_rest_values", True, SOFT, "invalid", "yes"),
+    Case("deviation_matrices", [DOWN, UP], PENDULUM, "right", "both"),
+    Case("deviation_matrices", [[[0, 1], [w**2, -d]], [[0, 1], [-(w**2), -d]]], PENDULUM, "right", "nested lists, the other order"),
+    Case("deviation_matrices", sp.Matrix([[0, 1], [-((-1) ** n) * w**2, -d]]), PENDULUM, "right", "one matrix with the integer"),
+    Case("deviation_matrices", {"down": DOWN, "up": UP}, PENDULUM, "right", "under names"),
+    Case("deviation_matrices", [DOWN], PENDULUM, "wrong", "one overlooked"),
+    Case("deviation_matrices", [DOWN, UP, sp.eye(2)], PENDULUM, "wrong", "one too many"),
+    Case("deviation_matrices", [DOWN, sp.Matrix([[0, 1], [w**2, d]])], PENDULUM, "wrong", "a sign of the friction"),
+    Case("deviation_matrices", [sp.eye(3)], PENDULUM, "invalid", "of order three"),
+    Case("deviation_matrices", w**2, PENDULUM, "invalid", "an expression"),
+    Case("growth_rate", SADDLE, PENDULUM[:4], "right", "the formula for a quadratic"),
+    Case("growth_rate", 2 * w**2 / (d + sp.sqrt(d**2 + 4 * w**2)), PENDULUM[:4], "right", "the root in the denominator"),
+    Case("growth_rate", (-a + sp.sqrt(a**2 + 8)) / 2, SOFT, "right", "Duffing"),
+    Case("growth_rate", (-d - sp.sqrt(d**2 + 4 * w**2)) / 2, PENDULUM[:4], "wrong", "the other root"),
+    Case("growth_rate", w, PENDULUM[:4], "wrong", "without friction"),
+    Case("growth_rate", (-d + sp.sqrt(d**2 - 4 * w**2)) / 2, PENDULUM[:4], "wrong", "the sign of the hanging pendulum"),
+    Case("growth_rate", [SADDLE], PENDULUM[:4], "invalid", "a list"),
+    Case("single_rest", b >= 0, ANY, "right", "zero counted in"),
+    Case("single_rest", sp.Interval(0, sp.oo), ANY, "right", "an interval"),
+    Case("single_rest", b > 0, ANY, "wrong", "the linear spring left out"),
+    Case("single_rest", b < 0, ANY, "wrong", "the other sign"),
+    Case("single_rest", True, ANY, "wrong", "always"),
+    Case("single_rest", 0, ANY, "invalid", "a number"),
+    Case("rest_kinds", {0: "stable focus", 5: "saddle", -5: "saddle"}, PORTRAIT, "right", "a dict"),
+    Case("rest_kinds", [[5.0, "Saddle"], [-5, "saddle"], [(0, 0), "stable-focus"]], PORTRAIT, "right", "pairs, a point among them"),
+    Case("rest_kinds", {0: "stable node", 5: "saddle", -5: "saddle"}, PORTRAIT, "wrong", "node for focus"),
+    Case("rest_kinds", {0: "stable focus", 5: "saddle"}, PORTRAIT, "wrong", "one left out"),
+    Case("rest_kinds", {0: "stable focus", 25: "saddle", -25: "saddle"}, PORTRAIT, "wrong", "no points of rest"),
+    Case("rest_kinds", {0: "stable", 5: "unstable", -5: "unstable"}, PORTRAIT, "invalid", "words that were not offered"),
+    Case("saddle_slopes", [1, -2], PORTRAIT, "right", "integers"),
+    Case("saddle_slopes", np.array([1.0, -2.0]), PORTRAIT, "right", "an array"),
+    Case("saddle_slopes", [-2, 1], PORTRAIT, "wrong", "the other order"),
+    Case("saddle_slopes", [1, -1], PORTRAIT, "wrong", "symmetric, as without friction"),
+    Case("saddle_slopes", [1, -2.1], PORTRAIT, "wrong", "the second digit off"),
+    Case("saddle_slopes", [1], PORTRAIT, "invalid", "one slope"),
+]
+LIMITS = [
+    "Stationary values are compared between -12 and 12 for three samples of the parameters, "
+    "with those that a search from 120 starts finds.",
+    "A family is followed in one integer; a family in two integers is not read.",
+    "Stationary solutions at which the first approximation is critical make the checks of stability give up.",
+]

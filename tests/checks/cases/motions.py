@@ -1,0 +1,113 @@
+import sympy as sp
+from case import Case
+
+x, y, f, s, u, w, t = sp.symbols("x y varphi s u w t", real=True)
+phi, rate, psi, dpsi, at = sp.symbols("phi rate psi dpsi phi0", real=True)
+n = sp.Symbol("n", integer=True)
+V, g, c = sp.symbols("V g c", positive=True)
+m, e = sp.symbols("m e", real=True)
+
+# A cart: place x, y, direction f, speed s; u drives it, w turns it.
+CART = ([s * sp.cos(f), s * sp.sin(f), w / s, u - c * s], [x, y, f, s], [c, V], {x: V * t, y: 0, s: V})
+DRIVE = (*CART, [u, w], t)
+# A pendulum turned by a moment m, with friction.
+TURNED = ([rate, -g * sp.sin(phi) - c * rate + m], [phi, rate], [m, g, c])
+PUMPED = ([rate, -g * sp.sin(phi) + e * rate], [phi, rate], [g, e])
+TOP, BOTTOM = sp.pi - sp.asin(m / g), sp.asin(m / g)
+
+CASES = [
+    Case("program_motion", {"x": V * t, "y": 0, "varphi": 0, "s": V, "u": c * V, "w": 0}, DRIVE, "right", "a dict by names"),
+    Case("program_motion", [V * t, 0, 0, V, c * V, 0], DRIVE, "right", "a list, the controls last"),
+    Case("program_motion", sp.Matrix([sp.Symbol("V") * sp.Symbol("t"), 0, 2 * sp.pi, V, c * V, 0]), DRIVE, "right", "a column; the direction after a full turn"),
+    Case("program_motion", [V * t, 0, 0, V, 0, 0], DRIVE, "wrong", "the drive forgotten"),
+    Case("program_motion", [V * t, 0, sp.pi, V, c * V, 0], DRIVE, "wrong", "the direction turned round"),
+    Case("program_motion", [V * t + 1, 0, 0, V, c * V, 0], DRIVE, "wrong", "another start than prescribed"),
+    Case("program_motion", ..., DRIVE, "missing", "the untouched stub"),
+    Case("program_motion", {"x": V * t, "y": 0, "varphi": 0, "s": V, "u": ..., "w": 0}, DRIVE, "missing", "half of it"),
+    Case("program_motion", [V * t, 0, 0, V], DRIVE, "invalid", "without controls"),
+    Case("program_motion", {"x": V * t}, DRIVE, "invalid", "names missing"),
+    Case("linearisation_along", [[0, 0, 0, 1], [0, 0, V, 0], [0, 0, 0, 0], [0, 0, 0, -c]], CART, "right", "nested lists"),
+    Case("linearisation_along", sp.Matrix([[0, 0, 0, 1], [0, 0, V, 0], [0, 0, 0, 0 * V], [0, 0, 0, -sp.Symbol("c")]]), CART, "right", "a matrix, a plain symbol"),
+    Case("linearisation_along", [[0, 0, 0, 1], [0, 0, 0, 0], [0, 0, 0, 0], [0, 0, 0, -c]], CART, "wrong", "the drift to the side lost"),
+    Case("linearisation_along", [[0, 0, 0, 1], [0, 0, V, 0], [0, 0, 0, 0], [0, 0, 0, c]], CART, "wrong", "a sign"),
+    Case("linearisation_along", ..., CART, "missing", "the untouched stub"),
+    Case("linearisation_along", [[0, 0], [0, V]], CART, "invalid", "the wrong shape"),
+    Case("linearisation_along", [[0, 0, 0, 1], [0, 0, s, 0], [0, 0, 0, 0], [0, 0, 0, -c]], CART, "invalid", "the program not put in"),
+    Case("input_matrix_along", [[0, 0], [0, 0], [0, 1 / V], [1, 0]], (*CART, [u, w]), "right", "nested lists"),
+    Case("input_matrix_along", sp.Matrix([[0, 0], [0, 0], [1 / V, 0], [0, 1]]), (*CART, [w, u]), "right", "the controls in the order of the data"),
+    Case("input_matrix_along", [[0, 0], [0, 0], [0, 1], [1, 0]], (*CART, [u, w]), "wrong", "a coefficient lost"),
+    Case("input_matrix_along", [[0, 0], [0, 0], [1 / V, 0], [0, 1]], (*CART, [u, w]), "wrong", "the columns exchanged"),
+    Case("input_matrix_along", ..., (*CART, [u, w]), "missing", "the untouched stub"),
+    Case("input_matrix_along", [0, 0, 0, 1], (*CART, [u, w]), "invalid", "one column"),
+    Case("rest_angles_exist", sp.Abs(m) <= g, TURNED, "right", "by the modulus"),
+    Case("rest_angles_exist", [m <= g, -sp.Symbol("g") <= sp.Symbol("m")], TURNED, "right", "a list, plain symbols"),
+    Case("rest_angles_exist", sp.Interval(-1, 1), ([rate, m - sp.sin(phi)], [phi, rate], [m, c]), "right", "a set of values of the first parameter"),
+    Case("rest_angles_exist", True, PUMPED, "right", "always"),
+    Case("rest_angles_exist", sp.Abs(m) < g, TURNED, "wrong", "the border left out"),
+    Case("rest_angles_exist", m <= g, TURNED, "wrong", "one side only"),
+    Case("rest_angles_exist", 2 * sp.Abs(m) <= g, TURNED, "wrong", "a factor"),
+    Case("rest_angles_exist", ..., TURNED, "missing", "the untouched stub"),
+    Case("rest_angles_exist", 1, TURNED, "invalid", "a number"),
+    Case("rest_angles", [BOTTOM + 2 * sp.pi * n, TOP + 2 * sp.pi * n], (*TURNED, n), "right", "two families"),
+    Case("rest_angles", [BOTTOM, TOP], (*TURNED, n), "right", "the angles of one turn"),
+    Case("rest_angles", (-1) ** n * BOTTOM + sp.pi * n, (*TURNED, n), "right", "one formula"),
+    Case("rest_angles", sp.ImageSet(sp.Lambda(x, sp.pi * x), sp.S.Integers), (*PUMPED, n), "right", "a set as solveset gives it"),
+    Case("rest_angles", [(sp.Float(3.14159) * n, 0)], (*PUMPED, n), "right", "points of the phase plane, with decimals"),
+    Case("rest_angles", [BOTTOM + 2 * sp.pi * n], (*TURNED, n), "wrong", "one family lost"),
+    Case("rest_angles", [BOTTOM + sp.pi * n], (*TURNED, n), "wrong", "the wrong period"),
+    Case("rest_angles", [sp.asin(g / m), TOP], (*TURNED, n), "wrong", "not real"),
+    Case("rest_angles", [], (*PUMPED, n), "wrong", "none"),
+    Case("rest_angles", ..., (*PUMPED, n), "missing", "the untouched stub"),
+    Case("rest_angles", sp.Eq(sp.sin(phi), m / g), (*TURNED, n), "invalid", "an equation"),
+    Case("stable_rest_angles", [BOTTOM + 2 * sp.pi * n], (*TURNED, n), "right", "the lower ones"),
+    Case("stable_rest_angles", {BOTTOM}, (*TURNED, n), "right", "a Python set"),
+    Case("stable_rest_angles", [], ([rate, g * sp.sin(phi) + c * rate], [phi, rate], [g, c], n), "right", "none"),
+    Case("stable_rest_angles", [TOP], (*TURNED, n), "wrong", "the upper ones"),
+    Case("stable_rest_angles", [], (*TURNED, n), "wrong", "none, though there are some"),
+    Case("stable_rest_angles", ..., (*TURNED, n), "missing", "the untouched stub"),
+    Case("stable_rest_angles", "none", (*TURNED, n), "invalid", "a word"),
+    Case("unstable_rest_angles", [TOP + 2 * sp.pi * n], (*TURNED, n), "right", "the upper ones"),
+    Case("unstable_rest_angles", sp.Matrix([TOP, TOP - 2 * sp.pi]), (*TURNED, n), "right", "a column, one angle twice"),
+    Case("unstable_rest_angles", [BOTTOM, TOP], (*TURNED, n), "wrong", "all of them"),
+    Case("unstable_rest_angles", [], (*TURNED, n), "wrong", "none"),
+    Case("unstable_rest_angles", ..., (*TURNED, n), "missing", "the untouched stub"),
+    Case("unstable_rest_angles", [t], (*TURNED, n), "invalid", "a symbol of another problem"),
+    Case("angle_deviations", -g * sp.cos(at) * psi - c * dpsi, (*TURNED, at, [psi, dpsi]), "right", "by the angle"),
+    Case("angle_deviations", -m * sp.cot(at) * psi - c * dpsi, (*TURNED, at, [psi, dpsi]), "right", "a parameter eliminated by the equation of rest"),
+    Case("angle_deviations", g * sp.cos(at) * psi - c * dpsi, (*TURNED, at, [psi, dpsi]), "wrong", "a sign"),
+    Case("angle_deviations", -g * sp.cos(at) * psi, (*TURNED, at, [psi, dpsi]), "wrong", "the friction lost"),
+    Case("angle_deviations", -g * sp.cos(at) * psi - c * dpsi + m, (*TURNED, at, [psi, dpsi]), "wrong", "the moment kept"),
+    Case("angle_deviations", ..., (*TURNED, at, [psi, dpsi]), "missing", "the untouched stub"),
+    Case("angle_deviations", -g * sp.sin(at + psi) - c * dpsi + m, (*TURNED, at, [psi, dpsi]), "invalid", "not linear"),
+    Case("stable_angles", sp.cos(at) > 0, (*TURNED, at), "right", "the lower half of the circle"),
+    Case("stable_angles", sp.sin(at) ** 2 < sp.cos(at) * sp.Abs(sp.cos(at)) + sp.sin(at) ** 2, (*TURNED, at), "right", "in a clumsy way"),
+    Case("stable_angles", sp.cos(at) >= 0, (*TURNED, at), "wrong", "the border counted in"),
+    Case("stable_angles", sp.cos(at) < 0, (*TURNED, at), "wrong", "the upper half"),
+    Case("stable_angles", sp.cos(at) > sp.Rational(1, 20), (*TURNED, at), "wrong", "a little too few"),
+    Case("stable_angles", ..., (*TURNED, at), "missing", "the untouched stub"),
+    Case("stable_angles", sp.cos(at), (*TURNED, at), "invalid", "an expression"),
+    Case("saddle_angles", sp.cos(at) < 0, (*TURNED, at), "right", "the upper half of the circle"),
+    Case("saddle_angles", sp.Not(sp.cos(at) >= 0), (*TURNED, at), "right", "a negation"),
+    Case("saddle_angles", sp.cos(at) <= 0, (*TURNED, at), "wrong", "the border counted in"),
+    Case("saddle_angles", sp.sin(at) < 0, (*TURNED, at), "wrong", "the sine"),
+    Case("saddle_angles", ..., (*TURNED, at), "missing", "the untouched stub"),
+    Case("saddle_angles", 2, (*TURNED, at), "invalid", "a number"),
+    Case("focus_parameters", c**4 < 16 * (g**2 - m**2), TURNED, "right", "squared"),
+    Case("focus_parameters", sp.And(sp.Abs(m) < g, c**2 <= 4 * sp.sqrt(g**2 - m**2)), TURNED, "right", "with a root, the border counted in"),
+    Case("focus_parameters", c**2 < 4 * g, TURNED, "wrong", "the moment forgotten"),
+    Case("focus_parameters", c**4 < 4 * (g**2 - m**2), TURNED, "wrong", "a factor"),
+    Case("focus_parameters", ..., TURNED, "missing", "the untouched stub"),
+    Case("focus_parameters", "focus", TURNED, "invalid", "a word"),
+    Case("node_parameters", c**4 >= 16 * (g**2 - m**2), TURNED, "right", "squared"),
+    Case("node_parameters", sp.Abs(e) > 2 * sp.sqrt(g), PUMPED, "right", "whatever the sign of the friction"),
+    Case("node_parameters", c**4 < 16 * (g**2 - m**2), TURNED, "wrong", "the foci"),
+    Case("node_parameters", e > 2 * sp.sqrt(g), PUMPED, "wrong", "one sign only"),
+    Case("node_parameters", ..., TURNED, "missing", "the untouched stub"),
+    Case("node_parameters", g, TURNED, "invalid", "an expression"),
+]
+LIMITS = [
+    "A program motion is judged at six random times and sets of parameters.",
+    "What a program leaves open has to be constant along it for the equations in deviations to be judged.",
+    "Stationary angles are sought from the signs on a grid of one degree: pairs closer together than this are overlooked.",
+    "Conditions on parameters are compared along eight lines, on each of which one parameter varies.",
+]

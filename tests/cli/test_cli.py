@@ -1,0 +1,109 @@
+"""The command line as a user meets it: in processes of its own."""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from trajlib import exercises
+from trajlib.masters import read
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+def trajlib(*arguments, cwd=ROOT):
+    environment = os.environ | {"COLUMNS": "200", "NO_COLOR": "1", "TERM": "dumb"}
+    return subprocess.run([sys.executable, "-m", "trajlib.cli", *map(str, arguments)], cwd=cwd, env=environment,
+                          capture_output=True, text=True, timeout=120)
+
+
+@pytest.mark.parametrize("arguments", [["--help"], ["problems", "--help"], ["solve", "-h"], ["check", "-h"], ["exercises", "-h"]])
+def test_help(arguments):
+    done = trajlib(*arguments)
+    assert done.returncode == 0 and "Usage" in done.stdout
+
+
+def test_problems():
+    done = trajlib("problems")
+    assert done.returncode == 0 and "1.15" in done.stdout and "Stability regions" in done.stdout
+    listed = json.loads(trajlib("problems", "--json").stdout)
+    assert {"number", "title", "section", "level", "topics", "answers"} <= set(listed[0])
+    assert [problem["number"] for problem in listed] == [e.number for e in exercises.read_all()]
+
+
+def test_solve():
+    done = trajlib("solve", "1.15", "--json")
+    assert done.returncode == 0, done.stderr
+    solved = json.loads(done.stdout)
+    assert solved["number"] == "1.15" and set(solved["answers"]["a_region"]) == {"type", "text", "encoded"}
+    assert {v["verdict"] for v in solved["verdicts"].values()} == {"right"}
+    assert "k1" in trajlib("solve", "1.15").stdout
+
+
+def worked(tmp_path, answered):
+    """A student's notebook of 1.15 in which the named items are answered as in the worked solution."""
+    exercise = exercises.find("1.15")
+    notebook = json.loads(exercise.path.read_text(encoding="utf-8"))
+    sources = read(ROOT / "solutions" / "ch1" / "p15.md").code("answer")
+    stubs = [cell for cell in notebook["cells"] if cell["metadata"].get("tags") == ["answer"]]
+    for k, cell in enumerate(stubs):
+        if "abcde"[k] in answered:
+            cell["source"] = ("from trajlib.stability import hurwitz_minors\n" if k else "") + sources[k]
+    path = tmp_path / "mine.ipynb"
+    path.write_text(json.dumps(notebook), encoding="utf-8")
+    return path
+
+
+def test_check(tmp_path):
+    done = trajlib("check", worked(tmp_path, "abcde"))
+    assert done.returncode == 0 and "5 of 5 right" in done.stdout, done.stdout + done.stderr
+    done = trajlib("check", worked(tmp_path, "bd"))
+    assert done.returncode == 1 and "2 of 5 right" in done.stdout
+    verdicts = json.loads(trajlib("check", worked(tmp_path, "bd"), "--json").stdout)["verdicts"]
+    assert [v["verdict"] for v in verdicts.values()] == ["missing", "right", "missing", "right", "missing"]
+
+
+def test_check_finds_answers_wherever_they_are_and_survives_a_failing_cell(tmp_path):
+    path = worked(tmp_path, "")
+    notebook = json.loads(path.read_text())
+    notebook["cells"] = [cell for cell in notebook["cells"] if cell["metadata"].get("tags") != ["check"]]
+    extra = ["%matplotlib inline\n1/0", "b_region = sp.And(k2 > 0, k1 > k2)\nimport sys; print('noise', file=sys.stderr)", "a_region = lambda k: True"]
+    notebook["cells"] += [{"cell_type": "code", "metadata": {}, "outputs": [], "execution_count": None, "source": s} for s in extra]
+    path.write_text(json.dumps(notebook))
+    found = json.loads(trajlib("check", path, "--json").stdout)
+    assert found["verdicts"]["b_region"]["verdict"] == "right" and found["verdicts"]["a_region"]["verdict"] == "invalid"
+    assert len(found["errors"]) == 1 and "ZeroDivisionError" in found["errors"][0]
+
+
+@pytest.mark.parametrize("arguments, said", [
+    (["solve", "9.99"], "no problem 9.99"),
+    (["solve", "fifteen"], "no problem fifteen"),
+    (["check", "nowhere.ipynb"], "nowhere.ipynb"),
+    (["check", "README.md"], "README.md is not a readable notebook"),
+])
+def test_bad_input_ends_in_one_line_and_code_2(arguments, said):
+    done = trajlib(*arguments)
+    assert done.returncode == 2 and said in done.stderr
+    assert len(done.stderr.strip().split("\n")) == 1 and "Traceback" not in done.stderr
+
+
+def test_check_stops_an_endless_notebook(tmp_path):
+    path = worked(tmp_path, "")
+    notebook = json.loads(path.read_text())
+    notebook["cells"].append({"cell_type": "code", "metadata": {}, "outputs": [], "execution_count": None, "source": "while True: pass"})
+    path.write_text(json.dumps(notebook))
+    done = trajlib("check", path, "--timeout", "8")
+    assert done.returncode == 2 and "still running after 8 s" in done.stderr
+
+
+def test_exercises_are_written_anew(tmp_path):
+    done = trajlib("exercises", "--json")
+    assert done.returncode == 0 and json.loads(done.stdout) == {"changed": []}
+
+
+def test_importing_trajlib_loads_nothing_heavy():
+    code = "import sys, trajlib; print([m for m in ('numpy', 'scipy', 'sympy', 'casadi', 'control', 'matplotlib') if m in sys.modules])"
+    assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True).stdout.strip() == "[]"

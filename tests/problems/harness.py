@@ -1,0 +1,105 @@
+"""Runs a master's cells by role and judges answers, each problem in a process of its own."""
+
+import ast
+import sys
+
+from trajlib import checks
+from trajlib.execution import in_child
+from trajlib.masters.reading import reported_names
+
+
+class Workbench:
+    """A master with its data in place: judges whatever is put in the place of its answers."""
+
+    def __init__(self, master):
+        self.master = master
+        self.data = {"__name__": "exercise"}
+        for source in master.code("data"):
+            execute(source, "data", self.data)
+        solved = dict(self.data)
+        for source in master.code("answer"):
+            execute(source, "answer", solved)
+        self.reference = {name: solved[name] for name in master.answers}
+        self.calls = {name: call for source in master.code("check") for name, call in check_calls(source).items()}
+
+    def judge(self, answers):
+        """Verdicts on `answers`; those left out are missing."""
+        namespace = self.data | dict.fromkeys(self.master.answers, ...) | answers
+        with checks.collecting() as verdicts:
+            for source in self.master.code("check"):
+                execute(source, "check", namespace)
+        return verdicts
+
+    def judge_beside(self, name, value):
+        """Verdicts on the check cell of an answer, with the reference in the place of its other answers."""
+        (source,) = [s for s in self.master.code("check") if name in reported_names(s)]
+        with checks.collecting() as verdicts:
+            execute(source, "check", self.data | self.reference | {name: value})
+        return verdicts
+
+    def judge_one(self, name, value):
+        """The verdict on one answer, from its own check cell alone."""
+        (source,) = [s for s in self.master.code("check") if name in reported_names(s)]
+        namespace = self.data | self.reference | {name: value}
+        with checks.collecting() as verdicts:
+            execute(ast.unparse(_only(source, name)), "check", namespace)
+        return verdicts[name]
+
+    def try_cell(self, source):
+        """The value that a trial cell gives its answer, starting from the data and the reference."""
+        namespace = self.data | self.reference
+        execute(source, "trial", namespace)
+        return namespace
+
+    def check_arguments(self, name):
+        """(function name, data arguments, options) of the check of an answer, evaluated."""
+        call = self.calls[name]
+        value = lambda node: eval(compile(ast.Expression(node), "<argument>", "eval"), self.data | self.reference)  # noqa: E731
+        return call.func.attr, [value(arg) for arg in call.args[1:]], {k.arg: value(k.value) for k in call.keywords}
+
+
+def execute(source, role, namespace):
+    exec(compile(source, f"<{role} cell>", "exec"), namespace)
+
+
+def check_calls(source):
+    """The call that judges each answer in a check cell, `checks.report(name=checks.f(name, ...))`, by answer."""
+    report = ast.parse(source).body[-1].value
+    return {keyword.arg: keyword.value for keyword in report.keywords}
+
+
+def apart(function, *args, timeout=60):
+    """Run `function(*args)` in a forked process, so that problems cannot disturb each other; errors come back."""
+    return in_child(function, *args, timeout=timeout)
+
+
+def called_functions(source, role, namespace):
+    """Functions (module, name) that run while a cell runs: (directly from the cell, anywhere in trajlib)."""
+    direct, within = set(), set()
+    this = f"<{role} cell>"
+
+    def watch(frame, event, _):
+        if event != "call":
+            return
+        called = (frame.f_globals.get("__name__") or "", frame.f_code.co_qualname if sys.version_info >= (3, 11) else frame.f_code.co_name)
+        if frame.f_back is not None and frame.f_back.f_code.co_filename == this:
+            direct.add(called)
+        if called[0].startswith("trajlib") and not called[1].startswith("<"):
+            within.add(called)
+        if frame.f_back is not None and str(frame.f_back.f_globals.get("__name__")).startswith("trajlib.checks"):
+            direct.add(called)
+
+    sys.setprofile(watch)
+    try:
+        execute(source, role, namespace)
+    finally:
+        sys.setprofile(None)
+    return direct, within
+
+
+def _only(source, name):
+    """The check cell with its report reduced to one answer."""
+    tree = ast.parse(source)
+    report = tree.body[-1].value
+    report.keywords = [keyword for keyword in report.keywords if keyword.arg == name]
+    return tree

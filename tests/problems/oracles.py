@@ -1,0 +1,255 @@
+"""Decides, without the check, whether a mutant is right after all: the same answer in another form.
+
+The default compares with the reference answer by value; a check with room for several answers has an oracle of its
+own under its name in `ORACLES`. What no oracle proves right, the check has to reject.
+"""
+
+import math
+from fractions import Fraction
+from itertools import permutations
+from random import Random
+
+import sympy as sp
+from sympy.core.relational import Relational
+
+LOGIC = (Relational, sp.And, sp.Or, sp.Not, sp.logic.boolalg.BooleanAtom)
+
+
+def is_right(mutant, reference, check, arguments, options, kind):
+    """True if the mutant is proved right."""
+    oracle = ORACLES.get(check)
+    return oracle(mutant, reference, *arguments, **options) if oracle else same_value(mutant, reference, kind)
+
+
+def same_value(one, other, kind=""):
+    """True if two answers are the same value, whatever their form; sets and lists of points have no order."""
+    if isinstance(one, (list, tuple)) or isinstance(other, (list, tuple)):
+        if not (isinstance(one, (list, tuple)) and isinstance(other, (list, tuple))):
+            return False
+        if kind.startswith(("list of vector", "set")):
+            return (all(any(same_value(a, b) for b in other) for a in one)
+                    and all(any(same_value(a, b) for a in one) for b in other))
+        return len(one) == len(other) and all(map(same_value, one, other))
+    if isinstance(one, dict):
+        return one.keys() == other.keys() and all(same_value(one[key], other[key]) for key in one)
+    if isinstance(one, str) or isinstance(other, str) or isinstance(one, bool):
+        return one == other
+    if isinstance(one, LOGIC) or isinstance(other, LOGIC):
+        return same_condition(one, other)
+    if isinstance(one, sp.MatrixBase) or isinstance(other, sp.MatrixBase):
+        return sp.Matrix(one).shape == sp.Matrix(other).shape and all(map(same_value, sp.Matrix(one), sp.Matrix(other)))
+    return sp.simplify(sp.sympify(one) - sp.sympify(other)) == 0
+
+
+def same_condition(one, other, leave_out=lambda point: False):
+    """True if two conditions agree at many rational points, those on the boundaries of both among them."""
+    symbols = sorted(one.free_symbols | other.free_symbols, key=str)
+    tests = [sp.lambdify(symbols, condition, modules="math") for condition in (one, other)]
+    return all(leave_out(dict(zip(symbols, point))) or _holds(tests[0], point) == _holds(tests[1], point)
+               for point in _points(symbols, one, other))
+
+
+def _points(symbols, *conditions):
+    random = Random(11)
+
+    def anywhere():
+        return [Fraction(random.randint(-80, 80), random.choice((1, 2, 7, 20, 40))) for _ in symbols]
+
+    yield from (anywhere() for _ in range(600))
+    for atom in sorted(set().union(*(condition.atoms(Relational) for condition in conditions)), key=str):
+        difference = atom.lhs - atom.rhs
+        for symbol in sorted(difference.free_symbols, key=str):
+            for _ in range(12):
+                point = dict(zip(symbols, anywhere()))
+                others = {s: sp.Rational(v.numerator, v.denominator) for s, v in point.items() if s != symbol}
+                line = sp.numer(sp.together(difference.xreplace(others)))
+                for root in sp.Poly(line, symbol).ground_roots() if line.is_polynomial(symbol) and line.has(symbol) else []:
+                    if root.is_Rational:
+                        at = Fraction(int(root.p), int(root.q))
+                        for value in (at, at + Fraction(1, 10**4), at - Fraction(1, 10**4)):
+                            yield [value if s == symbol else point[s] for s in symbols]
+
+
+def _holds(test, point):
+    try:
+        return bool(test(*point))
+    except (ZeroDivisionError, ValueError, TypeError):
+        return False
+
+
+def stability_region(mutant, reference, system, parameters, margin=0):
+    """As `same_condition`, with the two conventions: where the order drops, and on the boundary of a margin."""
+    if not isinstance(mutant, LOGIC):
+        return False
+    if isinstance(system, sp.MatrixBase):
+        leading, polynomial = sp.S.One, system.charpoly()
+    else:
+        (symbol,) = sp.sympify(system).free_symbols - set(parameters)
+        polynomial = sp.Poly(system, symbol)
+        leading = polynomial.LC()
+
+    def convention(point):
+        # A condition that is true or false everywhere has no symbols: any values will do for it.
+        values = dict.fromkeys(parameters, 0) | {p: sp.Rational(v.numerator, v.denominator) for p, v in point.items()}
+        if leading.xreplace(values) == 0:
+            return True
+        if margin == 0:
+            return False
+        roots = sp.Poly(polynomial.as_expr().xreplace(values), polynomial.gen).nroots(n=20)
+        return abs(max(sp.re(root) for root in roots) + margin) < 1e-9
+
+    return same_condition(mutant, reference, convention)
+
+
+def basin_estimate(mutant, reference, function, field, state, parameters=(), given=()):
+    """As `same_condition`, but the border itself is a convention: {V < c} and {V <= c} are the same estimate.
+
+    Parameters that the problem excludes count for nothing.
+    """
+    return isinstance(mutant, LOGIC) and same_condition(_closed(mutant), _closed(reference), _excluded(given))
+
+
+def _excluded(given):
+    """The test whether a point violates the condition or conditions that a problem takes for granted."""
+    given = sp.And(*given) if isinstance(given, (list, tuple)) else given
+    return lambda point: given.subs({s: sp.Rational(v.numerator, v.denominator) for s, v in point.items()}) == False  # noqa: E712
+
+
+def _closed(condition):
+    return condition.replace(lambda node: isinstance(node, (sp.StrictLessThan, sp.StrictGreaterThan)),
+                             lambda node: (sp.Le if isinstance(node, sp.StrictLessThan) else sp.Ge)(node.lhs, node.rhs))
+
+
+def same_family(mutant, reference, field, state, parameters=(), given=(), integer=None):
+    """True if two lists of expressions in an integer have the same members, whatever their order and counting."""
+    random, excluded, compared = Random(12), _excluded(given), 0
+    while compared < 3:
+        point = {p: Fraction(random.randint(1, 40), 12) * (1 if p.is_positive else random.choice((-1, 1))) for p in parameters}
+        if excluded(point):
+            continue
+        compared += 1
+        values = {p: sp.Rational(x.numerator, x.denominator) for p, x in point.items()}
+        one, other = (_family_members(answer, values, integer) for answer in (mutant, reference))
+        if one != other:
+            return False
+    return True
+
+
+def _family_members(answer, values, integer):
+    """The members between -20 and 20, rounded."""
+    numbers = {complex(sp.sympify(family).subs(values | ({} if integer is None else {integer: k})).evalf()) for family in answer
+               for k in (range(-40, 41) if integer is not None else (0,))}
+    return {(round(x.real, 6) + 0.0, round(x.imag, 6) + 0.0) for x in numbers if abs(x) < 20}
+
+
+def same_matrices(mutant, reference, *_):
+    """True if two lists hold the same matrices, in any order."""
+    return all(any(same_value(a, b) for b in reference) for a in mutant) and all(any(same_value(a, b) for a in mutant) for b in reference)
+
+
+def stable_equation(mutant, reference, equation, motion, parameters):
+    """As `stability_region` for the polynomial of a linear equation."""
+    time, s = motion.args[0], sp.Symbol("s")
+    order = max((d.derivative_count for d in equation.atoms(sp.Derivative)), default=0)
+    terms = [sp.diff(equation, sp.Derivative(motion, (time, k)) if k else motion) * s**k for k in range(order + 1)]
+    return stability_region(mutant, reference, sp.Add(*terms), parameters)
+
+
+def spectra(mutant, reference, field, state):
+    """As `same_value` for rows of a point and its eigenvalues: rows and the eigenvalues of one row have no order."""
+    n = len(state)
+
+    def same_row(one, other):
+        return (len(one) == len(other) and same_value(one[:n], other[:n])
+                and any(same_value(list(order), other[n:]) for order in permutations(one[n:])))
+
+    return all(any(same_row(a, b) for b in reference) for a in mutant) and all(any(same_row(a, b) for a in mutant) for b in reference)
+
+
+def first_integral(mutant, reference, field, state, *_):
+    """True for every function of the state, not constant, whose derivative along the motions is identically zero."""
+    rate = sum(sp.diff(mutant, x) * f for x, f in zip(state, field))
+    return bool(mutant.free_symbols & set(state)) and sp.simplify(rate) == 0
+
+
+def planar_region(mutant, reference, field, state, parameters, domain=None):
+    """As `same_condition`, for parameters inside their domain alone; small values are tried as well as large ones."""
+    intervals = {p: (domain or {}).get(p, sp.Interval.open(0, sp.oo) if p.is_positive else sp.S.Reals) for p in parameters}
+
+    def outside(point):
+        return any(intervals[p].contains(sp.Rational(v.numerator, v.denominator)) == False for p, v in point.items())  # noqa: E712
+
+    if not same_condition(mutant, reference, outside):
+        return False
+    symbols, random = sorted(intervals, key=str), Random(14)
+    tests = [sp.lambdify(symbols, condition, modules="math") for condition in (mutant, reference)]
+    points = ([10 ** random.uniform(-2, 1.5) * (1 if p.is_positive else random.choice((-1, 1))) for p in symbols] for _ in range(4000))
+    ends = [(float(intervals[p].start), float(intervals[p].end)) for p in symbols]
+    return all(_holds(tests[0], point) == _holds(tests[1], point) for point in points
+               if all(low < x < high for x, (low, high) in zip(point, ends)))
+
+
+def growing_motion(mutant, reference, field, state, parameters, time, constants=(), program=None, part=None):
+    """True for every motion of the linear system whose distance from zero has no bound."""
+    matrix, motion = _linear_part(field, state, program, part), sp.Matrix(list(mutant))
+    if len(motion) != matrix.rows or not (motion.diff(time) - matrix * motion).applyfunc(sp.simplify).is_zero_matrix:
+        return False
+    return sp.limit(sp.expand(motion.dot(motion)), time, sp.oo) == sp.oo
+
+
+def conserved_form(mutant, reference, field, state, parameters, program=None, part=None):
+    """True for every positive definite quadratic form whose derivative along the motions is identically zero."""
+    part = list(part or state)
+    velocity = _linear_part(field, state, program, part) * sp.Matrix(part)
+    weights = sp.hessian(mutant, part)
+    if sp.expand(mutant - sp.Matrix(part).dot(weights * sp.Matrix(part)) / 2) != 0 or sp.expand(sp.Matrix([mutant]).jacobian(part).dot(velocity)) != 0:
+        return False
+    return bool(weights.subs({p: sp.Rational(3 + j, 2) for j, p in enumerate(parameters)}).is_positive_definite)
+
+
+def _linear_part(field, state, program, part):
+    rest = dict.fromkeys(state, 0) | (program or {})
+    chosen = [list(state).index(s) for s in part or state]
+    return sp.Matrix(field).jacobian(state).subs(rest).extract(chosen, chosen)
+
+
+def same_angles(mutant, reference, field, state, parameters, integer):
+    """True if two lists of angles are the same on the circle, for several values of the parameters."""
+    samples = [{p: -sp.Rational(j, 7) if p.is_negative else sp.Rational(j + 2, 3) for p in parameters} for j in (1, 2, 4)]
+    return all(_on_circle(mutant, values, integer) == _on_circle(reference, values, integer) for values in samples)
+
+
+def _on_circle(angles, values, integer):
+    """Points of the circle, rounded; an angle that is not real is a point of its own."""
+    numbers = [complex(a.subs(values).subs(integer, j).evalf()) for a in map(sp.sympify, angles) for j in range(-6, 7)]
+    return {"not real" if abs(x.imag) > 1e-9 else (round(math.cos(x.real), 6) + 0.0, round(math.sin(x.real), 6) + 0.0) for x in numbers}
+
+
+def angle_condition(mutant, reference, field, state, parameters, angle):
+    """As `same_condition`, at the multiples of an eighth of pi too, where equalities can hold."""
+    if not isinstance(mutant, LOGIC):
+        return False
+    return all(mutant.subs(angle, sp.pi * j / 8) == reference.subs(angle, sp.pi * j / 8) for j in range(16)) and same_condition(mutant, reference)
+
+
+def kind_of_angles(mutant, reference, field, state, parameters):
+    """True if two conditions agree wherever there are stationary angles, at many values in general position."""
+    symbols = sorted(set(mutant.free_symbols | reference.free_symbols), key=str)
+    tests = [sp.lambdify(symbols, condition, modules="math") for condition in (mutant, reference)]
+    force, random = sp.lambdify([state[0], *parameters], field[1].subs(state[1], 0), modules="math"), Random(17)
+    for _ in range(4000):
+        values = {p: random.uniform(0, 2) * (-1 if p.is_negative else 1 if p.is_positive else random.choice((-1, 1))) for p in parameters}
+        heights = [force(math.pi * j / 90, *(values[p] for p in parameters)) for j in range(180)]
+        point = [values[p] for p in symbols]
+        if min(heights) < 0 < max(heights) and _holds(tests[0], point) != _holds(tests[1], point):
+            return False
+    return True
+
+
+ORACLES = {"growing_motion": growing_motion, "conserved_form": conserved_form, "rest_angles": same_angles, "stable_rest_angles": same_angles,
+           "unstable_rest_angles": same_angles, "stable_angles": angle_condition, "saddle_angles": angle_condition,
+           "focus_parameters": kind_of_angles, "node_parameters": kind_of_angles,
+           "first_integral": first_integral, "focus_region": planar_region, "node_region": planar_region,
+           "stationary_exists": planar_region, "spectra": spectra, "basin_estimate": basin_estimate, "stability_region": stability_region, "stable_equation": stable_equation,
+           "rest_values": same_family, "stable_rest_values": same_family, "unstable_rest_values": same_family,
+           "deviation_matrices": same_matrices}

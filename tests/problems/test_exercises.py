@@ -1,0 +1,60 @@
+"""The students' notebooks: in step with their masters, free of solutions, judged rightly by `trajlib` and by nbgrader."""
+
+import json
+import re
+from pathlib import Path
+
+import nbformat
+import pytest
+
+from trajlib import exercises
+from trajlib.execution import judge, run_notebook
+from trajlib.masters import Links, master_paths, read, student_notebook
+
+ROOT = Path(__file__).resolve().parents[2]
+PATHS = master_paths(ROOT / "solutions")
+
+@pytest.fixture(params=PATHS, ids=lambda path: f"{path.parent.name[2:]}.{int(path.stem[1:])}")
+def master(request):
+    return read(request.param)
+
+
+@pytest.fixture(scope="module")
+def links():
+    from trajlib.masters.converting import baseurl
+    return Links(ROOT, baseurl(ROOT))
+
+
+def test_every_exercise_has_a_master():
+    assert [e.path for e in exercises.read_all()] == [read(path).exercise for path in PATHS]
+
+
+def test_in_step_with_its_master(master, links):
+    written = json.loads(master.exercise.read_text(encoding="utf-8"))
+    assert written == student_notebook(master, links), "run `trajlib exercises`"
+    nbformat.validate(written)
+
+
+def test_holds_no_solution(master):
+    text = master.exercise.read_text(encoding="utf-8")
+    notebook = json.loads(text)
+    cells = ["".join(cell["source"]) for cell in notebook["cells"]]
+    for source in master.code("answer", "figure", "wrong", "right"):
+        for line in (line.strip() for line in source.split("\n")):
+            if len(line) > 30 and line not in "\n".join(master.code("data", "check")):
+                assert line not in "\n".join(cells), f"a line of the solution: {line}"
+    assert not re.search(r"```\{|:label:|\{ref\}|solution-start", "\n".join(cells)), "a directive was left"
+
+
+def test_untouched_is_missing_and_answered_is_right(master):
+    exercise = exercises.find(master.number)
+    stubs = [source for _, source in exercise.code("data", "answer")]
+    run = run_notebook(stubs, master.answers)
+    assert run.errors == ()
+    verdicts = judge(exercise.code("data", "check"), run, master.answers)
+    assert {v.status for v in verdicts.values()} == {"missing"}
+
+    answered = run_notebook(master.code("data", "answer"), master.answers)
+    assert answered.errors == () and answered.unreadable == {}
+    verdicts = judge(exercise.code("data", "check"), answered, master.answers)
+    assert {name: v.status for name, v in verdicts.items()} == dict.fromkeys(master.answers, "right")

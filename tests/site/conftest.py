@@ -1,0 +1,133 @@
+"""Builds both editions of the site once, and opens them in a browser that can reach nothing but this machine."""
+
+import fcntl
+import json
+import os
+import shutil
+import subprocess
+import sys
+import threading
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from types import SimpleNamespace
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+HERE = Path(__file__).parent
+
+
+def pytest_collection_modifyitems(items):
+    for item in items:
+        if HERE in item.path.parents:
+            item.add_marker(pytest.mark.site)
+
+
+@pytest.fixture(scope="session")
+def editions():
+    """The folders of the two editions, as `make` builds them in this checkout; a warning ends the build."""
+    (ROOT / "_build").mkdir(exist_ok=True)
+    # Test processes run side by side; the first builds, the others find the work done.
+    with open(ROOT / "_build" / ".building", "w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        settings = {key: value for key, value in os.environ.items() if not key.startswith("MAKE")}
+        # The running environment is used as it is: nothing is installed.
+        built = subprocess.run(["make", "book", "book-student", f"VENV={sys.prefix}", "INSTALLED="], cwd=ROOT,
+                               env=settings, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    assert built.returncode == 0, f"the site does not build:\n{built.stdout[-6000:]}"
+    return SimpleNamespace(full=ROOT / "_build" / "html", student=ROOT / "_build" / "student" / "html")
+
+
+@pytest.fixture(scope="session")
+def pages_of():
+    """The pages below a folder; _static holds templates of the theme, which are no pages."""
+    return lambda root: sorted(path for path in root.rglob("*.html") if root / "_static" not in path.parents)
+
+
+@pytest.fixture(scope="session")
+def problem(editions):
+    """A problem to look at closely: its number, and its page in the edition with solutions."""
+    page = min(editions.full.glob("solutions/ch*/p*.html"), key=lambda page: page.stem != "p15")
+    return SimpleNamespace(page=page.relative_to(editions.full).as_posix(),
+                           number=f"{page.parent.name[2:]}.{int(page.stem[1:])}")
+
+
+class _Quiet(SimpleHTTPRequestHandler):
+    def log_message(self, *args):
+        pass
+
+
+@pytest.fixture(scope="session")
+def addresses(editions):
+    """Where the sites are opened: the edition with solutions from the disk and from a web server, the other from one."""
+    served = {"http": editions.full, "student": editions.student}
+    servers = {way: ThreadingHTTPServer(("127.0.0.1", 0), partial(_Quiet, directory=str(root))) for way, root in served.items()}
+    for server in servers.values():
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+    yield {"file": editions.full.as_uri(), **{way: f"http://127.0.0.1:{s.server_port}" for way, s in servers.items()}}
+    for server in servers.values():
+        server.shutdown()
+        server.server_close()
+
+
+class Browser:
+    """Chromium with every name but this machine's unknown to it."""
+
+    def __init__(self, chromium, driver, profile):
+        from selenium import webdriver
+        from selenium.webdriver.chrome.service import Service
+
+        options = webdriver.ChromeOptions()
+        options.binary_location = chromium
+        for argument in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
+                         "--disable-background-networking", "--disable-component-update", "--disable-sync",
+                         "--no-first-run", f"--user-data-dir={profile}", "--window-size=1280,900",
+                         "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1"):
+            options.add_argument(argument)
+        options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
+        self.driver = webdriver.Chrome(options=options, service=Service(driver))
+        self.driver.set_script_timeout(60)
+
+    def open(self, address):
+        """Open a page and wait until its formulas are set."""
+        self.driver.get_log("browser"), self.driver.get_log("performance")  # forget the page before
+        self.driver.get(address)
+        self.driver.execute_async_script("""
+            const done = arguments[0];
+            (window.MathJax && MathJax.startup ? MathJax.startup.promise : Promise.resolve()).then(() => done());""")
+
+    def resize(self, width, height, phone=False):
+        self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
+            "width": width, "height": height, "deviceScaleFactor": 1, "mobile": phone})
+
+    def run(self, script):
+        return self.driver.execute_script(f"return {script}")
+
+    def find(self, selector):
+        from selenium.webdriver.common.by import By
+        return self.driver.find_element(By.CSS_SELECTOR, selector)
+
+    def errors(self):
+        """What the console calls an error since the page was opened."""
+        return [entry["message"] for entry in self.driver.get_log("browser") if entry["level"] == "SEVERE"]
+
+    def foreign_requests(self):
+        """Requests to other hosts since the page was opened."""
+        messages = (json.loads(entry["message"])["message"] for entry in self.driver.get_log("performance"))
+        urls = [m["params"]["request"]["url"] for m in messages if m["method"] == "Network.requestWillBeSent"]
+        return [url for url in urls if not url.startswith(("file:", "data:", "blob:", "http://127.0.0.1:"))]
+
+
+@pytest.fixture(scope="session")
+def browser(tmp_path_factory):
+    chromium = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
+    driver = shutil.which("chromedriver")
+    if not (chromium and driver):
+        missing = "chromium and chromedriver are needed to open the site"
+        if os.environ.get("CI") == "true":
+            pytest.fail(missing)
+        pytest.skip(missing)
+    browser = Browser(chromium, driver, tmp_path_factory.mktemp("profile"))
+    yield browser
+    browser.driver.quit()

@@ -1,0 +1,117 @@
+"""The site in a real browser that cannot reach any other host."""
+
+import io
+import json
+import time
+import zipfile
+from urllib.parse import urljoin
+from urllib.request import urlopen
+
+import pytest
+
+PHONE = 390
+
+
+@pytest.fixture(autouse=True)
+def on_a_desk(browser):
+    browser.resize(1280, 900)
+
+
+@pytest.mark.parametrize("way", ["file", "http"])
+def test_formulas_are_set_and_nothing_else_is_asked_for(browser, addresses, problem, way):
+    browser.open(f"{addresses[way]}/{problem.page}")
+    assert browser.run("document.querySelectorAll('article mjx-container svg').length") > 0
+    assert browser.errors() == []
+    assert browser.foreign_requests() == []
+
+
+@pytest.mark.parametrize("edition", ["full", "student"])
+def test_every_page_fits_a_phone_without_errors(browser, addresses, editions, pages_of, edition):
+    """All folds open: what is folded away has to fit as well."""
+    root = getattr(editions, edition)
+    browser.resize(PHONE, 844, phone=True)
+    faults = []
+    for path in pages_of(root):
+        page = path.relative_to(root).as_posix()
+        browser.open(f"{addresses['http' if edition == 'full' else 'student']}/{page}")
+        browser.run("document.querySelectorAll('details').forEach(fold => fold.open = true)")
+        width = browser.run("document.documentElement.scrollWidth")
+        broken = browser.run("[...document.querySelectorAll('mjx-merror, [data-mjx-error]')].map(e => e.dataset.mjxError || e.innerText)")
+        unset = browser.run("""[...document.querySelectorAll('.math')].filter(
+            e => !e.querySelector('mjx-container') && e.innerText.trim()).map(e => e.innerText.slice(0, 60))""")
+        faults += [f"{page}: {width} px wide"] if width > PHONE else []
+        faults += [f"{page}: {what}" for what in broken + unset + browser.errors() + browser.foreign_requests()]
+    assert not faults, "\n".join(faults)
+
+
+def test_the_dark_switch_darkens_the_page(browser, addresses, problem):
+    browser.open(f"{addresses['http']}/{problem.page}")
+    for _ in range(3):  # the button goes round light, dark, and what the system says
+        if browser.run("document.documentElement.dataset.mode") == "dark":
+            break
+        browser.find(".theme-switch-button").click()
+    assert browser.run("document.documentElement.dataset.theme") == "dark"
+    ground = browser.run("getComputedStyle(document.body).backgroundColor.match(/\\d+/g).map(Number)")
+    ink = browser.run("getComputedStyle(document.querySelector('article')).color.match(/\\d+/g).map(Number)")
+    assert max(ground[:3]) < 60 and min(ink[:3]) > 180
+    browser.run("localStorage.clear()")
+
+
+@pytest.mark.parametrize("way", ["file", "http"])
+def test_a_solution_is_folded_and_opens(browser, addresses, problem, way):
+    browser.open(f"{addresses[way]}/{problem.page}")
+    assert browser.run("[...document.querySelectorAll('details.solution, details.hint')].some(fold => fold.open)") is False
+    content = browser.find("details.solution > section")
+    assert not content.is_displayed()
+    browser.find("details.solution > summary").click()
+    assert content.is_displayed()
+    assert browser.run("document.querySelector('details.solution mjx-container svg').getBoundingClientRect().width") > 5
+
+
+def test_a_link_to_a_solution_opens_it(browser, addresses, problem):
+    browser.open(f"{addresses['http']}/{problem.page}")
+    label = browser.run("document.querySelector('details.solution > section').id")
+    browser.open("about:blank")
+    browser.open(f"{addresses['http']}/{problem.page}#{label}")
+    assert browser.run("document.querySelector('details.solution').open")
+
+
+@pytest.mark.parametrize("way", ["file", "http"])
+def test_a_number_typed_into_the_search_finds_the_problem_first(browser, addresses, problem, way):
+    from selenium.webdriver.common.keys import Keys
+
+    browser.open(f"{addresses[way]}/book/index.html")
+    browser.find(".bd-sidebar-primary .search-button-field").click()
+    browser.find("#pst-search-dialog input[type=search]").send_keys(problem.number, Keys.ENTER)
+    first = _wait(lambda: browser.run("document.querySelector('main #search-results ul.search a')?.href"))
+    assert problem.page in first
+    assert browser.errors() == []
+
+
+def test_the_students_notebook_is_served(browser, addresses, problem):
+    browser.open(f"{addresses['http']}/{problem.page}")
+    with urlopen(browser.find(".problem-notebook a").get_attribute("href")) as answer:
+        assert answer.status == 200
+        notebook = json.load(answer)
+    assert notebook["nbformat"] == 4 and notebook["metadata"]["trajlib"]["number"] == problem.number
+
+
+def test_the_wheel_is_served(browser, addresses):
+    page = f"{addresses['http']}/book/guides/student.html"
+    browser.open(page)
+    with urlopen(urljoin(page, browser.find("a.download[href$='.whl']").get_attribute("href"))) as answer:
+        names = zipfile.ZipFile(io.BytesIO(answer.read())).namelist()
+    assert "trajlib/__init__.py" in names
+    assert not [name for name in names if name.startswith(("solutions", "book"))]
+
+
+def test_the_first_address_leads_to_the_book(browser, addresses):
+    browser.open(addresses["http"] + "/index.html")
+    assert _wait(lambda: browser.run("location.pathname.endsWith('/book/index.html')"))
+
+
+def _wait(condition, seconds=10):
+    end = time.monotonic() + seconds
+    while not (found := condition()) and time.monotonic() < end:
+        time.sleep(0.1)
+    return found

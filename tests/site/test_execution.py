@@ -1,0 +1,158 @@
+"""book/execute.py in a small book of its own: what is executed, what is kept, and what a failure says."""
+
+import importlib.util
+import textwrap
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+CONFIG = "execute: {timeout: 20}\nparse: {myst_enable_extensions: [dollarmath]}\n"
+TOC = "format: jb-book\nroot: index\nchapters: [{glob: 'p*'}]\n"
+HEADER = """\
+---
+jupytext:
+  text_representation: {extension: .md, format_name: myst}
+kernelspec: {name: python3, display_name: Python 3, language: python}
+---
+# A page
+"""
+
+
+@pytest.fixture(scope="module")
+def executing():
+    spec = importlib.util.spec_from_file_location("execute", ROOT / "book" / "execute.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+@pytest.fixture
+def book(tmp_path, executing, monkeypatch, capsys):
+    """A book of pages `p*.md`; `run()` gives the exit code and what was printed."""
+    monkeypatch.setattr(executing, "ProcessPoolExecutor", InThisProcess)
+
+    class Book:
+        root = tmp_path
+
+        def write(self, name, *cells):
+            text = "".join(f"\n```{{code-cell}}\n{textwrap.dedent(cell)}\n```\n" for cell in cells)
+            (tmp_path / f"{name}.md").write_text(HEADER + text)
+
+        def run(self):
+            code = executing.main(tmp_path)
+            shown = capsys.readouterr()
+            return code, shown.out, shown.err
+
+    (tmp_path / "_config.yml").write_text(CONFIG)
+    (tmp_path / "_toc.yml").write_text(TOC)
+    (tmp_path / "requirements.txt").write_text("numpy==2\n")
+    (tmp_path / "index.md").write_text("# A book\n")
+    return Book()
+
+
+class InThisProcess:
+    """Stands in for the pool: a module loaded by path has no name that a worker could import it by."""
+
+    def __init__(self, workers):
+        pass
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *error):
+        pass
+
+    def submit(self, function, *arguments):
+        from concurrent.futures import Future
+        future = Future()
+        future.set_result(function(*arguments))
+        return future
+
+
+def test_only_what_changed_is_executed(book):
+    book.write("p1", "1 + 1")
+    book.write("p2", "2 + 2")
+    assert "2 of 2 pages" in book.run()[1]
+    assert "up to date" in book.run()[1]
+    (book.root / "p1.md").write_text((book.root / "p1.md").read_text() + "\nMore prose.\n")
+    assert "up to date" in book.run()[1]
+    book.write("p2", "2 + 3")
+    _, printed, _ = book.run()
+    assert "1 of 2 pages" in printed and "p2.md" in printed and "p1.md" not in printed
+
+
+def test_a_page_follows_the_modules_it_loads(book, executing, monkeypatch):
+    closure = {"trajlib.stability": "before"}
+    monkeypatch.setattr(executing, "module_closure", lambda source: closure if "stability" in source else {})
+    book.write("p1", "# stands for: from trajlib import stability")
+    book.write("p2", "2 + 2")
+    book.run()
+    closure["trajlib.stability"] = "after"
+    _, printed, _ = book.run()
+    assert "p1.md" in printed and "p2.md" not in printed
+
+
+def test_a_changed_environment_makes_every_page_stale(book):
+    book.write("p1", "1 + 1")
+    book.run()
+    (book.root / "requirements.txt").write_text("numpy==2.1\n")
+    assert "1 of 1 pages" in book.run()[1]
+
+
+def test_records_of_pages_that_are_gone_are_removed(book, executing):
+    book.write("p1", "1 + 1")
+    book.write("p2", "2 + 2")
+    book.run()
+    (book.root / "p2.md").unlink()
+    book.run()
+    cache = executing.get_cache(book.root / "_build" / ".jupyter_cache")
+    assert [record.uri for record in cache.list_cache_records()] == [str(book.root / "p1.md")]
+
+
+def test_the_site_finds_the_outputs_in_the_cache(book, executing):
+    book.write("p1", "6 * 7")
+    book.run()
+    cache = executing.get_cache(book.root / "_build" / ".jupyter_cache")
+    page, = executing.read_pages(book.root, executing.yaml.safe_load(CONFIG))
+    _, notebook = cache.merge_match_into_notebook(page.notebook)
+    assert [cell.outputs[0].data["text/plain"] for cell in notebook.cells if cell.cell_type == "code"] == ["42"]
+
+
+def test_a_failing_cell_is_named_with_its_page_and_message(book):
+    book.write("p1", "1 + 1", ":tags: [answer]\ny = 0\nx = 1 / y")
+    book.write("p2", "2 + 2")
+    code, printed, error = book.run()
+    assert code == 1
+    assert "p1.md, cell 3 (answer) at line" in error and "ZeroDivisionError: division by zero" in error
+    assert "    x = 1 / y\n" in error and "Traceback" not in error
+    assert "executed" in printed and "p2.md" in printed, "the other pages are executed all the same"
+    assert "1 of 2 pages" in book.run()[1], "a failed page is tried again"
+
+
+def test_an_answer_that_is_not_right_ends_with_its_verdict(book):
+    book.write("p1", """\
+        :tags: [check]
+        from trajlib import checks
+        from trajlib.checks.verdict import Verdict
+        checks.report(a=Verdict("wrong", "the trace is 3, not 2"))""")
+    code, _, error = book.run()
+    assert code == 1 and "cell 2 (check)" in error and "the trace is 3, not 2" in error
+
+
+def test_a_skipped_cell_is_not_executed(book):
+    book.write("p1", "1 + 1", ":tags: [wrong, skip-execution, remove-cell]\n1 / 0")
+    assert book.run()[0] == 0
+
+
+def test_a_figure_cell_without_a_picture_is_a_failure(book):
+    book.write("p1", ":tags: [figure]\nx = 1")
+    code, _, error = book.run()
+    assert code == 1 and "this figure cell shows no picture" in error
+
+
+def test_a_cell_has_a_time_limit(book):
+    (book.root / "_config.yml").write_text(CONFIG.replace("20", "1"))
+    book.write("p1", "import time; time.sleep(30)")
+    code, _, error = book.run()
+    assert code == 1 and "p1.md" in error and "time.sleep(30)" in error

@@ -1,0 +1,115 @@
+"""The built files: links, sources, ids, and what the student edition must not hold."""
+
+import re
+from pathlib import Path
+from urllib.parse import unquote, urldefrag, urlsplit
+
+import pytest
+from bs4 import BeautifulSoup
+
+from trajlib import masters
+
+ROOT = Path(__file__).resolve().parents[2]
+LOADING = {"script": "src", "img": "src", "iframe": "src", "source": "src", "video": "src", "audio": "src",
+           "embed": "src", "object": "data", "link": "href"}
+CSS_LOADS = re.compile(r"""(?:url\(\s*|@import\s+)["']?(?:https?:)?//[^"')\s]+""")
+JS_LOADS = re.compile(r"""(?:\bsrc\s*=|\bimport\s*\(?|\bimportScripts\(|\bfetch\()\s*["'`](?:https?:)?//[^"'`]+""")
+
+
+@pytest.fixture(scope="module", params=["full", "student"])
+def pages(request, editions, pages_of):
+    """Path -> parsed page, of one edition."""
+    root = getattr(editions, request.param)
+    return root, {path: BeautifulSoup(path.read_text(encoding="utf-8"), "html.parser") for path in pages_of(root)}
+
+
+def test_every_internal_link_leads_somewhere(pages):
+    root, parsed = pages
+    anchors = {path: {tag[key] for key in ("id", "name") for tag in page.find_all(attrs={key: True})}
+               for path, page in parsed.items()}
+    dead = []
+    for path, page in parsed.items():
+        for tag, address in _addresses(page):
+            if urlsplit(address).scheme or address.startswith("//"):
+                continue
+            target, anchor = urldefrag(address)
+            file = (path.parent / unquote(urlsplit(target).path)).resolve() if target else path
+            if file.is_dir():
+                file /= "index.html"
+            if not file.is_relative_to(root) or not file.is_file():
+                dead.append(f"{path.relative_to(root)}: {address} (no such file)")
+            elif anchor and file.suffix == ".html" and unquote(anchor) not in anchors[file]:
+                dead.append(f"{path.relative_to(root)}: {address} (no such place in the page)")
+    assert not dead, "\n".join(dead)
+
+
+def test_nothing_is_loaded_from_another_host(pages):
+    root, parsed = pages
+    foreign = [f"{path.relative_to(root)}: {address}" for path, page in parsed.items()
+               for name, key in LOADING.items() for tag in page.find_all(name, attrs={key: True})
+               if re.match(r"(?:https?:)?//", address := tag[key])]
+    for path, page in parsed.items():
+        inline = "\n".join(tag.get_text() for tag in page.find_all(["script", "style"]))
+        foreign += [f"{path.relative_to(root)}: {load}" for load in JS_LOADS.findall(inline) + CSS_LOADS.findall(inline)]
+        # The constant stands ready in every page of Jupyter Book, though nothing loads it.
+        foreign += [f"{path.relative_to(root)}: thebe"] if "thebe" in inline else []
+    for pattern, loads in (("*.css", CSS_LOADS), ("*.js", JS_LOADS)):
+        for path in root.rglob(pattern):
+            foreign += [f"{path.relative_to(root)}: {load}" for load in loads.findall(path.read_text(encoding="utf-8"))]
+    assert not foreign, "\n".join(foreign)
+
+
+def test_an_id_occurs_once_in_a_page(pages):
+    root, parsed = pages
+    for path, page in parsed.items():
+        ids = [tag["id"] for tag in page.find_all(id=True)]
+        assert len(ids) == len(set(ids)), f"{path.relative_to(root)}: {sorted({name for name in ids if ids.count(name) > 1})}"
+
+
+def test_sources_are_not_served(pages):
+    root, _ = pages
+    assert not (root / "_sources").exists()
+    assert not list(root.rglob("*.md"))
+
+
+def test_every_problem_is_listed_under_its_number_and_topics(pages):
+    root, parsed = pages
+    for path, page in parsed.items():
+        if re.fullmatch(r"(solutions|exercises)/ch\d+/p\d+\.html", path.relative_to(root).as_posix()):
+            number = f"{path.parent.name[2:]}.{int(path.stem[1:])}"
+            listed = parsed[root / "book" / "problems.html"].find("a", string=number)
+            assert (root / "book" / listed["href"]).resolve() == path
+            for topic in page.select(".problem-chips a"):
+                place, anchor = urldefrag(topic["href"])
+                term = parsed[(path.parent / place).resolve()].find(id=anchor)
+                assert number in term.find_next("dd").get_text()
+
+
+def test_the_student_edition_holds_no_solution(editions):
+    assert not (editions.student / "solutions").exists()
+    for master in masters.read_all(ROOT / "solutions"):
+        copy = editions.student / master.exercise.relative_to(ROOT)
+        page = BeautifulSoup(copy.with_suffix(".html").read_text(encoding="utf-8"), "html.parser")
+        shown = page.get_text() + copy.read_text(encoding="utf-8")
+        assert not page.select("details.solution")
+        for line in _lines(master.code("answer", "figure", "wrong", "right")) - _lines(master.code("data", "check")):
+            assert line not in shown, f"{master.number}: {line}"
+
+
+def test_the_student_edition_has_every_problem(editions):
+    def problems(root, folder):
+        return {path.relative_to(root / folder) for path in (root / folder).rglob("p*.html")}
+
+    assert problems(editions.student, "exercises") == problems(editions.full, "solutions") != set()
+
+
+def _addresses(page):
+    for name, key in [*LOADING.items(), ("a", "href")]:
+        for tag in page.find_all(name, attrs={key: True}):
+            yield tag, tag[key]
+
+
+def _lines(sources):
+    """The lines of cells that say something of their own; imports and one-word lines occur everywhere."""
+    lines = (line.strip() for source in sources for line in source.splitlines())
+    return {line for line in lines if len(line) > 25 and not line.startswith(("import ", "from ", "with plotting"))}

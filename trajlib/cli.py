@@ -1,0 +1,162 @@
+"""The command `trajlib`. Bad input ends in one line that says what and where, with exit code 2."""
+
+import json
+import sys
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.console import Console
+from rich.table import Table
+
+from trajlib import exercises
+from trajlib.checks.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG
+
+app = typer.Typer(help="The executable workbook on controlled motion: its problems, solutions and checks.",
+                  no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False,
+                  context_settings={"help_option_names": ["-h", "--help"]})
+AsJson = Annotated[bool, typer.Option("--json", help="Print one JSON document instead of text.")]
+COLOURS = {RIGHT: "green", WRONG: "red", MISSING: "yellow", INVALID: "magenta", UNCHECKED: "cyan"}
+console = Console(highlight=False, soft_wrap=True)
+
+
+class UserError(Exception):
+    """Something the user can mend; the message is the whole output."""
+
+
+@app.command()
+def problems(as_json: AsJson = False):
+    """List the problems: number, section, level, title."""
+    listed = [exercise.about for exercise in exercises.read_all()]
+    if as_json:
+        print(json.dumps([{key: about[key] for key in ("number", "title", "section", "level", "topics", "answers")}
+                          for about in listed], ensure_ascii=False, indent=1))
+        return
+    table = Table("number", "section", "level", "title", "answers", box=None, pad_edge=False)
+    for about in listed:
+        table.add_row(about["number"], about["section"], about["level"], about["title"], str(len(about["answers"])))
+    console.print(table)
+
+
+@app.command()
+def solve(number: Annotated[str, typer.Argument(help='A problem such as "1.15".')], as_json: AsJson = False):
+    """Run a problem's worked solution (from a checkout) and print its answers and their verdicts."""
+    from trajlib.checks.encoding import decode, describe
+    from trajlib.execution import judge, run_notebook
+    from trajlib.masters import read
+
+    exercise = exercises.find(number)
+    master_path = exercises.CHECKOUT / "solutions" / exercise.path.parent.name / f"{exercise.path.stem}.md"
+    if not master_path.exists():
+        raise UserError(f"the solution of {number} is not here: solutions are only in a checkout of the workbook")
+    master = read(master_path)
+    run = run_notebook(master.code("data", "answer"), master.answers)
+    if run.errors:
+        raise UserError(f"{master_path.name} fails: {run.errors[0]}")
+    verdicts = judge(exercise.code("data", "check"), run, master.answers)
+    texts = {name: describe(decode(data)) for name, data in run.encoded.items()}
+    if as_json:
+        answers = {name: {"type": master.answers[name].kind, "text": texts[name], "encoded": json.loads(data)}
+                   for name, data in run.encoded.items()}
+        print(json.dumps({"number": number, "answers": answers, "verdicts": _plain(verdicts)}, ensure_ascii=False, indent=1))
+    else:
+        console.print(f"[bold]{number}[/bold]  {master.title}")
+        for name in master.answers:
+            console.print(f"  {name} = {texts.get(name, run.unreadable.get(name))}", markup=False)
+            _show(name, verdicts[name])
+    raise typer.Exit(_code(verdicts))
+
+
+@app.command()
+def check(notebook: Annotated[Path, typer.Argument(help="A student's notebook of the workbook.")], as_json: AsJson = False,
+          timeout: Annotated[float, typer.Option(help="Seconds the notebook may run.")] = 120):
+    """Run a notebook of yours and judge its answers. The exit code is 0 if all are right, 1 if not."""
+    from trajlib.execution import TimeLimit, judge, run_notebook
+
+    worked = exercises.read(notebook)
+    pristine = exercises.find(worked.number)
+    # Check cells are ours: the pristine ones judge below, whatever became of them in this notebook.
+    sources = [source for role, source in worked.cells if role != "check"]
+    try:
+        run = run_notebook(sources, pristine.about["answers"], timeout=timeout, folder=notebook.resolve().parent)
+    except TimeLimit:
+        raise UserError(f"{notebook} was still running after {timeout:g} s; --timeout allows it more") from None
+    verdicts = judge(pristine.code("data", "check"), run, pristine.about["answers"])
+    if as_json:
+        print(json.dumps({"number": pristine.number, "verdicts": _plain(verdicts), "errors": run.errors}, ensure_ascii=False, indent=1))
+    else:
+        console.print(f"[bold]{pristine.number}[/bold]  {pristine.about['title']}")
+        for error in run.errors:
+            console.print(f"  {error}", style="yellow", markup=False)
+        for name, verdict in verdicts.items():
+            _show(name, verdict)
+        right = sum(verdict.status == RIGHT for verdict in verdicts.values())
+        console.print(f"{right} of {len(verdicts)} right")
+    raise typer.Exit(_code(verdicts))
+
+
+@app.command(name="exercises")
+def write_exercises(numbers: Annotated[list[str] | None, typer.Argument(help="Only these problems; all if none is named.")] = None,
+                    as_json: AsJson = False):
+    """Regenerate the students' notebooks from the masters (in a checkout)."""
+    from trajlib.masters import write_exercises as write
+
+    if not (exercises.CHECKOUT / "solutions").is_dir():
+        raise UserError("there are no masters here: run this in a checkout of the workbook")
+    changed = [str(path.relative_to(exercises.CHECKOUT)) for path in write(exercises.CHECKOUT, numbers or ())]
+    print(json.dumps({"changed": changed}) if as_json else "\n".join(changed) or "all notebooks are in step with their masters")
+
+
+@app.command()
+def grade(submitted: Annotated[Path, typer.Argument(help="Folder submitted/<student>/<assignment>/<notebook>.ipynb.")],
+          out: Annotated[Path, typer.Option(help="Folder for the grade store, tables and feedback pages.")],
+          assignments: Annotated[Path | None, typer.Option(help="Folder <assignment>/assignment.toml.")] = None,
+          processes: Annotated[int | None, typer.Option(help="Notebooks graded at the same time; default: all cores.")] = None,
+          timeout: Annotated[float, typer.Option(help="Seconds one notebook may run.")] = 120,
+          as_json: AsJson = False):
+    """Grade a course: run every notebook in a sandbox, judge its answers, write tables and feedback.
+
+    A run that was stopped goes on where it was; what has not changed is not graded again.
+    """
+    from trajlib.grading.commands import grade_course
+
+    if not submitted.is_dir():
+        raise UserError(f"{submitted} is not a folder")
+    summary = grade_course(submitted, out, assignments, processes, timeout, quiet=as_json)
+    print(json.dumps(summary, ensure_ascii=False, indent=1)) if as_json else None
+
+
+def main():
+    """Entry point: errors that the user can mend become one line on stderr and exit code 2."""
+    try:
+        app()
+    except (UserError, exercises.UnknownExercise) as error:
+        print(f"trajlib: {error}", file=sys.stderr)
+        sys.exit(2)
+    except ValueError as error:
+        # A master that breaks its contract says so itself; nothing else of ours raises a bare ValueError here.
+        from trajlib.masters import MasterError
+        if not isinstance(error, MasterError):
+            raise
+        print(f"trajlib: {error}", file=sys.stderr)
+        sys.exit(2)
+
+
+def _show(name, verdict):
+    from trajlib.checks.reporting import MARKS
+
+    colour = COLOURS[verdict.status]
+    console.print(f"  [{colour}]{MARKS[verdict.status]} {verdict.status:<9}[/{colour}] ", end="")
+    console.print(f"{name}: {verdict.message}", markup=False)
+
+
+def _plain(verdicts):
+    return {name: {"verdict": verdict.status, "message": verdict.message} for name, verdict in verdicts.items()}
+
+
+def _code(verdicts):
+    return 0 if all(verdict.status == RIGHT for verdict in verdicts.values()) else 1
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,73 @@
+"""Which modules of trajlib a notebook stands on, so that a change of one is felt by those notebooks and no others."""
+
+import ast
+import hashlib
+import importlib.util
+from functools import lru_cache
+from pathlib import Path
+
+from trajlib._lazy import home_of
+
+
+def module_closure(source):
+    """The modules of trajlib that code loads, directly or through each other, with the SHA-256 of their text.
+
+    Found by reading imports, without running anything; packages whose names load lazily count by the names used.
+
+    >>> closure = module_closure("from trajlib import checks; checks.stability_region")
+    >>> "trajlib.checks.regions" in closure, "trajlib.checks.cycles" in closure
+    (True, False)
+    """
+    closure, waiting = {}, sorted(_loaded(source))
+    while waiting:
+        module = waiting.pop()
+        if module not in closure:
+            path = _path(module)
+            closure[module] = hashlib.sha256(path.read_bytes()).hexdigest()
+            waiting += sorted(_loaded_by(path))
+    return dict(sorted(closure.items()))
+
+
+def _loaded(source):
+    """Modules of trajlib that a piece of code names in its imports, or by attributes of what it imports."""
+    tree = ast.parse(source)
+    packages, found = {}, set()
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            for alias in node.names:
+                if alias.name.split(".")[0] == "trajlib":
+                    packages[alias.asname or alias.name] = alias.name
+        elif isinstance(node, ast.ImportFrom) and (node.module or "").split(".")[0] == "trajlib":
+            for alias in node.names:
+                module = f"{node.module}.{alias.name}"
+                if _is_module(module):
+                    packages[alias.asname or alias.name] = module
+                else:
+                    found.add(home_of(node.module, alias.name) or node.module)
+    for name, module in packages.items():
+        if not _path(module).name.startswith("__init__"):
+            found.add(module)
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Attribute) and ast.unparse(node.value) in packages:
+            package = packages[ast.unparse(node.value)]
+            home = home_of(package, node.attr) if _path(package).name == "__init__.py" else None
+            if home is not None and not _path(home).name.startswith("__init__"):
+                found.add(home)
+    return found
+
+
+@lru_cache(maxsize=None)
+def _loaded_by(path):
+    return frozenset(_loaded(path.read_text(encoding="utf-8")))
+
+
+def _is_module(name):
+    try:
+        return importlib.util.find_spec(name) is not None
+    except ModuleNotFoundError:
+        return False
+
+
+@lru_cache(maxsize=None)
+def _path(module):
+    return Path(importlib.util.find_spec(module).origin)

@@ -1,0 +1,75 @@
+"""The pristine exercises: what every check and grade reads data and check cells from.
+
+They stand in exercises/ of a checkout, and inside the package when it was installed from a wheel.
+"""
+
+import json
+from dataclasses import dataclass
+from pathlib import Path
+
+PACKAGE = Path(__file__).resolve().parent
+CHECKOUT = PACKAGE.parent
+
+
+class UnknownExercise(ValueError):
+    """No exercise has this number, or a file is no exercise of the workbook."""
+
+
+@dataclass(frozen=True)
+class Exercise:
+    """A student's notebook as it was handed out: `about` is its metadata (number, title, answers, hints, ...)."""
+
+    path: Path
+    about: dict
+    cells: tuple
+
+    @property
+    def number(self):
+        return self.about["number"]
+
+    def code(self, *roles):
+        """(role, source) of the code cells with one of the roles, in order."""
+        return [(role, source) for role, source in self.cells if role in roles]
+
+
+def home():
+    """The folder that holds the exercises."""
+    checkout = CHECKOUT / "exercises"
+    return checkout if checkout.is_dir() else PACKAGE / "_exercises"
+
+
+def read(path):
+    """The exercise in a notebook file of ours, pristine or worked on.
+
+    Raises `UnknownExercise` if the file is not a notebook or does not say which problem it belongs to.
+    """
+    path = Path(path)
+    try:
+        notebook = json.loads(path.read_text(encoding="utf-8"))
+        about = notebook["metadata"]["trajlib"]
+        cells = tuple((_role(cell), "".join(cell["source"])) for cell in notebook["cells"] if cell["cell_type"] == "code")
+        return Exercise(path, about, cells)
+    except (OSError, UnicodeDecodeError, json.JSONDecodeError) as error:
+        raise UnknownExercise(f"{path} is not a readable notebook: {error}") from None
+    except (KeyError, TypeError):
+        raise UnknownExercise(f"{path} does not say which problem it belongs to (metadata trajlib.number)") from None
+
+
+def read_all():
+    """All exercises in the order of their numbers."""
+    paths = home().glob("ch*/p*.ipynb")
+    return [read(path) for path in sorted(paths, key=lambda p: (int(p.parent.name[2:]), p.stem))]
+
+
+def find(number):
+    """The pristine exercise with a number such as "1.15"; raises `UnknownExercise`."""
+    chapter, _, problem = str(number).partition(".")
+    path = home() / f"ch{chapter}" / f"p{problem:0>2}.ipynb"
+    if not (chapter.isdigit() and problem.isdigit() and path.exists()):
+        raise UnknownExercise(f"there is no problem {number}; `trajlib problems` lists them")
+    return read(path)
+
+
+def _role(cell):
+    tags = cell.get("metadata", {}).get("tags", [])
+    return next((tag for tag in tags if tag in ("data", "answer", "check")), "")

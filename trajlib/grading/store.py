@@ -1,0 +1,110 @@
+"""The grade store: one SQLite file, a transaction a notebook, so that a killed run loses nothing and grades nothing twice."""
+
+import json
+import sqlite3
+from dataclasses import dataclass
+from datetime import datetime, timezone
+from pathlib import Path
+
+from trajlib.checks.verdict import Verdict
+
+SCHEMA = """
+CREATE TABLE IF NOT EXISTS attempt (
+  id INTEGER PRIMARY KEY,
+  student TEXT NOT NULL, assignment TEXT NOT NULL, problem TEXT NOT NULL,
+  content TEXT NOT NULL,            -- SHA-256 of the notebook's bytes
+  submitted REAL NOT NULL,          -- when it was handed in, seconds since 1970
+  UNIQUE (student, assignment, problem, content)
+);
+CREATE TABLE IF NOT EXISTS result (
+  attempt INTEGER NOT NULL REFERENCES attempt (id),
+  exercise TEXT NOT NULL,           -- fingerprint of the exercise and of the checks it was judged by
+  verdicts TEXT NOT NULL, answers TEXT NOT NULL, remarks TEXT NOT NULL,
+  graded TEXT NOT NULL,
+  PRIMARY KEY (attempt, exercise)
+);
+CREATE TABLE IF NOT EXISTS manual (
+  student TEXT NOT NULL, assignment TEXT NOT NULL, problem TEXT NOT NULL, answer TEXT NOT NULL,
+  points REAL NOT NULL, comment TEXT NOT NULL, entered TEXT NOT NULL,
+  PRIMARY KEY (student, assignment, problem, answer)
+);
+"""
+
+
+@dataclass(frozen=True)
+class Attempt:
+    """One submitted notebook of a student for a problem, and its newest result if there is one."""
+
+    id: int
+    student: str
+    assignment: str
+    problem: str
+    content: str
+    submitted: float
+    exercise: str | None
+    verdicts: dict
+    answers: dict
+    remarks: tuple
+
+
+class Store:
+    """The grades of a course in the file `path`; use as a context manager."""
+
+    def __init__(self, path):
+        self.path = Path(path)
+        self.path.parent.mkdir(parents=True, exist_ok=True)
+        self._database = sqlite3.connect(self.path, isolation_level=None, timeout=60)
+        self._database.execute("PRAGMA journal_mode=WAL")
+        self._database.execute("PRAGMA foreign_keys=ON")
+        self._database.executescript(SCHEMA)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self._database.close()
+
+    def note_attempt(self, student, assignment, problem, content, submitted):
+        """The id of an attempt, new or known: the same notebook handed in twice is one attempt."""
+        key = (student, assignment, problem, content)
+        self._database.execute("INSERT OR IGNORE INTO attempt (student, assignment, problem, content, submitted) VALUES (?, ?, ?, ?, ?)",
+                               (*key, submitted))
+        (found,) = self._database.execute(
+            "SELECT id FROM attempt WHERE student = ? AND assignment = ? AND problem = ? AND content = ?", key).fetchone()
+        return found
+
+    def is_graded(self, attempt, exercise):
+        """True if the attempt has a result by this very exercise."""
+        return self._database.execute("SELECT 1 FROM result WHERE attempt = ? AND exercise = ?", (attempt, exercise)).fetchone() is not None
+
+    def record(self, attempt, exercise, verdicts, answers, remarks):
+        """Store a result, whole or not at all; a second one by the same exercise replaces the first."""
+        self._database.execute(
+            "INSERT OR REPLACE INTO result VALUES (?, ?, ?, ?, ?, ?)",
+            (attempt, exercise, json.dumps({name: [v.status, v.message] for name, v in verdicts.items()}, ensure_ascii=False),
+             json.dumps(answers, ensure_ascii=False), json.dumps(list(remarks), ensure_ascii=False), datetime.now(timezone.utc).isoformat(timespec="seconds")))
+
+    def attempts(self, assignment):
+        """All attempts at an assignment with their newest results, by student, problem and time."""
+        rows = self._database.execute("""
+            SELECT a.id, a.student, a.assignment, a.problem, a.content, a.submitted, r.exercise, r.verdicts, r.answers, r.remarks
+            FROM attempt a LEFT JOIN result r ON r.attempt = a.id
+              AND r.rowid = (SELECT max(rowid) FROM result WHERE attempt = a.id)
+            WHERE a.assignment = ? ORDER BY a.student, a.problem, a.submitted, a.id""", (assignment,))
+        return [Attempt(*row[:7], {name: Verdict(*verdict) for name, verdict in json.loads(row[7] or "{}").items()},
+                        json.loads(row[8] or "{}"), tuple(json.loads(row[9] or "[]"))) for row in rows]
+
+    def results(self, attempt):
+        """All results of an attempt, oldest first: (exercise, verdicts), for a report of what a regrade changed."""
+        rows = self._database.execute("SELECT exercise, verdicts FROM result WHERE attempt = ? ORDER BY rowid", (attempt,))
+        return [(exercise, {name: Verdict(*v) for name, v in json.loads(verdicts).items()}) for exercise, verdicts in rows]
+
+    def set_manual(self, student, assignment, problem, answer, points, comment):
+        """A lecturer's score, which beats the automatic one until it is taken back."""
+        self._database.execute("INSERT OR REPLACE INTO manual VALUES (?, ?, ?, ?, ?, ?, ?)",
+                               (student, assignment, problem, answer, points, comment, datetime.now(timezone.utc).isoformat(timespec="seconds")))
+
+    def manual(self, assignment):
+        """{(student, problem, answer): (points, comment)} entered by hand."""
+        rows = self._database.execute("SELECT student, problem, answer, points, comment FROM manual WHERE assignment = ?", (assignment,))
+        return {(student, problem, answer): (points, comment) for student, problem, answer, points, comment in rows}

@@ -1,0 +1,172 @@
+"""The student's copy of a master: a plain Jupyter notebook without solutions, with nbgrader's metadata.
+
+Data and check cells stand as they are and are locked; each answer cell becomes a stub `name = ...`; everything between
+`solution-start` and `solution-end` and all trial cells leave. MyST directives become headings and paragraphs, so that
+the copy reads well in any Jupyter.
+"""
+
+import json
+import re
+from pathlib import Path
+
+from trajlib.masters.links import Links
+from trajlib.masters.reading import assigned_names, master_file, read, read_all, reported_names
+
+CREDIT = ("S. S. Lemak, V. M. Morozov, M. Yu. Popelensky, V. V. Tikhomirov, O. Yu. Cherkasov, "
+          "*Mechanics of Controlled Systems: Problem Book* (in Russian), ed. V. V. Aleksandrov, Yu. V. Bolotin, "
+          "Moscow, 2012")
+RESEARCH = "the research chapters of the workbook"
+
+DIRECTIVE = re.compile(r"^(?P<fence>`{3,}|:{3,})\{(?P<name>[\w:-]+)\}[ \t]*(?P<argument>[^\n]*)\n(?P<body>.*?)^(?P=fence)[ \t]*$\n?",
+                       re.M | re.S)
+OPTIONS = re.compile(r"(?:^:[\w-]+:.*\n)+", re.M)
+SILENT = {"index", "exercise-end", "solution-start", "solution-end"}
+
+
+def write_exercises(root, numbers=()):
+    """Write the students' notebooks below `root`/exercises; returns the paths whose content changed.
+
+    All of them, or those of the problems `numbers` ("1.15").
+    """
+    root = Path(root)
+    links, changed = Links(root, baseurl(root)), []
+    masters = [read(root / "solutions" / master_file(number)) for number in numbers] if numbers else read_all(root / "solutions")
+    for master in masters:
+        text = json.dumps(student_notebook(master, links), indent=1, ensure_ascii=False) + "\n"
+        if not master.exercise.exists() or master.exercise.read_text(encoding="utf-8") != text:
+            master.exercise.parent.mkdir(parents=True, exist_ok=True)
+            master.exercise.write_text(text, encoding="utf-8")
+            changed.append(master.exercise)
+    return changed
+
+
+def student_notebook(master, links):
+    """The student's notebook as a dict in nbformat 4.5; the same master always gives the same notebook."""
+    cells, solution = [_origin(master, links)], False
+    for cell in master.cells:
+        if cell.role == "":
+            text, solution = _outside_solutions(cell.source, solution)
+            text = plain_markdown(text, links, master.exercise, master.number).strip()
+            if text:
+                cells.append(_markdown(text))
+        elif cell.role == "answer":
+            cells.append(_code(_stub(master, cell.source), "answer"))
+        elif cell.role == "data":
+            cells.append(_code(cell.source, "data", nbgrader={"grade": False, "locked": True}))
+        elif cell.role == "check":
+            names = reported_names(cell.source)
+            cells += _hints(master, names)
+            cells.append(_code(cell.source, "check", nbgrader={"grade": True, "locked": True, "points": len(names)}))
+    for k, cell in enumerate(cells):
+        cell["id"] = f"cell-{k:02d}"
+        if "nbgrader" in cell["metadata"]:
+            cell["metadata"]["nbgrader"]["grade_id"] = f"{cell['metadata']['tags'][0]}-{k:02d}"
+    about = {"number": master.number, "title": master.title, "section": master.section, "level": master.level,
+             "topics": list(master.topics),
+             "answers": {a.name: {"kind": a.kind, "text": a.text, "exact": a.exact} for a in master.answers.values()},
+             "hints": {name: list(texts) for name, texts in master.hints.items()}}
+    return {"cells": cells, "metadata": {"kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
+                                         "language_info": {"name": "python"}, "trajlib": about},
+            "nbformat": 4, "nbformat_minor": 5}
+
+
+def plain_markdown(text, links, source, number=""):
+    """MyST Markdown as Markdown that any Jupyter shows: directives become headings, quotes and formulas."""
+    text = _without_directives(text, number)
+    text = re.sub(r"^\([\w-]+\)=\n", "", text, flags=re.M)
+    text = re.sub(r"\[([^\]]+)\]\(#([\w-]+)\)", lambda m: _link(m[1], m[2], links, source), text)
+    text = re.sub(r"\{(?:ref|numref|prf:ref)\}`([^`<]+?)\s*<([\w-]+)>`", lambda m: _link(m[1], m[2], links, source), text)
+    text = re.sub(r"\{eq\}`eq-([\w-]+)`", lambda m: f"({_tag(m[1])})", text)
+    text = re.sub(r"\{cite(?::\w)?\}`[^`]*`", "", text)
+    text = re.sub(r"\{[\w:]+\}`([^`<]+?)(?:\s*<[^>]*>)?`", r"\1", text)
+    return re.sub(r"\n{3,}", "\n\n", text)
+
+
+def _outside_solutions(text, inside):
+    """The part of a Markdown cell that lies outside solutions; they open in one cell and close in another."""
+    kept = []
+    for part in re.split(r"(^`{3,}\{solution-(?:start|end)\}.*?^`{3,}[ \t]*$)", text, flags=re.M | re.S):
+        if "{solution-start}" in part:
+            inside = True
+        elif "{solution-end}" in part:
+            inside = False
+        elif not inside:
+            kept.append(part)
+    return "".join(kept), inside
+
+
+def _without_directives(text, number):
+    return DIRECTIVE.sub(lambda match: _directive(match, number), text)
+
+
+def _directive(match, number):
+    name, argument = match["name"], match["argument"].strip()
+    options = OPTIONS.match(match["body"])
+    body = match["body"][options.end():] if options else match["body"]
+    label = re.search(r":label:\s*(\S+)", options[0]) if options else None
+    if name in SILENT:
+        return ""
+    if name == "exercise-start":
+        return f"## Problem {number}. {argument}\n"
+    if name == "math":
+        tag = rf" \tag{{{_tag(label[1].removeprefix('eq-'))}}}" if label else ""
+        return f"$$\n{body.strip()}{tag}\n$$\n"
+    if name in ("figure", "image"):
+        return f"*{body.strip()}*\n" if body.strip() else ""
+    heading = argument or name.removeprefix("prf:").capitalize()
+    quoted = "\n".join(f"> {line}".rstrip() for line in _without_directives(body, number).strip().split("\n"))
+    return f"> **{heading}**\n>\n{quoted}\n"
+
+
+def _tag(label):
+    """The number that a label such as 1-15-a stands for: 1.15a."""
+    chapter, *rest = label.split("-")
+    return ".".join([chapter, "".join(rest)]) if rest else chapter
+
+
+def _link(text, label, links, source):
+    address = links.to_label(label, source)
+    return text if address is None else f"[{text}]({address})"
+
+
+def _stub(master, source):
+    """One line `name = ...` for each answer that the cell assigns."""
+    return "\n".join(f"{name} = ...  # {master.answers[name].kind}: {master.answers[name].text}"
+                     for name in assigned_names(source, master.answers))
+
+
+def _hints(master, names):
+    folded = [f"<details><summary>Hint {k} for <code>{name}</code></summary>\n\n{hint}\n\n</details>"
+              for name in names for k, hint in enumerate(master.hints[name], start=1)]
+    return [_markdown("\n".join(folded))] if folded else []
+
+
+def _origin(master, links):
+    chapter = master.number.split(".")[0]
+    credit = f"{CREDIT}, problem {master.number}" if int(chapter) <= 5 else RESEARCH
+    theory = links.to_page(f"book/ch{chapter}", master.exercise)
+    return _markdown(
+        f"*The data of this problem come from* {credit}.\n\n"
+        f"You need the library `trajlib`: from a checkout of the workbook run `pip install -e .`, or install the wheel "
+        f"that the workbook's site offers. Replace each `...` by your answer and run the check cell below it: it says "
+        f"what holds and what does not, as often as you like. The theory stands in [chapter {chapter}]({theory}).")
+
+
+def _markdown(text):
+    return {"cell_type": "markdown", "id": "", "metadata": {}, "source": text}
+
+
+def _code(source, role, nbgrader=None):
+    metadata = {"tags": [role]}
+    if nbgrader:
+        metadata["nbgrader"] = {"schema_version": 3, "solution": False, "task": False, "cell_type": "code", **nbgrader}
+    return {"cell_type": "code", "execution_count": None, "id": "", "metadata": metadata, "outputs": [], "source": source}
+
+
+def baseurl(root):
+    """The site's address in _config.yml, empty until a lecturer sets it."""
+    import yaml
+
+    config = root / "_config.yml"
+    settings = yaml.safe_load(config.read_text(encoding="utf-8")) if config.exists() else {}
+    return (settings.get("html") or {}).get("baseurl") or ""

@@ -1,0 +1,99 @@
+"""Does a system of strict polynomial inequalities have a solution? Decided exactly, by sample points.
+
+The set where several polynomials are all positive is open, so it is not empty exactly when it contains one of the open
+cells into which the zero sets of the polynomials cut the space. One rational point of every cell is found by removing
+the variables one at a time (leading coefficients, discriminants and resultants tell where the picture over the
+remaining ones can change) and putting them back: the open part of Collins's cylindrical algebraic decomposition,
+A. Strzebonski, J. Symbolic Computation 29 (2000) 471-480.
+"""
+from itertools import combinations
+
+import sympy as sp
+
+
+class TooLarge(Exception):
+    """The decision would take too long; the caller then goes without it."""
+
+
+# Beyond these sizes an answer would take more than a few seconds: the degree of a resultant by the number of variables
+# left in it, the number of polynomials and that of sample points.
+_MAX_DEGREE = {1: 60, 2: 9}
+_MAX_POLYNOMIALS = 30
+_MAX_POINTS = 800
+
+
+def solution_point(polynomials, symbols):
+    """A point (symbol -> rational) where all `polynomials` are positive, or None if there is none.
+
+    The signs that the assumptions of the symbols give (positive=True) are part of the system.
+    Raises `TooLarge` when the system is beyond the sizes above or is not polynomial over the rationals.
+    """
+    system = [sp.sympify(p) for p in polynomials]
+    system += [s for s in symbols if s.is_positive] + [-s for s in symbols if s.is_negative]
+    free = set().union(*(p.free_symbols for p in system))
+    order = [s for s in symbols if s in free]
+    if not all(p.is_polynomial(*order) and p.free_symbols <= set(order) for p in system):
+        raise TooLarge
+    constants = [p for p in system if p.is_number]
+    if any(p <= 0 for p in constants):
+        return None
+    rest = dict.fromkeys((s for s in symbols if s not in free), sp.Integer(0))
+    wanted = [sp.Poly(p, *order) for p in system if not p.is_number]
+    if not wanted:
+        return rest
+    if any(not (p.domain.is_ZZ or p.domain.is_QQ) for p in wanted):
+        raise TooLarge
+    for point in _cell_points(_irreducible_factors(wanted), order):
+        if all(p(*point) > 0 for p in wanted):
+            return rest | dict(zip(order, point))
+    return None
+
+
+def _irreducible_factors(polys):
+    factors = {f.primitive()[1] for p in polys if not p.is_zero for f, _ in p.factor_list()[1]}
+    if len(factors) > _MAX_POLYNOMIALS:
+        raise TooLarge
+    return factors
+
+
+def _cell_points(factors, symbols):
+    """One rational point in each open cell, as tuples in the order of `symbols`."""
+    *others, last = symbols
+    if not others:
+        return [(value,) for value in _values_between_roots(factors)]
+    over = [f.as_expr() for f in factors if f.degree(last) > 0]
+    largest = sorted(sp.Poly(f, *symbols).total_degree() for f in over)[-2:]
+    if over and largest[0]*largest[-1] > _MAX_DEGREE.get(len(others), 4):
+        raise TooLarge
+    below = {sp.Poly(f.as_expr(), *others) for f in factors if f.degree(last) == 0}
+    projected = [sp.LC(f, last) for f in over]
+    projected += [sp.discriminant(f, last) for f in over if sp.degree(f, last) > 1]
+    projected += [sp.resultant(f, g, last) for f, g in combinations(over, 2)]
+    shadows = [sp.Poly(p, *others) for p in projected]
+    base = _irreducible_factors([p for p in shadows if not p.is_ground]) | below
+    points = []
+    for point in _cell_points(base, others):
+        lines = [sp.Poly(f.subs(dict(zip(others, point))), last) for f in over]
+        points += [point + (value,) for value in _values_between_roots(lines)]
+        if len(points) > _MAX_POINTS:
+            raise TooLarge
+    return points
+
+
+def _values_between_roots(polys):
+    """Rational numbers, one in each interval that the real roots of `polys` leave."""
+    product = sp.prod([p for p in polys if not p.is_ground], start=sp.Integer(1))
+    if product == 1:
+        return [sp.Integer(0)]
+    product = product.sqf_part()
+    width = sp.Rational(1, 4)
+    intervals = product.intervals(eps=width)
+    if not intervals:
+        return [sp.Integer(0)]
+    ends = [(sp.Rational(a), sp.Rational(b)) for (a, b), _ in intervals]
+    # Two isolating intervals may share an end; they are narrowed until the ends differ.
+    while any(left[1] >= right[0] for left, right in zip(ends, ends[1:])):
+        width /= 16
+        ends = [(sp.Rational(a), sp.Rational(b)) for (a, b), _ in product.intervals(eps=width)]
+    between = [(left[1] + right[0])/2 for left, right in zip(ends, ends[1:])]
+    return [sp.floor(ends[0][0]) - 1, *between, sp.ceiling(ends[-1][1]) + 1]

@@ -1,0 +1,207 @@
+"""Planar systems: the type of an equilibrium, and the absence of closed trajectories (Bendixson, Dulac).
+
+The type follows from the trace, the determinant and the discriminant tr^2 - 4 det of the matrix of the first
+approximation. For a nonlinear field the types of a hyperbolic point carry over; "centre" and the lines of equilibria do not:
+there the first approximation leaves the question open.
+"""
+from dataclasses import dataclass
+
+import numpy as np
+import sympy as sp
+
+from .cells import TooLarge, solution_point
+from .hurwitz import is_float_array, read_exact_matrix
+from .inequalities import equation, positive, sign_of, tidied
+from .real_solutions import definedness
+from .regions import latex_condition
+from .systems import as_real, exact_decimals, read_expression, read_field
+
+
+@dataclass(frozen=True)
+class PlanarTypes:
+    """The type of the equilibrium x = 0 of x' = Ax over the space of parameters.
+
+    `rows`: pairs (condition, type) that exclude one another and together cover all values for which A is real.
+    Iterating gives the rows.
+    """
+
+    matrix: sp.Matrix
+    rows: tuple
+
+    def __iter__(self):
+        return iter(self.rows)
+
+    def __len__(self):
+        return len(self.rows)
+
+    def _repr_latex_(self):
+        lines = (rf"{latex_condition(condition)} & \text{{{kind}}}" for condition, kind in self.rows)
+        return r"$\displaystyle \begin{array}{ll} " + r" \\ ".join(lines) + r" \end{array}$"
+
+
+def classify_planar(A):
+    """The type of the equilibrium of x' = Ax in the plane.
+
+    `A`: 2 x 2. Numbers give the name of the type: "stable node", "stable focus", "stable degenerate node" (one
+    eigenvector), "stable star" (every vector is one), the same with "unstable", "saddle", "centre", "stable line of
+    equilibria", "unstable line of equilibria", "line of equilibria with drift" (A^2 = 0), "plane of equilibria".
+    Symbols give `PlanarTypes`, a table of (condition, type). A NumPy array of floats is judged as the exact numbers it
+    holds, except that a focus whose trace is within rounding of zero raises ValueError, as does any other border case.
+
+    A "centre" of the first approximation is undecided for a nonlinear system: it may be a focus of either kind.
+
+    >>> import sympy as sp
+    >>> classify_planar(sp.Matrix([[0, 1], [-2, -1]]))
+    'stable focus'
+    >>> e = sp.Symbol("epsilon", real=True)
+    >>> [kind for condition, kind in classify_planar(sp.Matrix([[0, 1], [-1, e]])) if condition.subs(e, 2) == True]
+    ['unstable degenerate node']
+    """
+    if is_float_array(A):
+        return _classify_floats(np.asarray(A, dtype=float))
+    A = read_exact_matrix(A)
+    if A.rows != 2:
+        raise ValueError(f"A: expected a 2 x 2 matrix, got shape {A.shape}")
+    there, back = as_real(A)
+    real = A.xreplace(there)
+    exists = [r.reduced({}) for entry in real for r in definedness(entry)]
+    rows = []
+    for condition, kind in _table(real):
+        condition = tidied(sp.And(condition, *exists))
+        if condition is not sp.false and not _is_empty(condition):
+            rows.append((condition.xreplace(back), kind))
+    if not A.free_symbols:
+        return rows[0][1]
+    return PlanarTypes(A, tuple(rows))
+
+
+def _table(A):
+    trace, det = sp.factor(A.trace()), sp.factor(A.det())
+    half_difference, off, back = A[0, 0] - A[1, 1], A[0, 1], A[1, 0]
+    discriminant = sp.factor(trace**2 - 4*det)
+    scalar = sp.And(*(_zero(e) for e in (half_difference, off, back)))
+    above, below, on_parabola = positive(discriminant), positive(-discriminant), _zero(discriminant)
+    yield positive(-det), "saddle"
+    for side, name in ((positive(-trace), "stable"), (positive(trace), "unstable")):
+        yield sp.And(side, positive(det), above), f"{name} node"
+        yield sp.And(side, below), f"{name} focus"
+        yield sp.And(side, on_parabola, sp.Not(scalar)), f"{name} degenerate node"
+        yield sp.And(side, scalar), f"{name} star"
+        yield sp.And(side, _zero(det)), f"{name} line of equilibria"
+    yield sp.And(_zero(trace), positive(det)), "centre"
+    null = sp.And(_zero(trace), _zero(det))
+    yield sp.And(null, sp.Not(scalar)), "line of equilibria with drift"
+    yield sp.And(null, scalar), "plane of equilibria"
+
+
+def _zero(expression):
+    """The condition expression = 0, with the solution written out where it is in one symbol."""
+    numerator = sp.numer(sp.together(expression))
+    if (sign := sign_of(numerator)) is not None:
+        return sp.true if sign == 0 else sp.false
+    equations = []
+    for f, _ in sp.factor_list(numerator)[1]:
+        if sign_of(f):
+            continue
+        values = sp.solveset(f, *f.free_symbols, sp.Reals) if len(f.free_symbols) == 1 else None
+        if isinstance(values, sp.FiniteSet):
+            (x,) = f.free_symbols
+            equations += [sp.Eq(x, v) for v in values if not (x.is_positive and v <= 0 or x.is_negative and v >= 0)]
+        elif values is not sp.S.EmptySet:
+            equations.append(equation(f))
+    return sp.Or(*equations)
+
+
+def _is_empty(condition):
+    """Whether a condition with strict inequalities alone holds nowhere; equations are not looked into."""
+    parts = sp.And.make_args(condition)
+    if not all(isinstance(c, (sp.Gt, sp.Lt)) for c in parts):
+        return False
+    try:
+        return solution_point([c.gts - c.lts for c in parts], sorted(condition.free_symbols, key=str)) is None
+    except TooLarge:
+        return False
+
+
+def _classify_floats(A):
+    if A.shape != (2, 2) or not np.all(np.isfinite(A)):
+        raise ValueError(f"A: expected a 2 x 2 matrix of finite numbers, got shape {A.shape}")
+    size = np.abs(A).max()
+    scaled = A/size if size else A
+    trace, det = np.trace(scaled), np.linalg.det(scaled)
+    discriminant = (scaled[0, 0] - scaled[1, 1])**2 + 4*scaled[0, 1]*scaled[1, 0]
+    rounding = 64*np.finfo(float).eps
+    close = [name for name, value in (("determinant", det), ("discriminant", discriminant if det > 0 else 1),
+                                      ("trace", trace if det > 0 else 1)) if abs(value) <= rounding]
+    if close:
+        raise ValueError(f"A: the {close[0]} is zero within rounding, so floats cannot tell the type; "
+                         "give the matrix exactly (SymPy)")
+    if det < 0:
+        return "saddle"
+    return f"{'stable' if trace < 0 else 'unstable'} {'node' if discriminant > 0 else 'focus'}"
+
+
+@dataclass(frozen=True)
+class DulacTest:
+    """`divergence` of B f, its `sign` on the region ("positive", "negative", "nonnegative", "nonpositive", "zero",
+    "changes", or None if not decided), and `excludes_cycles`: True if there are no closed trajectories in the region
+    (which must be simply connected), None if the test says nothing.
+    """
+
+    divergence: sp.Expr
+    sign: str | None
+    excludes_cycles: bool | None
+
+    def _repr_latex_(self):
+        verdict = "no closed trajectories" if self.excludes_cycles else "the test decides nothing"
+        return f"$\\mathrm{{div}}(Bf) = {sp.latex(self.divergence)}$, sign: {self.sign or 'not decided'}; {verdict}"
+
+
+def dulac(field, state, multiplier=1, region=None):
+    """The test of Bendixson and Dulac: if div(B f) keeps one sign there are no closed trajectories.
+
+    `field`: two expressions; `state`: two symbols; `multiplier`: the function B; `region`: inequalities that describe
+    a simply connected region (that it is simply connected is for the user to see); without it the test is for the
+    plane, as restricted by the assumptions on the state (positive=True). Parameters are used with theirs.
+    Returns `DulacTest`; the sign is decided exactly.
+
+    >>> import sympy as sp
+    >>> rho, b, u = sp.symbols("rho b u", positive=True)
+    >>> beta = sp.Symbol("beta", real=True)
+    >>> test = dulac([b - sp.cos(beta), sp.sin(beta)/rho + u], [rho, beta], multiplier=rho)
+    >>> test.divergence, test.sign, test.excludes_cycles
+    (b, 'positive', True)
+    """
+    field, state = read_field(field, state)
+    if len(state) != 2:
+        raise ValueError(f"state: expected a planar system, got {len(state)} variables")
+    B = exact_decimals(read_expression(multiplier, "multiplier"))
+    divergence = sp.simplify(sum(sp.diff(B*exact_decimals(f), x) for f, x in zip(field, state)))
+    there, back = as_real(divergence, *state, *([] if region is None else [sp.sympify(region)]))
+    known = []
+    for relation in () if region is None else sp.And.make_args(sp.sympify(region)):
+        if not isinstance(relation, (sp.Gt, sp.Ge, sp.Lt, sp.Le)):
+            raise ValueError(f"region: expected inequalities joined by And, got {region}")
+        known.append((relation.gts - relation.lts).xreplace(there))
+    sign = _sign_on(divergence.xreplace(there), known)
+    return DulacTest(divergence, sign, True if sign not in (None, "zero", "changes") else None)
+
+
+def _sign_on(expression, known):
+    if expression == 0:
+        return "zero"
+    if (sign := sign_of(expression)) is not None:
+        return "positive" if sign > 0 else "negative"
+    numerator, denominator = sp.fraction(sp.together(expression))
+    product = sp.expand(numerator*denominator)
+    symbols = sorted(set(product.free_symbols).union(*(k.free_symbols for k in known)), key=str)
+    try:
+        above = solution_point([*known, product], symbols) is not None
+        below = solution_point([*known, -product], symbols) is not None
+    except TooLarge:
+        if expression.is_nonnegative or expression.is_nonpositive:
+            return "nonnegative" if expression.is_nonnegative else "nonpositive"
+        return None
+    if above and below:
+        return "changes"
+    return "nonnegative" if above else "nonpositive"
