@@ -28,9 +28,11 @@ from nbclient.exceptions import DeadKernelError
 from nbformat import NotebookNode
 from sphinx_external_toc.parsing import parse_toc_yaml
 
+import trajlib
 from trajlib.dependencies import module_closure
 
 ROOT = Path(__file__).resolve().parent.parent
+LIBRARY = Path(trajlib.__file__).parent
 AT_ONCE = 2
 
 
@@ -43,13 +45,14 @@ class Page:
 
 def main(root=ROOT):
     """Bring the cache of the book at `root` up to date; returns the exit code."""
-    config = yaml.safe_load((root / "_config.yml").read_text(encoding="utf-8"))
     cache = get_cache(root / "_build" / ".jupyter_cache")
+    stamp, state = cache.path / "all-executed", digest(root)
+    if stamp.exists() and stamp.read_text() == state:
+        print("nothing has changed, all outputs are up to date")
+        return 0
+    config = yaml.safe_load((root / "_config.yml").read_text(encoding="utf-8"))
     pages = read_pages(root, config)
     stale = keep_fresh_records(cache, pages)
-    if not stale:
-        print(f"all {len(pages)} pages with code are up to date")
-        return 0
     print(f"{len(stale)} of {len(pages)} pages with code are to be executed")
     failures = []
     with ProcessPoolExecutor(AT_ONCE) as pool:
@@ -63,21 +66,37 @@ def main(root=ROOT):
                 failures.append(f"{name}, {failure}")
             else:
                 remember(cache, page, result)
+    if not failures:
+        stamp.write_text(state)
     for failure in sorted(failures):
         print(f"\n{failure}", file=sys.stderr)
     return 1 if failures else 0
 
 
-def read_pages(root, config):
-    """The pages of the table of contents that have code cells to execute."""
+def digest(root):
+    """One hash of everything that outputs depend on, so that a run with nothing to do need not read the pages."""
+    files = [root / "_config.yml", root / "_toc.yml", root / "requirements.txt", *page_paths(root), *LIBRARY.rglob("*.py")]
+    found = hashlib.sha256(sys.version.encode())
+    for path in sorted(set(files)):
+        found.update(f"{path}\n".encode() + path.read_bytes())
+    return found.hexdigest()
+
+
+def page_paths(root):
+    """The pages of the table of contents."""
     toc = parse_toc_yaml(root / "_toc.yml")
     paths = {root / f"{name}.md" for name in toc} | {path for glob in toc.globs() for path in root.glob(f"{glob}.md")}
+    return sorted(path for path in paths if path.exists())
+
+
+def read_pages(root, config):
+    """The pages that have code cells to execute."""
     # The cells are found by the same Markdown dialect as when the site is built.
     dialect = MdParserConfig(enable_extensions=set(config["parse"]["myst_enable_extensions"]))
     shared = hashlib.sha256((root / "requirements.txt").read_bytes()).hexdigest() + sys.version
     pages = []
-    for path in sorted(paths):
-        text = path.read_text(encoding="utf-8") if path.exists() else ""
+    for path in page_paths(root):
+        text = path.read_text(encoding="utf-8")
         if is_myst_markdown_notebook(text):
             notebook = read_myst_markdown_notebook(text, dialect, add_source_map=True, path=path)
             code = [cell.source for cell in notebook.cells if cell.cell_type == "code"]

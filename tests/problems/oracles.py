@@ -9,6 +9,7 @@ from fractions import Fraction
 from itertools import permutations
 from random import Random
 
+import numpy as np
 import sympy as sp
 from sympy.core.relational import Relational
 
@@ -45,7 +46,7 @@ def same_condition(one, other, leave_out=lambda point: False):
     """True if two conditions agree at many rational points, those on the boundaries of both among them."""
     symbols = sorted(one.free_symbols | other.free_symbols, key=str)
     tests = [sp.lambdify(symbols, condition, modules="math") for condition in (one, other)]
-    return all(leave_out(dict(zip(symbols, point))) or _holds(tests[0], point) == _holds(tests[1], point)
+    return all(_holds(tests[0], point) == _holds(tests[1], point) or leave_out(dict(zip(symbols, point)))
                for point in _points(symbols, one, other))
 
 
@@ -202,7 +203,8 @@ def conserved_form(mutant, reference, field, state, parameters, program=None, pa
     part = list(part or state)
     velocity = _linear_part(field, state, program, part) * sp.Matrix(part)
     weights = sp.hessian(mutant, part)
-    if sp.expand(mutant - sp.Matrix(part).dot(weights * sp.Matrix(part)) / 2) != 0 or sp.expand(sp.Matrix([mutant]).jacobian(part).dot(velocity)) != 0:
+    form, rate = sp.Matrix(part).dot(weights * sp.Matrix(part)) / 2, sp.Matrix([mutant]).jacobian(part).dot(velocity)
+    if sp.expand(mutant - form) != 0 or sp.expand(rate) != 0:
         return False
     return bool(weights.subs({p: sp.Rational(3 + j, 2) for j, p in enumerate(parameters)}).is_positive_definite)
 
@@ -229,27 +231,29 @@ def angle_condition(mutant, reference, field, state, parameters, angle):
     """As `same_condition`, at the multiples of an eighth of pi too, where equalities can hold."""
     if not isinstance(mutant, LOGIC):
         return False
-    return all(mutant.subs(angle, sp.pi * j / 8) == reference.subs(angle, sp.pi * j / 8) for j in range(16)) and same_condition(mutant, reference)
+    eighths = [sp.pi * j / 8 for j in range(16)]
+    return all(mutant.subs(angle, x) == reference.subs(angle, x) for x in eighths) and same_condition(mutant, reference)
 
 
 def kind_of_angles(mutant, reference, field, state, parameters):
     """True if two conditions agree wherever there are stationary angles, at many values in general position."""
     symbols = sorted(set(mutant.free_symbols | reference.free_symbols), key=str)
     tests = [sp.lambdify(symbols, condition, modules="math") for condition in (mutant, reference)]
-    force, random = sp.lambdify([state[0], *parameters], field[1].subs(state[1], 0), modules="math"), Random(17)
-    for _ in range(4000):
-        values = {p: random.uniform(0, 2) * (-1 if p.is_negative else 1 if p.is_positive else random.choice((-1, 1))) for p in parameters}
-        heights = [force(math.pi * j / 90, *(values[p] for p in parameters)) for j in range(180)]
-        point = [values[p] for p in symbols]
-        if min(heights) < 0 < max(heights) and _holds(tests[0], point) != _holds(tests[1], point):
-            return False
-    return True
+    random, angles = np.random.default_rng(17), np.linspace(0, 2 * np.pi, 120)
+    sizes = random.uniform(0, 2, size=(len(parameters), 4000, 1))
+    signs = [-1 if p.is_negative else 1 if p.is_positive else random.choice((-1, 1), size=(4000, 1)) for p in parameters]
+    values = dict(zip(parameters, (sign * size for sign, size in zip(signs, sizes))))
+    force = sp.lambdify([state[0], *parameters], field[1].subs(state[1], 0))(angles, *values.values())
+    at_rest = np.flatnonzero((force.min(axis=1) < 0) & (force.max(axis=1) > 0))
+    points = np.column_stack([values[p] for p in symbols])[at_rest].tolist() if symbols else [[]]
+    return all(_holds(tests[0], point) == _holds(tests[1], point) for point in points)
 
 
-ORACLES = {"growing_motion": growing_motion, "conserved_form": conserved_form, "rest_angles": same_angles, "stable_rest_angles": same_angles,
-           "unstable_rest_angles": same_angles, "stable_angles": angle_condition, "saddle_angles": angle_condition,
+ORACLES = {"growing_motion": growing_motion, "conserved_form": conserved_form,
+           "rest_angles": same_angles, "stable_rest_angles": same_angles, "unstable_rest_angles": same_angles, "stable_angles": angle_condition, "saddle_angles": angle_condition,
            "focus_parameters": kind_of_angles, "node_parameters": kind_of_angles,
            "first_integral": first_integral, "focus_region": planar_region, "node_region": planar_region,
-           "stationary_exists": planar_region, "spectra": spectra, "basin_estimate": basin_estimate, "stability_region": stability_region, "stable_equation": stable_equation,
+           "stationary_exists": planar_region,
+           "spectra": spectra, "basin_estimate": basin_estimate, "stability_region": stability_region, "stable_equation": stable_equation,
            "rest_values": same_family, "stable_rest_values": same_family, "unstable_rest_values": same_family,
            "deviation_matrices": same_matrices}

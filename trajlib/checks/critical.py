@@ -36,16 +36,21 @@ def eigenvalue_multiplicities(answer, field, state, parameters, program=None, pa
                 raise Wrong(f"your {number_text(number)} is no eigenvalue{_where(values)}: A - lambda E is invertible there, its smallest "
                             f"singular value is {off:.3g}")
             if any(abs(number - other) < SPREAD * size for other in numbers[:k]):
-                raise Wrong(f"the eigenvalue {number_text(number)} is listed twice{_where(values)}; give each eigenvalue once, with its multiplicities")
+                raise Wrong(f"the eigenvalue {number_text(number)} is listed twice{_where(values)}; give each eigenvalue once, with its "
+                            "multiplicities")
         if sum(algebraic for _, algebraic, _ in rows) != n:
-            raise Wrong(f"the algebraic multiplicities that you give add up to {sum(a for _, a, _ in rows)}, and the characteristic polynomial is of degree {n}")
+            raise Wrong(f"the algebraic multiplicities that you give add up to {sum(a for _, a, _ in rows)}, and the characteristic "
+                        f"polynomial is of degree {n}")
         found = np.linalg.eigvals(matrix)
         for number, (_, algebraic, geometric) in zip(numbers, rows):
             if sum(abs(found - number) < SPREAD * size) != algebraic:
-                raise Wrong(f"{number_text(number)} is a root of the characteristic equation, but not of the multiplicity {algebraic}{_where(values)}")
+                raise Wrong(f"{number_text(number)} is a root of the characteristic equation, but not of the multiplicity "
+                            f"{algebraic}{_where(values)}")
             if _eigenvectors(matrix, number) != geometric:
-                raise Wrong(f"the number of independent eigenvectors for {number_text(number)} is not {geometric}{_where(values)}: look at the rank of A - lambda E")
-    return "they are all roots of the characteristic equation, as often as you say, and A - lambda E has the ranks that go with your numbers of eigenvectors"
+                raise Wrong(f"the number of independent eigenvectors for {number_text(number)} is not {geometric}{_where(values)}: look at "
+                            "the rank of A - lambda E")
+    return ("they are all roots of the characteristic equation, as often as you say, and A - lambda E has the ranks that go with your "
+            "numbers of eigenvectors")
 
 
 @judged
@@ -57,8 +62,8 @@ def critical_stability(answer, field, state, parameters, program=None, part=None
         raise RuntimeError("the verdict depends on the parameters")
     values, matrix, truth = verdicts[0]
     duration = 20 / np.linalg.norm(matrix)
-    told = (f"motions that start at distance 1 from zero are at distances of up to {_distance(matrix, duration)} after {duration:.3g} units of time "
-            f"and up to {_distance(matrix, 100 * duration)} after {100 * duration:.3g}{_where(values)}")
+    told = (f"motions that start at distance 1 from zero are at distances of up to {_distance(matrix, duration)} after {duration:.3g} units "
+            f"of time and up to {_distance(matrix, 100 * duration)} after {100 * duration:.3g}{_where(values)}")
     if claim != truth:
         raise Wrong(f"this does not agree with the motions: {told}")
     return told
@@ -72,7 +77,8 @@ def stable_parameters(answer, field, state, parameters, program=None, part=None)
     def told(values):
         matrix = at(values)
         duration = 2000 / np.linalg.norm(matrix)
-        return f"there motions that start at distance 1 from zero are at distances of up to {_distance(matrix, duration)} after {duration:.3g} units of time"
+        return (f"there motions that start at distance 1 from zero are at distances of up to {_distance(matrix, duration)} after "
+                f"{duration:.3g} units of time")
 
     compare_condition(answer, parameters, lambda values: stability(at(values)) != "unstable", told)
     return "for these parameters, and for no others, all motions stay bounded, on both sides of every boundary and on it"
@@ -98,11 +104,13 @@ def growing_motion(answer, field, state, parameters, time, constants=(), program
                 k = int(np.argmax(off))
                 raise Wrong(f"the equations are not satisfied: {part[k]}' is {rate[k].real:.4g} along your motion, and they ask for "
                             f"{(matrix @ x)[k].real:.4g}{_where(values)}, {time} = {moment}")
-        early, late = (max(_logarithm(motion, values, time, sp.Integer(moment)) for moment in moments) for moments in ((0, 1, 7, 10), (10**6, 10**6 + 1)))
+        early, late = (max(_logarithm(motion, values, time, sp.Integer(moment)) for moment in moments)
+                       for moments in ((0, 1, 7, 10), (10**6, 10**6 + 1)))
         if late < early + np.log(1e3):
-            raise Wrong(f"it satisfies the equations but does not grow: its distance from zero is at most {np.exp(early):.4g} for {time} up to 10 "
-                        f"and {np.exp(late):.4g} for {time} = 1000000{_where(values)}")
-    return "it satisfies the equations, and its distance from zero exceeds every bound; so does every multiple of it, however small its start"
+            raise Wrong(f"it satisfies the equations but does not grow: its distance from zero is at most {np.exp(early):.4g} for {time} "
+                        f"up to 10 and {np.exp(late):.4g} for {time} = 1000000{_where(values)}")
+    return ("it satisfies the equations, and its distance from zero exceeds every bound; so does every multiple of it, however small its "
+            "start")
 
 
 @judged
@@ -119,7 +127,8 @@ def limit_state(answer, field, state, parameters, start, program=None, part=None
             said = np.array([complex(e.subs(at).evalf(20)) for e in limit])
             true = late @ begin
             if np.linalg.norm(said - true) > 1e-7 * np.linalg.norm(begin):
-                raise Wrong(f"the motion from {as_text(begin)} has come to {as_text(true + 0.0)} after a long time{_where(values)}; your limit is {as_text(said.real)}")
+                raise Wrong(f"the motion from {as_text(begin)} has come to {as_text(true + 0.0)} after a long time{_where(values)}; your "
+                            f"limit is {as_text(said.real)}")
     return "motions from several starts come to these states"
 
 
@@ -136,8 +145,8 @@ def conserved_form(answer, field, state, parameters, program=None, part=None):
         rate = weights @ matrix + (weights @ matrix).T
         if np.linalg.norm(rate) > 1e-9 * np.linalg.norm(weights) * np.linalg.norm(matrix):
             row, column = np.unravel_index(np.argmax(abs(rate)), rate.shape)
-            raise Wrong(f"it is not conserved: its derivative along the motions has the term {part[row]}*{part[column]} with the coefficient "
-                        f"{rate[row, column] / (2 if row == column else 1):.4g}{_where(values)}")
+            raise Wrong(f"it is not conserved: its derivative along the motions has the term {part[row]}*{part[column]} with the "
+                        f"coefficient {rate[row, column] / (2 if row == column else 1):.4g}{_where(values)}")
         lowest = np.linalg.eigvalsh(weights)
         if lowest[0] <= 1e-9 * lowest[-1]:
             direction = np.linalg.eigh(weights)[1][:, 0]
@@ -198,7 +207,8 @@ def _distance(matrix, duration):
 
 
 def _rows(answer, parameters):
-    """Triples (value, algebraic, geometric) from a list of rows, a matrix, or a dict {value: (algebraic, geometric)}."""
+    """Triples (value, algebraic, geometric) from a list of rows, a matrix, a dict {value: (algebraic, geometric)}, or from what
+    SymPy's `eigenvects` returns, with the eigenvectors themselves in the third place."""
     if isinstance(answer, dict):
         answer = [[value, *(numbers if isinstance(numbers, (list, tuple)) else [numbers])] for value, numbers in answer.items()]
     if isinstance(answer, (sp.MatrixBase, np.ndarray)):
@@ -207,7 +217,11 @@ def _rows(answer, parameters):
         raise Invalid("expected a list of rows [eigenvalue, algebraic multiplicity, geometric multiplicity]")
     if all(not isinstance(row, (list, tuple, sp.Tuple, sp.MatrixBase, np.ndarray)) for row in answer) and len(answer) == 3:
         answer = [answer]
-    rows = [coercion.as_expressions(row, parameters, 3) for row in answer]
+    rows = []
+    for row in answer:
+        if isinstance(row, (list, tuple)) and len(row) == 3 and isinstance(row[2], (list, tuple)):
+            row = [*row[:2], len(row[2])]
+        rows.append(coercion.as_expressions(row, parameters, 3))
     return [(value, *(coercion.as_integer(sp.nsimplify(count, rational=True)) for count in counts)) for value, *counts in rows]
 
 

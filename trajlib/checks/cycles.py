@@ -130,8 +130,9 @@ def return_slope(answer, field, state, radius=None):
     if not close:
         if float(claim) <= 0:
             raise Wrong("the slope is positive: a motion that starts outside the cycle stays outside, for motions do not cross")
-        raise Wrong(f"a small deviation multiplied by {float(claim):.4g} in each turn of {_turn(flow, radius):.4g} units of time would "
-                    f"grow at the mean rate {math.log(float(claim)) / _turn(flow, radius):.4g}; linearising r' at the cycle gives another rate")
+        turn = _turn(flow, radius)
+        raise Wrong(f"a small deviation multiplied by {float(claim):.4g} in each turn of {turn:.4g} units of time would grow "
+                    f"at the mean rate {math.log(float(claim)) / turn:.4g}; linearising r' at the cycle gives another rate")
     return "it agrees with the integral of the divergence over one turn (Liouville's formula)"
 
 

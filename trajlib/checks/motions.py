@@ -75,7 +75,8 @@ def rest_angles(answer, field, state, parameters, integer):
 @judged
 def stable_rest_angles(answer, field, state, parameters, integer):
     """The stationary angles that Theorem 1.4 proves asymptotically stable, in the same form."""
-    return _judge_rest_angles(answer, field, state, parameters, integer, lambda slope, friction: slope < 0 and friction < 0, "asymptotically stable")
+    return _judge_rest_angles(answer, field, state, parameters, integer, lambda slope, friction: slope < 0 and friction < 0,
+                              "asymptotically stable")
 
 
 @judged
@@ -92,7 +93,7 @@ def angle_deviations(answer, field, state, parameters, angle, deviations):
     stationary, so that a parameter may stand for what the equation of rest makes of it.
     """
     claim = coercion.as_expression(answer, [*deviations, angle, *parameters])
-    if any(sp.degree(claim.expand(), d) > 1 for d in deviations if claim.is_polynomial(*deviations)) or not claim.is_polynomial(*deviations):
+    if not claim.is_polynomial(*deviations) or sp.Poly(claim, *deviations).total_degree() > 1:
         raise Invalid(f"expected an expression that is linear in {deviations[0]} and {deviations[1]}")
     angles = _Angles(field, state, parameters)
     for values in angles.samples():
@@ -102,8 +103,9 @@ def angle_deviations(answer, field, state, parameters, angle, deviations):
                 at = values | {angle: sp.Float(phi, 20)} | dict(zip(deviations, deviation))
                 said = complex(claim.subs(at).evalf(20))
                 if abs(said - true) > 1e-8 * (abs(slope) + abs(friction)):
-                    raise Wrong(f"for {values_text(values)} and the stationary angle {phi:.4g} a deviation {deviations[0]} = {deviation[0]}, "
-                                f"{deviations[1]} = {deviation[1]} changes phi'' by {true:.4g} to first order; your expression gives {said.real:.4g}")
+                    told = ", ".join(f"{symbol} = {value}" for symbol, value in zip(deviations, deviation))
+                    raise Wrong(f"for {values_text(values)} and the stationary angle {phi:.4g} a deviation {told} changes phi'' by {true:.4g} to "
+                                f"first order; your expression gives {said.real:.4g}")
     return "to first order the right-hand side changes so, at all stationary angles of several sets of parameters"
 
 
@@ -188,7 +190,8 @@ def compare_condition(answer, parameters, truth, told, count=8):
             values = _values(parameters, there)
             holds = truth(values)
             if holds is not None and claim.holds(there) != holds:
-                raise Wrong(f"your condition {'holds' if claim.holds(there) else 'does not hold'} for {place_text(parameters, there)}; {told(values)}")
+                says = "holds" if claim.holds(there) else "does not hold"
+                raise Wrong(f"your condition {says} for {place_text(parameters, there)}; {told(values)}")
 
 
 def _along(place, varied, parameters, claim, truth):
@@ -232,7 +235,8 @@ def _places(parameters, count):
     random = np.random.default_rng(12)
     for _ in range(count):
         sizes = [Fraction(int(random.integers(1, 60)), 20) for _ in parameters]
-        yield tuple(size if _allowed(p, size) and (not _allowed(p, -size) or random.integers(2)) else -size for p, size in zip(parameters, sizes))
+        yield tuple(size if _allowed(p, size) and (not _allowed(p, -size) or random.integers(2)) else -size
+                    for p, size in zip(parameters, sizes))
 
 
 def _allowed(parameter, x):
@@ -350,8 +354,8 @@ def _judge_rest_angles(answer, field, state, parameters, integer, wanted, word):
                                 f"{_roots_told(*angles.derivatives(values, near[0]))}")
                 matched.add(near[0])
         if len(matched) < len(chosen):
-            raise Wrong(f"not all angles are there: {len(chosen)} angles between 0 and 2 pi are {word} for {values_text(values)}, and your answer gives "
-                        f"{len(matched)} of them")
+            raise Wrong(f"not all angles are there: {len(chosen)} angles between 0 and 2 pi are {word} for {values_text(values)}, and your "
+                        f"answer gives {len(matched)} of them")
     return f"for several sets of parameters these angles are {word}, and a search of the whole circle finds no other"
 
 
@@ -382,14 +386,15 @@ def _judge_angles(answer, field, state, parameters, angle, kind, word):
             slope, friction = angles.derivatives(values, phi)
             place = (Fraction(float(phi)), *(Fraction(int(values[p].p), int(values[p].q)) for p in parameters))
             if claim.holds(place) != kind(friction, -slope):
-                raise Wrong(f"the stationary angle {phi:.4g} for {values_text(values)} is {'' if kind(friction, -slope) else 'not '}{word}, and your condition "
-                            f"{'holds' if claim.holds(place) else 'does not hold'} there: {_roots_told(slope, friction)}")
+                truth, says = ("", "does not hold") if kind(friction, -slope) else ("not ", "holds")
+                raise Wrong(f"the stationary angle {phi:.4g} for {values_text(values)} is {truth}{word}, and your condition {says} there: "
+                            f"{_roots_told(slope, friction)}")
     for _, values in edges:
         for phi in angles.double(values) if values else ():
             exact = sp.pi * sp.Rational(*Fraction(float(phi / np.pi)).limit_denominator(60).as_integer_ratio())
             if abs(float(exact) - phi) < 1e-9 and claim.condition.subs(values | {angle: exact}) == True:  # noqa: E712
-                raise Wrong(f"for {values_text(values)} two stationary angles meet in {phi:.4g}: there one root is zero, deviations to one side "
-                            f"grow and to the other decay, so it is not {word}; your condition holds there")
+                raise Wrong(f"for {values_text(values)} two stationary angles meet in {phi:.4g}: there one root is zero, deviations to one "
+                            f"side grow and to the other decay, so it is not {word}; your condition holds there")
     return "it agrees with the roots of the characteristic equation at all stationary angles of several sets of parameters"
 
 
@@ -422,8 +427,8 @@ def _judge_columns(answer, field, state, parameters, program, symbols, true_matr
         said = np.array(claim.xreplace(values).evalf(20).tolist(), dtype=complex)
         for k, symbol in enumerate(symbols):
             if np.linalg.norm(said[:, k] - true[:, k]) > 1e-9 * np.linalg.norm(true):
-                raise Wrong(f"a small deviation of {symbol} alone changes the right-hand sides of the equations at the rate {as_text(true[:, k])} "
-                            f"for {values_text(values)}; your matrix gives {as_text(said[:, k].real)}")
+                raise Wrong(f"a small deviation of {symbol} alone changes the right-hand sides of the equations at the rate "
+                            f"{as_text(true[:, k])} for {values_text(values)}; your matrix gives {as_text(said[:, k].real)}")
     return "for small deviations in every direction the right-hand sides change as the matrix says"
 
 

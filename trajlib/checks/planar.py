@@ -7,6 +7,7 @@ values of the parameters, by Newton's method from many starts at once. "The stat
 the domain: a data cell that leaves room for two makes the answer unchecked.
 """
 
+import functools
 import math
 from fractions import Fraction
 
@@ -22,8 +23,11 @@ from trajlib.checks.verdict import Invalid, Wrong, judged
 STABILITY = ("asymptotically stable", "stable", "unstable")
 TYPES = tuple(f"{how} {what}" for what in ("node", "star", "degenerate node", "focus") for how in ("stable", "unstable"))
 TYPES += ("saddle", "centre")
+#: How many starts Newton's method gets.
+STARTS = 48
 #: Half a unit of the third significant digit, at worst: what decimals in a condition may move its border by.
 ROUNDING = 0.005
+POSITIVE, NEGATIVE = sp.Interval.open(0, sp.oo), sp.Interval.open(-sp.oo, 0)
 #: Closer to an open end of the domain than this, a rest point counts as lying on the end.
 END = 1e-7
 
@@ -170,7 +174,8 @@ def dulac(answer, field, state, parameters, domain=None):
             raise Wrong(f"at {where}, a point of the domain, your multiplier or its divergence is not a real number")
         true, said = parts[:-2, k].sum(), parts[-2, k]
         if not _near(said, true, divergence, abs(parts[:-2, k]).sum()):
-            raise Wrong(f"at {where} the divergence of the field times your multiplier is {true:.4g}; your second expression gives {said:.4g}")
+            raise Wrong(f"at {where} the divergence of the field times your multiplier is {true:.4g}; "
+                        f"your second expression gives {said:.4g}")
     signs = np.sign(np.where(abs(parts[-2]) > 1e-12 * abs(parts[:-2]).sum(axis=0), parts[-2], 0))
     if not signs.any():
         raise Wrong("the divergence vanishes everywhere, so it excludes nothing: such a field may well have closed orbits")
@@ -278,7 +283,7 @@ def _judge_points(answer, family, noun):
 
 def _judge_existence(answer, family, noun):
     def truth(numbers):
-        return family.settle(numbers, starts=20, steps=28)[1].any(axis=1).astype(float)
+        return family.settle(numbers, starts=32, steps=40)[1].any(axis=1).astype(float)
 
     def describe(holds):
         return f"there is {'a' if holds else 'no'} {noun}, yet your condition {'does not hold' if holds else 'holds'}"
@@ -377,38 +382,35 @@ class _Family:
         if left:
             raise ValueError(f"the field still contains {left}")
         self._square = len(expressions) == len(self.state)
-        slopes = [sp.diff(component, x) for component in expressions for x in self.state] if self._square else []
-        self._function = sp.lambdify([*self.state, *self.parameters], expressions + slopes, "numpy", cse=True)
+        self._function = self._compiled(expressions)
+        # The numerators have the same zeros inside the domain, and Newton's method likes them better.
+        self._numerators = self._compiled([sp.numer(sp.together(component)) for component in expressions])
         self._angles = [x in self.domain and self.domain[x].measure == 2 * sp.pi for x in self.state]
         self._intervals = [_ends(x, self.domain) for x in self.state]
+        random = np.random.default_rng(14)
+        self._starts = np.array([[_draw(random, x, self.domain) for x in self.state] for _ in range(STARTS)]).T
+
+    def _compiled(self, expressions):
+        slopes = [sp.diff(component, x) for component in expressions for x in self.state] if self._square else []
+        return sp.lambdify([*self.state, *self.parameters], expressions + slopes, "numpy", cse=True)
 
     def __call__(self, place, numbers):
         """The field at places (state first) for parameter values that broadcast with them."""
-        return self._evaluate(place, numbers)[: len(self.state)] if self._square else self._evaluate(place, numbers)
+        values = _evaluated(self._function, place, numbers)
+        return values[: len(self.state)] if self._square else values
 
     def jacobian(self, place, numbers):
         """The partial derivatives, axes (component, variable, ...)."""
-        values = self._evaluate(place, numbers)[len(self.state):]
+        values = _evaluated(self._function, place, numbers)[len(self.state):]
         return values.reshape(len(self.state), len(self.state), *values.shape[1:])
-
-    def _evaluate(self, place, numbers):
-        with np.errstate(all="ignore"):
-            values = self._function(*place, *numbers)
-        result = np.empty((len(values), *np.broadcast_shapes(*(np.shape(x) for x in (*place, *numbers)))))
-        for k, value in enumerate(values):
-            result[k] = value
-        return result
 
     def settle(self, numbers, starts, steps):
         """Newton's method from many starts for every column of parameter values: places (n, columns, starts) and which
         of them are stationary points in the domain."""
-        random = np.random.default_rng(14)
-        n, m = len(self.state), numbers.shape[1]
-        x = np.array([[_draw(random, s, self.domain) for _ in range(starts)] for s in self.state])
-        x = np.broadcast_to(x[:, None, :], (n, m, starts)).copy()
+        x = np.repeat(self._starts[:, None, :starts], numbers.shape[1], axis=1)
         fixed = numbers[:, :, None]
         for _ in range(steps):
-            move = self._newton(x, fixed)
+            move = _newton(_evaluated(self._numerators, x, fixed))
             trial = x + np.where(np.isfinite(move), move, 0)
             for k, (low, high) in enumerate(self._intervals):
                 if self._angles[k]:
@@ -417,22 +419,13 @@ class _Family:
                     trial[k] = np.maximum(trial[k], low + (x[k] - low) / 4) if low > -math.inf else trial[k]
                     trial[k] = np.minimum(trial[k], high - (high - x[k]) / 4) if high < math.inf else trial[k]
             x = trial
-        settled = np.all(abs(self._newton(x, fixed)) < 1e-9 * (1 + abs(x)), axis=0)
+        settled = np.all(abs(_newton(_evaluated(self._function, x, fixed))) < 1e-9 * (1 + abs(x)), axis=0)
         x = self.reduced(x)
         return x, settled & self.inside(x)
 
-    def _newton(self, place, numbers):
-        """The step -J^-1 f, for one or two equations, wherever the arrays have their further axes."""
-        values = self._evaluate(place, numbers)
-        with np.errstate(all="ignore"):
-            if len(place) == 1:
-                return -values[:1] / values[1:]
-            f, g, a, b, c, d = values
-            return -np.stack([d * f - b * g, a * g - c * f]) / (a * d - b * c)
-
     def rests(self, numbers):
         """For every column of parameter values the list of stationary points in the domain."""
-        x, good = self.settle(numbers, starts=48, steps=40)
+        x, good = self.settle(numbers, starts=STARTS, steps=40)
         found = [[] for _ in range(x.shape[1])]
         for j, points in enumerate(found):
             for place in x[:, j, good[j]].T:
@@ -442,7 +435,7 @@ class _Family:
 
     def first_rests(self, numbers):
         """The stationary point for every column of parameter values (n, columns), and where there is one."""
-        x, good = self.settle(numbers, starts=20, steps=28)
+        x, good = self.settle(numbers, starts=32, steps=40)
         first = np.take_along_axis(x, np.argmax(good, axis=1)[None, :, None], axis=2)
         if np.any(good & (abs(x - first) > 1e-5 * (1 + abs(first))).any(axis=0)):
             raise RuntimeError("there are several stationary points in the domain")
@@ -495,6 +488,25 @@ class _Family:
             yield values, numbers[:, k], rests[k][0] if alone else rests[k]
 
 
+def _evaluated(function, place, numbers):
+    """Values of a compiled list of expressions at places and parameter values that broadcast with them."""
+    with np.errstate(all="ignore"):
+        values = function(*place, *numbers)
+    result = np.empty((len(values), *np.broadcast_shapes(*(np.shape(x) for x in (*place, *numbers)))))
+    for k, value in enumerate(values):
+        result[k] = value
+    return result
+
+
+def _newton(values):
+    """The step -J^-1 f of Newton's method from the values of f and of its derivatives, for one or two equations."""
+    with np.errstate(all="ignore"):
+        if len(values) == 2:
+            return -values[:1] / values[1:]
+        f, g, a, b, c, d = values
+        return -np.stack([d * f - b * g, a * g - c * f]) / (a * d - b * c)
+
+
 def _points(answer, family):
     """A list of points, each a list of expressions, from one point or a list of them."""
     names = {symbol.name: k for k, symbol in enumerate(family.state)}
@@ -526,7 +538,7 @@ def _points(answer, family):
 
 
 def _cycles(radius):
-    return {radius: sp.Interval.open(0, sp.oo)}
+    return {radius: POSITIVE}
 
 
 def _interval(symbol, domain):
@@ -534,14 +546,18 @@ def _interval(symbol, domain):
     if domain and symbol in domain:
         return domain[symbol]
     if symbol.is_positive:
-        return sp.Interval.open(0, sp.oo)
+        return POSITIVE
     if symbol.is_negative:
-        return sp.Interval.open(-sp.oo, 0)
+        return NEGATIVE
     return sp.S.Reals
 
 
 def _ends(symbol, domain):
-    interval = _interval(symbol, domain)
+    return _ends_of(_interval(symbol, domain))
+
+
+@functools.lru_cache(maxsize=64)
+def _ends_of(interval):
     return float(interval.start), float(interval.end)
 
 

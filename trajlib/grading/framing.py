@@ -1,5 +1,6 @@
 """Messages over a pipe: four bytes of length, then the message. Nothing of it is trusted but the length's bound."""
 
+import math
 import os
 import select
 import struct
@@ -10,7 +11,7 @@ LONGEST = 16 * 2**20
 
 
 class Broken(RuntimeError):
-    """The other side closed the pipe, sent too much, or nothing in time."""
+    """The other side closed the pipe, sent too much, or nothing in time: the message is "closed", "large" or "time"."""
 
 
 def send(descriptor, message):
@@ -20,23 +21,45 @@ def send(descriptor, message):
         view = view[os.write(descriptor, view):]
 
 
-def receive(descriptor, timeout=None):
-    """The next message; raises `Broken` at the end of the stream, for one too long, or after `timeout` seconds."""
-    deadline = None if timeout is None else time.monotonic() + timeout
-    (length,) = struct.unpack(">I", _exactly(descriptor, 4, deadline))
+def receive(descriptor, timeout=math.inf, look=None, every=math.inf):
+    """The next message; raises `Broken` at the end of the stream, for one too long, or after `timeout` seconds.
+
+    `look` is called all `every` seconds of waiting, and may raise to end it.
+    """
+    clock = _Clock(timeout, look, every)
+    (length,) = struct.unpack(">I", _exactly(descriptor, 4, clock))
     if length > LONGEST:
-        raise Broken(f"a message of {length} bytes")
-    return _exactly(descriptor, length, deadline)
+        raise Broken("large")
+    return _exactly(descriptor, length, clock)
 
 
-def _exactly(descriptor, count, deadline):
+class _Clock:
+    """When to look, and when to give up, whether or not bytes trickle in meanwhile."""
+
+    def __init__(self, timeout, look, every):
+        now = time.monotonic()
+        self.deadline, self.look, self.every, self.next_look = now + timeout, look, every, now + every
+
+    def tick(self):
+        """Seconds until there is something to do again; None for never."""
+        now = time.monotonic()
+        if now >= self.deadline:
+            raise Broken("time")
+        if now >= self.next_look:
+            self.look()
+            self.next_look = now + self.every
+        wait = min(self.deadline, self.next_look) - now
+        return None if wait == math.inf else wait
+
+
+def _exactly(descriptor, count, clock):
     parts = []
     while count:
-        if deadline is not None and not select.select([descriptor], [], [], max(0.0, deadline - time.monotonic()))[0]:
-            raise Broken("time")
-        part = os.read(descriptor, min(count, 2**16))
-        if not part:
-            raise Broken("closed")
-        parts.append(part)
-        count -= len(part)
+        wait = clock.tick()
+        if select.select([descriptor], [], [], wait)[0]:
+            part = os.read(descriptor, min(count, 2**16))
+            if not part:
+                raise Broken("closed")
+            parts.append(part)
+            count -= len(part)
     return b"".join(parts)

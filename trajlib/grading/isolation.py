@@ -7,18 +7,23 @@ read-only, and an empty /tmp. The environment is empty.
 import ctypes
 import os
 import shutil
-import site
+import signal
 import subprocess
 import sys
-import sysconfig
 from pathlib import Path
 
 PACKAGE = Path(__file__).resolve().parents[1]
+CHECKOUT = PACKAGE.parent
+#: All that a notebook finds in its environment.
+ENVIRONMENT = {"HOME": "/tmp", "PATH": "/usr/bin", "LANG": "C.UTF-8", "MPLBACKEND": "Agg", "MPLCONFIGDIR": "/tmp/matplotlib",
+               "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
 #: The user that the sandbox runs as when the grader itself is root: limits on processes do not bind root.
 NOBODY = 65534
 
 CLONE_NEWNS, CLONE_NEWIPC, CLONE_NEWUSER, CLONE_NEWPID, CLONE_NEWNET = 0x20000, 0x8000000, 0x10000000, 0x20000000, 0x40000000
-MS_NOSUID, MS_NODEV, MS_BIND, MS_REC, MS_PRIVATE = 2, 4, 4096, 16384, 1 << 18
+MS_RDONLY, MS_NOSUID, MS_NODEV, MS_BIND, MS_REC, MS_PRIVATE = 1, 2, 4, 4096, 16384, 1 << 18
+
+PR_SET_PDEATHSIG = 1
 
 _libc = ctypes.CDLL(None, use_errno=True)
 
@@ -45,17 +50,35 @@ def mount(source, target, kind=None, flags=0, options=None):
 
 
 def visible():
-    """The only folders of this machine that a sandboxed process sees besides /usr."""
-    packages = {Path(path) for path in [*site.getsitepackages(), sysconfig.get_paths()["purelib"]] if Path(path).is_dir()}
-    prefixes = {Path(sys.base_prefix), Path(sys.executable).parent, Path(sys.prefix) / "pyvenv.cfg", *packages, PACKAGE}
+    """The only folders of this machine that a sandboxed process sees besides /usr; `covered` are empty there."""
+    prefixes = {Path(sys.base_prefix), Path(sys.executable).parent, Path(sys.prefix) / "pyvenv.cfg", *_packages(), PACKAGE}
     # The interpreter is often a chain of links out of the environment: every link on the way has to be there.
     prefixes.add(Path(os.path.realpath(sys.base_prefix)))
-    shown = sorted(path for path in prefixes if path.exists() and not path.is_relative_to("/usr"))
-    return [path for path in shown if not any(other != path and path.is_relative_to(other) for other in shown)]
+    return sorted(path for path in prefixes if path.exists() and not path.is_relative_to("/usr"))
 
 
-def spawn(module, arguments=()):
-    """Start `python -m module` in a sandbox; returns the `Popen` with binary pipes on stdin and stdout.
+def covered():
+    """Folders in a visible one that are not to be seen all the same: a wheel's exercises; a checkout's, should it lie in /usr."""
+    inside = [PACKAGE / "_exercises"]
+    if (CHECKOUT / "pyproject.toml").exists():
+        inside += CHECKOUT.iterdir()
+    shown = visible()
+    return sorted(path for path in inside if path.is_dir() and shown_through(path) and not any(other.is_relative_to(path) for other in shown))
+
+
+def shown_through(path):
+    """The visible folder through which notebooks could read `path`, or None."""
+    path = Path(path).resolve()
+    return next((folder for folder in [Path("/usr"), *visible()] if path.is_relative_to(folder)), None)
+
+
+def _packages():
+    """Where the libraries are, also those of the user or of the system beside an environment."""
+    return [Path(path) for path in sys.path if Path(path).name in ("site-packages", "dist-packages") and Path(path).is_dir()]
+
+
+def spawn(mode, disk_megabytes=64):
+    """Start the worker in a sandbox; returns the `Popen` with binary pipes on stdin and stdout.
 
     Raises `NoIsolation` where bubblewrap is missing or the system forbids what it needs.
     """
@@ -67,14 +90,20 @@ def spawn(module, arguments=()):
     # Root hands the folders over under /mnt of a mount namespace of its own, since nobody may not enter /root.
     source = {path: f"/mnt/{k}" if as_root else str(path) for k, path in enumerate(folders)}
     command = [bwrap, "--unshare-all", "--die-with-parent", "--new-session", "--cap-drop", "ALL", "--clearenv",
-               "--setenv", "HOME", "/tmp", "--setenv", "PATH", "/usr/bin", "--setenv", "LANG", "C.UTF-8",
-               "--setenv", "MPLBACKEND", "Agg", "--setenv", "MPLCONFIGDIR", "/tmp/matplotlib", "--setenv", "OPENBLAS_NUM_THREADS", "1",
                "--ro-bind", "/usr", "/usr", "--symlink", "usr/lib", "/lib", "--symlink", "usr/lib64", "/lib64", "--symlink", "usr/bin", "/bin",
-               "--proc", "/proc", "--dev", "/dev", "--tmpfs", "/tmp", "--chdir", "/tmp"]
+               # Debian's libraries find one another through these.
+               "--ro-bind-try", "/etc/alternatives", "/etc/alternatives", "--ro-bind-try", "/etc/ld.so.cache", "/etc/ld.so.cache",
+               "--dev", "/dev", *_scratch("/tmp", disk_megabytes), *_scratch("/dev/shm", disk_megabytes), "--chdir", "/tmp"]
+    for name, value in ENVIRONMENT.items():
+        command += ["--setenv", name, value]
     for path in folders:
         command += ["--ro-bind", source[path], str(path)]
+    for path in covered():
+        command += ["--tmpfs", str(path), "--remount-ro", str(path)]
+    # A notebook has no use for /proc; the worker watches its children by it.
+    command += ["--proc", "/proc"] if mode == "nested" else []
     # Nothing outside /tmp and /dev/shm can be written, so no notebook leaves anything for the next.
-    command += ["--remount-ro", "/dev", "--remount-ro", "/", sys.executable, "-E", "-s", "-m", module, *map(str, arguments)]
+    command += ["--remount-ro", "/dev", "--remount-ro", "/", *_python(mode)]
 
     def hand_over():
         if as_root:
@@ -87,9 +116,39 @@ def spawn(module, arguments=()):
             os.setgroups([])
             os.setresgid(NOBODY, NOBODY, NOBODY)
             os.setresuid(NOBODY, NOBODY, NOBODY)
+        end_with_parent()
 
-    return subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                            preexec_fn=hand_over, close_fds=True, env={})
+    return _started(command, hand_over, {})
+
+
+def spawn_without(folder):
+    """Start the worker with no sandbox around it, in a session of its own and with an empty `folder` for its home."""
+    return _started(_python("trusting"), end_with_parent, ENVIRONMENT | {"HOME": folder, "TMPDIR": folder, "MPLCONFIGDIR": folder})
+
+
+def end_with_parent():
+    """Let the kernel kill this process when its parent ends, however that ends."""
+    system_call("prctl", PR_SET_PDEATHSIG, signal.SIGKILL, 0, 0, 0)
+
+
+def _started(command, prepare, environment):
+    try:
+        # In a session of its own, so that Ctrl-C reaches the grader alone, which then ends its sandboxes.
+        return subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, preexec_fn=prepare,
+                                close_fds=True, start_new_session=True, env=environment)
+    except (OSError, subprocess.SubprocessError) as error:
+        raise NoIsolation(f"the sandbox does not start here: {error}") from None
+
+
+def _python(mode):
+    # Isolated from variables, the user's folders and the current one; libraries are found where the grader itself found them.
+    paths = [str(path) for path in [*_packages(), PACKAGE.parent]]
+    start = f"import sys; sys.path += [path for path in {paths!r} if path not in sys.path]; from trajlib.grading import worker; worker.main({mode!r})"
+    return [sys.executable, "-I", "-c", start]
+
+
+def _scratch(path, megabytes):
+    return ["--size", str(megabytes * 2**20), "--tmpfs", path]
 
 
 def _touch_like(path, target):

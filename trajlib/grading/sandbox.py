@@ -1,9 +1,14 @@
-"""The parent's side of the sandbox: hand a notebook in, get bytes and how it ended."""
+"""The grader's side of the sandbox: hand a notebook in, get bytes and how it ended."""
 
 import json
+import os
+import subprocess
+import tempfile
+from contextlib import suppress
 from dataclasses import asdict, dataclass
 
-from trajlib.grading import framing, isolation
+from trajlib.grading import framing, isolation, watching
+from trajlib.grading.worker import NOT_NESTED
 
 #: What a ready worker may need longer than the notebook itself: forking, namespaces, collecting.
 GRACE = 10.0
@@ -11,18 +16,29 @@ GRACE = 10.0
 
 @dataclass(frozen=True)
 class Limits:
-    """What one notebook may use."""
+    """What one notebook may use, all its processes together: time of computing, memory, and the rest.
 
-    wall_seconds: float = 120
-    cpu_seconds: int = 120
+    The clock on the wall allows three times the time of computing, since a busy machine is not the student's fault.
+    """
+
+    cpu_seconds: float = 120
+    wall_seconds: float = 360
     memory_megabytes: int = 2048
     disk_megabytes: int = 64
     processes: int = 32
 
+    @classmethod
+    def of_time(cls, seconds):
+        return cls(cpu_seconds=seconds, wall_seconds=3 * seconds)
+
 
 @dataclass(frozen=True)
 class Outcome:
-    """How a notebook ended ("done", "time", "died") and the bytes it handed over, not looked into."""
+    """How a notebook ended, and the bytes it handed over, not looked into.
+
+    `ended` is "done"; a limit it met ("time", "memory", "processes", "large"); "died", with the manner as the bytes;
+    or "failed", when the sandbox itself did.
+    """
 
     ended: str
     handed_over: bytes
@@ -32,10 +48,12 @@ class Sandbox:
     """A ready worker in a sandbox; `run` may be called again and again, each notebook sees an untouched machine.
 
     Raises `isolation.NoIsolation` where none can be had. Use as a context manager.
+    Where the system allows no namespaces inside a sandbox, each notebook gets a sandbox of its own (`once`).
     """
 
-    def __init__(self, limits=Limits()):
+    def __init__(self, limits=Limits(), once=False):
         self.limits = limits
+        self._once = once
         self._worker = None
 
     def __enter__(self):
@@ -45,30 +63,68 @@ class Sandbox:
     def __exit__(self, *_):
         self._stop()
 
-    def run(self, sources, names):
-        """Run code cells and collect the answers `names`; returns an `Outcome`, whatever the notebook does."""
+    def run(self, sources, names, before=()):
+        """Run code cells, those of `before` first, and collect the answers `names`; returns an `Outcome`, whatever the notebook does."""
+        request = json.dumps({"sources": list(sources), "names": list(names), "before": list(before), "limits": asdict(self.limits)}).encode()
+        for _ in range(2):
+            outcome = self._try(request)
+            # The kernel was out of memory, or somebody ended our processes: not the notebook's doing, so it is tried once more.
+            if outcome.ended != "failed":
+                break
+        return outcome
+
+    def _try(self, request):
         if self._worker is None:
             self._start()
-        request = {"sources": list(sources), "names": list(names), "limits": asdict(self.limits)}
         try:
-            framing.send(self._worker.stdin.fileno(), json.dumps(request).encode())
-            ended, _, handed_over = framing.receive(self._worker.stdout.fileno(), self.limits.wall_seconds + GRACE).partition(b"|")
-            return Outcome(ended.decode(), handed_over)
-        except (framing.Broken, BrokenPipeError) as broken:
-            # The worker itself is gone or hangs: a new one serves the next notebook.
+            framing.send(self._worker.stdin.fileno(), request)
+            outcome = self._outcome_once() if self._once else self._outcome()
+        except (framing.Broken, OSError) as broken:
+            outcome = Outcome("failed", str(broken).encode())
+        if self._once or outcome.ended == "failed":
             self._stop()
-            return Outcome("died", str(broken).encode())
+        if self._once:
+            self._start()  # gets ready while this outcome is judged
+        return outcome
+
+    def _outcome(self):
+        ended, _, message = framing.receive(self._worker.stdout.fileno(), self.limits.wall_seconds + GRACE).partition(b"|")
+        return _told(ended, message)
+
+    def _outcome_once(self):
+        proc = os.open("/proc", os.O_RDONLY | os.O_DIRECTORY)
+        try:
+            ended, message = watching.answers_of(self._worker.pid, self._worker.stdout.fileno(), asdict(self.limits), proc)
+        finally:
+            os.close(proc)
+        if ended == b"died":
+            message = self._how_it_died()
+        return _told(ended, message)
+
+    def _how_it_died(self):
+        with suppress(subprocess.TimeoutExpired):
+            code = self._worker.wait(timeout=1)
+            # Bubblewrap's exit code is that of the process inside, or 128 and its signal.
+            return (f"signal {code - 128}" if code > 128 else f"signal {-code}" if code < 0 else f"exit {code}").encode()
+        return b"silent"
 
     def _start(self):
-        self._worker = isolation.spawn("trajlib.grading.worker")
+        self._worker = self._spawn()
         try:
-            if framing.receive(self._worker.stdout.fileno(), timeout=60) != b"ready":
-                raise framing.Broken("no greeting")
+            greeting = framing.receive(self._worker.stdout.fileno(), timeout=60)
         except framing.Broken:
             self._worker.kill()
-            said = self._worker.stderr.read().decode(errors="replace").strip().split("\n")[-1]
-            self._worker = None
-            raise isolation.NoIsolation(f"the sandbox does not start here: {said or 'it ended without a word'}") from None
+            greeting = self._worker.stderr.read().strip().split(b"\n")[-1] or b"it ended without a word"
+        if greeting == NOT_NESTED:
+            self._stop()
+            self._once = True
+            self._start()
+        elif greeting != b"ready":
+            self._stop()
+            raise isolation.NoIsolation(f"the sandbox does not start here: {greeting.decode(errors='replace')}")
+
+    def _spawn(self):
+        return isolation.spawn("once" if self._once else "nested", self.limits.disk_megabytes)
 
     def _stop(self):
         if self._worker is not None:
@@ -77,3 +133,23 @@ class Sandbox:
             for pipe in (self._worker.stdin, self._worker.stdout, self._worker.stderr):
                 pipe.close()
             self._worker = None
+
+
+class Trusting(Sandbox):
+    """No sandbox: notebooks run as the grader's own user, within limits. For students, or machines, that can be trusted."""
+
+    def __enter__(self):
+        self._folder = tempfile.TemporaryDirectory(prefix="trajlib-", ignore_cleanup_errors=True)
+        return super().__enter__()
+
+    def __exit__(self, *_):
+        super().__exit__()
+        self._folder.cleanup()
+
+    def _spawn(self):
+        return isolation.spawn_without(self._folder.name)
+
+
+def _told(ended, message):
+    # A process is killed from inside its sandbox only by itself, and then by another signal: this was the kernel or an outsider.
+    return Outcome("failed", message) if (ended, message) == (b"died", b"signal 9") else Outcome(ended.decode(), message)

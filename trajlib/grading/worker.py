@@ -1,42 +1,79 @@
 """Runs students' notebooks inside the sandbox: a ready process that forks a child of its own for each.
 
-`python -m trajlib.grading.worker` reads requests and writes what each child handed over, as bytes it never looks
-into. The child is the first process of a PID namespace of its own, without network, with an empty /tmp and no /proc,
-without capabilities and within limits; when it is done, or out of time, everything it left behind ends with it.
+It forwards what each child handed over, as bytes it never looks into. The child is the first process of a PID
+namespace of its own, without network, with an empty /tmp and no /proc, without capabilities, within limits; when it
+is done, or out of time, everything it left behind ends with it.
+
+The ready process never holds a request or an answer itself: whatever it had read would stand in the memory of every
+later child. A keeper, forked for each notebook, reads the request, forks the child, watches it and replies.
+
+There are three modes: `nested`, as said; `once`, where the system allows no namespaces inside the sandbox: one
+notebook, run by this very process, which a sandbox of its own surrounds; `trusting`, with no sandbox around at all.
 """
 
 import ctypes
 import json
 import os
 import resource
+import select
+import shutil
 import signal
 import struct
 import sys
+import tempfile
+import time
 
-from trajlib.grading import framing
+from trajlib.grading import framing, system_calls, watching
 from trajlib.grading.isolation import (CLONE_NEWIPC, CLONE_NEWNET, CLONE_NEWNS, CLONE_NEWPID, CLONE_NEWUSER, MS_NODEV, MS_NOSUID,
-                                       MS_PRIVATE, MS_REC, mount, system_call, unshare)
+                                       MS_PRIVATE, MS_RDONLY, MS_REC, NoIsolation, mount, system_call, unshare)
 
-PR_SET_NO_NEW_PRIVS, PR_CAPBSET_DROP = 38, 24
+PR_SET_NO_NEW_PRIVS, PR_CAPBSET_DROP, PR_SET_CHILD_SUBREAPER = 38, 24, 36
 CAPABILITY_VERSION_3 = 0x20080522
-DONE, TIME, DIED = b"done", b"time", b"died"
+#: Said in place of "ready" where the system allows no namespaces inside the sandbox.
+NOT_NESTED = b"not nested"
 
 
-def main():
+def main(mode):
+    try:
+        if mode == "nested" and not _can_nest():
+            framing.send(1, NOT_NESTED)
+            return
+        if mode != "trusting":
+            system_calls.check_known()
+    except NoIsolation as error:
+        framing.send(1, str(error).encode())
+        return
     _make_ready()
     framing.send(1, b"ready")
+    if mode == "once":
+        _run(json.loads(framing.receive(0)), 1, mode)
     while True:
+        select.select([0], [], [])  # a request has come; it is left to the keeper to read
+        keeper = os.fork()
+        if keeper == 0:
+            _keep(mode)
+        if os.waitpid(keeper, 0)[1] != 0:
+            return  # no more requests, or the keeper failed: the grader sees a closed pipe
+
+
+def _can_nest():
+    """Try in a child whether this system allows namespaces inside the sandbox."""
+    child = os.fork()
+    if child == 0:
         try:
-            request = json.loads(framing.receive(0))
-        except framing.Broken:
-            return
-        framing.send(1, b"|".join(_run_apart(request)))
+            _enter_namespaces(disk_megabytes=1)
+            os._exit(0)
+        finally:
+            os._exit(1)
+    return os.waitpid(child, 0)[1] == 0
 
 
 def _make_ready():
     """Import what notebooks use, once; children inherit it."""
+    import casadi  # noqa: F401
     import IPython.core.interactiveshell  # noqa: F401
     import matplotlib.pyplot  # noqa: F401
+    import matplotlib_inline.config  # noqa: F401
     import scipy.integrate  # noqa: F401
     import scipy.linalg  # noqa: F401
     import sympy  # noqa: F401
@@ -47,102 +84,132 @@ def _make_ready():
         getattr(trajlib.checks, name)
 
 
-def _run_apart(request):
-    """(how it ended, what the child handed over) for one notebook."""
-    limits = request["limits"]
-    results, child_end = os.pipe()
-    announced, announcing = os.pipe()
-    keeper = os.fork()
-    if keeper == 0:
-        os.close(results)
-        os.close(announced)
-        _keep(request, child_end, announcing)
-    os.close(child_end)
-    os.close(announcing)
-    first = struct.unpack(">I", os.read(announced, 4) or b"\0\0\0\0")[0]
-    os.close(announced)
-    try:
-        return DONE, framing.receive(results, timeout=limits["wall_seconds"])
-    except framing.Broken as broken:
-        return (TIME if str(broken) == "time" else DIED), str(broken).encode()
-    finally:
-        os.close(results)
-        # With the first process of its namespace every thread, child and daemon of the notebook ends.
-        for process in (first, keeper):
-            if process:
-                try:
-                    os.kill(process, signal.SIGKILL)
-                except ProcessLookupError:
-                    pass
-        os.waitpid(keeper, 0)
+# The keeper
 
 
-def _keep(request, results, announcing):
-    """In the child: enter namespaces, start the first process in them, tell its number and wait."""
+def _keep(mode):
+    """Serve one request and end: 0 if it was answered."""
+    code = 1
     try:
-        user, group = os.getuid(), os.getgid()
-        unshare(CLONE_NEWUSER | CLONE_NEWNS | CLONE_NEWPID | CLONE_NEWNET | CLONE_NEWIPC)
-        for name, text in (("setgroups", "deny"), ("uid_map", f"{user} {user} 1"), ("gid_map", f"{group} {group} 1")):
-            with open(f"/proc/self/{name}", "w") as file:
-                file.write(text)
-        mount("none", "/", flags=MS_REC | MS_PRIVATE)
-        megabytes = request["limits"]["disk_megabytes"]
-        for folder in ("/tmp", "/dev/shm"):
-            mount("tmpfs", folder, "tmpfs", MS_NOSUID | MS_NODEV, f"size={megabytes}m,nr_inodes=10000,mode=1777")
+        request = json.loads(framing.receive(0))
+        results, childs_end = os.pipe()
+        proc = os.open("/proc", os.O_RDONLY | os.O_DIRECTORY)  # stays ours when the child's is covered
+        folder = None
+        if mode == "nested":
+            _enter_namespaces(request["limits"]["disk_megabytes"])
+        else:
+            folder = tempfile.mkdtemp(prefix="trajlib-")
+            system_call("prctl", PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
         first = os.fork()
         if first == 0:
-            os.close(announcing)
-            mount("tmpfs", "/proc", "tmpfs", MS_NOSUID | MS_NODEV, "size=0,mode=555")
-            _run(request, results)
-        os.write(announcing, struct.pack(">I", first))
-        os.close(announcing)
-        os.close(results)
-        os.waitpid(first, 0)
+            _run(request, childs_end, mode, folder)
+        os.close(childs_end)
+        ended, message = watching.answers_of(os.getpid(), results, request["limits"], proc)
+        if ended == b"died":
+            message = _how_it_died(first)
+        # With the first process of its namespace every thread, child and daemon of the notebook ends.
+        _kill(first)
+        if mode == "trusting":
+            watching.end_descendants(proc)
+            shutil.rmtree(folder, ignore_errors=True)
+        framing.send(1, ended + b"|" + message)
+        code = 0
+    except framing.Broken:
+        pass  # no more requests
     finally:
-        os._exit(0)
+        os._exit(code)
 
 
-def _run(request, results):
-    """In the first process of the namespaces: give up everything, run the notebook, hand the answers over."""
+def _enter_namespaces(disk_megabytes):
+    user, group = os.getuid(), os.getgid()
+    unshare(CLONE_NEWUSER | CLONE_NEWNS | CLONE_NEWPID | CLONE_NEWNET | CLONE_NEWIPC)
+    for name, text in (("setgroups", "deny"), ("uid_map", f"{user} {user} 1"), ("gid_map", f"{group} {group} 1")):
+        with open(f"/proc/self/{name}", "w") as file:
+            file.write(text)
+    mount("none", "/", flags=MS_REC | MS_PRIVATE)
+    for folder in ("/tmp", "/dev/shm"):
+        mount("tmpfs", folder, "tmpfs", MS_NOSUID | MS_NODEV, f"size={disk_megabytes}m,nr_inodes=10000,mode=1777")
+
+
+def _how_it_died(first):
+    """"exit 3", "signal 11", or "silent" if it lives on but has closed its pipe."""
+    give_up = time.monotonic() + 0.5
+    while time.monotonic() < give_up:
+        # Not reaped, so that its number stays its own until `_kill`.
+        ended = os.waitid(os.P_PID, first, os.WEXITED | os.WNOHANG | os.WNOWAIT)
+        if ended is not None:
+            return f"{'exit' if ended.si_code == os.CLD_EXITED else 'signal'} {ended.si_status}".encode()
+        time.sleep(0.01)
+    return b"silent"
+
+
+def _kill(first):
+    os.kill(first, signal.SIGKILL)
+    os.waitpid(first, 0)
+
+
+# The notebook's own process
+
+
+def _run(request, results, mode, folder="/tmp"):
+    """Give up everything, run the notebook, hand the answers over."""
     from trajlib.execution import run_cells
 
+    this = os.getpid()
     try:
-        _give_up_privileges()
-        _limit(request["limits"])
-        nothing = os.open("/dev/null", os.O_RDWR)
-        for descriptor in (0, 1, 2):
-            os.dup2(nothing, descriptor)
-        os.closerange(3, results)
-        os.closerange(results + 1, 4096)
-        os.chdir("/tmp")
-        outcome = run_cells(request["sources"], request["names"])
-        framing.send(results, json.dumps(outcome).encode())
+        results = _keep_only(results)
+        limits = request["limits"]
+        _limit(limits, mode)
+        if mode == "nested":
+            mount("tmpfs", "/proc", "tmpfs", MS_NOSUID | MS_NODEV | MS_RDONLY, "nr_inodes=1,mode=555")
+        if mode == "trusting":
+            os.setsid()
+        else:
+            _give_up_privileges()
+        os.chdir(folder)
+        seconds = limits["cpu_seconds"], limits["wall_seconds"]
+        message = json.dumps(run_cells(request["sources"], request["names"], before=request["before"], seconds=seconds))
     except BaseException as error:  # the student's code may end in anything; it is told, and the process ends
-        framing.send(results, json.dumps({"encoded": {}, "unreadable": {}, "errors": [f"the notebook ended: {type(error).__name__}"]}).encode())
+        message = json.dumps({"encoded": {}, "unreadable": {}, "errors": [f"the notebook ended: {type(error).__name__}"]})
     finally:
+        if os.getpid() == this:  # not a child that the notebook forked and forgot
+            framing.send(results, message.encode())
         os._exit(0)
+
+
+def _keep_only(results):
+    """Close every file but this one, which becomes number 3; input and output lead nowhere."""
+    if results != 3:
+        os.dup2(results, 3, inheritable=False)
+    os.closerange(4, 4096)
+    nothing = os.open("/dev/null", os.O_RDWR)
+    for descriptor in (0, 1, 2):
+        os.dup2(nothing, descriptor)
+    os.close(nothing)
+    return 3
+
+
+def _limit(limits, mode):
+    """Limits of the kernel on this process and its children, each for itself; `watching` sums up."""
+    with open("/proc/self/statm") as file:
+        loaded = int(file.read().split()[0]) * resource.getpagesize()
+    bounds = {resource.RLIMIT_AS: loaded + limits["memory_megabytes"] * 2**20, resource.RLIMIT_CPU: limits["cpu_seconds"] + 5,
+              resource.RLIMIT_FSIZE: limits["disk_megabytes"] * 2**20, resource.RLIMIT_NOFILE: 128, resource.RLIMIT_CORE: 0}
+    if mode != "trusting":  # there it would count all processes of the user
+        bounds[resource.RLIMIT_NPROC] = limits["processes"]
+    for kind, bound in bounds.items():
+        resource.setrlimit(kind, (bound, bound))
+    os.nice(5)  # the grader goes first
 
 
 def _give_up_privileges():
-    """No capability in this user namespace, none to come back by an executable."""
+    """No capability in this user namespace, none to come back by an executable, no system call that would undo the sandbox."""
     system_call("prctl", PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0)
     for capability in range(64):
         try:
             system_call("prctl", PR_CAPBSET_DROP, capability, 0, 0, 0)
         except OSError:
-            break  # past the last capability this kernel knows
+            break  # past the last capability this kernel knows, or none to begin with
     header = struct.pack("II", CAPABILITY_VERSION_3, 0)
     system_call("capset", ctypes.c_char_p(header), ctypes.c_char_p(bytes(24)))
-
-
-def _limit(limits):
-    """Limits of the kernel on this process and its children."""
-    bounds = {resource.RLIMIT_AS: limits["memory_megabytes"] * 2**20, resource.RLIMIT_CPU: limits["cpu_seconds"],
-              resource.RLIMIT_FSIZE: limits["disk_megabytes"] * 2**20, resource.RLIMIT_NPROC: limits["processes"],
-              resource.RLIMIT_NOFILE: 256, resource.RLIMIT_CORE: 0}
-    for kind, bound in bounds.items():
-        resource.setrlimit(kind, (bound, bound))
-
-
-if __name__ == "__main__":
-    sys.exit(main())
+    system_calls.forbid()

@@ -11,8 +11,8 @@ zero the component changes smoothly until its boundary meets an obstacle:
 
 on a curve it is met first in a point where grad V is normal to the curve (Lagrange). These points are found exactly,
 with the parameters as symbols. Which of them is met first is a question of order and connection: it is decided by
-descending from each along -grad V, for three sample values of the parameters; if the samples disagree there is no single
-formula, and an error says so.
+descending from each along -grad V, for three sample values of the parameters; if the samples disagree there is no
+single formula, and an error says so. Systems whose obstacles are roots of long polynomials take some seconds.
 """
 from dataclasses import dataclass
 from itertools import combinations
@@ -21,9 +21,10 @@ import numpy as np
 import sympy as sp
 
 from .inequalities import sign_of
-from .lyapunov import barbashin_krasovskii, derivative_factors, is_positive_definite, lyapunov_derivative, separate_parts
+from .lyapunov import (barbashin_krasovskii, derivative_factors, is_positive_definite, lyapunov_derivative,
+                       separate_parts)
 from .real_solutions import solve_real
-from .systems import as_real, exact_decimals, read_expression, read_field, with_names
+from .systems import as_real, exact_decimals, read_expression, read_field, vanishes, with_names
 
 
 @dataclass(frozen=True)
@@ -50,12 +51,12 @@ class BasinEstimate:
             return plotting.region(sp.true, self.state, x_range, y_range, ax=ax)
         ax = plotting.window(self.state, x_range, y_range, ax=ax)
         plotting.sublevel_component(self.V, self.state, self.level, ax)
-        return plotting.level_curve(self.V, self.state, self.level, ax, label=f"$V = {sp.latex(self.level)}$")
+        return plotting.level_curve(self.V, self.state, self.level, ax, label=f"$V = {sp.latex(_short(self.level))}$")
 
     def _repr_latex_(self):
         if self.level == sp.oo:
             return f"the whole space ({self.reason})"
-        return f"$V = {sp.latex(self.V)} < {sp.latex(self.level)}$ ({self.reason})"
+        return f"$V = {sp.latex(self.V)} < {sp.latex(_short(self.level))}$ ({self.reason})"
 
 
 def basin_estimate(V, field, state, constraint=None):
@@ -82,7 +83,7 @@ def basin_estimate(V, field, state, constraint=None):
     there, back = as_real(V, *field, *state)
     V, field, real_state = V.xreplace(there), [f.xreplace(there) for f in field], tuple(there.get(x, x) for x in state)
     origin = dict.fromkeys(real_state, 0)
-    if any(sp.simplify(f.subs(origin)) != 0 for f in field):
+    if not all(vanishes(f.subs(origin)) for f in field):
         raise ValueError("field: the origin is not an equilibrium; write the equations in deviations first")
     definite = is_positive_definite(V, real_state)
     if definite.condition is not sp.true:
@@ -173,7 +174,7 @@ def _obstacles(V, field, state, curves):
             raise ValueError(f"V: not all obstacles could be found exactly ({what}); substitute numbers")
         for values, condition in solutions.branches:
             free = dict.fromkeys((x for x in state if x not in values), sp.Integer(0))
-            if any(sp.simplify(sp.diff(V.subs(values), x)) != 0 for x in free):
+            if not all(vanishes(sp.diff(V.subs(values), x)) for x in free):
                 raise ValueError(f"V: {what} comes in whole lines {values}, on which V is not constant")
             # A whole curve with one value of V, such as a circle, is represented by its point on an axis.
             values, condition = {x: v.subs(free) for x, v in values.items()} | free, condition.subs(free)
@@ -200,7 +201,7 @@ def _members(point, integers):
 def _first_level(V, obstacles, state):
     """The level at which the component meets the first obstacle, the obstacles there, and the reason."""
     parameters = sorted(V.free_symbols.union(*(v.free_symbols for p, _ in obstacles for v in p)) - set(state), key=str)
-    levels = [sp.factor(sp.simplify(V.subs(dict(zip(state, p)), simultaneous=True))) for p, _ in obstacles]
+    levels = [_height(V.subs(dict(zip(state, p)), simultaneous=True)) for p, _ in obstacles]
     verdicts = set()
     for sample in _samples(parameters):
         met = _first_met(V.subs(sample), state, [_numbers(p, sample) for p, _ in obstacles],
@@ -215,8 +216,17 @@ def _first_level(V, obstacles, state):
         if doubts:
             raise ValueError("V: no obstacle is met, but V is not known to grow without bound in all directions")
         return level, (), "V grows without bound and meets no obstacle: attraction from everywhere"
-    reason = "; ".join(dict.fromkeys(f"at {obstacles[i][0]}: {obstacles[i][1]}" for i in met))
+    reason = "; ".join(f"at {tuple(map(_short, obstacles[i][0]))}: {obstacles[i][1]}" for i in met)
     return level, tuple(obstacles[i][0] for i in met), reason + "".join(f"; {d}" for d in doubts)
+
+
+def _short(value):
+    """Roots of polynomials are shown as decimals."""
+    return value.evalf(6) if value.has(sp.CRootOf) else value
+
+
+def _height(level):
+    return level if level.has(sp.CRootOf) else sp.factor(sp.simplify(level))
 
 
 def _numbers(point, sample):

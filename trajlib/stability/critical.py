@@ -1,12 +1,13 @@
 """Stability of x' = Ax in all cases, the critical ones included, where roots lie on the imaginary axis.
 
-Theorem 1.1 of the problem book settles the cases without roots on the axis. With such roots (and none to the right) the
-solution x = 0 is stable if and only if each of them is semisimple: its Jordan blocks have order one, that is, it has as many
-independent eigenvectors as its multiplicity. The characteristic polynomial is factored exactly; an irreducible factor f(s) is
+Theorem 1.1 of the problem book settles the cases without roots on the axis. With such roots (and none to the right)
+the solution x = 0 is stable if and only if each of them is semisimple: its Jordan blocks have order one, that is, it has
+as many independent eigenvectors as its multiplicity. The characteristic polynomial is factored exactly. An irreducible
+factor f(s) with a root on the axis has the opposite number as a root too, so it is even, or f = s.
 
-- of the axis only if it is even or f = s, since s and -s are then both roots of it; all its roots lie on the axis, and are simple,
-  exactly when f + f' satisfies the criterion of Hurwitz (Hermite and Biehler); otherwise it has a root to the right;
-- otherwise without roots on the axis, and judged by the criterion of Hurwitz.
+- If f is even, all its roots lie on the axis, and are simple, exactly when f + f' satisfies the criterion of Hurwitz
+  (Hermite and Biehler); otherwise it has a root to the right.
+- If it is not, the criterion of Hurwitz decides.
 
 Its roots are semisimple exactly when the rank of f(A) is n minus the degree of f times its multiplicity.
 """
@@ -27,8 +28,8 @@ class Mode:
     """An eigenvalue, or the roots of one irreducible factor of the characteristic polynomial.
 
     `factor`: that polynomial in lambda; `eigenvalues`: its roots where they have a closed form, else empty;
-    `multiplicity` and `eigenvectors`: the algebraic and the geometric multiplicity of each; `side`: "left", "axis", "right" or
-    "unknown"; `semisimple`: None where it was not needed or not decided.
+    `multiplicity` and `eigenvectors`: the algebraic and the geometric multiplicity of each; `side`: "left", "axis",
+    "right" or "unknown"; `semisimple`: None where it was not needed or not decided.
     """
 
     factor: sp.Expr
@@ -59,9 +60,9 @@ class LinearStability:
 def linear_stability(A):
     """Stability of the solution x = 0 of x' = Ax, with the eigenvalues that decide it (MATLAB: eig, jordan).
 
-    `A`: n x n, a SymPy matrix or list of rows (decided exactly; symbols by their assumptions, "undecided" where these do not
-    suffice) or a NumPy array of floats (decided by the spectrum, "undecided" where a perturbation of rounding size can
-    move an eigenvalue to the imaginary axis; then give the matrix exactly). Returns `LinearStability`.
+    `A`: n x n, a SymPy matrix or list of rows (decided exactly; symbols by their assumptions, "undecided" where these
+    do not suffice) or a NumPy array of floats (decided by the spectrum, "undecided" where a perturbation of rounding
+    size can move an eigenvalue to the imaginary axis; then give the matrix exactly). Returns `LinearStability`.
     Raises ValueError for a matrix that is not square or not real.
     Source: Theorem 1.1 of the problem book, completed by the critical cases.
 
@@ -171,7 +172,8 @@ def _eigenvalues(f, side):
 
 
 def _restored(mode, back):
-    return replace(mode, factor=mode.factor.xreplace(back), eigenvalues=tuple(e.xreplace(back) for e in mode.eigenvalues))
+    return replace(mode, factor=mode.factor.xreplace(back),
+                   eigenvalues=tuple(e.xreplace(back) for e in mode.eigenvalues))
 
 
 def _from_floats(A):
@@ -190,8 +192,8 @@ def _from_floats(A):
     if distance <= rounding:
         near = np.abs(eigenvalues.real) <= np.sqrt(np.finfo(float).eps)*scale
         return LinearStability("undecided", modes(near, "unknown"),
-                               f"a change of A by {distance:.1e}, within rounding, brings an eigenvalue to the imaginary "
-                               "axis; give the matrix exactly (SymPy)", margin)
+                               f"a change of A by {distance:.1e}, within rounding, brings an eigenvalue to the "
+                               "imaginary axis; give the matrix exactly (SymPy)", margin)
     if margin > 0:
         return LinearStability("asymptotically stable", modes(eigenvalues.real == -margin, "left"),
                                f"all real parts are at most {-margin:.6g}", margin)

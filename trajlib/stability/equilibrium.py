@@ -105,7 +105,7 @@ def _reason(found, back):
 
 
 def _shortest(value):
-    return min((value, sp.simplify(value)), key=sp.count_ops)
+    return value if value.has(sp.CRootOf) else min((value, sp.simplify(value)), key=sp.count_ops)
 
 
 def _position(point):

@@ -6,7 +6,7 @@ x' = A x + B w with A = df/dy and B = df/du taken along the programme motion.
 import numpy as np
 import sympy as sp
 
-from .systems import as_real, read_field, read_symbols, read_vector
+from .systems import read_field, read_symbols, read_vector, vanishes
 
 
 def linearise(field, state, at, inputs=(), inputs_at=()):
@@ -31,7 +31,7 @@ def linearise(field, state, at, inputs=(), inputs_at=()):
     point = dict(zip(state + inputs, values))
     floats = isinstance(at, np.ndarray) and at.dtype.kind in "fiu"
     residual = sp.Matrix([_at(f, point, "field") for f in field])
-    if not (_vanishes_numerically(residual, field, point) if floats else _vanishes(residual)):
+    if not (_vanishes_numerically(residual, field, point) if floats else all(map(vanishes, residual))):
         raise ValueError(f"at: {tuple(values)} is not an equilibrium; the field there is {list(residual)}")
     A, B = (matrix.applyfunc(lambda e: _at(e, point, "the derivative of the field"))
             for matrix in _jacobians(field, state, inputs))
@@ -68,7 +68,7 @@ def linearise_along(field, state, motion, time, inputs=(), inputs_along=()):
     motion = read_vector(motion, len(state), "motion")
     point = dict(zip(state + inputs, motion + read_vector(inputs_along, len(inputs), "inputs_along")))
     residual = sp.Matrix([sp.diff(y, time) - _at(f, point, "field") for y, f in zip(motion, field)])
-    if not _vanishes(residual):
+    if not all(map(vanishes, residual)):
         raise ValueError("motion: it does not satisfy the equation; dy/dt - f is "
                          f"{list(residual.applyfunc(sp.simplify))}")
     A, B = _jacobians(field, state, inputs)
@@ -86,12 +86,6 @@ def _at(expression, point, what):
     if value.has(sp.nan, sp.zoo, sp.oo, -sp.oo):
         raise ValueError(f"at: {what} {expression} is not defined there")
     return value
-
-
-def _vanishes(residual):
-    """Exact: zero for all values of the symbols left."""
-    real, _ = as_real(residual)
-    return all(e == 0 or sp.simplify(e) == 0 for e in residual.xreplace(real))
 
 
 def _vanishes_numerically(residual, field, point):

@@ -8,7 +8,7 @@ import sympy as sp
 
 from .inequalities import positive, sign_of, tidied
 from .real_solutions import solve_real
-from .systems import as_real, exact_decimals, read_expression, read_field, read_symbols, with_names
+from .systems import as_real, exact_decimals, read_expression, read_field, read_symbols, vanishes, with_names
 
 
 def lyapunov_derivative(V, field, state):
@@ -81,7 +81,7 @@ def is_positive_definite(V, state):
     there, back = as_real(V, *state)
     V, real_state = V.xreplace(there), [there.get(x, x) for x in state]
     at_zero = V.subs(dict.fromkeys(real_state, 0))
-    if at_zero != 0 and sp.simplify(at_zero) != 0:
+    if not vanishes(at_zero):
         return Definiteness(sp.false, f"V(0) = {at_zero.xreplace(back)} is not zero")
     missing = [x for x, real in zip(state, real_state) if not V.has(real)]
     if missing:
@@ -117,7 +117,7 @@ def _definite_part(part, variables):
     if len(variables) == 1:
         return _definite_in_one(part, variables[0])
     origin = dict.fromkeys(variables, 0)
-    if any(sp.simplify(sp.diff(part, x).subs(origin)) != 0 for x in variables):
+    if not all(vanishes(sp.diff(part, x).subs(origin)) for x in variables):
         return sp.false, "the linear terms do not vanish"
     hessian = sp.hessian(part, variables).subs(origin)
     minors = [hessian[:k, :k].det() for k in range(1, len(variables) + 1)]
@@ -274,7 +274,7 @@ def _trajectories_within(g, field, state):
             return others, f"the trajectories in {g} = 0 were not decided"
         point = tuple(values[x] for x in state)
         # Isolated points that stay in the set must be at rest.
-        at_rest = all(sp.simplify(f.subs(values)) == 0 for f in field)
+        at_rest = all(vanishes(f.subs(values)) for f in field)
         if at_rest and any(v != 0 for v in point):
             others.append((point, condition))
     return others, None

@@ -1,8 +1,8 @@
 """Planar systems: the type of an equilibrium, and the absence of closed trajectories (Bendixson, Dulac).
 
 The type follows from the trace, the determinant and the discriminant tr^2 - 4 det of the matrix of the first
-approximation. For a nonlinear field the types of a hyperbolic point carry over; "centre" and the lines of equilibria do not:
-there the first approximation leaves the question open.
+approximation. For a nonlinear field the types of a hyperbolic point carry over; "centre" and the lines of equilibria do
+not: there the first approximation leaves the question open.
 """
 from dataclasses import dataclass
 
@@ -45,10 +45,12 @@ def classify_planar(A):
     `A`: 2 x 2. Numbers give the name of the type: "stable node", "stable focus", "stable degenerate node" (one
     eigenvector), "stable star" (every vector is one), the same with "unstable", "saddle", "centre", "stable line of
     equilibria", "unstable line of equilibria", "line of equilibria with drift" (A^2 = 0), "plane of equilibria".
-    Symbols give `PlanarTypes`, a table of (condition, type). A NumPy array of floats is judged as the exact numbers it
-    holds, except that a focus whose trace is within rounding of zero raises ValueError, as does any other border case.
+    Symbols give `PlanarTypes`, a table of (condition, type); the assumptions on them (positive=True) are used.
+    Raises ValueError if A is not 2 x 2 or not real, and for a NumPy array of floats in which the trace, the determinant or
+    the discriminant that decides is zero within rounding.
 
     A "centre" of the first approximation is undecided for a nonlinear system: it may be a focus of either kind.
+    Source: Theorems 1.1 and 1.4 of the problem book.
 
     >>> import sympy as sp
     >>> classify_planar(sp.Matrix([[0, 1], [-2, -1]]))

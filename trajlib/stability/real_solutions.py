@@ -1,15 +1,17 @@
 """All real solutions of a system of equations, exactly, with the conditions on the parameters they exist under.
 
 The system is solved branch by branch: an equation falls apart into its factors; an equation in one unknown is solved,
-another unknown is eliminated where an equation gives it; polynomial systems go through a Groebner basis. Whatever cannot
-be solved in closed form is reported, never dropped in silence. All symbols must be real (see `systems.as_real`).
-Parameters are generic: a parameter that stands as a factor of an equation is taken to be nonzero, and this is reported.
+another unknown is eliminated where an equation gives it; polynomial systems go through a Groebner basis. Whatever
+cannot be solved in closed form is reported, never dropped in silence. All symbols must be real (see `systems.as_real`).
+Parameters are generic: a parameter that stands as a factor of an equation, or before the highest power of an unknown, is
+taken to be nonzero, and this is reported.
 """
 from dataclasses import dataclass, field
 
 import sympy as sp
 
 from .inequalities import nonnegative, nonzero, positive, tidied
+from .systems import vanishes
 
 
 class Unsolved(Exception):
@@ -20,9 +22,9 @@ class Unsolved(Exception):
 class RealSolutions:
     """`branches`: pairs (unknown -> value, condition); unknowns without a value are free.
 
-    `unsolved`: pairs (equation, unknown) that were given up; `nonzero`: expressions in the parameters taken to be nonzero;
-    `generic`: whether further special values of the parameters may be excepted; `integers`: the symbols n of periodic
-    families; `taken`: names these must not have.
+    `unsolved`: pairs (equation, unknown) that were given up; `nonzero`: expressions in the parameters taken to be
+    nonzero; `generic`: whether further special values of the parameters may be excepted; `integers`: the symbols n of
+    periodic families; `taken`: names these must not have.
     """
 
     taken: set
@@ -52,7 +54,8 @@ def solve_real(equations, unknowns):
     kept = {}
     for values, requirements in result.branches:
         values = {x: _settled(v, values) for x, v in values.items()}
-        if any(v.has(sp.I) for v in values.values()) or any(_is_nonzero(e.subs(values)) for e in equations):
+        left = [e.subs(values) for e in equations]
+        if any(v.has(sp.I) for v in values.values()) or not all(e.free_symbols or vanishes(e) for e in left):
             continue
         condition = tidied(sp.And(*(r.reduced(values) for r in (*requirements, *defined)), *_assumed(values)))
         if condition is not sp.false:
@@ -77,13 +80,6 @@ def _assumed(values):
             yield positive(-value)
         elif unknown.is_nonnegative:
             yield nonnegative(value)
-
-
-def _is_nonzero(residual):
-    """True only for a residual that is certainly not zero."""
-    if residual == 0 or residual.free_symbols:
-        return False
-    return abs(residual.evalf(30)) > sp.Float("1e-20")
 
 
 @dataclass(frozen=True)
@@ -135,10 +131,9 @@ def _solve(equations, unknowns, values, requirements, result):
     # Without unknowns an equation is a condition on the parameters.
     for equation in left:
         if not equation.free_symbols & set(open_unknowns):
-            if equation.equals(0):
+            if vanishes(equation):
                 return _solve([e for e in left if e is not equation], unknowns, values, requirements, result)
-            if equation.free_symbols:
-                result.suppose_nonzero([equation])
+            result.suppose_nonzero([equation] if equation.free_symbols else [])
             return None
 
     # A product vanishes with one of its factors.

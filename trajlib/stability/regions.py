@@ -173,33 +173,35 @@ def _read_equation(poly_or_matrix, symbol):
 
 
 def _conditions(coefficients, symbol, parameters, margin):
-    shifted = _shifted(coefficients, margin)
-    there, back = as_real(*shifted)
-    real = [c.xreplace(there) for c in shifted]
-    real_parameters = [there.get(p, p) for p in parameters]
-    region, decided = _region(real, real_parameters)
-    degree = len(coefficients) - 1
+    region, decided = _region(coefficients, parameters, margin)
     return StabilityConditions(
-        polynomial=sum(c*symbol**(degree - i) for i, c in enumerate(coefficients)),
+        polynomial=_polynomial(coefficients, symbol),
         symbol=symbol,
         parameters=parameters,
         margin=margin,
-        region=region.xreplace(back),
-        minors=tuple(hurwitz_minors(shifted)),
+        region=region,
+        minors=tuple(hurwitz_minors(_shifted(coefficients, margin))),
         degenerate=tuple(_edges(coefficients, symbol, parameters, margin)),
         empty=region is sp.false if decided else None,
     )
 
 
-def _region(coefficients, parameters):
+def _polynomial(coefficients, symbol):
+    degree = len(coefficients) - 1
+    return sum(c*symbol**(degree - i) for i, c in enumerate(coefficients))
+
+
+def _region(coefficients, parameters, margin):
     """The reduced region and whether its emptiness is decided."""
+    shifted = _shifted(coefficients, margin)
+    there, back = as_real(*shifted)
+    real, symbols = [c.xreplace(there) for c in shifted], [there.get(p, p) for p in parameters]
+    lead = sign_of(real[0])
     found = []
-    lead = sign_of(coefficients[0])
     for sign in (1, -1) if lead is None else (lead,):
-        branch = [sign*c for c in coefficients]
-        candidates = [conjunction(c, parameters) for c in _lienard_chipart(branch)]
+        candidates = [conjunction(c, symbols) for c in _lienard_chipart([sign*c for c in real])]
         found.append(min(candidates, key=lambda c: (not c[1], _length(c[0]))))
-    return sp.Or(*(region for region, _ in found)), all(decided for _, decided in found)
+    return sp.Or(*(region for region, _ in found)).xreplace(back), all(decided for _, decided in found)
 
 
 def _lienard_chipart(coefficients):
@@ -233,17 +235,8 @@ def _edges(coefficients, symbol, parameters, margin, where=()):
         lower = lower[1:]
     if len(lower) < 2:
         return
-    found = _conditions_of_edge(lower, symbol, parameters, margin)
-    yield Edge(sp.And(*where), *found)
+    yield Edge(sp.And(*where), _polynomial(lower, symbol), _region(lower, parameters, margin)[0])
     yield from _edges(lower, symbol, parameters, margin, where)
-
-
-def _conditions_of_edge(coefficients, symbol, parameters, margin):
-    shifted = _shifted(coefficients, margin)
-    there, back = as_real(*shifted)
-    region, _ = _region([c.xreplace(there) for c in shifted], [there.get(p, p) for p in parameters])
-    degree = len(coefficients) - 1
-    return sum(c*symbol**(degree - i) for i, c in enumerate(coefficients)), region.xreplace(back)
 
 
 def _exact_number(value):

@@ -77,6 +77,22 @@ def with_names(text, back):
     return text
 
 
+def vanishes(expression):
+    """Whether an expression is zero for all values of its symbols.
+
+    A number with radicals or roots of polynomials counts as zero if its first 30 digits are: exact methods take
+    minutes.
+    """
+    if expression == 0:
+        return True
+    if expression.has(sp.nan, sp.zoo, sp.oo):
+        return False
+    if expression.free_symbols:
+        return sp.simplify(expression.xreplace(as_real(expression)[0])) == 0
+    digits = {root: root.evalf(50) for root in expression.atoms(sp.CRootOf)}
+    return bool(abs(expression.xreplace(digits).evalf(40, maxn=50)) < sp.Float("1e-30"))
+
+
 def exact_decimals(expression):
     """Read each decimal in an expression as the number that was written: 0.1 becomes 1/10."""
     if not expression.has(sp.Float):

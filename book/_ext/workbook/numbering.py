@@ -1,7 +1,8 @@
 """Numbers follow labels.
 
 An equation labelled eq-1-15-a is (1.15a), a theorem labelled thm-1-2 is Theorem 1.2: on every page, in references, in the
-student's notebook, and in the problem book where the number comes from. What has no such label is counted as usual.
+student's notebook, and in the problem book where the number comes from. What has no such label is counted as usual. A
+number given by TeX's own \\tag stands where all others stand.
 """
 
 import re
@@ -10,6 +11,7 @@ from copy import deepcopy
 from docutils import nodes
 
 EQUATION = re.compile(r"eq-(\d+)-([\w-]+)")
+TAG = re.compile(r"\\tag\{([^{}]*)\}")
 STATEMENT = re.compile(r"[a-z]+-(\d+)-(\d+)")
 
 
@@ -20,6 +22,11 @@ def _number_equations(app, document):
         if match:
             node["number"] = f"{match[1]}.{match[2].replace('-', '')}"
             equations[node["label"]] = node["docname"], node["number"]
+        tags = TAG.findall(node.astext())
+        if len(tags) == 1 and not node["nowrap"]:
+            # Sphinx puts a formula of several lines into an environment where \tag is not allowed.
+            node["number"] = tags[0]
+            node.children = [nodes.Text(TAG.sub("", node.astext()))]
 
 
 def _label_statements(app, document):

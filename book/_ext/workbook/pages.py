@@ -15,15 +15,15 @@ from sphinx.util import logging
 from sphinx.util.docutils import SphinxDirective, SphinxRole
 
 from workbook import catalogue
-from workbook.downloads import link
 from workbook.boxes import details, summary
+from workbook.downloads import link
 
 logger = logging.getLogger(__name__)
 
 TITLE = re.compile(r"^# .*$", re.M)
 EXERCISE_END = re.compile(r"^(`{3,}|:{3,})\{exercise-end\}[ \t]*\n(?:.*\n)*?\1[ \t]*$", re.M)
-# The student's notebooks link to the site of the checkout they lie in; here these pages are neighbours.
-TO_THE_SITE = re.compile(r"\]\((?:\.\./)+_build/html/([\w/-]+)\.html(?:#([\w-]+))?\)")
+# The student's notebooks link to the site, of their checkout or at html.baseurl; here its pages are neighbours.
+TO_THE_SITE = r"\]\((?:(?:\.\./)+_build/html|%s)/([\w/-]+)\.html(?:#([\w-]+))?\)"
 
 
 def _complete(app, page, source):
@@ -37,15 +37,15 @@ def _complete(app, page, source):
         text = TITLE.sub(lambda _: head, source[0], count=1)
         source[0] = EXERCISE_END.sub(lambda end: f"{end[0]}\n\n```{{problem-answers}}\n```\n", text, count=1)
     else:
-        source[0] = _student_page(source[0], head)
+        source[0] = _student_page(source[0], head, app.config.html_baseurl.rstrip("/"))
 
 
-def _student_page(source, head):
+def _student_page(source, head, baseurl):
     """The notebook with the page's head first, then where the data come from, without its own two headings."""
-    notebook = json.loads(source)
+    notebook, to_the_site = json.loads(source), re.compile(TO_THE_SITE % re.escape(baseurl))
     texts = [cell for cell in notebook["cells"] if cell["cell_type"] == "markdown"]
     for cell in texts:
-        text = TO_THE_SITE.sub(lambda link: f"](#{link[2]})" if link[2] else f"](/{link[1]}.md)", "".join(cell["source"]))
+        text = to_the_site.sub(lambda link: f"](#{link[2]})" if link[2] else f"](/{link[1]}.md)", "".join(cell["source"]))
         cell["source"] = re.sub(r"^##? Problem .*$", "", text, flags=re.M).strip()
     texts[0]["source"] = f"{head}\n:::{{div}} origin\n{texts[0]['source']}\n:::"
     return json.dumps(notebook)

@@ -28,6 +28,7 @@ CASES = [
     Case("eigenvalue_multiplicities", sp.Matrix([[I, 2, 2], [-I, 2, 2]]), TWO, "right", "a matrix; semisimple"),
     Case("eigenvalue_multiplicities", np.array([[1j, 2, 2], [-1j, 2, 2]]), TWO, "right", "an array of complex numbers"),
     Case("eigenvalue_multiplicities", [[0, 2, 1]], DRIFT, "right", "a single eigenvalue"),
+    Case("eigenvalue_multiplicities", sp.Matrix([[0, 1], [0, 0]]).eigenvects(), DRIFT, "right", "as eigenvects returns them"),
     Case("eigenvalue_multiplicities", [[0, 1, 1], [-1, 1, 1]], DRIVEN, "right", "a part of the deviations from a program motion"),
     Case("eigenvalue_multiplicities", [[I, 2, 2], [-I, 2, 2]], PAIR, "wrong", "Jordan blocks overlooked"),
     Case("eigenvalue_multiplicities", [[I, 2, 1], [-I, 2, 1]], TWO, "wrong", "Jordan blocks where there are none"),

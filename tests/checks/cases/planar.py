@@ -8,11 +8,13 @@ half = sp.Rational(1, 2)
 
 # A rocket, a projectile with thrust, a glider, a pursuit, a limit cycle: problems 1.7, 1.8, 1.9, 1.11, 1.12.
 ROCKET = ([(P - k * v**2) / m - g], [v], [P, m, g, k], {v: open_ray})
+PLAIN = {s: sp.Symbol(s.name) for s in ROCKET[2]}
 CLIMB = sp.sqrt((P - m * g) / k)
 ANY = {theta: sp.Interval.Lopen(-sp.pi, sp.pi), v: open_ray}
 SHOT = ([-g * sp.cos(theta) / v, P - k * v**2 - g * sp.sin(theta)], [theta, v], [P, g, k], ANY)
 UP = SHOT[:3] + (ANY | {theta: sp.Interval.open(0, sp.pi)},)
 DOWN = SHOT[:3] + (ANY | {theta: sp.Interval.open(-sp.pi, 0)},)
+SLOWEST = (SHOT[0][1], v, [theta, P, g, k], ANY)
 BOTH = [[-sp.pi / 2, sp.sqrt((P + g) / k)], [sp.pi / 2, sp.sqrt((P - g) / k)]]
 GLIDER = ([k1 * v - g * sp.cos(theta) / v, -k * v**2 - g * sp.sin(theta)], [theta, v], [k, k1, g], ANY)
 GLIDE = [-sp.atan(k / k1), (g**2 / (k**2 + k1**2)) ** sp.Rational(1, 4)]
@@ -29,11 +31,12 @@ ROUND = ([-u * rho, -u * beta], [rho, beta], [u], {u: open_ray})
 
 CASES = [
     Case("stationary_points", CLIMB, ROCKET, "right", "one equation: the bare expression"),
-    Case("stationary_points", [sp.sqrt((sp.Symbol("P") - sp.Symbol("m") * sp.Symbol("g")) / sp.Symbol("k"))], ROCKET, "right", "plain symbols, in a list"),
+    Case("stationary_points", [CLIMB.subs(PLAIN)], ROCKET, "right", "plain symbols, in a list"),
     Case("stationary_points", BOTH, SHOT, "right", "two points, one of which exists for some parameters only"),
     Case("stationary_points", BOTH[::-1], SHOT, "right", "another order"),
     Case("stationary_points", sp.Matrix(BOTH), SHOT, "right", "the rows of a matrix"),
-    Case("stationary_points", [{v: BOTH[0][1], theta: 3 * sp.pi / 2}, dict(zip((theta, v), BOTH[1]))], SHOT, "right", "dicts, an angle modulo 2 pi"),
+    Case("stationary_points", [{v: BOTH[0][1], theta: 3 * sp.pi / 2}, dict(zip((theta, v), BOTH[1]))], SHOT, "right",
+         "dicts, an angle modulo 2 pi"),
     Case("stationary_points", [-1.57, BOTH[0][1]], DOWN, "right", "a decimal angle"),
     Case("stationary_points", GLIDE, GLIDER, "right", "an angle that depends on parameters"),
     Case("stationary_points", BOTH[:1], SHOT, "wrong", "one of two"),
@@ -47,11 +50,11 @@ CASES = [
     Case("stationary_points", [v], ROCKET, "invalid", "the state itself"),
     Case("stationary_points", [BOTH[0][1]], DOWN, "invalid", "a single coordinate"),
     Case("stationary_points", "CLIMB", ROCKET, "invalid", "text"),
-    Case("nullcline", sp.sqrt((P - g * sp.sin(theta)) / k), (SHOT[0][1], v, [theta, P, g, k], ANY), "right", "the curve, real for some angles only"),
-    Case("nullcline", [(P / k - g / k * sp.sin(theta)) ** 0.5], (SHOT[0][1], v, [theta, P, g, k], ANY), "right", "a decimal power"),
-    Case("nullcline", sp.sqrt((P + g * sp.sin(theta)) / k), (SHOT[0][1], v, [theta, P, g, k], ANY), "wrong", "a sign"),
-    Case("nullcline", sp.sqrt((P + g) / k), (SHOT[0][1], v, [theta, P, g, k], ANY), "wrong", "a constant"),
-    Case("nullcline", sp.Eq(v, 1), (SHOT[0][1], v, [theta, P, g, k], ANY), "invalid", "an equation"),
+    Case("nullcline", sp.sqrt((P - g * sp.sin(theta)) / k), SLOWEST, "right", "the curve, real for some angles only"),
+    Case("nullcline", [(P / k - g / k * sp.sin(theta)) ** 0.5], SLOWEST, "right", "a decimal power"),
+    Case("nullcline", sp.sqrt((P + g * sp.sin(theta)) / k), SLOWEST, "wrong", "a sign"),
+    Case("nullcline", sp.sqrt((P + g) / k), SLOWEST, "wrong", "a constant"),
+    Case("nullcline", sp.Eq(v, 1), SLOWEST, "invalid", "an equation"),
     Case("stationary_exists", P > m * g, ROCKET, "right", "the radicand"),
     Case("stationary_exists", sp.Symbol("P") / sp.Symbol("g") > sp.Symbol("m"), ROCKET, "right", "plain symbols, a quotient"),
     Case("stationary_exists", True, DOWN, "right", "always"),
@@ -135,9 +138,10 @@ CASES = [
     Case("stationary_linearisation", 4 - 2 * u, ON_CYCLE, "right", "a cycle in its radius"),
 ]
 LIMITS = [
-    "Stationary points are searched by Newton's method from 48 starts for up to 30 sample values of the parameters: a point that attracts none of them "
-    "would not be missed in an answer.",
-    "Conditions are compared on lines along which one parameter varies; a difference that no line meets, and that is not seen at a border of the truth, passes.",
+    "Stationary points are searched by Newton's method from 48 starts for up to 30 sample values of the parameters: a point "
+    "that attracts none of them would not be missed in an answer.",
+    "Conditions are compared on lines along which one parameter varies; a difference that no line meets, and that is not seen "
+    "at a border of the truth, passes.",
     "The border between focus and node, where the roots are equal, is not judged.",
     "A multiplier is tried at 300 points of the domain: a divergence whose sign changes in a small part of it only may pass.",
     "The region of the test of Dulac has to be simply connected; that it is one is for the data cell to see to.",

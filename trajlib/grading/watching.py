@@ -1,0 +1,102 @@
+"""Wait for what a notebook hands over, and see to it that all its processes together keep within its limits.
+
+The kernel's own limits bind one process each. What a notebook's whole tree of processes uses is summed up ten times a
+second: memory with what processes share counted once (PSS), processor time, processes and threads.
+"""
+
+import os
+import signal
+from contextlib import suppress
+
+from trajlib.grading import framing
+
+INTERVAL = 0.1
+TICK, PAGE = os.sysconf("SC_CLK_TCK"), os.sysconf("SC_PAGE_SIZE")
+
+
+class Exceeded(RuntimeError):
+    """The processes together use more than they may; the message is the limit: time, memory or processes."""
+
+
+def answers_of(keeper, descriptor, limits, proc):
+    """(how it ended, message) of the notebook that runs below the process `keeper` and hands over on `descriptor`.
+
+    Ended is "done", or the limit that ended it ("time", "memory", "processes", "large"), or "died". `proc` is a
+    descriptor of the /proc in which `keeper` is to be found.
+    """
+    def look():
+        _compare(_descendants(keeper, proc), limits, proc)
+
+    try:
+        return b"done", framing.receive(descriptor, limits["wall_seconds"], look, INTERVAL)
+    except Exceeded as limit:
+        return str(limit).encode(), b""
+    except framing.Broken as broken:
+        return {"time": b"time", "large": b"large", "closed": b"died"}[str(broken)], b""
+
+
+def end_descendants(proc):
+    """Kill whatever is left below this process, to which orphans come."""
+    while left := _descendants(os.getpid(), proc):
+        # Stopped first, so that none multiplies while the others are killed.
+        for kind in (signal.SIGSTOP, signal.SIGKILL):
+            for process in left:
+                with suppress(ProcessLookupError, PermissionError):
+                    os.kill(process.number, kind)
+        with suppress(ChildProcessError):
+            while os.waitpid(-1, os.WNOHANG)[0]:
+                pass
+
+
+def _compare(processes, limits, proc):
+    if sum(one.seconds for one in processes) > limits["cpu_seconds"]:
+        raise Exceeded("time")
+    if sum(one.threads for one in processes) > limits["processes"]:
+        raise Exceeded("processes")
+    bound = limits["memory_megabytes"] * 2**20
+    # What each has resident is at hand, but counts shared pages many times: the exact sum is made only when it matters.
+    if sum(one.resident for one in processes) > bound and sum(_share(one, proc) for one in processes) > bound:
+        raise Exceeded("memory")
+
+
+class _Process:
+    """A line of /proc/<number>/stat."""
+
+    def __init__(self, number, line):
+        # The name, which the process itself chooses, stands in brackets; after the last one there are only numbers.
+        fields = line.rpartition(b")")[2].split()
+        self.number, self.parent, self.threads = number, int(fields[1]), int(fields[17])
+        self.seconds = sum(map(int, fields[11:15])) / TICK  # its own and that of its children already gone
+        self.resident = int(fields[21]) * PAGE
+
+
+def _descendants(ancestor, proc):
+    found = [one for name in os.listdir(proc) if name.isdigit() and (one := _process(name, proc))]
+    children = {}
+    for one in found:
+        children.setdefault(one.parent, []).append(one)
+    below = list(children.get(ancestor, ()))
+    for one in below:
+        below += children.get(one.number, ())
+    return below
+
+
+def _process(name, proc):
+    line = _read(f"{name}/stat", proc)
+    return _Process(int(name), line) if line else None
+
+
+def _share(process, proc):
+    """Resident memory with shared pages divided among those who share them."""
+    for line in _read(f"{process.number}/smaps_rollup", proc).split(b"\n"):
+        if line.startswith(b"Pss:"):
+            return int(line.split()[1]) * 1024
+    # Gone meanwhile, or a kernel that does not tell.
+    return process.resident if _process(str(process.number), proc) else 0
+
+
+def _read(path, proc):
+    with suppress(OSError):  # the process may have ended
+        with open(path, "rb", opener=lambda name, flags: os.open(name, flags, dir_fd=proc)) as file:
+            return file.read()
+    return b""
