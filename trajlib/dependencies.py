@@ -4,6 +4,7 @@ import ast
 import hashlib
 import importlib.util
 from functools import lru_cache
+from importlib.util import resolve_name
 from pathlib import Path
 
 from trajlib._lazy import home_of
@@ -24,12 +25,15 @@ def module_closure(source):
         if module not in closure:
             path = _path(module)
             closure[module] = hashlib.sha256(path.read_bytes()).hexdigest()
-            waiting += sorted(_loaded_by(path))
+            waiting += sorted(_loaded_by(module, path))
     return dict(sorted(closure.items()))
 
 
-def _loaded(source):
-    """Modules of trajlib that a piece of code names in its imports, or by attributes of what it imports."""
+def _loaded(source, package=None):
+    """Modules of trajlib that code names in its imports, or by attributes of what it imports.
+
+    `package` is the package that relative imports start from, for the source of a module.
+    """
     tree = ast.parse(source)
     packages, found = {}, set()
     for node in ast.walk(tree):
@@ -37,13 +41,15 @@ def _loaded(source):
             for alias in node.names:
                 if alias.name.split(".")[0] == "trajlib":
                     packages[alias.asname or alias.name] = alias.name
-        elif isinstance(node, ast.ImportFrom) and (node.module or "").split(".")[0] == "trajlib":
-            for alias in node.names:
-                module = f"{node.module}.{alias.name}"
-                if _is_module(module):
-                    packages[alias.asname or alias.name] = module
-                else:
-                    found.add(home_of(node.module, alias.name) or node.module)
+        elif isinstance(node, ast.ImportFrom):
+            start = resolve_name("." * node.level + (node.module or ""), package) if node.level else node.module
+            if start.split(".")[0] == "trajlib":
+                for alias in node.names:
+                    module = f"{start}.{alias.name}"
+                    if _is_module(module):
+                        packages[alias.asname or alias.name] = module
+                    else:
+                        found.add(home_of(start, alias.name) or start)
     for name, module in packages.items():
         if not _path(module).name.startswith("__init__"):
             found.add(module)
@@ -57,8 +63,9 @@ def _loaded(source):
 
 
 @lru_cache(maxsize=None)
-def _loaded_by(path):
-    return frozenset(_loaded(path.read_text(encoding="utf-8")))
+def _loaded_by(module, path):
+    package = module if path.name == "__init__.py" else module.rpartition(".")[0]
+    return frozenset(_loaded(path.read_text(encoding="utf-8"), package))
 
 
 def _is_module(name):

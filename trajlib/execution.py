@@ -4,13 +4,14 @@ The child that runs a student's cells hands over bytes only (`trajlib.checks.enc
 them, runs data and check cells of the pristine exercise, and never executes anything of the student's.
 """
 
-import io
 import json
 import multiprocessing
 import os
 import traceback
+from contextlib import suppress
 from dataclasses import dataclass
 
+from trajlib.cells import run_cells
 from trajlib.checks.verdict import UNCHECKED, Unusable, Verdict
 
 
@@ -78,68 +79,35 @@ def _serve(sender, function, args):
     sender.close()
 
 
-def run_cells(sources, names, folder=None):
-    """In this very process: run the cells, then {"encoded": .., "unreadable": .., "errors": ..} (for a child only)."""
-    from contextlib import redirect_stderr, redirect_stdout
-
-    os.environ.setdefault("MPLBACKEND", "Agg")
-    from IPython.core.interactiveshell import InteractiveShell
-
-    from trajlib.checks.encoding import EncodingError, encode
-
-    class Shell(InteractiveShell):
-        def enable_gui(self, gui=None):
-            """`%matplotlib inline` and its kin find no screen here, and need none."""
-
-    if folder:
-        os.chdir(folder)
-    errors = []
-    with redirect_stdout(_Discarded()), redirect_stderr(_Discarded()):
-        # A fresh shell that writes no history: nothing of one notebook is seen by the next.
-        shell = Shell(history_length=0, colors="nocolor")
-        shell.history_manager.enabled = False
-        for k, source in enumerate(sources, start=1):
-            outcome = shell.run_cell(source, store_history=False, silent=True)
-            error = outcome.error_before_exec or outcome.error_in_exec
-            if error is not None:
-                errors.append(f"code cell {k}: {type(error).__name__}: {str(error)[:300]}")
-    encoded, unreadable = {}, {}
-    for name in names:
-        if name not in shell.user_ns:
-            continue
-        try:
-            encoded[name] = encode(shell.user_ns[name]).decode()
-        except EncodingError as error:
-            unreadable[name] = str(error)
-    return {"encoded": encoded, "unreadable": unreadable, "errors": errors}
-
-
-class _Discarded(io.TextIOBase):
-    """Where prints go: kept nowhere, so that endless output fills nothing."""
-
-    def write(self, text):
-        return len(text)
-
-
 def judge_cells(cells, encoded, unreadable, names):
-    """In this very process: {name: [status, message]} for encoded answers (for a child only)."""
+    """In this very process: {name: [status, message]} for encoded answers (for a child only).
+
+    What was handed over reaches the check cells under the names of the answers alone: nothing else of theirs, such as
+    the data, can be replaced by it.
+    """
     os.environ.setdefault("MPLBACKEND", "Agg")
     from trajlib.checks import collecting
-    from trajlib.checks.encoding import EncodingError, decode
 
-    answers = dict.fromkeys(names, ...)
-    answers.update({name: Unusable(reason) for name, reason in unreadable.items()})
-    for name, text in encoded.items():
-        try:
-            answers[name] = decode(text.encode())
-        except EncodingError as error:
-            answers[name] = Unusable(str(error))
+    answers = {name: _answer(encoded.get(name), unreadable.get(name)) for name in names}
     namespace = {"__name__": "exercise"}
     with collecting() as verdicts:
         for role, source in cells:
-            if role == "check":
-                namespace.update(answers)
-            exec(compile(source, f"<{role} cell>", "exec"), namespace)
-    for name in names:
-        verdicts.setdefault(name, Verdict(UNCHECKED, "no check cell reports this answer"))
-    return {name: [verdict.status, verdict.message] for name, verdict in verdicts.items()}
+            if role != "check":
+                exec(compile(source, f"<{role} cell>", "exec"), namespace)
+                continue
+            namespace.update(answers)
+            with suppress(Exception):  # a check cell that fails leaves its own answers unchecked, and no others
+                exec(compile(source, "<check cell>", "exec"), namespace)
+    unchecked = Verdict(UNCHECKED, "no check cell could judge this answer; the fault is the check's, not yours")
+    return {name: [verdict.status, verdict.message] for name in names for verdict in [verdicts.get(name, unchecked)]}
+
+
+def _answer(text, unreadable):
+    from trajlib.checks.encoding import EncodingError, decode
+
+    if text is None:
+        return ... if unreadable is None else Unusable(unreadable)
+    try:
+        return decode(text.encode())
+    except (EncodingError, UnicodeEncodeError) as error:
+        return Unusable(str(error))

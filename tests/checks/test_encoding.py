@@ -257,24 +257,28 @@ exact = st.integers(-(10**6), 10**6).map(sp.Integer) | st.fractions(max_denomina
     lambda q: sp.Rational(q.numerator, q.denominator)
 )
 constants = st.sampled_from([sp.pi, sp.E, sp.I, sp.sqrt(2), sp.GoldenRatio])
-floats = st.builds(sp.Float, st.floats(-1e50, 1e50), st.integers(5, 40))
-unary = st.sampled_from([sp.sin, sp.cos, sp.tan, sp.exp, sp.log, sp.sqrt, sp.sinh, sp.tanh, sp.atan, sp.Abs, sp.sign, sp.floor, f, g])
+floats = st.builds(sp.Float, st.floats(-1e3, 1e3), st.integers(5, 40))
+unary = st.sampled_from([sp.sin, sp.cos, sp.tan, sp.exp, sp.log, sp.sinh, sp.tanh, sp.atan, sp.Abs, sp.sign, sp.floor, sp.erf, f, g])
 powers = st.integers(-3, 5).map(sp.Integer) | st.sampled_from([sp.S.Half, -sp.S.Half, x, k])
 
+# As SymPy makes them: sums, products and quotients over the symbols. (Deeper ones it may take minutes to make.)
+factors = symbols | exact | constants | floats | st.builds(sp.Pow, symbols, powers) | st.builds(lambda fun, a: fun(a), unary, symbols)
+sums = st.lists(st.lists(factors, min_size=1, max_size=3).map(lambda fs: sp.Mul(*fs)), min_size=1, max_size=3).map(lambda ts: sp.Add(*ts))
+tame = sums | st.builds(lambda a, b: a / (b + x**2 + 1), sums, sums) | st.builds(sp.exp, sums)
 
-def grown(inner):
+
+def unevaluated(inner):
     return (
-        st.builds(sp.Add, inner, inner)
-        | st.builds(sp.Mul, inner, inner)
-        | st.builds(sp.Pow, inner, powers)
-        | st.builds(lambda fun, arg: fun(arg), unary, inner)
-        | st.builds(lambda cls, a, b: cls(a, b, evaluate=False), st.sampled_from([sp.Add, sp.Mul, sp.Max, sp.Min, sp.Mod]), inner, inner)
+        st.builds(lambda cls, a, b: cls(a, b, evaluate=False), st.sampled_from([sp.Add, sp.Mul, sp.Max, sp.Min, sp.Mod, sp.atan2]), inner, inner)
+        | st.builds(lambda a, b: sp.Pow(a, b, evaluate=False), inner, powers)
+        | st.builds(lambda fun, a: fun(a, evaluate=False), unary, inner)
     )
 
 
-expressions = st.recursive(symbols | exact | floats | constants, grown, max_leaves=6)
+wild = st.recursive(factors, unevaluated, max_leaves=12)
+expressions = tame | wild
 relations = st.builds(
-    lambda cls, a, b: cls(a, b, evaluate=False), st.sampled_from([sp.Eq, sp.Ne, sp.Lt, sp.Le, sp.Gt, sp.Ge]), expressions, expressions
+    lambda cls, a, b: cls(a, b, evaluate=False), st.sampled_from([sp.Eq, sp.Ne, sp.Lt, sp.Le, sp.Gt, sp.Ge]), tame, tame
 )
 conditions = st.recursive(
     relations,
@@ -289,7 +293,7 @@ laws = st.builds(
 )
 ends = st.sampled_from([x, t, sp.sqrt(2), -sp.oo, sp.oo]) | exact
 intervals = st.builds(sp.Interval, ends, ends, st.booleans(), st.booleans())
-finite = st.lists(expressions, max_size=4).map(lambda items: sp.FiniteSet(*items))
+finite = st.lists(tame, max_size=4).map(lambda items: sp.FiniteSet(*items))
 sets = st.recursive(
     intervals | finite | st.sampled_from([sp.S.Reals, sp.S.Integers]),
     lambda inner: st.builds(

@@ -142,8 +142,8 @@ def test_unsuitable_functions_are_refused(V, field, named):
 
 
 def test_shows_itself():
-    assert "27" in basin_estimate(*example_2, [x, y])._repr_latex_()
-    assert r"\dot V" in barbashin_krasovskii(*example_2, [x, y])._repr_latex_()
+    assert "27" in basin_estimate(*example_2, [x, y])._repr_markdown_()
+    assert r"\dot V" in barbashin_krasovskii(*example_2, [x, y])._repr_markdown_()
 
 
 @settings(max_examples=40, deadline=None)

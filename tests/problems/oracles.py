@@ -250,7 +250,8 @@ def kind_of_angles(mutant, reference, field, state, parameters):
 
 
 ORACLES = {"growing_motion": growing_motion, "conserved_form": conserved_form,
-           "rest_angles": same_angles, "stable_rest_angles": same_angles, "unstable_rest_angles": same_angles, "stable_angles": angle_condition, "saddle_angles": angle_condition,
+           "rest_angles": same_angles, "stable_rest_angles": same_angles, "unstable_rest_angles": same_angles,
+           "stable_angles": angle_condition, "saddle_angles": angle_condition,
            "focus_parameters": kind_of_angles, "node_parameters": kind_of_angles,
            "first_integral": first_integral, "focus_region": planar_region, "node_region": planar_region,
            "stationary_exists": planar_region,

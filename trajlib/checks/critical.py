@@ -62,8 +62,8 @@ def critical_stability(answer, field, state, parameters, program=None, part=None
         raise RuntimeError("the verdict depends on the parameters")
     values, matrix, truth = verdicts[0]
     duration = 20 / np.linalg.norm(matrix)
-    told = (f"motions that start at distance 1 from zero are at distances of up to {_distance(matrix, duration)} after {duration:.3g} units "
-            f"of time and up to {_distance(matrix, 100 * duration)} after {100 * duration:.3g}{_where(values)}")
+    told = (f"motions that start at distance 1 from zero are at distances of up to {_distance(matrix, duration)} after {duration:.3g} "
+            f"units of time and up to {_distance(matrix, 100 * duration)} after {100 * duration:.3g}{_where(values)}")
     if claim != truth:
         raise Wrong(f"this does not agree with the motions: {told}")
     return told

@@ -104,8 +104,8 @@ def angle_deviations(answer, field, state, parameters, angle, deviations):
                 said = complex(claim.subs(at).evalf(20))
                 if abs(said - true) > 1e-8 * (abs(slope) + abs(friction)):
                     told = ", ".join(f"{symbol} = {value}" for symbol, value in zip(deviations, deviation))
-                    raise Wrong(f"for {values_text(values)} and the stationary angle {phi:.4g} a deviation {told} changes phi'' by {true:.4g} to "
-                                f"first order; your expression gives {said.real:.4g}")
+                    raise Wrong(f"for {values_text(values)} and the stationary angle {phi:.4g} a deviation {told} changes phi'' by {true:.4g} "
+                                f"to first order; your expression gives {said.real:.4g}")
     return "to first order the right-hand side changes so, at all stationary angles of several sets of parameters"
 
 

@@ -324,7 +324,7 @@ def _compare(answer, family, truth, describe):
         if np.isnan(holds):
             continue
         checked += 1
-        if claim.holds(place) != bool(holds) and not (loose and _close_to_border(place, truth)):
+        if claim.holds(place) != bool(holds) and not (loose and _rounded_across(place, truth)):
             raise Wrong(f"for {place_text(parameters, place)} {describe(bool(holds))}")
     return f"it holds where it should and nowhere else, at {checked} points on both sides of every border"
 
@@ -362,14 +362,18 @@ def _grid(family, truth, claim, margin):
     return places, sides
 
 
-def _close_to_border(place, truth):
-    """Whether moving one parameter by as much as rounding to three digits does changes the truth."""
-    moved = []
-    for k in range(len(place)):
-        for factor in (1 - ROUNDING, 1 + ROUNDING):
-            moved.append([float(x) * (factor if j == k else 1) for j, x in enumerate(place)])
-    values = truth(np.array([[float(x) for x in place], *moved]).T)
-    return bool(np.any(values != values[0]))
+def _rounded_across(place, truth):
+    """Whether rounding to three digits can account for a place on the wrong side of the border.
+
+    On the border itself there is nothing to be rounded: u >= 2.0 is as wrong as u >= 2 where u > 2 is right.
+    """
+    def changes(rounding):
+        moved = [[float(x) * (factor if j == k else 1) for j, x in enumerate(place)]
+                 for k in range(len(place)) for factor in (1 - rounding, 1 + rounding)]
+        values = truth(np.array([[float(x) for x in place], *moved]).T)
+        return bool(np.any(values != values[0]))
+
+    return changes(ROUNDING) and not changes(1e-9)
 
 
 class _Family:

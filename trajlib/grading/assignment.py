@@ -8,6 +8,7 @@
 
     [points]                            # optional; an answer is worth 1 point unless said otherwise
     "1.15" = 10                         # a problem: shared equally by its answers
+    "1.4" = 10                          # with an answer named below: the others share what is left
     "1.4.a_matrix" = 2                  # one answer
 """
 
@@ -47,26 +48,27 @@ def read(path):
     path = Path(path)
     try:
         given = tomllib.loads(path.read_text(encoding="utf-8"))
-    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
-        raise AssignmentError(f"{path}: {error}") from None
+    except OSError as error:
+        raise AssignmentError(f"{path}: {error.strerror}") from None
+    except (UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
+        raise AssignmentError(f"{path} is not TOML in UTF-8: {error}") from None
+    name = path.resolve().parent.name
     unknown = set(given) - FIELDS
-    if unknown:
-        raise AssignmentError(f"{path}: unknown field {', '.join(sorted(unknown))}; there are {', '.join(sorted(FIELDS))}")
+    _require(not unknown, path, f"unknown field {', '.join(sorted(unknown))}; there are {', '.join(sorted(FIELDS))}")
+    title = given.get("title", name)
+    _require(isinstance(title, str) and len(title.strip().splitlines()) == 1, path, "title is one line of text in quotes")
     problems = given.get("problems")
-    if not (isinstance(problems, list) and problems and all(isinstance(p, str) for p in problems)):
-        raise AssignmentError(f'{path}: problems is a list of numbers in quotes, ["1.4", "1.15"]')
-    if len(set(problems)) != len(problems):
-        raise AssignmentError(f"{path}: problems names a problem twice")
+    _require(isinstance(problems, list) and problems and all(isinstance(p, str) for p in problems), path,
+             'problems is a list of numbers in quotes, ["1.4", "1.15"]')
+    _require(len(set(problems)) == len(problems), path, "problems names a problem twice")
     due = given.get("due")
-    if due is not None and not (isinstance(due, datetime.datetime) and due.tzinfo is not None):
-        raise AssignmentError(f"{path}: due is a date with time and zone, 2026-10-01T23:59:00+03:00")
-    if given.get("attempt", "best") not in ("best", "last"):
-        raise AssignmentError(f'{path}: attempt is "best" or "last"')
+    _require(due is None or (isinstance(due, datetime.datetime) and due.tzinfo is not None), path,
+             "due is a date with time and zone, without quotes: 2026-10-01T23:59:00+03:00")
+    attempt = given.get("attempt", "best")
+    _require(attempt in ("best", "last"), path, 'attempt is "best" or "last"')
     attempts = given.get("attempts")
-    if attempts is not None and not (type(attempts) is int and attempts > 0):
-        raise AssignmentError(f"{path}: attempts is a whole number from 1 up")
-    return Assignment(path.parent.name, str(given.get("title", path.parent.name)), tuple(problems),
-                      _points(path, problems, given.get("points", {})), due, given.get("attempt", "best"), attempts)
+    _require(attempts is None or (type(attempts) is int and attempts > 0), path, "attempts is a whole number from 1 up")
+    return Assignment(name, title.strip(), tuple(problems), _points(path, problems, given.get("points", {})), due, attempt, attempts)
 
 
 def of_problems(name, problems):
@@ -74,27 +76,43 @@ def of_problems(name, problems):
     return Assignment(name, name, tuple(problems), _points(Path(name), problems, {}))
 
 
+def answers_of(problem):
+    """The names of a problem's answers, in order. Raises `trajlib.exercises.UnknownExercise`."""
+    exercise = exercises.find(problem)
+    if exercise.number != problem:
+        raise exercises.UnknownExercise(f"there is no problem {problem}; it is written {exercise.number}")
+    return list(exercise.about["answers"])
+
+
 def _points(path, problems, given):
     """Points of every answer of every problem, from the table `points`."""
+    _require(isinstance(given, dict), path, 'points is a table: [points], and below it "1.15" = 10')
     points = {}
     for problem in problems:
         try:
-            answers = exercises.find(problem).about["answers"]
+            points[problem] = dict.fromkeys(answers_of(problem), 1.0)
         except exercises.UnknownExercise as error:
             raise AssignmentError(f"{path}: {error}") from None
-        whole = _number(path, problem, given.get(problem, len(answers)))
-        points[problem] = dict.fromkeys(answers, whole / len(answers))
+    named = {}
     for key, value in given.items():
+        # TOML takes an unquoted 1.15 = 10 for a table "1" with a key "15".
+        _require(not isinstance(value, dict), path, 'in points a problem stands in quotes: "1.15" = 10, not 1.15 = 10')
+        _require(type(value) in (int, float) and 0 <= value < 1e6, path, f'points."{key}" is a number from 0 up')
         problem, _, answer = key.rpartition(".")
-        if key in points:
-            continue
-        if problem not in points or answer not in points[problem]:
-            raise AssignmentError(f'{path}: points."{key}" names neither a problem of the assignment nor one of its answers')
-        points[problem][answer] = _number(path, key, value)
+        if key not in points:
+            _require(answer in points.get(problem, ()), path, f'points."{key}" names neither a problem of the assignment nor one of its answers')
+            named.setdefault(problem, {})[answer] = float(value)
+    for problem, answers in points.items():
+        mine = named.get(problem, {})
+        if problem in given:
+            left, others = given[problem] - sum(mine.values()), len(answers) - len(mine)
+            _require(left >= -1e-9 and (others or left <= 1e-9), path,
+                     f'points."{problem}" is {given[problem]:g}, but its answers named below have {sum(mine.values()):g}')
+            answers.update(dict.fromkeys(answers, max(left, 0.0) / max(others, 1)))
+        answers.update(mine)
     return points
 
 
-def _number(path, key, value):
-    if type(value) not in (int, float) or not 0 <= value < 1e6:
-        raise AssignmentError(f'{path}: points."{key}" is a number from 0 up')
-    return float(value)
+def _require(holds, path, said):
+    if not holds:
+        raise AssignmentError(f"{path}: {said}")

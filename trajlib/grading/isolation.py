@@ -100,8 +100,8 @@ def spawn(mode, disk_megabytes=64):
         command += ["--ro-bind", source[path], str(path)]
     for path in covered():
         command += ["--tmpfs", str(path), "--remount-ro", str(path)]
-    # A notebook has no use for /proc; the worker watches its children by it.
-    command += ["--proc", "/proc"] if mode == "nested" else []
+    # A notebook has no use for /proc; a worker watches its children by it. A first process cannot be killed from inside.
+    command += ["--proc", "/proc"] if mode == "nested" else ["--as-pid-1"]
     # Nothing outside /tmp and /dev/shm can be written, so no notebook leaves anything for the next.
     command += ["--remount-ro", "/dev", "--remount-ro", "/", *_python(mode)]
 

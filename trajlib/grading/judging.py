@@ -1,22 +1,34 @@
 """Judge what a notebook handed over: decode, run data and check cells of the pristine exercise, within limits.
 
 Each judgement is a forked child with bounds on time and memory, since an answer can be an expression built to
-explode. If the whole notebook cannot be judged in time, its answers are judged one by one, so that one such answer
+explode. If the whole notebook cannot be judged within them, its answers are judged one by one, so that one such answer
 costs only itself; it becomes `unchecked`, which a lecturer has to look at, never wrong and never right.
 """
 
 import json
 import resource
+import sys
 from dataclasses import dataclass
 
 from trajlib.checks.encoding import EncodingError, decode, describe
 from trajlib.checks.verdict import MISSING, UNCHECKED, Verdict
 from trajlib.execution import TimeLimit, in_child, judge_cells
+from trajlib.grading.isolation import end_with_parent
+
+#: How a notebook ended that handed nothing over: whose affair it is, in the words of a remark.
+ENDS = {
+    "time": "limits: the notebook was still running when its time was up",
+    "memory": "limits: the notebook needed more memory than allowed",
+    "processes": "limits: the notebook started more processes than allowed",
+    "large": "limits: the notebook handed over more than allowed",
+    "died": "notebook: its process was ended by what the notebook did",
+    "failed": "grader: the sandbox failed on this notebook",
+}
 
 
 @dataclass(frozen=True)
 class Bounds:
-    """What judging one notebook, and then one answer, may take."""
+    """What judging one notebook, and then one answer, may take: seconds of computing, three times as many on the clock."""
 
     seconds: float = 60
     answer_seconds: float = 20
@@ -25,25 +37,42 @@ class Bounds:
 
 @dataclass(frozen=True)
 class Judgement:
-    """Verdicts by answer, the answers as short texts, and what is to be said of the notebook itself, in sentences."""
+    """Verdicts by answer, the answers as short texts, and remarks on the notebook itself.
+
+    Each remark begins with whose affair it is: "notebook", "limits" or "grader". `failed` says that the grader itself
+    did, so that the notebook is to be graded again.
+    """
 
     verdicts: dict
     answers: dict
     remarks: tuple
+    failed: bool = False
 
 
 def judge(exercise, outcome, bounds=Bounds()):
     """The `Judgement` on a sandbox `Outcome` for a pristine exercise (`trajlib.exercises.Exercise`)."""
     names = list(exercise.about["answers"])
     if outcome.ended != "done":
-        reason = {"time": "the notebook was still running at its time limit",
-                  "died": "the notebook's process was ended before it could hand its answers over (memory, a signal, an exit)"}[outcome.ended]
-        return Judgement(dict.fromkeys(names, Verdict(MISSING, f"no answer: {reason}")), {}, (reason,))
+        return _without_answers(names, outcome)
     cells = exercise.code("data", "check")
     try:
         return _apart(cells, outcome.handed_over, names, bounds.seconds, bounds.memory_megabytes)
-    except (TimeLimit, RuntimeError):
+    except RuntimeError:
         return _one_by_one(cells, outcome.handed_over, names, bounds)
+
+
+def failed(names):
+    """The `Judgement` when the grader could not do its work: nothing is the student's fault, and nothing is final."""
+    verdict = Verdict(UNCHECKED, "the grader failed on this notebook; it will be graded again")
+    return Judgement(dict.fromkeys(names, verdict), {}, (ENDS["failed"],), failed=True)
+
+
+def _without_answers(names, outcome):
+    if outcome.ended == "failed":
+        return failed(names)
+    manner = f" ({outcome.handed_over.decode('ascii', 'replace')[:40]})" if outcome.ended == "died" else ""
+    remark = ENDS[outcome.ended] + manner
+    return Judgement(dict.fromkeys(names, Verdict(MISSING, f"no answer: {remark.partition(': ')[2]}")), {}, (remark,))
 
 
 def _one_by_one(cells, handed_over, names, bounds):
@@ -62,18 +91,19 @@ def _one_by_one(cells, handed_over, names, bounds):
 
 
 def _apart(cells, handed_over, names, seconds, megabytes, only=None):
-    verdicts, answers, remarks = in_child(_judge, cells, handed_over, names, megabytes, only, timeout=seconds)
+    verdicts, answers, remarks = in_child(_judge, cells, handed_over, names, seconds, megabytes, only, timeout=3 * seconds)
     return Judgement({name: Verdict(*verdict) for name, verdict in verdicts.items()}, answers, tuple(remarks))
 
 
-def _judge(cells, handed_over, names, megabytes, only):
+def _judge(cells, handed_over, names, seconds, megabytes, only):
     """In the child: read the bytes strictly, keep the answers asked for, judge."""
+    if sys.platform == "linux":
+        end_with_parent()
     resource.setrlimit(resource.RLIMIT_AS, (megabytes * 2**20, megabytes * 2**20))
-    encoded, unreadable, errors = _read(handed_over)
-    if only is not None:
-        encoded = {name: text for name, text in encoded.items() if name == only}
-        unreadable = {name: text for name, text in unreadable.items() if name == only}
-    return [judge_cells(cells, encoded, unreadable, names), _described(encoded), errors]
+    resource.setrlimit(resource.RLIMIT_CPU, (int(seconds) + 1, int(seconds) + 2))
+    encoded, unreadable, errors = _read(handed_over, [name for name in names if only in (None, name)])
+    verdicts = {name: [status, _printable(message, 2000)] for name, (status, message) in judge_cells(cells, encoded, unreadable, names).items()}
+    return [verdicts, _described(encoded), errors]
 
 
 def _described(encoded):
@@ -81,23 +111,31 @@ def _described(encoded):
     found = {}
     for name, text in encoded.items():
         try:
-            found[name] = describe(decode(text.encode()))
-        except EncodingError as error:
-            found[name] = f"({error})"
+            found[name] = _printable(describe(decode(text.encode())), 400)
+        except (EncodingError, UnicodeEncodeError) as error:
+            found[name] = f"({_printable(str(error), 400)})"
     return found
 
 
-def _read(handed_over):
-    """(encoded, unreadable, errors) from a worker's bytes; what is not of this form counts as nothing handed over."""
+def _read(handed_over, names):
+    """(encoded, unreadable, errors) from a worker's bytes, of the answers `names`; what is not of this form counts as nothing."""
     try:
         outcome = json.loads(handed_over)
-        parts = outcome["encoded"], outcome["unreadable"], outcome["errors"]
-        if not (_texts(parts[0].items()) and _texts(parts[1].items()) and all(type(error) is str for error in parts[2])):
+        encoded, unreadable, errors = outcome["encoded"], outcome["unreadable"], outcome["errors"]
+        if not (_are_texts(encoded.items()) and _are_texts(unreadable.items()) and type(errors) is list and _are_texts([errors])):
             raise ValueError
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
-        return {}, {}, ["what the notebook handed over cannot be read"]
-    return parts[0], parts[1], [error[:400] for error in parts[2][:20]]
+        return {}, {}, ["notebook: what it handed over cannot be read"]
+    # Said to be the notebook's, since its words could pretend to be another's.
+    return ({name: encoded[name] for name in names if name in encoded},
+            {name: _printable(unreadable[name], 400) for name in names if name in unreadable},
+            [f"notebook: {_printable(error, 400)}" for error in errors[:20]])
 
 
-def _texts(items):
-    return all(type(key) is str and type(value) is str for key, value in items)
+def _are_texts(groups):
+    return all(type(one) is str for group in groups for one in group)
+
+
+def _printable(text, longest):
+    """Text for terminals, pages and databases: control characters and halves of characters are shown as escapes."""
+    return "".join(c if c.isprintable() or c == "\n" else c.encode("unicode_escape").decode() for c in text[:longest])

@@ -1,86 +1,109 @@
-"""Several benches side by side, a process each: units go in, results come back as they are done."""
+"""Several benches side by side, a process each: units go in, results come back as they are done, both as JSON bytes."""
 
-import multiprocessing
-import signal
-from multiprocessing.connection import wait
+import json
+import os
+import select
+import subprocess
+import sys
+from contextlib import suppress
 
-from trajlib.checks.verdict import UNCHECKED
-from trajlib.grading.isolation import NoIsolation
-from trajlib.grading.units import Bench, from_settings
+from trajlib.grading import framing
+from trajlib.grading.isolation import NoIsolation, end_with_parent
+from trajlib.grading.judging import failed
+from trajlib.grading.units import Bench, as_plain, from_settings
+
+START = "from trajlib.grading.lanes import work; work()"
 
 
 def grade_all(units, count, settings):
     """Grade units (dicts with "key", "problem", "sources", "names"); yields (key, result) in the order they are done.
 
-    A lane that dies costs its unit nothing but a verdict `unchecked` that names the grader, and is replaced. Raises
-    `NoIsolation` before anything is graded if a sandbox cannot be had.
+    A lane that dies fails its unit, which is then to be graded again, and is replaced. Raises `NoIsolation` before
+    anything is graded if a sandbox cannot be had. Close it (`contextlib.closing`) to end the lanes at once.
     """
     waiting = iter(units)
     lanes = [_Lane(settings) for _ in range(count)]
     try:
         for lane in lanes:
             lane.greeted()
-        busy = {}
-        for lane in lanes:
-            _next(lane, waiting, busy)
+        busy = {lane: unit for lane in lanes if (unit := lane.take(waiting)) is not None}
         while busy:
-            for channel in wait(list(busy)):
-                lane, unit = busy.pop(channel)
-                try:
-                    result = channel.recv()
-                except (EOFError, OSError):
-                    result = {"verdicts": dict.fromkeys(unit["names"], [UNCHECKED, "the grader failed on this notebook; a lecturer has to look at it"]),
-                              "answers": {}, "remarks": ["the grader's own process ended while it had this notebook"]}
+            for lane in select.select(list(busy), [], [])[0]:
+                unit = busy.pop(lane)
+                result = lane.result()
+                if result is None:
+                    result = as_plain(failed(unit["names"]))
+                    lanes.remove(lane)
                     lane.stop()
-                    lanes[lanes.index(lane)] = lane = _Lane(settings)
+                    lane = _Lane(settings)
+                    lanes.append(lane)
                     lane.greeted()
                 yield unit["key"], result
-                _next(lane, waiting, busy)
+                following = lane.take(waiting)
+                if following is not None:
+                    busy[lane] = following
     finally:
         for lane in lanes:
             lane.stop()
 
 
-def _next(lane, waiting, busy):
-    unit = next(waiting, None)
-    if unit is not None:
-        lane.channel.send(unit)
-        busy[lane.channel] = lane, unit
-
-
 class _Lane:
+    """The grader's end of one lane."""
+
     def __init__(self, settings):
-        # Not forked: a lane inherits neither the grade store nor another lane's pipes.
-        context = multiprocessing.get_context("spawn")
-        self.channel, theirs = context.Pipe()
-        self._process = context.Process(target=_work, args=(theirs, settings))
-        self._process.start()
-        theirs.close()
+        # A fresh process, in a session of its own: it inherits neither the grade store nor another lane's pipes, and Ctrl-C
+        # reaches the grader alone.
+        self._process = subprocess.Popen([sys.executable, "-c", START], stdin=subprocess.PIPE, stdout=subprocess.PIPE, start_new_session=True)
+        self._send(settings)
+
+    def fileno(self):
+        return self._process.stdout.fileno()
 
     def greeted(self):
         try:
-            said = self.channel.recv()
-        except EOFError:
-            said = "the lane ended without a word"
+            said = framing.receive(self.fileno()).decode()
+        except framing.Broken:
+            said = "a grading process ended before it was ready"
         if said != "ready":
             raise NoIsolation(said)
 
+    def take(self, waiting):
+        """Send the next unit, if there is one, and return it."""
+        unit = next(waiting, None)
+        if unit is not None:
+            self._send(unit)
+        return unit
+
+    def result(self):
+        """The result at hand; None if the lane has died."""
+        with suppress(framing.Broken):
+            return json.loads(framing.receive(self.fileno()))
+
     def stop(self):
-        self.channel.close()
-        self._process.terminate()
-        self._process.join()
+        # What the lane has started ends with it (`end_with_parent`).
+        self._process.kill()
+        self._process.wait()
+        self._process.stdout.close()
+        with suppress(OSError):
+            self._process.stdin.close()
+
+    def _send(self, message):
+        with suppress(BrokenPipeError):  # it has died, which its other pipe will tell
+            framing.send(self._process.stdin.fileno(), json.dumps(message).encode())
 
 
-def _work(channel, settings):
-    # Ctrl-C is the parent's business: it stops the lanes when the result at hand is stored.
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    signal.signal(signal.SIGTERM, lambda *_: (_ for _ in ()).throw(SystemExit))
-    try:
-        with Bench(*from_settings(settings)) as bench:
-            channel.send("ready")
-            while True:
-                channel.send(bench.grade(channel.recv()))
-    except NoIsolation as error:
-        channel.send(str(error))
-    except EOFError:
-        pass
+def work():
+    """The lane's end: grade what comes in until nothing does."""
+    end_with_parent()
+    # Results have a descriptor of their own: what a check might print does not come between them.
+    results = os.dup(1)
+    os.dup2(2, 1)
+    with suppress(framing.Broken):
+        limits, bounds, trusting = from_settings(json.loads(framing.receive(0)))
+        try:
+            with Bench(limits, bounds, trusting) as bench:
+                framing.send(results, b"ready")
+                while True:
+                    framing.send(results, json.dumps(bench.grade(json.loads(framing.receive(0)))).encode())
+        except NoIsolation as error:
+            framing.send(results, str(error).encode())

@@ -55,9 +55,11 @@ class Sandbox:
         self.limits = limits
         self._once = once
         self._worker = None
+        self._greeted = False
 
     def __enter__(self):
         self._start()
+        self._greet()
         return self
 
     def __exit__(self, *_):
@@ -66,30 +68,28 @@ class Sandbox:
     def run(self, sources, names, before=()):
         """Run code cells, those of `before` first, and collect the answers `names`; returns an `Outcome`, whatever the notebook does."""
         request = json.dumps({"sources": list(sources), "names": list(names), "before": list(before), "limits": asdict(self.limits)}).encode()
-        for _ in range(2):
-            outcome = self._try(request)
-            # The kernel was out of memory, or somebody ended our processes: not the notebook's doing, so it is tried once more.
-            if outcome.ended != "failed":
-                break
-        return outcome
+        outcome = self._try(request)
+        # The machine was out of memory, or somebody ended our processes: not the notebook's doing, so it is tried once more.
+        return self._try(request) if outcome.ended == "failed" else outcome
 
     def _try(self, request):
-        if self._worker is None:
-            self._start()
         try:
+            self._start()
+            self._greet()
             framing.send(self._worker.stdin.fileno(), request)
             outcome = self._outcome_once() if self._once else self._outcome()
-        except (framing.Broken, OSError) as broken:
+        except (framing.Broken, OSError, isolation.NoIsolation) as broken:
             outcome = Outcome("failed", str(broken).encode())
         if self._once or outcome.ended == "failed":
             self._stop()
         if self._once:
-            self._start()  # gets ready while this outcome is judged
+            with suppress(isolation.NoIsolation):
+                self._start()  # it gets ready while this outcome is judged
         return outcome
 
     def _outcome(self):
         ended, _, message = framing.receive(self._worker.stdout.fileno(), self.limits.wall_seconds + GRACE).partition(b"|")
-        return _told(ended, message)
+        return self._told(ended, message)
 
     def _outcome_once(self):
         proc = os.open("/proc", os.O_RDONLY | os.O_DIRECTORY)
@@ -99,7 +99,11 @@ class Sandbox:
             os.close(proc)
         if ended == b"died":
             message = self._how_it_died()
-        return _told(ended, message)
+        return self._told(ended, message)
+
+    def _told(self, ended, message):
+        # The first process of a namespace cannot be killed from inside: this was the kernel, or somebody on the machine.
+        return Outcome("failed", b"killed") if (ended, message) == (b"died", b"signal 9") else Outcome(ended.decode(), message)
 
     def _how_it_died(self):
         with suppress(subprocess.TimeoutExpired):
@@ -109,19 +113,26 @@ class Sandbox:
         return b"silent"
 
     def _start(self):
-        self._worker = self._spawn()
+        if self._worker is None:
+            self._worker, self._greeted = self._spawn(), False
+
+    def _greet(self):
+        if self._greeted:
+            return
         try:
             greeting = framing.receive(self._worker.stdout.fileno(), timeout=60)
         except framing.Broken:
             self._worker.kill()
             greeting = self._worker.stderr.read().strip().split(b"\n")[-1] or b"it ended without a word"
-        if greeting == NOT_NESTED:
-            self._stop()
-            self._once = True
-            self._start()
-        elif greeting != b"ready":
-            self._stop()
+        self._greeted = greeting == b"ready"
+        if self._greeted:
+            return
+        self._stop()
+        if greeting != NOT_NESTED:
             raise isolation.NoIsolation(f"the sandbox does not start here: {greeting.decode(errors='replace')}")
+        self._once = True
+        self._start()
+        self._greet()
 
     def _spawn(self):
         return isolation.spawn("once" if self._once else "nested", self.limits.disk_megabytes)
@@ -149,7 +160,5 @@ class Trusting(Sandbox):
     def _spawn(self):
         return isolation.spawn_without(self._folder.name)
 
-
-def _told(ended, message):
-    # A process is killed from inside its sandbox only by itself, and then by another signal: this was the kernel or an outsider.
-    return Outcome("failed", message) if (ended, message) == (b"died", b"signal 9") else Outcome(ended.decode(), message)
+    def _told(self, ended, message):
+        return Outcome(ended.decode(), message)

@@ -1,8 +1,13 @@
-"""From verdicts to points: partial credit by answer, which attempt counts, and manual scores that beat automatic ones."""
+"""From verdicts to points: partial credit by answer, which attempt counts, and manual scores that beat automatic ones.
+
+An answer that no check could judge is worth nothing yet, but it is not wrong: as long as it may raise the grade, the
+score needs a lecturer's look, and that stands beside it wherever the score goes.
+"""
 
 from dataclasses import dataclass
 
 from trajlib.checks.verdict import MISSING, RIGHT, UNCHECKED, Verdict
+from trajlib.grading.store import Attempt
 
 NOT_SUBMITTED = Verdict(MISSING, "nothing was submitted for this problem")
 
@@ -19,21 +24,22 @@ class AnswerScore:
     text: str = ""
     manual: str | None = None
 
-    @property
-    def needs_review(self):
-        """True where the checks could not judge and no lecturer has: it counts neither as right nor as wrong."""
-        return self.verdict.status == UNCHECKED and self.manual is None
-
 
 @dataclass(frozen=True)
 class StudentScore:
-    """A student's homework: a score for every answer asked for, which problems were late, how often each was tried."""
+    """A student's homework: a score for every answer asked for.
+
+    `counted` maps a problem to the attempt that counts (a problem without one is absent), `tried` to the number of
+    attempts. `to_review` are answers that could not be judged and may still raise the grade, also those of another
+    attempt than the one that counts so far.
+    """
 
     student: str
     answers: tuple
+    counted: dict
     late: tuple
-    remarks: dict
     tried: dict
+    to_review: tuple
 
     @property
     def points(self):
@@ -45,40 +51,83 @@ class StudentScore:
 
     @property
     def needs_review(self):
-        return any(answer.needs_review for answer in self.answers)
+        return bool(self.to_review)
+
+    @property
+    def handed_in(self):
+        """True if there is something to grade, be it by hand."""
+        return bool(self.counted) or any(answer.manual is not None for answer in self.answers)
+
+    def of_problem(self, problem):
+        return tuple(answer for answer in self.answers if answer.problem == problem)
 
 
 def scores(store, assignment, students=()):
     """The scores of everyone who submitted, and of `students` who did not, sorted by name."""
     attempts = {}
     for attempt in store.attempts(assignment.name):
-        attempts.setdefault((attempt.student, attempt.problem), []).append(attempt)
-    manual = store.manual(assignment.name)
-    names = sorted({student for student, _ in attempts} | {student for student, _, _ in manual} | set(students))
-    return [_student(name, assignment, attempts, manual) for name in names]
+        attempts.setdefault(attempt.student, []).append(attempt)
+    manual = {}
+    for (student, problem, answer), given in store.manual(assignment.name).items():
+        manual.setdefault(student, {})[problem, answer] = given
+    return [of_student(name, assignment, attempts.get(name, []), manual.get(name, {}))
+            for name in sorted({*attempts, *manual, *students})]
 
 
-def _student(name, assignment, attempts, manual):
-    answers, late, remarks = [], [], {}
+def of_student(student, assignment, attempts, manual):
+    """The score of one student: `attempts` oldest first, `manual` maps (problem, answer) to (points, comment)."""
+    answers, counted, tried, to_review = [], {}, {}, []
     for problem, points in assignment.points.items():
-        counted = _counted(attempts.get((name, problem), []), assignment, points)
-        if counted is not None:
-            remarks[problem] = counted.remarks
-            if assignment.due is not None and counted.submitted > assignment.due.timestamp():
-                late.append(problem)
-        for answer, worth in points.items():
-            verdict = counted.verdicts.get(answer, NOT_SUBMITTED) if counted else NOT_SUBMITTED
-            given = manual.get((name, problem, answer))
-            earned, comment = given if given else (worth if verdict.status == RIGHT else 0.0, None)
-            text = counted.answers.get(answer, "") if counted else ""
-            answers.append(AnswerScore(problem, answer, verdict, earned, worth, text, comment))
-    tried = {problem: len(attempts.get((name, problem), [])) for problem in assignment.points}
-    return StudentScore(name, tuple(answers), tuple(late), remarks, tried)
+        mine = [attempt for attempt in attempts if attempt.problem == problem]
+        tried[problem] = len(mine)
+        graded = [_answers(attempt, problem, points, manual) for attempt in mine[:assignment.attempts] if attempt.verdicts]
+        chosen = _that_counts(graded, assignment.attempt) or _answers(NOTHING, problem, points, manual)
+        answers += chosen.answers
+        if chosen.attempt is not NOTHING:
+            counted[problem] = chosen.attempt
+        candidates = [chosen] if assignment.attempt == "last" else [one for one in graded if one.possible > chosen.sure]
+        # Each answer once: a lecturer's points for it count whichever attempt does.
+        to_review += {answer.answer: answer for one in candidates for answer in one.unjudged}.values()
+    late = tuple(problem for problem, attempt in counted.items()
+                 if assignment.due is not None and attempt.submitted > assignment.due.timestamp())
+    return StudentScore(student, tuple(answers), counted, late, tried, tuple(to_review))
 
 
-def _counted(tried, assignment, points):
-    """The attempt that counts: the last, or the best; between equals the earlier, which cannot be late sooner."""
-    graded = [attempt for attempt in tried[:assignment.attempts] if attempt.verdicts]
-    if not graded or assignment.attempt == "last":
+#: Stands for the attempt of a student who handed nothing in.
+NOTHING = Attempt(0, "", "", "", "", 0.0, None, {}, {}, ())
+
+
+@dataclass(frozen=True)
+class _Graded:
+    """An attempt with its points: those that are `sure`, and those that are `possible` if all that was not judged is right."""
+
+    attempt: Attempt
+    answers: tuple
+
+    @property
+    def unjudged(self):
+        return [answer for answer in self.answers if answer.verdict.status == UNCHECKED and answer.manual is None]
+
+    @property
+    def sure(self):
+        return sum(answer.points for answer in self.answers)
+
+    @property
+    def possible(self):
+        return self.sure + sum(answer.max_points for answer in self.unjudged)
+
+
+def _answers(attempt, problem, points, manual):
+    scored = []
+    for answer, worth in points.items():
+        verdict = attempt.verdicts.get(answer, NOT_SUBMITTED)
+        earned, comment = manual.get((problem, answer)) or (worth if verdict.status == RIGHT else 0.0, None)
+        scored.append(AnswerScore(problem, answer, verdict, earned, worth, attempt.answers.get(answer, ""), comment))
+    return _Graded(attempt, tuple(scored))
+
+
+def _that_counts(graded, which):
+    """The last, or the best; between equals the one that may still rise, then the earlier, which cannot be late sooner."""
+    if not graded or which == "last":
         return graded[-1] if graded else None
-    return max(graded, key=lambda a: (sum(points[n] for n, v in a.verdicts.items() if v.status == RIGHT and n in points), -a.submitted))
+    return max(graded, key=lambda one: (one.sure, one.possible, -one.attempt.submitted))

@@ -11,6 +11,11 @@ from contextlib import suppress
 from trajlib.grading import framing
 
 INTERVAL = 0.1
+#: Of what is handed over: room is left for a word on how the notebook ended.
+LARGEST = framing.LONGEST - 100
+#: Said by the notebook's process when it is confined, before it runs anything of the notebook.
+PREPARED = b"prepared"
+PREPARATION = 30.0
 TICK, PAGE = os.sysconf("SC_CLK_TCK"), os.sysconf("SC_PAGE_SIZE")
 
 
@@ -21,14 +26,21 @@ class Exceeded(RuntimeError):
 def answers_of(keeper, descriptor, limits, proc):
     """(how it ended, message) of the notebook that runs below the process `keeper` and hands over on `descriptor`.
 
-    Ended is "done", or the limit that ended it ("time", "memory", "processes", "large"), or "died". `proc` is a
-    descriptor of the /proc in which `keeper` is to be found.
+    Ended is "done", or the limit that ended it ("time", "memory", "processes", "large"), or "died", or "failed" if its
+    process could not be prepared. `proc` is a descriptor of the /proc in which `keeper` is to be found.
     """
+    try:
+        if framing.receive(descriptor, timeout=PREPARATION) != PREPARED:
+            return b"failed", b"not prepared"
+    except framing.Broken as broken:
+        return b"failed", f"not prepared ({broken})".encode()
+
     def look():
         _compare(_descendants(keeper, proc), limits, proc)
 
     try:
-        return b"done", framing.receive(descriptor, limits["wall_seconds"], look, INTERVAL)
+        message = framing.receive(descriptor, limits["wall_seconds"], look, INTERVAL)
+        return (b"done", message) if len(message) <= LARGEST else (b"large", b"")
     except Exceeded as limit:
         return str(limit).encode(), b""
     except framing.Broken as broken:

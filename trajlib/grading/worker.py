@@ -23,6 +23,7 @@ import sys
 import tempfile
 import time
 
+from trajlib.cells import run_cells
 from trajlib.grading import framing, system_calls, watching
 from trajlib.grading.isolation import (CLONE_NEWIPC, CLONE_NEWNET, CLONE_NEWNS, CLONE_NEWPID, CLONE_NEWUSER, MS_NODEV, MS_NOSUID,
                                        MS_PRIVATE, MS_RDONLY, MS_REC, NoIsolation, mount, system_call, unshare)
@@ -79,7 +80,6 @@ def _make_ready():
     import sympy  # noqa: F401
 
     import trajlib.checks.encoding
-    import trajlib.execution  # noqa: F401
     for name in trajlib.checks.__all__:
         getattr(trajlib.checks, name)
 
@@ -94,7 +94,7 @@ def _keep(mode):
         request = json.loads(framing.receive(0))
         results, childs_end = os.pipe()
         proc = os.open("/proc", os.O_RDONLY | os.O_DIRECTORY)  # stays ours when the child's is covered
-        folder = None
+        folder = "/tmp"
         if mode == "nested":
             _enter_namespaces(request["limits"]["disk_megabytes"])
         else:
@@ -152,29 +152,38 @@ def _kill(first):
 
 
 def _run(request, results, mode, folder="/tmp"):
-    """Give up everything, run the notebook, hand the answers over."""
-    from trajlib.execution import run_cells
-
+    """Give up everything, run the notebook, hand the answers over; never returns."""
     this = os.getpid()
     try:
         results = _keep_only(results)
-        limits = request["limits"]
-        _limit(limits, mode)
-        if mode == "nested":
-            mount("tmpfs", "/proc", "tmpfs", MS_NOSUID | MS_NODEV | MS_RDONLY, "nr_inodes=1,mode=555")
-        if mode == "trusting":
-            os.setsid()
-        else:
-            _give_up_privileges()
+        _confine(request["limits"], mode)
         os.chdir(folder)
-        seconds = limits["cpu_seconds"], limits["wall_seconds"]
-        message = json.dumps(run_cells(request["sources"], request["names"], before=request["before"], seconds=seconds))
-    except BaseException as error:  # the student's code may end in anything; it is told, and the process ends
-        message = json.dumps({"encoded": {}, "unreadable": {}, "errors": [f"the notebook ended: {type(error).__name__}"]})
-    finally:
+        # Whatever fails from here on is the notebook's affair, and what failed before is not.
+        framing.send(results, watching.PREPARED)
+        message = _answers(request)
         if os.getpid() == this:  # not a child that the notebook forked and forgot
-            framing.send(results, message.encode())
+            framing.send(results, message)
+    finally:
         os._exit(0)
+
+
+def _answers(request):
+    limits = request["limits"]
+    try:
+        return json.dumps(run_cells(request["sources"], request["names"], before=request["before"],
+                                    seconds=(limits["cpu_seconds"], limits["wall_seconds"]))).encode()
+    except BaseException as error:  # the student's code may end in anything; it is told
+        return json.dumps({"encoded": {}, "unreadable": {}, "errors": [f"the notebook ended: {type(error).__name__}"]}).encode()
+
+
+def _confine(limits, mode):
+    _limit(limits, mode)
+    if mode == "nested":
+        mount("tmpfs", "/proc", "tmpfs", MS_NOSUID | MS_NODEV | MS_RDONLY, "nr_inodes=1,mode=555")
+    if mode == "trusting":
+        os.setsid()
+    else:
+        _give_up_privileges()
 
 
 def _keep_only(results):

@@ -24,7 +24,7 @@ from .inequalities import sign_of
 from .lyapunov import (barbashin_krasovskii, derivative_factors, is_positive_definite, lyapunov_derivative,
                        separate_parts)
 from .real_solutions import solve_real
-from .systems import as_real, exact_decimals, read_expression, read_field, vanishes, with_names
+from .systems import as_prose, as_real, exact_decimals, read_expression, read_field, vanishes, with_names
 
 
 @dataclass(frozen=True)
@@ -53,10 +53,10 @@ class BasinEstimate:
         plotting.sublevel_component(self.V, self.state, self.level, ax)
         return plotting.level_curve(self.V, self.state, self.level, ax, label=f"$V = {sp.latex(_short(self.level))}$")
 
-    def _repr_latex_(self):
+    def _repr_markdown_(self):
         if self.level == sp.oo:
-            return f"the whole space ({self.reason})"
-        return f"$V = {sp.latex(self.V)} < {sp.latex(_short(self.level))}$ ({self.reason})"
+            return f"the whole space ({as_prose(self.reason)})"
+        return f"$V = {sp.latex(self.V)} < {sp.latex(_short(self.level))}$ ({as_prose(self.reason)})"
 
 
 def basin_estimate(V, field, state, constraint=None):

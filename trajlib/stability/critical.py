@@ -20,7 +20,7 @@ from sympy.polys.matrices import DomainMatrix
 
 from .hurwitz import characteristic_polynomial, hurwitz_minors, is_float_array, read_exact_matrix, read_float_matrix
 from .inequalities import sign_of
-from .systems import as_real, with_names
+from .systems import as_prose, as_real, with_names
 
 
 @dataclass(frozen=True)
@@ -53,8 +53,8 @@ class LinearStability:
     reason: str
     margin: float | None = None
 
-    def _repr_latex_(self):
-        return f"{self.verdict}: {self.reason}"
+    def _repr_markdown_(self):
+        return f"{self.verdict}: {as_prose(self.reason)}"
 
 
 def linear_stability(A):

@@ -39,7 +39,7 @@ class Equilibria(Sequence):
 
     def _repr_latex_(self):
         if not self.points:
-            return f"no equilibria ({self.reason})"
+            return rf"$\text{{no equilibria ({self.reason})}}$"
         lines = []
         for point, condition in zip(self.points, self.conditions):
             coordinates = r",\; ".join(f"{sp.latex(x)} = {sp.latex(v)}" for x, v in zip(self.state, point))

@@ -8,7 +8,7 @@ import sympy as sp
 
 from .inequalities import positive, sign_of, tidied
 from .real_solutions import solve_real
-from .systems import as_real, exact_decimals, read_expression, read_field, read_symbols, vanishes, with_names
+from .systems import as_prose, as_real, exact_decimals, read_expression, read_field, read_symbols, vanishes, with_names
 
 
 def lyapunov_derivative(V, field, state):
@@ -55,10 +55,10 @@ class Definiteness:
             raise TypeError(f"definiteness: {self.verdict}: {self.reason}")
         return bool(self.condition)
 
-    def _repr_latex_(self):
+    def _repr_markdown_(self):
         if self.verdict == "depends on parameters":
             return f"positive definite if ${sp.latex(self.condition)}$"
-        return f"{self.verdict}: {self.reason}"
+        return f"{self.verdict}: {as_prose(self.reason)}"
 
 
 def is_positive_definite(V, state):
@@ -185,8 +185,8 @@ class ZeroDerivativeSet:
     only_origin: sp.Basic | None
     reason: str
 
-    def _repr_latex_(self):
-        return f"$\\dot V = {sp.latex(self.derivative)},\\quad M: {sp.latex(self.zero_set)}$ ({self.reason})"
+    def _repr_markdown_(self):
+        return f"$\\dot V = {sp.latex(self.derivative)},\\quad M: {sp.latex(self.zero_set)}$ ({as_prose(self.reason)})"
 
 
 def barbashin_krasovskii(V, field, state):

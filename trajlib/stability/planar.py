@@ -154,7 +154,7 @@ class DulacTest:
     sign: str | None
     excludes_cycles: bool | None
 
-    def _repr_latex_(self):
+    def _repr_markdown_(self):
         verdict = "no closed trajectories" if self.excludes_cycles else "the test decides nothing"
         return f"$\\mathrm{{div}}(Bf) = {sp.latex(self.divergence)}$, sign: {self.sign or 'not decided'}; {verdict}"
 

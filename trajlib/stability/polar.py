@@ -65,7 +65,7 @@ class LimitCycle:
     stability: str
     condition: sp.Basic
 
-    def _repr_latex_(self):
+    def _repr_markdown_(self):
         text = f"{self.stability} limit cycle, $r = {sp.latex(self.radius)}$"
         if self.period is not None:
             text += f", period ${sp.latex(self.period)}$"

@@ -98,3 +98,8 @@ def exact_decimals(expression):
     if not expression.has(sp.Float):
         return expression
     return expression.xreplace({f: sp.Rational(str(f)) for f in expression.atoms(sp.Float)})
+
+
+def as_prose(text):
+    """Words for a notebook's Markdown: x1*x2 keeps its star."""
+    return text.replace("*", r"\*").replace("_", r"\_")

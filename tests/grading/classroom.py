@@ -1,0 +1,58 @@
+"""A small class for the tests: assignments, graded attempts without running anything, and notebooks to submit."""
+
+import json
+import os
+
+from trajlib import exercises
+from trajlib.checks.verdict import Verdict
+from trajlib.grading import assignment as assignments
+
+#: Right answers of problem 1.15, each in one line (`from trajlib` is in the notebook's own data cell).
+RIGHT_1_15 = {"a_region": "(k1 > 0) & (k1*k2 > 1)", "b_region": "(k2 > 0) & (k1 > k2)", "c_region": "(k1 > 0) & (k2 > 0) & (k1*k2 < 1)",
+              "d_region": "(k1 > 0) & (k2 > k1)", "e_region": "(k1 > 0) & (k2 > k1)"}
+
+
+def write_assignment(folder, text, name="hw1"):
+    """Write assignments/NAME/assignment.toml below `folder`; returns its path."""
+    path = folder / "assignments" / name / "assignment.toml"
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+def an_assignment(folder, text, name="hw1"):
+    return assignments.read(write_assignment(folder, text, name))
+
+
+def graded(store, student, problem, statuses, submitted=0.0, assignment="hw1", exercise="first", content=None, texts=None):
+    """Record an attempt with its result; `statuses` maps answers to right, wrong, ...; returns its id."""
+    attempt = store.note_attempt(student, assignment, problem, content or f"{student}-{problem}-{submitted}", submitted)
+    verdicts = {name: Verdict(status, f"{name} is {status}") for name, status in statuses.items()}
+    store.record(attempt, exercise, verdicts, texts or {}, [])
+    return attempt
+
+
+def notebook(problem, answers):
+    """A student's notebook: the exercise as handed out, with the stubs of `answers` replaced by code."""
+    pristine = json.loads(exercises.find(problem).path.read_text(encoding="utf-8"))
+    for cell in pristine["cells"]:
+        if cell["metadata"].get("tags") == ["answer"]:
+            lines = "".join(cell["source"]).split("\n")
+            cell["source"] = "\n".join(_answered(line, answers) for line in lines)
+    return pristine
+
+
+def _answered(line, answers):
+    name = line.split(" = ")[0]
+    return f"{name} = {answers[name]}" if name in answers else line
+
+
+def hand_in(folder, student, problem, answers, assignment="hw1", at=None, name=None):
+    """Put a notebook where students' work is collected: submitted/<student>/<assignment>/; returns its path."""
+    chapter, number = problem.split(".")
+    path = folder / "submitted" / student / assignment / (name or f"ch{chapter}-p{number:0>2}.ipynb")
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(json.dumps(notebook(problem, answers)), encoding="utf-8")
+    if at is not None:
+        os.utime(path, (at, at))
+    return path

@@ -1,0 +1,39 @@
+"""Which modules a piece of code stands on: exactly those that importing it loads, or more, never fewer."""
+
+import subprocess
+import sys
+
+import pytest
+
+from trajlib.dependencies import module_closure
+
+PIECES = [
+    "from trajlib import checks\nchecks.stability_region",
+    "from trajlib import checks\nchecks.basin_estimate\nchecks.report",
+    "from trajlib.stability import linearise\nlinearise",
+    "from trajlib.stability import basin_estimate, hurwitz_minors",
+    "from trajlib import plotting, stability\nplotting.style\nstability.limit_cycles",
+    "import trajlib.execution",
+]
+
+
+@pytest.mark.parametrize("code", PIECES)
+def test_the_closure_holds_all_that_is_loaded(code):
+    show = "import sys; print(' '.join(m for m in sys.modules if m.startswith('trajlib.')))"
+    loaded = subprocess.run([sys.executable, "-c", f"{code}\n{show}"], capture_output=True, text=True, check=True).stdout.split()
+    # Packages with lazy names and the helper behind them say nothing about what a notebook computes.
+    expected = {m for m in loaded if not hasattr(sys.modules.get(m) or __import__(m, fromlist=["_"]), "_lazy_home")} - {"trajlib._lazy"}
+    assert expected and expected <= set(module_closure(code))
+
+
+def test_a_theme_that_is_not_used_does_not_count():
+    closure = module_closure("from trajlib import checks\nchecks.stability_region")
+    assert "trajlib.checks.cycles" not in closure and "trajlib.stability.hurwitz" not in closure
+
+
+def test_the_hash_is_that_of_the_text():
+    import hashlib
+
+    import trajlib.checks.regions as regions
+    text = open(regions.__file__, "rb").read()
+    assert module_closure("from trajlib import checks\nchecks.stability_region")["trajlib.checks.regions"] == hashlib.sha256(text).hexdigest()

@@ -1,0 +1,177 @@
+"""Run a notebook's code cells as Jupyter would, and collect its answers, forgiving what students do to notebooks.
+
+Cells are moved, duplicated, split and deleted; some fail, some never end. A cell that fails does not stop the others;
+one that failed for want of a later cell is tried again; an untouched stub (`name = ...`) takes no answer back.
+"""
+
+import io
+import json
+import os
+import signal
+import time
+from contextlib import contextmanager, redirect_stderr, redirect_stdout
+
+#: Of all encoded answers together: far above any honest notebook, within one message of the sandbox.
+ROOM = 6 * 2**20
+
+
+class TooLong(BaseException):
+    """Raised in a cell that has used its time; not an `Exception`, so that the cell's own handlers let it pass."""
+
+
+def run_cells(sources, names, folder=None, before=(), seconds=None):
+    """In this very process: run the cells, then {"encoded": .., "unreadable": .., "errors": ..} (for a child only).
+
+    `before` are cells of ours that run first, in case the notebook lost or moved its own copies. With `seconds`, of
+    computing and on the clock, a cell that takes half of what is left of them is stopped, and the next one runs.
+    """
+    os.environ.setdefault("MPLBACKEND", "Agg")
+    if folder:
+        os.chdir(folder)
+    with redirect_stdout(_Discarded()), redirect_stderr(_Discarded()):
+        notebook = _Notebook(names, _Patience(seconds))
+        for source in before:
+            notebook.run(source)
+        failed = {k: error for k, source in enumerate(sources, start=1) if (error := notebook.run(source)) is not None}
+        _try_again(notebook, sources, failed)
+        encoded, unreadable = notebook.encoded()
+    errors = [f"code cell {k}: {_told(error)}" for k, error in failed.items() if not _is_verdict(error)]
+    return {"encoded": encoded, "unreadable": unreadable, "errors": errors}
+
+
+def _try_again(notebook, sources, failed):
+    """Run failed cells once more while that brings answers still missing: what they need may have stood below them."""
+    progress = True
+    while progress and len(notebook.given) < len(notebook.names):
+        progress = False
+        for k, error in list(failed.items()):
+            if not isinstance(error, TooLong) and notebook.run_for_missing(sources[k - 1]) is None:
+                del failed[k]
+                progress = True
+
+
+class _Notebook:
+    """A fresh shell that writes no history: nothing of one notebook is seen by the next."""
+
+    def __init__(self, names, patience):
+        self.names, self.given = names, {}
+        self._patience, self._shell = patience, _shell()
+
+    def run(self, source):
+        """Run a cell and note the answers; returns its error or None."""
+        try:
+            with self._patience.for_one():
+                outcome = self._shell.run_cell(source, store_history=False, silent=True)
+            error = outcome.error_before_exec or outcome.error_in_exec
+        except BaseException as failure:  # what even the shell cannot run, such as text with half a character
+            error = failure
+        for name in self.names:
+            value = self._shell.user_ns.get(name, ...)
+            if value is not ...:
+                self.given[name] = value
+            elif name in self.given:
+                self._shell.user_ns[name] = self.given[name]
+        return error
+
+    def run_for_missing(self, source):
+        """Run a cell again; answers given already stay as they are."""
+        settled = dict(self.given)
+        error = self.run(source)
+        self.given |= settled
+        return error
+
+    def encoded(self):
+        """(encoded answers, why others cannot be read), by name; an untouched stub is an answer too."""
+        from trajlib.checks.encoding import EncodingError, encode
+
+        encoded, unreadable, room = {}, {}, ROOM
+        for name in self.names:
+            if name not in self._shell.user_ns:
+                continue
+            try:
+                with self._patience.for_one():
+                    text = encode(self.given.get(name, ...)).decode()
+            except EncodingError as error:
+                unreadable[name] = str(error)
+                continue
+            except (TooLong, MemoryError):
+                unreadable[name] = "reading this answer took more time or memory than allowed"
+                continue
+            room -= len(json.dumps(text))
+            if room >= 0:
+                encoded[name] = text
+            else:
+                unreadable[name] = f"the answers together take more than the {ROOM // 2**20} MB allowed"
+        return encoded, unreadable
+
+
+class _Patience:
+    """Stops a cell that takes half of the time left, of computing or on the clock; without `seconds` it never does."""
+
+    def __init__(self, seconds):
+        self._ends = [clock() + limit for clock, limit in zip(CLOCKS, seconds)] if seconds else []
+
+    @contextmanager
+    def for_one(self):
+        for end, clock, (timer, kind) in zip(self._ends, CLOCKS, TIMERS):
+            signal.signal(kind, _stop)
+            signal.setitimer(timer, max((end - clock()) / 2, 0.01))
+        try:
+            yield
+        finally:
+            for timer, _ in TIMERS[:len(self._ends)]:
+                signal.setitimer(timer, 0)
+
+
+CLOCKS = (time.process_time, time.monotonic)
+TIMERS = ((signal.ITIMER_PROF, signal.SIGPROF), (signal.ITIMER_REAL, signal.SIGALRM))
+
+
+def _stop(*_):
+    raise TooLong("stopped: this cell took half of the time that was left for the notebook")
+
+
+def _shell():
+    from IPython.core.interactiveshell import InteractiveShell
+    from matplotlib_inline.config import InlineBackend
+    from traitlets.config import Config
+
+    class Shell(InteractiveShell):
+        def enable_matplotlib(self, gui=None):
+            """`%matplotlib inline` and its kin find no screen here, and need none."""
+            return gui, "agg"
+
+        def showtraceback(self, *args, **options):
+            """Errors are told by their type and text: nobody reads a traceback here, and one may be built to be endless."""
+
+        showsyntaxerror = showtraceback
+
+    config = Config()
+    config.HistoryManager.enabled = False
+    shell = Shell(config=config, history_length=0, colors="nocolor")
+    shell.configurables.append(InlineBackend(parent=shell))  # for `%config InlineBackend...`
+    return shell
+
+
+def _is_verdict(error):
+    """True for what a check cell raises when answers are not right yet: that is said by the verdicts."""
+    from trajlib.checks.reporting import NotYet
+
+    return isinstance(error, NotYet)
+
+
+def _told(error):
+    """An error in one line, whatever its class does when asked."""
+    name = type.__dict__["__name__"].__get__(type(error))
+    try:
+        text = str(error)[:300]
+    except BaseException:
+        text = "(its text cannot be read)"
+    return f"{name}: {text}"
+
+
+class _Discarded(io.TextIOBase):
+    """Where prints go: kept nowhere, so that endless output fills nothing."""
+
+    def write(self, text):
+        return len(text)
