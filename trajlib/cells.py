@@ -20,11 +20,13 @@ class TooLong(BaseException):
 
 
 def run_cells(sources, names, folder=None, before=(), seconds=None):
-    """In this very process: run the cells, then {"encoded": .., "unreadable": .., "errors": ..} (for a child only).
+    """In this very process: run the cells, then {"encoded", "unreadable", "errors", "stopped"} (for a child only).
 
     `before` are cells of ours that run first, in case the notebook lost or moved its own copies. With `seconds`, of
     computing and on the clock, a cell that takes half of what is left of them is stopped, and the next one runs.
     """
+    from trajlib.checks.reporting import NotYet  # what a check cell raises: verdicts say it better
+
     os.environ.setdefault("MPLBACKEND", "Agg")
     if folder:
         os.chdir(folder)
@@ -35,8 +37,9 @@ def run_cells(sources, names, folder=None, before=(), seconds=None):
         failed = {k: error for k, source in enumerate(sources, start=1) if (error := notebook.run(source)) is not None}
         _try_again(notebook, sources, failed)
         encoded, unreadable = notebook.encoded()
-    errors = [f"code cell {k}: {_told(error)}" for k, error in failed.items() if not _is_verdict(error)]
-    return {"encoded": encoded, "unreadable": unreadable, "errors": errors}
+    errors = [f"code cell {k}: {_told(error)}" for k, error in failed.items() if not isinstance(error, (TooLong, NotYet))]
+    return {"encoded": encoded, "unreadable": unreadable, "errors": errors,
+            "stopped": [k for k, error in failed.items() if isinstance(error, TooLong)]}
 
 
 def _try_again(notebook, sources, failed):
@@ -128,7 +131,7 @@ TIMERS = ((signal.ITIMER_PROF, signal.SIGPROF), (signal.ITIMER_REAL, signal.SIGA
 
 
 def _stop(*_):
-    raise TooLong("stopped: this cell took half of the time that was left for the notebook")
+    raise TooLong
 
 
 def _shell():
@@ -151,13 +154,6 @@ def _shell():
     shell = Shell(config=config, history_length=0, colors="nocolor")
     shell.configurables.append(InlineBackend(parent=shell))  # for `%config InlineBackend...`
     return shell
-
-
-def _is_verdict(error):
-    """True for what a check cell raises when answers are not right yet: that is said by the verdicts."""
-    from trajlib.checks.reporting import NotYet
-
-    return isinstance(error, NotYet)
 
 
 def _told(error):

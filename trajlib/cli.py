@@ -15,6 +15,8 @@ from trajlib.checks.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG
 app = typer.Typer(help="The executable workbook on controlled motion: its problems, solutions and checks.",
                   no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False,
                   context_settings={"help_option_names": ["-h", "--help"]})
+assignment = typer.Typer(help="Make a homework: to hand out, or as an autograder for Gradescope.", no_args_is_help=True)
+app.add_typer(assignment, name="assignment")
 AsJson = Annotated[bool, typer.Option("--json", help="Print one JSON document instead of text.")]
 COLOURS = {RIGHT: "green", WRONG: "red", MISSING: "yellow", INVALID: "magenta", UNCHECKED: "cyan"}
 console = Console(highlight=False, soft_wrap=True)
@@ -126,6 +128,22 @@ def grade(submitted: Annotated[Path, typer.Argument(help="Folder submitted/<stud
     print(json.dumps(summary, ensure_ascii=False, indent=1)) if as_json else None
 
 
+@assignment.command()
+def new(name: Annotated[str, typer.Argument(help="The homework's name; it names its folder.")],
+        numbers: Annotated[list[str], typer.Argument(help='Its problems, such as 1.4 1.15.')],
+        title: Annotated[str | None, typer.Option(help="Title for people; default: the name.")] = None,
+        due: Annotated[str | None, typer.Option(help='"2026-10-01 23:59", or "2026-10-01" for the end of that day.')] = None,
+        assignments: Annotated[Path, typer.Option(help="Folder in which homeworks stand.")] = Path("assignments"),
+        site: Annotated[str, typer.Option(help="Address of the student edition of the site, for links to the theory.")] = ""):
+    """Make a homework folder: the students' notebooks, a README for them, and assignment.toml with points and dates."""
+    from trajlib.grading.handing_out import due_date, make, spoken
+
+    homework = make(assignments, name, numbers, title, due_date(due) if due else None, site)
+    answers = sum(len(points) for points in homework.points.values())
+    console.print(f"{assignments / name}: {len(homework.problems)} problems, {answers} answers, {homework.max_points:g} points, "
+                  + (f"due {spoken(homework.due)}" if homework.due else "no due date"), markup=False)
+
+
 def main():
     """Entry point: errors that the user can mend become one line on stderr and exit code 2."""
     try:
@@ -134,9 +152,10 @@ def main():
         print(f"trajlib: {error}", file=sys.stderr)
         sys.exit(2)
     except ValueError as error:
-        # A master that breaks its contract says so itself; nothing else of ours raises a bare ValueError here.
+        # Masters and homeworks that break their contract say so themselves; nothing else of ours raises a ValueError here.
+        from trajlib.grading.assignment import BadInput
         from trajlib.masters import MasterError
-        if not isinstance(error, MasterError):
+        if not isinstance(error, (BadInput, MasterError)):
             raise
         print(f"trajlib: {error}", file=sys.stderr)
         sys.exit(2)

@@ -7,6 +7,7 @@ them, runs data and check cells of the pristine exercise, and never executes any
 import json
 import multiprocessing
 import os
+import signal
 import traceback
 from contextlib import suppress
 from dataclasses import dataclass
@@ -45,6 +46,9 @@ def in_child(function, *args, timeout):
             raise TimeLimit(f"no result after {timeout:g} s")
         kind, value = json.loads(receiver.recv_bytes())
     except EOFError:
+        child.join()
+        if child.exitcode == -signal.SIGXCPU:
+            raise TimeLimit("no result within the limit of processor time") from None
         raise RuntimeError("the process ended without a result") from None
     finally:
         child.kill()

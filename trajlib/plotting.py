@@ -89,11 +89,20 @@ def phase_portrait(field, state, x_range, y_range, ax=None, starts=None, params=
 
     width, height = x_high - x_low, y_high - y_low
 
+    def moving(point):
+        velocity = np.array([f(point[0], point[1]) for f in functions])
+        return velocity, np.hypot(velocity[0]/width, velocity[1]/height)
+
     def rate(_, point):
         # Arc length in the units of the picture instead of time: equilibria are approached, never overshot.
-        velocity = np.array([f(point[0], point[1]) for f in functions])
-        speed = np.hypot(velocity[0]/width, velocity[1]/height)
+        velocity, speed = moving(point)
         return velocity/(speed + 1e-3) if np.isfinite(speed) else np.zeros(2)
+
+    def arrived(_, point):
+        # So slow is a motion only next to an equilibrium, where following it further shows nothing and takes long.
+        return moving(point)[1] - 1e-3
+
+    arrived.terminal, arrived.direction = True, -1
 
     def inside(_, point):
         return min(point[0] - x_low + 0.02*width, x_high - point[0] + 0.02*width,
@@ -103,7 +112,7 @@ def phase_portrait(field, state, x_range, y_range, ax=None, starts=None, params=
     for start in () if starts is None else starts:
         start = _number_pair(start, "starts")
         for direction in (1, -1):
-            found = solve_ivp(lambda s, p: direction*rate(s, p), (0, 12), start, events=inside, rtol=1e-7, atol=1e-9,
+            found = solve_ivp(lambda s, p: direction*rate(s, p), (0, 12), start, events=[inside, arrived], rtol=1e-7, atol=1e-9,
                               max_step=0.05)
             ax.plot(*found.y, color=BLUE, linestyle="-", linewidth=1.6, zorder=3)
             if direction == 1:

@@ -131,10 +131,17 @@ def test_a_value_comes_back(value):
     assert encode(back) == data == encode(value)
 
 
+def parts(value):
+    """All nodes in the order of `args` (SymPy's own traversals take the operands of And and Or in any order)."""
+    yield value
+    for arg in value.args:
+        yield from parts(arg)
+
+
 @pytest.mark.parametrize("value", [v for v in [*EXPRESSIONS, *CONDITIONS, *SETS] if v is not sp.S.IdentityFunction], ids=describe)
 def test_decoded_objects_are_made_as_sympy_makes_them(value):
     """Also in the attributes that SymPy's methods use beside the arguments."""
-    for ours, theirs in zip(sp.preorder_traversal(decode(encode(value))), sp.preorder_traversal(value)):
+    for ours, theirs in zip(parts(decode(encode(value))), parts(value), strict=True):
         assert type(ours) == type(theirs)
         assert getattr(ours, "__dict__", {}) == getattr(theirs, "__dict__", {})
         assert getattr(ours, "is_commutative", None) == getattr(theirs, "is_commutative", None)
@@ -542,11 +549,9 @@ def test_hostile_bytes_end_in_a_clean_error(data):
     tracemalloc.stop()
 
 
-@pytest.mark.parametrize("value", [b"1", bytearray(b"1"), memoryview(b"1"), "1", None, 1], ids=repr)
-def test_only_bytes_are_decoded(value):
-    if type(value) is bytes:
-        assert decode(value) == 1
-    else:
+def test_only_bytes_are_decoded():
+    assert decode(b"1") == 1
+    for value in (bytearray(b"1"), memoryview(b"1"), "1", None, 1):
         pytest.raises(EncodingError, decode, value)
 
 
@@ -808,7 +813,7 @@ UNFIT = {
     "dates": (np.datetime64("2020-01-01"), "kind 'M'"),
     "structured array": (np.zeros(2, dtype="f8,i4"), "kind 'V'"),
     "large unsigned": (np.array([2**64 - 1], dtype=np.uint64), "64 signed bits"),
-    "numpy matrix": (np.asmatrix([[1]]), "numpy.array"),
+    "numpy matrix": (np.zeros((1, 1)).view(np.matrix), "numpy.array"),
     "masked array": (np.ma.array([1]), "MaskedArray"),
     "large array": (np.broadcast_to(0.0, (10**6, 10**6)), "up to 100000"),
     "sparse DM": (casadi.DM(10**6, 10**6), "DM of"),

@@ -1,6 +1,8 @@
 """assignment.toml: what it says, and one clear line for everything that is wrong in it."""
 
 import datetime
+import json
+import re
 import sys
 from pathlib import Path
 
@@ -9,7 +11,9 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 from classroom import an_assignment, write_assignment  # noqa: E402
 
+from trajlib import exercises  # noqa: E402
 from trajlib.grading import assignment as assignments  # noqa: E402
+from trajlib.grading import handing_out, submissions  # noqa: E402
 from trajlib.grading.assignment import AssignmentError  # noqa: E402
 
 FULL = """
@@ -115,3 +119,68 @@ def test_a_file_that_cannot_be_read(tmp_path):
     (tmp_path / "assignment.toml").write_bytes(b'title = "\xff"')
     with pytest.raises(AssignmentError, match="is not TOML in UTF-8"):
         assignments.read(tmp_path / "assignment.toml")
+
+
+# A homework to hand out
+
+
+def test_a_homework_to_hand_out(tmp_path):
+    due = datetime.datetime(2026, 10, 1, 23, 59, tzinfo=datetime.timezone(datetime.timedelta(hours=3)))
+    made = handing_out.make(tmp_path, "hw1", ["1.4", "1.15"], 'Week 1: "stability" \\ première', due)
+    assert made == assignments.read(tmp_path / "hw1" / "assignment.toml")
+    assert made.title == 'Week 1: "stability" \\ première' and made.due == due and made.max_points == 13
+    assert sorted(path.name for path in (tmp_path / "hw1").iterdir()) == ["README.md", "assignment.toml", "ch1-p04.ipynb", "ch1-p15.ipynb"]
+    readme = (tmp_path / "hw1" / "README.md").read_text(encoding="utf-8")
+    assert "première" in readme and "2026-10-01 23:59 (UTC+03:00)" in readme and "`ch1-p15.ipynb`: 5 points for 5 answers" in readme
+
+
+def test_what_is_handed_out_is_the_exercise_without_dead_links(tmp_path):
+    for exercise in exercises.read_all():
+        pristine = json.loads(exercise.path.read_text(encoding="utf-8"))
+        for site in ("", "https://example.org/course/"):
+            released = json.loads(handing_out.release(exercise.number, site))
+            assert released["metadata"] == pristine["metadata"] and len(released["cells"]) == len(pristine["cells"])
+            for ours, theirs in zip(released["cells"], pristine["cells"], strict=True):
+                assert ours == theirs or ours["cell_type"] == "markdown"
+            text = "".join(cell["source"] for cell in released["cells"])
+            assert "_build/" not in text and not re.search(r"\]\(\.", text)
+            if site:
+                assert f"[chapter {exercise.number.split('.')[0]}](https://example.org/course/book/ch" in text
+                assert "/solutions/" not in text, "homework leads to pages without solutions"
+
+
+def test_a_notebook_is_found_again_without_its_metadata(tmp_path):
+    for exercise in exercises.read_all():
+        notebook = json.loads(handing_out.release(exercise.number))
+        notebook["metadata"] = {}
+        path = tmp_path / "ann" / "hw1" / handing_out.file_name(exercise.number)
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(json.dumps(notebook))
+    assert {found.problem for found in submissions.find(tmp_path)} == {exercise.number for exercise in exercises.read_all()}
+
+
+def test_a_homework_is_not_written_over(tmp_path):
+    handing_out.make(tmp_path, "hw1", ["1.15"])
+    before = (tmp_path / "hw1" / "assignment.toml").read_bytes()
+    with pytest.raises(AssignmentError, match="already there"):
+        handing_out.make(tmp_path, "hw1", ["1.4"])
+    assert (tmp_path / "hw1" / "assignment.toml").read_bytes() == before
+
+
+@pytest.mark.parametrize("name, numbers, said", [
+    ("hw1", ["9.99"], "no problem 9.99"), ("hw1", ["1.15", "1.15"], "named twice"), ("a/b", ["1.15"], "names a folder"),
+    ("..", ["1.15"], "names a folder"), ("", ["1.15"], "names a folder"), ("hw1 ", ["1.15"], "names a folder")])
+def test_a_homework_that_cannot_be_made_leaves_nothing_behind(tmp_path, name, numbers, said):
+    with pytest.raises(AssignmentError, match=said):
+        handing_out.make(tmp_path, name, numbers)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_due_dates_as_people_write_them():
+    zone = datetime.timezone(datetime.timedelta(hours=3))
+    assert handing_out.due_date("2026-10-01T23:59:00+03:00") == datetime.datetime(2026, 10, 1, 23, 59, tzinfo=zone)
+    local = handing_out.due_date("2026-10-01 12:30")
+    assert local.tzinfo is not None and local == datetime.datetime(2026, 10, 1, 12, 30).astimezone()
+    assert handing_out.due_date("2026-10-01") == datetime.datetime(2026, 10, 1, 23, 59, 59).astimezone(), "the end of the day"
+    with pytest.raises(AssignmentError, match="is not a date"):
+        handing_out.due_date("Friday")

@@ -127,3 +127,11 @@ def test_dulac_signs(field, region, sign, excludes):
 def test_errors_name_the_argument(call, named):
     with pytest.raises(ValueError, match=named):
         call()
+
+
+def test_roots_of_parameters_that_cannot_be_read_are_refused_with_what_to_do():
+    g, k, P = sp.symbols("g k P", positive=True)
+    speed = sp.sqrt((P - g)/k)
+    with pytest.raises(ValueError, match="A: cannot decide where .* put a positive symbol in the place of the root"):
+        classify_planar(sp.diag(g/speed, -2*k*speed))
+    assert classify_planar(sp.diag(-sp.sqrt(2), -2*sp.sqrt(2))) == "stable node"

@@ -52,9 +52,10 @@ def as_number(answer):
 def as_integer(answer):
     """A whole number: `3`, `3.0` and `Integer(3)` are the same."""
     value = as_number(answer)
-    if value != sp.Integer(sp.floor(value)):
+    whole = int(sp.floor(value + sp.Rational(1, 2)))
+    if value - whole != 0:  # a difference, since SymPy holds Float(3) and Integer(3) for two numbers
         raise Invalid(f"expected a whole number, got {sp.N(value, 6)}")
-    return int(value)
+    return whole
 
 
 def as_expressions(answer, symbols=(), length=None):

@@ -167,7 +167,7 @@ def _systems(field, state, parameters, given):
 def _searched(field, state, parameters, given):
     # Several answers of a problem ask about the same equation: one search serves them all.
     flows = [(values, Field(field, state, values)) for values in allowed_values(parameters, given, 3)]
-    return [(values, flow, [point for point in flow.rest_points(120) if abs(point[0]) < REACH]) for values, flow in flows]
+    return [(values, flow, [point for point in flow.rest_points(160, reach=1.2 * REACH) if abs(point[0]) < REACH]) for values, flow in flows]
 
 
 def allowed_values(parameters, given, count):

@@ -54,13 +54,15 @@ class Field:
                     break
                 move = move / 2
             x, value = x + move, self(x + move)
-        return x if np.linalg.norm(value) < 1e-12 * (1 + np.linalg.norm(x)) else None
+        # Steps that do not shrink lead nowhere, however small the field has become: exp(x) falls without end.
+        return None
 
-    def rest_points(self, starts=240, seed=3):
-        """The rest points that a search from many starts at several scales finds, sorted."""
-        random, found = np.random.default_rng(seed), []
+    def rest_points(self, starts=240, seed=3, reach=None):
+        """The rest points that a search finds, sorted: from many starts at several scales, or evenly within `reach`."""
+        random, found, n = np.random.default_rng(seed), [], len(self.state)
         for k in range(starts):
-            point = self.refine(random.normal(scale=(0.5, 2, 8)[k % 3], size=len(self.state)))
+            start = random.normal(scale=(0.5, 2, 8)[k % 3], size=n) if reach is None else random.uniform(-reach, reach, size=n)
+            point = self.refine(start)
             if point is not None and all(np.linalg.norm(point - other) > 1e-6 * (1 + np.linalg.norm(other)) for other in found):
                 found.append(point)
         return sorted(found, key=tuple)

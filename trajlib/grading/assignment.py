@@ -22,7 +22,11 @@ from trajlib import exercises
 FIELDS = {"title", "problems", "due", "attempt", "attempts", "points"}
 
 
-class AssignmentError(ValueError):
+class BadInput(ValueError):
+    """Something the lecturer can mend; the message is one line."""
+
+
+class AssignmentError(BadInput):
     """The assignment file cannot be used; the message names the file, the field and what was expected."""
 
 

@@ -1,60 +1,94 @@
 """Grade everything submitted for a course: find, run what has no result yet, store each result at once."""
 
+import fcntl
 import os
+from contextlib import closing, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
 from trajlib import exercises
-from trajlib.checks.verdict import Verdict
 from trajlib.grading import assignment as assignments
-from trajlib.grading import lanes, submissions, units
-from trajlib.grading.judging import Bounds
+from trajlib.grading import isolation, lanes, submissions, units
+from trajlib.grading.judging import FINAL, NOT_FINAL, WITHIN_LIMITS, Bounds
 from trajlib.grading.sandbox import Limits
 from trajlib.grading.store import Store
 
 
+class CourseError(ValueError):
+    """The folders given cannot be graded, or not now; the message says why."""
+
+
 @dataclass(frozen=True)
 class Plan:
-    """What a run is to do: notebooks still to be graded, how many have a result already, and files left aside."""
+    """What a run is to do: notebooks still to be graded, how many have a result already, and (path, why) left aside."""
 
     pending: tuple
     known: int
     aside: tuple
 
 
-def grade(submitted, out, assignment_folder=None, count=None, limits=Limits(), bounds=Bounds(), progress=lambda done, all: None):
-    """Grade `submitted` into `out`/grades.sqlite; returns the assignments by name and the `Plan` that was carried out.
+def grade(submitted, out, assignment_folder=None, count=None, limits=Limits(), bounds=Bounds(), trusting=False,
+          progress=lambda done, all: None):
+    """Grade `submitted` into `out`/grades.sqlite; returns the assignments by name, the `Plan`, and how many the grader failed on.
 
     What has a result by the very same exercise and library is not graded again, so a killed run goes on where it
-    stopped, and a changed exercise regrades only what it changed. Each result is stored before the next is asked for.
+    stopped, and a changed exercise regrades only what it changed; so do other limits what met the former ones. Each
+    result is stored before the next is asked for. With `trusting` there is no sandbox.
     """
-    with Store(Path(out) / "grades.sqlite") as store:
+    out = Path(out)
+    out.mkdir(parents=True, exist_ok=True)
+    for folder in () if trusting else (submitted, out):
+        if (shown := isolation.shown_through(folder)) is not None:
+            raise CourseError(f"{folder} lies in {shown}, which every notebook can read: move it elsewhere")
+    with _alone(out), Store(out / "grades.sqlite") as store:
         found = list(submissions.find(submitted))
-        known = {name: _assignment(name, assignment_folder, found) for name in sorted({s.assignment for s in found})}
-        plan = _plan(found, known, store)
+        names = sorted({s.assignment for s in found if isinstance(s, submissions.Submission)})
+        known = {name: _assignment(name, assignment_folder, found) for name in names}
+        plan = _plan(found, known, store, limits)
         progress(0, len(plan.pending))
-        by_key = {unit["key"]: unit for unit in plan.pending}
-        ready = [unit for unit in plan.pending if unit["trouble"] == ""]
-        done = 0
-        for unit in plan.pending:
-            if unit["trouble"]:
-                verdicts, remarks = units.unreadable(exercises.find(unit["problem"]), unit["trouble"])
-                store.record(unit["key"], unit["exercise"], verdicts, {}, remarks)
-                done += 1
-                progress(done, len(plan.pending))
-        if ready:
-            count = min(count or os.cpu_count() or 1, len(ready))
-            for key, result in lanes.grade_all(ready, count, units.settings(limits, bounds)):
-                verdicts = {name: Verdict(*verdict) for name, verdict in result["verdicts"].items()}
-                store.record(key, by_key[key]["exercise"], verdicts, result["answers"], result["remarks"])
-                done += 1
-                progress(done, len(plan.pending))
-    return known, plan
+        failed = 0
+        for done, (unit, judgement) in enumerate(_judgements(plan.pending, count, limits, bounds, trusting), start=1):
+            store.record(unit["key"], _as_graded(unit["exercise"], judgement.final, limits), judgement.verdicts, judgement.answers, judgement.remarks)
+            failed += judgement.final == NOT_FINAL
+            progress(done, len(plan.pending))
+    return known, plan, failed
 
 
-def _plan(found, known, store):
-    prints, pending, skipped, aside = {}, [], 0, []
+@contextmanager
+def _alone(out):
+    """Two graders at work on one folder would do everything twice. The lock ends with the process, however that ends."""
+    with open(out / ".grading", "w") as file:
+        try:
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            raise CourseError(f"another trajlib grade is at work on {out}") from None
+        yield
+
+
+def _judgements(pending, count, limits, bounds, trusting):
+    """(unit, its judgement) in the order they are done."""
+    for unit in pending:
+        if unit["trouble"]:
+            yield unit, units.unreadable(exercises.find(unit["problem"]), unit["trouble"])
+    by_key = {unit["key"]: unit for unit in pending if not unit["trouble"]}
+    if by_key:
+        count = min(count or len(os.sched_getaffinity(0)), len(by_key))
+        with closing(lanes.grade_all(by_key.values(), count, units.settings(limits, bounds, trusting))) as results:
+            for key, result in results:
+                yield by_key[key], units.from_plain(result)
+
+
+def _as_graded(exercise, final, limits):
+    """Under which name a result is stored: what it depends on besides the notebook."""
+    return {FINAL: exercise, WITHIN_LIMITS: f"{exercise} within {limits}", NOT_FINAL: "failed"}[final]
+
+
+def _plan(found, known, store, limits):
+    prints, pending, skipped, aside = {}, {}, 0, []
     for submission in found:
+        if isinstance(submission, submissions.Aside):
+            aside.append((submission.path, submission.why))
+            continue
         homework = known[submission.assignment]
         problem = submission.problem if submission.problem in homework.problems else None
         if problem is None and len(homework.problems) == 1:
@@ -66,12 +100,12 @@ def _plan(found, known, store):
         if problem not in prints:
             prints[problem] = units.fingerprint(exercise)
         attempt = store.note_attempt(submission.student, submission.assignment, problem, submission.content, submission.submitted)
-        if store.is_graded(attempt, prints[problem]):
+        if any(store.is_graded(attempt, _as_graded(prints[problem], final, limits)) for final in (FINAL, WITHIN_LIMITS)):
             skipped += 1
-        else:
-            pending.append({"key": attempt, "problem": problem, "exercise": prints[problem], "trouble": submission.trouble,
-                            "sources": units.to_run(submission, exercise), "names": list(exercise.about["answers"])})
-    return Plan(tuple(pending), skipped, tuple(aside))
+        else:  # by attempt, since the same notebook may lie there twice
+            pending[attempt] = {"key": attempt, "problem": problem, "exercise": prints[problem], "trouble": submission.trouble,
+                                "sources": units.to_run(submission, exercise), "names": list(exercise.about["answers"])}
+    return Plan(tuple(pending.values()), skipped, tuple(aside))
 
 
 def _assignment(name, folder, found):
@@ -79,6 +113,6 @@ def _assignment(name, folder, found):
     path = Path(folder) / name / "assignment.toml" if folder else None
     if path is not None and path.exists():
         return assignments.read(path)
-    here = {s.problem for s in found if s.assignment == name and s.problem}
+    here = {s.problem for s in found if isinstance(s, submissions.Submission) and s.assignment == name and s.problem}
     real = {exercise.number for exercise in exercises.read_all()}
     return assignments.of_problems(name, sorted(here & real, key=lambda number: [int(part) for part in number.split(".")]))

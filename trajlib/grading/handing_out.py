@@ -31,8 +31,8 @@ README = """\
 
 Save the notebooks and hand them in **under the names they have**. {attempts}
 
-Your notebook is run from top to bottom in a fresh process without network, so run it once that way yourself
-(*Restart kernel and run all cells*). Each answer earns its points alone: a wrong or missing one costs nothing else.
+Your notebook is run from top to bottom in a fresh process, without network and without files beside it, so run it once
+that way yourself (*Restart kernel and run all cells*). Each answer earns its points alone: a wrong or missing one costs nothing else.
 Changing a check cell changes nothing, since answers are judged by the cells as they were handed out.
 """
 
@@ -44,7 +44,7 @@ def make(folder, name, problems, title=None, due=None, site=""):
     Raises `AssignmentError`.
     """
     place = Path(folder) / name
-    if not re.fullmatch(r"\w[\w .-]*", name):
+    if not re.fullmatch(r"\w([\w .-]*\w)?", name):
         raise AssignmentError(f"{name!r} cannot be the name of a homework: it names a folder, take letters, digits, - and _")
     if place.exists():
         raise AssignmentError(f"{place} is already there; take another name or remove it")
@@ -112,7 +112,8 @@ def _toml(title, problems, due):
     quoted = ", ".join(_text(problem) for problem in problems)
     points = "\n".join(f"{_text(problem)} = {len(answers)}  # {', '.join(answers)}"
                        for problem, answers in ((problem, assignments.answers_of(problem)) for problem in problems))
-    return (f"title = {_text(title)}\nproblems = [{quoted}]\n"
+    return ("# What counts. README.md tells the students the same: after a change here, change it there too.\n"
+            f"title = {_text(title)}\nproblems = [{quoted}]\n"
             + (f"due = {due.isoformat(timespec='seconds')}\n" if due else "# due = 2026-10-01T23:59:00+03:00  # later work is marked late\n")
             + 'attempt = "best"  # which of several submissions counts: "best" or "last"\n# attempts = 3  # further ones do not count\n\n'
             f'# A problem\'s points are shared equally by its answers; {_text(problems[0] + "." + assignments.answers_of(problems[0])[0])} = 2 '

@@ -14,6 +14,7 @@ from trajlib.checks.encoding import EncodingError, decode, describe
 from trajlib.checks.verdict import MISSING, UNCHECKED, Verdict
 from trajlib.execution import TimeLimit, in_child, judge_cells
 from trajlib.grading.isolation import end_with_parent
+from trajlib.grading.printable import printable
 
 #: How a notebook ended that handed nothing over: whose affair it is, in the words of a remark.
 ENDS = {
@@ -24,6 +25,7 @@ ENDS = {
     "died": "notebook: its process was ended by what the notebook did",
     "failed": "grader: the sandbox failed on this notebook",
 }
+FINAL, WITHIN_LIMITS, NOT_FINAL = "yes", "within limits", "no"
 
 
 @dataclass(frozen=True)
@@ -39,14 +41,14 @@ class Bounds:
 class Judgement:
     """Verdicts by answer, the answers as short texts, and remarks on the notebook itself.
 
-    Each remark begins with whose affair it is: "notebook", "limits" or "grader". `failed` says that the grader itself
-    did, so that the notebook is to be graded again.
+    Each remark begins with whose affair it is: "notebook", "limits" or "grader". `final` is "yes"; "within limits" if
+    other limits could change it; "no" if the grader itself failed, so that the notebook is to be graded again.
     """
 
     verdicts: dict
     answers: dict
     remarks: tuple
-    failed: bool = False
+    final: str = FINAL
 
 
 def judge(exercise, outcome, bounds=Bounds()):
@@ -64,7 +66,7 @@ def judge(exercise, outcome, bounds=Bounds()):
 def failed(names):
     """The `Judgement` when the grader could not do its work: nothing is the student's fault, and nothing is final."""
     verdict = Verdict(UNCHECKED, "the grader failed on this notebook; it will be graded again")
-    return Judgement(dict.fromkeys(names, verdict), {}, (ENDS["failed"],), failed=True)
+    return Judgement(dict.fromkeys(names, verdict), {}, (ENDS["failed"],), NOT_FINAL)
 
 
 def _without_answers(names, outcome):
@@ -72,7 +74,8 @@ def _without_answers(names, outcome):
         return failed(names)
     manner = f" ({outcome.handed_over.decode('ascii', 'replace')[:40]})" if outcome.ended == "died" else ""
     remark = ENDS[outcome.ended] + manner
-    return Judgement(dict.fromkeys(names, Verdict(MISSING, f"no answer: {remark.partition(': ')[2]}")), {}, (remark,))
+    return Judgement(dict.fromkeys(names, Verdict(MISSING, f"no answer: {remark.partition(': ')[2]}")), {}, (remark,),
+                     FINAL if outcome.ended == "died" else WITHIN_LIMITS)
 
 
 def _one_by_one(cells, handed_over, names, bounds):
@@ -87,12 +90,13 @@ def _one_by_one(cells, handed_over, names, bounds):
             verdicts[name] = Verdict(UNCHECKED, f"judging this answer took longer than {bounds.answer_seconds:g} s; a lecturer has to look at it")
         except RuntimeError:
             verdicts[name] = Verdict(UNCHECKED, "judging this answer needed more memory than allowed, or failed; a lecturer has to look at it")
-    return Judgement(verdicts, answers, remarks)
+    return Judgement(verdicts, answers, remarks, WITHIN_LIMITS)
 
 
 def _apart(cells, handed_over, names, seconds, megabytes, only=None):
-    verdicts, answers, remarks = in_child(_judge, cells, handed_over, names, seconds, megabytes, only, timeout=3 * seconds)
-    return Judgement({name: Verdict(*verdict) for name, verdict in verdicts.items()}, answers, tuple(remarks))
+    verdicts, answers, remarks, stopped = in_child(_judge, cells, handed_over, names, seconds, megabytes, only, timeout=3 * seconds)
+    return Judgement({name: Verdict(*verdict) for name, verdict in verdicts.items()}, answers, tuple(remarks),
+                     WITHIN_LIMITS if stopped else FINAL)
 
 
 def _judge(cells, handed_over, names, seconds, megabytes, only):
@@ -101,9 +105,9 @@ def _judge(cells, handed_over, names, seconds, megabytes, only):
         end_with_parent()
     resource.setrlimit(resource.RLIMIT_AS, (megabytes * 2**20, megabytes * 2**20))
     resource.setrlimit(resource.RLIMIT_CPU, (int(seconds) + 1, int(seconds) + 2))
-    encoded, unreadable, errors = _read(handed_over, [name for name in names if only in (None, name)])
-    verdicts = {name: [status, _printable(message, 2000)] for name, (status, message) in judge_cells(cells, encoded, unreadable, names).items()}
-    return [verdicts, _described(encoded), errors]
+    encoded, unreadable, remarks, stopped = _read(handed_over, [name for name in names if only in (None, name)])
+    verdicts = {name: [status, printable(message[:2000], keep="\n")] for name, (status, message) in judge_cells(cells, encoded, unreadable, names).items()}
+    return [verdicts, _described(encoded), remarks, stopped]
 
 
 def _described(encoded):
@@ -111,31 +115,31 @@ def _described(encoded):
     found = {}
     for name, text in encoded.items():
         try:
-            found[name] = _printable(describe(decode(text.encode())), 400)
+            found[name] = printable(describe(decode(text.encode())))
         except (EncodingError, UnicodeEncodeError) as error:
-            found[name] = f"({_printable(str(error), 400)})"
+            found[name] = f"({printable(str(error)[:400])})"
     return found
 
 
 def _read(handed_over, names):
-    """(encoded, unreadable, errors) from a worker's bytes, of the answers `names`; what is not of this form counts as nothing."""
+    """(encoded, unreadable, remarks, whether cells were stopped) from a worker's bytes, of the answers `names`.
+
+    Bytes that are not of the worker's form count as nothing handed over.
+    """
     try:
         outcome = json.loads(handed_over)
-        encoded, unreadable, errors = outcome["encoded"], outcome["unreadable"], outcome["errors"]
-        if not (_are_texts(encoded.items()) and _are_texts(unreadable.items()) and type(errors) is list and _are_texts([errors])):
+        encoded, unreadable, errors, stopped = (outcome[key] for key in ("encoded", "unreadable", "errors", "stopped"))
+        if not (_are_texts(encoded.items()) and _are_texts(unreadable.items()) and type(errors) is type(stopped) is list
+                and _are_texts([errors]) and all(type(k) is int for k in stopped)):
             raise ValueError
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
-        return {}, {}, ["notebook: what it handed over cannot be read"]
+        return {}, {}, ["notebook: what it handed over cannot be read"], False
     # Said to be the notebook's, since its words could pretend to be another's.
+    remarks = [f"notebook: {printable(error[:400])}" for error in errors[:20]]
+    remarks += [f"limits: code cell {k} was stopped: it took half of the time that was left" for k in stopped[:20]]
     return ({name: encoded[name] for name in names if name in encoded},
-            {name: _printable(unreadable[name], 400) for name in names if name in unreadable},
-            [f"notebook: {_printable(error, 400)}" for error in errors[:20]])
+            {name: printable(unreadable[name][:400]) for name in names if name in unreadable}, remarks, bool(stopped))
 
 
 def _are_texts(groups):
     return all(type(one) is str for group in groups for one in group)
-
-
-def _printable(text, longest):
-    """Text for terminals, pages and databases: control characters and halves of characters are shown as escapes."""
-    return "".join(c if c.isprintable() or c == "\n" else c.encode("unicode_escape").decode() for c in text[:longest])

@@ -12,17 +12,24 @@ import stat
 from dataclasses import dataclass
 from pathlib import Path
 
+from trajlib.grading.printable import printable_name
+
 #: A notebook of text and code is far smaller; outputs are not read, but their bytes count.
 LARGEST = 20 * 2**20
+#: Of code in one notebook, in characters: all notebooks of a course are held in memory while they wait.
+MOST_CODE, MOST_CELLS = 2**20, 2000
 
 
 @dataclass(frozen=True)
 class Submission:
-    """One submitted notebook: `cells` are (role, source) of its code cells, none, with the `trouble` in words, when it cannot be read."""
+    """One submitted notebook: `cells` are the sources of its code cells, none, with the `trouble` in words, when it cannot be read.
+
+    `student`, `assignment` and `path` are fit to be printed and stored (`printable_name`).
+    """
 
     student: str
     assignment: str
-    path: Path
+    path: str
     content: str
     submitted: float
     problem: str | None
@@ -30,23 +37,51 @@ class Submission:
     trouble: str = ""
 
 
+@dataclass(frozen=True)
+class Aside:
+    """Something below the folder that is not read, and why."""
+
+    path: str
+    why: str
+
+
 def find(root, assignments=None):
-    """All submissions below `root`, sorted by student, assignment and file; of the named assignments, or of all."""
+    """All submissions below `root`, and what was left aside, by student, assignment and file; of the named assignments, or of all."""
     for student in _folders(Path(root)):
+        if isinstance(student, Aside):
+            yield student
+            continue
         for assignment in _folders(student):
-            if assignments is None or assignment.name in assignments:
-                for path in sorted(assignment.iterdir()):
-                    if path.suffix == ".ipynb":
-                        yield _read(student.name, assignment.name, path)
+            if isinstance(assignment, Aside):
+                yield assignment
+            elif assignments is None or assignment.name in assignments:
+                notebooks = [path for path in _listed(assignment) if path.suffix.lower() == ".ipynb"]
+                yield from (_read(printable_name(student.name), printable_name(assignment.name), path) for path in notebooks)
+                if not notebooks:
+                    yield Aside(printable_name(assignment), "there is no notebook in this folder")
 
 
 def _folders(path):
-    return sorted(entry for entry in path.iterdir() if entry.is_dir() and not entry.is_symlink() and not entry.name.startswith("."))
+    for entry in _listed(path):
+        if entry.name.startswith("."):
+            continue
+        if entry.is_symlink():
+            yield Aside(printable_name(entry), "this is a symbolic link")
+        elif entry.is_dir():
+            if os.access(entry, os.R_OK | os.X_OK):
+                yield entry
+            else:
+                yield Aside(printable_name(entry), "this folder cannot be opened")
+
+
+def _listed(path):
+    return sorted(path.iterdir(), key=lambda entry: os.fsencode(entry.name))
 
 
 def _read(student, assignment, path):
     def unreadable(why, content=b"", submitted=0.0):
-        return Submission(student, assignment, path, hashlib.sha256(content or why.encode()).hexdigest(), submitted, _by_name(path.stem), (), why)
+        fingerprint = hashlib.sha256(content or why.encode()).hexdigest()
+        return Submission(student, assignment, printable_name(path), fingerprint, submitted, _by_name(path.stem), (), why)
 
     try:
         # O_NOFOLLOW and O_NONBLOCK: neither a link to somebody else's file nor a pipe that never ends.
@@ -62,21 +97,20 @@ def _read(student, assignment, path):
         content = file.read(LARGEST + 1)
     try:
         notebook = json.loads(content.decode("utf-8"))
-        cells = tuple(_cell(cell) for cell in notebook["cells"] if cell.get("cell_type") == "code")
+        cells = tuple(_source(cell) for cell in notebook["cells"] if cell.get("cell_type") == "code")
     except (UnicodeDecodeError, ValueError, RecursionError):
         return unreadable("the file is not a notebook (no JSON in UTF-8)", content, about.st_mtime)
     except (KeyError, TypeError, AttributeError):
         return unreadable("the file is JSON, but not a notebook", content, about.st_mtime)
-    return Submission(student, assignment, path, hashlib.sha256(content).hexdigest(), about.st_mtime,
+    if sum(map(len, cells)) > MOST_CODE or len(cells) > MOST_CELLS:
+        return unreadable(f"the notebook holds more than {MOST_CODE // 2**20} MB of code or {MOST_CELLS} cells of it", content, about.st_mtime)
+    return Submission(student, assignment, printable_name(path), hashlib.sha256(content).hexdigest(), about.st_mtime,
                       _number(notebook) or _by_name(path.stem), cells)
 
 
-def _cell(cell):
-    metadata = cell.get("metadata")
-    tags = metadata.get("tags") if isinstance(metadata, dict) else None
-    role = next((tag for tag in tags if tag in ("data", "answer", "check")), "") if isinstance(tags, list) else ""
+def _source(cell):
     source = cell.get("source", "")
-    return role, source if isinstance(source, str) else "".join(part for part in source if isinstance(part, str))
+    return source if isinstance(source, str) else "".join(part for part in source if isinstance(part, str))
 
 
 def _number(notebook):
@@ -85,10 +119,10 @@ def _number(notebook):
         number = notebook["metadata"]["trajlib"]["number"]
     except (KeyError, TypeError):
         return None
-    return number if isinstance(number, str) and re.fullmatch(r"\d{1,3}\.\d{1,3}", number) else None
+    return number if isinstance(number, str) and re.fullmatch(r"[0-9]{1,3}\.[0-9]{1,3}", number) else None
 
 
 def _by_name(stem):
     """A notebook that lost its metadata is known by its name: 1.15, ch1-p15, 1_15."""
-    match = re.fullmatch(r"(?:ch)?(\d{1,3})[._-]p?0*(\d{1,3})(?:\D.*)?", stem)
+    match = re.fullmatch(r"(?:ch)?([0-9]{1,3})[._-]p?0*([0-9]{1,3})(?:[^0-9].*)?", stem, re.DOTALL)
     return f"{match[1]}.{match[2]}" if match else None

@@ -7,8 +7,8 @@ from dataclasses import asdict
 from trajlib import exercises
 from trajlib.checks.verdict import MISSING, Verdict
 from trajlib.dependencies import module_closure
-from trajlib.grading.judging import Bounds, judge
-from trajlib.grading.sandbox import Limits, Sandbox
+from trajlib.grading.judging import Bounds, Judgement, judge
+from trajlib.grading.sandbox import Limits, Sandbox, Trusting
 
 
 def fingerprint(exercise):
@@ -19,21 +19,22 @@ def fingerprint(exercise):
 
 
 def to_run(submission, exercise):
-    """The sources to run: all code cells but the check cells that are as we handed them out."""
+    """The sources to run: all code cells, with nothing in the place of check cells that are as we handed them out."""
     ours = {source.strip() for _, source in exercise.code("check")}
-    return [source for _, source in submission.cells if source.strip() not in ours]
+    return ["" if source.strip() in ours else source for source in submission.cells]
 
 
 def unreadable(exercise, trouble):
-    """Verdicts on a notebook that could not be read."""
-    return {name: Verdict(MISSING, f"no answer: {trouble}") for name in exercise.about["answers"]}, (trouble,)
+    """The `Judgement` on a notebook that could not be read."""
+    verdict = Verdict(MISSING, f"no answer: {trouble}")
+    return Judgement(dict.fromkeys(exercise.about["answers"], verdict), {}, (f"notebook: {trouble}",))
 
 
 class Bench:
     """A sandbox and a judge; `grade` takes one unit after the other. Use as a context manager."""
 
-    def __init__(self, limits=Limits(), bounds=Bounds()):
-        self._sandbox, self._bounds = Sandbox(limits), bounds
+    def __init__(self, limits=Limits(), bounds=Bounds(), trusting=False):
+        self._sandbox, self._bounds = (Trusting if trusting else Sandbox)(limits), bounds
 
     def __enter__(self):
         # What the judging children need is imported once, here.
@@ -49,18 +50,28 @@ class Bench:
         self._sandbox.__exit__(*error)
 
     def grade(self, unit):
-        """{"verdicts": {name: [status, message]}, "answers": {name: text}, "remarks": [...]} for {"problem": .., "sources": [..]}."""
+        """The judgement on a unit {"problem": .., "sources": [..]}, as plain data."""
         exercise = exercises.find(unit["problem"])
-        outcome = self._sandbox.run(unit["sources"], exercise.about["answers"])
-        judgement = judge(exercise, outcome, self._bounds)
-        return {"verdicts": {name: [v.status, v.message] for name, v in judgement.verdicts.items()},
-                "answers": judgement.answers, "remarks": list(judgement.remarks)}
+        # The data cells go first, in case the notebook lost or moved its own.
+        data = [source for _, source in exercise.code("data")]
+        outcome = self._sandbox.run(unit["sources"], exercise.about["answers"], before=data)
+        return as_plain(judge(exercise, outcome, self._bounds))
 
 
-def settings(limits, bounds):
+def as_plain(judgement):
+    """A `Judgement` as plain data, to send to another process; `from_plain` reads it."""
+    return asdict(judgement)
+
+
+def from_plain(given):
+    verdicts = {name: Verdict(**verdict) for name, verdict in given["verdicts"].items()}
+    return Judgement(verdicts, given["answers"], tuple(given["remarks"]), given["final"])
+
+
+def settings(limits, bounds, trusting=False):
     """Limits as plain data, to send to another process; `from_settings` reads them."""
-    return {"limits": asdict(limits), "bounds": asdict(bounds)}
+    return {"limits": asdict(limits), "bounds": asdict(bounds), "trusting": trusting}
 
 
 def from_settings(given):
-    return Limits(**given["limits"]), Bounds(**given["bounds"])
+    return Limits(**given["limits"]), Bounds(**given["bounds"]), given["trusting"]

@@ -173,7 +173,7 @@ def _answers(request):
         return json.dumps(run_cells(request["sources"], request["names"], before=request["before"],
                                     seconds=(limits["cpu_seconds"], limits["wall_seconds"]))).encode()
     except BaseException as error:  # the student's code may end in anything; it is told
-        return json.dumps({"encoded": {}, "unreadable": {}, "errors": [f"the notebook ended: {type(error).__name__}"]}).encode()
+        return json.dumps({"encoded": {}, "unreadable": {}, "errors": [f"the notebook ended: {type(error).__name__}"], "stopped": []}).encode()
 
 
 def _confine(limits, mode):

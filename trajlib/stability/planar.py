@@ -46,7 +46,7 @@ def classify_planar(A):
     eigenvector), "stable star" (every vector is one), the same with "unstable", "saddle", "centre", "stable line of
     equilibria", "unstable line of equilibria", "line of equilibria with drift" (A^2 = 0), "plane of equilibria".
     Symbols give `PlanarTypes`, a table of (condition, type); the assumptions on them (positive=True) are used.
-    Raises ValueError if A is not 2 x 2 or not real, and for a NumPy array of floats in which the trace, the determinant or
+    Raises ValueError if A is not 2 x 2 or not real, if a root of parameters stands where no polynomial can be read, and for a NumPy array of floats in which the trace, the determinant or
     the discriminant that decides is zero within rounding.
 
     A "centre" of the first approximation is undecided for a nonlinear system: it may be a focus of either kind.
@@ -102,7 +102,11 @@ def _zero(expression):
     if (sign := sign_of(numerator)) is not None:
         return sp.true if sign == 0 else sp.false
     equations = []
-    for f, _ in sp.factor_list(numerator)[1]:
+    try:
+        factors = sp.factor_list(numerator)[1]
+    except sp.PolynomialError:
+        raise ValueError(f"A: cannot decide where {numerator} vanishes; put a positive symbol in the place of the root") from None
+    for f, _ in factors:
         if sign_of(f):
             continue
         values = sp.solveset(f, *f.free_symbols, sp.Reals) if len(f.free_symbols) == 1 else None

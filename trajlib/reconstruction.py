@@ -1,0 +1,487 @@
+"""Reconstruction of a trajectory from noisy samples under an acceleration bound (Kirgetov and Chernousko, 1995).
+
+A point moves along a line, x' = y, y' = u, |u| <= D. Samples h_k of x with standard errors sigma_k are given at the
+times t_0 < ... < t_N. With rho_k = 1/sigma_k^2 the motion minimises
+
+    J = 1/2 sum_k rho_k (x(t_k) - h_k)^2 + M/2 integral u^2 dt,        both ends free,
+
+and the weight M > 0 is chosen so that max |u| = D. The motion is a natural cubic spline (u is linear between samples
+and vanishes at both ends), so max |u| is found at a sample. Several coordinates are as many problems of their own.
+
+The matrix sweep (progonka) writes the costate before sample k as an affine function of the state, in the paper
+(psi_2, psi_1)^T = Q_k (x, y)^T + q_k. The pair is minus the gradient of the cost still to come, so that with a symmetric
+P_k >= 0 and a vector c_k
+
+    (psi_1, psi_2)^T = c_k - P_k (x, y)^T,      Q_k = -[[p12, p22], [p11, p12]].
+
+Over an interval tau, with Phi = [[1, tau], [0, 1]] and S = 1/M [[tau^3/3, tau^2/2], [tau^2/2, tau]],
+
+    E_k = (I + S P_{k+1})^{-1} Phi,                     T_k = (I + S P_{k+1})^{-1} S,
+    P_k = Phi^T P_{k+1} E_k + diag(rho_k, 0),           P_N = diag(rho_N, 0),
+    c_k = E_k^T c_{k+1} + (rho_k h_k, 0)^T              backwards,
+    xi_{k+1} = E_k xi_k + T_k c_{k+1}, P_0 xi_0 = c_0   forwards.
+
+These are the paper's (4.3), (4.6)-(4.8). P_k, E_k, T_k do not depend on the samples h. Written out and with det P carried
+along, the recursion for P_k adds, multiplies and divides positive numbers only: nothing cancels, however small M is.
+"""
+from dataclasses import dataclass, field
+
+import numpy as np
+from scipy.interpolate import PPoly
+from scipy.linalg import solveh_banded
+from scipy.linalg.lapack import dtbtrs
+from scipy.optimize import brentq
+
+#: Pieces between neighbouring samples on which the acceleration of the direct method is linear.
+PIECES = 4
+#: Weight of the integral of u^2 in the direct method, in units of rho tau^3: it chooses one of many best motions.
+TIE = 1e-7
+
+
+class SweepGains:
+    """Gains of the matrix sweep for times `t`, standard errors `sigma` and a weight `M`, computed ahead of the data.
+
+    `t`: N + 1 increasing times. `sigma`: a number or N + 1 standard errors in the unit of the samples; infinity says that
+    nothing was measured at this time. `M`: units of time^3/sigma^2. Source: (4.6), (4.7) of the paper.
+
+    >>> gains = SweepGains([0, 1, 2, 3], sigma=1.0, M=0.5)
+    >>> x, y, u = gains.apply([0.0, 2.0, 4.0, 6.0])       # samples on a line: the line itself
+    >>> x.round(12).tolist(), y.round(12).tolist(), float(abs(u).max().round(12))
+    ([0.0, 2.0, 4.0, 6.0], [2.0, 2.0, 2.0, 2.0], 0.0)
+    """
+
+    def __init__(self, t, sigma, M):
+        self.t = _times(t)
+        self.rho = _weights(sigma, self.t.size)
+        if not (np.isscalar(M) and np.isfinite(M) and M > 0):
+            raise ValueError(f"M: expected a positive finite number, got {M}; max |u| grows as M falls, a straight line is M = inf")
+        self.M = float(M)
+        self._tau = np.diff(self.t)
+        self._p11, self._p12, self._p22, self._det_p, det = _riccati(self._tau, self.rho, self.M)
+        tau, p11, p12, p22 = self._tau, self._p11[1:], self._p12[1:], self._p22[1:]
+        s22 = tau/self.M
+        s12 = s22*tau/2
+        s11 = s12*tau*2/3
+        det_s = s22*s11/4
+        self.closed_loop = np.moveaxis(np.array([
+            [1 + s12*p12 + s22*p22, tau + p12*s11/2 + p22*s12],
+            [-(s12*p11 + s22*p12), 1 - p11*s11/2 - p12*s12]])/det, -1, 0)
+        self._t11, self._t12, self._t22 = (s11 + det_s*p22)/det, (s12 - det_s*p12)/det, (s22 + det_s*p11)/det
+        # The unit upper triangular matrix of the backward recursion; the forward one is its transpose.
+        self._band = np.zeros((4, 2*self.t.size), order="F")
+        self._band[3] = 1
+        self._band[1, 2::2], self._band[0, 3::2] = -self.closed_loop[:, 0, 0], -self.closed_loop[:, 1, 0]
+        self._band[2, 2::2], self._band[1, 3::2] = -self.closed_loop[:, 0, 1], -self.closed_loop[:, 1, 1]
+
+    @property
+    def Q(self):
+        """The matrices Q_k of the paper, shape (N + 1, 2, 2): (psi_2, psi_1)^T = Q_k (x, y)^T + q_k before sample k."""
+        return -np.moveaxis(np.array([[self._p12, self._p22], [self._p11, self._p12]]), -1, 0)
+
+    def apply(self, h):
+        """Position, velocity and acceleration at the samples for records `h` of shape (N + 1, ...), three arrays of this shape."""
+        records = _samples(h, self.rho)
+        shape = records.shape
+        records = records.reshape(shape[0], -1)
+        # The motion of h + a + b t is that of h plus a + b t: what is left after a straight line has smaller rounding errors.
+        line, slope = _straight_line(self.t, self.rho, records)
+        rest = np.where(self.rho[:, None] > 0, records - line, 0)
+
+        c = np.zeros((2*shape[0], rest.shape[1]))
+        c[::2] = self.rho[:, None]*rest
+        c = _substitute(self._band, c, transpose=False)
+        forced = np.zeros_like(c)
+        det = self._det_p[0]
+        forced[0] = (self._p22[0]*c[0] - self._p12[0]*c[1])/det
+        forced[1] = (self._p11[0]*c[1] - self._p12[0]*c[0])/det
+        forced[2::2] = self._t11[:, None]*c[2::2] + self._t12[:, None]*c[3::2]
+        forced[3::2] = self._t12[:, None]*c[2::2] + self._t22[:, None]*c[3::2]
+        state = _substitute(self._band, forced, transpose=True)
+        x, y = state[::2], state[1::2]
+        u = self._accelerations(x, y, c[1::2])
+        return (x + line).reshape(shape), (y + slope).reshape(shape), u.reshape(shape)
+
+    def _accelerations(self, x, y, c2):
+        """u = psi_2/M, or where that cancels (small M) from the cubic through neighbouring states; zero at both ends."""
+        tau = self._tau[:, None]
+        u = (c2 - self._p12[:, None]*x - self._p22[:, None]*y)/self.M
+        by_states = (6*np.diff(x, axis=0)/tau - 4*y[:-1] - 2*y[1:])/tau
+        cancels = (self._p12[1:-1]/self.M > 6/self._tau[1:]**2)
+        u[1:-1][cancels] = by_states[1:][cancels]
+        u[[0, -1]] = 0
+        return u
+
+
+@dataclass(frozen=True)
+class Reconstruction:
+    """A reconstructed motion; what `reconstruct` returns.
+
+    `M`: the weight (0 where the bound is not active, one number a column for several columns). `active`: whether the bound
+    `bound` holds the motion back. `misfit`: sum of ((x_k - h_k)/sigma_k)^2. `max_acceleration`: the greatest |u|. The
+    motion before the first and after the last sample is uniform.
+    """
+
+    t: np.ndarray
+    h: np.ndarray
+    sigma: np.ndarray
+    method: str
+    bound: float | np.ndarray | None
+    M: float | np.ndarray
+    active: bool | np.ndarray
+    misfit: float | np.ndarray
+    max_acceleration: float | np.ndarray
+    _spline: PPoly = field(repr=False)
+
+    def position(self, t):
+        """x at the times `t`: an array of the shape of `t` (and of the columns)."""
+        inside, beyond = self._inside(t)
+        return self._spline(inside) + beyond*self._spline(inside, 1)
+
+    def velocity(self, t):
+        """y = x' at the times `t`."""
+        return self._spline(self._inside(t)[0], 1)
+
+    def acceleration(self, t):
+        """u = x'' at the times `t`; zero outside the record."""
+        inside, beyond = self._inside(t)
+        return np.where(beyond == 0, self._spline(inside, 2), 0.0)
+
+    def _inside(self, t):
+        t = np.asarray(t, dtype=float)
+        if not np.isfinite(t).all():
+            raise ValueError("t: the times asked for must be finite")
+        inside = np.clip(t, self.t[0], self.t[-1])
+        return inside, (t - inside).reshape(t.shape + (1,)*(self.h.ndim - 1))
+
+    def plot(self, column=0):
+        """The samples with the motion, and below its acceleration with the bound; returns the two Axes."""
+        import matplotlib.pyplot as plt
+
+        from trajlib import plotting
+
+        columns = self.h.reshape(self.t.size, -1)
+        times = np.union1d(np.linspace(self.t[0], self.t[-1], 1200), self._spline.x)
+        with plotting.style():
+            _, (upper, lower) = plt.subplots(2, 1, figsize=(6, 5.2), sharex=True, height_ratios=[3, 2])
+            upper.plot(self.t, columns[:, column], "o", ms=5, mfc="white", mec="k", ls="none", label="samples")
+            upper.plot(times, self.position(times).reshape(times.size, -1)[:, column], color=plotting.BLUE, ls="-", label="motion")
+            lower.plot(times, self.acceleration(times).reshape(times.size, -1)[:, column], color=plotting.BLUE, ls="-")
+            if self.bound is not None:
+                bound = np.broadcast_to(self.bound, self.h.shape[1:]).ravel()[column]
+                for level in (-bound, bound):
+                    lower.axhline(level, color=plotting.RED, ls="--", lw=1.2)
+            upper.set_ylabel("position")
+            upper.legend()
+            lower.set(xlabel="time", ylabel="acceleration")
+        return upper, lower
+
+
+def reconstruct(t, h, sigma, *, max_acceleration=None, M=None, method="sweep"):
+    """The motion that fits noisy samples of its position under an acceleration bound (MATLAB: csaps, spaps).
+
+    `t`: N + 1 increasing times; `h`: samples, shape (N + 1,) or (N + 1, ...) with a column for each coordinate or record;
+    `sigma`: standard errors, a number or N + 1 of them (infinity: not measured, `h` may be nan there). Give either
+    `max_acceleration` (a number, or one a column), or the weight `M`, not both.
+
+    `method="sweep"` (the paper): M is found such that max |u| = max_acceleration; `active` is False and M = 0 where
+    already the natural spline through all samples keeps the bound. A column that is measured nowhere but at two times is
+    a line. `method="direct"`: least misfit among all motions with |u| <= max_acceleration (a quadratic programme with u
+    piecewise linear on a quarter of each interval; of equally good motions the one with the least integral of u^2).
+
+    >>> import numpy as np
+    >>> t = np.arange(9.0)
+    >>> motion = reconstruct(t, abs(t - 4), 0.5, max_acceleration=0.5)
+    >>> motion.active, round(motion.max_acceleration, 9), round(float(motion.position(4.0)), 3)
+    (True, 0.5, 0.332)
+    """
+    t = _times(t)
+    rho = _weights(sigma, t.size)
+    h = _samples(h, rho)
+    if method not in ("sweep", "direct"):
+        raise ValueError(f'method: expected "sweep" or "direct", got {method!r}')
+    if (M is None) == (max_acceleration is None):
+        raise ValueError("give either max_acceleration, the bound, or M, the weight of the acceleration, and not both")
+    if M is not None:
+        if method == "direct":
+            raise ValueError("M belongs to the sweep; the direct method takes max_acceleration alone")
+        x, y, u = SweepGains(t, sigma, M).apply(h)
+        return _result(t, h, rho, (t, x, y, u), method, None, float(M), False)
+
+    bound = np.asarray(max_acceleration, dtype=float)
+    if not (bound > 0).all():
+        raise ValueError(f"max_acceleration: expected a positive bound, got {max_acceleration}; no motion has |u| below zero, and "
+                         "with 0 it is uniform: fit a straight line")
+    try:
+        bounds = np.broadcast_to(bound, h.shape[1:]).ravel()
+    except ValueError:
+        raise ValueError(f"max_acceleration: expected a number or an array of shape {h.shape[1:]}, got shape {bound.shape}") from None
+    columns = h.reshape(t.size, -1)
+    solve = _swept if method == "sweep" else _direct
+    found = [solve(t, columns[:, k], rho, bounds[k]) for k in range(columns.shape[1])]
+    knots = found[0][0][0] if len({f[0][0].size for f in found}) == 1 else _fine(t)[0]
+    parts = [_on_knots(f[0], knots) for f in found]
+    joined = tuple(np.stack([part[j] for part in parts], axis=-1).reshape(-1, *h.shape[1:]) for j in (1, 2, 3))
+    weight, active = (_as_given(np.array([f[j] for f in found]), h) for j in (1, 2))
+    return _result(t, h, rho, (knots, *joined), method, max_acceleration, weight, active)
+
+
+def sweep_eigenvalues(kappa):
+    """The four eigenvalues of the transition matrix A_k, by growing modulus; `kappa` = rho tau^3/M.
+
+    The roots of (3.9), a reciprocal polynomial: with w = lambda + 1/lambda it is w^2 + (kappa/6 - 4) w + 2 kappa/3 + 4 = 0.
+
+    >>> sweep_eigenvalues(144).real.round(3).tolist()        # the only kappa > 0 with multiple roots
+    [-0.101, -0.101, -9.899, -9.899]
+    """
+    if not (np.isfinite(kappa) and kappa > 0):
+        raise ValueError(f"kappa: expected a positive finite number, got {kappa}")
+    half = 2 - kappa/12
+    root = np.sqrt(complex(kappa*(kappa/144 - 1)))
+    large = []
+    for w in (half + root, half - root):
+        s = np.sqrt(w*w - 4)
+        large.append(max(((w + s)/2, (w - s)/2), key=abs))
+    large.sort(key=abs)
+    return np.array([1/large[1], 1/large[0], *large])
+
+
+def _riccati(tau, rho, M):
+    """p11, p12, p22 and det of P_k for all k, and det(I + S P_{k+1}); a plain loop over floats, nothing is subtracted."""
+    a, b, c, d = float(rho[-1]), 0.0, 0.0, 0.0
+    rows, steps = [(a, b, c, d)], []
+    for step, weight in zip(tau[::-1].tolist(), rho[-2::-1].tolist()):
+        s22 = step/M
+        s12 = 0.5*step*s22
+        s11 = step*s12/1.5
+        det = 1 + s11*a + 2*s12*b + s22*c + 0.25*s11*s22*d
+        across = step*a
+        c = (step*across + 2*step*b + c + s11*d)/det
+        b = (across + b + s12*d)/det
+        a = (a + s22*d)/det + weight
+        d = d/det + weight*c
+        rows.append((a, b, c, d))
+        steps.append(det)
+    return *np.array(rows[::-1]).T.copy(), np.array(steps[::-1])
+
+
+def _substitute(band, right, transpose):
+    solution, info = dtbtrs(band, right, uplo="U", trans="T" if transpose else "N", diag="U")
+    if info:
+        raise ArithmeticError(f"the banded substitution failed ({info})")
+    return solution
+
+
+def _swept(t, h, rho, bound):
+    """Knots with states, M and activity for one column: M from the banded form, the motion from the sweep."""
+    seen = np.flatnonzero(rho)
+    accelerations = _banded(t[seen], h[seen], rho[seen])
+    free = accelerations(0.0)
+    if np.abs(free).max(initial=0) <= bound:
+        return _interpolant(t, h, seen, free), 0.0, False
+
+    excess = lambda log_m: np.log(np.abs(accelerations(np.exp(log_m))).max()/bound)  # noqa: E731
+    low, high = _bracket(excess, np.log(np.median(rho[seen])*np.mean(np.diff(t[seen]))**3))
+    log_m = brentq(excess, low, high, xtol=1e-12)
+    sigma = np.where(rho > 0, 1/np.sqrt(np.where(rho > 0, rho, 1)), np.inf)
+
+    def swept(log_m):
+        states = SweepGains(t, sigma, np.exp(log_m)).apply(h)
+        return states, np.log(np.abs(states[2]).max()/bound)
+
+    states, off = swept(log_m)
+    if abs(off) > 1e-9:  # heavy smoothing: the banded matrix is ill-conditioned there, the sweep is not
+        low, high = _bracket(lambda z: swept(z)[1], log_m, 0.01)
+        log_m = brentq(lambda z: swept(z)[1], low, high, xtol=1e-12)
+        states, _ = swept(log_m)
+    return (t, *states), float(np.exp(log_m)), True
+
+
+def _banded(t, h, rho):
+    """M -> u at the samples, from (R + M G) u = second differences: five diagonals, positive definite (Reinsch)."""
+    tau = np.diff(t)
+    second = np.diff(np.diff(h)/tau)
+    left, right = 1/tau[:-1], 1/tau[1:]
+    middle = -(left + right)
+    w = 1/rho
+    stiff = np.zeros((3, second.size))          # upper diagonals, as solveh_banded wants them
+    stiff[2] = left**2*w[:-2] + middle**2*w[1:-1] + right**2*w[2:]
+    stiff[1, 1:] = middle[:-1]*left[1:]*w[1:-2] + right[:-1]*middle[1:]*w[2:-1]
+    stiff[0, 2:] = right[:-2]*left[2:]*w[2:-2]
+    mass = np.zeros_like(stiff)
+    mass[2] = (tau[:-1] + tau[1:])/3
+    mass[1, 1:] = tau[1:-1]/6
+
+    def accelerations(M):
+        if not second.size:
+            return np.zeros(t.size)
+        rows = slice(None) if second.size > 2 else slice(3 - second.size, None)
+        scale = 1/max(1.0, M)
+        inner = solveh_banded((mass*scale + M*scale*stiff)[rows], second*scale, check_finite=False, overwrite_ab=True)
+        return np.concatenate([[0], inner, [0]])
+
+    return accelerations
+
+
+def _bracket(excess, start, width=2.0):
+    """Two logarithms of M between which max |u| passes the bound."""
+    here = excess(start)
+    for _ in range(60):
+        there = start + (width if here > 0 else -width)
+        value = excess(there)
+        if (value > 0) != (here > 0):
+            return min(start, there), max(start, there)
+        start, here, width = there, value, 2*width
+        if abs(there) > 600:
+            break
+    raise ArithmeticError("no weight M was found that meets the acceleration bound: the bound is beyond the range of machine "
+                          "numbers; change the units of time or length, or fit a straight line")
+
+
+def _interpolant(t, h, seen, u):
+    """States at all times of the natural cubic spline through the samples seen, straight beyond them."""
+    x, tau = h[seen], np.diff(t[seen])
+    y = np.diff(x)/tau - tau*(2*u[:-1] + u[1:])/6
+    y = np.append(y, y[-1] + tau[-1]*(u[-2] + u[-1])/2)
+    spline = _cubic(t[seen], x, y, u)
+    inside = np.clip(t, t[seen[0]], t[seen[-1]])
+    return t, spline(inside) + (t - inside)*spline(inside, 1), spline(inside, 1), np.where(t == inside, spline(inside, 2), 0)
+
+
+def _direct(t, h, rho, bound):
+    """Least misfit under |u| <= bound as a sparse quadratic programme in x, y, u at the knots."""
+    import casadi
+
+    seen = np.flatnonzero(rho)
+    free = _banded(t[seen], h[seen], rho[seen])(0.0)
+    if np.abs(free).max(initial=0) <= bound:
+        return _interpolant(t, h, seen, free), 0.0, False
+    # Dimensionless: time in mean steps, acceleration in units of the bound, what a straight line leaves of the samples.
+    line, slope = (part[:, 0] for part in _straight_line(t, rho, h[:, None]))
+    knots, at = _fine(t)
+    unit = np.mean(np.diff(t))
+    length = bound*unit**2
+    tau = np.diff(knots)/unit
+    weight = rho/np.median(rho[seen])
+    target = np.where(rho > 0, (h - line)/length, 0)
+    n = knots.size
+
+    diagonal = np.zeros(3*n)
+    diagonal[at] = weight
+    gradient = np.zeros(3*n)
+    gradient[at] = -weight*target
+    from scipy import sparse
+    tie = TIE*sparse.diags([np.append(tau, 0) + np.append(0, tau)], [0])/3 + TIE*sparse.diags([tau/6, tau/6], [1, -1])
+    quadratic = sparse.diags(diagonal) + sparse.block_diag([sparse.csc_matrix((2*n, 2*n)), tie])
+    step = sparse.diags([-np.ones(n), np.ones(n - 1)], [0, 1], shape=(n - 1, n))
+    before = sparse.eye(n - 1, n)
+    after = sparse.diags([np.ones(n - 1)], [1], shape=(n - 1, n))
+    motion = sparse.bmat([
+        [step, -sparse.diags(tau)@before, -sparse.diags(tau**2/3)@before - sparse.diags(tau**2/6)@after],
+        [None, step, -sparse.diags(tau/2)@(before + after)]])
+    quadratic, motion = (_as_dm(matrix, casadi) for matrix in (quadratic, motion))
+    limits = np.concatenate([np.full(2*n, np.inf), np.ones(n)])
+    z = casadi.SX.sym("z", 3*n)
+    problem = {"x": z, "f": casadi.dot(z, quadratic@z)/2 + casadi.dot(gradient, z), "g": motion@z}
+    options = {"print_time": False, "ipopt": {"print_level": 0, "sb": "yes", "tol": 1e-11, "bound_relax_factor": 0.0, "honor_original_bounds": "yes",
+                                              "hessian_constant": "yes", "jac_c_constant": "yes", "mehrotra_algorithm": "yes", "max_iter": 300}}
+    solver = casadi.nlpsol("direct", "ipopt", problem, options)
+    found = solver(x0=np.zeros(3*n), lbx=-limits, ubx=limits, lbg=0, ubg=0)
+    if not solver.stats()["success"]:
+        raise ArithmeticError(f"the direct method did not converge ({solver.stats()['return_status']}); try method=\"sweep\"")
+    x, y, u = np.asarray(found["x"]).ravel().reshape(3, n)
+    line_at = line[0] + slope[0]*(knots - t[0])
+    return (knots, x*length + line_at, y*length/unit + slope[0], u*bound), 0.0, True
+
+
+def _as_dm(matrix, casadi):
+    matrix = matrix.tocsc()
+    matrix.sort_indices()
+    pattern = casadi.Sparsity(*matrix.shape, matrix.indptr.tolist(), matrix.indices.tolist())
+    return casadi.DM(pattern, matrix.data)
+
+
+def _fine(t):
+    """The times with each interval cut into `PIECES`, and where the times themselves stand among them."""
+    cuts = t[:-1, None] + np.diff(t)[:, None]*np.arange(PIECES)/PIECES
+    return np.append(cuts.ravel(), t[-1]), np.arange(t.size)*PIECES
+
+
+def _on_knots(states, knots):
+    own, *values = states
+    if own.size == knots.size:
+        return states
+    spline = _cubic(*states)
+    return knots, spline(knots), spline(knots, 1), spline(knots, 2)
+
+
+def _cubic(t, x, y, u):
+    """The piecewise cubic with the states x, y and the accelerations u at its knots."""
+    tau = np.diff(t).reshape(-1, *(1,)*(x.ndim - 1))
+    return PPoly(np.array([np.diff(u, axis=0)/(6*tau), u[:-1]/2, y[:-1], x[:-1]]), t)
+
+
+def _result(t, h, rho, states, method, bound, M, active):
+    spline = _cubic(*states)
+    columns = (1,)*(h.ndim - 1)
+    off = np.where(rho.reshape(-1, *columns) > 0, spline(t) - h, 0)
+    sigma = np.full(rho.shape, np.inf)
+    sigma[rho > 0] = rho[rho > 0]**-0.5
+    misfit = np.sum(rho.reshape(-1, *columns)*off**2, axis=0)
+    greatest = np.abs(states[3]).max(axis=0)
+    return Reconstruction(t, h, sigma, method, bound, M, active, _as_given(misfit, h), _as_given(greatest, h), spline)
+
+
+def _as_given(values, h):
+    return values.reshape(h.shape[1:]) if h.ndim > 1 else values.reshape(()).item()
+
+
+def _straight_line(t, rho, records):
+    """The weighted straight-line fit at the times and its slope, for columns of records."""
+    known = np.where(rho[:, None] > 0, records, 0)
+    total = rho.sum()
+    centre = rho@t/total
+    mean = rho@known/total
+    slope = (rho*(t - centre))@(known - mean)/(rho@(t - centre)**2)
+    return mean + (t - centre)[:, None]*slope, np.broadcast_to(slope, records.shape)
+
+
+def _times(t):
+    t = np.asarray(t, dtype=float)
+    if t.ndim != 1 or t.size < 2:
+        raise ValueError(f"t: expected a list of two or more times, got {'shape ' + str(t.shape) if t.ndim != 1 else t.size}")
+    if not np.isfinite(t).all():
+        raise ValueError(f"t: the times must be finite, t[{np.flatnonzero(~np.isfinite(t))[0]}] is not")
+    wrong = np.flatnonzero(np.diff(t) <= 0)
+    if wrong.size:
+        k = wrong[0]
+        if t[k] == t[k + 1]:
+            raise ValueError(f"t: the time {t[k]:g} is repeated (t[{k}] and t[{k + 1}]); replace samples at one time by their weighted mean")
+        raise ValueError(f"t: the times must increase, t[{k + 1}] = {t[k + 1]:g} follows t[{k}] = {t[k]:g}; sort times and samples together")
+    return t
+
+
+def _weights(sigma, size):
+    sigma = np.asarray(sigma, dtype=float)
+    if sigma.shape not in ((), (size,)):
+        raise ValueError(f"sigma: expected a number or {size} standard errors, one a time, got shape {sigma.shape}")
+    sigma = np.broadcast_to(sigma, (size,))
+    if np.isnan(sigma).any() or (sigma <= 0).any():
+        k = np.flatnonzero(np.isnan(sigma) | (sigma <= 0))[0]
+        raise ValueError(f"sigma: standard errors must be positive, sigma[{k}] = {sigma[k]:g} (infinity: not measured)")
+    if np.isfinite(sigma).sum() < 2:
+        raise ValueError(f"sigma: {np.isfinite(sigma).sum()} of {size} times are measured; a motion needs two at least")
+    rho = sigma**-2.0
+    if not np.isfinite(rho).all():
+        raise ValueError("sigma: too small to be squared; change the unit of length")
+    return rho
+
+
+def _samples(h, rho):
+    h = np.asarray(h, dtype=float)
+    if h.ndim == 0 or h.shape[0] != rho.size or 0 in h.shape:
+        raise ValueError(f"h: expected {rho.size} samples, one a time (several records as columns), got shape {h.shape}")
+    lost = ~np.isfinite(h.reshape(rho.size, -1)).all(axis=1) & (rho > 0)
+    if lost.any():
+        k = np.flatnonzero(lost)[0]
+        raise ValueError(f"h: sample {k} is not a finite number; where nothing was measured give sigma[{k}] = inf")
+    return h
