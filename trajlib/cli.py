@@ -112,19 +112,31 @@ def write_exercises(numbers: Annotated[list[str] | None, typer.Argument(help="On
 @app.command()
 def grade(submitted: Annotated[Path, typer.Argument(help="Folder submitted/<student>/<assignment>/<notebook>.ipynb.")],
           out: Annotated[Path, typer.Option(help="Folder for the grade store, tables and feedback pages.")],
-          assignments: Annotated[Path | None, typer.Option(help="Folder <assignment>/assignment.toml.")] = None,
+          assignments: Annotated[Path | None, typer.Option(help="Folder <assignment>/assignment.toml; default: assignments, where there is one.")] = None,
+          roster: Annotated[Path | None, typer.Option(help="Gradebook exported from Canvas, to fill one column of.")] = None,
+          site: Annotated[str, typer.Option(help="Address of the student edition of the site, for links to the theory.")] = "",
           processes: Annotated[int | None, typer.Option(help="Notebooks graded at the same time; default: all cores.")] = None,
-          timeout: Annotated[float, typer.Option(help="Seconds one notebook may run.")] = 120,
+          timeout: Annotated[float, typer.Option(help="Seconds of computing one notebook may take.", min=1)] = 120,
+          trust_students: Annotated[bool, typer.Option("--trust-students", help="Run notebooks without a sandbox, as yourself.")] = False,
           as_json: AsJson = False):
     """Grade a course: run every notebook in a sandbox, judge its answers, write tables and feedback.
 
     A run that was stopped goes on where it was; what has not changed is not graded again.
     """
+    if sys.platform != "linux":
+        raise UserError("grading needs Linux; on Windows it runs in WSL, on a Mac in a virtual machine")
     from trajlib.grading.commands import grade_course
+    from trajlib.grading.isolation import NoIsolation
 
     if not submitted.is_dir():
         raise UserError(f"{submitted} is not a folder")
-    summary = grade_course(submitted, out, assignments, processes, timeout, quiet=as_json)
+    try:
+        summary = grade_course(submitted, out, assignments, processes, timeout, trust_students, as_json, roster, site)
+    except NoIsolation as error:
+        raise UserError(f"{error}; --trust-students grades without a sandbox") from None
+    except KeyboardInterrupt:
+        print("trajlib: stopped; what is graded is stored, and the same command goes on from there", file=sys.stderr)
+        raise typer.Exit(130) from None
     print(json.dumps(summary, ensure_ascii=False, indent=1)) if as_json else None
 
 
@@ -142,6 +154,40 @@ def new(name: Annotated[str, typer.Argument(help="The homework's name; it names 
     answers = sum(len(points) for points in homework.points.values())
     console.print(f"{assignments / name}: {len(homework.problems)} problems, {answers} answers, {homework.max_points:g} points, "
                   + (f"due {spoken(homework.due)}" if homework.due else "no due date"), markup=False)
+
+
+@app.command()
+def score(student: Annotated[str, typer.Argument(help="As the student's folder is called.")],
+          homework: Annotated[str, typer.Argument(metavar="ASSIGNMENT", help="The homework's name.")],
+          problem: Annotated[str, typer.Argument(help='A problem such as "1.15".')],
+          answer: Annotated[str, typer.Argument(help="The answer's variable, such as a_region.")],
+          points: Annotated[float | None, typer.Argument(help="From 0 to what the answer is worth.")] = None,
+          comment: Annotated[str, typer.Option(help="For the student, shown on the feedback page.")] = "",
+          remove: Annotated[bool, typer.Option("--remove", help="Take points given by hand back.")] = False,
+          graded: Annotated[Path, typer.Option(help="Folder that trajlib grade wrote (its --out).")] = Path("graded")):
+    """Give points for one answer by hand. They beat the automatic ones, also after a regrade, until --remove."""
+    from trajlib.grading.commands import score_by_hand
+
+    if remove == (points is not None):
+        raise UserError("give either POINTS or --remove")
+    console.print(score_by_hand(graded, student, homework, problem, answer, points, comment), markup=False)
+    console.print("run trajlib grade again to write tables and pages anew")
+
+
+@assignment.command()
+def new(name: Annotated[str, typer.Argument(help="The homework's name; it names its folder.")],
+        numbers: Annotated[list[str], typer.Argument(metavar="PROBLEMS", help="Its problems, such as 1.4 1.15.")],
+        title: Annotated[str | None, typer.Option(help="Title for people; default: the name.")] = None,
+        due: Annotated[str | None, typer.Option(help='"2026-10-01 23:59", or "2026-10-01" for the end of that day.')] = None,
+        assignments: Annotated[Path, typer.Option(help="Folder in which homeworks stand.")] = Path("assignments"),
+        site: Annotated[str, typer.Option(help="Address of the student edition of the site, for links to the theory.")] = ""):
+    """Make a homework folder: the students' notebooks, a README for them, and assignment.toml with points and dates."""
+    from trajlib.grading.handing_out import due_date, make, spoken
+
+    made = make(assignments, name, numbers, title, due_date(due) if due else None, site)
+    answers = sum(len(points) for points in made.points.values())
+    console.print(f"{assignments / name}: {len(made.problems)} problems, {answers} answers, {made.max_points:g} points, "
+                  + (f"due {spoken(made.due)}" if made.due else "no due date"), markup=False)
 
 
 def main():

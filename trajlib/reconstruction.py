@@ -184,15 +184,14 @@ def reconstruct(t, h, sigma, *, max_acceleration=None, M=None, method="sweep"):
     `max_acceleration` (a number, or one a column), or the weight `M`, not both.
 
     `method="sweep"` (the paper): M is found such that max |u| = max_acceleration; `active` is False and M = 0 where
-    already the natural spline through all samples keeps the bound. A column that is measured nowhere but at two times is
-    a line. `method="direct"`: least misfit among all motions with |u| <= max_acceleration (a quadratic programme with u
+    already the natural spline through all samples keeps the bound. `method="direct"`: least misfit among all motions with |u| <= max_acceleration (a quadratic programme with u
     piecewise linear on a quarter of each interval; of equally good motions the one with the least integral of u^2).
 
     >>> import numpy as np
     >>> t = np.arange(9.0)
     >>> motion = reconstruct(t, abs(t - 4), 0.5, max_acceleration=0.5)
     >>> motion.active, round(motion.max_acceleration, 9), round(float(motion.position(4.0)), 3)
-    (True, 0.5, 0.332)
+    (True, 0.5, 1.033)
     """
     t = _times(t)
     rho = _weights(sigma, t.size)
@@ -279,21 +278,25 @@ def _swept(t, h, rho, bound):
     if np.abs(free).max(initial=0) <= bound:
         return _interpolant(t, h, seen, free), 0.0, False
 
-    excess = lambda log_m: np.log(np.abs(accelerations(np.exp(log_m))).max()/bound)  # noqa: E731
-    low, high = _bracket(excess, np.log(np.median(rho[seen])*np.mean(np.diff(t[seen]))**3))
-    log_m = brentq(excess, low, high, xtol=1e-12)
-    sigma = np.where(rho > 0, 1/np.sqrt(np.where(rho > 0, rho, 1)), np.inf)
+    sigma = np.full(rho.shape, np.inf)
+    sigma[seen] = rho[seen]**-0.5
 
-    def swept(log_m):
-        states = SweepGains(t, sigma, np.exp(log_m)).apply(h)
-        return states, np.log(np.abs(states[2]).max()/bound)
+    def by_band(log_m):
+        return np.log(np.abs(accelerations(np.exp(log_m))).max()/bound)
 
-    states, off = swept(log_m)
-    if abs(off) > 1e-9:  # heavy smoothing: the banded matrix is ill-conditioned there, the sweep is not
-        low, high = _bracket(lambda z: swept(z)[1], log_m, 0.01)
-        log_m = brentq(lambda z: swept(z)[1], low, high, xtol=1e-12)
-        states, _ = swept(log_m)
-    return (t, *states), float(np.exp(log_m)), True
+    def by_sweep(log_m):
+        return np.log(np.abs(SweepGains(t, sigma, np.exp(log_m)).apply(h)[2]).max()/bound)
+
+    log_m, width = np.log(np.median(rho[seen])*np.mean(np.diff(t[seen]))**3), 2.0
+    try:
+        log_m, width = _root(by_band, log_m, width), 0.01
+    except np.linalg.LinAlgError:
+        pass
+    # Under heavy smoothing the banded matrix loses digits, in the end its definiteness. The sweep does not.
+    if width > 1 or abs(by_sweep(log_m)) > 1e-9:
+        log_m = _root(by_sweep, log_m, width)
+    M = float(np.exp(log_m))
+    return (t, *SweepGains(t, sigma, M).apply(h)), M, True
 
 
 def _banded(t, h, rho):
@@ -322,19 +325,17 @@ def _banded(t, h, rho):
     return accelerations
 
 
-def _bracket(excess, start, width=2.0):
-    """Two logarithms of M between which max |u| passes the bound."""
+def _root(excess, start, width):
+    """The logarithm of M at which max |u| passes the bound, searched from `start` with growing steps."""
     here = excess(start)
-    for _ in range(60):
+    while abs(start) < 600:
         there = start + (width if here > 0 else -width)
         value = excess(there)
         if (value > 0) != (here > 0):
-            return min(start, there), max(start, there)
+            return brentq(excess, min(start, there), max(start, there), xtol=1e-12)
         start, here, width = there, value, 2*width
-        if abs(there) > 600:
-            break
-    raise ArithmeticError("no weight M was found that meets the acceleration bound: the bound is beyond the range of machine "
-                          "numbers; change the units of time or length, or fit a straight line")
+    raise ArithmeticError("no weight M was found that meets the acceleration bound: it is beyond the range of machine numbers; "
+                          "change the units of time or length, or fit a straight line")
 
 
 def _interpolant(t, h, seen, u):
@@ -350,6 +351,7 @@ def _interpolant(t, h, seen, u):
 def _direct(t, h, rho, bound):
     """Least misfit under |u| <= bound as a sparse quadratic programme in x, y, u at the knots."""
     import casadi
+    from scipy import sparse
 
     seen = np.flatnonzero(rho)
     free = _banded(t[seen], h[seen], rho[seen])(0.0)
@@ -369,7 +371,6 @@ def _direct(t, h, rho, bound):
     diagonal[at] = weight
     gradient = np.zeros(3*n)
     gradient[at] = -weight*target
-    from scipy import sparse
     tie = TIE*sparse.diags([np.append(tau, 0) + np.append(0, tau)], [0])/3 + TIE*sparse.diags([tau/6, tau/6], [1, -1])
     quadratic = sparse.diags(diagonal) + sparse.block_diag([sparse.csc_matrix((2*n, 2*n)), tie])
     step = sparse.diags([-np.ones(n), np.ones(n - 1)], [0, 1], shape=(n - 1, n))
@@ -382,8 +383,9 @@ def _direct(t, h, rho, bound):
     limits = np.concatenate([np.full(2*n, np.inf), np.ones(n)])
     z = casadi.SX.sym("z", 3*n)
     problem = {"x": z, "f": casadi.dot(z, quadratic@z)/2 + casadi.dot(gradient, z), "g": motion@z}
-    options = {"print_time": False, "ipopt": {"print_level": 0, "sb": "yes", "tol": 1e-11, "bound_relax_factor": 0.0, "honor_original_bounds": "yes",
-                                              "hessian_constant": "yes", "jac_c_constant": "yes", "mehrotra_algorithm": "yes", "max_iter": 300}}
+    options = {"print_time": False, "ipopt.print_level": 0, "ipopt.sb": "yes", "ipopt.tol": 1e-11, "ipopt.max_iter": 300,
+               "ipopt.bound_relax_factor": 0.0, "ipopt.mehrotra_algorithm": "yes",
+               "ipopt.hessian_constant": "yes", "ipopt.jac_c_constant": "yes"}
     solver = casadi.nlpsol("direct", "ipopt", problem, options)
     found = solver(x0=np.zeros(3*n), lbx=-limits, ubx=limits, lbg=0, ubg=0)
     if not solver.stats()["success"]:
@@ -470,7 +472,8 @@ def _weights(sigma, size):
         raise ValueError(f"sigma: standard errors must be positive, sigma[{k}] = {sigma[k]:g} (infinity: not measured)")
     if np.isfinite(sigma).sum() < 2:
         raise ValueError(f"sigma: {np.isfinite(sigma).sum()} of {size} times are measured; a motion needs two at least")
-    rho = sigma**-2.0
+    with np.errstate(over="ignore"):
+        rho = sigma**-2.0
     if not np.isfinite(rho).all():
         raise ValueError("sigma: too small to be squared; change the unit of length")
     return rho

@@ -19,12 +19,13 @@ def links(tmp_path):
 
 @pytest.mark.parametrize("myst, plain", [
     ("```{index} 1.15\n```\nText", "Text"),
-    ("```{exercise-start} A title\n:label: ex-1\n:nonumber:\n```\nText\n```{exercise-end}\n```", "## Problem 1.15. A title\nText\n"),
+    ("```{exercise-start} A title\n:label: ex-1\n:nonumber:\n```\nText\n```{exercise-end}\n```", "# Problem 1.15. A title\nText\n"),
     ("```{math}\n:label: eq-1-15-a\n\na = b\n```", "$$\na = b \\tag{1.15a}\n$$\n"),
     ("see {eq}`eq-1-15-a`", "see (1.15a)"),
     ("```{note}\nMind the sign.\n```", "> **Note**\n>\n> Mind the sign.\n"),
     ("````{tip} A title\n```{math}\nx\n```\n````", "> **A title**\n>\n> $$\n> x\n> $$\n"),
     ("a {term}`root locus <locus>` and {index}`gain`", "a root locus and gain"),
+    ("# Problem 1.15\n\nas in {problem}`1.4`", "as in problem 1.4"),
     ("(a-label)=\nText", "Text"),
     ("[no such](#thm-9-9)", "no such"),
 ])

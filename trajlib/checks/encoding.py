@@ -121,6 +121,7 @@ class _Walk:
     def __init__(self):
         self.path = []
         self.nodes = 0
+        self.sizes = {}  # what `sympy_codec` has found about the size of each SymPy node
 
     def child(self, step, item):
         """Visit `item`, which stands at `step` below the current value."""
@@ -225,7 +226,7 @@ def _write_float(walk, value):
 
 
 def _write_complex(walk, value):
-    return {"kind": "complex", "real": _write_float(walk, value.real), "imag": _write_float(walk, value.imag)}
+    return {"kind": "complex", "real": walk.child(".real", value.real), "imag": walk.child(".imag", value.imag)}
 
 
 def _write_set(walk, value):
@@ -353,8 +354,7 @@ def _loads(data):
 class _Decoder(_Walk):
     def __init__(self):
         super().__init__()
-        self.sizes = {}  # what `sympy_codec` has found about the size of each node built
-        self.functions = {}  # its undefined functions
+        self.functions = {}  # the undefined functions of SymPy met so far
 
     def visit(self, node):
         self.spend(1)
@@ -379,18 +379,13 @@ class _Decoder(_Walk):
             raise self.error(f"should have exactly the fields {sorted(fields)}, as a value of kind {kind!r}")
         return read(self, **{field: node[field] for field in fields})
 
-    def array_of(self, value):
+    def as_list(self, value):
         if type(value) is not list:
             raise self.error("should hold a list here")
         return value
 
     def items(self, value, step="[{}]"):
-        return self.children(self.array_of(value), step)
-
-    def flag(self, value):
-        if type(value) is not bool:
-            raise self.error("should be true or false here")
-        return value
+        return self.children(self.as_list(value), step)
 
 
 def _read_float(walk, value):
@@ -418,8 +413,8 @@ def _read_set(collection):
 
 def _read_dict(walk, items):
     result = {}
-    for i, pair in enumerate(walk.array_of(items)):
-        if len(walk.array_of(pair)) != 2 or not _is_key(pair[0]):
+    for i, pair in enumerate(walk.as_list(items)):
+        if len(walk.as_list(pair)) != 2 or not _is_key(pair[0]):
             raise walk.error("is a dict whose items should be pairs of a plain key and a value")
         key = walk.child(f".keys[{i}]", pair[0])
         if key in result:
@@ -433,7 +428,7 @@ def _read_array(walk, dtype, shape, data):
 
     if type(dtype) is not str or dtype not in _DTYPES:
         raise walk.error(f"should be an array of one of {list(_DTYPES)}")
-    sizes = [walk.integer(size) for size in walk.array_of(shape)]
+    sizes = [walk.integer(size) for size in walk.as_list(shape)]
     if len(sizes) > MAX_AXES or not all(0 <= size <= MAX_ELEMENTS for size in sizes) or math.prod(sizes) > MAX_ELEMENTS:
         raise walk.error(f"should be an array of up to {MAX_ELEMENTS} elements along up to {MAX_AXES} axes")
     raw = base64.b64decode(walk.text(data, MAX_BYTES), validate=True)

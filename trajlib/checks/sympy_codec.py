@@ -204,9 +204,12 @@ def encoder(value):
     return _WRITERS.get(id(cls))
 
 
-def _write_node(kind):
+def _write_node(row):
     def write(walk, value):
-        return {"kind": kind, "args": walk.children(value.args, ".args[{}]")}
+        args = walk.children(value.args, ".args[{}]")
+        _check_args(walk, row, value.args)
+        _check_size(walk, value)
+        return {"kind": row.cls.__name__, "args": args}
 
     return write
 
@@ -262,6 +265,7 @@ def _write_poly(kind):
     def write(walk, value):
         gens = walk.children(value.gens, ".gens[{}]")
         terms = [[list(powers), walk.child(f".coeff{powers}", c)] for powers, c in value.terms()]
+        _spend_on_powers(walk, value.monoms())
         return {"kind": kind, "gens": gens, "terms": terms}
 
     return write
@@ -272,7 +276,7 @@ def _write_inner(walk, value):
 
 
 _WRITERS = {
-    **{id(row.cls): _write_node(kind) for kind, row in NODES.items()},
+    **{id(row.cls): _write_node(row) for row in NODES.values()},
     **{id(type(atom)): (lambda walk, value, kind=kind: {"kind": kind}) for kind, atom in ATOMS.items()},
     **{id(type(number)): _write_integer for number in (sp.Integer(2), _S.Zero, _S.One, _S.NegativeOne)},
     **{id(type(number)): _write_rational for number in (sp.Rational(1, 3), _S.Half)},
@@ -325,20 +329,37 @@ def _check_float(walk, magnitude, precision):
         raise walk.error(f"is a Float beyond {MAX_DIGITS} digits")
 
 
+def _spend_on_powers(walk, monomials):
+    # SymPy stores all powers up to the highest, present or not.
+    walk.spend(math.prod(1 + max(powers) for powers in zip(*monomials)))
+
+
+def _check_args(walk, row, args):
+    wanted = row.takes + (row.more,) * (len(args) - len(row.takes)) if row.more else row.takes
+    if len(args) != len(wanted) or not all(fits(arg) for fits, arg in zip(wanted, args)):
+        given = ", ".join(type(arg).__name__ for arg in args[:4])
+        raise walk.error(f"is {row.cls.__name__} of ({given}{', ...' * (len(args) > 4)}), which is not an answer")
+    if row.cls is sp.Interval:
+        _check_interval(walk, *args)
+
+
+def _check_interval(walk, start, end, left_open, right_open):
+    # The constructor's checks, as far as numbers decide them.
+    backwards = start.is_Number and end.is_Number and not start < end
+    closed_at_infinity = start is -sp.oo and left_open is sp.false or end is sp.oo and right_open is sp.false
+    if backwards or closed_at_infinity:
+        raise walk.error("is an Interval whose ends are not in order, or closed at infinity")
+
+
 # Reading
 
 
 def _read_node(row):
     def read(walk, args):
         args = walk.items(args, ".args[{}]")
-        wanted = row.takes + (row.more,) * (len(args) - len(row.takes)) if row.more else row.takes
-        if len(args) != len(wanted) or not all(fits(arg) for fits, arg in zip(wanted, args)):
-            raise walk.error(f"is {row.cls.__name__} of something it cannot be of")
-        if row.cls is sp.Interval:
-            _check_interval(walk, *args)
+        _check_args(walk, row, args)
         node = row.build(row.cls, *args)
-        if scalar(node):
-            _check_size(walk, node)
+        _check_size(walk, node)
         return node
 
     return read
@@ -402,8 +423,8 @@ def _read_poly(cls):
     def read(walk, gens, terms):
         gens = walk.items(gens, ".gens[{}]")
         coefficients = {}
-        for term in walk.array_of(terms):
-            if len(walk.array_of(term)) != 2 or len(walk.array_of(term[0])) != len(gens):
+        for term in walk.as_list(terms):
+            if len(walk.as_list(term)) != 2 or len(walk.as_list(term[0])) != len(gens):
                 raise walk.error("is a polynomial whose terms should be pairs of powers and coefficient")
             powers = tuple(map(walk.integer, term[0]))
             coefficients[powers] = walk.child(f".coeff{powers}"[:60], term[1])
@@ -411,8 +432,7 @@ def _read_poly(cls):
             raise walk.error("is a polynomial with a term given twice or a coefficient that is no expression")
         if any(gen.is_number for gen in gens) or any(min(powers) < 0 for powers in coefficients):
             raise walk.error("is a polynomial in a number or with a negative power")
-        # SymPy stores all powers up to the highest, present or not.
-        walk.spend(math.prod(1 + max(powers) for powers in zip(*coefficients)))
+        _spend_on_powers(walk, coefficients)
         # For a `composite` domain such as ZZ[k] SymPy multiplies the coefficients out, (a + b + c)**1000 too.
         composite = None if all(map(_is_expanded, coefficients.values())) else False
         return cls.from_dict(coefficients, *gens, composite=composite)
@@ -441,18 +461,12 @@ READERS = {
 }
 
 
-def _check_interval(walk, start, end, left_open, right_open):
-    # The constructor's checks, as far as numbers decide them.
-    backwards = start.is_Number and end.is_Number and not start < end
-    closed_at_infinity = start is -sp.oo and left_open is sp.false or end is sp.oo and right_open is sp.false
-    if backwards or closed_at_infinity:
-        raise walk.error("is an Interval whose ends are not in order, or closed at infinity")
-
-
 # How large a number is, found without evaluating it: 10**10**9 costs no more than 10**9.
 
 
 def _check_size(walk, node):
+    if not scalar(node):
+        return
     if isinstance(node, sp.Pow) and node.exp.is_Number and _log2(node.exp) > math.log2(MAX_EXPONENT):
         raise walk.error(f"is a power with an exponent beyond {MAX_EXPONENT}")
     size = _size(walk, node)

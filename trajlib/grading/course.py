@@ -14,7 +14,7 @@ from trajlib.grading.sandbox import Limits
 from trajlib.grading.store import Store
 
 
-class CourseError(ValueError):
+class CourseError(assignments.BadInput):
     """The folders given cannot be graded, or not now; the message says why."""
 
 

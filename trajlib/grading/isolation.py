@@ -93,15 +93,15 @@ def spawn(mode, disk_megabytes=64):
                "--ro-bind", "/usr", "/usr", "--symlink", "usr/lib", "/lib", "--symlink", "usr/lib64", "/lib64", "--symlink", "usr/bin", "/bin",
                # Debian's libraries find one another through these.
                "--ro-bind-try", "/etc/alternatives", "/etc/alternatives", "--ro-bind-try", "/etc/ld.so.cache", "/etc/ld.so.cache",
-               "--dev", "/dev", *_scratch("/tmp", disk_megabytes), *_scratch("/dev/shm", disk_megabytes), "--chdir", "/tmp"]
+               "--proc", "/proc", "--dev", "/dev", *_scratch("/tmp", disk_megabytes), *_scratch("/dev/shm", disk_megabytes), "--chdir", "/tmp"]
     for name, value in ENVIRONMENT.items():
         command += ["--setenv", name, value]
     for path in folders:
         command += ["--ro-bind", source[path], str(path)]
     for path in covered():
         command += ["--tmpfs", str(path), "--remount-ro", str(path)]
-    # A notebook has no use for /proc; a worker watches its children by it. A first process cannot be killed from inside.
-    command += ["--proc", "/proc"] if mode == "nested" else ["--as-pid-1"]
+    # The first process of a namespace cannot be killed from inside.
+    command += ["--as-pid-1"] if mode == "once" else []
     # Nothing outside /tmp and /dev/shm can be written, so no notebook leaves anything for the next.
     command += ["--remount-ro", "/dev", "--remount-ro", "/", *_python(mode)]
 

@@ -23,7 +23,7 @@ ENDS = {
     "processes": "limits: the notebook started more processes than allowed",
     "large": "limits: the notebook handed over more than allowed",
     "died": "notebook: its process was ended by what the notebook did",
-    "failed": "grader: the sandbox failed on this notebook",
+    "failed": "grader: it failed on this notebook",
 }
 FINAL, WITHIN_LIMITS, NOT_FINAL = "yes", "within limits", "no"
 
@@ -63,17 +63,17 @@ def judge(exercise, outcome, bounds=Bounds()):
         return _one_by_one(cells, outcome.handed_over, names, bounds)
 
 
-def failed(names):
+def failed(names, why):
     """The `Judgement` when the grader could not do its work: nothing is the student's fault, and nothing is final."""
     verdict = Verdict(UNCHECKED, "the grader failed on this notebook; it will be graded again")
-    return Judgement(dict.fromkeys(names, verdict), {}, (ENDS["failed"],), NOT_FINAL)
+    return Judgement(dict.fromkeys(names, verdict), {}, (f"{ENDS['failed']} ({why})",), NOT_FINAL)
 
 
 def _without_answers(names, outcome):
+    manner = printable(outcome.handed_over.decode("utf-8", "replace")[:200])
     if outcome.ended == "failed":
-        return failed(names)
-    manner = f" ({outcome.handed_over.decode('ascii', 'replace')[:40]})" if outcome.ended == "died" else ""
-    remark = ENDS[outcome.ended] + manner
+        return failed(names, manner)
+    remark = ENDS[outcome.ended] + (f" ({manner})" if outcome.ended == "died" else "")
     return Judgement(dict.fromkeys(names, Verdict(MISSING, f"no answer: {remark.partition(': ')[2]}")), {}, (remark,),
                      FINAL if outcome.ended == "died" else WITHIN_LIMITS)
 

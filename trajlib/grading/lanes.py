@@ -3,6 +3,7 @@
 import json
 import os
 import select
+import signal
 import subprocess
 import sys
 from contextlib import suppress
@@ -32,7 +33,7 @@ def grade_all(units, count, settings):
                 unit = busy.pop(lane)
                 result = lane.result()
                 if result is None:
-                    result = as_plain(failed(unit["names"]))
+                    result = as_plain(failed(unit["names"], "one of its processes ended"))
                     lanes.remove(lane)
                     lane.stop()
                     lane = _Lane(settings)
@@ -81,8 +82,12 @@ class _Lane:
 
     def stop(self):
         # What the lane has started ends with it (`end_with_parent`).
-        self._process.kill()
-        self._process.wait()
+        self._process.terminate()
+        try:
+            self._process.wait(timeout=5)
+        except subprocess.TimeoutExpired:
+            self._process.kill()
+            self._process.wait()
         self._process.stdout.close()
         with suppress(OSError):
             self._process.stdin.close()
@@ -95,6 +100,7 @@ class _Lane:
 def work():
     """The lane's end: grade what comes in until nothing does."""
     end_with_parent()
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit())  # so that it tidies up
     # Results have a descriptor of their own: what a check might print does not come between them.
     results = os.dup(1)
     os.dup2(2, 1)

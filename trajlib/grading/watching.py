@@ -30,10 +30,11 @@ def answers_of(keeper, descriptor, limits, proc):
     process could not be prepared. `proc` is a descriptor of the /proc in which `keeper` is to be found.
     """
     try:
-        if framing.receive(descriptor, timeout=PREPARATION) != PREPARED:
-            return b"failed", b"not prepared"
+        said = framing.receive(descriptor, timeout=PREPARATION)
     except framing.Broken as broken:
-        return b"failed", f"not prepared ({broken})".encode()
+        said = f"not prepared ({broken})".encode()
+    if said != PREPARED:
+        return b"failed", said
 
     def look():
         _compare(_descendants(keeper, proc), limits, proc)

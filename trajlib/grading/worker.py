@@ -13,6 +13,7 @@ notebook, run by this very process, which a sandbox of its own surrounds; `trust
 
 import ctypes
 import json
+import math
 import os
 import resource
 import select
@@ -26,7 +27,7 @@ import time
 from trajlib.cells import run_cells
 from trajlib.grading import framing, system_calls, watching
 from trajlib.grading.isolation import (CLONE_NEWIPC, CLONE_NEWNET, CLONE_NEWNS, CLONE_NEWPID, CLONE_NEWUSER, MS_NODEV, MS_NOSUID,
-                                       MS_PRIVATE, MS_RDONLY, MS_REC, NoIsolation, mount, system_call, unshare)
+                                       MS_PRIVATE, MS_RDONLY, MS_REC, NoIsolation, end_with_parent, mount, system_call, unshare)
 
 PR_SET_NO_NEW_PRIVS, PR_CAPBSET_DROP, PR_SET_CHILD_SUBREAPER = 38, 24, 36
 CAPABILITY_VERSION_3 = 0x20080522
@@ -98,7 +99,8 @@ def _keep(mode):
         if mode == "nested":
             _enter_namespaces(request["limits"]["disk_megabytes"])
         else:
-            folder = tempfile.mkdtemp(prefix="trajlib-")
+            end_with_parent()
+            folder = tempfile.mkdtemp()
             system_call("prctl", PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
         first = os.fork()
         if first == 0:
@@ -156,8 +158,12 @@ def _run(request, results, mode, folder="/tmp"):
     this = os.getpid()
     try:
         results = _keep_only(results)
-        _confine(request["limits"], mode)
-        os.chdir(folder)
+        try:
+            _confine(request["limits"], mode)
+            os.chdir(folder)
+        except Exception as error:
+            framing.send(results, repr(error).encode())
+            return
         # Whatever fails from here on is the notebook's affair, and what failed before is not.
         framing.send(results, watching.PREPARED)
         message = _answers(request)
@@ -182,6 +188,7 @@ def _confine(limits, mode):
         mount("tmpfs", "/proc", "tmpfs", MS_NOSUID | MS_NODEV | MS_RDONLY, "nr_inodes=1,mode=555")
     if mode == "trusting":
         os.setsid()
+        end_with_parent()
     else:
         _give_up_privileges()
 
@@ -202,7 +209,7 @@ def _limit(limits, mode):
     """Limits of the kernel on this process and its children, each for itself; `watching` sums up."""
     with open("/proc/self/statm") as file:
         loaded = int(file.read().split()[0]) * resource.getpagesize()
-    bounds = {resource.RLIMIT_AS: loaded + limits["memory_megabytes"] * 2**20, resource.RLIMIT_CPU: limits["cpu_seconds"] + 5,
+    bounds = {resource.RLIMIT_AS: loaded + limits["memory_megabytes"] * 2**20, resource.RLIMIT_CPU: math.ceil(limits["cpu_seconds"]) + 5,
               resource.RLIMIT_FSIZE: limits["disk_megabytes"] * 2**20, resource.RLIMIT_NOFILE: 128, resource.RLIMIT_CORE: 0}
     if mode != "trusting":  # there it would count all processes of the user
         bounds[resource.RLIMIT_NPROC] = limits["processes"]

@@ -73,10 +73,12 @@ def student_notebook(master, links):
 def plain_markdown(text, links, source, number=""):
     """MyST Markdown as Markdown that any Jupyter shows: directives become headings, quotes and formulas."""
     text = _without_directives(text, number)
+    text = re.sub(r"^# Problem \d+\.\d+$", "", text, flags=re.M)  # the exercise's own heading says it with its title
     text = re.sub(r"^\([\w-]+\)=\n", "", text, flags=re.M)
     text = re.sub(r"\[([^\]]+)\]\(#([\w-]+)\)", lambda m: _link(m[1], m[2], links, source), text)
     text = re.sub(r"\{(?:ref|numref|prf:ref)\}`([^`<]+?)\s*<([\w-]+)>`", lambda m: _link(m[1], m[2], links, source), text)
     text = re.sub(r"\{eq\}`eq-([\w-]+)`", lambda m: f"({_tag(m[1])})", text)
+    text = re.sub(r"\{problem\}`([\d.]+)`", r"problem \1", text)
     text = re.sub(r"\{cite(?::\w)?\}`[^`]*`", "", text)
     text = re.sub(r"\{[\w:]+\}`([^`<]+?)(?:\s*<[^>]*>)?`", r"\1", text)
     return re.sub(r"\n{3,}", "\n\n", text)
@@ -107,7 +109,7 @@ def _directive(match, number):
     if name in SILENT:
         return ""
     if name == "exercise-start":
-        return f"## Problem {number}. {argument}\n"
+        return f"# Problem {number}. {argument}\n"
     if name == "math":
         tag = rf" \tag{{{_tag(label[1].removeprefix('eq-'))}}}" if label else ""
         return f"$$\n{body.strip()}{tag}\n$$\n"
