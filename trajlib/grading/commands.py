@@ -9,6 +9,7 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 
 from trajlib.grading import course, exporting, manual, pages, record
 from trajlib.grading.assignment import BadInput
+from trajlib.grading.handing_out import spoken
 from trajlib.grading.printable import printable_name
 from trajlib.grading.sandbox import Limits
 from trajlib.grading.scores import scores
@@ -21,11 +22,12 @@ MOST_TOLD = 20
 def grade_course(submitted, out, assignment_folder, processes, timeout, trusting, quiet, roster=None, site=""):
     """Grade and write everything below `out`; returns a summary as plain data.
 
-    `roster` is the text of a gradebook exported from Canvas, `site` the address of the student edition of the site.
+    `roster` is a gradebook exported from Canvas (a file), `site` the address of the student edition of the site.
     """
     submitted, out, console = Path(submitted), Path(out), Console(stderr=True, quiet=quiet, soft_wrap=True)
-    if roster is not None:
-        exporting.Roster(roster)  # a roster that cannot be read is said before an hour of grading, not after it
+    # A roster or folder that cannot be used is said before an hour of grading, not after it.
+    roster = exporting.read_roster(roster) if roster is not None else None
+    assignment_folder = _assignments(assignment_folder)
     known, plan, failed = _with_a_bar(console, submitted, out, assignment_folder, processes, Limits.of_time(timeout), trusting)
     if failed:
         console.print(f"the grader itself failed on {failed} notebooks: run it again, and it will grade these", markup=False, style="red")
@@ -43,7 +45,8 @@ def grade_course(submitted, out, assignment_folder, processes, timeout, trusting
             summary["to review"][name] = {score.student: [[a.problem, a.answer] for a in score.to_review] for score in graded if score.needs_review}
             summary["changes"][name] = [vars(change) for change in changes]
             summary["not in the roster"][name] = strangers
-            _tell(console, out / name, assignment, graded, changes, strangers)
+            file = assignment_folder / name / "assignment.toml" if assignment_folder else None
+            _tell(console, out / name, assignment, graded, changes, strangers, file if file and file.exists() else None)
     return summary
 
 
@@ -100,12 +103,16 @@ def _with_a_bar(console, submitted, out, assignment_folder, processes, limits, t
             speed = bar.tasks[0].speed
             bar.update(task, completed=done, total=total, rate=f"{60 * speed:.0f} a minute" if speed else "")
 
-        try:
-            return course.grade(submitted, out, assignment_folder, processes, limits, trusting=trusting, progress=progress)
-        except KeyboardInterrupt:
-            done = bar.tasks[0]
-            console.print(f"stopped: {done.completed:.0f} of {done.total or 0:.0f} notebooks are graded and stored; the same command goes on from there")
-            raise SystemExit(130) from None
+        return course.grade(submitted, out, assignment_folder, processes, limits, trusting=trusting, progress=progress)
+
+
+def _assignments(folder):
+    """Where homeworks stand: the folder named, or `assignments` here, or nowhere."""
+    if folder is None:
+        return Path("assignments") if Path("assignments").is_dir() else None
+    if not Path(folder).is_dir():
+        raise BadInput(f"{folder} is not a folder")
+    return Path(folder)
 
 
 def _students(submitted):
@@ -114,10 +121,13 @@ def _students(submitted):
             if entry.is_dir() and not entry.is_symlink() and not entry.name.startswith(".")]
 
 
-def _tell(console, folder, assignment, graded, changes, strangers):
+def _tell(console, folder, assignment, graded, changes, strangers, file):
     """What a lecturer has to know now; everything else is in the files."""
+    console.print(f"{assignment.name}: {assignment.max_points:g} points, "
+                  + (f"due {spoken(assignment.due)}, " if assignment.due else "no due date, ")
+                  + (f"by {file}" if file else "one for each answer, since there is no assignment.toml for it"), markup=False)
     handed_in, late = sum(score.handed_in for score in graded), sum(bool(score.late) for score in graded)
-    console.print(f"{assignment.name}: {handed_in} of {len(graded)} students handed something in, {late} late; tables and pages in {folder}", markup=False)
+    console.print(f"  {handed_in} of {len(graded)} students handed something in, {late} late; tables and pages in {folder}", markup=False)
     waiting = [score for score in graded if score.needs_review]
     if waiting:
         console.print(f"  {len(waiting)} need your look: {folder / 'summary.html'} says which answers could not be judged; "

@@ -10,6 +10,7 @@ import io
 import json
 import re
 from datetime import datetime, timezone
+from pathlib import Path
 
 from trajlib.checks.verdict import RIGHT, UNCHECKED
 from trajlib.grading.assignment import BadInput
@@ -60,20 +61,19 @@ def canvas_csv(assignment, scores, roster):
     """(text, unmatched): the gradebook exported from Canvas with one column filled, and students it does not know.
 
     Students are matched by whichever of "SIS User ID", "SIS Login ID" and "ID" fits most of them. A column that Canvas
-    already has for the assignment, "Title (1234)", is filled; else Canvas makes a new one. A row without a grade stays
-    empty. Raises `BadInput` if the text is no such export.
+    already has for the assignment, "Title (1234)", is filled; else Canvas makes a new one. Who has no grade yet keeps what
+    stands there. `roster` is a `Roster`.
     """
-    table = Roster(roster)
     known = {score.student: score for score in scores}
-    key = max(("SIS User ID", "SIS Login ID", "ID"), key=lambda name: sum(row in known for row in table.column(name)))
-    column = next((name for name in table.header if re.fullmatch(rf"{re.escape(assignment.title)} \(\d+\)", name)), assignment.title)
-    possible = table.possible(column) or _points(assignment.max_points)
-    rows = [["    Points Possible", *[""] * (table.width - 1), possible]]
-    for identity, row in zip(table.column(key), table.rows):
+    key = max(("SIS User ID", "SIS Login ID", "ID"), key=lambda name: sum(row in known for row in roster.column(name)))
+    column = next((name for name in roster.header if re.fullmatch(rf"{re.escape(assignment.title)} \(\d+\)", name)), assignment.title)
+    possible = roster.possible(column) or _points(assignment.max_points)
+    rows = [["    Points Possible", *[""] * (roster.width - 1), possible]]
+    for identity, row, present in zip(roster.column(key), roster.rows, roster.column(column)):
         score = known.get(identity)
-        rows.append([*row, _points(score.points) if score and score.handed_in and not score.needs_review else ""])
-    text = _csv([[*table.header[:table.width], column], *rows], table.delimiter)
-    return text, [score.student for score in scores if score.student not in set(table.column(key))]
+        rows.append([*row[:roster.width], _points(score.points) if score and score.handed_in and not score.needs_review else present])
+    text = _csv([[*roster.header[:roster.width], column], *rows], roster.delimiter)
+    return text, [score.student for score in scores if score.student not in set(roster.column(key))]
 
 
 def nbgrader_csv(assignment, scores):
@@ -98,7 +98,7 @@ def gradescope_json(score, hints, remarks=(), seconds=None):
               # Gradescope knows no third state: what no check could judge says so in its text.
               "status": "passed" if answer.verdict.status == RIGHT else "failed",
               "output": "\n".join([f"{answer.verdict.status}: {answer.verdict.message}",
-                                   *(["Your lecturer has to look at this answer; it is not counted as wrong."] if answer.verdict.status == UNCHECKED else []),
+                                   *(["It is not judged wrong; it has no points until your lecturer has looked at it."] if answer.verdict.status == UNCHECKED else []),
                                    *(f"Hint: {hint}" for hint in hints.get((answer.problem, answer.answer), ()))]),
               "output_format": "text", "visibility": "visible"} for answer in score.answers]
     result = {"score": round(score.points, 4), "output": "\n".join(remarks), "output_format": "text",
@@ -108,29 +108,42 @@ def gradescope_json(score, hints, remarks=(), seconds=None):
     return json.dumps(result, ensure_ascii=False, indent=1) + "\n"
 
 
+def read_roster(path):
+    """The `Roster` in a file; raises `BadInput`."""
+    try:
+        return Roster(Path(path).read_bytes().decode("utf-8"))
+    except OSError as error:
+        raise BadInput(f"{path}: {error.strerror}") from None
+    except (UnicodeDecodeError, csv.Error) as error:
+        raise BadInput(f"{path} is not CSV in UTF-8: {error}") from None
+
+
 class Roster:
-    """A gradebook exported from Canvas: `header`, `rows` of students up to the column Section, `width` of those."""
+    """A gradebook exported from Canvas: `header`, `rows` of students, `width` of the columns about them (up to Section).
+
+    Raises `BadInput` if the text is no such export.
+    """
 
     def __init__(self, text):
         text = text.lstrip("\ufeff")
-        self.delimiter = ";" if text.split("\n")[0].count(";") > text.split("\n")[0].count(",") else ","
+        first = text.partition("\n")[0]
+        self.delimiter = ";" if first.count(";") > first.count(",") else ","
         lines = list(csv.reader(io.StringIO(text, newline=""), delimiter=self.delimiter))
         self.header = lines[0] if lines else []
         if self.header[:2] != ["Student", "ID"] or "Section" not in self.header:
             raise BadInput("the roster is not a gradebook exported from Canvas: its columns are to be Student, ID, ..., Section, ...")
         self.width = self.header.index("Section") + 1
-        self._possible = next((line for line in lines[1:] if line and line[0].strip() == "Points Possible"), [])
-        # Further lines about columns ("Manual Posting") name no student.
-        students = [line for line in lines[1:] if line and line is not self._possible and len(line) > 1 and line[1].strip()]
-        self.rows = [(line + [""] * self.width)[:self.width] for line in students]
+        lines = [(line + [""] * len(self.header))[:len(self.header)] for line in lines[1:]]
+        self._possible = next((line for line in lines if line[0].strip() == "Points Possible"), [""] * len(self.header))
+        # Other lines without an ID say something about columns ("Manual Posting"), not about a student.
+        self.rows = [line for line in lines if line[1].strip() and line is not self._possible]
 
     def column(self, name):
-        place = self.header.index(name) if name in self.header[:self.width] else None
-        return [row[place] if place is not None else "" for row in self.rows]
+        """What each student has in a column; nothing in one that is not there."""
+        return [row[self.header.index(name)] if name in self.header else "" for row in self.rows]
 
     def possible(self, name):
-        place = self.header.index(name) if name in self.header else len(self._possible)
-        return self._possible[place].strip() if place < len(self._possible) else ""
+        return self._possible[self.header.index(name)].strip() if name in self.header else ""
 
 
 def _feedback(score):

@@ -2,6 +2,7 @@
 
 import json
 import os
+import signal
 import subprocess
 import tempfile
 from contextlib import suppress
@@ -139,7 +140,10 @@ class Sandbox:
 
     def _stop(self):
         if self._worker is not None:
-            self._worker.kill()
+            # Its whole group: while bubblewrap is still starting, its inner half does not yet end with the outer one.
+            if self._worker.returncode is None:
+                with suppress(ProcessLookupError):
+                    os.killpg(self._worker.pid, signal.SIGKILL)
             self._worker.wait()
             for pipe in (self._worker.stdin, self._worker.stdout, self._worker.stderr):
                 pipe.close()

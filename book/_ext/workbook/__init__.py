@@ -6,14 +6,15 @@ listings    the list of all problems and the index by topic, so that no list is 
 downloads   the students' notebooks and the wheel
 boxes       statements; solutions, hints and code folded with the browser's own <details>
 numbering   numbers of equations and theorems follow their labels
+cases       the page of the checks, from the tables that are their tests
 freshness   what makes a page outdated, beyond its own text
 offline     nothing is loaded from another host
 """
 
-from workbook import boxes, catalogue, downloads, freshness, listings, numbering, offline, pages
+from workbook import boxes, cases, catalogue, downloads, freshness, listings, numbering, offline, pages
 
 
 def setup(app):
-    for part in (catalogue, pages, listings, downloads, boxes, numbering, freshness, offline):
+    for part in (catalogue, pages, listings, downloads, boxes, numbering, cases, freshness, offline):
         part.setup(app)
     return {"version": "1", "env_version": freshness.EXTENSION, "parallel_read_safe": True, "parallel_write_safe": True}

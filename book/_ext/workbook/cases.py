@@ -1,0 +1,64 @@
+"""The page of the checks: what each accepts and rejects, from the tables of cases that are its tests."""
+
+import importlib.util
+import sys
+from pathlib import Path
+
+from docutils import nodes
+from sphinx.util.docutils import SphinxDirective
+
+from trajlib import checks
+from trajlib.checks.encoding import describe
+from trajlib.checks.reporting import MARKS
+
+
+class CheckCases(SphinxDirective):
+    """A section a theme, a table a check, then the theme's known limits."""
+
+    def run(self):
+        folder = Path(self.env.srcdir) / "tests" / "checks"
+        self.env.note_dependency(str(folder / "case.py"))
+        sections = []
+        for path in sorted((folder / "cases").glob("*.py")):
+            self.env.note_dependency(str(path))
+            sections.append(self._theme(_load(path, folder), path.stem))
+        return sections
+
+    def _theme(self, module, theme):
+        section = nodes.section("", nodes.title("", theme.capitalize()), ids=[f"checks-{theme}"])
+        for name in dict.fromkeys(case.check for case in module.CASES):
+            purpose = " ".join(getattr(checks, name).__doc__.split("\n\n")[0].split())
+            anchor = nodes.target("", "", ids=[f"check-{name}"])
+            section += nodes.paragraph("", "", anchor, nodes.literal("", f"checks.{name}"), nodes.Text(f": {purpose}"))
+            section += _table([case for case in module.CASES if case.check == name])
+        section += nodes.paragraph("", "", nodes.strong("", "Known limits"))
+        section += nodes.bullet_list("", *(nodes.list_item("", nodes.paragraph("", limit)) for limit in module.LIMITS))
+        return section
+
+
+def _table(cases):
+    body = nodes.tbody()
+    for case in cases:
+        text = describe(case.answer)
+        shown = text if len(text) <= 90 else text[:87] + "..."
+        cells = (nodes.Text(f"{MARKS[case.verdict]} {case.verdict}"), nodes.literal("", shown), nodes.Text(case.note))
+        body += nodes.row("", *(nodes.entry("", nodes.paragraph("", "", cell)) for cell in cells))
+    head = nodes.thead("", nodes.row("", *(nodes.entry("", nodes.paragraph("", name)) for name in ("verdict", "answer", "what it is"))))
+    widths = (nodes.colspec(colwidth=width) for width in (15, 45, 40))
+    return nodes.table("", nodes.tgroup("", *widths, head, body, cols=3), classes=["check-cases"])
+
+
+def _load(path, folder):
+    """A table imports `Case` from the folder of the tests."""
+    sys.path.insert(0, str(folder))
+    try:
+        spec = importlib.util.spec_from_file_location(f"cases_{path.stem}", path)
+        module = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(module)
+        return module
+    finally:
+        sys.path.remove(str(folder))
+
+
+def setup(app):
+    app.add_directive("check-cases", CheckCases)
