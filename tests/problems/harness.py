@@ -1,7 +1,9 @@
 """Runs a master's cells by role and judges answers, each problem in a process of its own."""
 
 import ast
+import resource
 import sys
+from collections import Counter
 
 from trajlib import checks
 from trajlib.execution import in_child
@@ -54,8 +56,10 @@ class Workbench:
     def check_arguments(self, name):
         """(function name, data arguments, options) of the check of an answer, evaluated."""
         call = self.calls[name]
-        value = lambda node: eval(compile(ast.Expression(node), "<argument>", "eval"), self.data | self.reference)  # noqa: E731
-        return call.func.attr, [value(arg) for arg in call.args[1:]], {k.arg: value(k.value) for k in call.keywords}
+        return call.func.attr, [self._value(arg) for arg in call.args[1:]], {k.arg: self._value(k.value) for k in call.keywords}
+
+    def _value(self, node):
+        return eval(compile(ast.Expression(node), "<argument>", "eval"), self.data | self.reference)
 
 
 def execute(source, role, namespace):
@@ -68,9 +72,19 @@ def check_calls(source):
     return {keyword.arg: keyword.value for keyword in report.keywords}
 
 
-def apart(function, *args, timeout=60):
-    """Run `function(*args)` in a forked process, so that problems cannot disturb each other; errors come back."""
-    return in_child(function, *args, timeout=timeout)
+#: Seconds of computing that all tests of one problem may take together: with 194 problems everybody waits for them.
+PROBLEM_SECONDS = 20
+_spent = Counter()
+
+
+def apart(function, master, *args, timeout=120):
+    """Run `function(master, *args)` in a forked process, so that problems cannot disturb each other; errors come back."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    result = in_child(function, master, *args, timeout=timeout)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    _spent[master.number] += after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime
+    assert _spent[master.number] < PROBLEM_SECONDS, f"the tests of {master.number} have taken {_spent[master.number]:.1f} s"
+    return result
 
 
 def called_functions(source, role, namespace):
