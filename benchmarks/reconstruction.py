@@ -34,7 +34,8 @@ def main():
         t, h = record(n)
         found = reconstruct(t, h, SIGMA, max_acceleration=BOUND)
         ours = seconds(lambda: reconstruct(t, h, SIGMA, max_acceleration=BOUND))
-        line = f"{n:>9,} samples: {ours:.3f} s, {1e6*ours/n:.2f} us a sample, M = {found.M:.4g}, max |u| - D = {found.max_acceleration - BOUND:.1e}"
+        line = f"{n:>9,} samples: {ours:.3f} s, {1e6*ours/n:.2f} us a sample, M = {found.M:.4g}, "
+        line += f"max |u| - D = {found.max_acceleration - BOUND:.1e}"
         if n <= 100_000:
             peer = seconds(lambda: make_smoothing_spline(t, h, w=np.full(n, SIGMA**-2), lam=found.M))
             line += f"; make_smoothing_spline {peer:.3f} s, ours takes {ours/peer:.2f} times as long"

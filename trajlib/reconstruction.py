@@ -184,8 +184,10 @@ def reconstruct(t, h, sigma, *, max_acceleration=None, M=None, method="sweep"):
     `max_acceleration` (a number, or one a column), or the weight `M`, not both.
 
     `method="sweep"` (the paper): M is found such that max |u| = max_acceleration; `active` is False and M = 0 where
-    already the natural spline through all samples keeps the bound. `method="direct"`: least misfit among all motions with |u| <= max_acceleration (a quadratic programme with u
-    piecewise linear on a quarter of each interval; of equally good motions the one with the least integral of u^2).
+    already the natural spline through all samples keeps the bound. (max |u| need not fall as M grows: where several M
+    meet the bound, one of them is found.) `method="direct"`: least misfit among all motions with |u| <= max_acceleration,
+    a quadratic programme with u linear on quarters of each interval; of equally good motions the one with the least
+    integral of u^2.
 
     >>> import numpy as np
     >>> t = np.arange(9.0)
@@ -457,8 +459,10 @@ def _times(t):
     if wrong.size:
         k = wrong[0]
         if t[k] == t[k + 1]:
-            raise ValueError(f"t: the time {t[k]:g} is repeated (t[{k}] and t[{k + 1}]); replace samples at one time by their weighted mean")
-        raise ValueError(f"t: the times must increase, t[{k + 1}] = {t[k + 1]:g} follows t[{k}] = {t[k]:g}; sort times and samples together")
+            raise ValueError(f"t: the time {t[k]:g} is repeated (t[{k}] and t[{k + 1}]); replace samples at one time by their "
+                             "weighted mean")
+        raise ValueError(f"t: the times must increase, t[{k + 1}] = {t[k + 1]:g} follows t[{k}] = {t[k]:g}; sort times and "
+                         "samples together")
     return t
 
 

@@ -132,6 +132,14 @@ def test_an_inactive_bound_gives_the_interpolant():
         assert not motion.active and np.allclose(motion.position(fine), spline(fine), atol=1e-9)
 
 
+def test_the_greatest_acceleration_need_not_fall_with_the_weight():
+    t, h, sigma = np.arange(4), [5, 4, 1, -4], [1, 10, 0.1, 0.1]
+    assert [round(reconstruct(t, h, sigma, M=M).max_acceleration, 2) for M in (1e-9, 0.028, 1.0)] == [2.4, 2.96, 2.34]
+    between = reconstruct(t, h, sigma, max_acceleration=2.7)      # the interpolant keeps it, though two weights meet it too
+    assert not between.active and between.misfit < 1e-20
+    assert reconstruct(t, h, sigma, max_acceleration=2.39).active
+
+
 def test_heavy_smoothing_of_a_long_record_meets_the_bound():
     random = np.random.default_rng(0)
     t = np.arange(20000.0)

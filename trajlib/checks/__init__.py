@@ -23,4 +23,7 @@ __getattr__, __dir__, __all__ = lazy_names(__name__, {
                  "stable_parameters"],
     "motions": ["angle_deviations", "focus_parameters", "input_matrix_along", "linearisation_along", "node_parameters", "program_motion",
                 "rest_angles", "rest_angles_exist", "saddle_angles", "stable_angles", "stable_rest_angles", "unstable_rest_angles"],
+    "smoothing": ["boundary_decay", "bounded_misfit", "digits_lost", "filter_gain", "interpolant_acceleration", "multiple_eigenvalues",
+                  "on_unit_circle", "reduced_polynomial", "spline_acceleration", "spline_misfit", "spline_positions",
+                  "steady_costate", "transition_polynomial", "weight_for_bound", "weight_of_harmonic"],
 })
