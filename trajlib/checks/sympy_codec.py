@@ -5,9 +5,9 @@ functions) and the containers with a layout of their own (matrices, polynomials)
 
 Every node is built *as written*: decoding computes nothing. Evaluating again would not be bounded by any limit on the text, since
 SymPy's constructors ask for signs and reality (`Abs(x)**2` asks whether x is real), compare all pairs (`Max`), fold Piecewise functions
-and solve equations (`ConditionSet`); four kilobytes of an ordinary expression can take it minutes. And nothing is lost: whatever SymPy
-evaluates by itself was evaluated where the answer was made, and what a student left unevaluated meets the check in the grader as it
-does in the notebook.
+and solve equations (`ConditionSet`): an ordinary expression of four kilobytes took five seconds, re((x + I*y)**1000) eighty. And
+nothing is lost: whatever SymPy evaluates by itself was evaluated where the answer was made, and what a student left unevaluated meets
+the check in the grader as it does in the notebook.
 
 Names need care of another kind. `lambdify` prints an expression as Python code, symbols and undefined functions by their bare names, so
 `Symbol("print(1)")` runs in whatever process compiles it. Hence the narrow alphabet of names, without brackets, quotes and dots, and
@@ -199,9 +199,20 @@ def encoder(value):
     """The function that writes `value`, called as `write(walk, value)`; None where it is no SymPy object that may cross."""
     cls = type(value)
     if type(cls) is UndefinedFunction:
-        bases = type.__dict__["__bases__"].__get__(cls)
-        return _write_applied if len(bases) == 1 and bases[0] is AppliedUndef else None
+        return _write_applied if _is_plain_function(cls) else None
     return _WRITERS.get(id(cls))
+
+
+_FUNCTION_ATTRIBUTES = set(vars(sp.Function("f")))
+_FUNCTION_ASSUMPTIONS = {f"is_{name}" for name in _assume_defined}
+
+
+def _is_plain_function(cls):
+    """Whether the class that `Function("f")` made has nothing of the student's own (it takes bases and methods, too)."""
+    bases, attributes = type.__dict__["__bases__"].__get__(cls), type.__dict__["__dict__"].__get__(cls)
+    return len(bases) == 1 and bases[0] is AppliedUndef and all(
+        name in _FUNCTION_ATTRIBUTES or name in _FUNCTION_ASSUMPTIONS and type(attributes[name]) is bool for name in attributes
+    )
 
 
 def _write_node(row):
@@ -239,15 +250,9 @@ def _write_dummy(walk, value):
 
 
 def _write_applied(walk, value):
-    # The class is the student's: read the slot of Basic and the class's own dict, where no override can stand in the way.
     cls = type(value)
-    assumptions = type.__dict__["__dict__"].__get__(cls).get("_kwargs", {})
-    return {
-        "kind": "apply",
-        "name": _function_name(walk, type.__dict__["__name__"].__get__(cls)),
-        "assumptions": _assumptions(walk, assumptions),
-        "args": walk.children(sp.Basic._args.__get__(value), ".args[{}]"),
-    }
+    name, assumptions = _function_name(walk, cls.__name__), _assumptions(walk, cls._kwargs)
+    return {"kind": "apply", "name": name, "assumptions": assumptions, "args": walk.children(value.args, ".args[{}]")}
 
 
 def _write_matrix(kind):
