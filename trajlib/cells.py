@@ -149,6 +149,11 @@ def _shell():
 
         showsyntaxerror = showtraceback
 
+        @contextmanager
+        def _tee(self, channel):
+            """IPython 9 keeps a copy of all that is printed, which endless output would turn into endless memory."""
+            yield
+
     config = Config()
     config.HistoryManager.enabled = False
     shell = Shell(config=config, history_length=0, colors="nocolor")

@@ -190,6 +190,17 @@ def new(name: Annotated[str, typer.Argument(help="The homework's name; it names 
                   + (f"due {spoken(made.due)}" if made.due else "no due date"), markup=False)
 
 
+@assignment.command()
+def gradescope(name: Annotated[str, typer.Argument(help="The homework's name.")],
+               out: Annotated[Path, typer.Option(help="The archive to write, to be uploaded as an autograder.")],
+               assignments: Annotated[Path, typer.Option(help="Folder in which homeworks stand.")] = Path("assignments")):
+    """Make an autograder for Gradescope from assignments/NAME/assignment.toml."""
+    from trajlib.grading.gradescope.bundle import make
+
+    made = make(assignments, name, out)
+    console.print(f"{out}: an autograder for {made.title}, {made.max_points:g} points; upload it to Gradescope", markup=False)
+
+
 def main():
     """Entry point: errors that the user can mend become one line on stderr and exit code 2."""
     try:

@@ -205,9 +205,9 @@ TEST = {"score": (int, float), "max_score": (int, float), "status": str, "name":
 def test_gradescope_json(small):
     ann, bob, cid, dan = small
     hints = {("1.17", "b_region"): ["Which minors decide?"]}
-    result = json.loads(exporting.gradescope_json(bob, hints, ["1.17: notebook: code cell 2: NameError"], 12.4))
+    result = json.loads(exporting.gradescope_json(bob, hints, ["1.17: notebook: code cell 2: NameError"], 3.5, 12.4))
     assert result == {
-        "score": 3.0, "output": "1.17: notebook: code cell 2: NameError", "output_format": "text", "visibility": "visible",
+        "score": 3.5, "output": "1.17: notebook: code cell 2: NameError", "output_format": "text", "visibility": "visible",
         "stdout_visibility": "hidden", "execution_time": 12, "tests": [
             {"name": "1.17 a_region", "score": 2.5, "max_score": 2.5, "status": "passed", "output": "right: a_region is right",
              "output_format": "text", "visibility": "visible"},
@@ -218,10 +218,10 @@ def test_gradescope_json(small):
             {"name": "1.18 b_region", "score": 0.0, "max_score": 1.0, "status": "failed", "output": "missing: nothing was submitted for this problem",
              "output_format": "text", "visibility": "visible"}]}
     for score in small:
-        result = json.loads(exporting.gradescope_json(score, {}))
+        result = json.loads(exporting.gradescope_json(score, {}, [], score.points, 0.1))
         assert all(isinstance(result[key], RESULT[key]) for key in result)
         assert all(isinstance(test[key], TEST[key]) and set(test) == set(TEST) for test in result["tests"] for key in test)
         assert sum(test["score"] for test in result["tests"]) == pytest.approx(result["score"])
-    (unchecked,) = [test for test in json.loads(exporting.gradescope_json(cid, {}))["tests"] if "unchecked" in test["output"]]
+    (unchecked,) = [test for test in json.loads(exporting.gradescope_json(cid, {}, [], 1.0, 0.1))["tests"] if "unchecked" in test["output"]]
     assert "It is not judged wrong" in unchecked["output"]
-    assert MISSING not in {test["status"] for test in json.loads(exporting.gradescope_json(dan, {}))["tests"]}
+    assert MISSING not in {test["status"] for test in json.loads(exporting.gradescope_json(dan, {}, [], 0.0, 0.1))["tests"]}

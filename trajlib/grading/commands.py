@@ -96,14 +96,19 @@ def page_name(student):
 
 def _with_a_bar(console, submitted, out, assignment_folder, processes, limits, trusting):
     bar = Progress(TextColumn("grading"), BarColumn(), MofNCompleteColumn(), TextColumn("{task.fields[rate]}"), TimeRemainingColumn(), console=console)
-    with bar:
-        task = bar.add_task("grading", total=None, rate="")
+    task = bar.add_task("grading", total=None, rate="")
 
-        def progress(done, total):
+    def progress(done, total):
+        if total:  # nothing is shown before it is known that there is something to do
+            bar.start()
             speed = bar.tasks[0].speed
             bar.update(task, completed=done, total=total, rate=f"{60 * speed:.0f} a minute" if speed else "")
 
+    try:
         return course.grade(submitted, out, assignment_folder, processes, limits, trusting=trusting, progress=progress)
+    finally:
+        if bar.live.is_started:
+            bar.stop()
 
 
 def _assignments(folder):
@@ -133,11 +138,16 @@ def _tell(console, folder, assignment, graded, changes, strangers, file):
         console.print(f"  {len(waiting)} need your look: {folder / 'summary.html'} says which answers could not be judged; "
                       "Moodle, Canvas and nbgrader get no grade of theirs yet", markup=False, style="yellow")
     if changes:
-        console.print(f"  {len(changes)} answers are not what they were:", markup=False)
+        console.print(f"  {len(changes)} {'answer is not what it was' if len(changes) == 1 else 'answers are not what they were'}:", markup=False)
     for change in changes[:MOST_TOLD]:
-        console.print(f"    {change.student} {change.problem} {change.answer}: {change.old_verdict}, {change.old_points:g} points -> "
-                      f"{change.new_verdict}, {change.new_points:g} points ({change.why})", markup=False, highlight=False)
+        console.print(f"    {_told(change)}", markup=False, highlight=False)
     if len(changes) > MOST_TOLD:
         console.print(f"    and {len(changes) - MOST_TOLD} more, all in {folder / 'changes.csv'}", markup=False)
     if strangers:
         console.print(f"  not in the roster: {', '.join(strangers)}", markup=False, style="yellow")
+
+
+def _told(change):
+    verdicts = [change.old_verdict] if change.old_verdict == change.new_verdict else [change.old_verdict, change.new_verdict]
+    return (f"{change.student} {change.problem} {change.answer}: {' -> '.join(verdicts)}, "
+            f"{change.old_points:g} -> {change.new_points:g} points ({change.why})")

@@ -89,10 +89,11 @@ def nbgrader_csv(assignment, scores):
     return _csv([header, *rows])
 
 
-def gradescope_json(score, hints, remarks=(), seconds=None):
-    """results.json for one student: a test an answer, with its message and the next hint, never the solution.
+def gradescope_json(score, hints, remarks, points, seconds):
+    """results.json for one submission: a test an answer, with its message and the next hint, never the solution.
 
-    `hints` maps (problem, answer) to the hints that are open to the student.
+    `hints` maps (problem, answer) to the hints that are open to the student; `points` are those that count, which may
+    be an earlier submission's; `seconds` is how long grading took.
     """
     tests = [{"name": f"{answer.problem} {answer.answer}", "score": round(answer.points, 4), "max_score": round(answer.max_points, 4),
               # Gradescope knows no third state: what no check could judge says so in its text.
@@ -101,11 +102,8 @@ def gradescope_json(score, hints, remarks=(), seconds=None):
                                    *(["It is not judged wrong; it has no points until your lecturer has looked at it."] if answer.verdict.status == UNCHECKED else []),
                                    *(f"Hint: {hint}" for hint in hints.get((answer.problem, answer.answer), ()))]),
               "output_format": "text", "visibility": "visible"} for answer in score.answers]
-    result = {"score": round(score.points, 4), "output": "\n".join(remarks), "output_format": "text",
-              "visibility": "visible", "stdout_visibility": "hidden", "tests": tests}
-    if seconds is not None:
-        result["execution_time"] = round(seconds)
-    return json.dumps(result, ensure_ascii=False, indent=1) + "\n"
+    return json.dumps({"score": round(points, 4), "execution_time": round(seconds), "output": "\n".join(remarks), "output_format": "text",
+                       "visibility": "visible", "stdout_visibility": "hidden", "tests": tests}, ensure_ascii=False, indent=1) + "\n"
 
 
 def read_roster(path):

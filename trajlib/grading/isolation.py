@@ -14,9 +14,13 @@ from pathlib import Path
 
 PACKAGE = Path(__file__).resolve().parents[1]
 CHECKOUT = PACKAGE.parent
+#: Where a notebook may write: into memory, as much as it is allowed.
+SCRATCH = ("/tmp", "/dev/shm")
 #: All that a notebook finds in its environment.
 ENVIRONMENT = {"HOME": "/tmp", "PATH": "/usr/bin", "LANG": "C.UTF-8", "MPLBACKEND": "Agg", "MPLCONFIGDIR": "/tmp/matplotlib",
-               "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
+               "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1",
+               # Each thread of the C library would reserve a great deal of address space, which is what the limit on memory counts.
+               "MALLOC_ARENA_MAX": "2"}
 #: The user that the sandbox runs as when the grader itself is root: limits on processes do not bind root.
 NOBODY = 65534
 
@@ -93,7 +97,9 @@ def spawn(mode, disk_megabytes=64):
                "--ro-bind", "/usr", "/usr", "--symlink", "usr/lib", "/lib", "--symlink", "usr/lib64", "/lib64", "--symlink", "usr/bin", "/bin",
                # Debian's libraries find one another through these.
                "--ro-bind-try", "/etc/alternatives", "/etc/alternatives", "--ro-bind-try", "/etc/ld.so.cache", "/etc/ld.so.cache",
-               "--proc", "/proc", "--dev", "/dev", *_scratch("/tmp", disk_megabytes), *_scratch("/dev/shm", disk_megabytes), "--chdir", "/tmp"]
+               "--proc", "/proc", "--dev", "/dev", "--chdir", "/tmp"]
+    for folder in SCRATCH:
+        command += ["--size", str(disk_megabytes * 2**20), "--tmpfs", folder]
     for name, value in ENVIRONMENT.items():
         command += ["--setenv", name, value]
     for path in folders:
@@ -143,12 +149,9 @@ def _started(command, prepare, environment):
 def _python(mode):
     # Isolated from variables, the user's folders and the current one; libraries are found where the grader itself found them.
     paths = [str(path) for path in [*_packages(), PACKAGE.parent]]
-    start = f"import sys; sys.path += [path for path in {paths!r} if path not in sys.path]; from trajlib.grading import worker; worker.main({mode!r})"
-    return [sys.executable, "-I", "-c", start]
-
-
-def _scratch(path, megabytes):
-    return ["--size", str(megabytes * 2**20), "--tmpfs", path]
+    start = f"import sys; sys.path += [path for path in {paths!r} if path not in sys.path]; from trajlib.grading import worker; worker.main({mode!r}"
+    in_scratch = [str(path) for path in visible() if any(path.is_relative_to(folder) for folder in SCRATCH)]
+    return [sys.executable, "-I", "-c", f"{start}, {in_scratch!r})"]
 
 
 def _touch_like(path, target):

@@ -22,7 +22,7 @@ body { font: 1rem/1.5 system-ui, sans-serif; color: var(--ink); background: var(
 h1 { font-size: 1.5rem; line-height: 1.25; margin: 0 0 .5rem; }
 h2 { font-size: 1.15rem; margin: 2.2rem 0 .5rem; display: flex; gap: 1rem; justify-content: space-between; align-items: baseline; }
 a { color: var(--accent); } p { margin: .4rem 0; } .soft { color: var(--soft); } .points { white-space: nowrap; font-weight: 600; }
-code { font: .9em ui-monospace, Menlo, Consolas, monospace; overflow-wrap: anywhere; }
+code { font: .9em ui-monospace, Menlo, Consolas, monospace; overflow-wrap: anywhere; } .key code { overflow-wrap: normal; }
 .answer { background: var(--card); border: 1px solid var(--line); border-left: .3rem solid var(--tone, var(--line)); border-radius: .3rem;
   padding: .5rem .8rem; margin: .5rem 0; }
 .answer header { display: flex; flex-wrap: wrap; gap: 0 1rem; justify-content: space-between; align-items: baseline; }
@@ -32,7 +32,8 @@ code { font: .9em ui-monospace, Menlo, Consolas, monospace; overflow-wrap: anywh
 .wide { overflow-x: auto; } table { border-collapse: collapse; width: 100%; }
 td, th { text-align: left; padding: .35rem .8rem .35rem 0; vertical-align: top; border-bottom: 1px solid var(--line); }
 .number { text-align: right; white-space: nowrap; font-variant-numeric: tabular-nums; }
-svg { max-width: 100%; height: auto; display: block; } svg text { fill: var(--ink); font-size: 11px; }
+svg { max-width: 100%; height: auto; display: block; } svg text { fill: var(--ink); font-size: 12px; }
+@media (max-width: 30rem) { svg text { font-size: 21px; } }
 .bar { display: flex; min-width: 7rem; height: .8rem; margin-top: .35rem; border-radius: .2rem; overflow: hidden; }
 .bar span { background: var(--tone); } ul { padding-left: 1.2rem; margin: .4rem 0; }
 @media print { body { margin: 0; max-width: none; } .answer { break-inside: avoid; } }
@@ -61,7 +62,7 @@ def feedback(assignment, score, site=""):
         parts += _of_problem(problem, about, mine, score)
         parts.append(f"<p>{_theory(problem, site)}</p>")
     legend = "".join(f'<li class="{status}"><span class="verdict">{MARKS[status]} {status}</span>: {said}</li>' for status, said in LEGEND.items())
-    return _page(f"{assignment.title}: {score.student}", f'{"".join(parts)}<h2>What the marks mean</h2><ul>{legend}</ul>')
+    return _page(assignment.title, score.student, f'{"".join(parts)}<h2>What the marks mean</h2><ul>{legend}</ul>')
 
 
 def open_hints(answer, about, tried):
@@ -117,7 +118,7 @@ def summary(assignment, scores):
     if handed_in:
         parts += ["<h2>Points</h2>", _histogram(assignment, handed_in), "<h2>Answers, hardest first</h2>", _hardest(handed_in),
                   "<h2>Common failures</h2>", _failures(handed_in), "<h2>Identical wrong answers</h2>", _identical(handed_in)]
-    return _page(f"{assignment.title}: summary", "".join(parts))
+    return _page(assignment.title, "Summary", "".join(parts))
 
 
 def _in_short(assignment, scores, handed_in):
@@ -130,7 +131,7 @@ def _in_short(assignment, scores, handed_in):
 
 
 def _to_review(assignment, scores):
-    rows = [f"<tr><td>{_person(score.student)}</td><td>{escape(answer.problem)} <code>{escape(answer.answer)}</code></td>"
+    rows = [f'<tr><td>{_person(score.student)}</td><td class="key">{escape(answer.problem)} <code>{escape(answer.answer)}</code></td>'
             f"<td>{f'<code>{escape(answer.text)}</code><br>' if answer.text else ''}{escape(answer.verdict.message)}</td></tr>"
             for score in scores for answer in score.to_review]
     return (f"<p>These could not be judged and may still raise the grade. Give points with <code>trajlib score STUDENT {escape(assignment.name)} "
@@ -141,18 +142,18 @@ def _histogram(assignment, scores, bars=10):
     if assignment.max_points == 0:
         return "<p>Nothing is worth a point.</p>"
     counts = Counter(min(int(bars * score.points / assignment.max_points + 1e-9), bars - 1) for score in scores)
-    tallest, width, height = max(counts.values()), 60, 130
+    tallest, width, height, top = max(counts.values()), 60, 130, 26
     drawn = []
-    for k in range(bars):
+    for k in sorted(counts):
         tall = height * counts[k] / tallest
-        drawn.append(f'<rect x="{k * width + 6}" y="{height + 16 - tall:.1f}" width="{width - 6}" height="{tall:.1f}" fill="var(--accent)"/>'
-                     f'<text x="{k * width + width / 2 + 3}" y="{height + 12 - tall:.1f}" text-anchor="middle">{counts[k] or ""}</text>')
-    marks = "".join(f'<text x="{k * width + 3}" y="{height + 32}" text-anchor="{"end" if k == bars else "middle" if k else "start"}">'
+        drawn.append(f'<rect x="{k * width + 6}" y="{height + top - tall:.1f}" width="{width - 6}" height="{tall:.1f}" fill="var(--accent)"/>'
+                     f'<text x="{k * width + width / 2 + 3}" y="{height + top - 5 - tall:.1f}" text-anchor="middle">{counts[k]}</text>')
+    marks = "".join(f'<text x="{k * width + 3}" y="{height + top + 20}" text-anchor="{"end" if k == bars else "middle" if k else "start"}">'
                     f"{_points(assignment.max_points * k / bars)}</text>" for k in range(0, bars + 1, 2))
-    ground = f'<line x1="0" x2="{bars * width + 6}" y1="{height + 16.5}" y2="{height + 16.5}" stroke="var(--soft)"/>'
-    spread = ", ".join(f"{counts[k]} from {_points(assignment.max_points * k / bars)}" for k in range(bars) if counts[k])
-    return (f'<svg viewBox="0 0 {bars * width + 6} {height + 52}" role="img" aria-label="Number of students by points: {spread}">{"".join(drawn)}{ground}{marks}'
-            f'<text x="{bars * width / 2}" y="{height + 48}" text-anchor="middle">points; above each bar the number of students</text></svg>')
+    ground = f'<line x1="0" x2="{bars * width + 6}" y1="{height + top + .5}" y2="{height + top + .5}" stroke="var(--soft)"/>'
+    spread = ", ".join(f"{counts[k]} from {_points(assignment.max_points * k / bars)}" for k in sorted(counts))
+    return (f'<svg viewBox="0 0 {bars * width + 6} {height + top + 50}" role="img" aria-label="Number of students by points: {spread}">{"".join(drawn)}{ground}{marks}'
+            f'<text x="{bars * width / 2}" y="{height + top + 44}" text-anchor="middle">points; on each bar the number of students</text></svg>')
 
 
 def _hardest(scores):
@@ -164,7 +165,7 @@ def _hardest(scores):
     for (problem, name), counts in sorted(statuses.items(), key=lambda item: item[1][RIGHT]):
         bar = "".join(f'<span class="{status}" style="flex: {counts[status]}" title="{counts[status]} {status}"></span>' for status in STATUSES if counts[status])
         told = ", ".join(f"{counts[status]} {status}" for status in STATUSES if counts[status])
-        rows.append(f'<tr><td>{escape(problem)} <code>{escape(name)}</code></td><td class="number">{counts[RIGHT] / len(scores):.0%}</td>'
+        rows.append(f'<tr><td class="key">{escape(problem)} <code>{escape(name)}</code></td><td class="number">{counts[RIGHT] / len(scores):.0%}</td>'
                     f'<td><div class="bar">{bar}</div><span class="soft">{told}</span></td></tr>')
     return _table(("answer", "right", "verdicts"), rows)
 
@@ -178,7 +179,7 @@ def _failures(scores, most=10):
                 key = answer.problem, answer.answer, answer.verdict.status, re.sub(r"(?<![\w.])[-+]?\d+(\.\d*)?(e[-+]?\d+)?", "#", answer.verdict.message)
                 told[key] += 1
                 example.setdefault(key, answer.verdict.message)
-    rows = [f'<tr class="{key[2]}"><td class="number">{count}</td><td>{escape(key[0])} <code>{escape(key[1])}</code></td>'
+    rows = [f'<tr class="{key[2]}"><td class="number">{count}</td><td class="key">{escape(key[0])} <code>{escape(key[1])}</code></td>'
             f'<td><span class="verdict">{key[2]}</span>: {escape(example[key])}</td></tr>' for key, count in told.most_common(most)]
     return _table(("times", "answer", "what failed, in the words of one of them"), rows)
 
@@ -191,7 +192,7 @@ def _identical(scores):
             if answer.verdict.status == WRONG and answer.text:
                 givers[answer.problem, answer.answer, answer.text].append(score.student)
     shared = sorted(((key, names) for key, names in givers.items() if len(names) > 1), key=lambda pair: -len(pair[1]))
-    rows = [f'<tr><td class="number">{len(names)}</td><td>{escape(problem)} <code>{escape(name)}</code></td><td><code>{escape(text)}</code></td>'
+    rows = [f'<tr><td class="number">{len(names)}</td><td class="key">{escape(problem)} <code>{escape(name)}</code></td><td><code>{escape(text)}</code></td>'
             f"<td>{', '.join(map(_person, names))}</td></tr>" for (problem, name, text), names in shared]
     return _table(("times", "answer", "given", "by"), rows)
 
@@ -210,10 +211,11 @@ def _person(name):
     return f"<bdi>{escape(name)}</bdi>"
 
 
-def _page(title, body):
+def _page(title, whose, body):
     return ('<!doctype html><html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">'
             '<meta http-equiv="Content-Security-Policy" content="default-src \'none\'; style-src \'unsafe-inline\'">'
-            f"<title>{escape(title)}</title><style>{STYLE}</style></head><body><h1>{escape(title)}</h1>{body}</body></html>\n")
+            f"<title>{escape(title)}: {escape(whose)}</title><style>{STYLE}</style></head>"
+            f'<body><h1>{escape(title)}<br><span class="soft">{_person(whose)}</span></h1>{body}</body></html>\n')
 
 
 def _points(value):

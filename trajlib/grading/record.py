@@ -42,10 +42,14 @@ def read(path):
 
 def put(path, text):
     """Write a file whole or not at all."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    beside = path.with_name(".writing")
     # Names of folders need not be text; what cannot be written as UTF-8 is shown by its number.
-    beside.write_text(text, encoding="utf-8", errors="backslashreplace", newline="")
+    put_bytes(path, text.encode("utf-8", "backslashreplace"))
+
+
+def put_bytes(path, data):
+    path.parent.mkdir(parents=True, exist_ok=True)
+    beside = path.with_name(f".{path.name[:100]}.writing")
+    beside.write_bytes(data)
     beside.replace(path)
 
 

@@ -78,34 +78,54 @@ def _listed(path):
     return sorted(path.iterdir(), key=lambda entry: os.fsencode(entry.name))
 
 
-def _read(student, assignment, path):
-    def unreadable(why, content=b"", submitted=0.0):
-        fingerprint = hashlib.sha256(content or why.encode()).hexdigest()
-        return Submission(student, assignment, printable_name(path), fingerprint, submitted, _by_name(path.stem), (), why)
+class _Unreadable(Exception):
+    """The file is no notebook that can be run; the message says why."""
 
+
+def _read(student, assignment, path):
+    content, submitted, cells, trouble, number = b"", 0.0, (), "", None
+    try:
+        content, submitted = _content(path)
+        number, cells = _notebook(content)
+    except _Unreadable as error:
+        trouble = str(error)
+    fingerprint = hashlib.sha256(content or trouble.encode()).hexdigest()
+    return Submission(student, assignment, printable_name(path), fingerprint, submitted, number or _by_name(path.stem), cells, trouble)
+
+
+def _content(path):
+    """(bytes, time of the last change) of a regular file; of anything else nothing is read."""
     try:
         # O_NOFOLLOW and O_NONBLOCK: neither a link to somebody else's file nor a pipe that never ends.
         descriptor = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK)
     except OSError:
-        return unreadable("the file is a symbolic link or cannot be opened")
-    with os.fdopen(descriptor, "rb") as file:
-        about = os.fstat(file.fileno())
+        raise _Unreadable("the file is a symbolic link or cannot be opened") from None
+    try:
+        about = os.fstat(descriptor)
         if not stat.S_ISREG(about.st_mode):
-            return unreadable("this is not a regular file")
+            raise _Unreadable("this is not a regular file")
         if about.st_size > LARGEST:
-            return unreadable(f"the file has {about.st_size / 2**20:.0f} MB; notebooks up to {LARGEST // 2**20} MB are read", b"", about.st_mtime)
-        content = file.read(LARGEST + 1)
+            raise _Unreadable(f"the file has {about.st_size / 2**20:.0f} MB; notebooks up to {LARGEST // 2**20} MB are read")
+        with open(descriptor, "rb", closefd=False) as file:
+            return file.read(LARGEST + 1), about.st_mtime
+    except OSError as error:
+        raise _Unreadable(f"the file cannot be read ({error.strerror})") from None
+    finally:
+        os.close(descriptor)
+
+
+def _notebook(content):
+    """(number that its metadata names, sources of its code cells)."""
     try:
         notebook = json.loads(content.decode("utf-8"))
         cells = tuple(_source(cell) for cell in notebook["cells"] if cell.get("cell_type") == "code")
     except (UnicodeDecodeError, ValueError, RecursionError):
-        return unreadable("the file is not a notebook (no JSON in UTF-8)", content, about.st_mtime)
+        raise _Unreadable("the file is not a notebook (no JSON in UTF-8)") from None
     except (KeyError, TypeError, AttributeError):
-        return unreadable("the file is JSON, but not a notebook", content, about.st_mtime)
+        raise _Unreadable("the file is JSON, but not a notebook") from None
     if sum(map(len, cells)) > MOST_CODE or len(cells) > MOST_CELLS:
-        return unreadable(f"the notebook holds more than {MOST_CODE // 2**20} MB of code or {MOST_CELLS} cells of it", content, about.st_mtime)
-    return Submission(student, assignment, printable_name(path), hashlib.sha256(content).hexdigest(), about.st_mtime,
-                      _number(notebook) or _by_name(path.stem), cells)
+        raise _Unreadable(f"the notebook holds more than {MOST_CODE // 2**20} MB of code, or more than {MOST_CELLS} cells of it")
+    return _number(notebook), cells
 
 
 def _source(cell):

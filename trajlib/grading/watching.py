@@ -104,8 +104,9 @@ def _share(process, proc):
     for line in _read(f"{process.number}/smaps_rollup", proc).split(b"\n"):
         if line.startswith(b"Pss:"):
             return int(line.split()[1]) * 1024
-    # Gone meanwhile, or a kernel that does not tell.
-    return process.resident if _process(str(process.number), proc) else 0
+    # It is ending, and by now has nothing resident; or the kernel does not tell.
+    now = _process(str(process.number), proc)
+    return now.resident if now else 0
 
 
 def _read(path, proc):

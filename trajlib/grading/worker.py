@@ -26,8 +26,8 @@ import time
 
 from trajlib.cells import run_cells
 from trajlib.grading import framing, system_calls, watching
-from trajlib.grading.isolation import (CLONE_NEWIPC, CLONE_NEWNET, CLONE_NEWNS, CLONE_NEWPID, CLONE_NEWUSER, MS_NODEV, MS_NOSUID,
-                                       MS_PRIVATE, MS_RDONLY, MS_REC, NoIsolation, end_with_parent, mount, system_call, unshare)
+from trajlib.grading.isolation import (CLONE_NEWIPC, CLONE_NEWNET, CLONE_NEWNS, CLONE_NEWPID, CLONE_NEWUSER, MS_BIND, MS_NODEV, MS_NOSUID,
+                                       MS_PRIVATE, MS_RDONLY, MS_REC, SCRATCH, NoIsolation, end_with_parent, mount, system_call, unshare)
 
 PR_SET_NO_NEW_PRIVS, PR_CAPBSET_DROP, PR_SET_CHILD_SUBREAPER = 38, 24, 36
 CAPABILITY_VERSION_3 = 0x20080522
@@ -35,9 +35,10 @@ CAPABILITY_VERSION_3 = 0x20080522
 NOT_NESTED = b"not nested"
 
 
-def main(mode):
+def main(mode, in_scratch=()):
+    """Serve requests. `in_scratch` are visible folders (an installation) that lie where notebooks find an empty folder."""
     try:
-        if mode == "nested" and not _can_nest():
+        if mode == "nested" and not _can_nest(in_scratch):
             framing.send(1, NOT_NESTED)
             return
         if mode != "trusting":
@@ -53,17 +54,17 @@ def main(mode):
         select.select([0], [], [])  # a request has come; it is left to the keeper to read
         keeper = os.fork()
         if keeper == 0:
-            _keep(mode)
+            _keep(mode, in_scratch)
         if os.waitpid(keeper, 0)[1] != 0:
             return  # no more requests, or the keeper failed: the grader sees a closed pipe
 
 
-def _can_nest():
+def _can_nest(in_scratch):
     """Try in a child whether this system allows namespaces inside the sandbox."""
     child = os.fork()
     if child == 0:
         try:
-            _enter_namespaces(disk_megabytes=1)
+            _enter_namespaces(1, in_scratch)
             os._exit(0)
         finally:
             os._exit(1)
@@ -88,7 +89,7 @@ def _make_ready():
 # The keeper
 
 
-def _keep(mode):
+def _keep(mode, in_scratch):
     """Serve one request and end: 0 if it was answered."""
     code = 1
     try:
@@ -97,7 +98,7 @@ def _keep(mode):
         proc = os.open("/proc", os.O_RDONLY | os.O_DIRECTORY)  # stays ours when the child's is covered
         folder = "/tmp"
         if mode == "nested":
-            _enter_namespaces(request["limits"]["disk_megabytes"])
+            _enter_namespaces(request["limits"]["disk_megabytes"], in_scratch)
         else:
             end_with_parent()
             folder = tempfile.mkdtemp()
@@ -122,15 +123,28 @@ def _keep(mode):
         os._exit(code)
 
 
-def _enter_namespaces(disk_megabytes):
+def _enter_namespaces(disk_megabytes, in_scratch):
     user, group = os.getuid(), os.getgid()
     unshare(CLONE_NEWUSER | CLONE_NEWNS | CLONE_NEWPID | CLONE_NEWNET | CLONE_NEWIPC)
     for name, text in (("setgroups", "deny"), ("uid_map", f"{user} {user} 1"), ("gid_map", f"{group} {group} 1")):
         with open(f"/proc/self/{name}", "w") as file:
             file.write(text)
     mount("none", "/", flags=MS_REC | MS_PRIVATE)
-    for folder in ("/tmp", "/dev/shm"):
+    held = {path: os.open(path, os.O_PATH) for path in in_scratch}
+    for folder in SCRATCH:
         mount("tmpfs", folder, "tmpfs", MS_NOSUID | MS_NODEV, f"size={disk_megabytes}m,nr_inodes=10000,mode=1777")
+    for path, descriptor in held.items():
+        if os.path.isdir(f"/proc/self/fd/{descriptor}"):
+            os.makedirs(path, exist_ok=True)
+        else:
+            _touch(path)
+        mount(f"/proc/self/fd/{descriptor}", path, flags=MS_BIND | MS_REC)
+        os.close(descriptor)
+
+
+def _touch(path):
+    os.makedirs(os.path.dirname(path), exist_ok=True)
+    open(path, "x").close()
 
 
 def _how_it_died(first):
@@ -186,8 +200,9 @@ def _confine(limits, mode):
     _limit(limits, mode)
     if mode == "nested":
         mount("tmpfs", "/proc", "tmpfs", MS_NOSUID | MS_NODEV | MS_RDONLY, "nr_inodes=1,mode=555")
+    if mode != "once":
+        os.setsid()  # or signals to its process group, number 0, would reach the keeper through all namespaces
     if mode == "trusting":
-        os.setsid()
         end_with_parent()
     else:
         _give_up_privileges()

@@ -1,0 +1,158 @@
+"""Grading a class with `trajlib grade` against `nbgrader autograde`, on the same notebooks in one run.
+
+Overhead is the time on the clock less the cells' own run time, both measured: for nbgrader by the times it leaves in each
+graded notebook, for trajlib by running the same cells and judging the same answers once more with a clock beside them.
+trajlib runs with its sandbox on; nbgrader has none. Starting costs both a few seconds, which a small class feels and a
+large one does not: so what each further notebook costs stands apart. Growth is with students (four times as many) and processes.
+
+    python benchmarks/grading.py [STUDENTS] [PROBLEM ...]
+"""
+
+import json
+import os
+import shutil
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from datetime import datetime
+from pathlib import Path
+
+from trajlib import exercises
+from trajlib.masters import read
+from trajlib.masters.reading import master_file
+
+ROOT = Path(__file__).resolve().parents[1]
+PYTHON = sys.executable
+
+
+def main(students=8, *problems):
+    problems = problems or ("1.4", "1.15", "1.17")
+    students = int(students)
+    with tempfile.TemporaryDirectory() as scratch:
+        course = Path(scratch)
+        hand_in(course, students, problems)
+        environment = os.environ | {"PATH": f"{Path(PYTHON).parent}{os.pathsep}{os.environ['PATH']}", "JUPYTER_CONFIG_DIR": scratch,
+                                    "IPYTHONDIR": f"{scratch}/ipython", "OPENBLAS_NUM_THREADS": "1"}
+        nbgrader(course, environment, "generate_assignment")
+        theirs = timed(nbgrader, course, environment, "autograde")
+        their_start = timed(nbgrader, course, environment, "autograde")  # everything is graded: what is left is starting and ending
+        graded = [json.loads(path.read_text(encoding="utf-8")) for path in course.glob("autograded/*/hw1/*.ipynb")]
+        count, their_cells = len(graded), sum(map(seconds_in_cells, graded))
+        assert count == students * len(problems)
+        cells = sum(own_time(problem) for problem in problems) / len(problems)
+
+        small, large = students * len(problems), 4 * students * len(problems)
+        ours = {small: timed(trajlib, course, environment, 1)}
+        cores = len(os.sched_getaffinity(0))
+        side_by_side = {small: timed(trajlib, course, environment, cores)}
+        multiply(course, students, 4)
+        ours[large], side_by_side[large] = (timed(trajlib, course, environment, processes) for processes in (1, cores))
+
+    our_cells, overhead, their_overhead = small * cells, ours[small] - small * cells, theirs - their_cells
+    further = (ours[large] - ours[small]) / (large - small)
+    their_further = (theirs - their_start) / count
+    print(f"{students} students, problems {', '.join(problems)}: {count} notebooks, one process each, trajlib in its sandbox")
+    print(f"  nbgrader autograde {theirs:.1f} s: cells {their_cells:.1f} s, overhead {their_overhead:.1f} s")
+    print(f"  trajlib grade      {ours[small]:.1f} s: cells {our_cells:.1f} s, overhead {overhead:.1f} s")
+    print(f"  nbgrader takes {theirs / ours[small]:.1f} times as long, its overhead is {their_overhead / overhead:.1f} times ours")
+    print("each further notebook")
+    print(f"  nbgrader autograde {their_further:.3f} s: cells {their_cells / count:.3f} s, overhead {their_further - their_cells / count:.3f} s")
+    print(f"  trajlib grade      {further:.3f} s: cells {cells:.3f} s, overhead {further - cells:.3f} s")
+    print(f"growth of trajlib grade, 1 process and {cores}")
+    for size in (small, large):
+        print(f"  {size} notebooks: {ours[size]:.1f} s, {side_by_side[size]:.1f} s")
+
+
+def hand_in(course, students, problems):
+    """A source for nbgrader, and for each student the notebooks with all answers as in the worked solutions."""
+    for problem in problems:
+        exercise = exercises.find(problem)
+        name = f"ch{problem.replace('.', '-p')}.ipynb"
+        (course / "source" / "hw1").mkdir(parents=True, exist_ok=True)
+        shutil.copy(exercise.path, course / "source" / "hw1" / name)
+        notebook = json.loads(exercise.path.read_text(encoding="utf-8"))
+        stubs = [cell for cell in notebook["cells"] if cell["metadata"].get("tags") == ["answer"]]
+        for cell, source in zip(stubs, read(ROOT / "solutions" / master_file(problem)).code("answer"), strict=True):
+            cell["source"] = source
+        for k in range(students):
+            # A remark of the student's own, since the same notebook twice would be one only by chance.
+            notebook["cells"][0]["source"] = f"student {k}"
+            place = course / "submitted" / f"student{k:04d}" / "hw1"
+            place.mkdir(parents=True, exist_ok=True)
+            (place / name).write_text(json.dumps(notebook), encoding="utf-8")
+
+
+def multiply(course, students, factor):
+    for k in range(students, students * factor):
+        place = course / "submitted" / f"student{k:04d}"
+        if not place.exists():
+            shutil.copytree(course / "submitted" / f"student{k % students:04d}", place)
+
+
+def nbgrader(course, environment, command):
+    done = subprocess.run([PYTHON, "-m", "nbgrader", command, "hw1", f"--course-dir={course}"], cwd=course, env=environment, capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+def trajlib(course, environment, processes):
+    """Grade everything from nothing."""
+    shutil.rmtree(course / "graded", ignore_errors=True)
+    done = subprocess.run([PYTHON, "-m", "trajlib.cli", "grade", "submitted", "--out", "graded", "--processes", str(processes), "--json"],
+                          cwd=course, env=environment, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    points = json.loads(done.stdout)["assignments"]["hw1"]
+    assert set(points.values()) == {max(points.values())}, "all answers are right"
+
+
+def timed(function, *arguments):
+    start = time.perf_counter()
+    function(*arguments)
+    return time.perf_counter() - start
+
+
+def seconds_in_cells(notebook):
+    """What nbgrader's kernel needed for the cells of one notebook, by the times it wrote down."""
+    stamps = [cell["metadata"]["execution"] for cell in notebook["cells"] if cell["metadata"].get("execution")]
+    return sum((datetime.fromisoformat(each["shell.execute_reply"]) - datetime.fromisoformat(each["iopub.execute_input"])).total_seconds() for each in stamps)
+
+
+def own_time(problem, runs=3):
+    """Seconds of the cells of one notebook: its data and answer cells, then the data and check cells that judge it (median)."""
+    from trajlib.execution import in_child, run_notebook
+
+    exercise = exercises.find(problem)
+    answers = list(exercise.about["answers"])
+    master = read(ROOT / "solutions" / master_file(problem))
+    sources = ["import time; trajlib_began = time.perf_counter()", *master.code("data", "answer"), "trajlib_spent = time.perf_counter() - trajlib_began"]
+    ready()
+    spent = []
+    for _ in range(runs):
+        run = run_notebook(sources, [*answers, "trajlib_spent"])
+        cells = json.loads(run.encoded.pop("trajlib_spent"))
+        encoded = {name: text.decode() for name, text in run.encoded.items()}
+        spent.append(cells + in_child(_judging_time, exercise.code("data", "check"), encoded, answers, timeout=300))
+    return statistics.median(spent)
+
+
+def ready():
+    """Import what the grader's ready processes have imported."""
+    import IPython.core.interactiveshell  # noqa: F401
+    import matplotlib.pyplot  # noqa: F401
+    import scipy.integrate  # noqa: F401
+    import sympy  # noqa: F401
+
+    from trajlib import checks
+    for name in checks.__all__:
+        getattr(checks, name)
+
+
+def _judging_time(cells, encoded, names):
+    from trajlib.execution import judge_cells
+
+    return timed(judge_cells, cells, encoded, {}, names)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

@@ -1,0 +1,123 @@
+"""What one hostile submission is, and what is seen of it, in an unguarded grader as in ours."""
+
+import json
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+from textwrap import dedent
+
+sys.path.insert(0, str(Path(__file__).parents[1]))
+from classroom import notebook as handed_out  # noqa: E402
+
+#: Stands in the grader's environment, its home and its open files: whoever names it has looked where nobody should.
+SECRET = "Tycho-1572"
+#: The right answer of the one item that counts here, as a solution file or a diligent student has it.
+RIGHT = "sp.And(k1 > 0, k1*k2 > 1)"
+WRONG = "a_region = sp.And(k1 > 0, k2 > 0)"
+
+
+@dataclass(frozen=True)
+class Seen:
+    """What became of a submission and of the world around it."""
+
+    points: int  # right answers
+    text: str  # the answers as they were recorded
+    finished: bool  # the grader came to its end by itself
+    honest: bool  # the students before and after, and between, have full marks
+    marked: bool  # the attack left its mark in the grader's folder
+    heard: bool  # something came to the grader's address
+    left: int  # processes left behind
+    gradings: int  # how often it was graded
+    printed: int  # bytes that came out of the grader
+
+
+def gained(seen):
+    return seen.points > 0
+
+
+def leaked(seen):
+    return SECRET in seen.text
+
+
+def marked(seen):
+    return seen.marked
+
+
+def heard(seen):
+    return seen.heard
+
+
+def left_behind(seen):
+    return seen.left > 0
+
+
+def stopped_the_run(seen):
+    return not seen.finished
+
+
+def harmed_others(seen):
+    return not seen.honest
+
+
+def graded_twice(seen):
+    return seen.gradings > 1
+
+
+def flooded(seen):
+    return seen.printed > 10**8
+
+
+def reached(number):
+    """True if the attack says that it came as far as this number."""
+    return lambda seen: any(int(word) >= number for word in seen.text.replace(",", " ").split() if word.isdigit())
+
+
+@dataclass(frozen=True)
+class Attack:
+    """`cells` stand in the place of the first stub; or `files(folder)` makes the whole submission.
+
+    `success` looks at what was `Seen`: it must be true of the unguarded grader (`naive`), and false of ours. There, in
+    general, no point is gained, no other's grade is harmed, and the run goes on; `after` says what else is true.
+    """
+
+    name: str
+    attempts: str
+    unguarded: str
+    after: str
+    success: object
+    cells: tuple = ()
+    files: object = None
+    apart: bool = False  # the unguarded grader runs each notebook in a process of its own
+    marks: str = "checks"  # how the unguarded grader marks (see `naive`)
+    patience: float = 20.0  # seconds after which the unguarded grader is held to run for ever
+    blame: str = "notebook"  # whose affair our grader says it is; "" where there is nothing to say
+
+    def submit(self, folder, facts):
+        """Make the submission in a student's folder; `facts` become variables of its cells."""
+        folder.mkdir(parents=True)
+        if self.files:
+            self.files(folder)
+            return
+        prelude = "".join(f"{name} = {value!r}\n" for name, value in facts.items())
+        write(folder / "p15.ipynb", with_cells([prelude + lines(cell) for cell in self.cells]))
+
+
+def lines(*parts):
+    """Pieces of code one after the other, each without its margin."""
+    return "\n".join(dedent(part).strip() for part in parts)
+
+
+def with_cells(sources):
+    """The notebook of problem 1.15 with code cells in the place of its first stub."""
+    notebook = handed_out("1.15", {})
+    place = next(k for k, cell in enumerate(notebook["cells"]) if cell["metadata"].get("tags") == ["answer"])
+    notebook["cells"][place:place + 1] = [code(source) for source in sources]
+    return notebook
+
+
+def code(source):
+    return {"cell_type": "code", "metadata": {}, "source": source, "outputs": [], "execution_count": None}
+
+
+def write(path, notebook):
+    path.write_text(json.dumps(notebook), encoding="utf-8")

@@ -1,0 +1,346 @@
+"""`trajlib grade`, `trajlib score`, `trajlib assignment new`: what they write, say and refuse."""
+
+import csv
+import io
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parent))
+from classroom import RIGHT_1_15, hand_in, write_assignment  # noqa: E402
+
+from trajlib import exercises  # noqa: E402
+from trajlib.checks.encoding import decode, describe  # noqa: E402
+from trajlib.execution import judge, run_notebook  # noqa: E402
+from trajlib.grading import commands, lanes, units  # noqa: E402
+from trajlib.grading.assignment import BadInput  # noqa: E402
+from trajlib.grading.judging import Judgement  # noqa: E402
+
+HOMEWORK = 'title = "Homework 1"\nproblems = ["1.15", "1.17"]\ndue = 2026-10-01T12:00:00Z\n[points]\n"1.15" = 10\n'
+DUE = 1790856000.0
+WRONG = {name: "(k1 > 5) & (k2 > 5)" for name in RIGHT_1_15}
+
+
+def trajlib(*arguments, cwd):
+    environment = os.environ | {"COLUMNS": "200", "NO_COLOR": "1", "TERM": "dumb"}
+    return subprocess.run([sys.executable, "-m", "trajlib.cli", *map(str, arguments)], cwd=cwd, env=environment,
+                          capture_output=True, text=True, timeout=300)
+
+
+def table(path):
+    return list(csv.reader(io.StringIO(path.read_bytes().decode("utf-8-sig"), newline="")))
+
+
+@pytest.fixture
+def here(monkeypatch):
+    """Notebooks of ours run without lanes and sandbox: these tests are about what is made of the verdicts."""
+    def grade_all(waiting, count, settings):
+        for unit in waiting:
+            ran.append(unit["problem"])
+            exercise = exercises.find(unit["problem"])
+            run = run_notebook([source for _, source in exercise.code("data")] + unit["sources"], unit["names"])
+            verdicts = judge(exercise.code("data", "check"), run, unit["names"])
+            texts = {name: describe(decode(data)) for name, data in run.encoded.items()}
+            yield unit["key"], units.as_plain(Judgement(verdicts, texts, ()))
+
+    ran = []
+    monkeypatch.setattr(lanes, "grade_all", grade_all)
+    return ran
+
+
+def grade(folder, **options):
+    given = {"assignment_folder": folder / "assignments", "processes": 1, "timeout": 60, "trusting": True, "quiet": True} | options
+    return commands.grade_course(folder / "submitted", folder / "graded", **given)
+
+
+@pytest.fixture
+def course(tmp_path):
+    """Ann has all of 1.15, Bob two wrong answers and late, Cid handed in 1.17 without answers, Dan nothing."""
+    write_assignment(tmp_path, HOMEWORK)
+    hand_in(tmp_path, "ann", "1.15", RIGHT_1_15, at=DUE - 60)
+    hand_in(tmp_path, "bob", "1.15", RIGHT_1_15 | {"a_region": "k1 > 0", "b_region": "k2 > k1"}, at=DUE + 60)
+    hand_in(tmp_path, "cid", "1.17", {}, at=DUE - 60)
+    (tmp_path / "submitted" / "dan").mkdir()
+    return tmp_path
+
+
+def test_a_course_in_the_sandbox_from_the_command_line(course):
+    done = trajlib("grade", "submitted", "--out", "graded", "--site", "https://example.org/course", cwd=course)
+    assert done.returncode == 0, done.stderr
+    assert "hw1: 12 points, due 2026-10-01 12:00 (UTC), by assignments/hw1/assignment.toml" in done.stderr
+    assert "3 of 4 students handed something in, 1 late; tables and pages in graded/hw1" in done.stderr and "3/3" in done.stderr
+    assert table(course / "graded" / "hw1" / "grades.csv") == [
+        ["student", "1.15", "1.17", "total", "max", "late", "needs review"],
+        ["ann", "10.00", "0.00", "10.00", "12.00", "", "no"], ["bob", "6.00", "0.00", "6.00", "12.00", "1.15", "no"],
+        ["cid", "0.00", "0.00", "0.00", "12.00", "", "no"], ["dan", "0.00", "0.00", "0.00", "12.00", "", "no"]]
+    assert [row[0] for row in table(course / "graded" / "hw1" / "moodle.csv")] == ["ID number", "ann", "bob", "cid"], "Dan has no grade to hand on"
+    assert [row[3] for row in table(course / "graded" / "hw1" / "nbgrader.csv")] == ["student_id", "ann", "bob", "cid", "dan"]
+    assert {path.name for path in (course / "graded" / "hw1").iterdir()} == {
+        "grades.csv", "changes.csv", "moodle.csv", "nbgrader.csv", "grades.json", "summary.html", "feedback"}
+    bob = (course / "graded" / "hw1" / "feedback" / "bob.html").read_text(encoding="utf-8")
+    assert "Handed in after the due date" in bob and "<code>k1 &gt; 0</code>" in bob.replace("0 &lt; k1", "k1 &gt; 0")
+    assert "https://example.org/course/book/ch1.html" in bob
+    again = trajlib("grade", "submitted", "--out", "graded", "--json", cwd=course)
+    summary = json.loads(again.stdout)
+    assert again.stderr == "" and summary["graded"] == 0 and summary["already graded"] == 3
+    assert summary["assignments"] == {"hw1": {"ann": 10, "bob": 6, "cid": 0, "dan": 0}} and summary["late"] == {"hw1": {"bob": ["1.15"]}}
+
+
+def test_points_by_hand_from_the_command_line(course, here):
+    grade(course)
+    done = trajlib("score", "bob", "hw1", "1.15", "a_region", "1.5", "--comment", "the idea is right", cwd=course)
+    assert done.returncode == 0 and "bob, hw1, 1.15 a_region: 1.5 of 2 points by hand" in done.stdout
+    assert grade(course)["assignments"]["hw1"]["bob"] == 7.5
+    assert "the idea is right" in (course / "graded" / "hw1" / "feedback" / "bob.html").read_text(encoding="utf-8")
+    done = trajlib("score", "bob", "hw1", "1.15", "a_region", "--remove", "--graded", course / "graded", cwd="/")
+    assert done.returncode == 0 and "the automatic points count again" in done.stdout
+    assert grade(course)["assignments"]["hw1"]["bob"] == 6
+    assert [row[-1] for row in table(course / "graded" / "hw1" / "changes.csv")[1:]] == ["points given by hand", "points by hand taken back"]
+
+
+@pytest.mark.parametrize("arguments, said", [
+    (["bib", "hw1", "1.15", "a_region", "1"], "hw1 has no student bib"),
+    (["bob", "hw7", "1.15", "a_region", "1"], "there are no grades of hw7 in graded"),
+    (["bob", "hw1", "1.4", "a_region", "1"], "hw1 asks for no 1.4 a_region; there are 1.15 a_region"),
+    (["bob", "hw1", "1.15", "a_region", "2.5"], "is worth 2 points"),
+    (["bob", "hw1", "1.15", "a_region", "nan"], "is worth 2 points"),
+    (["bob", "hw1", "1.15", "a_region"], "give either POINTS or --remove"),
+    (["bob", "hw1", "1.15", "a_region", "1", "--remove"], "give either POINTS or --remove"),
+    (["bob", "hw1", "1.15", "a_region", "--remove"], "has no points by hand"),
+])
+def test_a_score_that_cannot_be_is_refused_in_one_line(course, here, arguments, said):
+    grade(course)
+    done = trajlib("score", *arguments, cwd=course)
+    assert done.returncode == 2 and said in done.stderr and len(done.stderr.strip().split("\n")) == 1
+
+
+# Regrading
+
+
+@pytest.fixture
+def changed_workbook(tmp_path, monkeypatch):
+    """The exercises in a copy whose check cells can be changed; `change(problem, old, new)` does."""
+    copy = tmp_path / "workbook"
+    shutil.copytree(exercises.home(), copy)
+    monkeypatch.setattr(exercises, "home", lambda: copy)
+
+    def change(problem, old, new):
+        path = exercises.find(problem).path
+        text = path.read_text(encoding="utf-8")
+        assert old in text
+        path.write_text(text.replace(old, new), encoding="utf-8")
+
+    return change
+
+
+def test_a_changed_problem_regrades_what_it_changed_and_says_so(course, here, changed_workbook, capsys):
+    hand_in(course, "bob", "1.17", {}, at=DUE - 60)
+    grade(course)
+    commands.score_by_hand(course / "graded", "ann", "hw1", "1.15", "b_region", 1.0, "see me")
+    grade(course)
+    assert sorted(here) == ["1.15", "1.15", "1.17", "1.17"]
+    here.clear()
+    # Item a is now judged by the equation of item b: what was right is wrong, and the other way round for nobody.
+    changed_workbook("1.15", "a_region=checks.stability_region(a_region, a_poly", "a_region=checks.stability_region(a_region, b_poly")
+    summary = grade(course, quiet=False)
+    assert here == ["1.15", "1.15"], "1.17 is as it was"
+    assert summary["assignments"]["hw1"] == {"ann": 7, "bob": 6, "cid": 0, "dan": 0}, "points by hand stay after a regrade"
+    (change,) = summary["changes"]["hw1"]
+    assert (change["student"], change["answer"], change["old_verdict"], change["new_verdict"]) == ("ann", "a_region", "right", "wrong")
+    assert (change["old_points"], change["new_points"], change["why"]) == (2.0, 0.0, "the problem or its checks changed")
+    said = capsys.readouterr().err
+    assert "1 answer is not what it was:" in said
+    assert "ann 1.15 a_region: right -> wrong, 2 -> 0 points (the problem or its checks changed)" in said
+    assert table(course / "graded" / "hw1" / "changes.csv")[-1][1:] == [
+        "ann", "1.15", "a_region", "right", "wrong", "2.00", "0.00", "the problem or its checks changed"]
+    assert grade(course)["changes"]["hw1"] == [], "a change is told once"
+    assert len(table(course / "graded" / "hw1" / "changes.csv")) == 1 + 2, "and stays in the table"
+
+
+def test_a_run_killed_before_it_told_its_changes_tells_them_next_time(course, here, changed_workbook, monkeypatch):
+    grade(course)
+    changed_workbook("1.15", "a_region=checks.stability_region(a_region, a_poly", "a_region=checks.stability_region(a_region, b_poly")
+    with monkeypatch.context() as killed:
+        killed.setattr(commands, "write", lambda *_, **__: (_ for _ in ()).throw(KeyboardInterrupt))
+        with pytest.raises(KeyboardInterrupt):
+            grade(course)
+    summary = grade(course)
+    assert summary["graded"] == 0 and [change["student"] for change in summary["changes"]["hw1"]] == ["ann"]
+
+
+def test_resubmission(course, here):
+    grade(course)
+    hand_in(course, "bob", "1.15", RIGHT_1_15, at=DUE + 120)
+    hand_in(course, "dan", "1.15", RIGHT_1_15, at=DUE + 120)
+    summary = grade(course)
+    assert summary["graded"] == 2 and summary["assignments"]["hw1"]["bob"] == 10 and summary["assignments"]["hw1"]["dan"] == 10
+    assert {(change["student"], change["answer"], change["why"]) for change in summary["changes"]["hw1"]} == {
+        ("bob", "a_region", "another attempt counts"), ("bob", "b_region", "another attempt counts")}, "Dan's first hand-in changes no grade"
+    hand_in(course, "bob", "1.15", WRONG, at=DUE + 180)
+    assert grade(course)["assignments"]["hw1"]["bob"] == 10, "the best counts"
+    write_assignment(course, 'attempt = "last"\n' + HOMEWORK)
+    summary = grade(course)
+    assert summary["graded"] == 0 and summary["assignments"]["hw1"]["bob"] == 0 and len(summary["changes"]["hw1"]) == 5
+    assert "You handed this in 3 times" in (course / "graded" / "hw1" / "feedback" / "bob.html").read_text(encoding="utf-8")
+
+
+def test_changed_points_are_a_change(course, here):
+    grade(course)
+    write_assignment(course, HOMEWORK.replace("= 10", "= 5"))
+    summary = grade(course)
+    assert {change["why"] for change in summary["changes"]["hw1"]} == {"the assignment's points changed"}
+    assert len(summary["changes"]["hw1"]) == 8 and summary["assignments"]["hw1"]["ann"] == 5
+
+
+# Canvas
+
+
+def test_roster(course, here, capsys):
+    roster = course / "canvas.csv"
+    roster.write_text("Student,ID,SIS Login ID,Section\n    Points Possible,,,\n\"Able, Ann\",1,ann,A\n\"Bee, Bob\",2,bob,A\n", encoding="utf-8")
+    summary = grade(course, roster=roster, quiet=False)
+    assert table(course / "graded" / "hw1" / "canvas.csv") == [
+        ["Student", "ID", "SIS Login ID", "Section", "Homework 1"], ["    Points Possible", "", "", "", "12.00"],
+        ["Able, Ann", "1", "ann", "A", "10.00"], ["Bee, Bob", "2", "bob", "A", "6.00"]]
+    assert summary["not in the roster"] == {"hw1": ["cid", "dan"]} and "not in the roster: cid, dan" in capsys.readouterr().err
+
+
+def test_a_bad_roster_is_said_before_anything_is_graded(course, here):
+    (course / "canvas.csv").write_text("name,grade\n", encoding="utf-8")
+    with pytest.raises(BadInput, match="not a gradebook exported from Canvas"):
+        grade(course, roster=course / "canvas.csv")
+    assert here == [] and not (course / "graded").exists()
+
+
+# What else is said and refused
+
+
+def test_without_a_file_every_answer_is_a_point(course, here, capsys):
+    grade(course, assignment_folder=None, quiet=False)
+    assert "hw1: 7 points, no due date, one for each answer, since there is no assignment.toml for it" in capsys.readouterr().err
+
+
+def test_answers_to_be_looked_at(course, here, changed_workbook, capsys):
+    # A check of ours that fails: it asks for a polynomial that is not there.
+    changed_workbook("1.15", "stability_region(a_region, a_poly", "stability_region(a_region, None")
+    summary = grade(course, quiet=False)
+    assert summary["to review"] == {"hw1": {"ann": [["1.15", "a_region"]], "bob": [["1.15", "a_region"]]}}
+    assert "2 need your look" in capsys.readouterr().err
+    assert [row[0] for row in table(course / "graded" / "hw1" / "moodle.csv")] == ["ID number", "cid"]
+    commands.score_by_hand(course / "graded", "ann", "hw1", "1.15", "a_region", 2.0)
+    summary = grade(course)
+    assert list(summary["to review"]["hw1"]) == ["bob"] and summary["assignments"]["hw1"]["ann"] == 10
+
+
+@pytest.mark.parametrize("arguments, said", [
+    (["grade", "nowhere", "--out", "graded"], "nowhere is not a folder"),
+    (["grade", "submitted", "--out", "graded", "--assignments", "nowhere"], "nowhere is not a folder"),
+    (["grade", "submitted", "--out", "graded", "--roster", "nowhere.csv"], "nowhere.csv: No such file or directory"),
+    (["assignment", "new", "hw1", "1.15"], "assignments/hw1 is already there"),
+    (["assignment", "new", "hw2", "9.99"], "there is no problem 9.99"),
+    (["assignment", "new", "hw2", "1.15", "--due", "Friday"], "'Friday' is not a date"),
+])
+def test_bad_input_ends_in_one_line_and_code_2(course, arguments, said):
+    done = trajlib(*arguments, cwd=course)
+    assert done.returncode == 2 and said in done.stderr, done.stderr
+    assert len(done.stderr.strip().split("\n")) == 1 and "Traceback" not in done.stderr
+
+
+def test_a_bad_assignment_file_ends_in_one_line_and_code_2(course):
+    write_assignment(course, 'problems = ["1.15"]\n[points]\n"1.16" = 2')
+    done = trajlib("grade", "submitted", "--out", "graded", cwd=course)
+    assert done.returncode == 2 and 'assignments/hw1/assignment.toml: points."1.16" names neither' in done.stderr
+    assert len(done.stderr.strip().split("\n")) == 1
+
+
+def test_a_homework_from_the_command_line(tmp_path):
+    done = trajlib("assignment", "new", "hw1", "1.4", "1.15", "--title", "Stability", "--due", "2026-10-01T23:59+03:00", cwd=tmp_path)
+    assert done.returncode == 0 and "assignments/hw1: 2 problems, 13 answers, 13 points, due 2026-10-01 23:59 (UTC+03:00)" in done.stdout
+    assert {path.name for path in (tmp_path / "assignments" / "hw1").iterdir()} == {"assignment.toml", "README.md", "ch1-p04.ipynb", "ch1-p15.ipynb"}
+
+
+def test_names_of_pages():
+    assert commands.page_name("ann") == "ann.html"
+    one, other = commands.page_name("ж" * 120 + "a"), commands.page_name("ж" * 120 + "b")
+    assert one != other and len(one.encode()) <= 255 and len(other.encode()) <= 255
+
+
+# The lecturer's guide
+
+
+GUIDE = Path(__file__).resolve().parents[2] / "book" / "guides" / "lecturer.md"
+RIGHT_1_17 = {"a_region": "(omega2 > 0) & (epsilon > 0)", "b_region": "(epsilon >= 2) & (omega2 >= epsilon - 1)"}
+
+
+def the_class_hands_in(folder):
+    on_time, late = DUE - 86400, DUE + 86400
+    hand_in(folder, "ann", "1.15", RIGHT_1_15, at=on_time)
+    hand_in(folder, "ann", "1.17", RIGHT_1_17, at=on_time)
+    hand_in(folder, "bob", "1.15", RIGHT_1_15 | {"a_region": "k1*k2 > 1", "b_region": "k2 > k1"}, at=late)
+    hand_in(folder, "cid", "1.15", RIGHT_1_15 | {"e_region": "k2 > 0"}, at=on_time)
+    (folder / "submitted" / "dan").mkdir()
+
+
+def cid_hands_in_again(folder):
+    hand_in(folder, "cid", "1.15", RIGHT_1_15, at=DUE - 3600)
+
+
+def canvas_exports_its_gradebook(folder):
+    (folder / "canvas.csv").write_text(
+        "Student,ID,SIS User ID,SIS Login ID,Section,Homework 1: stability regions (4711),Final Score\n    Points Possible,,,,,7,(read only)\n"
+        '"Able, Ann",101,u101,ann,Group 1,,\n"Bee, Bob",102,u102,bob,Group 1,,\n"Cee, Cid",103,u103,cid,Group 2,,\n', encoding="utf-8")
+
+
+#: What people do between the commands, at the beginning of a section.
+MEANWHILE = {"Collect": the_class_hands_in, "When something changes": cid_hands_in_again, "Hand the grades on": canvas_exports_its_gradebook}
+
+
+def steps(text):
+    """(section, command, lines it prints) for every command of the page."""
+    found, section, inside = [], "", False
+    for line in text.split("\n"):
+        if line.startswith("#") and not inside:
+            section = line.lstrip("# ")
+        if line.startswith("```"):
+            assert inside or line == "```console", f"{line}: shell commands stand in console blocks"
+            inside = not inside
+        elif inside and line.startswith("$ "):
+            found.append((section, line[2:], []))
+        elif inside:
+            found[-1][2].append(line)
+    return found
+
+
+def like(shown, printed):
+    """Whether what was printed is what the page shows; `...` stands for anything."""
+    words = [" ".join(line.split()) for line in shown if line.strip()]
+    pattern = "".join(".*" if line == "..." else re.escape(line).replace(r"\.\.\.", ".*") + "\n" for line in words)
+    text = "\n".join(" ".join(line.split()) for line in printed.replace("\ufeff", "").split("\n") if line.strip()) + "\n"
+    return re.fullmatch(pattern, text, re.DOTALL) is not None
+
+
+def test_every_command_of_the_lecturers_guide(tmp_path):
+    environment = os.environ | {"COLUMNS": "120", "NO_COLOR": "1", "TERM": "dumb", "LC_ALL": "C.UTF-8",
+                                "PATH": f"{Path(sys.executable).parent}:{os.environ['PATH']}"}
+    told, waiting = [], dict(MEANWHILE)
+    for section, command, shown in steps(GUIDE.read_text(encoding="utf-8")):
+        if section in waiting:
+            waiting.pop(section)(tmp_path)
+        if command.startswith("make "):
+            # The tests of the site run these for real; here they are only looked up.
+            command, folder, shown = command.replace("make", "make -n", 1), GUIDE.parents[2], ["..."]
+        else:
+            folder = tmp_path
+        done = subprocess.run(["bash", "-c", command], cwd=folder, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=300)
+        assert done.returncode == (1 if command.startswith("trajlib check") else 0), f"{command}: {done.stdout}"
+        assert not shown or like(shown, done.stdout), f"{command} prints\n{done.stdout}\nand the page shows\n" + "\n".join(shown)
+        told.append(command)
+    assert waiting == {} and len(told) > 15
+    for written in ("summary.html", "feedback/ann.html", "grades.csv", "changes.csv", "moodle.csv", "nbgrader.csv", "grades.json", "canvas.csv"):
+        assert (tmp_path / "graded" / "hw1" / written).exists() and written in GUIDE.read_text(encoding="utf-8")

@@ -1,0 +1,348 @@
+"""The Gradescope bundle, in a container like Gradescope's: its /autograder is a folder of the test's, root is root.
+
+setup.sh installs from the network, so its commands are looked at only; what it would install is put in place by hand,
+from the bundle's own wheel.
+"""
+
+import base64
+import csv
+import hashlib
+import io
+import json
+import os
+import shutil
+import socket
+import stat
+import subprocess
+import sys
+import sysconfig
+import venv
+import zipfile
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parent))
+from classroom import RIGHT_1_15, notebook, write_assignment  # noqa: E402
+
+from trajlib import exercises  # noqa: E402
+from trajlib.grading import assignment as assignments  # noqa: E402
+from trajlib.grading.assignment import AssignmentError  # noqa: E402
+from trajlib.grading.gradescope import autograder, bundle  # noqa: E402
+from trajlib.masters import read  # noqa: E402
+from trajlib.masters.reading import master_file  # noqa: E402
+
+HOMEWORK = 'title = "Homework 1"\nproblems = ["1.15", "1.17"]\ndue = 2020-01-01T00:00:00Z\nattempts = 3\n[points]\n"1.15" = 10\n'
+HALF = RIGHT_1_15 | {"a_region": "k1 > 0"}
+#: A user that nobody on this machine is.
+STUDENT = 61234
+
+
+@pytest.fixture(scope="module")
+def archive(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("homework")
+    write_assignment(folder, HOMEWORK)
+    bundle.make(folder / "assignments", "hw1", folder / "bundle.zip")
+    return folder / "bundle.zip"
+
+
+# The bundle
+
+
+def test_what_the_bundle_holds(archive):
+    with zipfile.ZipFile(archive) as bundled:
+        assert {"setup.sh", "run_autograder", "assignment.toml", "constraints.txt"} < set(bundled.namelist()) and len(bundled.namelist()) == 5
+        for name in ("setup.sh", "run_autograder"):
+            assert stat.S_IMODE(bundled.getinfo(name).external_attr >> 16) == 0o755 and bundled.read(name).startswith(b"#!/usr/bin/env bash\n")
+            subprocess.run(["bash", "-n"], input=bundled.read(name), check=True)
+        assert "sympy==" in bundled.read("constraints.txt").decode() and "trajlib" not in bundled.read("constraints.txt").decode()
+        with zipfile.ZipFile(io.BytesIO(bundled.read(wheel_name(bundled)))) as wheel:
+            names = wheel.namelist()
+            assert {f"trajlib/_exercises/{e.path.parent.name}/{e.path.name}" for e in exercises.read_all()} <= set(names)
+            assert "trajlib/grading/gradescope/autograder.py" in names and not any("solutions/" in name or name.endswith(".md") for name in names)
+            (record,) = [name for name in names if name.endswith("RECORD")]
+            listed = {row[0]: row[1] for row in csv.reader(io.StringIO(wheel.read(record).decode()))}
+            assert set(listed) == set(names)
+            for name, said in listed.items():
+                digest = base64.urlsafe_b64encode(hashlib.sha256(wheel.read(name)).digest()).rstrip(b"=").decode()
+                assert name == record or said == f"sha256={digest}"
+            text = "\n".join(wheel.read(name).decode() for name in names if name.endswith(".ipynb"))
+    for number in ("1.15", "1.17"):
+        for source in read(Path(__file__).resolve().parents[2] / "solutions" / master_file(number)).code("answer"):
+            assert source not in text
+
+
+def test_the_same_homework_makes_the_same_bundle(archive, tmp_path):
+    bundle.make(archive.parent / "assignments", "hw1", tmp_path / "again.zip")
+    assert (tmp_path / "again.zip").read_bytes() == archive.read_bytes()
+
+
+def test_what_no_bundle_can_be_made_of(archive, tmp_path):
+    with pytest.raises(AssignmentError, match="No such file"):
+        bundle.make(archive.parent / "assignments", "hw2", tmp_path / "bundle.zip")
+    with pytest.raises(AssignmentError, match="takes a .zip"):
+        bundle.make(archive.parent / "assignments", "hw1", tmp_path / "bundle.tar")
+
+
+def wheel_name(bundled):
+    (name,) = [name for name in bundled.namelist() if name.endswith(".whl")]
+    return name
+
+
+# Which attempt counts
+
+
+@pytest.mark.parametrize("rule, earlier, now, points, said", [
+    ('attempt = "best"', [], 3.0, 3.0, ""), ('attempt = "best"', [5.0, 1.0], 3.0, 5.0, "An earlier attempt"), ('attempt = "best"', [2.0], 3.0, 3.0, ""),
+    ('attempt = "last"', [5.0], 3.0, 3.0, ""), ('attempt = "best"\nattempts = 2', [1.0, 2.0], 5.0, 2.0, "This is attempt 3; the first 2 count"),
+    ('attempt = "last"\nattempts = 2', [4.0, 2.0], 5.0, 2.0, "This is attempt 3; the first 2 count")])
+def test_which_attempt_counts(tmp_path, rule, earlier, now, points, said):
+    homework = assignments.read(write_assignment(tmp_path, f'{rule}\nproblems = ["1.15"]'))
+    counted, sentences = autograder._that_counts(homework, earlier, now)
+    assert counted == points and said in " ".join(sentences) and bool(said) == bool(sentences)
+
+
+def test_earlier_submissions_are_those_that_were_graded(tmp_path):
+    path = tmp_path / "submission_metadata.json"
+    graded, failed = {"tests": [{"score": 1}]}, {"score": 0, "output": "The grader itself failed"}
+    path.write_text(json.dumps({"previous_submissions": [{"score": "2.5", "results": graded}, {"score": 0, "results": failed}, {"score": None, "results": graded}]}))
+    assert autograder._earlier(path) == [2.5, 0.0]
+    for broken in ("", "[]", "{}", '{"previous_submissions": [1]}', '{"previous_submissions": null}'):
+        path.write_text(broken)
+        assert autograder._earlier(path) == []
+    assert autograder._earlier(tmp_path / "nowhere") == []
+
+
+def test_all_notebooks_together_are_done_before_gradescope_loses_patience():
+    for count in (0, 1, 3, 10):
+        limits, bounds = autograder._shares(count)
+        # Judging at most: the whole notebook three times its bound on the clock; answers alone are rare.
+        assert max(count, 1) * (limits.wall_seconds + 3 * bounds.seconds) <= autograder.SECONDS + 1
+
+
+# In the container
+
+
+def as_root():
+    """What runs a command as root: nothing, or sudo that asks for no password."""
+    if os.getuid() == 0:
+        return []
+    if shutil.which("sudo") and subprocess.run(["sudo", "-n", "true"], capture_output=True).returncode == 0:
+        return ["sudo", "-n"]
+    return None
+
+
+@pytest.fixture(scope="module")
+def installed(archive, tmp_path_factory):
+    """/opt/trajlib as setup.sh makes it, with the wheel of the bundle and the libraries of this environment."""
+    if shutil.which("bwrap") is None or as_root() is None:
+        (pytest.fail if os.environ.get("CI") == "true" else pytest.skip)("the mock container needs bubblewrap and root")
+    folder = tmp_path_factory.mktemp("opt")
+    venv.create(folder, with_pip=False, symlinks=True)
+    (packages,) = folder.glob("lib/python*/site-packages")
+    with zipfile.ZipFile(archive) as bundled, zipfile.ZipFile(io.BytesIO(bundled.read(wheel_name(bundled)))) as wheel:
+        wheel.extractall(packages)
+    (packages / "libraries.pth").write_text(sysconfig.get_paths()["purelib"] + "\n")
+    folder.chmod(0o755)
+    return folder
+
+
+class Container:
+    """Gradescope's file system as far as an autograder knows it, with `/autograder` at `root`."""
+
+    def __init__(self, root, installed, archive):
+        self.root, self._installed = root, installed
+        for name in ("source", "submission", "results"):
+            (root / name).mkdir(parents=True)
+        with zipfile.ZipFile(archive) as bundled:
+            bundled.extractall(root / "source")
+        shutil.copy(root / "source" / "run_autograder", root / "run_autograder")
+        (root / "run_autograder").chmod(0o755)  # extracting by Python drops the bit that the archive has
+        self.metadata([])
+        passwd = root.parent / "passwd"
+        passwd.write_text(f"root:x:0:0::/root:/bin/sh\ntrajlib-student:x:{STUDENT}:{STUDENT}::/:/usr/sbin/nologin\n")
+
+    def metadata(self, previous):
+        about = {"id": 1, "users": [{"email": "secret@uni.example", "id": 1, "name": "Ann"}], "previous_submissions": previous}
+        (self.root / "submission_metadata.json").write_text(json.dumps(about))
+
+    def submit(self, name, content):
+        path = self.root / "submission" / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(content if isinstance(content, str) else json.dumps(content), encoding="utf-8")
+
+    def run(self, *command):
+        """Run a command in the container; the finished process."""
+        shown = {Path(sys.base_prefix), Path(os.path.realpath(sys.base_prefix)), Path(sysconfig.get_paths()["purelib"])}
+        shown = sorted(path for path in shown if not path.is_relative_to("/usr"))
+        # Folders on the way are open to all there, as in any container with its interpreter in /usr.
+        ways = [word for way in sorted({way for path in [*shown, Path("/opt/trajlib")] for way in path.parents if way != Path("/")}) for word in ("--perms", "0755", "--dir", str(way))]
+        binds = [*ways, *(word for path in shown for word in ("--ro-bind", str(path), str(path)))]
+        return subprocess.run(
+            [*as_root(), "bwrap", "--unshare-pid", "--die-with-parent", "--cap-add", "ALL", "--clearenv", "--setenv", "PATH", "/usr/bin:/bin:/usr/sbin",
+             "--ro-bind", "/usr", "/usr", "--symlink", "usr/lib", "/lib", "--symlink", "usr/lib64", "/lib64", "--symlink", "usr/bin", "/bin",
+             "--ro-bind-try", "/etc/alternatives", "/etc/alternatives", "--ro-bind-try", "/etc/ld.so.cache", "/etc/ld.so.cache",
+             "--ro-bind", str(self.root.parent / "passwd"), "/etc/passwd", "--proc", "/proc", "--dev", "/dev", "--perms", "1777", "--tmpfs", "/tmp", *binds,
+             "--ro-bind", str(self._installed), "/opt/trajlib", "--bind", str(self.root), "/autograder", "--chdir", "/", *command],
+            capture_output=True, text=True, timeout=300)
+
+    def grade(self):
+        """Run the autograder; its results and what it said."""
+        done = self.run("/autograder/run_autograder")
+        assert done.returncode == 0, done.stderr
+        return self.results(), done
+
+    def results(self):
+        # Read as root: the autograder has closed the folder to others.
+        return json.loads(subprocess.run([*as_root(), "cat", str(self.root / "results" / "results.json")], capture_output=True, check=True).stdout)
+
+
+@pytest.fixture
+def container(tmp_path, installed, archive):
+    yield Container(tmp_path / "autograder", installed, archive)
+    if os.getuid() != 0:
+        subprocess.run([*as_root(), "chown", "-R", str(os.getuid()), str(tmp_path)], check=True)
+
+
+def test_a_submission(container):
+    container.submit("ch1-p15.ipynb", notebook("1.15", HALF))
+    container.submit("ch1-p17.ipynb", notebook("1.17", {}))
+    container.submit("notes.ipynb", "{}")
+    result, done = container.grade()
+    assert done.stderr == ""
+    assert result["score"] == 8 and len(result["tests"]) == 7, result["output"]
+    assert [test["name"] for test in result["tests"]][:2] == ["1.15 a_region", "1.15 b_region"]
+    assert [test["status"] for test in result["tests"]] == ["failed", *["passed"] * 4, "failed", "failed"]
+    assert result["tests"][0]["output"].startswith("wrong: ") and "\nHint: " in result["tests"][0]["output"]
+    assert result["tests"][5]["output"].startswith("missing: not answered yet")
+    assert "left aside: notes.ipynb" in result["output"] and 0 < result["execution_time"] < 200
+    assert result["visibility"] == "visible" and result["stdout_visibility"] == "hidden"
+
+
+def test_an_earlier_better_attempt_counts_and_opens_a_hint(container):
+    container.metadata([{"submission_time": "2026-01-01T00:00:00Z", "score": 9.5, "results": {"tests": [{"score": 9.5}]}}])
+    container.submit("folder/ch1-p15.ipynb", notebook("1.15", HALF))
+    result, _ = container.grade()
+    assert result["score"] == 9.5 and "An earlier attempt of yours was better and counts: 9.5 points." in result["output"]
+    assert result["tests"][0]["output"].count("\nHint: ") == 2
+
+
+def test_nothing_that_can_be_graded(container):
+    container.submit("report.txt", "my report")
+    container.submit("ch1-p15.ipynb", "no notebook")
+    (container.root / "submission" / "ch1-p17.ipynb").symlink_to("/autograder/source/assignment.toml")
+    result, _ = container.grade()
+    assert result["score"] == 0 and {test["output"].split(":")[0] for test in result["tests"]} == {"missing"}
+    assert "the file is not a notebook" in result["output"] and "symbolic link" in result["output"]
+    shutil.rmtree(container.root / "submission") if os.getuid() == 0 else None
+    if os.getuid() == 0:
+        (container.root / "submission").mkdir()
+        assert "There is no notebook of this homework" in container.grade()[0]["output"]
+
+
+@pytest.mark.parametrize("breaks", ["assignment.toml", "wheel", "user"])
+def test_a_crash_of_ours_leaves_a_result_all_the_same(container, breaks):
+    container.submit("ch1-p15.ipynb", notebook("1.15", RIGHT_1_15))
+    (container.root / "results" / "results.json").write_text('{"score": 100}')
+    if breaks == "assignment.toml":
+        (container.root / "source" / "assignment.toml").write_text("broken")
+    elif breaks == "wheel":
+        container._installed = container.root.parent  # no /opt/trajlib/bin/python
+    else:
+        (container.root.parent / "passwd").write_text("root:x:0:0::/root:/bin/sh\n")
+    result, done = container.grade()
+    assert result["score"] == 0 and "The grader itself failed on this submission. That is not your fault" in result["output"] and "tests" not in result
+    assert done.stderr, "the lecturer sees why"
+
+
+# What a notebook may try. Each line is an attempt that says what it achieved.
+ATTEMPTS = """
+import os, pathlib, signal, socket, subprocess
+done = []
+def attempt(name, action):
+    try:
+        action()
+        done.append(name)
+    except Exception as error:
+        pass
+attempt("reads the homework", lambda: open("/autograder/source/assignment.toml").read())
+attempt("reads who it is", lambda: open("/autograder/submission_metadata.json").read())
+attempt("lists submissions", lambda: os.listdir("/autograder/submission"))
+attempt("reads results", lambda: open("/autograder/results/results.json").read())
+attempt("writes results", lambda: open("/autograder/results/results.json", "a").close())
+attempt("writes beside results", lambda: open("/autograder/results/x", "w").close())
+attempt("replaces the grader", lambda: open("/autograder/run_autograder", "a").close())
+attempt("reaches the network", lambda: socket.create_connection(("127.0.0.1", PORT), timeout=5))
+attempt("signals others", lambda: [os.kill(int(p), 0) for p in os.listdir("/proc") if p.isdigit() and os.stat("/proc/" + p).st_uid == 0][0])
+attempt("reads memory of others", lambda: [open(f"/proc/{p}/mem", "rb") for p in os.listdir("/proc") if p.isdigit() and os.stat("/proc/" + p).st_uid == 0][0])
+attempt("becomes root", lambda: os.setuid(0))
+attempt("many processes", lambda: [os.fork() or (signal.pause(), os._exit(0)) for k in range(200)][199])
+"""
+NAMES = ["reads the homework", "reads who it is", "lists submissions", "reads results", "writes results", "writes beside results", "replaces the grader",
+         "reaches the network", "signals others", "reads memory of others", "becomes root", "many processes"]
+
+
+@pytest.fixture
+def port():
+    """A server of this machine that a notebook with a network would reach."""
+    with socket.create_server(("127.0.0.1", 0)) as server:
+        yield server.getsockname()[1]
+
+
+def with_cell(problem, answers, source):
+    submitted = notebook(problem, answers)
+    submitted["cells"].append({"cell_type": "code", "metadata": {}, "outputs": [], "execution_count": None, "source": source})
+    return submitted
+
+
+def test_what_a_notebook_cannot_do(container, port):
+    cell = ATTEMPTS.replace("PORT", str(port))
+    (container.root / "results" / "results.json").write_text("{}")
+    unguarded = container.run("/opt/trajlib/bin/python", "-c", cell + "\nprint(done, flush=True)\nos._exit(0)")
+    assert unguarded.stdout.strip().split("\n")[-1] == repr(NAMES), "run as root each attempt succeeds, else it tests nothing"
+    container.submit("ch1-p15.ipynb", with_cell("1.15", HALF, cell + "\nraise RuntimeError('achieved: ' + repr(done))"))
+    result, done = container.grade()
+    assert result["score"] == 8 and "RuntimeError: achieved: []" in result["output"], result["output"]
+
+
+@pytest.mark.parametrize("cell", [
+    "import os, signal\nos.kill(os.getpid(), signal.SIGKILL)", "import os\nos._exit(0)", "import os, signal\nos.kill(-1, signal.SIGKILL)",
+    "big = bytearray(4 * 2**30)\nbig[::4096] = b'x' * len(big[::4096])", "import sys\nsys.exit()"])
+def test_a_notebook_that_ends_itself_costs_only_itself(container, cell):
+    container.submit("ch1-p15.ipynb", with_cell("1.15", RIGHT_1_15, cell))
+    container.submit("ch1-p17.ipynb", notebook("1.17", {}))
+    result, _ = container.grade()
+    assert len(result["tests"]) == 7 and "unchecked" not in json.dumps(result)
+    assert [test["output"].split(":")[0] for test in result["tests"]][5:] == ["missing", "missing"]
+    assert result["score"] == (0 if "getpid" in cell or "_exit" in cell else 10), "alone of its user, it cannot kill itself with all others"
+
+
+def test_what_a_notebook_leaves_running_ends_with_it(container):
+    daemon = "import os, time\nif os.fork() == 0:\n    os.setsid()\n    if os.fork() == 0:\n        time.sleep(600)\n    os._exit(0)\n"
+    look = ("import os, time\ntime.sleep(1)\nmine = [p for p in os.listdir('/proc') if p.isdigit() and os.stat('/proc/' + p).st_uid == os.getuid()]\n"
+            "raise RuntimeError(f'{len(mine)} process of mine')")
+    container.submit("ch1-p15.ipynb", with_cell("1.15", RIGHT_1_15, daemon))
+    container.submit("ch1-p17.ipynb", with_cell("1.17", {}, look))
+    result, _ = container.grade()
+    assert result["score"] == 10 and "1.17: notebook: code cell 6: RuntimeError: 1 process of mine" in result["output"], result["output"]
+
+
+# setup.sh
+
+
+@pytest.mark.parametrize("has, said", [("3.12", "python3.12 -m venv /opt/trajlib"), ("3.11", "python3.11 -m venv /opt/trajlib"), ("", "choose Ubuntu 22.04")])
+def test_setup(tmp_path, archive, has, said):
+    """The commands that setup.sh gives, to programs that only write them down."""
+    programs, log = tmp_path / "programs", tmp_path / "log"
+    programs.mkdir()
+    write = f'echo "${{0##*/}} $*" >> {log}\n'
+    for name, body in {"apt-get": f'[[ "$1" == update || "$*" == *"python{has} "* ]] || exit 100\n', "useradd": "", "python3.12": "", "python3.11": ""}.items():
+        (programs / name).write_text(f"#!/bin/bash\n{write}{body}")
+        (programs / name).chmod(0o755)
+    with zipfile.ZipFile(archive) as bundled:
+        script = bundled.read("setup.sh").decode().replace("/opt/trajlib/bin/pip", "echo")
+    done = subprocess.run(["bash", "-c", script], env={"PATH": f"{programs}:/usr/bin:/bin"}, capture_output=True, text=True)
+    assert said in (log.read_text() if has else done.stderr) and done.returncode == (0 if has else 1)
+    if has:
+        assert "install --no-cache-dir --constraint /autograder/source/constraints.txt /autograder/source/trajlib-*.whl" in done.stdout
+        assert log.read_text().strip().split("\n")[-1] == "useradd --system --no-create-home --shell /usr/sbin/nologin trajlib-student"

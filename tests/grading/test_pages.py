@@ -1,0 +1,261 @@
+"""The pages that students and lecturers read: what stands on them, what never does, and how they look."""
+
+import os
+import re
+import shutil
+import sys
+from html import unescape
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parent))
+from classroom import an_assignment, graded  # noqa: E402
+
+from trajlib import exercises  # noqa: E402
+from trajlib.checks.encoding import decode, describe  # noqa: E402
+from trajlib.checks.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG, Verdict  # noqa: E402
+from trajlib.execution import judge, run_notebook  # noqa: E402
+from trajlib.grading import assignment as assignments  # noqa: E402
+from trajlib.grading import pages  # noqa: E402
+from trajlib.grading.scores import of_student, scores  # noqa: E402
+from trajlib.grading.store import Attempt, Store  # noqa: E402
+from trajlib.masters import read  # noqa: E402
+from trajlib.masters.reading import master_file  # noqa: E402
+
+ROOT = Path(__file__).resolve().parents[2]
+HOMEWORK = 'title = "Homework <1>"\nproblems = ["1.15", "1.17"]\ndue = 2026-10-01T12:00:00Z\n'
+DUE = 1790856000.0
+#: What a name or an answer may try in a page.
+HOSTILE = "</title><script>alert(1)</script><img src=x onerror=alert(2)>\"'&"
+FIVE = {"a_region": RIGHT, "b_region": WRONG, "c_region": MISSING, "d_region": INVALID, "e_region": UNCHECKED}
+
+
+@pytest.fixture
+def homework(tmp_path):
+    return an_assignment(tmp_path, HOMEWORK)
+
+
+@pytest.fixture
+def store(tmp_path):
+    with Store(tmp_path / "grades.sqlite") as opened:
+        yield opened
+
+
+def shown(page):
+    """The text of a page, as a reader sees it, with everything unfolded."""
+    return unescape(re.sub(r"<[^>]+>", " ", re.sub(r"(?s)<style>.*?</style>", "", page)))
+
+
+def section(page, answer):
+    return re.search(rf'(?s)<section class="answer \w+"><header><span><code>{answer}</code>.*?</section>', page)[0]
+
+
+# Feedback
+
+
+def test_feedback_says_what_held_and_what_did_not(store, homework):
+    graded(store, "ann", "1.15", FIVE, texts={"a_region": "k1 > 0", "b_region": "k2 < 0", "e_region": "odd"})
+    store.set_manual("ann", "hw1", "1.15", "b_region", 0.5, "the right <idea>")
+    page = pages.feedback(homework, scores(store, homework)[0])
+    assert "1.5 of 7 points, and 1 answer still to be looked at by a lecturer." in shown(page)
+    for name, status in FIVE.items():
+        assert f"{status}: {name} is {status}" in re.sub(r"\s+", " ", shown(section(page, name))).replace(f"{status} :", f"{status}:")
+    assert "Your answer: k1 > 0" in re.sub(r"\s+", " ", shown(section(page, "a_region"))) and "1 / 1" in section(page, "a_region")
+    assert "Points given by your lecturer: the right &lt;idea&gt;." in section(page, "b_region") and "0.5 / 1" in section(page, "b_region")
+    assert "Nothing was submitted for this problem." in page.split("1.17")[1]
+
+
+def test_each_attempt_opens_one_more_hint(store, homework):
+    hints = exercises.find("1.15").about["hints"]["a_region"]
+    assert len(hints) == 2
+    for attempt, opened in enumerate([1, 2, 2]):
+        graded(store, "ann", "1.15", FIVE | {"a_region": WRONG}, submitted=float(attempt))
+        page = pages.feedback(homework, scores(store, homework)[0])
+        assert [hint in shown(section(page, "a_region")) for hint in hints] == [k < opened for k in range(2)]
+    graded(store, "bob", "1.15", FIVE)
+    assert not any(hint in shown(pages.feedback(homework, scores(store, homework)[1])) for hint in hints), "what is right needs no hint"
+    assert "<details>" not in pages.feedback(homework, of_student("dan", homework, [], {}))
+
+
+def test_feedback_links_to_the_theory_and_never_to_a_solution(store, homework):
+    graded(store, "ann", "1.15", FIVE)
+    (score,) = scores(store, homework)
+    page = pages.feedback(homework, score, 'https://example.org/course/"x/')
+    assert 'href="https://example.org/course/&quot;x/book/ch1.html"' in page and "/exercises/ch1/p15.html" in page
+    assert "solutions" not in page
+    assert "href" not in pages.feedback(homework, score) and "chapter 1 of the workbook" in pages.feedback(homework, score)
+
+
+def test_feedback_says_late_and_how_often(store, homework):
+    graded(store, "ann", "1.15", FIVE, submitted=DUE + 1)
+    assert "Handed in after the due date." in shown(pages.feedback(homework, scores(store, homework)[0]))
+    graded(store, "ann", "1.15", FIVE, submitted=DUE - 1)
+    page = shown(pages.feedback(homework, scores(store, homework)[0]))
+    assert "after the due date" not in page and "You handed this in 2 times; what follows is the attempt that counts." in page
+
+
+def test_whose_fault_it_was_is_said(store, homework):
+    attempt = store.note_attempt("ann", "hw1", "1.17", "x", 0.0)
+    store.record(attempt, "e", {"a_region": Verdict(MISSING, "no answer: its time was up")}, {}, ["limits: the notebook was still running when its time was up"])
+    assert "limits: the notebook was still running" in shown(pages.feedback(homework, scores(store, homework)[0]))
+
+
+def test_nothing_foreign_becomes_markup(store, homework):
+    for name in (HOSTILE, HOSTILE + "2"):
+        attempt = store.note_attempt(name, "hw1", "1.17", name, DUE + 9)
+        store.record(attempt, "e", {"a_region": Verdict(WRONG, HOSTILE), "b_region": Verdict(UNCHECKED, HOSTILE)},
+                     {"a_region": HOSTILE, "b_region": HOSTILE}, [HOSTILE])
+    store.set_manual(HOSTILE, "hw1", "1.15", "a_region", 1.0, HOSTILE)
+    found = scores(store, homework)
+    for page in (*(pages.feedback(homework, score, HOSTILE) for score in found), pages.summary(homework, found)):
+        assert "<script" not in page and "<img" not in page and "Homework &lt;1&gt;" in page
+        assert set(re.findall(r"</?([a-z0-9]+)[ >]", page)) <= ALLOWED
+        assert "http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'" in page
+
+
+ALLOWED = {"html", "head", "meta", "title", "style", "body", "h1", "h2", "p", "br", "span", "div", "section", "header", "code", "em", "ul", "li", "a", "bdi",
+           "details", "summary", "table", "tr", "th", "td", "svg", "rect", "text", "line"}
+
+
+# Never the solution
+
+
+def give_away(page, master):
+    """Lines of the master's answer cells that stand on a page, but for those that the student's notebook holds."""
+    own = {line.strip() for _, source in exercises.find(master.number).cells for line in source.split("\n")}
+    lines = {line.strip() for source in master.code("answer") for line in source.split("\n")} - own
+    text = re.sub(r"\s+", " ", shown(page))
+    return [line for line in lines if len(line) > 7 and re.sub(r"\s+", " ", line) in text]
+
+
+def page_of(number, verdicts, texts=None):
+    """The page of a student who tried often enough to see all hints."""
+    homework = assignments.of_problems("hw1", [number])
+    attempts = [Attempt(k, "ann", "hw1", number, str(k), float(k), "e", verdicts, texts or {}, ()) for k in range(4)]
+    return pages.feedback(homework, of_student("ann", homework, attempts, {}))
+
+
+@pytest.mark.parametrize("number", [exercise.number for exercise in exercises.read_all()])
+def test_no_line_of_the_solution_stands_on_a_page_with_all_hints(number):
+    master = read(ROOT / "solutions" / master_file(number))
+    page = page_of(number, {name: Verdict(MISSING, "not answered yet") for name in master.answers})
+    assert all(hint in shown(page) for hints in exercises.find(number).about["hints"].values() for hint in hints)
+    assert give_away(page, master) == []
+    assert "<section" in page and give_away(page + "\n".join(master.code("answer")), master), "the test sees a solution that is there"
+
+
+def at_the_ends():
+    """The first and the last problem of each chapter."""
+    chapters = {}
+    for exercise in exercises.read_all():
+        chapters.setdefault(exercise.number.split(".")[0], []).append(exercise.number)
+    return sorted({number for numbers in chapters.values() for number in (numbers[0], numbers[-1])})
+
+
+@pytest.mark.parametrize("number", at_the_ends())
+def test_what_the_checks_say_of_wrong_answers_gives_nothing_away(number):
+    master, exercise = read(ROOT / "solutions" / master_file(number)), exercises.find(number)
+    reference = run_notebook(master.code("data", "answer"), master.answers)
+    run = run_notebook(master.code("data", "answer", "wrong"), master.answers)
+    verdicts = judge(exercise.code("data", "check"), run, master.answers)
+    assert WRONG in {verdict.status for verdict in verdicts.values()}
+    page = page_of(number, verdicts, {name: describe(decode(data)) for name, data in run.encoded.items()})
+    assert give_away(page, master) == []
+    answers = {name: describe(decode(data)) for name, data in reference.encoded.items() if verdicts[name].status == WRONG}
+    given = [describe(decode(data)) for data in run.encoded.values()]
+    assert [text for text in answers.values() if len(text) > 7 and text in shown(page) and not any(text in other for other in given)] == []
+
+
+# The lecturer's summary
+
+
+def test_summary(store, homework):
+    failure = {"a_region": Verdict(WRONG, "at k1 = -0.5 a root has the real part 1.2e-05")}
+    for k, student in enumerate(["ann", "bob", "cid"]):
+        graded(store, student, "1.15", FIVE, submitted=DUE + k, texts={"b_region": "k2 < 0", "e_region": f"odd {k}"})
+        attempt = store.note_attempt(student, "hw1", "1.17", student, DUE - 1)
+        message = failure["a_region"].message.replace("0.5", f"{k}.25").replace("1.2e-05", f"{k}")
+        store.record(attempt, "e", {"a_region": Verdict(WRONG, message), "b_region": Verdict(RIGHT, "")}, {"a_region": f"k1 > {k}"}, [])
+    page = pages.summary(homework, scores(store, homework, ["dan"]))
+    text = re.sub(r"\s+", " ", shown(page))
+    assert "3 of 4 students handed something in; 2 were late; 3 need a lecturer’s look; the middle one has 2 of 7 points, the mean is 2" in text
+    looked_at = page.split("To be looked at")[1].split("<h2>")[0]
+    assert looked_at.count("<code>e_region</code>") == 3 and "odd 2" in looked_at and "trajlib score STUDENT hw1" in looked_at
+    hardest = page.split("hardest first")[1].split("<h2>")[0]
+    assert hardest.index("b_region") < hardest.index("a_region"), "the hardest stands first"
+    assert "3 right" in hardest and 'style="flex: 3" title="3 wrong"' in hardest
+    failures = page.split("Common failures")[1].split("<h2>")[0]
+    assert len(re.findall('<td class="number">3</td>', failures)) == 4, "messages that differ only in numbers are one failure"
+    identical = page.split("Identical wrong answers")[1]
+    assert "k2 &lt; 0" in identical and all(name in identical for name in ("ann", "bob", "cid")) and "k1 &gt; 1" not in identical
+
+
+def test_the_distribution_has_everybody_in_it(store, tmp_path):
+    homework = an_assignment(tmp_path, 'problems = ["1.17"]')
+    for k, (a, b) in enumerate([(RIGHT, RIGHT), (RIGHT, WRONG), (WRONG, RIGHT), (WRONG, WRONG)]):
+        graded(store, f"s{k}", "1.17", {"a_region": a, "b_region": b})
+    page = pages.summary(homework, scores(store, homework, ["dan"]))
+    assert 'aria-label="Number of students by points: 1 from 0, 2 from 1, 1 from 1.8"' in page
+    assert re.findall(r'text-anchor="middle">(\d+)</text><rect|text-anchor="middle">(\d+)</text><line', page) == [("1", ""), ("2", ""), ("", "1")]
+
+
+def test_a_summary_of_nobody_and_of_nothing_worth_points(store, tmp_path):
+    homework = an_assignment(tmp_path, 'problems = ["1.17"]\n[points]\n"1.17" = 0')
+    assert "0 of 1 student handed something in" in pages.summary(homework, scores(store, homework, ["dan"]))
+    graded(store, "ann", "1.17", {"a_region": RIGHT, "b_region": WRONG})
+    assert "Nothing is worth a point." in pages.summary(homework, scores(store, homework))
+
+
+# In a browser
+
+
+@pytest.fixture(scope="module")
+def driver(tmp_path_factory):
+    chromium, program = shutil.which("chromium") or shutil.which("google-chrome"), shutil.which("chromedriver")
+    if not (chromium and program):
+        (pytest.fail if os.environ.get("CI") == "true" else pytest.skip)("chromium and chromedriver are needed to look at pages")
+    from selenium import webdriver
+    from selenium.webdriver.chrome.service import Service
+
+    options = webdriver.ChromeOptions()
+    options.binary_location = chromium
+    for argument in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--no-first-run",
+                     f"--user-data-dir={tmp_path_factory.mktemp('profile')}", "--host-resolver-rules=MAP * ~NOTFOUND"):
+        options.add_argument(argument)
+    driver = webdriver.Chrome(options=options, service=Service(program))
+    yield driver
+    driver.quit()
+
+
+@pytest.mark.parametrize("width", [1280, 390])
+@pytest.mark.parametrize("theme, dark", [("light", False), ("dark", True)])
+def test_pages_fit_and_can_be_read(driver, store, homework, tmp_path, width, theme, dark):
+    long = "(0 < k1) & (k1 < 1" + "0" * 280 + ")"
+    for student in ("O'Neill, Zoë", "محمد", "x" * 200):
+        graded(store, student, "1.15", FIVE, submitted=DUE + 1, texts=dict.fromkeys(FIVE, long))
+    found = scores(store, homework, ["dan"])
+    named = {"summary": pages.summary(homework, found)} | {str(k): pages.feedback(homework, score, "https://example.org") for k, score in enumerate(found)}
+    driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {"width": width, "height": 900, "deviceScaleFactor": 1, "mobile": width < 500})
+    driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [{"name": "prefers-color-scheme", "value": theme}]})
+    for name, page in named.items():
+        path = tmp_path / f"{name}.html"
+        path.write_text(page, encoding="utf-8")
+        driver.get(path.as_uri())
+        assert driver.execute_script("return document.documentElement.scrollWidth") <= width, name
+        assert [entry for entry in driver.get_log("browser") if entry["level"] == "SEVERE"] == []
+        assert driver.execute_script(LEAST_CONTRAST) >= 4.5, name
+        ground = driver.execute_script("return getComputedStyle(document.body).backgroundColor")
+        assert (max(map(int, re.findall(r"\d+", ground)[:3])) < 64) == dark
+        assert driver.execute_script("return [...document.querySelectorAll('svg text')].every(t => t.getBoundingClientRect().height > 9)")
+
+
+#: The least contrast of any text on the page to what lies behind it.
+LEAST_CONTRAST = """
+const light = c => { const v = c.match(/[\\d.]+/g).slice(0, 3).map(x => (x /= 255) <= .03928 ? x / 12.92 : ((x + .055) / 1.055) ** 2.4);
+                     return .2126 * v[0] + .7152 * v[1] + .0722 * v[2]; };
+const ground = e => { while (e) { const c = getComputedStyle(e).backgroundColor; if (!/, 0\\)$/.test(c)) return c; e = e.parentElement; } return 'rgb(255,255,255)'; };
+return Math.min(...[...document.querySelectorAll('body *')].filter(e => [...e.childNodes].some(n => n.nodeType == 3 && n.textContent.trim())).map(e => {
+  const [a, b] = [light(e.namespaceURI.endsWith('svg') ? getComputedStyle(e).fill : getComputedStyle(e).color), light(ground(e))];
+  return (Math.max(a, b) + .05) / (Math.min(a, b) + .05); }));
+"""

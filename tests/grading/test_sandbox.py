@@ -1,0 +1,361 @@
+"""The sandbox: what is seen in it, what it limits, how it ends, and where none can be had. As root and as an ordinary user."""
+
+import json
+import os
+import shutil
+import signal
+import stat
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+from textwrap import dedent
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parent))
+import ordinary  # noqa: E402
+from hostile.reading import READING  # noqa: E402
+
+from trajlib.grading import isolation, watching  # noqa: E402
+from trajlib.grading.sandbox import Limits, Outcome, Sandbox, Trusting  # noqa: E402
+
+ROOT = Path(__file__).resolve().parents[2]
+TIGHT = Limits(cpu_seconds=3, wall_seconds=6, memory_megabytes=300)
+
+
+#: For what is not about time: other tests keep the machine busy.
+PATIENT = Limits(cpu_seconds=10, wall_seconds=100, memory_megabytes=600)
+
+
+@pytest.fixture(scope="module", params=["nested", "once"])
+def sandbox(request):
+    with Sandbox(TIGHT, once=request.param == "once") as ready:
+        yield ready
+
+
+def answers(outcome):
+    """The answers handed over, as Python values of plain types."""
+    assert outcome.ended == "done", outcome
+    return {name: json.loads(text) for name, text in json.loads(outcome.handed_over)["encoded"].items()}
+
+
+def run(sandbox, *sources, names=("a",)):
+    return sandbox.run([dedent(source) for source in sources], names)
+
+
+# What is seen
+
+
+LOOK = """
+import os
+def look():
+    for top in sorted(set(os.listdir("/")) - {"proc", "usr", "dev", "lib", "lib64", "bin"}):
+        for folder, _, files in os.walk("/" + top):
+            parts = folder.split("/")
+            if {"trajlib", "workbook"} & set(parts) or {"exercises", "solutions", "tests", "book"} & set(parts) and "site-packages" not in parts:
+                yield from (os.path.join(folder, name) for name in files if not name.endswith(".pyc"))
+a = [path for path in look() if "/lib/python3" not in path]
+b = [sorted(os.listdir("/")), sorted(os.environ), os.getcwd(), os.listdir("."), os.listdir("/dev/shm")]
+"""
+
+
+def test_sees_trajlib_and_nothing_else_of_ours(sandbox):
+    found = answers(run(sandbox, LOOK, names=("a", "b")))
+    assert found["a"] and all(path.startswith(f"{isolation.PACKAGE}/") and not path.endswith(".ipynb") for path in found["a"])
+    top, variables, here, files, shared = found["b"]
+    assert not {"home", "var", "opt", "srv", "mnt", "run", "boot", "sys"} & set(top)
+    assert set(variables) - set(isolation.ENVIRONMENT) <= {"LC_CTYPE", "PWD", "COLUMNS", "LINES"}
+    assert here == "/tmp" and set(files) <= {".ipython", ".cache", "matplotlib"} and shared == []
+
+
+@pytest.mark.parametrize("layout", ["wheel", "checkout among packages"])
+def test_sees_no_exercise_whatever_the_installation(layout):
+    """From a wheel the exercises lie inside the package; a checkout may lie in a folder that is visible as a whole."""
+    folder = Path(tempfile.mkdtemp(prefix="installed-"))
+    try:
+        packages = folder / "lib" / "site-packages"
+        home = packages if layout == "wheel" else packages / "workbook"
+        shutil.copytree(ROOT / "trajlib", home / "trajlib", ignore=shutil.ignore_patterns("__pycache__"))
+        if layout == "wheel":
+            shutil.copytree(ROOT / "exercises", home / "trajlib" / "_exercises")
+        else:
+            for name in ("exercises", "solutions", "tests"):
+                shutil.copytree(ROOT / name, home / name, ignore=shutil.ignore_patterns("__pycache__"))
+            shutil.copy(ROOT / "pyproject.toml", home)
+        for path in [folder, *folder.rglob("*")]:
+            path.chmod(path.stat().st_mode | (0o055 if path.is_dir() else 0o044))
+        code = f"""
+            import sys
+            sys.path[:0] = [{str(packages)!r}, {str(home)!r}]
+            import json, trajlib
+            from trajlib import exercises
+            from trajlib.grading.sandbox import Sandbox
+            assert trajlib.__file__.startswith({str(folder)!r}) and exercises.find("1.15")
+            with Sandbox() as sandbox:
+                outcome = sandbox.run([{LOOK!r}], ["a"])
+            print(json.loads(json.loads(outcome.handed_over)["encoded"]["a"]))
+            """
+        done = subprocess.run([sys.executable, "-c", dedent(code)], cwd=folder, capture_output=True, text=True, timeout=120)
+        assert done.returncode == 0, done.stderr
+        assert "trajlib/grading/worker.py" in done.stdout
+        for ours in ("exercises/ch", "solutions/ch", "/tests/", ".ipynb"):
+            assert ours not in done.stdout, done.stdout
+    finally:
+        shutil.rmtree(folder)
+
+
+def test_refuses_a_course_that_every_notebook_could_read(tmp_path):
+    from trajlib.grading import course
+
+    submitted = Path(sys.base_prefix).resolve() / "submitted"
+    with pytest.raises(course.CourseError, match="every notebook can read"):
+        course.grade(submitted, tmp_path)
+    assert isolation.shown_through(tmp_path) is None and isolation.shown_through("/usr/share") == Path("/usr")
+    assert isolation.shown_through(ROOT / "submitted") is None, "beside the package, which alone is visible"
+
+
+def test_holds_nothing_of_other_notebooks(sandbox):
+    run(sandbox, "a_region = sp.And(k1 > 0, k1*k2 > 1)")
+    (search,) = [attack for attack in READING if "raw memory" in attack.name]
+    outcome = run(sandbox, "import sympy as sp\nk1, k2 = sp.symbols('k1 k2')", search.cells[0], names=("a_region",))
+    assert "a_region" not in json.loads(outcome.handed_over)["encoded"]
+
+
+def test_each_notebook_finds_an_untouched_machine(sandbox):
+    spoil = """
+        import numpy, os, sympy, random
+        numpy.pi = 3
+        random.seed(1)
+        os.environ["X"] = "1"
+        for folder in ("/tmp", "/dev/shm"):
+            open(folder + "/left", "w").write("x")
+        os.chdir("/usr")
+        sympy.Symbol("x").name
+        """
+    look = "import numpy, os\na = [numpy.pi == 3, 'X' in os.environ, os.path.exists('/tmp/left'), os.listdir('/dev/shm'), os.getcwd()]"
+    run(sandbox, spoil)
+    assert answers(run(sandbox, look))["a"] == [False, False, False, [], "/tmp"]
+
+
+# Limits, and whose affair it is
+
+
+@pytest.mark.parametrize("source, ended, message", [
+    ("import os\nos._exit(3)", "died", b"exit 3"),
+    ("import ctypes\nctypes.string_at(0)", "died", b"signal 11"),
+    ("while True:\n    try:\n        while True: sum(range(1000))\n    except BaseException: pass", "time", b""),
+    ("import time\nwhile True:\n    try: time.sleep(100)\n    except BaseException: pass", "time", b""),
+    ("import os, time\nfor _ in range(5):\n    if os.fork() == 0: a = bytearray(90 * 2**20); time.sleep(9)\ntime.sleep(3)", "memory", b""),
+    ("import os\nfor number in range(3, 9):\n    try: os.write(number, b'\\xff' * 4)\n    except OSError: pass\nwhile True: pass", "large", b""),
+])
+def test_how_it_ended_is_told(sandbox, source, ended, message):
+    assert run(sandbox, source) == Outcome(ended, message)
+
+
+def test_what_one_cell_cannot_have_costs_the_others_nothing(sandbox):
+    outcome = run(sandbox, "a = 1", "b = bytearray(2**30)", "while True: pass", "open('/tmp/x', 'wb').write(bytes(70 * 2**20))", "c = 3", names=("a", "b", "c"))
+    assert answers(outcome) == {"a": 1, "c": 3}
+    found = json.loads(outcome.handed_over)
+    assert [error.split(": ")[:2] for error in found["errors"]] == [["code cell 2", "MemoryError"], ["code cell 4", "OSError"]]
+    assert found["stopped"] == [3]
+
+
+COUNT = """
+import os, threading, time
+a = 0
+try:
+    for _ in range(100):
+        if os.fork() == 0:
+            time.sleep(3)
+            os._exit(0)
+        a += 1
+except OSError:
+    pass
+"""
+
+
+@pytest.mark.parametrize("once", [False, True])
+def test_limits_on_all_processes_together(once):
+    """None of them reaches a limit alone."""
+    with Sandbox(PATIENT, once) as sandbox:
+        assert 20 < answers(run(sandbox, COUNT))["a"] < PATIENT.processes
+        computing = "import os, time\nfor _ in range(3): os.fork()\nwhile time.process_time() < 3: pass\ntime.sleep(99)"
+        assert run(sandbox, computing) == Outcome("time", b"")
+        filling = "import os, time\nfor _ in range(5):\n    if os.fork() == 0: a = bytearray(200 * 2**20); time.sleep(99)\ntime.sleep(99)"
+        assert run(sandbox, filling) == Outcome("memory", b"")
+
+
+@pytest.mark.parametrize("once", [False, True])
+def test_the_same_for_an_ordinary_user(once):
+    """Limits on processes do not bind root, so root drops to another user; an ordinary user must be bound as he is."""
+    folder = Path(tempfile.mkdtemp())
+    try:
+        done = ordinary.run(dedent(f"""
+            import os
+            from trajlib.grading.sandbox import Sandbox, Limits
+            assert os.getuid() != 0
+            with Sandbox(Limits(cpu_seconds=10, wall_seconds=100, memory_megabytes=600), once={once}) as sandbox:
+                print(sandbox._once)
+                for source in ({COUNT!r}, "import os; a = os.path.exists({str(ROOT / 'exercises')!r})",
+                               "import os, time\\nfor _ in range(5):\\n    if os.fork() == 0: a = bytearray(200 * 2**20); time.sleep(9)\\ntime.sleep(9)"):
+                    outcome = sandbox.run([source], ["a"])
+                    print(outcome.ended, outcome.handed_over.decode())
+            """), folder)
+        lines = done.stdout.split("\n")
+        assert done.returncode == 0 and lines[0] == str(once), done.stderr
+        assert 20 < json.loads(json.loads(lines[1].removeprefix("done "))["encoded"]["a"]) < 32
+        assert json.loads(lines[2].removeprefix("done "))["encoded"]["a"] == "false"
+        assert lines[3] == "memory "
+    finally:
+        shutil.rmtree(folder)
+
+
+def test_nothing_outlives_a_notebook(sandbox):
+    token = str(time.time_ns())[-9:]
+    run(sandbox, f"import subprocess\nsubprocess.Popen(['/usr/bin/sleep', '{token}'], start_new_session=True)\na = 1")
+    assert not [path for path in Path("/proc").glob("[0-9]*/cmdline") if token.encode() in _bytes(path)]
+
+
+def _bytes(path):
+    try:
+        return path.read_bytes()
+    except OSError:
+        return b""
+
+
+# The sandbox itself fails
+
+
+def test_a_worker_that_is_killed_costs_nothing():
+    with Sandbox(TIGHT) as sandbox:
+        os.killpg(sandbox._worker.pid, signal.SIGKILL)
+        assert answers(run(sandbox, "a = 1")) == {"a": 1}
+        started = sandbox._worker.pid
+        assert answers(run(sandbox, "a = 2")) == {"a": 2} and sandbox._worker.pid == started
+
+
+def test_a_sandbox_that_always_fails_says_so(monkeypatch):
+    with Sandbox(TIGHT) as sandbox:
+        os.killpg(sandbox._worker.pid, signal.SIGKILL)
+        monkeypatch.setattr(isolation, "spawn", _no_sandbox)
+        outcome = run(sandbox, "a = 1")
+    assert outcome.ended == "failed" and b"gone" in outcome.handed_over
+
+
+def _no_sandbox(*given):
+    raise isolation.NoIsolation("gone")
+
+
+def test_a_killed_notebook_is_the_machines_affair():
+    """SIGKILL for the first process of a namespace comes from outside, as when the machine runs out of memory."""
+    outcome = Sandbox(TIGHT)._told(b"died", b"signal 9")
+    assert outcome.ended == "failed"
+
+
+def bubblewrap_that(folder, does):
+    """A folder for PATH with a `bwrap` of ours in it, which anybody may run."""
+    folder.mkdir()
+    folder.chmod(0o755)
+    path = folder / "bwrap"
+    path.write_text(f"#!/bin/sh\n{does}\n")
+    path.chmod(path.stat().st_mode | stat.S_IXUSR | stat.S_IXGRP | stat.S_IXOTH)
+    return str(folder)
+
+
+@pytest.fixture
+def open_folder():
+    folder = Path(tempfile.mkdtemp())
+    folder.chmod(0o755)
+    yield folder
+    shutil.rmtree(folder)
+
+
+def test_one_sandbox_a_notebook_where_namespaces_cannot_be_nested(open_folder, monkeypatch):
+    real = shutil.which("bwrap")
+    monkeypatch.setenv("PATH", bubblewrap_that(open_folder / "bin", f'exec {real} --unshare-user --disable-userns "$@"'))
+    with Sandbox(TIGHT) as sandbox:
+        assert sandbox._once
+        assert answers(run(sandbox, "a = 1")) == {"a": 1}
+        assert run(sandbox, "import os\nos._exit(3)") == Outcome("died", b"exit 3")
+        assert answers(run(sandbox, "a = 2")) == {"a": 2}
+
+
+@pytest.mark.parametrize("does, says", [(None, "bubblewrap is not installed"),
+                                        ("echo 'bwrap: No permissions to create new namespace' >&2; exit 1", "No permissions to create new namespace"),
+                                        ("exit 1", "without a word")])
+def test_refused_in_one_line_where_there_is_no_sandbox(open_folder, does, says):
+    submitted = open_folder / "submitted" / "ada" / "hw"
+    submitted.mkdir(parents=True)
+    shutil.copy(ROOT / "exercises/ch1/p15.ipynb", submitted)
+    path = bubblewrap_that(open_folder / "bin", does) if does else str(open_folder / "nothing")
+    command = [sys.executable, "-m", "trajlib.cli", "grade", str(open_folder / "submitted"), "--out", str(open_folder / "graded")]
+    done = subprocess.run(command, env=os.environ | {"PATH": path, "TERM": "dumb"}, capture_output=True, text=True, timeout=120)
+    assert done.returncode == 2 and done.stdout == ""
+    (line,) = [line for line in done.stderr.strip().split("\n") if not line.startswith("grading ")]
+    assert line.startswith("trajlib: ") and says in line and "--trust-students" in line
+
+    trusted = subprocess.run([*command, "--trust-students", "--json"], env=os.environ | {"PATH": path}, capture_output=True, text=True, timeout=120)
+    assert trusted.returncode == 0 and json.loads(trusted.stdout)["assignments"] == {"hw": {"ada": 0.0}}, trusted.stderr
+
+
+# Trusting
+
+
+@pytest.fixture(scope="module")
+def trusting():
+    with Trusting(TIGHT) as ready:
+        yield ready
+
+
+@pytest.mark.parametrize("source, ended, message", [
+    ("import os\nos._exit(3)", "died", b"exit 3"),
+    ("import os\nos.kill(os.getpid(), 9)", "died", b"signal 9"),
+    ("while True:\n    try:\n        while True: sum(range(1000))\n    except BaseException: pass", "time", b""),
+    ("import os, time\nfor _ in range(5):\n    if os.fork() == 0: a = bytearray(90 * 2**20); time.sleep(9)\ntime.sleep(3)", "memory", b""),
+    ("import os, time\nfor _ in range(6): os.fork()\ntime.sleep(3)", "processes", b""),
+])
+def test_limits_without_a_sandbox(trusting, source, ended, message):
+    assert run(trusting, source) == Outcome(ended, message)
+
+
+def test_nothing_outlives_a_notebook_without_a_sandbox(trusting):
+    token = str(time.time_ns())[-9:]
+    daemon = f"""
+        import os, subprocess
+        if os.fork() == 0:
+            os.setsid()
+            subprocess.Popen(['/usr/bin/sleep', '{token}'], start_new_session=True)
+            os._exit(0)
+        os.wait()
+        open("left", "w").write("x")
+        a = os.getcwd()
+        """
+    folder = answers(run(trusting, daemon))["a"]
+    assert not os.path.exists(folder)
+    assert not [path for path in Path("/proc").glob("[0-9]*/cmdline") if token.encode() in _bytes(path)]
+
+
+def test_leaves_no_folder_behind():
+    with Trusting(TIGHT) as trusting:
+        folder = trusting._folder.name
+        run(trusting, "import matplotlib.pyplot as plt\nplt.plot([1, 2])")
+    assert not os.path.exists(folder)
+
+
+def test_shared_memory_is_counted_once():
+    """Eight processes with the same two hundred megabytes use two hundred, not eighteen hundred."""
+    with Sandbox(PATIENT) as sandbox:
+        outcome = run(sandbox, """
+            import os, time
+            block = bytearray(200 * 2**20)
+            for _ in range(8):
+                if os.fork() == 0:
+                    time.sleep(1)
+                    os._exit(0)
+            time.sleep(0.8)
+            a = 1
+            """)
+    assert answers(outcome) == {"a": 1}
+    assert watching.INTERVAL < 0.5

@@ -1,0 +1,1 @@
+"""The same grading inside Gradescope: a bundle to upload, and what runs there for each submission."""
