@@ -128,21 +128,24 @@ def wait_for_a_moment(process, out, before, lasted, chance):
 
 def test_interrupted(tmp_path):
     submit_a_course(tmp_path)
-    out = tmp_path / "graded"
-    process = start(tmp_path, out)
-    give_up = time.monotonic() + 60
-    while count(out) < 4 and time.monotonic() < give_up:
-        time.sleep(0.01)
-    below = descendants(process.pid)
-    assert below
-    # As a terminal does it: to the whole group.
-    os.killpg(process.pid, signal.SIGINT)
-    _, said = process.communicate(timeout=20)
-    assert process.returncode == 130
+    # A run that came to its end before the signal reached it shows nothing: another one is begun.
+    for attempt in range(5):
+        out = tmp_path / f"graded{attempt}"
+        process = start(tmp_path, out)
+        give_up = time.monotonic() + 60
+        while count(out) < 1 and time.monotonic() < give_up:
+            time.sleep(0.01)
+        below = descendants(process.pid)
+        # As a terminal does it: to the whole group.
+        os.killpg(process.pid, signal.SIGINT)
+        _, said = process.communicate(timeout=60)
+        if process.returncode != 0:
+            break
+    assert process.returncode == 130 and below
     assert said.decode().strip().split("\n")[-1] == "trajlib: stopped; what is graded is stored, and the same command goes on from there"
     assert b"Traceback" not in said
     assert not outliving(below)
-    assert count(out) >= 4
+    assert count(out) >= 1
 
 
 def test_one_grader_at_a_time(tmp_path):

@@ -31,7 +31,8 @@ def editions():
     # Test processes run side by side; the first builds, the others find the work done.
     with open(ROOT / "_build" / ".building", "w") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)
-        settings = {key: value for key, value in os.environ.items() if not key.startswith("MAKE")}
+        # As from a shell: the tests' own choice of a backend without pictures is not for the kernels.
+        settings = {key: value for key, value in os.environ.items() if not key.startswith(("MAKE", "MPLBACKEND"))}
         # The running environment is used as it is: nothing is installed.
         built = subprocess.run(["make", "book", "book-student", f"VENV={sys.prefix}", "INSTALLED="], cwd=ROOT,
                                env=settings, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
