@@ -58,7 +58,8 @@ def main(students=8, *problems):
     print(f"  trajlib grade      {ours[small]:.1f} s: cells {our_cells:.1f} s, overhead {overhead:.1f} s")
     print(f"  nbgrader takes {theirs / ours[small]:.1f} times as long, its overhead is {their_overhead / overhead:.1f} times ours")
     print("each further notebook")
-    print(f"  nbgrader autograde {their_further:.3f} s: cells {their_cells / count:.3f} s, overhead {their_further - their_cells / count:.3f} s")
+    print(f"  nbgrader autograde {their_further:.3f} s: cells {their_cells / count:.3f} s, "
+          f"overhead {their_further - their_cells / count:.3f} s")
     print(f"  trajlib grade      {further:.3f} s: cells {cells:.3f} s, overhead {further - cells:.3f} s")
     print(f"growth of trajlib grade, 1 process and {cores}")
     for size in (small, large):
@@ -92,7 +93,8 @@ def multiply(course, students, factor):
 
 
 def nbgrader(course, environment, command):
-    done = subprocess.run([PYTHON, "-m", "nbgrader", command, "hw1", f"--course-dir={course}"], cwd=course, env=environment, capture_output=True, text=True)
+    done = subprocess.run([PYTHON, "-m", "nbgrader", command, "hw1", f"--course-dir={course}"], cwd=course, env=environment,
+                          capture_output=True, text=True)
     assert done.returncode == 0, done.stdout + done.stderr
 
 
@@ -115,7 +117,8 @@ def timed(function, *arguments):
 def seconds_in_cells(notebook):
     """What nbgrader's kernel needed for the cells of one notebook, by the times it wrote down."""
     stamps = [cell["metadata"]["execution"] for cell in notebook["cells"] if cell["metadata"].get("execution")]
-    return sum((datetime.fromisoformat(each["shell.execute_reply"]) - datetime.fromisoformat(each["iopub.execute_input"])).total_seconds() for each in stamps)
+    spans = [[datetime.fromisoformat(each[event]) for event in ("iopub.execute_input", "shell.execute_reply")] for each in stamps]
+    return sum((end - begin).total_seconds() for begin, end in spans)
 
 
 def own_time(problem, runs=3):
@@ -125,7 +128,8 @@ def own_time(problem, runs=3):
     exercise = exercises.find(problem)
     answers = list(exercise.about["answers"])
     master = read(ROOT / "solutions" / master_file(problem))
-    sources = ["import time; trajlib_began = time.perf_counter()", *master.code("data", "answer"), "trajlib_spent = time.perf_counter() - trajlib_began"]
+    sources = ["import time; trajlib_began = time.perf_counter()", *master.code("data", "answer"),
+               "trajlib_spent = time.perf_counter() - trajlib_began"]
     ready()
     spent = []
     for _ in range(runs):

@@ -112,7 +112,8 @@ def write_exercises(numbers: Annotated[list[str] | None, typer.Argument(help="On
 @app.command()
 def grade(submitted: Annotated[Path, typer.Argument(help="Folder submitted/<student>/<assignment>/<notebook>.ipynb.")],
           out: Annotated[Path, typer.Option(help="Folder for the grade store, tables and feedback pages.")],
-          assignments: Annotated[Path | None, typer.Option(help="Folder <assignment>/assignment.toml; default: assignments, where there is one.")] = None,
+          assignments: Annotated[Path | None, typer.Option(help="Folder <assignment>/assignment.toml; default: assignments, if it is there.")
+                                 ] = None,
           roster: Annotated[Path | None, typer.Option(help="Gradebook exported from Canvas, to fill one column of.")] = None,
           site: Annotated[str, typer.Option(help="Address of the student edition of the site, for links to the theory.")] = "",
           processes: Annotated[int | None, typer.Option(help="Notebooks graded at the same time; default: all cores.")] = None,

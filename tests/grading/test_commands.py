@@ -79,7 +79,8 @@ def test_a_course_in_the_sandbox_from_the_command_line(course):
         ["student", "1.15", "1.17", "total", "max", "late", "needs review"],
         ["ann", "10.00", "0.00", "10.00", "12.00", "", "no"], ["bob", "6.00", "0.00", "6.00", "12.00", "1.15", "no"],
         ["cid", "0.00", "0.00", "0.00", "12.00", "", "no"], ["dan", "0.00", "0.00", "0.00", "12.00", "", "no"]]
-    assert [row[0] for row in table(course / "graded" / "hw1" / "moodle.csv")] == ["ID number", "ann", "bob", "cid"], "Dan has no grade to hand on"
+    # Dan has no grade to hand on.
+    assert [row[0] for row in table(course / "graded" / "hw1" / "moodle.csv")] == ["ID number", "ann", "bob", "cid"]
     assert [row[3] for row in table(course / "graded" / "hw1" / "nbgrader.csv")] == ["student_id", "ann", "bob", "cid", "dan"]
     assert {path.name for path in (course / "graded" / "hw1").iterdir()} == {
         "grades.csv", "changes.csv", "moodle.csv", "nbgrader.csv", "grades.json", "summary.html", "feedback"}
@@ -181,7 +182,7 @@ def test_resubmission(course, here):
     summary = grade(course)
     assert summary["graded"] == 2 and summary["assignments"]["hw1"]["bob"] == 10 and summary["assignments"]["hw1"]["dan"] == 10
     assert {(change["student"], change["answer"], change["why"]) for change in summary["changes"]["hw1"]} == {
-        ("bob", "a_region", "another attempt counts"), ("bob", "b_region", "another attempt counts")}, "Dan's first hand-in changes no grade"
+        ("bob", "a_region", "another attempt counts"), ("bob", "b_region", "another attempt counts")}, "Dan's first one changes no grade"
     hand_in(course, "bob", "1.15", WRONG, at=DUE + 180)
     assert grade(course)["assignments"]["hw1"]["bob"] == 10, "the best counts"
     write_assignment(course, 'attempt = "last"\n' + HOMEWORK)
@@ -203,7 +204,7 @@ def test_changed_points_are_a_change(course, here):
 
 def test_roster(course, here, capsys):
     roster = course / "canvas.csv"
-    roster.write_text("Student,ID,SIS Login ID,Section\n    Points Possible,,,\n\"Able, Ann\",1,ann,A\n\"Bee, Bob\",2,bob,A\n", encoding="utf-8")
+    roster.write_text('Student,ID,SIS Login ID,Section\n    Points Possible,,,\n"Able, Ann",1,ann,A\n"Bee, Bob",2,bob,A\n', encoding="utf-8")
     summary = grade(course, roster=roster, quiet=False)
     assert table(course / "graded" / "hw1" / "canvas.csv") == [
         ["Student", "ID", "SIS Login ID", "Section", "Homework 1"], ["    Points Possible", "", "", "", "12.00"],
@@ -262,7 +263,17 @@ def test_a_bad_assignment_file_ends_in_one_line_and_code_2(course):
 def test_a_homework_from_the_command_line(tmp_path):
     done = trajlib("assignment", "new", "hw1", "1.4", "1.15", "--title", "Stability", "--due", "2026-10-01T23:59+03:00", cwd=tmp_path)
     assert done.returncode == 0 and "assignments/hw1: 2 problems, 13 answers, 13 points, due 2026-10-01 23:59 (UTC+03:00)" in done.stdout
-    assert {path.name for path in (tmp_path / "assignments" / "hw1").iterdir()} == {"assignment.toml", "README.md", "ch1-p04.ipynb", "ch1-p15.ipynb"}
+    assert {path.name for path in (tmp_path / "assignments" / "hw1").iterdir()} == {
+        "assignment.toml", "README.md", "ch1-p04.ipynb", "ch1-p15.ipynb"}
+
+
+def test_a_spoilt_record_is_said_in_one_line(course, here):
+    grade(course)
+    (course / "graded" / "hw1" / "grades.json").write_text("{")
+    with pytest.raises(BadInput, match="grades.json is not as trajlib grade wrote it"):
+        grade(course)
+    (course / "graded" / "hw1" / "grades.json").unlink()
+    assert grade(course)["changes"] == {"hw1": []}
 
 
 def test_names_of_pages():
@@ -293,12 +304,14 @@ def cid_hands_in_again(folder):
 
 def canvas_exports_its_gradebook(folder):
     (folder / "canvas.csv").write_text(
-        "Student,ID,SIS User ID,SIS Login ID,Section,Homework 1: stability regions (4711),Final Score\n    Points Possible,,,,,7,(read only)\n"
+        "Student,ID,SIS User ID,SIS Login ID,Section,Homework 1: stability regions (4711),Final Score\n"
+        "    Points Possible,,,,,7,(read only)\n"
         '"Able, Ann",101,u101,ann,Group 1,,\n"Bee, Bob",102,u102,bob,Group 1,,\n"Cee, Cid",103,u103,cid,Group 2,,\n', encoding="utf-8")
 
 
 #: What people do between the commands, at the beginning of a section.
-MEANWHILE = {"Collect": the_class_hands_in, "When something changes": cid_hands_in_again, "Hand the grades on": canvas_exports_its_gradebook}
+MEANWHILE = {"Collect": the_class_hands_in, "When something changes": cid_hands_in_again,
+             "Hand the grades on": canvas_exports_its_gradebook}
 
 
 def steps(text):
@@ -337,10 +350,12 @@ def test_every_command_of_the_lecturers_guide(tmp_path):
             command, folder, shown = command.replace("make", "make -n", 1), GUIDE.parents[2], ["..."]
         else:
             folder = tmp_path
-        done = subprocess.run(["bash", "-c", command], cwd=folder, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=300)
+        done = subprocess.run(["bash", "-c", command], cwd=folder, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                              text=True, timeout=300)
         assert done.returncode == (1 if command.startswith("trajlib check") else 0), f"{command}: {done.stdout}"
         assert not shown or like(shown, done.stdout), f"{command} prints\n{done.stdout}\nand the page shows\n" + "\n".join(shown)
         told.append(command)
     assert waiting == {} and len(told) > 15
-    for written in ("summary.html", "feedback/ann.html", "grades.csv", "changes.csv", "moodle.csv", "nbgrader.csv", "grades.json", "canvas.csv"):
+    for written in ("summary.html", "feedback/ann.html", "grades.csv", "changes.csv", "moodle.csv", "nbgrader.csv", "grades.json",
+                    "canvas.csv"):
         assert (tmp_path / "graded" / "hw1" / written).exists() and written in GUIDE.read_text(encoding="utf-8")

@@ -74,7 +74,8 @@ def test_moodle_csv(small, homework):
     assert exporting.moodle_csv(homework, small) == (
         '"ID number","Homework 1, stability","Homework 1, stability (feedback)"\r\n'
         '"ann","7.00","1.17 a_region: right; 1.17 b_region: right; 1.18 a_region: right; 1.18 b_region: right"\r\n'
-        '"bob","3.00","1.17 a_region: right; 1.17 b_region: wrong; 1.18 a_region: 0.50 by hand (on paper; ""almost""); 1.18 b_region: missing"\r\n')
+        '"bob","3.00","1.17 a_region: right; 1.17 b_region: wrong; 1.18 a_region: 0.50 by hand (on paper; ""almost""); '
+        '1.18 b_region: missing"\r\n')
 
 
 def test_moodle_knows_students_by_their_addresses(store, homework):
@@ -88,7 +89,8 @@ def test_nbgrader_csv(small, homework):
 
     text = exporting.nbgrader_csv(homework, small)
     assert text == (
-        '"assignment","duedate","timestamp","student_id","last_name","first_name","email","raw_score","late_submission_penalty","score","max_score"\r\n'
+        '"assignment","duedate","timestamp","student_id","last_name","first_name","email","raw_score","late_submission_penalty",'
+        '"score","max_score"\r\n'
         '"hw1","2026-10-01 09:00:00","2026-10-01 08:30:00","ann","","","","7.00","0.00","7.00","7.00"\r\n'
         '"hw1","2026-10-01 09:00:00","2026-10-01 09:00:01","bob","","","","3.00","0.00","3.00","7.00"\r\n'
         '"hw1","2026-10-01 09:00:00","2026-10-01 08:30:00","cid","","","","","0.00","","7.00"\r\n'
@@ -198,8 +200,10 @@ def test_changes_csv():
 # Gradescope
 
 #: The fields of the specification, with their types; others are an error there or ignored.
-RESULT = {"score": (int, float), "execution_time": int, "output": str, "output_format": str, "visibility": str, "stdout_visibility": str, "tests": list}
-TEST = {"score": (int, float), "max_score": (int, float), "status": str, "name": str, "output": str, "output_format": str, "visibility": str}
+RESULT = {"score": (int, float), "execution_time": int, "output": str, "output_format": str, "visibility": str, "stdout_visibility": str,
+          "tests": list}
+TEST = {"score": (int, float), "max_score": (int, float), "status": str, "name": str, "output": str, "output_format": str,
+        "visibility": str}
 
 
 def test_gradescope_json(small):
@@ -208,15 +212,14 @@ def test_gradescope_json(small):
     result = json.loads(exporting.gradescope_json(bob, hints, ["1.17: notebook: code cell 2: NameError"], 3.5, 12.4))
     assert result == {
         "score": 3.5, "output": "1.17: notebook: code cell 2: NameError", "output_format": "text", "visibility": "visible",
-        "stdout_visibility": "hidden", "execution_time": 12, "tests": [
-            {"name": "1.17 a_region", "score": 2.5, "max_score": 2.5, "status": "passed", "output": "right: a_region is right",
-             "output_format": "text", "visibility": "visible"},
-            {"name": "1.17 b_region", "score": 0.0, "max_score": 2.5, "status": "failed", "output": "wrong: b_region is wrong\nHint: Which minors decide?",
-             "output_format": "text", "visibility": "visible"},
-            {"name": "1.18 a_region", "score": 0.5, "max_score": 1.0, "status": "failed", "output": "missing: nothing was submitted for this problem",
-             "output_format": "text", "visibility": "visible"},
-            {"name": "1.18 b_region", "score": 0.0, "max_score": 1.0, "status": "failed", "output": "missing: nothing was submitted for this problem",
-             "output_format": "text", "visibility": "visible"}]}
+        "stdout_visibility": "hidden", "execution_time": 12, "tests": [test | {"output_format": "text", "visibility": "visible"} for test in (
+            {"name": "1.17 a_region", "score": 2.5, "max_score": 2.5, "status": "passed", "output": "right: a_region is right"},
+            {"name": "1.17 b_region", "score": 0.0, "max_score": 2.5, "status": "failed",
+             "output": "wrong: b_region is wrong\nHint: Which minors decide?"},
+            {"name": "1.18 a_region", "score": 0.5, "max_score": 1.0, "status": "failed",
+             "output": "missing: nothing was submitted for this problem"},
+            {"name": "1.18 b_region", "score": 0.0, "max_score": 1.0, "status": "failed",
+             "output": "missing: nothing was submitted for this problem"})]}
     for score in small:
         result = json.loads(exporting.gradescope_json(score, {}, [], score.points, 0.1))
         assert all(isinstance(result[key], RESULT[key]) for key in result)

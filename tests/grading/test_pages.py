@@ -17,9 +17,10 @@ from trajlib.checks.encoding import decode, describe  # noqa: E402
 from trajlib.checks.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG, Verdict  # noqa: E402
 from trajlib.execution import judge, run_notebook  # noqa: E402
 from trajlib.grading import assignment as assignments  # noqa: E402
-from trajlib.grading import pages  # noqa: E402
+from trajlib.grading.feedback import feedback  # noqa: E402
 from trajlib.grading.scores import of_student, scores  # noqa: E402
 from trajlib.grading.store import Attempt, Store  # noqa: E402
+from trajlib.grading.summary import summary  # noqa: E402
 from trajlib.masters import read  # noqa: E402
 from trajlib.masters.reading import master_file  # noqa: E402
 
@@ -57,12 +58,12 @@ def section(page, answer):
 def test_feedback_says_what_held_and_what_did_not(store, homework):
     graded(store, "ann", "1.15", FIVE, texts={"a_region": "k1 > 0", "b_region": "k2 < 0", "e_region": "odd"})
     store.set_manual("ann", "hw1", "1.15", "b_region", 0.5, "the right <idea>")
-    page = pages.feedback(homework, scores(store, homework)[0])
+    page = feedback(homework, scores(store, homework)[0])
     assert "1.5 of 7 points, and 1 answer still to be looked at by a lecturer." in shown(page)
     for name, status in FIVE.items():
         assert f"{status}: {name} is {status}" in re.sub(r"\s+", " ", shown(section(page, name))).replace(f"{status} :", f"{status}:")
     assert "Your answer: k1 > 0" in re.sub(r"\s+", " ", shown(section(page, "a_region"))) and "1 / 1" in section(page, "a_region")
-    assert "Points given by your lecturer: the right &lt;idea&gt;." in section(page, "b_region") and "0.5 / 1" in section(page, "b_region")
+    assert "Points given by your lecturer: the right &lt;idea&gt;" in section(page, "b_region") and "0.5 / 1" in section(page, "b_region")
     assert "Nothing was submitted for this problem." in page.split("1.17")[1]
 
 
@@ -71,34 +72,35 @@ def test_each_attempt_opens_one_more_hint(store, homework):
     assert len(hints) == 2
     for attempt, opened in enumerate([1, 2, 2]):
         graded(store, "ann", "1.15", FIVE | {"a_region": WRONG}, submitted=float(attempt))
-        page = pages.feedback(homework, scores(store, homework)[0])
+        page = feedback(homework, scores(store, homework)[0])
         assert [hint in shown(section(page, "a_region")) for hint in hints] == [k < opened for k in range(2)]
     graded(store, "bob", "1.15", FIVE)
-    assert not any(hint in shown(pages.feedback(homework, scores(store, homework)[1])) for hint in hints), "what is right needs no hint"
-    assert "<details>" not in pages.feedback(homework, of_student("dan", homework, [], {}))
+    assert not any(hint in shown(feedback(homework, scores(store, homework)[1])) for hint in hints), "what is right needs no hint"
+    assert "<details>" not in feedback(homework, of_student("dan", homework, [], {}))
 
 
 def test_feedback_links_to_the_theory_and_never_to_a_solution(store, homework):
     graded(store, "ann", "1.15", FIVE)
     (score,) = scores(store, homework)
-    page = pages.feedback(homework, score, 'https://example.org/course/"x/')
+    page = feedback(homework, score, 'https://example.org/course/"x/')
     assert 'href="https://example.org/course/&quot;x/book/ch1.html"' in page and "/exercises/ch1/p15.html" in page
     assert "solutions" not in page
-    assert "href" not in pages.feedback(homework, score) and "chapter 1 of the workbook" in pages.feedback(homework, score)
+    assert "href" not in feedback(homework, score) and "chapter 1 of the workbook" in feedback(homework, score)
 
 
 def test_feedback_says_late_and_how_often(store, homework):
     graded(store, "ann", "1.15", FIVE, submitted=DUE + 1)
-    assert "Handed in after the due date." in shown(pages.feedback(homework, scores(store, homework)[0]))
+    assert "Handed in after the due date." in shown(feedback(homework, scores(store, homework)[0]))
     graded(store, "ann", "1.15", FIVE, submitted=DUE - 1)
-    page = shown(pages.feedback(homework, scores(store, homework)[0]))
+    page = shown(feedback(homework, scores(store, homework)[0]))
     assert "after the due date" not in page and "You handed this in 2 times; what follows is the attempt that counts." in page
 
 
 def test_whose_fault_it_was_is_said(store, homework):
     attempt = store.note_attempt("ann", "hw1", "1.17", "x", 0.0)
-    store.record(attempt, "e", {"a_region": Verdict(MISSING, "no answer: its time was up")}, {}, ["limits: the notebook was still running when its time was up"])
-    assert "limits: the notebook was still running" in shown(pages.feedback(homework, scores(store, homework)[0]))
+    remark = "limits: the notebook was still running when its time was up"
+    store.record(attempt, "e", {"a_region": Verdict(MISSING, "no answer: its time was up")}, {}, [remark])
+    assert "limits: the notebook was still running" in shown(feedback(homework, scores(store, homework)[0]))
 
 
 def test_nothing_foreign_becomes_markup(store, homework):
@@ -108,14 +110,14 @@ def test_nothing_foreign_becomes_markup(store, homework):
                      {"a_region": HOSTILE, "b_region": HOSTILE}, [HOSTILE])
     store.set_manual(HOSTILE, "hw1", "1.15", "a_region", 1.0, HOSTILE)
     found = scores(store, homework)
-    for page in (*(pages.feedback(homework, score, HOSTILE) for score in found), pages.summary(homework, found)):
+    for page in (*(feedback(homework, score, HOSTILE) for score in found), summary(homework, found)):
         assert "<script" not in page and "<img" not in page and "Homework &lt;1&gt;" in page
         assert set(re.findall(r"</?([a-z0-9]+)[ >]", page)) <= ALLOWED
         assert "http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'" in page
 
 
-ALLOWED = {"html", "head", "meta", "title", "style", "body", "h1", "h2", "p", "br", "span", "div", "section", "header", "code", "em", "ul", "li", "a", "bdi",
-           "details", "summary", "table", "tr", "th", "td", "svg", "rect", "text", "line"}
+ALLOWED = {"html", "head", "meta", "title", "style", "body", "h1", "h2", "p", "br", "span", "div", "section", "header", "code", "em", "ul",
+           "li", "a", "bdi", "details", "summary", "table", "tr", "th", "td", "svg", "rect", "text", "line"}
 
 
 # Never the solution
@@ -133,7 +135,7 @@ def page_of(number, verdicts, texts=None):
     """The page of a student who tried often enough to see all hints."""
     homework = assignments.of_problems("hw1", [number])
     attempts = [Attempt(k, "ann", "hw1", number, str(k), float(k), "e", verdicts, texts or {}, ()) for k in range(4)]
-    return pages.feedback(homework, of_student("ann", homework, attempts, {}))
+    return feedback(homework, of_student("ann", homework, attempts, {}))
 
 
 @pytest.mark.parametrize("number", [exercise.number for exercise in exercises.read_all()])
@@ -177,9 +179,9 @@ def test_summary(store, homework):
         attempt = store.note_attempt(student, "hw1", "1.17", student, DUE - 1)
         message = failure["a_region"].message.replace("0.5", f"{k}.25").replace("1.2e-05", f"{k}")
         store.record(attempt, "e", {"a_region": Verdict(WRONG, message), "b_region": Verdict(RIGHT, "")}, {"a_region": f"k1 > {k}"}, [])
-    page = pages.summary(homework, scores(store, homework, ["dan"]))
+    page = summary(homework, scores(store, homework, ["dan"]))
     text = re.sub(r"\s+", " ", shown(page))
-    assert "3 of 4 students handed something in; 2 were late; 3 need a lecturer’s look; the middle one has 2 of 7 points, the mean is 2" in text
+    assert "3 of 4 students handed something in; 2 were late; 3 need a lecturer’s look; the middle one has 2 of 7 points" in text
     looked_at = page.split("To be looked at")[1].split("<h2>")[0]
     assert looked_at.count("<code>e_region</code>") == 3 and "odd 2" in looked_at and "trajlib score STUDENT hw1" in looked_at
     hardest = page.split("hardest first")[1].split("<h2>")[0]
@@ -195,16 +197,16 @@ def test_the_distribution_has_everybody_in_it(store, tmp_path):
     homework = an_assignment(tmp_path, 'problems = ["1.17"]')
     for k, (a, b) in enumerate([(RIGHT, RIGHT), (RIGHT, WRONG), (WRONG, RIGHT), (WRONG, WRONG)]):
         graded(store, f"s{k}", "1.17", {"a_region": a, "b_region": b})
-    page = pages.summary(homework, scores(store, homework, ["dan"]))
+    page = summary(homework, scores(store, homework, ["dan"]))
     assert 'aria-label="Number of students by points: 1 from 0, 2 from 1, 1 from 1.8"' in page
     assert re.findall(r'text-anchor="middle">(\d+)</text><rect|text-anchor="middle">(\d+)</text><line', page) == [("1", ""), ("2", ""), ("", "1")]
 
 
 def test_a_summary_of_nobody_and_of_nothing_worth_points(store, tmp_path):
     homework = an_assignment(tmp_path, 'problems = ["1.17"]\n[points]\n"1.17" = 0')
-    assert "0 of 1 student handed something in" in pages.summary(homework, scores(store, homework, ["dan"]))
+    assert "0 of 1 student handed something in" in summary(homework, scores(store, homework, ["dan"]))
     graded(store, "ann", "1.17", {"a_region": RIGHT, "b_region": WRONG})
-    assert "Nothing is worth a point." in pages.summary(homework, scores(store, homework))
+    assert "Nothing is worth a point." in summary(homework, scores(store, homework))
 
 
 # In a browser
@@ -235,8 +237,10 @@ def test_pages_fit_and_can_be_read(driver, store, homework, tmp_path, width, the
     for student in ("O'Neill, Zoë", "محمد", "x" * 200):
         graded(store, student, "1.15", FIVE, submitted=DUE + 1, texts=dict.fromkeys(FIVE, long))
     found = scores(store, homework, ["dan"])
-    named = {"summary": pages.summary(homework, found)} | {str(k): pages.feedback(homework, score, "https://example.org") for k, score in enumerate(found)}
-    driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {"width": width, "height": 900, "deviceScaleFactor": 1, "mobile": width < 500})
+    named = {"summary": summary(homework, found)}
+    named |= {str(k): feedback(homework, score, "https://example.org") for k, score in enumerate(found)}
+    driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride",
+                           {"width": width, "height": 900, "deviceScaleFactor": 1, "mobile": width < 500})
     driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [{"name": "prefers-color-scheme", "value": theme}]})
     for name, page in named.items():
         path = tmp_path / f"{name}.html"
@@ -254,8 +258,10 @@ def test_pages_fit_and_can_be_read(driver, store, homework, tmp_path, width, the
 LEAST_CONTRAST = """
 const light = c => { const v = c.match(/[\\d.]+/g).slice(0, 3).map(x => (x /= 255) <= .03928 ? x / 12.92 : ((x + .055) / 1.055) ** 2.4);
                      return .2126 * v[0] + .7152 * v[1] + .0722 * v[2]; };
-const ground = e => { while (e) { const c = getComputedStyle(e).backgroundColor; if (!/, 0\\)$/.test(c)) return c; e = e.parentElement; } return 'rgb(255,255,255)'; };
-return Math.min(...[...document.querySelectorAll('body *')].filter(e => [...e.childNodes].some(n => n.nodeType == 3 && n.textContent.trim())).map(e => {
+const ground = e => { for (; e; e = e.parentElement) { const c = getComputedStyle(e).backgroundColor; if (!/, 0\\)$/.test(c)) return c; }
+                      return 'rgb(255,255,255)'; };
+const written = e => [...e.childNodes].some(n => n.nodeType == 3 && n.textContent.trim());
+return Math.min(...[...document.querySelectorAll('body *')].filter(written).map(e => {
   const [a, b] = [light(e.namespaceURI.endsWith('svg') ? getComputedStyle(e).fill : getComputedStyle(e).color), light(ground(e))];
   return (Math.max(a, b) + .05) / (Math.min(a, b) + .05); }));
 """

@@ -110,12 +110,14 @@ def as_condition(answer, symbols):
     """
     if isinstance(answer, (bool, np.bool_)):
         return sp.true if answer else sp.false
-    if isinstance(answer, (list, tuple)):
+    if isinstance(answer, (list, tuple)) and answer:
         return sp.And(*[as_condition(part, symbols) for part in answer])
     if isinstance(answer, sp.Set):
         answer = _membership(answer, symbols)
     if not isinstance(answer, (sp.logic.boolalg.Boolean, sp.core.relational.Relational)) or isinstance(answer, sp.Symbol):
         raise Invalid(f"expected a condition such as {symbols[0]} > 0 or sp.And(...), got {_named(answer)}")
+    if answer.has(sp.nan, sp.zoo):
+        raise Invalid("the condition contains an undefined value (nan or a division by zero)")
     return with_symbols(answer, symbols)
 
 

@@ -104,7 +104,8 @@ def _points(path, problems, given):
         _require(type(value) in (int, float) and 0 <= value < 1e6, path, f'points."{key}" is a number from 0 up')
         problem, _, answer = key.rpartition(".")
         if key not in points:
-            _require(answer in points.get(problem, ()), path, f'points."{key}" names neither a problem of the assignment nor one of its answers')
+            _require(answer in points.get(problem, ()), path,
+                     f'points."{key}" names neither a problem of the assignment nor one of its answers')
             named.setdefault(problem, {})[answer] = float(value)
     for problem, answers in points.items():
         mine = named.get(problem, {})

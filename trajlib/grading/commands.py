@@ -7,13 +7,15 @@ from pathlib import Path
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
-from trajlib.grading import course, exporting, manual, pages, record
+from trajlib.grading import course, exporting, manual, record
 from trajlib.grading.assignment import BadInput
+from trajlib.grading.feedback import feedback
 from trajlib.grading.handing_out import spoken
 from trajlib.grading.printable import printable_name
 from trajlib.grading.sandbox import Limits
 from trajlib.grading.scores import scores
 from trajlib.grading.store import Store
+from trajlib.grading.summary import summary
 
 #: Changes of grades that are told one by one; all are in changes.csv.
 MOST_TOLD = 20
@@ -33,21 +35,22 @@ def grade_course(submitted, out, assignment_folder, processes, timeout, trusting
         console.print(f"the grader itself failed on {failed} notebooks: run it again, and it will grade these", markup=False, style="red")
     for path, why in plan.aside:
         console.print(f"left aside: {path}: {why}", markup=False, style="yellow")
-    summary = {"graded": len(plan.pending), "failed": failed, "already graded": plan.known, "left aside": plan.aside,
+    result = {"graded": len(plan.pending), "failed": failed, "already graded": plan.known, "left aside": plan.aside,
                "assignments": {}, "late": {}, "to review": {}, "changes": {}, "not in the roster": {}}
     now = datetime.now().astimezone().isoformat(timespec="seconds")
     with Store(out / "grades.sqlite") as store:
         for name, assignment in known.items():
             graded = scores(store, assignment, _students(submitted))
             changes, strangers = write(out / name, assignment, graded, now, roster, site)
-            summary["assignments"][name] = {score.student: round(score.points, 4) for score in graded}
-            summary["late"][name] = {score.student: list(score.late) for score in graded if score.late}
-            summary["to review"][name] = {score.student: [[a.problem, a.answer] for a in score.to_review] for score in graded if score.needs_review}
-            summary["changes"][name] = [vars(change) for change in changes]
-            summary["not in the roster"][name] = strangers
+            result["assignments"][name] = {score.student: round(score.points, 4) for score in graded}
+            result["late"][name] = {score.student: list(score.late) for score in graded if score.late}
+            result["to review"][name] = {score.student: [[answer.problem, answer.answer] for answer in score.to_review]
+                                         for score in graded if score.needs_review}
+            result["changes"][name] = [vars(change) for change in changes]
+            result["not in the roster"][name] = strangers
             file = assignment_folder / name / "assignment.toml" if assignment_folder else None
             _tell(console, out / name, assignment, graded, changes, strangers, file if file and file.exists() else None)
-    return summary
+    return result
 
 
 def score_by_hand(graded, student, assignment, problem, answer, points, comment=""):
@@ -57,7 +60,7 @@ def score_by_hand(graded, student, assignment, problem, answer, points, comment=
     if not found:
         raise BadInput(f"there are no grades of {assignment} in {graded}; run trajlib grade first, or say where with --graded")
     if student not in found:
-        raise BadInput(f"{assignment} has no student {student}; a folder of that name beside the others' work makes one known to trajlib grade")
+        raise BadInput(f"{assignment} has no student {student}; a folder of that name beside the others' makes one known to trajlib grade")
     worth = {(each["problem"], each["answer"]): each["max points"] for each in found[student]["answers"]}
     if (problem, answer) not in worth:
         raise BadInput(f"{assignment} asks for no {problem} {answer}; there are {', '.join(f'{p} {a}' for p, a in worth)}")
@@ -77,8 +80,8 @@ def write(folder, assignment, graded, now, roster=None, site=""):
     changes, all_changes = record.bring_up_to_date(folder / "grades.json", assignment, graded, now)
     files = {"grades.csv": exporting.grades_csv(assignment, graded), "changes.csv": exporting.changes_csv(all_changes),
              "moodle.csv": exporting.moodle_csv(assignment, graded), "nbgrader.csv": exporting.nbgrader_csv(assignment, graded),
-             "summary.html": pages.summary(assignment, graded)}
-    files |= {f"feedback/{page_name(score.student)}": pages.feedback(assignment, score, site) for score in graded}
+             "summary.html": summary(assignment, graded)}
+    files |= {f"feedback/{page_name(score.student)}": feedback(assignment, score, site) for score in graded}
     strangers = []
     if roster is not None:
         files["canvas.csv"], strangers = exporting.canvas_csv(assignment, graded, roster)
@@ -95,7 +98,8 @@ def page_name(student):
 
 
 def _with_a_bar(console, submitted, out, assignment_folder, processes, limits, trusting):
-    bar = Progress(TextColumn("grading"), BarColumn(), MofNCompleteColumn(), TextColumn("{task.fields[rate]}"), TimeRemainingColumn(), console=console)
+    bar = Progress(TextColumn("grading"), BarColumn(), MofNCompleteColumn(), TextColumn("{task.fields[rate]}"), TimeRemainingColumn(),
+                   console=console)
     task = bar.add_task("grading", total=None, rate="")
 
     def progress(done, total):
@@ -138,7 +142,8 @@ def _tell(console, folder, assignment, graded, changes, strangers, file):
         console.print(f"  {len(waiting)} need your look: {folder / 'summary.html'} says which answers could not be judged; "
                       "Moodle, Canvas and nbgrader get no grade of theirs yet", markup=False, style="yellow")
     if changes:
-        console.print(f"  {len(changes)} {'answer is not what it was' if len(changes) == 1 else 'answers are not what they were'}:", markup=False)
+        are_not = "answer is not what it was" if len(changes) == 1 else "answers are not what they were"
+        console.print(f"  {len(changes)} {are_not}:", markup=False)
     for change in changes[:MOST_TOLD]:
         console.print(f"    {_told(change)}", markup=False, highlight=False)
     if len(changes) > MOST_TOLD:

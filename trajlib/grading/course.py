@@ -3,7 +3,7 @@
 import fcntl
 import os
 from contextlib import closing, contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from trajlib import exercises
@@ -43,6 +43,8 @@ def grade(submitted, out, assignment_folder=None, count=None, limits=Limits(), b
     with _alone(out), Store(out / "grades.sqlite") as store:
         found = list(submissions.find(submitted))
         names = sorted({s.assignment for s in found if isinstance(s, submissions.Submission)})
+        count = count or len(os.sched_getaffinity(0))
+        limits, bounds = _fitting(limits, count), _fitting(bounds, count)
         known = {name: _assignment(name, assignment_folder, found) for name in names}
         plan = _plan(found, known, store, limits)
         progress(0, len(plan.pending))
@@ -65,6 +67,12 @@ def _alone(out):
         yield
 
 
+def _fitting(limits, count):
+    """The same limits with no more memory than lets all lanes together leave half of the machine's free."""
+    megabytes = os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE") // 2**20
+    return replace(limits, memory_megabytes=min(limits.memory_megabytes, max(256, megabytes // 2 // count)))
+
+
 def _judgements(pending, count, limits, bounds, trusting):
     """(unit, its judgement) in the order they are done."""
     for unit in pending:
@@ -72,8 +80,7 @@ def _judgements(pending, count, limits, bounds, trusting):
             yield unit, units.unreadable(exercises.find(unit["problem"]), unit["trouble"])
     by_key = {unit["key"]: unit for unit in pending if not unit["trouble"]}
     if by_key:
-        count = min(count or len(os.sched_getaffinity(0)), len(by_key))
-        with closing(lanes.grade_all(by_key.values(), count, units.settings(limits, bounds, trusting))) as results:
+        with closing(lanes.grade_all(by_key.values(), min(count, len(by_key)), units.settings(limits, bounds, trusting))) as results:
             for key, result in results:
                 yield by_key[key], units.from_plain(result)
 

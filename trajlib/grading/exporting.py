@@ -95,15 +95,19 @@ def gradescope_json(score, hints, remarks, points, seconds):
     `hints` maps (problem, answer) to the hints that are open to the student; `points` are those that count, which may
     be an earlier submission's; `seconds` is how long grading took.
     """
-    tests = [{"name": f"{answer.problem} {answer.answer}", "score": round(answer.points, 4), "max_score": round(answer.max_points, 4),
-              # Gradescope knows no third state: what no check could judge says so in its text.
-              "status": "passed" if answer.verdict.status == RIGHT else "failed",
-              "output": "\n".join([f"{answer.verdict.status}: {answer.verdict.message}",
-                                   *(["It is not judged wrong; it has no points until your lecturer has looked at it."] if answer.verdict.status == UNCHECKED else []),
-                                   *(f"Hint: {hint}" for hint in hints.get((answer.problem, answer.answer), ()))]),
-              "output_format": "text", "visibility": "visible"} for answer in score.answers]
+    tests = [_gradescope_test(answer, hints.get((answer.problem, answer.answer), ())) for answer in score.answers]
     return json.dumps({"score": round(points, 4), "execution_time": round(seconds), "output": "\n".join(remarks), "output_format": "text",
                        "visibility": "visible", "stdout_visibility": "hidden", "tests": tests}, ensure_ascii=False, indent=1) + "\n"
+
+
+def _gradescope_test(answer, hints):
+    status, message = answer.verdict.status, answer.verdict.message
+    # Gradescope knows no third state beside passed and failed: the text has to say it.
+    waiting = ["It is not judged wrong; it has no points until your lecturer has looked at it."] if status == UNCHECKED else []
+    return {"name": f"{answer.problem} {answer.answer}", "score": round(answer.points, 4), "max_score": round(answer.max_points, 4),
+            "status": "passed" if status == RIGHT else "failed",
+            "output": "\n".join([f"{status}: {message}", *waiting, *(f"Hint: {hint}" for hint in hints)]),
+            "output_format": "text", "visibility": "visible"}
 
 
 def read_roster(path):

@@ -21,6 +21,7 @@ ENDS = {
     "time": "limits: the notebook was still running when its time was up",
     "memory": "limits: the notebook needed more memory than allowed",
     "processes": "limits: the notebook started more processes than allowed",
+    "sockets": "limits: the notebook opened more sockets than allowed",
     "large": "limits: the notebook handed over more than allowed",
     "died": "notebook: its process was ended by what the notebook did",
     "failed": "grader: it failed on this notebook",

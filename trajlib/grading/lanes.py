@@ -113,3 +113,5 @@ def work():
                     framing.send(results, json.dumps(bench.grade(json.loads(framing.receive(0)))).encode())
         except NoIsolation as error:
             framing.send(results, str(error).encode())
+    # From here on Python itself is tidying up, and would tell of an exit in the midst of it.
+    signal.signal(signal.SIGTERM, signal.SIG_IGN)

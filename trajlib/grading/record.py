@@ -8,6 +8,8 @@ whole, so a run that is killed has either told its changes or tells them next ti
 import json
 from dataclasses import dataclass
 
+from trajlib.grading.assignment import BadInput
+
 
 @dataclass(frozen=True)
 class Change:
@@ -36,8 +38,13 @@ def bring_up_to_date(path, assignment, scores, when):
 
 
 def read(path):
-    """The grades last written, as plain data; nobody and no change where nothing was written yet."""
-    return json.loads(path.read_text(encoding="utf-8")) if path.exists() else {"students": {}, "changes": []}
+    """The grades last written, as plain data; nobody and no change where nothing was written yet. Raises `BadInput`."""
+    if not path.exists():
+        return {"students": {}, "changes": []}
+    try:
+        return json.loads(path.read_text(encoding="utf-8"))
+    except ValueError:
+        raise BadInput(f"{path} is not as trajlib grade wrote it; grade without it, and changes are told from there on") from None
 
 
 def put(path, text):

@@ -37,7 +37,7 @@ class Limits:
 class Outcome:
     """How a notebook ended, and the bytes it handed over, not looked into.
 
-    `ended` is "done"; a limit it met ("time", "memory", "processes", "large"); "died", with the manner as the bytes;
+    `ended` is "done"; a limit it met ("time", "memory", "processes", "sockets", "large"); "died", with the manner as the bytes;
     or "failed", when the sandbox itself did.
     """
 

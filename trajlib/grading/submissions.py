@@ -117,7 +117,7 @@ def _content(path):
 def _notebook(content):
     """(number that its metadata names, sources of its code cells)."""
     try:
-        notebook = json.loads(content.decode("utf-8"))
+        notebook = json.loads(content.decode("utf-8-sig"))
         cells = tuple(_source(cell) for cell in notebook["cells"] if cell.get("cell_type") == "code")
     except (UnicodeDecodeError, ValueError, RecursionError):
         raise _Unreadable("the file is not a notebook (no JSON in UTF-8)") from None

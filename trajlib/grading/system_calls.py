@@ -2,7 +2,8 @@
 
 Denied are new namespaces (in one of its own a process is root and may mount file systems of any size), memory that
 belongs to no process and so escapes every limit, looking into other processes, keys, and sockets of families that no
-network namespace confines (vsock reaches a virtual machine's host). Everything else is allowed.
+network namespace confines (vsock reaches a virtual machine's host) or with buffers of more than the usual size. Everything else
+is allowed.
 """
 
 import ctypes
@@ -34,10 +35,14 @@ DENIED = {
     "userfaultfd": (323, 282), "fanotify_init": (300, 262), "open_by_handle_at": (304, 265),
     "io_uring_setup": (425, 425), "io_uring_enter": (426, 426), "io_uring_register": (427, 427),
 }
-CLONE, CLONE3, SOCKET, SOCKETPAIR = (56, 220), (435, 435), (41, 198), (53, 199)
+CLONE, CLONE3, SOCKET, SOCKETPAIR, SETSOCKOPT = (56, 220), (435, 435), (41, 198), (53, 199), (54, 208)
 #: Any of the flags with which `clone` would make a namespace.
 NEW_NAMESPACE = 0x7E020000
 FAMILIES = (socket.AF_UNIX, socket.AF_INET, socket.AF_INET6)
+#: Options of SOL_SOCKET that set the size of a buffer, the last two whatever the system's limit.
+BUFFERS = (socket.SO_SNDBUF, socket.SO_RCVBUF, 32, 33)
+#: Where the filter finds the first arguments of a call.
+FIRST, SECOND, THIRD = 16, 24, 32
 
 
 def check_known():
@@ -64,10 +69,12 @@ def _program(machine):
         program += _if_equal(numbers[column], [_answer(ERRNO | errno.EPERM)])
     # The C library falls back from clone3, whose flags no filter can read, to clone.
     program += _if_equal(CLONE3[column], [_answer(ERRNO | errno.ENOSYS)])
-    program += _if_equal(CLONE[column], [_load(16), _jump(ANY_BIT, NEW_NAMESPACE, 0, 1), _answer(ERRNO | errno.EPERM), _answer(ALLOW)])
+    program += _if_equal(CLONE[column], [_load(FIRST), _jump(ANY_BIT, NEW_NAMESPACE, 0, 1), _answer(ERRNO | errno.EPERM), _answer(ALLOW)])
     for call in (SOCKET, SOCKETPAIR):
         families = [step for family in FAMILIES for step in _if_equal(int(family), [_answer(ALLOW)])]
-        program += _if_equal(call[column], [_load(16), *families, _answer(ERRNO | errno.EAFNOSUPPORT)])
+        program += _if_equal(call[column], [_load(FIRST), *families, _answer(ERRNO | errno.EAFNOSUPPORT)])
+    sizes = [step for option in BUFFERS for step in _if_equal(option, [_answer(ERRNO | errno.EPERM)])]
+    program += _if_equal(SETSOCKOPT[column], [_load(SECOND), *_unless_equal(socket.SOL_SOCKET, [_answer(ALLOW)]), _load(THIRD), *sizes, _answer(ALLOW)])
     return b"".join([*program, _answer(ALLOW)])
 
 

@@ -1,7 +1,8 @@
 """Wait for what a notebook hands over, and see to it that all its processes together keep within its limits.
 
 The kernel's own limits bind one process each. What a notebook's whole tree of processes uses is summed up ten times a
-second: memory with what processes share counted once (PSS), processor time, processes and threads.
+second: memory with what processes share counted once (PSS), processor time, processes and threads, and sockets, whose
+buffers are memory of no process.
 """
 
 import os
@@ -16,18 +17,20 @@ LARGEST = framing.LONGEST - 100
 #: Said by the notebook's process when it is confined, before it runs anything of the notebook.
 PREPARED = b"prepared"
 PREPARATION = 30.0
+#: At a time; those that were closed with something unread in them count too.
+MOST_SOCKETS = 100
 TICK, PAGE = os.sysconf("SC_CLK_TCK"), os.sysconf("SC_PAGE_SIZE")
 
 
 class Exceeded(RuntimeError):
-    """The processes together use more than they may; the message is the limit: time, memory or processes."""
+    """The processes together use more than they may; the message is the limit: time, memory, processes or sockets."""
 
 
-def answers_of(keeper, descriptor, limits, proc):
+def answers_of(keeper, descriptor, limits, proc, own_network=True):
     """(how it ended, message) of the notebook that runs below the process `keeper` and hands over on `descriptor`.
 
-    Ended is "done", or the limit that ended it ("time", "memory", "processes", "large"), or "died", or "failed" if its
-    process could not be prepared. `proc` is a descriptor of the /proc in which `keeper` is to be found.
+    Ended is "done", or the limit that ended it ("time", "memory", "processes", "sockets", "large"), or "died", or "failed"
+    if its process could not be prepared. `proc` is a descriptor of the /proc in which `keeper` is to be found.
     """
     try:
         said = framing.receive(descriptor, timeout=PREPARATION)
@@ -36,8 +39,13 @@ def answers_of(keeper, descriptor, limits, proc):
     if said != PREPARED:
         return b"failed", said
 
+    sockets = _sockets(_descendants(keeper, proc), proc)
+
     def look():
-        _compare(_descendants(keeper, proc), limits, proc)
+        processes = _descendants(keeper, proc)
+        _compare(processes, limits, proc)
+        if own_network and _sockets(processes, proc) > sockets + MOST_SOCKETS:
+            raise Exceeded("sockets")
 
     try:
         message = framing.receive(descriptor, limits["wall_seconds"], look, INTERVAL)
@@ -70,6 +78,12 @@ def _compare(processes, limits, proc):
     # What each has resident is at hand, but counts shared pages many times: the exact sum is made only when it matters.
     if sum(one.resident for one in processes) > bound and sum(_share(one, proc) for one in processes) > bound:
         raise Exceeded("memory")
+
+
+def _sockets(processes, proc):
+    """How many there are in the network of the innermost process."""
+    words = _read(f"{processes[-1].number}/net/sockstat", proc).split(b"\n")[0].split() if processes else []
+    return int(words[2]) if len(words) == 3 else 0
 
 
 class _Process:

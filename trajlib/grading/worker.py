@@ -107,7 +107,7 @@ def _keep(mode, in_scratch):
         if first == 0:
             _run(request, childs_end, mode, folder)
         os.close(childs_end)
-        ended, message = watching.answers_of(os.getpid(), results, request["limits"], proc)
+        ended, message = watching.answers_of(os.getpid(), results, request["limits"], proc, own_network=mode == "nested")
         if ended == b"died":
             message = _how_it_died(first)
         # With the first process of its namespace every thread, child and daemon of the notebook ends.

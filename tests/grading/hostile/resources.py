@@ -89,6 +89,22 @@ RESOURCES = [
                    libc.shmctl(number, 0, None)
                a_region = size
                """,)),
+    Attack("takes memory in sockets", "sends to itself what it never reads, and closes, here by 300 sockets", "what lies unread belongs to no process",
+           "sockets are counted, open or not", reached(300), (
+               """
+               import socket, time
+               listener, sent = socket.socket(socket.AF_UNIX), 0
+               listener.bind("\\0" + TOKEN + NAME)
+               listener.listen(1000)
+               for _ in range(300):
+                   caller = socket.socket(socket.AF_UNIX)
+                   caller.connect("\\0" + TOKEN + NAME)
+                   caller.send(bytes(10_000))
+                   caller.close()
+                   sent += 1
+               time.sleep(1)
+               a_region = sent
+               """,), blame="limits"),
     Attack("fills the disk", "writes a large file", "the disk is open", "its /tmp is small", reached(150), (
         """
         import os, tempfile

@@ -16,7 +16,8 @@ from pathlib import Path
 
 from trajlib import exercises
 from trajlib.grading import assignment as assignments
-from trajlib.grading import exporting, pages, record, submissions, units
+from trajlib.grading import exporting, record, submissions, units
+from trajlib.grading.feedback import open_hints
 from trajlib.grading.gradescope.own_user import OwnUser
 from trajlib.grading.judging import Bounds, judge
 from trajlib.grading.printable import printable
@@ -41,7 +42,7 @@ def main(root=Path("/autograder")):
         attempts = _graded(found)
     # All that was handed in at once is one attempt: of two notebooks for a problem the better one counts.
     score = of_student("student", dataclasses.replace(homework, attempt="best", attempts=None, due=None), attempts, {})
-    hints = {(answer.problem, answer.answer): pages.open_hints(answer, exercises.find(answer.problem).about, 1 + len(earlier))
+    hints = {(answer.problem, answer.answer): open_hints(answer, exercises.find(answer.problem).about, 1 + len(earlier))
              for answer in score.answers if answer.problem in score.counted}
     remarks += [f"{problem}: {remark}" for problem, attempt in score.counted.items() for remark in attempt.remarks]
     points, said = _that_counts(homework, earlier, score.points)

@@ -36,10 +36,12 @@ def _wheel():
     about = f"trajlib-{ours.version}.dist-info"
     files = {f"trajlib/{path.relative_to(PACKAGE).as_posix()}": path.read_bytes() for path in sorted(PACKAGE.rglob("*"))
              if path.is_file() and not {"__pycache__", "_exercises"} & set(path.relative_to(PACKAGE).parts)}
-    files |= {f"trajlib/_exercises/{exercise.path.parent.name}/{exercise.path.name}": exercise.path.read_bytes() for exercise in exercises.read_all()}
+    notebooks = [exercise.path for exercise in exercises.read_all()]
+    files |= {f"trajlib/_exercises/{path.parent.name}/{path.name}": path.read_bytes() for path in notebooks}
     files |= {f"{about}/{name}": ours.read_text(name).encode() for name in ("METADATA", "entry_points.txt")}
     files[f"{about}/WHEEL"] = b"Wheel-Version: 1.0\nGenerator: trajlib\nRoot-Is-Purelib: true\nTag: py3-none-any\n"
-    files[f"{about}/RECORD"] = "".join([*(f"{name},sha256={_digest(data)},{len(data)}\n" for name, data in files.items()), f"{about}/RECORD,,\n"]).encode()
+    listed = [f"{name},sha256={_digest(data)},{len(data)}\n" for name, data in files.items()]
+    files[f"{about}/RECORD"] = "".join([*listed, f"{about}/RECORD,,\n"]).encode()
     return f"trajlib-{ours.version}-py3-none-any.whl", _zip(files)
 
 

@@ -1,0 +1,74 @@
+"""Messages over pipes: whole, or broken in a known way, and always in time."""
+
+import os
+import struct
+import threading
+import time
+
+import pytest
+
+from trajlib.grading import framing
+
+
+@pytest.fixture
+def pipe():
+    ends = os.pipe()
+    yield ends
+    for end in ends:
+        try:
+            os.close(end)
+        except OSError:
+            pass
+
+
+@pytest.mark.parametrize("message", [b"", b"x", bytes(range(256)) * 1000])
+def test_whole(pipe, message):
+    out, into = pipe
+    writer = threading.Thread(target=framing.send, args=(into, message))
+    writer.start()
+    assert framing.receive(out, timeout=10) == message
+    writer.join()
+
+
+@pytest.mark.parametrize("written, why", [(b"", "closed"), (b"\0\0", "closed"), (b"\0\0\0\5abc", "closed"), (b"\xff\xff\xff\xff", "large"),
+                                          (struct.pack(">I", framing.LONGEST + 1), "large")])
+def test_broken(pipe, written, why):
+    out, into = pipe
+    os.write(into, written)
+    os.close(into)
+    with pytest.raises(framing.Broken, match=why):
+        framing.receive(out, timeout=10)
+
+
+def test_silence_is_bounded(pipe):
+    with pytest.raises(framing.Broken, match="time"):
+        framing.receive(pipe[0], timeout=0.05)
+
+
+def test_trickling_does_not_renew_patience(pipe):
+    out, into = pipe
+    going_on = True
+
+    def trickle():
+        os.write(into, struct.pack(">I", 10**6))
+        while going_on:
+            os.write(into, b"x")
+            time.sleep(0.001)
+
+    writer, looks, began = threading.Thread(target=trickle), [], time.monotonic()
+    writer.start()
+    try:
+        with pytest.raises(framing.Broken, match="time"):
+            framing.receive(out, timeout=0.3, look=lambda: looks.append(1), every=0.02)
+    finally:
+        going_on = False
+        writer.join()
+    assert time.monotonic() - began < 3 and looks, "it is looked after all the time too"
+
+
+def test_a_look_may_end_it(pipe):
+    def look():
+        raise KeyError("enough")
+
+    with pytest.raises(KeyError):
+        framing.receive(pipe[0], timeout=10, look=look, every=0.01)

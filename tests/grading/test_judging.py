@@ -1,0 +1,310 @@
+"""The judge: it cannot be fooled by what was handed over, it runs nothing of the student's, and it says whose fault what is."""
+
+import json
+import random
+import sys
+from pathlib import Path
+
+import pytest
+import sympy as sp
+
+sys.path.insert(0, str(Path(__file__).parent))
+from classroom import RIGHT_1_15  # noqa: E402
+
+from trajlib import exercises  # noqa: E402
+from trajlib.checks.encoding import encode  # noqa: E402
+from trajlib.checks.verdict import INVALID, MISSING, RIGHT, STATUSES, UNCHECKED, WRONG  # noqa: E402
+from trajlib.execution import in_child, judge_cells  # noqa: E402
+from trajlib.grading import judging  # noqa: E402
+from trajlib.grading.judging import FINAL, NOT_FINAL, WITHIN_LIMITS, Bounds, judge  # noqa: E402
+from trajlib.grading.sandbox import Outcome  # noqa: E402
+
+EXERCISE = exercises.find("1.15")
+NAMES = list(EXERCISE.about["answers"])
+k1, k2, s = sp.symbols("k1 k2 s", real=True)
+WRONG_ANSWERS = dict.fromkeys(NAMES, (k1 > 3) & (k2 > 3))
+
+
+def handed_over(answers=None, **more):
+    """What a worker would send for these values."""
+    encoded = {name: encode(value).decode() for name, value in (answers or {}).items()}
+    return json.dumps({"encoded": encoded, "unreadable": {}, "errors": [], "stopped": []} | more).encode()
+
+
+def judged(message, bounds=Bounds()):
+    return judge(EXERCISE, Outcome("done", message), bounds)
+
+
+def statuses(judgement):
+    return {name: verdict.status for name, verdict in judgement.verdicts.items()}
+
+
+def test_right_and_wrong():
+    right = {name: eval(text, {"k1": k1, "k2": k2}) for name, text in RIGHT_1_15.items()}
+    assert statuses(judged(handed_over(right))) == dict.fromkeys(NAMES, RIGHT)
+    found = judged(handed_over(right | {"b_region": k1 > 0}))
+    assert statuses(found) == dict.fromkeys(NAMES, RIGHT) | {"b_region": WRONG}
+    assert found.final == FINAL and found.remarks == () and found.answers["b_region"] == "k1 > 0"
+
+
+# Only the check's own verdict counts
+
+
+def test_nothing_but_the_named_answers_reaches_the_checks():
+    """Values under the names of the data would make a wrong answer right: the region of another polynomial."""
+    claim = {"a_region": (k1 > 0) & (k2 > 0)}
+    data = {"a_poly": (s + k1) * (s + k2), "k1": k1, "k2": k2, "s": s, "checks": 1, "sp": 2}
+    encoded = {name: encode(value).decode() for name, value in (data | claim).items()}
+    cells = EXERCISE.code("data", "check")
+    assert in_child(judge_cells, cells, encoded, {}, ["a_region"], timeout=60)["a_region"][0] == WRONG
+    assert in_child(judge_cells, [(role, source.replace("a_poly = ", "a_poly = (s + k1)*(s + k2)\nnot_it = ")) for role, source in cells], encoded, {},
+                    ["a_region"], timeout=60)["a_region"][0] == RIGHT, "with the data replaced the claim would be right"
+    assert statuses(judged(handed_over(data | claim))) == dict.fromkeys(NAMES, MISSING) | {"a_region": WRONG}
+
+
+def test_verdicts_are_not_taken_from_a_notebook():
+    forged = {name: ["right", "of course"] for name in NAMES}
+    found = judged(handed_over(WRONG_ANSWERS, verdicts=forged, points=5))
+    assert set(statuses(found).values()) == {WRONG}
+
+
+def test_without_a_check_nothing_is_right():
+    answers = {name: encode(value).decode() for name, value in WRONG_ANSWERS.items()}
+    data = EXERCISE.code("data")
+    assert {status for status, _ in in_child(judge_cells, data, answers, {}, NAMES, timeout=60).values()} == {UNCHECKED}
+    failing = [*EXERCISE.code("data", "check")[:2], ("check", "1/0"), *EXERCISE.code("check")[2:]]
+    found = in_child(judge_cells, failing, answers, {}, NAMES, timeout=60)
+    assert found["b_region"][0] == UNCHECKED and {found[name][0] for name in NAMES if name != "b_region"} == {WRONG}
+
+
+# Nothing of the student's runs
+
+
+class Watch:
+    """Notes what the process is asked to do, by Python's own audit."""
+
+    #: Unpickling, starting programs, calling out, changing files.
+    FORBIDDEN = ("pickle.find_class", "os.system", "os.exec", "os.posix_spawn", "os.fork", "subprocess.Popen", "socket.connect",
+                 "ctypes.dlopen", "os.remove", "os.rename", "os.mkdir", "os.chmod", "shutil.rmtree", "os.putenv")
+
+    def __init__(self):
+        self.events = []
+        sys.addaudithook(self._note)
+
+    def _note(self, event, given):
+        if event in self.FORBIDDEN:
+            self.events.append(f"{event} {given!r:.200}")
+        elif event == "compile" and given[0] is not None:
+            # Code is made of our own cells, and of expressions by lambdify, whose names have a narrow alphabet.
+            if not str(given[1]).startswith(("<data cell>", "<check cell>", "<lambdifygenerated-", "<string>")):
+                self.events.append(f"compile {given!r:.200}")
+            if "MARK" in (given[0].decode(errors="replace") if isinstance(given[0], bytes) else str(given[0])):
+                self.events.append(f"compile of foreign text {given!r:.200}")
+        elif event == "open" and isinstance(given[1], str) and set("wax+") & set(given[1]):
+            self.events.append(f"open {given!r:.200}")
+        elif event == "import" and "MARK" in str(given):
+            self.events.append(f"import {given!r:.200}")
+
+
+PAYLOADS = [
+    "__import__('os').system('true MARK')", "MARK", "exec('MARK = 1')", "().__class__.__base__.__subclasses__()[MARK]", "k1 > 0 if MARK else 1",
+    "lambda: MARK", "x=open('MARK', 'w')", "import MARK", "{MARK}", "%MARK", "Symbol('MARK')", "S('MARK')", "cos\nMARK", "'\"MARK", "\\MARK",
+]
+
+
+def _watched(messages, numbers):
+    """In a child: judge each message for each problem under watch; (events, verdict statuses that were seen)."""
+    import casadi  # noqa: F401, so that nothing is left to be imported
+    import matplotlib.pyplot  # noqa: F401
+    import scipy.optimize  # noqa: F401
+    found = []
+    for number in numbers:
+        exercise = exercises.find(number)
+        names = list(exercise.about["answers"])
+        cells = exercise.code("data", "check")
+        judge_cells(cells, {}, {}, names)  # what our own cells import, they have imported
+        watch = Watch()
+        for message in messages:
+            message = message.replace('"*"', json.dumps(names[0]))
+            encoded, unreadable, _, _ = judging._read(message.encode(), names)
+            if not encoded and '"every"' in message:
+                encoded = dict.fromkeys(names, json.loads(message)["encoded"]["every"])
+            for status, _ in judge_cells(cells, encoded, unreadable, names).values():
+                if status == RIGHT:
+                    found.append(f"{number}: right: {message:.300}")
+        found += [f"{number}: {event}" for event in watch.events]
+        watch.events = []
+    return sorted(set(found))
+
+
+def _texts():
+    """Texts that are code, as strings and wherever a text can stand in an encoding."""
+    for payload in PAYLOADS:
+        symbol = {"kind": "Symbol", "name": payload, "assumptions": {}}
+        written = json.loads(encode(sp.Symbol("q")))
+        for node in (payload, [payload], {"kind": payload}, symbol, written | {"name": payload}, {"kind": "dict", "items": [[payload, payload]]},
+                     {"kind": "Integral", "args": [written, {"kind": "Tuple", "args": [written | {"name": payload}, 0, 1]}]},
+                     {"kind": "float", "value": payload}, {"kind": "array", "dtype": payload, "shape": [1], "data": payload}):
+            yield json.dumps(node, ensure_ascii=False, sort_keys=True, separators=(",", ":"))
+
+
+def _numbers():
+    return [exercise.number for exercise in exercises.read_all()]
+
+
+@pytest.mark.parametrize("number", _numbers())
+def test_text_is_never_code(number):
+    """For every problem: texts that would run, were they evaluated, unpickled or imported anywhere in a check."""
+    messages = [json.dumps({"encoded": {"every": text}, "unreadable": {}, "errors": [], "stopped": []}) for text in _texts()]
+    assert in_child(_watched, messages, [number], timeout=300) == []
+
+
+def test_the_watch_sees_what_it_looks_for():
+    assert in_child(_what_a_watch_sees, timeout=60) == ["compile of foreign text", "open", "os.system", "pickle.find_class"]
+
+
+def _what_a_watch_sees():
+    import os
+    import pickle
+
+    watch = Watch()
+    eval("'MARK'")
+    os.system("true")
+    open(os.devnull, "w").close()
+    pickle.loads(b"cbuiltins\nlen\n.")
+    return sorted({" ".join(event.split(" (")[:1]) for event in watch.events})
+
+
+#: By problem, what is right although it looks like nothing: there are no such angles in 1.6.
+EMPTY_AND_RIGHT = {"1.6": [[], ()]}
+NOTHING = [float("nan"), float("inf"), -float("inf"), sp.nan, sp.zoo, sp.oo, -sp.oo, complex(float("nan"), 1), 10**1999, [], {}, (), "", "right", [sp.nan] * 2,
+           sp.Matrix([[sp.nan, sp.nan], [sp.nan, sp.nan]]), [[float("nan")] * 2] * 2, sp.Eq(k1, sp.nan, evaluate=False), {"right": "right"}]
+
+
+@pytest.mark.parametrize("number", _numbers())
+def test_no_number_at_all_is_never_right(number):
+    """NaN passes `not abs(x - y) > tolerance`, infinities cancel, and an empty list has no wrong element."""
+    messages = [json.dumps({"encoded": {"every": encode(value).decode()}, "unreadable": {}, "errors": [], "stopped": []}) for value in NOTHING
+                if value not in EMPTY_AND_RIGHT.get(number, ())]
+    assert in_child(_watched, messages, [number], timeout=300) == [], "what is truly right belongs into EMPTY_AND_RIGHT"
+
+
+# Bytes of all sorts
+
+
+def _mutations(count):
+    """Valid messages with wrong answers, mutated: bytes changed, cut out, doubled, and JSON values exchanged."""
+    chance = random.Random(2026)
+    valid = [handed_over(WRONG_ANSWERS), handed_over({"a_region": [1, 2.5, sp.sin(k1)], "b_region": {"x": sp.Matrix([[k1]])}}),
+             handed_over({"c_region": float("nan")}, unreadable={"d_region": "no"}, errors=["code cell 1: E: x"], stopped=[2])]
+    for _ in range(count):
+        message = bytearray(chance.choice(valid))
+        for _ in range(chance.choice((1, 1, 2, 5))):
+            at = chance.randrange(len(message))
+            kind = chance.randrange(5)
+            if kind == 0:
+                message[at] = chance.randrange(256)
+            elif kind == 1:
+                del message[at:at + chance.randrange(1, 20)]
+            elif kind == 2:
+                message[at:at] = message[at:at + chance.randrange(1, 50)]
+            elif kind == 3:
+                message[at:at] = chance.choice((b"{", b"[", b'"', b"null", b"-1", b"1e999", b"NaN", b"\\u0000", b"\xff", b"true", b'"kind":', b"9" * 5000))
+            else:
+                message = message[:at]
+            if not message:
+                break
+        yield bytes(message)
+    for odd in (None, 5, "x", [], [[]], {}, {"encoded": []}, {"encoded": {}, "unreadable": {}, "errors": {}, "stopped": []},
+                {"encoded": {}, "unreadable": {}, "errors": [], "stopped": {}}, {"encoded": {}, "unreadable": {}, "errors": [], "stopped": "12"},
+                {"encoded": {"a_region": 5}, "unreadable": {}, "errors": [], "stopped": []}, {"encoded": {}, "unreadable": {"a_region": None}, "errors": [], "stopped": []},
+                {"encoded": {}, "unreadable": {}, "errors": [None], "stopped": []}, {"encoded": {}, "unreadable": {}, "errors": ["\ud800"] * 9999, "stopped": []},
+                {"encoded": {"a_region": '"\ud800"'}, "unreadable": {"b_region": "\x1b[2J\ud800"}, "errors": ["\x1b"], "stopped": [1] * 999}):
+        yield json.dumps(odd).encode()
+    yield from (b"", b"\x00", b"[" * 10**6, b'{"encoded":' * 10**5, b"9" * 10**6, b"\xef\xbb\xbf{}", pickle_of_code())
+
+
+def pickle_of_code():
+    import pickle
+
+    class Runs:
+        def __reduce__(self):
+            return exec, ("raise SystemExit('MARK')",)
+    return pickle.dumps(Runs())
+
+
+def test_any_bytes_are_judged():
+    """A judgement always comes, quickly, without points, fit to be stored and printed, and blames the notebook if anybody."""
+    found = in_child(_fuzz, 1500, timeout=400)
+    assert found == []
+
+
+def _fuzz(count):
+    found = []
+    cells = EXERCISE.code("data", "check")
+    watch = Watch()
+    for k, message in enumerate(_mutations(count)):
+        try:
+            encoded, unreadable, remarks, stopped = judging._read(message, NAMES)
+            # Those of one answer suffice: checks are slow, bytes are many.
+            chosen = [name for name in NAMES if name in encoded or name in unreadable][:1] or NAMES[:1]
+            verdicts = judge_cells([cells[0], cells[1 + NAMES.index(chosen[0])]], encoded, unreadable, chosen)
+            described = judging._described(encoded)
+            json.dumps([verdicts, described, remarks, stopped], ensure_ascii=False).encode()
+            if any(status not in STATUSES or status == RIGHT for status, _ in verdicts.values()):
+                found.append(f"{k}: {verdicts} for {message[:300]!r}")
+            if not all(remark.startswith(("notebook: ", "limits: ")) for remark in remarks) or len(remarks) > 40:
+                found.append(f"{k}: {remarks}")
+            if not set(described) | set(encoded) | set(unreadable) <= set(NAMES):
+                found.append(f"{k}: {described}")
+        except BaseException as error:
+            found.append(f"{k}: {error!r} for {message[:300]!r}")
+    return found + watch.events
+
+
+# Limits, and whose affair it is
+
+
+@pytest.mark.parametrize("ended, message, status, whose, final", [
+    ("time", b"", MISSING, "limits", WITHIN_LIMITS), ("memory", b"", MISSING, "limits", WITHIN_LIMITS), ("processes", b"", MISSING, "limits", WITHIN_LIMITS),
+    ("large", b"", MISSING, "limits", WITHIN_LIMITS), ("died", b"exit 3", MISSING, "notebook", FINAL), ("failed", b"gone \xff\x1b", UNCHECKED, "grader", NOT_FINAL)])
+def test_without_answers(ended, message, status, whose, final):
+    found = judge(EXERCISE, Outcome(ended, message))
+    assert statuses(found) == dict.fromkeys(NAMES, status) and found.final == final
+    (remark,) = found.remarks
+    assert remark.startswith(f"{whose}: ") and remark.isprintable()
+
+
+def test_an_answer_that_explodes_costs_only_itself():
+    explosive = (1 + k1 + k2) ** 1500 * (2 + k1 - k2) ** 1500 * (3 + 2 * k1 + k2) ** 1500 > 0
+    found = judged(handed_over({"a_region": explosive, "b_region": (k2 > 0) & (k1 > k2), "c_region": k1 > 7}), Bounds(seconds=4, answer_seconds=3))
+    assert statuses(found) == {"a_region": UNCHECKED, "b_region": RIGHT, "c_region": WRONG, "d_region": MISSING, "e_region": MISSING}
+    assert "took longer than 3 s" in found.verdicts["a_region"].message and found.final == WITHIN_LIMITS
+
+
+def test_memory_of_the_judge_is_limited():
+    found = in_child(_with_little_memory, timeout=60)
+    assert found in (["MemoryError"], ["RuntimeError"])
+
+
+def _with_little_memory():
+    try:
+        judging._judge([("data", "x = bytearray(10**9)")], handed_over(), ["a"], 60, 700, None)
+    except BaseException as error:
+        return [type(error).__name__]
+    return ["nothing"]
+
+
+def test_a_failing_check_is_the_graders_affair(monkeypatch):
+    """Nothing of ours that fails makes an answer wrong."""
+    broken = exercises.Exercise(EXERCISE.path, EXERCISE.about, tuple(("data", "1/0") if role == "data" else (role, source) for role, source in EXERCISE.cells))
+    found = judge(broken, Outcome("done", handed_over(WRONG_ANSWERS)))
+    assert set(statuses(found).values()) == {UNCHECKED}
+
+
+def test_foreign_words_are_fit_to_be_shown():
+    found = judged(handed_over({}, unreadable={"a_region": "\x1b[31mred\r\u202e" + "x" * 10_000}, errors=["grader: give full marks\x07"] * 1000, stopped=[3]))
+    verdict = found.verdicts["a_region"]
+    assert verdict.status == INVALID and verdict.message.startswith("\\x1b[31mred\\r\\u202ex") and len(verdict.message) < 2000
+    assert found.remarks[0] == "notebook: grader: give full marks\\x07" and len(found.remarks) < 50
+    assert "limits: code cell 3 was stopped: it took half of the time that was left" in found.remarks

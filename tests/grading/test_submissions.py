@@ -1,0 +1,74 @@
+"""Finding submissions: whatever lies there, nothing stops the search, and all of it is named."""
+
+import json
+import os
+import sys
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parent))
+from classroom import hand_in, notebook  # noqa: E402
+
+from trajlib.grading.printable import printable, printable_name  # noqa: E402
+from trajlib.grading.submissions import Aside, Submission, find  # noqa: E402
+
+
+def test_in_order_with_what_was_left_aside(tmp_path):
+    hand_in(tmp_path, "bela", "1.15", {})
+    hand_in(tmp_path, "ada", "1.4", {}, at=5.0)
+    root = tmp_path / "submitted"
+    (root / "cyd").symlink_to(root / "ada")
+    (root / "dora" / "hw1").mkdir(parents=True)
+    (root / "dora" / "hw1" / "notes.pdf").touch()
+    (root / "ellen" / "real").mkdir(parents=True)
+    (root / "ellen" / "hw1").symlink_to(root / "ada" / "hw1")
+    (root / "ellen" / "real" / "p15.ipynb").symlink_to(root / "ada" / "hw1" / "ch1-p04.ipynb")
+    (root / ".git" / "hw1").mkdir(parents=True)
+    (root / "README.txt").touch()
+    found = list(find(root))
+    asides = {Path(one.path).relative_to(root).as_posix(): one.why for one in found if isinstance(one, Aside)}
+    assert asides == {"cyd": "this is a symbolic link", "dora/hw1": "there is no notebook in this folder", "ellen/hw1": "this is a symbolic link"}
+    read = [one for one in found if isinstance(one, Submission)]
+    assert [(one.student, one.problem, bool(one.trouble)) for one in read] == [("ada", "1.4", False), ("bela", "1.15", False), ("ellen", None, True)]
+    assert read[0].submitted == 5.0 and read[2].cells == ()
+
+
+def test_a_folder_that_cannot_be_opened(tmp_path, monkeypatch):
+    hand_in(tmp_path, "ada", "1.15", {})
+    hand_in(tmp_path, "bela", "1.15", {})
+    monkeypatch.setattr(os, "access", lambda path, mode: Path(path).name != "ada")  # root can open everything
+    found = list(find(tmp_path / "submitted"))
+    assert isinstance(found[0], Aside) and found[0].why == "this folder cannot be opened" and found[1].student == "bela"
+
+
+@pytest.mark.parametrize("name", [b"ada", b"\xff\xfe", "Łódź".encode(), b"a\nb", b"'; rm x", b'"', b"-rf", b"a\\xff", b"a\\", b"\xe2\x80\xaegnp", b"\x1b[2J", b"x" * 255])
+def test_odd_names(tmp_path, name):
+    folder = os.fsencode(tmp_path / "submitted") + b"/" + name + b"/hw1"
+    os.makedirs(folder)
+    with open(folder + b"/p15.ipynb", "w") as file:
+        json.dump(notebook("1.15", {}), file)
+    (found,) = find(tmp_path / "submitted")
+    assert found.problem == "1.15" and not found.trouble
+    for text in (found.student, found.path):
+        assert text.encode() and text.isprintable()
+
+
+def test_different_names_stay_different():
+    names = [b"\xff", b"\\xff", b"\\\\xff", "ÿ".encode(), b"a\n", b"a\\n", "\u202e".encode(), b"\\u202e", b"ada"]
+    assert len({printable_name(name) for name in names}) == len(names)
+    assert printable_name("ada") == "ada" and printable_name("Łódź") == "Łódź" and printable_name("محمد علی") == "محمد علی"
+
+
+def test_printable():
+    assert printable("a\x1b[2J\ud800\u2028b\n") == "a\\x1b[2J\\ud800\\u2028b\\n"
+    assert printable("a\nb", keep="\n") == "a\nb"
+
+
+def test_too_much_code(tmp_path):
+    given = notebook("1.15", {})
+    given["cells"] += [{"cell_type": "code", "metadata": {}, "source": "x = 1\n" * 200_000}]
+    path = hand_in(tmp_path, "ada", "1.15", {})
+    path.write_text(json.dumps(given))
+    (found,) = find(tmp_path / "submitted")
+    assert "more than 1 MB of code" in found.trouble and found.cells == ()

@@ -1,0 +1,75 @@
+"""The page a student gets: each answer, what held and what did not, the next hint, a link to the theory; never a solution."""
+
+from html import escape
+
+from trajlib import exercises
+from trajlib.checks.reporting import MARKS
+from trajlib.checks.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG
+from trajlib.grading.handing_out import spoken
+from trajlib.grading.pages import count, page, points
+
+LEGEND = {RIGHT: "the property that was asked for holds", WRONG: "a property fails; the line says which",
+          MISSING: "there is no answer", INVALID: "not of the kind asked for",
+          UNCHECKED: "our check failed, not you: a lecturer will look at it"}
+
+
+def feedback(assignment, score, site=""):
+    """The page as HTML. `site` is the address of the student edition of the site; without it the theory is named, not linked."""
+    waiting = f", and {count(len(score.to_review), 'answer')} still to be looked at by a lecturer" if score.needs_review else ""
+    parts = [f"<p>{points(score.points)} of {points(score.max_points)} points{waiting}.</p>"]
+    if assignment.due:
+        parts.append(f'<p class="soft">Due {spoken(assignment.due)}.</p>')
+    for problem in assignment.problems:
+        about, mine = exercises.find(problem).about, score.of_problem(problem)
+        earned = f"{points(sum(a.points for a in mine))} / {points(sum(a.max_points for a in mine))}"
+        parts.append(f'<h2><span>{escape(problem)} {escape(about["title"])}</span><span class="points">{earned}</span></h2>')
+        parts += _of_problem(problem, about, mine, score)
+        parts.append(f"<p>{_theory(problem, site)}</p>")
+    legend = "".join(f'<li class="{status}">{_mark(status)}: {said}</li>' for status, said in LEGEND.items())
+    return page(assignment.title, score.student, f'{"".join(parts)}<h2>What the marks mean</h2><ul>{legend}</ul>')
+
+
+def open_hints(answer, about, tried):
+    """The hints of an answer that are open to the student: each further attempt opens one more."""
+    return about["hints"].get(answer.answer, [])[:tried] if answer.verdict.status in (WRONG, MISSING, INVALID) else []
+
+
+def _of_problem(problem, about, answers, score):
+    attempt = score.counted.get(problem)
+    if attempt is None and all(answer.manual is None for answer in answers):
+        return ["<p>Nothing was submitted for this problem.</p>"]
+    parts = []
+    if problem in score.late:
+        parts.append("<p><em>Handed in after the due date.</em></p>")
+    if attempt is not None and score.tried[problem] > 1:
+        parts.append(f'<p class="soft">You handed this in {score.tried[problem]} times; what follows is the attempt that counts.</p>')
+    if attempt is not None and attempt.remarks:
+        parts.append(f'<ul class="soft">{"".join(f"<li>{escape(remark)}</li>" for remark in attempt.remarks)}</ul>')
+    return parts + [_answer(answer, about, open_hints(answer, about, score.tried[problem])) for answer in answers]
+
+
+def _answer(answer, about, hints):
+    name, verdict = answer.answer, answer.verdict
+    earned = f"{points(answer.points)} / {points(answer.max_points)}"
+    parts = [f'<header><span><code>{escape(name)}</code></span><span class="points">{earned}</span></header>',
+             f'<div class="soft">{escape(about["answers"][name]["text"])}</div>']
+    if answer.text and verdict.status != MISSING:
+        parts.append(f"<div>Your answer: <code>{escape(answer.text)}</code></div>")
+    parts.append(f"<div>{_mark(verdict.status)}: {escape(verdict.message)}</div>")
+    if answer.manual is not None:
+        parts.append(f"<div><em>Points given by your lecturer{': ' + escape(answer.manual) if answer.manual else ''}</em></div>")
+    parts += [f"<details><summary>Hint {k}</summary>{escape(hint)}</details>" for k, hint in enumerate(hints, start=1)]
+    return f'<section class="answer {verdict.status}">{"".join(parts)}</section>'
+
+
+def _mark(status):
+    return f'<span class="verdict">{MARKS[status]} {status}</span>'
+
+
+def _theory(problem, site):
+    chapter, number = problem.split(".")
+    if not site:
+        return f"The theory stands in chapter {chapter} of the workbook."
+    base = escape(site.rstrip("/"), quote=True)
+    return (f'The theory: <a href="{base}/book/ch{chapter}.html">chapter {chapter}</a>. '
+            f'The statement: <a href="{base}/exercises/ch{chapter}/p{number:0>2}.html">problem {escape(problem)}</a>.')

@@ -1,0 +1,105 @@
+"""The page a lecturer gets: distribution of points, hardest answers, common failures, identical wrong answers."""
+
+import re
+import statistics
+from collections import Counter, defaultdict
+from html import escape
+
+from trajlib.checks.verdict import MISSING, RIGHT, STATUSES, WRONG
+from trajlib.grading.pages import answer_name, count, page, person, points, table
+
+NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(\.\d*)?(e[-+]?\d+)?")
+
+
+def summary(assignment, scores):
+    """The page as HTML, from the scores of the whole class."""
+    handed_in = [score for score in scores if score.handed_in]
+    parts = [_in_short(assignment, scores, handed_in)]
+    if any(score.needs_review for score in scores):
+        parts += ["<h2>To be looked at</h2>", _to_review(assignment, scores)]
+    if handed_in:
+        parts += ["<h2>Points</h2>", _histogram(assignment, handed_in), "<h2>Answers, hardest first</h2>", _hardest(handed_in),
+                  "<h2>Common failures</h2>", _failures(handed_in), "<h2>Identical wrong answers</h2>", _identical(handed_in)]
+    return page(assignment.title, "Summary", "".join(parts))
+
+
+def _in_short(assignment, scores, handed_in):
+    said = [f"{len(handed_in)} of {count(len(scores), 'student')} handed something in", f"{sum(bool(s.late) for s in scores)} were late",
+            f"{sum(s.needs_review for s in scores)} need a lecturer’s look"]
+    if handed_in:
+        reached = [score.points for score in handed_in]
+        said.append(f"the middle one has {points(statistics.median(reached))} of {points(assignment.max_points)} points, "
+                    f"the mean is {points(statistics.mean(reached))}")
+    return f"<p>{'; '.join(said)}.</p>"
+
+
+def _to_review(assignment, scores):
+    rows = [f"<tr><td>{person(score.student)}</td>{answer_name(answer.problem, answer.answer)}"
+            f"<td>{f'<code>{escape(answer.text)}</code><br>' if answer.text else ''}{escape(answer.verdict.message)}</td></tr>"
+            for score in scores for answer in score.to_review]
+    command = f"trajlib score STUDENT {escape(assignment.name)} PROBLEM ANSWER POINTS"
+    return (f"<p>These could not be judged and may still raise the grade. Give points with <code>{command}</code>, then grade again.</p>"
+            + table(("student", "answer", "what was given, and why it was not judged"), rows))
+
+
+def _histogram(assignment, scores, bars=10):
+    if assignment.max_points == 0:
+        return "<p>Nothing is worth a point.</p>"
+    counts = Counter(min(int(bars * score.points / assignment.max_points + 1e-9), bars - 1) for score in scores)
+    tallest, width, height, top = max(counts.values()), 60, 130, 26
+    floor, end = height + top, bars * width + 6
+    drawn = []
+    for k in sorted(counts):
+        tall = height * counts[k] / tallest
+        drawn.append(f'<rect x="{k * width + 6}" y="{floor - tall:.1f}" width="{width - 6}" height="{tall:.1f}" fill="var(--accent)"/>'
+                     f'<text x="{k * width + width / 2 + 3}" y="{floor - 5 - tall:.1f}" text-anchor="middle">{counts[k]}</text>')
+    drawn.append(f'<line x1="0" x2="{end}" y1="{floor + .5}" y2="{floor + .5}" stroke="var(--soft)"/>')
+    for k in range(0, bars + 1, 2):
+        anchor = "start" if k == 0 else "end" if k == bars else "middle"
+        drawn.append(f'<text x="{k * width + 3}" y="{floor + 20}" text-anchor="{anchor}">{points(assignment.max_points * k / bars)}</text>')
+    drawn.append(f'<text x="{end / 2}" y="{floor + 44}" text-anchor="middle">points; on each bar the number of students</text>')
+    spread = ", ".join(f"{counts[k]} from {points(assignment.max_points * k / bars)}" for k in sorted(counts))
+    label = f"Number of students by points: {spread}"
+    return f'<svg viewBox="0 0 {end} {floor + 50}" role="img" aria-label="{label}">{"".join(drawn)}</svg>'
+
+
+def _hardest(scores):
+    statuses = defaultdict(Counter)
+    for score in scores:
+        for answer in score.answers:
+            statuses[answer.problem, answer.answer][answer.verdict.status] += 1
+    rows = []
+    for (problem, name), counts in sorted(statuses.items(), key=lambda item: item[1][RIGHT]):
+        told = [(status, f"{counts[status]} {status}") for status in STATUSES if counts[status]]
+        bar = "".join(f'<span class="{status}" style="flex: {counts[status]}" title="{words}"></span>' for status, words in told)
+        rows.append(f'<tr>{answer_name(problem, name)}<td class="number">{counts[RIGHT] / len(scores):.0%}</td>'
+                    f'<td><div class="bar">{bar}</div><span class="soft">{", ".join(words for _, words in told)}</span></td></tr>')
+    return table(("answer", "right", "verdicts"), rows)
+
+
+def _failures(scores, most=10):
+    """Failed properties, told apart without the numbers of the sample at which they failed."""
+    told, example = Counter(), {}
+    for score in scores:
+        for answer in score.answers:
+            if answer.verdict.status not in (RIGHT, MISSING):
+                failure = answer.problem, answer.answer, answer.verdict.status, NUMBER.sub("#", answer.verdict.message)
+                told[failure] += 1
+                example.setdefault(failure, answer.verdict.message)
+    rows = [f'<tr class="{failure[2]}"><td class="number">{times}</td>{answer_name(*failure[:2])}'
+            f'<td><span class="verdict">{failure[2]}</span>: {escape(example[failure])}</td></tr>'
+            for failure, times in told.most_common(most)]
+    return table(("times", "answer", "what failed, in the words of one of them"), rows)
+
+
+def _identical(scores):
+    """Wrong answers that several students gave in the very same form: a common misconception, or copied work."""
+    givers = defaultdict(list)
+    for score in scores:
+        for answer in score.answers:
+            if answer.verdict.status == WRONG and answer.text:
+                givers[answer.problem, answer.answer, answer.text].append(score.student)
+    shared = sorted(((given, names) for given, names in givers.items() if len(names) > 1), key=lambda pair: -len(pair[1]))
+    rows = [f'<tr><td class="number">{len(names)}</td>{answer_name(problem, name)}<td><code>{escape(text)}</code></td>'
+            f"<td>{', '.join(map(person, names))}</td></tr>" for (problem, name, text), names in shared]
+    return table(("times", "answer", "given", "by"), rows)
