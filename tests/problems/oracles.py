@@ -249,7 +249,37 @@ def kind_of_angles(mutant, reference, field, state, parameters):
     return all(_holds(tests[0], point) == _holds(tests[1], point) for point in points)
 
 
-ORACLES = {"growing_motion": growing_motion, "conserved_form": conserved_form,
+def breaks_bound(mutant, reference, matrix, state, factor):
+    """True for every error for which |dx|^2 |H x + e|^2 >= factor^2 mu^2 |e|^2 |x|^2, in exact arithmetic."""
+    if len(mutant) != matrix.rows:
+        return False
+    e, x = sp.Matrix(mutant).applyfunc(sp.nsimplify), sp.Matrix(state)
+    change = (matrix.T * matrix).inv() * matrix.T * e
+    squares = [abs(value) for value in (matrix.T * matrix).eigenvals()]
+    left = change.dot(change) * (matrix * x + e).dot(matrix * x + e)
+    right = sp.Integer(factor) ** 2 * max(squares) / min(squares) * e.dot(e) * x.dot(x)
+    return e.dot(e) > 0 and bool(left >= right)
+
+
+def stations_insufficient(mutant, reference, matrix, first, second):
+    """As `same_condition`, at parallel directions and at those parallel in two components too, which chance does not meet."""
+    if not isinstance(mutant, LOGIC) or not same_condition(mutant, reference):
+        return False
+    random = Random(18)
+    for number in range(60):
+        one = [random.choice((-1, 1)) * sp.Rational(random.randint(1, 40), 7) for _ in first]
+        factor = sp.Rational(random.randint(1, 40), 9)
+        other = [factor * part for part in one]
+        if number % 4:
+            other[number % 3] += sp.Rational(random.randint(1, 9), 2)
+        values = dict(zip([*first, *second], [*one, *other]))
+        if mutant.subs(values) != reference.subs(values):
+            return False
+    return True
+
+
+ORACLES = {"breaks_bound": breaks_bound, "stations_insufficient": stations_insufficient,
+           "growing_motion": growing_motion, "conserved_form": conserved_form,
            "rest_angles": same_angles, "stable_rest_angles": same_angles, "unstable_rest_angles": same_angles,
            "stable_angles": angle_condition, "saddle_angles": angle_condition,
            "focus_parameters": kind_of_angles, "node_parameters": kind_of_angles,

@@ -26,4 +26,7 @@ __getattr__, __dir__, __all__ = lazy_names(__name__, {
     "smoothing": ["boundary_decay", "bounded_misfit", "digits_lost", "filter_gain", "interpolant_acceleration", "multiple_eigenvalues",
                   "on_unit_circle", "reduced_polynomial", "spline_acceleration", "spline_misfit", "spline_positions",
                   "steady_costate", "transition_polynomial", "weight_for_bound", "weight_of_harmonic"],
+    "observations": ["bearing_tells_range", "bias_of_estimate", "breaks_bound", "condition_of_nearly_equal", "fooling_error",
+                     "measured_motion", "modes_of_range", "most_rows", "numbers_seen", "range_error", "stations_insufficient",
+                     "unseen_by_bearings", "unseen_direction", "unseen_motions", "worst_of_three"],
 })

@@ -2,7 +2,8 @@
 
 An equation labelled eq-1-15-a is (1.15a), a theorem labelled thm-1-2 is Theorem 1.2: on every page, in references, in the
 student's notebook, and in the problem book where the number comes from. What has no such label is counted as usual. A
-number given by TeX's own \\tag stands where all others stand.
+number given by TeX's own \\tag stands where all others stand. A chapter's number is that of its file, book/ch5.md,
+whichever chapters stand before it.
 """
 
 import re
@@ -13,6 +14,7 @@ from docutils import nodes
 EQUATION = re.compile(r"eq-(\d+)-([\w-]+)")
 TAG = re.compile(r"\\tag\{([^{}]*)\}")
 STATEMENT = re.compile(r"[a-z]+-(\d+)-(\d+)")
+CHAPTER = re.compile(r"book/ch(\d+)")
 
 
 def _number_equations(app, document):
@@ -50,9 +52,24 @@ def _number_statements(app, env):
     return []
 
 
+def _number_chapters(app, env):
+    """Put the numbers of the files over those that Sphinx has counted."""
+    env.workbook_counted_chapters = deepcopy(env.toc_secnumbers)
+    for page in list(env.toc_secnumbers):
+        if match := CHAPTER.fullmatch(page):
+            chapter = int(match[1])
+            numbers = env.toc_secnumbers[page]
+            env.toc_secnumbers[page] = {anchor: (chapter, *number[1:]) if number else number for anchor, number in numbers.items()}
+            for node in (env.titles[page], *env.tocs[page].findall(nodes.reference)):
+                if node.get("secnumber"):
+                    node["secnumber"] = [chapter, *node["secnumber"][1:]]
+    return []
+
+
 def _restore_counts(app, env, added, changed, removed):
     # Sphinx compares its counts with those of the last build, and writes every page whose numbers differ.
     env.toc_fignumbers = getattr(env, "workbook_counted", env.toc_fignumbers)
+    env.toc_secnumbers = getattr(env, "workbook_counted_chapters", env.toc_secnumbers)
     return []
 
 
@@ -61,3 +78,4 @@ def setup(app):
     app.connect("doctree-read", _label_statements)
     app.connect("env-get-outdated", _restore_counts)
     app.connect("env-get-updated", _number_statements, priority=900)
+    app.connect("env-get-updated", _number_chapters, priority=900)
