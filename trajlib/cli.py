@@ -119,6 +119,10 @@ def grade(submitted: Annotated[Path, typer.Argument(help="Folder submitted/<stud
           processes: Annotated[int | None, typer.Option(help="Notebooks graded at the same time; default: all cores.")] = None,
           timeout: Annotated[float, typer.Option(help="Seconds of computing one notebook may take.", min=1)] = 120,
           trust_students: Annotated[bool, typer.Option("--trust-students", help="Run notebooks without a sandbox, as yourself.")] = False,
+          cluster: Annotated[str | None, typer.Option(help="Grade on a Dask cluster: its scheduler's address, tls://host:8786.")] = None,
+          tls_ca_file: Annotated[Path | None, typer.Option(help="For --cluster: the certificate of who signed the others.")] = None,
+          tls_cert: Annotated[Path | None, typer.Option(help="For --cluster: this machine's certificate.")] = None,
+          tls_key: Annotated[Path | None, typer.Option(help="For --cluster: the private key to it.")] = None,
           as_json: AsJson = False):
     """Grade a course: run every notebook in a sandbox, judge its answers, write tables and feedback.
 
@@ -131,30 +135,21 @@ def grade(submitted: Annotated[Path, typer.Argument(help="Folder submitted/<stud
 
     if not submitted.is_dir():
         raise UserError(f"{submitted} is not a folder")
+    if processes is not None and processes < 1:
+        raise UserError("--processes is a number from 1 up")
+    if cluster is not None and processes is not None:
+        raise UserError("--processes is for this machine; with --cluster each worker grades as many at a time as it has threads")
+    if cluster is None and (tls_ca_file or tls_cert or tls_key):
+        raise UserError("--tls-ca-file, --tls-cert and --tls-key are for --cluster")
+    where = {"address": cluster, "ca_file": tls_ca_file, "cert": tls_cert, "key": tls_key} if cluster is not None else None
     try:
-        summary = grade_course(submitted, out, assignments, processes, timeout, trust_students, as_json, roster, site)
+        summary = grade_course(submitted, out, assignments, processes, timeout, trust_students, as_json, roster, site, where)
     except NoIsolation as error:
         raise UserError(f"{error}; --trust-students grades without a sandbox") from None
     except KeyboardInterrupt:
         print("trajlib: stopped; what is graded is stored, and the same command goes on from there", file=sys.stderr)
         raise typer.Exit(130) from None
     print(json.dumps(summary, ensure_ascii=False, indent=1)) if as_json else None
-
-
-@assignment.command()
-def new(name: Annotated[str, typer.Argument(help="The homework's name; it names its folder.")],
-        numbers: Annotated[list[str], typer.Argument(help='Its problems, such as 1.4 1.15.')],
-        title: Annotated[str | None, typer.Option(help="Title for people; default: the name.")] = None,
-        due: Annotated[str | None, typer.Option(help='"2026-10-01 23:59", or "2026-10-01" for the end of that day.')] = None,
-        assignments: Annotated[Path, typer.Option(help="Folder in which homeworks stand.")] = Path("assignments"),
-        site: Annotated[str, typer.Option(help="Address of the student edition of the site, for links to the theory.")] = ""):
-    """Make a homework folder: the students' notebooks, a README for them, and assignment.toml with points and dates."""
-    from trajlib.grading.handing_out import due_date, make, spoken
-
-    homework = make(assignments, name, numbers, title, due_date(due) if due else None, site)
-    answers = sum(len(points) for points in homework.points.values())
-    console.print(f"{assignments / name}: {len(homework.problems)} problems, {answers} answers, {homework.max_points:g} points, "
-                  + (f"due {spoken(homework.due)}" if homework.due else "no due date"), markup=False)
 
 
 @app.command()

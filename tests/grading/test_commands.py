@@ -4,7 +4,6 @@ import csv
 import io
 import json
 import os
-import re
 import shutil
 import subprocess
 import sys
@@ -14,6 +13,7 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
 from classroom import RIGHT_1_15, hand_in, write_assignment  # noqa: E402
+from guide import like, steps  # noqa: E402
 
 from trajlib import exercises  # noqa: E402
 from trajlib.checks.encoding import decode, describe  # noqa: E402
@@ -164,6 +164,17 @@ def test_a_changed_problem_regrades_what_it_changed_and_says_so(course, here, ch
     assert len(table(course / "graded" / "hw1" / "changes.csv")) == 1 + 2, "and stays in the table"
 
 
+def test_a_change_of_a_problem_that_is_taken_back(course, here, changed_workbook):
+    """What counts is judged by the problem as it is, not by the version that judged last."""
+    right, mistaken = "a_region=checks.stability_region(a_region, a_poly", "a_region=checks.stability_region(a_region, b_poly"
+    for old, new, points in ((right, mistaken, {"ann": 8, "bob": 6}), (mistaken, right, {"ann": 10, "bob": 6})):
+        grade(course)
+        changed_workbook("1.15", old, new)
+        summary = grade(course)
+        assert {name: summary["assignments"]["hw1"][name] for name in points} == points
+    assert grade(course)["graded"] == 0
+
+
 def test_a_run_killed_before_it_told_its_changes_tells_them_next_time(course, here, changed_workbook, monkeypatch):
     grade(course)
     changed_workbook("1.15", "a_region=checks.stability_region(a_region, a_poly", "a_region=checks.stability_region(a_region, b_poly")
@@ -242,6 +253,7 @@ def test_answers_to_be_looked_at(course, here, changed_workbook, capsys):
 @pytest.mark.parametrize("arguments, said", [
     (["grade", "nowhere", "--out", "graded"], "nowhere is not a folder"),
     (["grade", "submitted", "--out", "graded", "--assignments", "nowhere"], "nowhere is not a folder"),
+    (["grade", "submitted", "--out", "graded", "--processes", "-1"], "--processes is a number from 1 up"),
     (["grade", "submitted", "--out", "graded", "--roster", "nowhere.csv"], "nowhere.csv: No such file or directory"),
     (["assignment", "new", "hw1", "1.15"], "assignments/hw1 is already there"),
     (["assignment", "new", "hw2", "9.99"], "there is no problem 9.99"),
@@ -312,30 +324,6 @@ def canvas_exports_its_gradebook(folder):
 #: What people do between the commands, at the beginning of a section.
 MEANWHILE = {"Collect": the_class_hands_in, "When something changes": cid_hands_in_again,
              "Hand the grades on": canvas_exports_its_gradebook}
-
-
-def steps(text):
-    """(section, command, lines it prints) for every command of the page."""
-    found, section, inside = [], "", False
-    for line in text.split("\n"):
-        if line.startswith("#") and not inside:
-            section = line.lstrip("# ")
-        if line.startswith("```"):
-            assert inside or line == "```console", f"{line}: shell commands stand in console blocks"
-            inside = not inside
-        elif inside and line.startswith("$ "):
-            found.append((section, line[2:], []))
-        elif inside:
-            found[-1][2].append(line)
-    return found
-
-
-def like(shown, printed):
-    """Whether what was printed is what the page shows; `...` stands for anything."""
-    words = [" ".join(line.split()) for line in shown if line.strip()]
-    pattern = "".join(".*" if line == "..." else re.escape(line).replace(r"\.\.\.", ".*") + "\n" for line in words)
-    text = "\n".join(" ".join(line.split()) for line in printed.replace("\ufeff", "").split("\n") if line.strip()) + "\n"
-    return re.fullmatch(pattern, text, re.DOTALL) is not None
 
 
 def test_every_command_of_the_lecturers_guide(tmp_path):

@@ -91,3 +91,21 @@ def test_what_is_for_no_problem_is_named(tmp_path, broken_lanes):
     _, plan, _ = course.grade(tmp_path / "submitted", tmp_path)
     ((path, why),) = plan.aside
     assert path.endswith("essay\\x1b.ipynb") and "does not say which problem" in why
+
+
+@pytest.mark.parametrize("out", ["submitted", "submitted/graded"])
+def test_results_do_not_lie_among_the_students(tmp_path, broken_lanes, out):
+    hand_in(tmp_path, "ada", "1.15", RIGHT_1_15)
+    with pytest.raises(course.CourseError, match="every folder is a student's: put it beside"):
+        course.grade(tmp_path / "submitted", tmp_path / out)
+    assert [path.name for path in (tmp_path / "submitted").iterdir()] == ["ada"]
+
+
+def test_a_mended_judge_grades_again(tmp_path, broken_lanes, monkeypatch):
+    hand_in(tmp_path, "ada", "1.15", RIGHT_1_15)
+    course.grade(tmp_path / "submitted", tmp_path / "graded")
+    assert course.grade(tmp_path / "submitted", tmp_path / "graded")[1].pending == ()
+    closure = units.module_closure
+    monkeypatch.setattr(units, "module_closure", lambda source: closure(source) | {"trajlib.checks.encoding": "mended"}
+                        if "trajlib.checks.encoding" in closure(source) else closure(source))
+    assert len(course.grade(tmp_path / "submitted", tmp_path / "graded")[1].pending) == 1

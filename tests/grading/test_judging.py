@@ -283,13 +283,18 @@ def test_an_answer_that_explodes_costs_only_itself():
 
 
 def test_memory_of_the_judge_is_limited():
-    found = in_child(_with_little_memory, timeout=60)
+    found = in_child(_with_little_memory, 1000, 700, timeout=60)
     assert found in (["MemoryError"], ["RuntimeError"])
 
 
-def _with_little_memory():
+def test_what_is_loaded_takes_nothing_from_the_judges_memory():
+    """On a small machine with many cores little is allowed, and all of it is there for the answers."""
+    assert in_child(_with_little_memory, 200, 256, timeout=60) == ["nothing"]
+
+
+def _with_little_memory(taken, allowed):
     try:
-        judging._judge([("data", "x = bytearray(10**9)")], handed_over(), ["a"], 60, 700, None)
+        judging._judge([("data", f"x = bytearray({taken} * 2**20)")], handed_over(), ["a"], 60, allowed, None)
     except BaseException as error:
         return [type(error).__name__]
     return ["nothing"]

@@ -34,6 +34,43 @@ def test_in_order_with_what_was_left_aside(tmp_path):
     assert read[0].submitted == 5.0 and read[2].cells == ()
 
 
+def test_notebooks_in_the_wrong_place_are_named(tmp_path):
+    """A whole class handed in one folder too high or too low is not a class that handed in nothing."""
+    real = hand_in(tmp_path, "ada", "1.15", {})
+    root = tmp_path / "submitted"
+    for place in ("ch1-p15.ipynb", "bela/ch1-p15.ipynb", "ada/hw1/inner/ch1-p15.ipynb", "ada/hw1/._ch1-p15.ipynb",
+                  "ada/hw1/.ipynb_checkpoints/ch1-p15.ipynb"):
+        (root / place).parent.mkdir(exist_ok=True)
+        (root / place).write_bytes(real.read_bytes())
+    (root / "ada" / "hw1" / "pictures").mkdir()
+    found = list(find(root))
+    asides = {Path(one.path).relative_to(root).as_posix() for one in found if isinstance(one, Aside)}
+    assert asides == {"ch1-p15.ipynb", "bela/ch1-p15.ipynb", "ada/hw1/inner/ch1-p15.ipynb"}
+    whys = {one.why for one in found if isinstance(one, Aside)}
+    assert whys == {"it does not lie in a folder STUDENT/HOMEWORK, where notebooks are read"}
+    assert [one.path for one in found if isinstance(one, Submission)] == [str(real)]
+
+
+@pytest.mark.parametrize("trouble", [PermissionError(13, "Permission denied"), OSError(5, "Input/output error"),
+                                     OSError(24, "Too many open files")])
+@pytest.mark.parametrize("call", ["open", "fstat"])
+def test_a_file_that_we_cannot_read_is_no_attempt(tmp_path, monkeypatch, trouble, call):
+    """It is not the student's fault, so it must not count as the one attempt that a student has."""
+    hand_in(tmp_path, "ada", "1.15", {})
+    real = getattr(os, call)
+
+    def fail(what, *options):
+        if call == "fstat" or Path(what).suffix == ".ipynb":
+            raise trouble
+        return real(what, *options)
+
+    with monkeypatch.context() as broken:
+        broken.setattr(os, call, fail)
+        (aside,) = find(tmp_path / "submitted")
+    assert isinstance(aside, Aside) and aside.why == f"this file cannot be read ({trouble.strerror})"
+    assert isinstance(next(find(tmp_path / "submitted")), Submission)
+
+
 def test_a_folder_that_cannot_be_opened(tmp_path, monkeypatch):
     hand_in(tmp_path, "ada", "1.15", {})
     hand_in(tmp_path, "bela", "1.15", {})

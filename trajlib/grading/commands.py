@@ -21,16 +21,18 @@ from trajlib.grading.summary import summary
 MOST_TOLD = 20
 
 
-def grade_course(submitted, out, assignment_folder, processes, timeout, trusting, quiet, roster=None, site=""):
+def grade_course(submitted, out, assignment_folder, processes, timeout, trusting, quiet, roster=None, site="", cluster=None):
     """Grade and write everything below `out`; returns a summary as plain data.
 
-    `roster` is a gradebook exported from Canvas (a file), `site` the address of the student edition of the site.
+    `roster` is a gradebook exported from Canvas (a file), `site` the address of the student edition of the site, `cluster` the
+    options (address, ca_file, cert, key) of a `trajlib.grading.cluster.Cluster`.
     """
     submitted, out, console = Path(submitted), Path(out), Console(stderr=True, quiet=quiet, soft_wrap=True)
     # A roster or folder that cannot be used is said before an hour of grading, not after it.
     roster = exporting.read_roster(roster) if roster is not None else None
     assignment_folder = _assignments(assignment_folder)
-    known, plan, failed = _with_a_bar(console, submitted, out, assignment_folder, processes, Limits.of_time(timeout), trusting)
+    cluster = _cluster(cluster, console) if cluster is not None else None
+    known, plan, failed = _with_a_bar(console, submitted, out, assignment_folder, processes, Limits.of_time(timeout), trusting, cluster)
     if failed:
         console.print(f"the grader itself failed on {failed} notebooks: run it again, and it will grade these", markup=False, style="red")
     for path, why in plan.aside:
@@ -97,7 +99,18 @@ def page_name(student):
     return f"{student.encode()[:200].decode(errors='ignore')}-{hashlib.sha256(student.encode()).hexdigest()[:16]}.html"
 
 
-def _with_a_bar(console, submitted, out, assignment_folder, processes, limits, trusting):
+def _cluster(options, console):
+    # Only here, since grading on this machine needs nothing of it.
+    from trajlib.grading.cluster import Cluster, check
+
+    cluster = Cluster(**options, tell=lambda line: console.print(line, markup=False, style="yellow"))
+    check(cluster)
+    if not cluster.address.startswith("tls://"):
+        cluster.tell(f"{cluster.address} is not encrypted: who can reach it can read and change grades, and run anything on the workers")
+    return cluster
+
+
+def _with_a_bar(console, submitted, out, assignment_folder, processes, limits, trusting, cluster):
     bar = Progress(TextColumn("grading"), BarColumn(), MofNCompleteColumn(), TextColumn("{task.fields[rate]}"), TimeRemainingColumn(),
                    console=console)
     task = bar.add_task("grading", total=None, rate="")
@@ -109,7 +122,7 @@ def _with_a_bar(console, submitted, out, assignment_folder, processes, limits, t
             bar.update(task, completed=done, total=total, rate=f"{60 * speed:.0f} a minute" if speed else "")
 
     try:
-        return course.grade(submitted, out, assignment_folder, processes, limits, trusting=trusting, progress=progress)
+        return course.grade(submitted, out, assignment_folder, processes, limits, trusting=trusting, cluster=cluster, progress=progress)
     finally:
         if bar.live.is_started:
             bar.stop()

@@ -3,7 +3,7 @@
 import fcntl
 import os
 from contextlib import closing, contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 
 from trajlib import exercises
@@ -28,14 +28,17 @@ class Plan:
 
 
 def grade(submitted, out, assignment_folder=None, count=None, limits=Limits(), bounds=Bounds(), trusting=False,
-          progress=lambda done, all: None):
+          cluster=None, progress=lambda done, all: None):
     """Grade `submitted` into `out`/grades.sqlite; returns the assignments by name, the `Plan`, and how many the grader failed on.
 
     What has a result by the very same exercise and library is not graded again, so a killed run goes on where it
     stopped, and a changed exercise regrades only what it changed; so do other limits what met the former ones. Each
-    result is stored before the next is asked for. With `trusting` there is no sandbox.
+    result is stored before the next is asked for. With `trusting` there is no sandbox; with a `trajlib.grading.cluster.Cluster`
+    its workers grade, not this machine.
     """
     out = Path(out)
+    if out.resolve().is_relative_to(Path(submitted).resolve()):
+        raise CourseError(f"{out} lies in {submitted}, where every folder is a student's: put it beside")
     out.mkdir(parents=True, exist_ok=True)
     for folder in () if trusting else (submitted, out):
         if (shown := isolation.shown_through(folder)) is not None:
@@ -44,15 +47,18 @@ def grade(submitted, out, assignment_folder=None, count=None, limits=Limits(), b
         found = list(submissions.find(submitted))
         names = sorted({s.assignment for s in found if isinstance(s, submissions.Submission)})
         count = count or len(os.sched_getaffinity(0))
-        limits, bounds = _fitting(limits, count), _fitting(bounds, count)
+        if cluster is None:  # or else each worker sees what fits it
+            limits, bounds = units.fitting(limits, count), units.fitting(bounds, count)
         known = {name: _assignment(name, assignment_folder, found) for name in names}
         plan = _plan(found, known, store, limits)
         progress(0, len(plan.pending))
         failed = 0
-        for done, (unit, judgement) in enumerate(_judgements(plan.pending, count, limits, bounds, trusting), start=1):
-            store.record(unit["key"], _as_graded(unit["exercise"], judgement.final, limits), judgement.verdicts, judgement.answers, judgement.remarks)
-            failed += judgement.final == NOT_FINAL
-            progress(done, len(plan.pending))
+        with closing(_judgements(plan.pending, count, limits, bounds, trusting, cluster)) as judgements:
+            for done, (unit, judgement, within) in enumerate(judgements, start=1):
+                store.record(unit["key"], _as_graded(unit["exercise"], judgement.final, within), judgement.verdicts, judgement.answers,
+                             judgement.remarks)
+                failed += judgement.final == NOT_FINAL
+                progress(done, len(plan.pending))
     return known, plan, failed
 
 
@@ -67,27 +73,34 @@ def _alone(out):
         yield
 
 
-def _fitting(limits, count):
-    """The same limits with no more memory than lets all lanes together leave half of the machine's free."""
-    megabytes = os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE") // 2**20
-    return replace(limits, memory_megabytes=min(limits.memory_megabytes, max(256, megabytes // 2 // count)))
-
-
-def _judgements(pending, count, limits, bounds, trusting):
-    """(unit, its judgement) in the order they are done."""
+def _judgements(pending, count, limits, bounds, trusting, cluster):
+    """(unit, its judgement, the limits it had) in the order they are done."""
     for unit in pending:
         if unit["trouble"]:
-            yield unit, units.unreadable(exercises.find(unit["problem"]), unit["trouble"])
+            yield unit, units.unreadable(exercises.find(unit["problem"]), unit["trouble"]), limits
     by_key = {unit["key"]: unit for unit in pending if not unit["trouble"]}
-    if by_key:
-        with closing(lanes.grade_all(by_key.values(), min(count, len(by_key)), units.settings(limits, bounds, trusting))) as results:
-            for key, result in results:
-                yield by_key[key], units.from_plain(result)
+    if not by_key:
+        return
+    settings = units.settings(limits, bounds, trusting)
+    if cluster is None:
+        grading = lanes.grade_all(by_key.values(), min(count, len(by_key)), settings)
+    else:
+        from trajlib.grading.cluster import grade_all
+        grading = grade_all(by_key.values(), settings, cluster)
+    with closing(grading) as results:
+        for key, result in results:
+            yield by_key[key], units.from_plain(result), Limits(**result["limits"]) if "limits" in result else limits
 
 
 def _as_graded(exercise, final, limits):
     """Under which name a result is stored: what it depends on besides the notebook."""
     return {FINAL: exercise, WITHIN_LIMITS: f"{exercise} within {limits}", NOT_FINAL: "failed"}[final]
+
+
+def _is_graded(versions, exercise, limits):
+    """Whether what counts is by this very exercise (a later version of it may have been taken back), and would be no other now."""
+    return (bool(versions) and versions[-1].split(" ")[0] == exercise
+            and any(_as_graded(exercise, final, limits) in versions for final in (FINAL, WITHIN_LIMITS)))
 
 
 def _plan(found, known, store, limits):
@@ -107,7 +120,7 @@ def _plan(found, known, store, limits):
         if problem not in prints:
             prints[problem] = units.fingerprint(exercise)
         attempt = store.note_attempt(submission.student, submission.assignment, problem, submission.content, submission.submitted)
-        if any(store.is_graded(attempt, _as_graded(prints[problem], final, limits)) for final in (FINAL, WITHIN_LIMITS)):
+        if _is_graded(store.versions(attempt), prints[problem], limits):
             skipped += 1
         else:  # by attempt, since the same notebook may lie there twice
             pending[attempt] = {"key": attempt, "problem": problem, "exercise": prints[problem], "trouble": submission.trouble,

@@ -137,6 +137,15 @@ def end_with_parent():
     system_call("prctl", PR_SET_PDEATHSIG, signal.SIGKILL, 0, 0, 0)
 
 
+def loaded():
+    """Bytes of address space that this process has already: limits on memory are for what comes on top."""
+    try:
+        with open("/proc/self/statm") as file:
+            return int(file.read().split()[0]) * os.sysconf("SC_PAGE_SIZE")
+    except OSError:
+        return 0  # not Linux
+
+
 def _started(command, prepare, environment):
     try:
         # In a session of its own, so that Ctrl-C reaches the grader alone, which then ends its sandboxes.

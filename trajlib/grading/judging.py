@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from trajlib.checks.encoding import EncodingError, decode, describe
 from trajlib.checks.verdict import MISSING, UNCHECKED, Verdict
 from trajlib.execution import TimeLimit, in_child, judge_cells
-from trajlib.grading.isolation import end_with_parent
+from trajlib.grading.isolation import end_with_parent, loaded
 from trajlib.grading.printable import printable
 
 #: How a notebook ended that handed nothing over: whose affair it is, in the words of a remark.
@@ -104,7 +104,8 @@ def _judge(cells, handed_over, names, seconds, megabytes, only):
     """In the child: read the bytes strictly, keep the answers asked for, judge."""
     if sys.platform == "linux":
         end_with_parent()
-    resource.setrlimit(resource.RLIMIT_AS, (megabytes * 2**20, megabytes * 2**20))
+    memory = loaded() + megabytes * 2**20
+    resource.setrlimit(resource.RLIMIT_AS, (memory, memory))
     resource.setrlimit(resource.RLIMIT_CPU, (int(seconds) + 1, int(seconds) + 2))
     encoded, unreadable, remarks, stopped = _read(handed_over, [name for name in names if only in (None, name)])
     verdicts = {name: [status, printable(message[:2000], keep="\n")] for name, (status, message) in judge_cells(cells, encoded, unreadable, names).items()}

@@ -1,6 +1,7 @@
 """Several benches side by side, a process each: units go in, results come back as they are done, both as JSON bytes."""
 
 import json
+import math
 import os
 import select
 import signal
@@ -23,7 +24,7 @@ def grade_all(units, count, settings):
     anything is graded if a sandbox cannot be had. Close it (`contextlib.closing`) to end the lanes at once.
     """
     waiting = iter(units)
-    lanes = [_Lane(settings) for _ in range(count)]
+    lanes = [Lane(settings) for _ in range(count)]
     try:
         for lane in lanes:
             lane.greeted()
@@ -36,7 +37,7 @@ def grade_all(units, count, settings):
                     result = as_plain(failed(unit["names"], "one of its processes ended"))
                     lanes.remove(lane)
                     lane.stop()
-                    lane = _Lane(settings)
+                    lane = Lane(settings)
                     lanes.append(lane)
                     lane.greeted()
                 yield unit["key"], result
@@ -48,14 +49,15 @@ def grade_all(units, count, settings):
             lane.stop()
 
 
-class _Lane:
+class Lane:
     """The grader's end of one lane."""
 
     def __init__(self, settings):
         # A fresh process, in a session of its own: it inherits neither the grade store nor another lane's pipes, and Ctrl-C
         # reaches the grader alone.
-        self._process = subprocess.Popen([sys.executable, "-c", START], stdin=subprocess.PIPE, stdout=subprocess.PIPE, start_new_session=True)
-        self._send(settings)
+        self._process = subprocess.Popen([sys.executable, "-c", START], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                         start_new_session=True)
+        self.send(settings)
 
     def fileno(self):
         return self._process.stdout.fileno()
@@ -72,8 +74,19 @@ class _Lane:
         """Send the next unit, if there is one, and return it."""
         unit = next(waiting, None)
         if unit is not None:
-            self._send(unit)
+            self.send(unit)
         return unit
+
+    def send(self, message):
+        with suppress(BrokenPipeError):  # it has died, which its other pipe will tell
+            framing.send(self._process.stdin.fileno(), json.dumps(message).encode())
+
+    def alive(self):
+        return self._process.poll() is None
+
+    def end(self, at_once=False):
+        """Let it end, from whatever thread; the one that waits for a result gets None."""
+        self._process.kill() if at_once else self._process.terminate()
 
     def result(self):
         """The result at hand; None if the lane has died."""
@@ -82,7 +95,7 @@ class _Lane:
 
     def stop(self):
         # What the lane has started ends with it (`end_with_parent`).
-        self._process.terminate()
+        self.end()
         try:
             self._process.wait(timeout=5)
         except subprocess.TimeoutExpired:
@@ -92,25 +105,23 @@ class _Lane:
         with suppress(OSError):
             self._process.stdin.close()
 
-    def _send(self, message):
-        with suppress(BrokenPipeError):  # it has died, which its other pipe will tell
-            framing.send(self._process.stdin.fileno(), json.dumps(message).encode())
-
 
 def work():
-    """The lane's end: grade what comes in until nothing does."""
+    """The lane's end: grade what comes in until nothing does, or not for as long as the settings say."""
     end_with_parent()
     signal.signal(signal.SIGTERM, lambda *_: sys.exit())  # so that it tidies up
     # Results have a descriptor of their own: what a check might print does not come between them.
     results = os.dup(1)
     os.dup2(2, 1)
     with suppress(framing.Broken):
-        limits, bounds, trusting = from_settings(json.loads(framing.receive(0)))
+        settings = json.loads(framing.receive(0))
+        limits, bounds, trusting = from_settings(settings)
+        patience = settings.get("patience", math.inf)
         try:
             with Bench(limits, bounds, trusting) as bench:
                 framing.send(results, b"ready")
                 while True:
-                    framing.send(results, json.dumps(bench.grade(json.loads(framing.receive(0)))).encode())
+                    framing.send(results, json.dumps(bench.grade(json.loads(framing.receive(0, patience)))).encode())
         except NoIsolation as error:
             framing.send(results, str(error).encode())
     # From here on Python itself is tidying up, and would tell of an exit in the midst of it.

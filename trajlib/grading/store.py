@@ -73,9 +73,10 @@ class Store:
             "SELECT id FROM attempt WHERE student = ? AND assignment = ? AND problem = ? AND content = ?", key).fetchone()
         return found
 
-    def is_graded(self, attempt, exercise):
-        """True if the attempt has a result by this very exercise."""
-        return self._database.execute("SELECT 1 FROM result WHERE attempt = ? AND exercise = ?", (attempt, exercise)).fetchone() is not None
+    def versions(self, attempt):
+        """By which exercises the attempt has a result, the newest last, which is the one that counts."""
+        rows = self._database.execute("SELECT exercise FROM result WHERE attempt = ? ORDER BY rowid", (attempt,))
+        return [exercise for exercise, in rows]
 
     def record(self, attempt, exercise, verdicts, answers, remarks):
         """Store a result, whole or not at all; a second one by the same exercise replaces the first."""
@@ -93,11 +94,6 @@ class Store:
             WHERE a.assignment = ? ORDER BY a.student, a.problem, a.submitted, a.id""", (assignment,))
         return [Attempt(*row[:7], {name: Verdict(*verdict) for name, verdict in json.loads(row[7] or "{}").items()},
                         json.loads(row[8] or "{}"), tuple(json.loads(row[9] or "[]"))) for row in rows]
-
-    def results(self, attempt):
-        """All results of an attempt, oldest first: (exercise, verdicts), for a report of what a regrade changed."""
-        rows = self._database.execute("SELECT exercise, verdicts FROM result WHERE attempt = ? ORDER BY rowid", (attempt,))
-        return [(exercise, {name: Verdict(*v) for name, v in json.loads(verdicts).items()}) for exercise, verdicts in rows]
 
     def set_manual(self, student, assignment, problem, answer, points, comment):
         """A lecturer's score, which beats the automatic one until it is taken back."""

@@ -4,6 +4,7 @@ Nothing is followed out of the folder: symbolic links are named and left alone. 
 submission all the same, with a sentence that says why it earns nothing.
 """
 
+import errno
 import hashlib
 import json
 import os
@@ -55,13 +56,17 @@ def find(root, assignments=None):
             if isinstance(assignment, Aside):
                 yield assignment
             elif assignments is None or assignment.name in assignments:
-                notebooks = [path for path in _listed(assignment) if path.suffix.lower() == ".ipynb"]
+                notebooks = [path for path in _listed(assignment) if _is_notebook(path)]
                 yield from (_read(printable_name(student.name), printable_name(assignment.name), path) for path in notebooks)
-                if not notebooks:
+                below = [path for folder in _folders(assignment) if isinstance(folder, Path) and folder not in notebooks
+                         for path in _listed(folder) if _is_notebook(path)]
+                yield from map(_misplaced, below)
+                if not notebooks and not below:
                     yield Aside(printable_name(assignment), "there is no notebook in this folder")
 
 
 def _folders(path):
+    """Folders in a folder, and what is wrong with others; notebooks beside them are too high."""
     for entry in _listed(path):
         if entry.name.startswith("."):
             continue
@@ -72,14 +77,29 @@ def _folders(path):
                 yield entry
             else:
                 yield Aside(printable_name(entry), "this folder cannot be opened")
+        elif _is_notebook(entry):
+            yield _misplaced(entry)
 
 
 def _listed(path):
     return sorted(path.iterdir(), key=lambda entry: os.fsencode(entry.name))
 
 
+def _is_notebook(path):
+    """By its name; ._p15.ipynb is what a Mac puts beside p15.ipynb, and nobody's work."""
+    return path.suffix.lower() == ".ipynb" and not path.name.startswith("._")
+
+
+def _misplaced(path):
+    return Aside(printable_name(path), "it does not lie in a folder STUDENT/HOMEWORK, where notebooks are read")
+
+
 class _Unreadable(Exception):
     """The file is no notebook that can be run; the message says why."""
+
+
+#: Errors on opening a file that are the file's own doing: it is a link, a socket, a device.
+THEIRS = {errno.ELOOP, errno.ENXIO, errno.ENODEV}
 
 
 def _read(student, assignment, path):
@@ -89,6 +109,8 @@ def _read(student, assignment, path):
         number, cells = _notebook(content)
     except _Unreadable as error:
         trouble = str(error)
+    except OSError as error:  # our rights or our disk: no attempt of the student's
+        return Aside(printable_name(path), f"this file cannot be read ({error.strerror})")
     fingerprint = hashlib.sha256(content or trouble.encode()).hexdigest()
     return Submission(student, assignment, printable_name(path), fingerprint, submitted, number or _by_name(path.stem), cells, trouble)
 
@@ -98,7 +120,9 @@ def _content(path):
     try:
         # O_NOFOLLOW and O_NONBLOCK: neither a link to somebody else's file nor a pipe that never ends.
         descriptor = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK)
-    except OSError:
+    except OSError as error:
+        if error.errno not in THEIRS:
+            raise
         raise _Unreadable("the file is a symbolic link or cannot be opened") from None
     try:
         about = os.fstat(descriptor)
@@ -108,8 +132,6 @@ def _content(path):
             raise _Unreadable(f"the file has {about.st_size / 2**20:.0f} MB; notebooks up to {LARGEST // 2**20} MB are read")
         with open(descriptor, "rb", closefd=False) as file:
             return file.read(LARGEST + 1), about.st_mtime
-    except OSError as error:
-        raise _Unreadable(f"the file cannot be read ({error.strerror})") from None
     finally:
         os.close(descriptor)
 

@@ -2,7 +2,8 @@
 
 import hashlib
 import json
-from dataclasses import asdict
+import os
+from dataclasses import asdict, replace
 
 from trajlib import exercises
 from trajlib.checks.verdict import MISSING, Verdict
@@ -11,10 +12,14 @@ from trajlib.grading.judging import Bounds, Judgement, judge
 from trajlib.grading.sandbox import Limits, Sandbox, Trusting
 
 
+#: What runs a notebook's cells, and reads and judges what they hand over.
+JUDGES = "import trajlib.cells, trajlib.grading.judging"
+
+
 def fingerprint(exercise):
-    """What a result depends on besides the notebook: the exercise's data and check cells and the library under them."""
+    """What a result depends on besides the notebook: the exercise's data and check cells, the library under them, and the judge."""
     cells = exercise.code("data", "check")
-    closure = module_closure("\n".join(source for _, source in cells))
+    closure = module_closure("\n".join([JUDGES, *(source for _, source in cells)]))
     return hashlib.sha256(json.dumps([cells, closure], sort_keys=True).encode()).hexdigest()
 
 
@@ -66,6 +71,12 @@ def as_plain(judgement):
 def from_plain(given):
     verdicts = {name: Verdict(**verdict) for name, verdict in given["verdicts"].items()}
     return Judgement(verdicts, given["answers"], tuple(given["remarks"]), given["final"])
+
+
+def fitting(limits, count):
+    """The same limits with no more memory than lets `count` lanes together leave half of this machine's free."""
+    megabytes = os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE") // 2**20
+    return replace(limits, memory_megabytes=min(limits.memory_megabytes, max(256, megabytes // 2 // count)))
 
 
 def settings(limits, bounds, trusting=False):

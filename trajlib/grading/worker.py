@@ -27,7 +27,8 @@ import time
 from trajlib.cells import run_cells
 from trajlib.grading import framing, system_calls, watching
 from trajlib.grading.isolation import (CLONE_NEWIPC, CLONE_NEWNET, CLONE_NEWNS, CLONE_NEWPID, CLONE_NEWUSER, MS_BIND, MS_NODEV, MS_NOSUID,
-                                       MS_PRIVATE, MS_RDONLY, MS_REC, SCRATCH, NoIsolation, end_with_parent, mount, system_call, unshare)
+                                       MS_PRIVATE, MS_RDONLY, MS_REC, SCRATCH, NoIsolation, end_with_parent, loaded, mount, system_call,
+                                       unshare)
 
 PR_SET_NO_NEW_PRIVS, PR_CAPBSET_DROP, PR_SET_CHILD_SUBREAPER = 38, 24, 36
 CAPABILITY_VERSION_3 = 0x20080522
@@ -222,9 +223,7 @@ def _keep_only(results):
 
 def _limit(limits, mode):
     """Limits of the kernel on this process and its children, each for itself; `watching` sums up."""
-    with open("/proc/self/statm") as file:
-        loaded = int(file.read().split()[0]) * resource.getpagesize()
-    bounds = {resource.RLIMIT_AS: loaded + limits["memory_megabytes"] * 2**20, resource.RLIMIT_CPU: math.ceil(limits["cpu_seconds"]) + 5,
+    bounds = {resource.RLIMIT_AS: loaded() + limits["memory_megabytes"] * 2**20, resource.RLIMIT_CPU: math.ceil(limits["cpu_seconds"]) + 5,
               resource.RLIMIT_FSIZE: limits["disk_megabytes"] * 2**20, resource.RLIMIT_NOFILE: 128, resource.RLIMIT_CORE: 0}
     if mode != "trusting":  # there it would count all processes of the user
         bounds[resource.RLIMIT_NPROC] = limits["processes"]

@@ -1,0 +1,372 @@
+"""Grading on a Dask cluster of several processes: the same grades as on one machine, whatever ends in the midst, and nothing less safe."""
+
+import concurrent.futures
+import json
+import os
+import re
+import shutil
+import signal
+import sqlite3
+import subprocess
+import sys
+import threading
+import time
+from contextlib import closing
+from functools import partial
+from pathlib import Path
+
+import distributed
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parent))
+from classroom import RIGHT_1_15, hand_in  # noqa: E402
+from clusters import CERTIFICATES, COMMANDS, a_cluster, command_of  # noqa: E402
+from guide import like  # noqa: E402
+from test_nothing_lost import count, grades, outliving, submit_a_course  # noqa: E402
+
+from trajlib import exercises  # noqa: E402
+from trajlib.grading import cluster, cluster_lanes, course, units  # noqa: E402
+from trajlib.grading.isolation import NoIsolation  # noqa: E402
+from trajlib.grading.judging import Bounds  # noqa: E402
+from trajlib.grading.sandbox import Limits  # noqa: E402
+
+ROOT = Path(__file__).resolve().parents[2]
+ALIKE = os.environ | {"COLUMNS": "200", "NO_COLOR": "1", "TERM": "dumb"}
+
+
+@pytest.fixture(scope="module")
+def dask(tmp_path_factory):
+    """A scheduler and two workers with TLS, by the commands of the guide."""
+    with a_cluster(tmp_path_factory.mktemp("cluster")) as made:
+        for command, _ in COMMANDS:
+            if command.startswith(("openssl", "for name")):
+                subprocess.run(["bash", "-ec", command], cwd=made.here, check=True, capture_output=True)
+            elif command.startswith("dask scheduler"):
+                made.start(command)
+            elif command.startswith("dask worker"):
+                made.wait_for(made.start(command), 2)
+        yield made
+
+
+@pytest.fixture(scope="module")
+def submitted(dask):
+    submit_a_course(dask.here)
+    return dask.here / "submitted"
+
+
+@pytest.fixture(scope="module")
+def expected(submitted, tmp_path_factory):
+    """What one machine makes of it."""
+    out = tmp_path_factory.mktemp("alone")
+    course.grade(submitted, out, count=2)
+    return grades(out)
+
+
+def start(dask, out):
+    heeding = partial(signal.signal, signal.SIGINT, signal.SIG_DFL)
+    known = () if dask.scheme == "tcp" else CERTIFICATES
+    command = [sys.executable, "-m", "trajlib.cli", "grade", "submitted", "--out", str(out), "--cluster", dask.address, *known]
+    return subprocess.Popen(command, cwd=dask.here, env=ALIKE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                            start_new_session=True, preexec_fn=heeding)
+
+
+def wait_for_results(process, out, number):
+    """Until so many are stored. The first two need no worker: they are no notebooks."""
+    give_up = time.monotonic() + 60
+    while count(out) < number and process.poll() is None and time.monotonic() < give_up:
+        time.sleep(0.005)
+
+
+def our_cluster(dask, **options):
+    return cluster.Cluster(dask.address, *(dask.here / name for name in ("ca.pem", "grader.pem", "grader-key.pem")), **options)
+
+
+def a_unit(key, problem="1.15", answers=RIGHT_1_15):
+    exercise = exercises.find(problem)
+    sources = [source for _, source in exercise.code("data")] + [f"{name} = {text}" for name, text in answers.items()]
+    return {"key": key, "problem": problem, "sources": sources, "names": list(exercise.about["answers"])}
+
+
+# As on one machine
+
+
+def test_the_guide_grades_as_one_machine_does(dask, submitted, expected):
+    (command, shown) = COMMANDS[-1]
+    assert command.startswith("trajlib grade") and [known for known, _ in COMMANDS[:4]] and len(COMMANDS) == 5
+    path = f"{Path(sys.executable).parent}:{os.environ['PATH']}"
+    done = subprocess.run(["bash", "-c", dask.as_here(command)], cwd=dask.here, env=ALIKE | {"PATH": path}, stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, text=True, timeout=120)
+    assert done.returncode == 0 and like(shown, done.stdout), done.stdout
+    assert len(expected) == 12 and grades(dask.here / "graded") == expected
+    assert not outliving(dask.lanes()), "lanes are left on the workers"
+
+
+@pytest.mark.slow
+def test_whatever_ends_in_the_midst_costs_nothing(dask, expected, tmp_path):
+    # The grader is killed,
+    process = start(dask, tmp_path)
+    wait_for_results(process, tmp_path, 3)
+    process.kill()
+    process.communicate()
+    before = count(tmp_path)
+    # then it is asked to stop,
+    process = start(dask, tmp_path)
+    wait_for_results(process, tmp_path, before + 1)
+    assert 12 > count(tmp_path) > before >= 3, "a result was lost"
+    os.killpg(process.pid, signal.SIGINT)
+    _, said = process.communicate(timeout=60)
+    assert process.returncode == 130 and "Traceback" not in said, said
+    assert said.strip().split("\n")[-1] == "trajlib: stopped; what is graded is stored, and the same command goes on from there"
+    # and then a worker is killed.
+    before, victim = count(tmp_path), dask.workers()[0]
+    process = start(dask, tmp_path)
+    wait_for_results(process, tmp_path, before + 1)
+    os.kill(victim, signal.SIGKILL)
+    _, said = process.communicate(timeout=120)
+    assert process.returncode == 0 and "Traceback" not in said, said
+    assert grades(tmp_path) == expected and victim not in dask.workers()
+
+
+def test_nothing_runs_on_after_the_grader_has_stopped(dask):
+    def begun():
+        return {one for one in dask.lanes() - before if b"worker.main" in command_of(one[0])}
+
+    before = dask.lanes()  # a killed grader's lanes end by themselves, a little later
+    endless = a_unit(1, answers={"a_region": "[None for _ in iter(int, 1)]"})
+    with closing(cluster.grade_all([a_unit(0), endless], units.settings(Limits(), Bounds()), our_cluster(dask))) as results:
+        key, result = next(results)
+        assert key == 0 and {status for status, _ in map(dict.values, result["verdicts"].values())} == {"right"}
+        assert begun()
+    assert not outliving(dask.lanes() - before)
+
+
+# Workers that are not fit
+
+
+def copied_library(folder, path, old, new):
+    """A copy of trajlib and its exercises with one text changed."""
+    shutil.copytree(ROOT / "trajlib", folder / "trajlib", ignore=shutil.ignore_patterns("__pycache__"))
+    shutil.copytree(ROOT / "exercises" / "ch1", folder / "exercises" / "ch1")
+    text = (folder / path).read_text(encoding="utf-8")
+    assert old in text
+    (folder / path).write_text(text.replace(old, new, 1), encoding="utf-8")
+    return str(folder)
+
+
+def test_another_library_on_a_worker_is_named_before_anything_is_graded(dask, submitted, tmp_path):
+    changed = copied_library(tmp_path / "changed", "exercises/ch1/p15.ipynb", "checks.stability_region", "checks. stability_region")
+    worker = dask.add_worker(PYTHONPATH=changed)
+    process = start(dask, tmp_path / "out")
+    _, said = process.communicate(timeout=60)
+    dask.remove(worker)
+    assert process.returncode == 2, said
+    last = said.strip().split("\n")[-1]
+    assert re.fullmatch(r"trajlib: worker tls://127.0.0.1:\d+: its problem 1.15 is another one than here: .*", last), said
+    assert "Traceback" not in said
+    assert {row[0] for row in grades(tmp_path / "out")} == {"gil", "hal"}, "whose files are no notebooks, for which no worker is asked"
+
+
+def test_a_worker_without_a_sandbox_refuses(dask, tmp_path):
+    bare = tmp_path / "bin"
+    bare.mkdir()
+    for name in ("dask", "python3"):
+        (bare / name).symlink_to(Path(sys.executable).parent / name)
+    worker = dask.add_worker(PATH=str(bare))
+    with pytest.raises(NoIsolation, match=r"worker tls://127.0.0.1:\d+: bubblewrap is not installed"):
+        next(cluster.grade_all([a_unit(0)], units.settings(Limits(), Bounds()), our_cluster(dask)))
+    dask.remove(worker)
+
+
+@pytest.mark.parametrize("changes, said", [
+    ({"sympy": "1.12"}, r"it has sympy 1\.\d+(\.\d+)?, and this machine 1\.12"),
+    ({"casadi": None}, r"it has casadi 3\.\S+, and this machine \(none\)"),
+    ({"trajlib": "0"}, "its trajlib is another one than here"),
+    ({"problem 1.15": "0"}, "its problem 1.15 is another one than here"),
+    ({"problem 99.1": "0"}, "its problem 99.1 is another one than here"),
+])
+def test_what_differs_is_said(changes, said, monkeypatch):
+    known = cluster_lanes.library(["1.15"])
+    monkeypatch.setattr(cluster_lanes, "_library_now", cluster_lanes.library)
+    cluster_lanes._compare(known)
+    with pytest.raises(cluster_lanes.Unfit, match=said):
+        cluster_lanes._compare(known | changes)
+
+
+def test_the_library_that_counts_is_all_that_grades():
+    """Both what runs and judges a notebook and what is below its checks."""
+    from trajlib.dependencies import module_closure
+
+    closure = module_closure("import trajlib.grading.cluster_lanes")
+    assert {f"trajlib.{name}" for name in ("cells", "execution", "exercises", "checks.encoding", "checks.verdict", "grading.cluster_lanes",
+                                           "grading.framing", "grading.isolation", "grading.judging", "grading.lanes", "grading.sandbox",
+                                           "grading.system_calls", "grading.units", "grading.watching", "grading.worker")} <= closure.keys()
+
+
+# Hostile notebooks: the cluster's ports, its keys, its processes
+
+
+REACH = """
+import glob, os, socket
+found = []
+for port in PORTS:
+    try:
+        socket.create_connection(("127.0.0.1", port), timeout=1).close()
+        found.append("port")
+    except OSError:
+        pass
+for path in FILES:
+    try:
+        found.append("key" if "PRIVATE KEY" in open(path).read() else "")
+    except OSError:
+        pass
+for path in glob.glob("/proc/[0-9]*/cmdline"):
+    try:
+        found.append("process" if b"dask" in open(path, "rb").read() else "")
+    except OSError:
+        pass
+for number in WORKERS:
+    try:
+        os.kill(number, 0)
+        found.append("signal")
+    except OSError:
+        pass
+"""
+
+
+@pytest.mark.parametrize("trusting", [True, False], ids=["unguarded", "guarded"])
+def test_a_notebook_reaches_nothing_of_the_cluster(dask, tmp_path, trusting):
+    """With no sandbox it reaches the scheduler, the workers and their key, so that this tests something; in the sandbox nothing."""
+    ports = [dask.port, *(int(address.rpartition(":")[2]) for address in addresses(dask))]
+    facts = f"PORTS, FILES, WORKERS = {ports}, {[str(dask.here / 'worker-key.pem')]}, {dask.workers()}\n"
+    path = hand_in(tmp_path, "mallory", "1.15", {"b_region": RIGHT_1_15["b_region"], "a_region": "' '.join(sorted(set(found)))"})
+    notebook = json.loads(path.read_text())
+    place = next(k for k, cell in enumerate(notebook["cells"]) if cell["metadata"].get("tags") == ["answer"])
+    notebook["cells"].insert(place, {"cell_type": "code", "metadata": {}, "source": facts + REACH, "outputs": [], "execution_count": None})
+    path.write_text(json.dumps(notebook))
+    course.grade(tmp_path / "submitted", tmp_path / "out", cluster=our_cluster(dask), trusting=trusting)
+    with sqlite3.connect(tmp_path / "out" / "grades.sqlite") as database:
+        ((answers, verdicts, remarks),) = database.execute("SELECT answers, verdicts, remarks FROM result")
+    reached = set(json.loads(answers)["a_region"].replace("'", "").split())
+    assert reached == ({"key", "port", "process", "signal"} if trusting else set()), (answers, remarks)
+    assert json.loads(verdicts)["b_region"][0] == "right"
+
+
+def test_a_key_that_notebooks_could_read_is_refused(monkeypatch, tmp_path):
+    class Worker:
+        local_directory = str(tmp_path)
+
+        class security:
+            tls_worker_key, tls_worker_cert = "/usr/bin/env", None
+
+    monkeypatch.setattr(distributed, "get_worker", Worker)
+    with pytest.raises(cluster_lanes.Unfit, match="it keeps /usr/bin/env in /usr, which every notebook can read"):
+        cluster_lanes._look_around()
+    Worker.security.tls_worker_key = str(tmp_path / "key.pem")
+    cluster_lanes._look_around()
+
+
+def addresses(dask):
+    security = distributed.Security(**{f"tls_{name}": str(dask.here / file) for name, file in
+                                       (("ca_file", "ca.pem"), ("client_cert", "grader.pem"), ("client_key", "grader-key.pem"))})
+    with distributed.Client(dask.address, security=security, set_as_default=False) as client:
+        return list(client.nthreads())
+
+
+# Without certificates, and what cannot be used
+
+
+def test_plain_tcp_is_said_and_works(tmp_path):
+    with a_cluster(tmp_path, "tcp") as plain:
+        plain.start(f"dask scheduler --host 127.0.0.1 --port {plain.port} --no-dashboard")
+        plain.add_worker("--no-nanny --nthreads 1")
+        hand_in(tmp_path, "ada", "1.15", RIGHT_1_15)
+        process = start(plain, tmp_path / "out")
+        _, said = process.communicate(timeout=60)
+        assert process.returncode == 0 and f"{plain.address} is not encrypted: who can reach it can read and change grades" in said
+        assert '"ada","5.00"' in (tmp_path / "out" / "hw1" / "grades.csv").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("address, said", [
+    ("scheduler", "scheduler is not the address of a scheduler, which looks like tls://host:8786"),
+    ("http://host:8786", "is not the address of a scheduler"), ("tls://host", "is not the address of a scheduler"),
+    ("tls://:8786", "is not the address of a scheduler"), ("tls://host:87867", "is not the address of a scheduler"),
+    ("tls://host:8786/x", "is not the address of a scheduler"), ("", "is not the address of a scheduler"),
+    ("tls://host:8786", "needs certificates; --tls-ca-file names a file of them"),
+])
+def test_an_address_that_cannot_be_is_refused(address, said):
+    with pytest.raises(cluster.ClusterError, match=re.escape(said)):
+        cluster.check(cluster.Cluster(address))
+
+
+def test_certificates_that_cannot_be_used_are_refused(dask, tmp_path):
+    def files(ca="ca.pem", cert="grader.pem", key="grader-key.pem"):
+        return cluster.Cluster(dask.address, dask.here / ca, dask.here / cert, dask.here / key)
+
+    cluster.check(files())
+    with pytest.raises(cluster.ClusterError, match="--tls-key .*nowhere.pem: there is no such file"):
+        cluster.check(files(key="nowhere.pem"))
+    with pytest.raises(cluster.ClusterError, match="these certificates cannot be used: .*KEY_VALUES_MISMATCH"):
+        cluster.check(files(cert="worker.pem"))
+    subprocess.run(["openssl", "req", "-x509", "-newkey", "ed25519", "-nodes", "-subj", "/CN=x", "-keyout", "key.pem", "-out", "x.pem"],
+                   cwd=tmp_path, check=True, capture_output=True)
+    with pytest.raises(cluster.ClusterError, match="no scheduler can be reached at tls://127.0.0.1:.*signed by the same CA"):
+        next(cluster.grade_all([a_unit(0)], units.settings(Limits(), Bounds()), files(cert=tmp_path / "x.pem", key=tmp_path / "key.pem")))
+
+
+def test_nobody_at_the_address(monkeypatch):
+    monkeypatch.setattr(cluster, "TO_CONNECT", 0.5)
+    with pytest.raises(cluster.ClusterError, match="no scheduler can be reached at tcp://127.0.0.1:1: .*refused"):
+        next(cluster.grade_all([a_unit(0)], units.settings(Limits(), Bounds()), cluster.Cluster("tcp://127.0.0.1:1")))
+
+
+def test_without_dask_one_line(monkeypatch):
+    monkeypatch.setitem(sys.modules, "distributed", None)
+    with pytest.raises(cluster.ClusterError, match="needs Dask, which is not installed here: pip install distributed"):
+        cluster.check(cluster.Cluster("tls://host:8786"))
+
+
+@pytest.mark.parametrize("options, said", [
+    (("--cluster", "nowhere"), "nowhere is not the address of a scheduler"),
+    (("--cluster", "tcp://127.0.0.1:1", "--processes", "2"), "--processes is for this machine"),
+    (("--tls-key", "x"), "--tls-ca-file, --tls-cert and --tls-key are for --cluster"),
+])
+def test_bad_options_end_in_one_line_and_code_2(tmp_path, options, said):
+    (tmp_path / "submitted").mkdir()
+    done = subprocess.run([sys.executable, "-m", "trajlib.cli", "grade", "submitted", "--out", "graded", *options], cwd=tmp_path, env=ALIKE,
+                          capture_output=True, text=True, timeout=60)
+    assert done.returncode == 2 and said in done.stderr and len(done.stderr.strip().split("\n")) == 1, done.stderr
+    assert not (tmp_path / "graded").exists()
+
+
+def test_grading_on_one_machine_loads_nothing_of_dask():
+    code = ("import sys, trajlib.cli, trajlib.grading.commands, trajlib.grading.lanes, trajlib.grading.worker, trajlib.grading.cluster\n"
+            "print([name for name in sys.modules if name.split('.')[0] in ('dask', 'distributed')])")
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
+    assert done.stdout.strip() == "[]", done
+
+
+# Inside a worker
+
+
+def test_a_lane_ends_with_its_thread_and_outlives_others(monkeypatch):
+    """The kernel's signal at a parent's death is one at the death of the thread that started the child."""
+    monkeypatch.setattr(cluster_lanes, "_compare", lambda expected: None)
+    monkeypatch.setattr(cluster_lanes, "_look_around", lambda: None)
+    given = json.dumps(units.settings(Limits(), Bounds()) | {"run": "x", "library": {}, "lanes": 1}).encode()
+    with concurrent.futures.ThreadPoolExecutor(1) as lasting:
+        assert lasting.submit(cluster_lanes.ready, given).result() == b"{}"
+        (lane,) = cluster_lanes._all
+        passing = threading.Thread(target=cluster_lanes.ready, args=(given,))
+        passing.start()
+        passing.join()
+        (other,) = cluster_lanes._all - {lane}
+        give_up = time.monotonic() + 5
+        while other.alive() and time.monotonic() < give_up:
+            time.sleep(0.01)
+        assert lane.alive() and not other.alive()
+        # What comes in is bytes, and so is what goes out; the lane is the same one, and its limits are told.
+        told = json.loads(lasting.submit(cluster_lanes.grade, given, json.dumps(a_unit(0)).encode()).result())
+        assert told["result"]["final"] == "yes" and told["limits"]["memory_megabytes"] <= Limits().memory_megabytes
+        assert lane.alive() and cluster_lanes._all == {lane, other}
+        cluster_lanes._end("x")
+        assert not lane.alive() and not cluster_lanes._all
