@@ -10,4 +10,4 @@ True
 from trajlib._lazy import lazy_modules
 
 __version__ = "0.1.0"
-__getattr__, __dir__, __all__ = lazy_modules(__name__, ["checks", "masters", "plotting", "reconstruction", "solvability", "stability"])
+__getattr__, __dir__, __all__ = lazy_modules(__name__, ["checks", "masters", "plotting", "pontryagin", "reconstruction", "solvability", "stability"])

@@ -1,0 +1,28 @@
+"""Pontryagin's maximum principle: chapter 5 of the problem book as functions.
+
+A problem is stated once, in SymPy (`Problem`). `conditions()` derives what a textbook would write down; `solve()` finds
+an extremal (direct transcription, arcs, multiple shooting) whose `certificate()` is computed from the trajectory alone;
+`synthesis` draws planar time-optimal syntheses. Every name is loaded on first use.
+
+Conventions, those of the book: H = psi^T f - lambda_0 f_0 is maximised by the optimal control, psi' = -dH/dy,
+lambda_0 >= 0, and H = 0 along the extremal when the final time is free.
+
+>>> from trajlib import pontryagin
+>>> "Problem" in dir(pontryagin)
+True
+"""
+
+from trajlib._lazy import lazy_names
+
+# No module is called like a name it exports: importing it would put the module in the place of the function.
+_EXPORTS = {
+    "statement": ["Problem"],
+    "derivation": ["Conditions"],
+    "extremal": ["Extremal"],
+    "comparison": ["Comparison", "compare"],
+    "certificate": ["Certificate", "certify"],
+    "errors": ["PontryaginError", "Infeasible", "Unbounded", "Chattering", "WrongStructure", "NotConverged",
+               "StartOnTarget"],
+    "planar_synthesis": ["Synthesis", "synthesis"],
+}
+__getattr__, __dir__, __all__ = lazy_names(__name__, _EXPORTS)

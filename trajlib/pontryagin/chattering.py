@@ -1,0 +1,55 @@
+"""Chattering: switchings that accumulate where a bang arc meets a singular arc of even order.
+
+On a singular arc of even order q with (-1)^q b < 0 and a control inside the bounds, no bang arc can join it with a jump of
+the control: the optimal control switches infinitely often before it gets there (Fuller's problem, q = 2, where the arcs
+shrink by the factor 4.13). No finite list of arcs describes such an extremal, so it is refused.
+"""
+import casadi as ca
+import numpy as np
+
+from .errors import Chattering, WrongStructure
+from .flow import ArcFlow
+
+
+def refuse_chattering(numeric, arcs, end, duration):
+    """Raise `Chattering` if the arcs join a bang arc to a singular arc of even order, or end on one.
+
+    `arcs`: list of `Arc`; `end`: final state; `duration`: None if the final time is free. A free final time in which the
+    target lies on the singular arc is the case of Fuller: resting there costs nothing more.
+    """
+    for j in range(numeric.k):
+        if not numeric.affine[j] or not np.isfinite([numeric.lower[j], numeric.upper[j]]).all():
+            continue
+        kinds = [arc.kinds[j] for arc in arcs]
+        joined = "singular" in kinds and any(kind in ("u-", "u+") for kind in kinds)
+        if not joined and not (duration is None and numeric.m and kinds[-1] != "singular"):
+            continue
+        others = arcs[kinds.index("singular")].kinds if joined else arcs[-1].kinds
+        probe = tuple("singular" if i == j else kind for i, kind in enumerate(others))
+        try:
+            flow = ArcFlow(numeric, probe)
+        except WrongStructure:
+            continue
+        q = flow.orders[j]
+        if q % 2 == 0 and (joined or _rests_on_arc(numeric, flow, j, end)):
+            lengths = ", ".join(f"{arc.end - arc.begin:.3g}" for arc in arcs if arc.kinds[j] != "singular")
+            raise Chattering(
+                f"the switchings of {numeric.problem.control[j]} accumulate where the trajectory reaches a singular arc of order {q}: "
+                "a bang arc cannot join a singular arc of even order, so the control switches infinitely often before "
+                f"(first arcs: {lengths}). No list of arcs describes it; bound the number of switchings in another way, for example by a cost on the control.")
+
+
+def _rests_on_arc(numeric, flow, j, end):
+    """Whether the end state lies on the singular arc, with lambda_0 = 1 and a control strictly inside its bounds."""
+    n = numeric.n
+    equations = ca.vertcat(flow.entry)
+    unknown = ca.vertcat(numeric.psi, numeric.multiplier)
+    matrix = ca.Function("matrix", [numeric.x, unknown], [ca.jacobian(equations, unknown)])(end, np.zeros(n + 1)).full()
+    # psi from the equations with lambda_0 = 1; they hold only on the singular surface.
+    psi, *_ = np.linalg.lstsq(matrix[:, :n], -matrix[:, n], rcond=1e-9)
+    missed = np.max(np.abs(matrix[:, :n] @ psi + matrix[:, n]))
+    if missed > 1e-7*(1 + np.max(np.abs(matrix))):
+        return False
+    u = float(flow.functions["control"](np.concatenate([end, psi]), 1.0).full()[j, 0])
+    width = numeric.upper[j] - numeric.lower[j]
+    return numeric.lower[j] + 1e-6*width < u < numeric.upper[j] - 1e-6*width

@@ -1,0 +1,47 @@
+"""Several extremals of one problem: the maximum principle is necessary, the cost decides."""
+from dataclasses import dataclass
+
+from .errors import PontryaginError
+from .extremal import kind_latex, solve
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """Several extremals of one problem, the best first. `refused`: [(structure, reason)] for what led to none."""
+
+    extremals: tuple
+    refused: tuple
+
+    @property
+    def best(self):
+        return self.extremals[0]
+
+    def _repr_markdown_(self):
+        rows = "".join(f"| {', '.join(kind_latex(kind) for kind, _, _ in e.arcs)} | {e.cost:.9g} | {e.duration:.9g} | "
+                       f"{', '.join(f'{t:.6g}' for t in e.switching_times)} |\n" for e in self.extremals)
+        rows += "".join(f"| {', '.join(map(kind_latex, structure))} | none | | {reason} |\n" for structure, reason in self.refused)
+        return f"| arcs | $J$ | $t_k$ | switchings |\n|---|---|---|---|\n{rows}"
+
+
+def compare(problem, structures, guess=None):
+    """The extremals with the structures given, the best first: `Comparison`.
+
+    Structures that lead to no extremal are listed with the reason. Raises `PontryaginError` if none does.
+
+    >>> import sympy as sp
+    >>> from trajlib.pontryagin import Problem
+    >>> x1, x2, u = sp.symbols("x1 x2 u")
+    >>> transfer = Problem({x1: x2, x2: u}, {u: (-1, 1)}, {x1: 1, x2: 0}, terminal=[x1, x2])
+    >>> found = compare(transfer, [["u-", "u+"], ["u+", "u-"]])
+    >>> round(found.best.duration, 9), len(found.refused)
+    (2.0, 1)
+    """
+    extremals, refused = [], []
+    for structure in structures:
+        try:
+            extremals.append(solve(problem, structure, guess))
+        except PontryaginError as error:
+            refused.append((tuple(structure), str(error)))
+    if not extremals:
+        raise PontryaginError("compare: none of the structures leads to an extremal: " + "; ".join(reason for _, reason in refused))
+    return Comparison(tuple(sorted(extremals, key=lambda e: -e.cost if problem.maximise else e.cost)), tuple(refused))

@@ -1,0 +1,217 @@
+"""Extremals of a problem: found, evaluated, shown, compared.
+
+The way from the statement to an extremal: a discrete picture (`searching`, `transcription`), its arcs (`structure`),
+Newton's method for the boundary value problem over these arcs (`polishing`, `shooting`, `flow`).
+"""
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from .chattering import refuse_chattering
+from .errors import WrongStructure
+from .guesses import read_guess
+from .numeric import NumericProblem
+from .polishing import arc_lengths, polish
+from .searching import finer_picture, first_picture, refuse_endless, settled_duration
+from .structure import Arc, detect, name, read_structure
+
+
+@dataclass(frozen=True, eq=False)
+class Extremal:
+    """An extremal: a trajectory with a control and a costate that satisfy the conditions of the maximum principle.
+
+    - `cost`, `duration`: J and t_k
+    - `arcs`: [(kind, begin, end)], kind being "u-", "u+" (at a bound), "interior" or "singular"; with several controls a
+      tuple of them
+    - `switching_times`: the times between the arcs
+    - `multiplier`: lambda_0, 1 in the normal case and 0 in the abnormal one (then |psi(0)| = 1)
+    - `terminal_multipliers`: lambda_1, ..., lambda_m of the terminal equations
+    - `residual`: the largest residual of the boundary value problem that was solved
+    - `state(t)`, `costate(t)`, `control(t)`, `switching(t)` = dH/du, `hamiltonian(t)`
+    """
+
+    problem: object
+    cost: float
+    duration: float
+    arcs: tuple
+    multiplier: float
+    terminal_multipliers: tuple
+    residual: float
+    _numeric: object
+    _shot: object
+
+    @property
+    def switching_times(self):
+        return tuple(begin for _, begin, _ in self.arcs[1:])
+
+    @property
+    def normal(self):
+        return self.multiplier > 0
+
+    def state(self, t):
+        """State at time t: an array (n,) for a number, (n, N) for an array of N times in [0, duration].
+
+        Raises ValueError for times outside.
+        """
+        return self._along(t, lambda flow, y: y[:self._numeric.n])
+
+    def costate(self, t):
+        """Costate psi at time t, shaped like the state."""
+        return self._along(t, lambda flow, y: y[self._numeric.n:2*self._numeric.n])
+
+    def control(self, t):
+        """Controls at time t, (k,) or (k, N); at a switching the value after it."""
+        return self._along(t, lambda flow, y: flow.values("control", y, self.multiplier))
+
+    def switching(self, t):
+        """dH/du at time t, (k,) or (k, N): the switching functions of the controls in which H is linear."""
+        return self._along(t, lambda flow, y: flow.values("slopes", y, self.multiplier))
+
+    def hamiltonian(self, t):
+        """The Pontryagin function at time t, a number or (N,)."""
+        value = self._along(t, lambda flow, y: flow.values("hamiltonian", y, self.multiplier))
+        return float(value[0]) if np.ndim(t) == 0 else value[0]
+
+    def certificate(self, points=None):
+        """Evidence that this is an extremal, from the trajectory alone: `Certificate` (see `certify`)."""
+        from .certificate import certify
+
+        return certify(self.problem, self.state, self.costate, self.control, self.duration, self.switching_times,
+                       multiplier=self.multiplier, arcs=[kind for kind, _, _ in self.arcs], points=points)
+
+    def plot(self, axes=None):
+        """Phase plane and time plots of states, controls, costates and switching function; returns the Axes."""
+        from .drawing import draw_extremal
+
+        return draw_extremal(self, axes)
+
+    @cached_property
+    def _nodes(self):
+        """For each arc the motion at the ends of its steps, (size, steps+1)."""
+        shot = self._shot
+        return [flow.nodes(np.append(start, 0.0), shot.multiplier, length, steps).T[:-1]
+                for flow, start, length, steps in zip(shot.flows, shot.starts, shot.lengths, shot.steps)]
+
+    def _along(self, t, what):
+        times = np.atleast_1d(np.asarray(t, dtype=float))
+        if times.ndim != 1:
+            raise ValueError(f"t: expected a number or a one-dimensional array, got shape {times.shape}")
+        slack = 1e-9*(1 + self.duration)
+        if not np.all((times >= -slack) & (times <= self.duration + slack)):
+            raise ValueError(f"t: expected times between 0 and the duration {self.duration:.6g}")
+        times = np.clip(times, 0, self.duration)
+        begins = np.concatenate([[0.0], np.cumsum(self._shot.lengths)[:-1]])
+        where = np.searchsorted(begins, times, side="right") - 1
+        result = None
+        for index in np.unique(where):
+            flow, length = self._shot.flows[index], self._shot.lengths[index]
+            steps, mask = self._shot.steps[index], where == index
+            inside = np.clip(times[mask] - begins[index], 0, length)
+            node = np.minimum((inside/length*steps).astype(int), steps - 1)
+            # One step of the integrator from the node before: as exact as the nodes themselves.
+            start = np.vstack([self._nodes[index][:, node], np.zeros(len(node))])
+            y = flow.step.map(len(node))(start, self._shot.multiplier, inside - node*length/steps).full()[:-1]
+            value = what(flow, y)
+            result = np.empty((len(value), len(times))) if result is None else result
+            result[:, mask] = value
+        return result[:, 0] if np.ndim(t) == 0 else result
+
+    def __repr__(self):
+        shown = ", ".join(f"{kind} [{begin:.6g}, {end:.6g}]" for kind, begin, end in self.arcs)
+        return f"Extremal(cost={self.cost:.12g}, duration={self.duration:.12g}, arcs: {shown})"
+
+    def _repr_markdown_(self):
+        rows = "".join(f"| {kind_latex(kind)} | {begin:.9g} | {end:.9g} |\n" for kind, begin, end in self.arcs)
+        case = r"normal, $\lambda_0 = 1$" if self.normal else r"abnormal, $\lambda_0 = 0$"
+        return (f"$J = {self.cost:.12g}$, $t_k = {self.duration:.12g}$ ({case})\n\n"
+                f"| arc | begin | end |\n|---|---|---|\n{rows}")
+
+
+def solve(problem, structure=None, guess=None):
+    """An extremal of a problem: `Extremal`. Called as `problem.solve(...)`.
+
+    `structure`: the arcs, as a list of "u-", "u+", "interior", "singular" (of tuples of them, for several controls); found
+    by itself if left out. `guess`: what to start from, an `Extremal` of a similar problem or a dict with any of
+    "duration": number, and state or control: a number, a list of values at equal steps, or a function of time.
+
+    The result satisfies the conditions of the maximum principle to about 1e-12; among several extremals it is the one
+    next to the best discrete solution found, which need not be the best of all (see `compare`).
+
+    Raises ValueError if a parameter has no value; `StartOnTarget`; `Infeasible` (also for a duration that is too short);
+    `Unbounded`; `Chattering`; `WrongStructure` if the arcs asked for cannot be joined; `NotConverged`. All of them are
+    `PontryaginError`.
+    Source: Theorem 5.1 of the problem book.
+
+    >>> import sympy as sp
+    >>> from trajlib.pontryagin import Problem
+    >>> x, u = sp.symbols("x u")
+    >>> turnpike = Problem({x: u}, {u: (-1, 1)}, {x: 1}, {x: sp.Rational(1, 2)}, running=x**2, duration=2)
+    >>> turnpike.solve()
+    Extremal(cost=0.375, duration=2, arcs: u- [0, 1], singular [1, 1.5], u+ [1.5, 2])
+    """
+    numeric = NumericProblem(problem)
+    kinds = None if structure is None else read_structure(numeric, structure)
+    picture, side = first_picture(numeric, read_guess(numeric, guess), kinds)
+    duration = settled_duration(numeric, picture)
+    made = {}
+    if kinds is not None:
+        ends = np.concatenate([[0.0], np.cumsum(picture.lengths)])
+        arcs = [Arc(kind, begin, end) for kind, begin, end in zip(kinds, ends, ends[1:])]
+        if min(picture.lengths) < 1e-6*picture.duration:
+            short = int(np.argmin(picture.lengths))
+            raise WrongStructure(f"the arc {name(kinds[short])} (number {short + 1}) shrinks to nothing: the best process with these arcs "
+                                 "does not have it. Leave it out, or leave the structure to solve().")
+        return _extremal(problem, numeric, polish(numeric, picture, arcs, duration, made, keep_structure=True))
+    reasons = []
+    for factor in (1, 4, 10):
+        picture = picture if factor == 1 else finer_picture(numeric, picture, side, factor) or picture
+        arcs = detect(numeric, picture)
+        refuse_chattering(numeric, arcs, picture.states[-1], duration)
+        try:
+            return _extremal(problem, numeric, polish(numeric, picture, arcs, duration, made))
+        except WrongStructure as error:
+            reasons.append(str(error))
+    if duration is None:
+        refuse_endless(numeric, picture, side)
+    raise WrongStructure("the arcs that the discrete solution shows could not be joined to an extremal: " +
+                         "; ".join(dict.fromkeys(reasons)) + ". Give the structure, or a guess; look at the discrete cost "
+                         f"{picture.cost:.6g} to see whether an optimal process exists.")
+
+
+def _extremal(problem, numeric, shot):
+    """An `Extremal` of a converged shot, with lambda_0 scaled to one in the normal case."""
+    n = numeric.n
+    largest = max(np.max(np.abs(start[n:2*n])) for start in shot.starts)
+    normal = shot.multiplier > 1e-9*largest
+    scale = shot.multiplier if normal else np.linalg.norm(shot.starts[0][n:2*n])
+    for start in shot.starts:
+        start[n:2*n] /= scale
+    shot.multiplier = 1.0 if normal else 0.0
+    shot.terminal_multipliers = shot.terminal_multipliers/scale
+    ends = [flow.nodes(np.append(start, 0.0), shot.multiplier, length, steps)[-1]
+            for flow, start, length, steps in zip(shot.flows, shot.starts, shot.lengths, shot.steps)]
+    times = [float(t) for t in np.concatenate([[0.0], np.cumsum(arc_lengths(shot))])]
+    flows = [flow for i, flow in enumerate(shot.flows) if not i or flow is not shot.flows[i - 1]]
+    arcs = tuple((flow.kinds[0] if numeric.k == 1 else flow.kinds, begin, end)
+                 for flow, begin, end in zip(flows, times, times[1:]))
+    cost = sum(end[-1] for end in ends) + float(numeric.final_value(ends[-1][:n]))
+    found = Extremal(problem, float(-cost if problem.maximise else cost), times[-1], arcs, shot.multiplier,
+                     tuple(float(v) for v in shot.terminal_multipliers), shot.residual, numeric, shot)
+    if problem.first_return and _passes_target(found):
+        raise WrongStructure("the trajectory with these arcs meets the target before its end, against first_return")
+    return found
+
+
+def _passes_target(extremal):
+    """Whether the single terminal equation changes its sign before the end."""
+    between = extremal.state(np.linspace(0, extremal.duration, 402)[1:-1])
+    values = extremal._numeric.target_value.map(400)(between)[0].full().ravel()
+    largest = np.max(np.abs(values))
+    return bool(np.min(values) < -1e-9*largest and np.max(values) > 1e-9*largest)
+
+
+def kind_latex(kind):
+    if not isinstance(kind, str):
+        return "(" + ", ".join(map(kind_latex, kind)) + ")"
+    return {"u-": "$u_-$", "u+": "$u_+$"}.get(kind, kind)

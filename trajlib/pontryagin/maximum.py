@@ -1,0 +1,56 @@
+"""The control that makes the Pontryagin function largest, in closed form where there is one (equation (5.5)).
+
+Linear in u: a bound, by the sign of the switching function. Strictly concave in u: the stationary point, cut off at the
+bounds. Otherwise the largest of the stationary points and the bounds, which is left to numbers.
+"""
+import sympy as sp
+
+
+def maximising_control(derived):
+    """{control: expression}: a Piecewise, the stationary point, or None where no closed form was found.
+
+    On the zeros of a switching function, where the maximum principle says nothing, the Piecewise is nan.
+    """
+    curved = [u for u in derived.problem.control if u not in derived.switching]
+    result = {u: _bang(derived, u) for u in derived.switching}
+    stationary = _stationary(derived, curved)
+    for u in curved:
+        result[u] = _cut_off(derived, u, stationary.get(u)) if stationary else None
+    return {u: result[u] for u in derived.problem.control}
+
+
+def stationary_controls(derived, controls):
+    """All solutions of dH/du = 0 for these controls, a list of dicts; empty if SymPy finds none."""
+    equations = [sp.diff(derived.hamiltonian, u) for u in controls]
+    try:
+        return sp.solve(equations, controls, dict=True)
+    except NotImplementedError:
+        return []
+
+
+def _bang(derived, u):
+    low, high = derived.problem.controls[u]
+    if low == -sp.oo and high == sp.oo:
+        return None
+    slope = derived.switching[u]
+    return sp.Piecewise((high, slope > 0), (low, slope < 0), (sp.nan, True))
+
+
+def _stationary(derived, curved):
+    if not curved:
+        return {}
+    solutions = [s for s in stationary_controls(derived, curved) if len(s) == len(curved)]
+    return {u: sp.factor(e) for u, e in solutions[0].items()} if len(solutions) == 1 else {}
+
+
+def _cut_off(derived, u, point):
+    """The stationary point within the bounds: right where H is strictly concave in u alone."""
+    if point is None:
+        return None
+    curvature = sp.diff(derived.hamiltonian, u, 2).subs(derived.multiplier, sp.Symbol("lambda0", positive=True))
+    if not curvature.is_negative:
+        return None
+    low, high = derived.problem.controls[u]
+    pieces = [(low, point < low)] if low != -sp.oo else []
+    pieces += [(high, point > high)] if high != sp.oo else []
+    return sp.Piecewise(*pieces, (point, True)) if pieces else point

@@ -1,0 +1,86 @@
+"""A problem with numbers for everything, as CasADi expressions: what transcription and shooting both start from."""
+from functools import cached_property
+
+import casadi as ca
+import numpy as np
+import sympy as sp
+
+from .compiled import to_casadi
+
+
+class NumericProblem:
+    """CasADi expressions (SX) of a problem without parameters.
+
+    `x`, `psi`, `u`: vectors of length n, n, k; `multiplier`: lambda_0. `field`, `density`, `final`, `target`: f, f_0,
+    phi_0 and phi_1, ..., phi_m, the signs of f_0 and phi_0 being those of a minimum. `lower`, `upper`: bounds of the
+    controls (k,); `start`: initial values, nan for a free one (n,); `duration`: a number or None; `shortest`, `longest`.
+    """
+
+    # A free final time is bounded by default: from below since it would shrink to zero or beyond, from above since a
+    # problem without a minimum would run away. In the user's units of time.
+    SHORTEST, LONGEST = 1e-6, 1e3
+
+    def __init__(self, problem):
+        if problem.parameters:
+            names = ", ".join(map(str, problem.parameters))
+            raise ValueError(f"solve: no value for {names}; give values by problem.subs({{...}})")
+        _refuse_kinks(problem)
+        self.problem = problem
+        switching = problem.conditions().switching
+        # Whether H is linear in a control, so that a bound or a singular arc makes it largest.
+        self.affine = [u in switching for u in problem.control]
+        self.n, self.k, self.m = len(problem.state), len(problem.control), len(problem.terminal)
+        self.x, self.psi = ca.SX.sym("x", self.n), ca.SX.sym("psi", self.n)
+        self.u, self.multiplier = ca.SX.sym("u", self.k), ca.SX.sym("lambda0")
+        table = {s: self.x[i] for i, s in enumerate(problem.state)} | {s: self.u[i] for i, s in enumerate(problem.control)}
+        sign = -1 if problem.maximise else 1
+        translated = to_casadi([*problem.field, sign*problem.running, sign*problem.final, *problem.terminal], table)
+        self.field = ca.vertcat(*translated[:self.n])
+        self.density, self.final = translated[self.n], translated[self.n + 1]
+        self.target = ca.vertcat(*translated[self.n + 2:])
+        self.lower, self.upper = (np.array([_number(b[i]) for b in problem.controls.values()]) for i in (0, 1))
+        self.start = np.array([np.nan if v is None else _number(v) for v in problem.initial.values()])
+        self.duration = None if problem.free_time else _number(problem.duration)
+        low, high = problem.duration if isinstance(problem.duration, tuple) else (self.SHORTEST, self.LONGEST)
+        self.shortest, self.longest = max(_number(low), self.SHORTEST), min(_number(high), 1e6)
+        self.time_bounds_given = isinstance(problem.duration, tuple)
+
+    @cached_property
+    def hamiltonian(self):
+        return ca.dot(self.psi, self.field) - self.multiplier*self.density
+
+    @cached_property
+    def slopes(self):
+        """dH/du, (k,)."""
+        return ca.gradient(self.hamiltonian, self.u)
+
+    @cached_property
+    def adjoint(self):
+        return -ca.gradient(self.hamiltonian, self.x)
+
+    @cached_property
+    def target_value(self):
+        return ca.Function("target", [self.x], [self.target, ca.jacobian(self.target, self.x)])
+
+    @cached_property
+    def final_value(self):
+        return ca.Function("final", [self.x], [self.final])
+
+    def middle(self):
+        """A control inside the bounds, (k,)."""
+        low = np.where(np.isfinite(self.lower), self.lower, np.where(np.isfinite(self.upper), self.upper - 1, 0.0))
+        high = np.where(np.isfinite(self.upper), self.upper, np.where(np.isfinite(self.lower), self.lower + 1, 0.0))
+        return (low + high)/2
+
+
+def _refuse_kinks(problem):
+    """H has to be smooth in the controls: ValueError if Abs, sign, Max, Min or Piecewise holds one."""
+    for e in (*problem.field, problem.running):
+        for kink in e.atoms(sp.Abs, sp.sign, sp.Max, sp.Min, sp.Piecewise, sp.Heaviside):
+            if kink.free_symbols & set(problem.control):
+                raise ValueError(f"solve: {kink} is not smooth in the control. For Abs(u) write u = p - q with the controls p, q >= 0 "
+                                 "and p + q in place of Abs(u); otherwise split the control likewise.")
+
+
+def _number(value):
+    return float(sp.N(value))

@@ -1,0 +1,190 @@
+"""From a discrete picture and its arcs to an extremal: starting values, Newton, step control, and mended structures."""
+from copy import copy
+
+import casadi as ca
+import numpy as np
+
+from .errors import WrongStructure
+from .maximum_condition import wanted_arcs
+from .shooting import CANCELLING, ArcEquations, Shot, build_flows, newton
+from .structure import Arc, name
+from .transcription import Picture
+
+# Largest relative residual of an accepted solution; most end near 1e-15.
+ACCEPTED = 1e-10
+# Change of an arc's end when its steps are halved, at which the steps are short enough.
+INTEGRATED = 2e-13
+# How far Newton's last step may move the ends of the arcs, relative to the duration.
+DETERMINED = 1e-8
+SAMPLES = 32
+
+
+def polish(numeric, picture, arcs, duration, made, keep_structure=False):
+    """A `Shot` for the arcs of a picture.
+
+    Arcs that vanish are left out, and where the maximum condition fails the arcs are read off the trajectory anew, unless
+    the structure is to be kept. `made` holds the flows built so far. Raises `WrongStructure` if nothing leads to an extremal.
+    """
+    tried, reason = set(), ""
+    while tuple(arc.kinds for arc in arcs) not in tried:
+        tried.add(tuple(arc.kinds for arc in arcs))
+        shot = shoot(numeric, picture, arcs, duration, made)
+        lengths = arc_lengths(shot)
+        short = int(np.argmin(lengths))
+        if lengths[short] < 1e-7*lengths.sum() and len(arcs) > 1:
+            reason = f"the arc {name(arcs[short].kinds)} (number {short + 1}) shrinks to nothing"
+            arcs = _without(arcs, short)
+        elif not shot.residual <= ACCEPTED:
+            reason = (f"the conditions for the arcs {', '.join(name(arc.kinds) for arc in arcs)} were not satisfied "
+                      f"(residual {shot.residual:.1e})")
+            break
+        elif not shot.uncertainty <= DETERMINED:
+            reason = (f"the conditions for the arcs {', '.join(name(arc.kinds) for arc in arcs)} do not determine their lengths "
+                      f"(Newton's method would still move them by {shot.uncertainty:.1e} of the duration)")
+            break
+        elif shot.multiplier < -1e-8:
+            reason = "the only solution near the guess has lambda_0 < 0"
+            break
+        else:
+            description, wanted = wanted_arcs(numeric, shot)
+            if [arc.kinds for arc in wanted] == [arc.kinds for arc in arcs]:
+                return shot
+            reason = f"the maximum condition fails on {description}"
+            picture, arcs = sampled(numeric, shot), wanted
+        if keep_structure:
+            break
+    raise WrongStructure(reason)
+
+
+def shoot(numeric, picture, arcs, duration, made):
+    """Newton's solution for these arcs from the picture's values.
+
+    If lambda_0 tends to zero against psi: where the multipliers are not unique, a normal solution may be found from
+    a larger lambda_0; if none is, the abnormal one is looked for.
+    """
+    flows = build_flows(numeric, [arc.kinds for arc in arcs], made)
+    guess = _cut(_starting_values(numeric, picture, arcs, flows))
+    shot = _solved(numeric, copy(guess), duration, abnormal=False)
+    if not _nearly_abnormal(numeric, shot):
+        return shot
+    lifted = copy(guess)
+    lifted.multiplier = _largest_costate(numeric, guess)
+    lifted = _solved(numeric, lifted, duration, abnormal=False)
+    accepted = lifted.residual <= ACCEPTED and not _nearly_abnormal(numeric, lifted) and lifted.multiplier > 0
+    if accepted and not wanted_arcs(numeric, lifted)[0]:
+        return lifted
+    abnormal = _solved(numeric, copy(shot), duration, abnormal=True)
+    return abnormal if abnormal.residual <= max(ACCEPTED, shot.residual) else shot
+
+
+def _largest_costate(numeric, shot):
+    return max(np.max(np.abs(start[numeric.n:2*numeric.n])) for start in shot.starts)
+
+
+def _nearly_abnormal(numeric, shot):
+    return abs(shot.multiplier) < 1e-4*_largest_costate(numeric, shot)
+
+
+def arc_lengths(shot):
+    """Lengths of the arcs, the segments of one arc being added."""
+    lengths = []
+    for index, (flow, length) in enumerate(zip(shot.flows, shot.lengths)):
+        if index and flow is shot.flows[index - 1]:
+            lengths[-1] += length
+        else:
+            lengths.append(length)
+    return np.array(lengths)
+
+
+def _cut(shot):
+    """The shot with arcs cut into segments, so that errors grow by CANCELLING at most along each."""
+    flows, starts, lengths = [], [], []
+    for flow, start, length in zip(shot.flows, shot.starts, shot.lengths):
+        _, by_start, _, _ = flow.transition(start, shot.multiplier, length, 8)
+        growth = np.max(np.abs(by_start))
+        pieces = int(np.clip(np.ceil(np.log(growth)/np.log(CANCELLING)), 1, 12)) if np.isfinite(growth) else 1
+        path = flow.nodes(np.append(start, 0.0), shot.multiplier, length, 8*pieces)[::8, :-1] if pieces > 1 else [start]
+        for i in range(pieces):
+            flows.append(flow)
+            starts.append(np.array(path[i]))
+            lengths.append(length/pieces)
+    return Shot(flows, starts, np.array(lengths), shot.multiplier, shot.terminal_multipliers, [8]*len(flows))
+
+
+def _solved(numeric, shot, duration, abnormal):
+    """Newton with steps that are halved until the integration is exact to rounding."""
+    first = np.concatenate([[shot.multiplier], shot.starts[0][numeric.n:2*numeric.n]])
+    shot.multiplier, scale = (0.0 if abnormal else shot.multiplier), np.linalg.norm(first)
+    for _ in range(8):
+        equations = ArcEquations(numeric, shot.flows, shot.steps, duration, first/scale**2, abnormal)
+        z, residual, uncertainty = newton(equations, equations.pack(shot))
+        shot = equations.unpack(z, residual, uncertainty)
+        coarse = _coarse_arcs(shot)
+        if not coarse or not np.isfinite(residual):
+            break
+        for i in coarse:
+            shot.steps[i] *= 2
+        if shot.residual > 1e-3:
+            break
+    return shot
+
+
+def _coarse_arcs(shot):
+    """The arcs whose ends change when their steps are halved."""
+    coarse = []
+    for i, (flow, start, length) in enumerate(zip(shot.flows, shot.starts, shot.lengths)):
+        begin = np.append(start, 0.0)
+        once, twice = (flow.nodes(begin, shot.multiplier, length, s)[-1] for s in (shot.steps[i], 2*shot.steps[i]))
+        if not np.max(np.abs(once - twice)/(1 + np.abs(twice))) < INTEGRATED and shot.steps[i] < 1024:
+            coarse.append(i)
+    return coarse
+
+
+def _starting_values(numeric, picture, arcs, flows):
+    starts, steps = [], []
+    middles = (picture.times[:-1] + picture.times[1:])/2
+    scale = np.linalg.norm(np.append(picture.costates[0], 1.0))
+    for arc, flow in zip(arcs, flows):
+        x = [np.interp(arc.begin, picture.times, column) for column in picture.states.T]
+        # The multipliers of the ends of the intervals: the first is not reliable where the start is fixed.
+        psi = [np.interp(arc.begin, picture.times, column)/scale for column in picture.costates.T]
+        inside = arc.begin + 0.02*(arc.end - arc.begin)
+        w = [np.interp(inside, middles, picture.controls[:, j]) for j in flow.interior]
+        starts.append(np.array(x + psi + w))
+        steps.append(8)
+    lengths = np.array([arc.end - arc.begin for arc in arcs])
+    return Shot(flows, starts, lengths, 1/scale, _target_multipliers(numeric, picture, 1/scale), steps)
+
+
+def _target_multipliers(numeric, picture, multiplier):
+    """nu from psi + lambda_0 grad phi_0 = -(grad phi)^T nu at the end, in least squares."""
+    if not numeric.m:
+        return np.zeros(0)
+    end = picture.states[-1]
+    slope = ca.Function("final", [numeric.x], [ca.gradient(numeric.final, numeric.x)])(end).full().ravel()
+    normals = numeric.target_value(end)[1].full()
+    return np.linalg.lstsq(normals.T, -multiplier*(picture.costates[-1] + slope), rcond=None)[0]
+
+
+def sampled(numeric, shot):
+    """A `Picture` of a shot, with lambda_0 = 1 where it can be."""
+    scale = shot.multiplier if shot.multiplier > 1e-8 else 1.0
+    times, states, costates, controls = [0.0], [shot.starts[0][:numeric.n]], [shot.starts[0][numeric.n:2*numeric.n]], []
+    for flow, start, length in zip(shot.flows, shot.starts, shot.lengths):
+        path = flow.nodes(np.append(start, 0.0), shot.multiplier, length, SAMPLES)
+        times += list(times[-1] + length*np.arange(1, SAMPLES + 1)/SAMPLES)
+        states += list(path[1:, :numeric.n])
+        costates += list(path[1:, numeric.n:2*numeric.n])
+        controls.append(flow.values("control", ((path[1:] + path[:-1])/2)[:, :-1].T, shot.multiplier).T)
+    return Picture(np.array(times), np.array(states), np.array(costates)/scale, np.concatenate(controls), np.nan)
+
+
+def _without(arcs, index):
+    """The arcs without one that vanished; its neighbours, if of one kind, become one arc."""
+    rest = []
+    for arc in arcs[:index] + arcs[index + 1:]:
+        if rest and rest[-1].kinds == arc.kinds:
+            rest[-1] = Arc(arc.kinds, rest[-1].begin, arc.end)
+        else:
+            rest.append(arc)
+    return rest

@@ -1,0 +1,210 @@
+"""The target of a planar time-optimal problem, and where extremals can end on it.
+
+Transversality and H = 0 leave a family of one parameter s of end points with costates, from which extremals start
+backwards: on a curve g = 0 the end point runs along the curve and the costate is normal to it,
+
+    y(s),   psi = -sigma grad g / |grad g|,   w(s) = max_u psi^T f(y, u) = lambda_0 >= 0,
+
+where sigma = +1, -1 is the sign of g on the side from which the target is met; for a single point the costate
+psi = (cos s, sin s) turns. Where w > 0 the extremal is normal and crosses the curve; where w = 0 it is abnormal and touches it.
+"""
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.interpolate import CubicSpline
+from scipy.optimize import brentq, minimize_scalar
+
+#: Points at which w(s) is sampled to find where it changes its sign.
+SAMPLES = 1441
+#: w(s) below this share of its greatest value counts as zero: the extremal touches the target.
+TOUCHES = 1e-9
+
+
+@dataclass(frozen=True)
+class Ends:
+    """End points and costates of a family of extremals: `point(s)`, `costate(s)`, arrays of shape (2, N), low <= s <= high.
+
+    `special`: values of s inside at which w = 0. `side`: the sign of g before the end, 0 for a single point.
+    """
+
+    point: object
+    costate: object
+    low: float
+    high: float
+    side: int
+    special: tuple = ()
+
+
+class PointTarget:
+    """A single point of the plane; the parameter is the angle of the costate."""
+
+    def __init__(self, point):
+        self.at = np.asarray(point, dtype=float)
+        self.low, self.high, self.closed = 0.0, 2*np.pi, True
+        self.sides = (0,)
+
+    def point(self, s):
+        return np.repeat(self.at[:, None], np.size(s), axis=1)      # the same for every angle
+
+    def costate(self, s, side=0):
+        s = np.atleast_1d(s)
+        return np.array([np.cos(s), np.sin(s)])
+
+    def outside(self, x, side):
+        """Positive away from the target."""
+        return np.hypot(x[0] - self.at[0], x[1] - self.at[1])
+
+    def pieces(self):
+        return [(self.low, self.high, True)]
+
+
+class CurveTarget:
+    """The curve g = 0, a polyline traced inside a box and put onto the curve by Newton's method, or a given parametrisation."""
+
+    def __init__(self, value, gradient, sides, box=None, parametrised=None):
+        self.value, self.gradient, self.sides = value, gradient, sides
+        if parametrised is None:
+            self._trace(box)
+        else:
+            point, low, high = parametrised
+            self._point = point
+            ends = point(np.array([low, high]))
+            self._pieces = [(low, high, bool(np.abs(ends[:, 0] - ends[:, 1]).max() < 1e-9))]
+            self._check(point(np.linspace(low, high, 50)))
+        self.low, self.high = self._pieces[0][0], self._pieces[-1][1]
+
+    def point(self, s):
+        s = np.array(s, dtype=float, ndmin=1)
+        for low, high, closed in self._pieces:
+            # A family may run across the seam of a closed curve: its parameter then begins below the piece.
+            if closed:
+                across = (s < low) & (s >= 2*low - high)
+                s[across] += high - low
+        return self._point(s)
+
+    def costate(self, s, side):
+        gradient = self.gradient(*self.point(s))
+        return -side*gradient/np.hypot(*gradient)
+
+    def outside(self, x, side):
+        return side*self.value(*x)
+
+    def pieces(self):
+        return self._pieces
+
+    def _check(self, points):
+        size = np.hypot(*self.gradient(*points))
+        if not np.isfinite(size).all() or (size < 1e-12).any():
+            raise ValueError("terminal: the gradient of its equation vanishes on the target, which is no smooth curve there")
+        if np.abs(self.value(*points)/size).max() > 1e-6:
+            raise ValueError("curve: the parametrisation does not satisfy the terminal equation")
+
+    def _trace(self, box):
+        from contourpy import contour_generator
+
+        (left, right), (bottom, top) = box
+        x, y = np.linspace(left, right, 601), np.linspace(bottom, top, 601)
+        X, Y = np.meshgrid(x, y)
+        lines = [line.T for line in contour_generator(x, y, self.value(X, Y)).lines(0) if len(line) > 3]
+        if not lines:
+            raise ValueError("terminal: the equation has no solutions in the window (and twice its size around it); enlarge the window")
+        self._splines, self._pieces, start = [], [], 0.0
+        for line in lines:
+            line = self._onto_curve(line)
+            self._check(line)
+            closed = np.hypot(*(line[:, 0] - line[:, -1])) < 1e-9*(right - left)
+            # Two corners of the grid can fall onto one point of the curve.
+            keep = np.append(np.hypot(*np.diff(line)) > 1e-6*(right - left), True)
+            line = line[:, keep]
+            if closed:
+                line[:, -1] = line[:, 0]
+            s = start + np.append(0, np.cumsum(np.hypot(*np.diff(line))))
+            self._splines.append(CubicSpline(s, line, axis=1, bc_type="periodic" if closed else "not-a-knot"))
+            self._pieces.append((s[0], s[-1], bool(closed)))
+            start = 2*s[-1] - s[0] + 1.0        # room for a parameter that begins below the next piece
+
+    def _point(self, s):
+        starts = np.array([2*low - high for low, high, _ in self._pieces])
+        which = np.clip(np.searchsorted(starts, s, side="right") - 1, 0, None)
+        points = np.empty((2, s.size))
+        for k, spline in enumerate(self._splines):
+            points[:, which == k] = spline(np.clip(s[which == k], *self._pieces[k][:2]))
+        return self._onto_curve(points)
+
+    def _onto_curve(self, points):
+        for _ in range(4):
+            gradient = self.gradient(*points)
+            points = points - self.value(*points)*gradient/np.maximum((gradient**2).sum(axis=0), 1e-300)
+        return points
+
+
+def families(target, plant, side):
+    """The families of ends, and the abnormal ends (s, sign) at which an extremal touches the target.
+
+    The sign is -1 where the costate points the other way: all velocities lead back to the side one comes from, but one.
+    """
+    found, touching = [], []
+    for low, high, closed in target.pieces():
+        s = np.linspace(low, high, SAMPLES)
+        for sign in (1, -1) if side else (1,):
+
+            def greatest(values, sign=sign):
+                return plant.greatest_rate(target.point(values), sign*target.costate(values, side))
+
+            w = greatest(s)
+            scale = max(np.abs(w).max(), 1e-300)
+            zeros = _zeros(lambda v: greatest(np.atleast_1d(v))[0], s, w, scale, closed)
+            touching += [(z, sign) for z in zeros]
+            if sign == 1:
+                found += _joined(_intervals(s, w, zeros, scale, target, side), low, high, closed)
+    return found, touching
+
+
+def _zeros(function, s, w, scale, closed):
+    """Where w changes its sign, and where it touches zero from above."""
+    zeros = [brentq(function, s[k], s[k + 1], xtol=1e-13) for k in np.flatnonzero(w[:-1]*w[1:] < 0)]
+    zeros += list(s[np.abs(w) <= TOUCHES*scale])
+    step = s[1] - s[0]
+    lowest = np.flatnonzero((w[1:-1] <= w[:-2]) & (w[1:-1] <= w[2:]) & (w[1:-1] > TOUCHES*scale) & (w[1:-1] < 0.01*scale)) + 1
+    for k in lowest:
+        best = minimize_scalar(function, bounds=(s[k] - step, s[k] + step), method="bounded", options={"xatol": 1e-12})
+        if best.fun < 1e-7*scale:
+            zeros.append(best.x)
+    zeros = np.array(sorted(zeros))
+    if zeros.size > SAMPLES//4:
+        return []  # w vanishes on whole arcs: nothing moves there
+    return [float(z) for k, z in enumerate(zeros) if k == 0 or z - zeros[k - 1] > 1e-7*(s[-1] - s[0])]
+
+
+def _joined(ends, low, high, closed):
+    """On a closed curve the first and the last interval are one, if they meet at the seam."""
+    if not (closed and len(ends) > 1 and ends[0].low == low and ends[-1].high == high):
+        return ends
+    first, last = ends[0], ends[-1]
+    shift = high - low
+    special = tuple(z - shift for z in last.special) + first.special
+    return [*ends[1:-1], Ends(first.point, first.costate, float(last.low - shift), first.high, first.side, special)]
+
+
+def _intervals(s, w, zeros, scale, target, side):
+    """The intervals of s on which w > 0, joined where w only touches zero."""
+    positive = w > TOUCHES*scale
+    for z in zeros:  # a touched zero does not end an interval
+        k = int(np.clip(np.searchsorted(s, z), 1, s.size - 1))
+        near = slice(max(k - 2, 0), k + 2)
+        before, after = w[max(k - 3, 0)], w[min(k + 2, s.size - 1)]
+        if before > TOUCHES*scale and after > TOUCHES*scale:
+            positive[near] = True
+    edges = np.flatnonzero(np.diff(positive.astype(int)))
+    starts = ([0] if positive[0] else []) + [e + 1 for e in edges if not positive[e]]
+    ends = [e for e in edges if positive[e]] + ([s.size - 1] if positive[-1] else [])
+    result = []
+    for first, last in zip(starts, ends):
+        low, high = s[first], s[last]
+        below = [z for z in zeros if s[max(first - 1, 0)] - 1e-12 <= z <= low]
+        above = [z for z in zeros if high <= z <= s[min(last + 1, s.size - 1)] + 1e-12]
+        low, high = (min(below) if below else low), (max(above) if above else high)
+        if high > low:
+            inside = tuple(z for z in zeros if low < z < high)
+            result.append(Ends(target.point, lambda v: target.costate(v, side), float(low), float(high), side, inside))
+    return result
