@@ -133,13 +133,28 @@ def execute(page, timeout):
     os.environ.update(OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1", PYTHONHASHSEED="0")
     start = time.monotonic()
     try:
-        # A kernel's own log has nothing for the reader of a build: what a cell says is in its outputs.
-        result = single_nb_execution(page.notebook, cwd=str(page.path.parent), timeout=timeout, allow_errors=False,
-                                     extra_arguments=["--log-level=CRITICAL"])
+        result = run(page, timeout)
         failure = explain(result.nb, result.err) if result.err else missing_picture(result.nb)
-    except DeadKernelError as error:
+    except RuntimeError as error:  # the kernel died
         failure = str(error)
     return {"notebook": page.notebook, "seconds": time.monotonic() - start, "failure": failure}
+
+
+def run(page, timeout, starts=3):
+    """The result of executing a page in a fresh kernel, which is given several starts.
+
+    Jupyter chooses a kernel's ports before it starts, and another program may take one of them meanwhile.
+    """
+    for start in range(1, starts + 1):
+        try:
+            # A kernel's own log has nothing for the reader of a build: what a cell says is in its outputs.
+            return single_nb_execution(page.notebook, cwd=str(page.path.parent), timeout=timeout, allow_errors=False,
+                                       extra_arguments=["--log-level=CRITICAL"])
+        except DeadKernelError:  # in the midst of a cell
+            raise
+        except RuntimeError:
+            if start == starts:
+                raise
 
 
 def explain(notebook, error):

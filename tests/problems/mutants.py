@@ -65,6 +65,8 @@ def _mutants(value, kind):
 
 
 def _conditions(condition):
+    if condition in (sp.true, sp.false):
+        return
     if isinstance(condition, Relational):
         yield SWAPPED[type(condition)](condition.lhs, condition.rhs)
         if type(condition) in LOOSENED:
@@ -95,6 +97,11 @@ def _expressions(expression):
         for term in expression.args:
             yield expression - term
             yield expression - 2 * term
+    for law in sorted(expression.atoms(sp.Piecewise), key=str)[:3]:
+        for k, (part, condition) in enumerate(law.args):
+            # A corner of the law: another value in one case, or a case with another border.
+            changes = [(-part, condition), *[(part, changed) for changed in list(_conditions(condition))[:4]]]
+            yield from (expression.xreplace({law: sp.Piecewise(*law.args[:k], change, *law.args[k + 1:])}) for change in changes)
     symbols = sorted(expression.free_symbols, key=str)
     for one, other in zip(symbols, symbols[1:]):
         yield expression.xreplace({one: other, other: one})

@@ -278,8 +278,65 @@ def stations_insufficient(mutant, reference, matrix, first, second):
     return True
 
 
-ORACLES = {"breaks_bound": breaks_bound, "stations_insufficient": stations_insufficient,
-           "growing_motion": growing_motion, "conserved_form": conserved_form,
+def same_synthesis(mutant, reference, field, state, control, bounds, target, parameters=None, start=None, curve=None):
+    """True if two laws, or two conditions on the start, agree at random starts: on curves they may differ."""
+    parameters = parameters or {}
+    return _agree_at_random(mutant, reference, {**dict.fromkeys([*state, *([curve[0]] if curve else [])], sp.S.Reals), **parameters}, start)
+
+
+def same_extremals(mutant, reference, field, state, control, bounds, target, start=None):
+    """True if two conditions on the start, or two times, agree at random starts."""
+    return _agree_at_random(mutant, reference, dict.fromkeys(state, sp.S.Reals), start)
+
+
+def same_arcs(mutant, reference, field, state, control, bounds, target, ends, variable, parameters=None, start=None):
+    """True if two conditions on the end points or parameters agree at random values: at single values they may differ."""
+    return _agree_at_random(mutant, reference, {variable: sp.S.Reals, **(parameters or {})})
+
+
+def same_curve(mutant, reference, field, state, control, bounds, target, ends, variable, parameters=None, start=None):
+    """True if two lists of expressions have the same values at random places: quicker than to simplify trigonometric functions."""
+    if not isinstance(mutant, (list, tuple)) or len(mutant) != len(reference):
+        return False
+    return all(_agree_at_random(a, b, {variable: sp.S.Reals, **(parameters or {})}) for a, b in zip(mutant, reference))
+
+
+def _agree_at_random(one, other, domain, given=None, count=6000):
+    random, symbols = np.random.default_rng(23), list(domain)
+    columns = []
+    for interval in domain.values():
+        low, high = (float(end) for end in (interval.inf, interval.sup))
+        spread = random.normal(size=count) * random.choice((0.3, 1, 3), size=count)
+        columns.append(random.uniform(low, high, count) if math.isfinite(high - low) else low + abs(spread) if math.isfinite(low)
+                       else high - abs(spread) if math.isfinite(high) else spread)
+    with np.errstate(all="ignore"):
+        values = [np.broadcast_to(np.asarray(sp.lambdify(symbols, answer, "numpy")(*columns), dtype=float), count) for answer in (one, other)]
+        keep = np.ones(count, dtype=bool) if given is None else np.asarray(sp.lambdify(symbols, given, "numpy")(*columns), dtype=bool)
+    one, other = (value[keep] for value in values)
+    return np.allclose(one, other, rtol=1e-9, equal_nan=True)
+
+
+def same_transfer(mutant, reference, *_):
+    """True if two functions of time and parameters agree at random values: at single instants, of switchings, they may differ."""
+    if isinstance(mutant, (list, tuple)) or isinstance(reference, (list, tuple)):
+        return same_value(mutant, reference)
+    random, symbols = np.random.default_rng(29), sorted(mutant.free_symbols | reference.free_symbols, key=str)
+    for _ in range(60):
+        values = [int(random.integers(1, 9)) if s.is_integer else random.uniform(0.05, 4) * (1 if s.is_positive else random.choice((-1, 1)))
+                  for s in symbols]
+        with np.errstate(all="ignore"):
+            one, other = (complex(sp.lambdify(symbols, e, "numpy")(*values)) for e in (mutant, reference))
+        if not (np.isclose(one, other, rtol=1e-9, atol=1e-9) or np.isnan(one) and np.isnan(other)):
+            return False
+    return True
+
+
+TRANSFERS = ("fastest_time", "slowest_time", "fastest_control", "slowest_control", "fastest_motion", "slowest_motion", "fastest_switching",
+             "slowest_switching", "fastest_meeting", "slowest_meeting", "switchings", "isochrone_radius", "least_rate", "turning_rate")
+ORACLES = {**dict.fromkeys(TRANSFERS, same_transfer), "minimal_time": same_synthesis,
+           "time_optimal_law": same_synthesis, "other_extremals": same_extremals, "other_extremal_time": same_extremals, "reachable_starts": same_synthesis,
+           "reached_part": same_arcs, "continuous_time": same_arcs, "switching_points": same_curve, "switching_crossing": same_curve,
+           "breaks_bound": breaks_bound, "stations_insufficient": stations_insufficient, "growing_motion": growing_motion, "conserved_form": conserved_form,
            "rest_angles": same_angles, "stable_rest_angles": same_angles, "unstable_rest_angles": same_angles,
            "stable_angles": angle_condition, "saddle_angles": angle_condition,
            "focus_parameters": kind_of_angles, "node_parameters": kind_of_angles,

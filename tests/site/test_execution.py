@@ -157,3 +157,25 @@ def test_a_cell_has_a_time_limit(book):
     book.write("p1", "import time; time.sleep(30)")
     code, _, error = book.run()
     assert code == 1 and "p1.md" in error and "time.sleep(30)" in error
+
+
+@pytest.mark.parametrize("deaths, code", [(2, 0), (3, 1)])
+def test_a_kernel_that_cannot_start_is_started_again(book, executing, monkeypatch, deaths, code):
+    started, real = [], executing.single_nb_execution
+
+    def execution(*arguments, **options):
+        started.append(1)
+        if len(started) <= deaths:
+            raise RuntimeError("Kernel died before replying to kernel_info")
+        return real(*arguments, **options)
+
+    monkeypatch.setattr(executing, "single_nb_execution", execution)
+    book.write("p1", "1 + 1")
+    ended, _, error = book.run()
+    assert ended == code and len(started) == 3 and ("p1.md, Kernel died" in error) == (code == 1)
+
+
+def test_a_kernel_that_dies_in_a_cell_is_not_started_again(book, executing, monkeypatch):
+    book.write("p1", "import pathlib; pathlib.Path('runs').open('a').write('x')", "import os; os._exit(1)")
+    ended, _, error = book.run()
+    assert ended == 1 and "p1.md, Kernel died" in error and (book.root / "runs").read_text() == "x"
