@@ -298,3 +298,22 @@ def test_questions_outside_the_window_are_refused(to_rest):
         to_rest.isochrone(99)
     with pytest.raises(KeyError, match="conditions are A, B"):
         to_rest.regularity()["Z"]
+
+
+def test_barriers_of_both_sides_are_mirror_images():
+    """Of the line x1 = x2 (problem 5.10): they end where the extremals touch it, at (1, 1) and (-1, -1)."""
+    found = synthesis(problem([x1 - x2]), horizon=8)
+    one, other = sorted(found.barriers, key=lambda curve: -curve.points[0, 0])
+    assert np.allclose(one.points, -other.points, atol=1e-9) and np.allclose(one.points[0], [1, 1], atol=1e-9)
+    assert np.allclose(one.points[:, 0], (1 + one.points[:, 1]**2)/2, atol=1e-9)
+    assert one.jump == pytest.approx(other.jump, rel=1e-3) and np.isfinite(one.jump)
+
+
+@pytest.mark.parametrize("side", [1, -1])
+def test_beside_a_barrier_the_time_is_that_of_the_way_round(side):
+    found = synthesis(problem([x1 - x2]), horizon=8)
+    v = np.linspace(0.1, 0.9, 9)
+    edge = (1 + v**2)/2
+    for beyond in (1e-3, 1e-4):
+        x = side*np.array([edge + beyond, v])
+        assert np.allclose(found.time(*x), 1 + v + np.sqrt(v**2 + 2*(edge + beyond) - 1), atol=1e-6)

@@ -20,7 +20,6 @@ import select
 import shutil
 import signal
 import struct
-import sys
 import tempfile
 import time
 

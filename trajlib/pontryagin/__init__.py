@@ -14,7 +14,7 @@ True
 
 from trajlib._lazy import lazy_names
 
-# No module is called like a name it exports: importing it would put the module in the place of the function.
+# No module of this folder is called like a name it exports: importing it would put the module in the place of the function.
 _EXPORTS = {
     "statement": ["Problem"],
     "derivation": ["Conditions"],
@@ -23,6 +23,6 @@ _EXPORTS = {
     "certificate": ["Certificate", "certify"],
     "errors": ["PontryaginError", "Infeasible", "Unbounded", "Chattering", "WrongStructure", "NotConverged",
                "StartOnTarget"],
-    "planar_synthesis": ["Synthesis", "synthesis"],
+    "planar.synthesis": ["Synthesis", "synthesis"],
 }
 __getattr__, __dir__, __all__ = lazy_names(__name__, _EXPORTS)

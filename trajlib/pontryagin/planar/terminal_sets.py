@@ -160,9 +160,19 @@ def families(target, plant, side):
     return found, touching
 
 
+def _last_admissible(function, low, high):
+    """The zero of w between low and high, rounded to the side where w is not negative: on the other one there is no extremal."""
+    zero, inner = brentq(function, low, high, xtol=1e-13), high if function(high) > 0 else low
+    step = 1e-15*(high - low)
+    while function(zero) < 0:
+        zero += np.sign(inner - zero)*step
+        step *= 2
+    return zero
+
+
 def _zeros(function, s, w, scale, closed):
     """Where w changes its sign, and where it touches zero from above."""
-    zeros = [brentq(function, s[k], s[k + 1], xtol=1e-13) for k in np.flatnonzero(w[:-1]*w[1:] < 0)]
+    zeros = [_last_admissible(function, s[k], s[k + 1]) for k in np.flatnonzero(w[:-1]*w[1:] < 0)]
     zeros += list(s[np.abs(w) <= TOUCHES*scale])
     step = s[1] - s[0]
     lowest = np.flatnonzero((w[1:-1] <= w[:-2]) & (w[1:-1] <= w[2:]) & (w[1:-1] > TOUCHES*scale) & (w[1:-1] < 0.01*scale)) + 1

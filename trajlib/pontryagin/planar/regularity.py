@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .fan_cuts import crossing_angles
+from .cuts import crossing_angles
 
 #: Side of the raster on which regions are counted.
 RASTER = 240

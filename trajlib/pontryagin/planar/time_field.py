@@ -10,6 +10,8 @@ import numpy as np
 SQUARES = 96
 #: How far outside of a triangle (in its barycentric coordinates) a point still counts as inside: borders are curved.
 SLACK = 0.02
+#: How many steps of time an interpolated time may be wrong.
+SOONEST = 1.5
 
 
 class TimeField:
@@ -26,6 +28,9 @@ class TimeField:
         self.count = np.concatenate([p[2] for p in parts])           # (M, 3): switchings so far
         self.first = np.concatenate([p[3] for p in parts])           # the control next to the target
         self.fan = np.concatenate([p[4] for p in parts])
+        s = self.values[:, :, 0]
+        low, high = (np.array([getattr(fan.ends, side) for fan in fans])[self.fan] for side in ("low", "high"))
+        self.last = (s.min(axis=1) <= low) | (s.max(axis=1) >= high)
         self._sort()
 
     @staticmethod
@@ -106,7 +111,16 @@ class TimeField:
         """For points (2, N): the least time, the sign of the control there and the fan (-1 where there is none)."""
         size = x.shape[1]
         time, sign, fan = np.full(size, np.inf), np.zeros(size, int), np.full(size, -1)
-        point, triangle, s, tau = self._distinct(x)
+        self._polish(x, np.arange(size), time, sign, fan, SOONEST)
+        # Where the soonest cells only seemed to contain the point, later ones count too.
+        self._polish(x, np.flatnonzero(~np.isfinite(time)), time, sign, fan, np.inf)
+        self._fall_back(x, time, sign, fan)
+        return time, sign, fan
+
+    def _polish(self, x, which, time, sign, fan, later):
+        """Newton's method for the points `which` in cells that are not more than `later` steps behind the soonest."""
+        point, triangle, s, tau = self._distinct(x[:, which], later)
+        point = which[point]
         # Newton's method starts inside of the cell: at its edge the family may have a fold.
         corner = self.values[triangle][:, :, 0]
         low, width = corner.min(axis=1), np.ptp(corner, axis=1)
@@ -124,15 +138,16 @@ class TimeField:
             better = exact_tau[order] < time[for_point]
             for_point, order = for_point[better], order[better]
             time[for_point], sign[for_point], fan[for_point] = exact_tau[order], signs[order], number
-        self._fall_back(x, time, sign, fan)
-        return time, sign, fan
 
     def _fall_back(self, x, time, sign, fan):
-        """Where Newton's method failed inside of a cell (next to a fold of the family) the interpolated values stand."""
+        """Where Newton's method failed inside of a cell (next to a fold of the family) the interpolated values stand.
+
+        Not in the last cells of a family: their edges are chords of its last extremal, and reach a little beyond it.
+        """
         open_ = np.flatnonzero(~np.isfinite(time))
         if open_.size:
             tau, triangle, _ = self.interpolated(x[:, open_], slack=0)
-            found = triangle >= 0
+            found = (triangle >= 0) & ~self.last[triangle]
             open_, triangle = open_[found], triangle[found]
             time[open_], fan[open_] = tau[found], self.fan[triangle]
             sign[open_] = self.first[triangle]*np.where(np.median(self.count[triangle], axis=1) % 2, -1, 1)
@@ -146,7 +161,7 @@ class TimeField:
         within = np.arange(pick.size) - np.repeat(np.cumsum(number) - number, number)
         return pick, first[pick], low[pick] + within
 
-    def _distinct(self, x):
+    def _distinct(self, x, later):
         """Of all candidates of a point those that may be the fastest: the first in time of each structure, if not far behind."""
         point, triangle, s, tau = self.candidates(x)
         kind = (self.fan[triangle]*2 + (self.first[triangle] > 0))*64 + self.count[triangle].min(axis=1)
@@ -159,7 +174,7 @@ class TimeField:
         least = np.full(x.shape[1], np.inf)
         np.minimum.at(least, point, tau)
         # A few cells of each structure: a point next to the border of one may belong to its neighbour.
-        keep = (rank < 4) & (tau < least[point] + 1.5*self.fans[0].times[1])
+        keep = (rank < 4) & (tau < least[point] + later*self.fans[0].times[1])
         return point[keep], triangle[keep], s[keep], tau[keep]
 
 

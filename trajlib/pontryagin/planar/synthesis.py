@@ -18,10 +18,10 @@ from functools import cached_property
 import numpy as np
 from scipy.optimize import brentq
 
-from .extremal_fan import Fan
-from .fan_cuts import Curve, border_extremals, cut_at_overlaps, switching_curves
-from .statement import Problem
-from .synthesis_input import greatest_rate, positive, read_plant, read_target, read_window
+from .fan import Fan
+from .cuts import Curve, border_extremals, cut_at_overlaps, switching_curves
+from ..statement import Problem
+from .reading import greatest_rate, positive, read_plant, read_target, read_window
 from .terminal_sets import Ends, families
 from .time_field import TimeField
 
@@ -116,7 +116,7 @@ class Synthesis:
 
     def plot(self, ax=None, isochrones=(), extremals=24):
         """The synthesis in the phase plane; returns the Axes. `isochrones`: times whose lines are drawn."""
-        from .synthesis_picture import draw
+        from .picture import draw
 
         return draw(self, ax, isochrones, extremals)
 

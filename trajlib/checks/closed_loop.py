@@ -1,0 +1,113 @@
+"""A feedback law followed from many starts at once, and compared with the fastest times."""
+
+import numpy as np
+import sympy as sp
+
+from trajlib.checks.verdict import Invalid, Wrong
+
+#: A law may be slower than the optimum by this share: its switching curve may be written in decimals.
+SLOWER = 0.004
+#: How close to the target counts as on it, in units of the size of the state.
+CLOSE = 3e-5
+#: Two values of a law this close are one.
+SAME = 1e-6
+#: The part of the fastest time for which a law is followed; whether the rest suffices is asked of the optimum.
+FOLLOWED = 0.97
+
+
+class Law:
+    """An expression of the state and the parameters, on many states at once."""
+
+    def __init__(self, expression, state, parameters, truth, curve=None):
+        # Symbols are the data's own and functions are SymPy's (coercion.with_symbols), so the code made is ours.
+        self._function = sp.lambdify([*state, *parameters, *([curve[0]] if curve else [])], expression, "numpy")
+        self._cases = np.array(truth.cases, dtype=float).reshape(len(truth.cases), len(parameters))
+        self._abscissa, self._tables = (curve[1], self._tabulated(curve[2], truth)) if curve else (None, [])
+
+    @staticmethod
+    def _tabulated(ends, truth):
+        key = ("table", str(ends.variable), ends.interval)
+        if key not in truth.kept:
+            truth.kept[key] = [ends.table(case) for case in truth.cases]
+        return truth.kept[key]
+
+    def __call__(self, x, case):
+        values = [*x.T, *self._cases[case].T]
+        if self._tables:
+            places = np.broadcast_to(self._abscissa(*values), len(x))
+            ordinate = np.full(len(x), np.nan)
+            for k, (first, second) in enumerate(self._tables):
+                ordinate[case == k] = np.interp(places[case == k], first, second, left=np.nan, right=np.nan)
+            values.append(ordinate)
+        with np.errstate(all="ignore"):
+            try:
+                values = self._function(*values)
+            except (TypeError, ValueError, AttributeError, NameError):
+                raise Invalid("the law cannot be evaluated: it has to be a real expression in the state, such as a Piecewise") from None
+            values = np.broadcast_to(np.asarray(values, dtype=complex), len(x))
+        return np.where(abs(values.imag) < 1e-9 * (1 + abs(values)), values.real, np.nan)
+
+
+def follow(law, truth, lanes):
+    """Raise `Wrong` for a start from which the law needs longer than the optimum."""
+    x, passed = _closed_loop(law, truth.plant, lanes)
+    left = lanes.time * (1 + SLOWER) + 1e-3 - passed
+    missing = truth.missing(x, lanes.case, left, lanes.inside)
+    late = np.flatnonzero(~(missing <= CLOSE * (1 + np.linalg.norm(lanes.x, axis=1))))[:8]
+    # Next to a barrier a thin target may have been missed by the optimum too.
+    for k in late[~truth.beside_barrier(lanes.take(late))] if len(late) else ():
+        raise Wrong(f"{truth.told(lanes, k)} the target can be reached in a time of {lanes.time[k]:.4g}; your law has brought the state to "
+                    f"({x[k][0]:.4g}, {x[k][1]:.4g}) after {passed[k]:.4g}, and from there it cannot be reached in the time left")
+
+
+def _closed_loop(law, plant, lanes, steps=48):
+    """Where the law has brought each start after the greater part of its fastest time: (states, times).
+
+    The control is held until no value of the law next to the state is the control held: rounding, and what the law says on a
+    curve alone, decide nothing. The moment of a switching is found by bisection.
+    """
+    x, case, end = lanes.x.copy(), lanes.case, FOLLOWED * lanes.time
+    t, h, rest = np.zeros(len(x)), end / steps, np.full(len(x), -np.inf)
+    low, high = plant.bounds
+    around = np.array([[0, 0], [1, 0], [-1, 0], [0, 1], [0, -1]]) * 1e-8
+
+    def value(x, case):
+        return np.clip(np.nan_to_num(law(x, case)), low, high)
+
+    def holds(x, u, case):
+        near = (x[:, None] + (1 + abs(x).max(axis=1))[:, None, None] * around).reshape(-1, 2)
+        return (abs(value(near, np.repeat(case, 5)).reshape(-1, 5) - u[:, None]) < SAME).any(axis=1)
+
+    u = value(x, case)
+    for _ in range(5 * steps):
+        busy = np.flatnonzero(t < end - 1e-12)
+        if not len(busy):
+            break
+        step = np.minimum(h[busy], end[busy] - t[busy])
+        after = plant.move(x[busy], u[busy], step)
+        switching = ~holds(after, u[busy], case[busy])
+        here = busy[switching]
+        if len(here):
+            # A law that chatters is followed with a small delay; where this delay decides, there is nothing to search for.
+            late = step[switching].copy()
+            early = np.clip(rest[here] + h[here] / 40 - t[here], 0, late)
+            delayed = (early > 0) & ~holds(plant.move(x[here], u[here], early), u[here], case[here])
+            late[delayed] = early[delayed]
+            sought = np.flatnonzero(~delayed)
+            if len(sought):
+                there = here[sought]
+                first, last = early[sought], late[sought]
+                for _ in range(40):
+                    middle = (first + last) / 2
+                    held = holds(plant.move(x[there], u[there], middle), u[there], case[there])
+                    first, last = np.where(held, middle, first), np.where(held, last, middle)
+                late[sought] = last
+            x[here], t[here] = plant.move(x[here], u[here], late), t[here] + late
+            said = law(x[here], case[here])
+            for k in np.flatnonzero((said < low - SAME) | (said > high + SAME)):
+                raise Wrong(f"a motion under your law comes to ({x[here[k]][0]:.4g}, {x[here[k]][1]:.4g}), where it gives {said[k]:.4g}, "
+                            "outside the bounds of the control")
+            u[here], rest[here] = value(x[here], case[here]), t[here]
+        on = busy[~switching]
+        x[on], t[on] = after[~switching], t[on] + step[~switching]
+    return x, t

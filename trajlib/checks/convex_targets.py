@@ -1,0 +1,108 @@
+"""Convex targets of the plane by their support functions: points, segments, lines, strips, ellipses, parabolas."""
+
+import numpy as np
+import sympy as sp
+
+
+class ConvexTarget:
+    """A convex set D = {g <= 0}, or the hull of some points, by its support function; one for each case of the parameters."""
+
+    def __init__(self, target, state, names, cases):
+        target = list(target) if isinstance(target, (list, tuple, sp.MatrixBase)) else [target]
+        zero = dict.fromkeys(state, 0)
+        self.g, self.point = None, len(target) == 2 and isinstance(target[0], sp.Expr)
+        if all(isinstance(part, (list, tuple, sp.Tuple)) for part in target):
+            corners = [[[float(v) for v in corner] for corner in target]] * len(cases)
+        elif len(target) == 2:
+            rows = sp.Matrix([sp.sympify(part) for part in target])
+            corner = rows.jacobian(state).inv() * -rows.subs(zero)
+            corners = [[[float(v.subs(dict(zip(names, case)))) for v in corner]] for case in cases]
+        else:
+            self._curve(sp.sympify(target[0]), state, names, cases, zero)
+            return
+        self.kind, self._corners = "hull", np.array(corners)
+
+    def _curve(self, g, state, names, cases, zero):
+        hessian, gradient = sp.hessian(g, state), sp.Matrix([g.diff(v) for v in state])
+        if any(v.free_symbols & set(state) for v in hessian):
+            raise ValueError("a target of degree one or two is expected")
+        gradient, constant = gradient.subs(zero), g.subs(zero)
+        numbers = [[np.array(sp.Matrix(part).subs(dict(zip(names, case))), dtype=float) for part in (hessian, gradient, [constant])]
+                   for case in cases]
+        sign = -1.0 if np.linalg.eigvalsh(numbers[0][0]).min() < -1e-12 else 1.0
+        self._H, self._c, self._d = (sign * np.array([n[k] for n in numbers]) for k in range(3))
+        self._c, self._d = self._c[:, :, 0], self._d[:, 0, 0]
+        self.g = lambda x, case: (np.einsum("ni,nij,nj->n", x, self._H[case], x) / 2 + (self._c[case] * x).sum(axis=1) + self._d[case])
+        self.slope = lambda x, case: np.einsum("nij,nj->ni", self._H[case], x) + self._c[case]
+        values, vectors = np.linalg.eigh(self._H[0])
+        if values.max() < 1e-12:
+            self.kind = "line"
+        elif values.min() > 1e-12:
+            self.kind = "ellipse"
+            self._inverse = np.linalg.inv(self._H)
+            self._centre = -np.einsum("nij,nj->ni", self._inverse, self._c)
+            self._level = np.maximum(-self.g(self._centre, np.arange(len(cases))), 0)
+        else:
+            self._across, self._along = vectors[:, 1], vectors[:, 0]
+            self.kind = "parabola" if abs(self._c @ self._along).min() > 1e-12 else "strip"
+
+    def inside(self, x, case):
+        """True where the start lies inside D, whose border is the target."""
+        return np.zeros(len(x), dtype=bool) if self.g is None or self.kind == "line" else self.g(x, case) < 0
+
+    def angles(self):
+        """The directions to be tried: (angles, spacing); spacing 0 where no others matter."""
+        if self.kind in ("line", "strip"):
+            normal = self._c[0] if self.kind == "line" else self._across
+            first = np.arctan2(normal[1], normal[0])
+            return np.array([first, first + np.pi]), 0.0
+        if self.kind == "parabola":
+            along = self._along * np.sign(self._c[0] @ self._along)
+            middle, count = np.arctan2(along[1], along[0]), 96
+            return middle + np.pi * ((np.arange(count) + 0.5) / count - 0.5), np.pi / count
+        return np.arange(112) * (2 * np.pi / 112), 2 * np.pi / 112
+
+    def support(self, p, case, start):
+        """sup p.y over D, for rows of directions; a line has D on its other side, seen from the rows `start`."""
+        if self.kind == "hull":
+            return np.einsum("nki,ni->nk", self._corners[case], p).max(axis=1)
+        if self.kind == "line":
+            side = np.sign(self.g(start, case))
+            c, d = self._c[case] * side[:, None], self._d[case] * side
+            size = np.linalg.norm(c, axis=1)
+            return np.where((c * p).sum(axis=1) > 0.999 * size, -d / size, np.inf)
+        if self.kind == "ellipse":
+            spread = np.einsum("ni,nij,nj->n", p, self._inverse[case], p)
+            return (p * self._centre[case]).sum(axis=1) + np.sqrt(2 * self._level[case] * spread)
+        across, curvature = p @ self._across, np.einsum("i,nij,j->n", self._across, self._H[case], self._across)
+        bend = self._c[case] @ self._across
+        if self.kind == "strip":
+            middle = -bend / curvature
+            width = np.sqrt(np.maximum(middle**2 - 2 * self._d[case] / curvature, 0))
+            return across * middle + width
+        with np.errstate(all="ignore"):
+            scale = (p @ self._along) / (self._c[case] @ self._along)
+            return np.where(scale > 0, (across - scale * bend)**2 / (2 * scale * curvature) - scale * self._d[case], np.inf)
+
+    def around(self, random, case, count):
+        """Points near the target, on both sides."""
+        if self.kind == "hull":
+            corners = self._corners[case]
+            weights = random.dirichlet(np.ones(corners.shape[0]), count)
+            return weights @ corners + random.normal(scale=0.4, size=(count, 2))
+        angle = random.uniform(0, 2 * np.pi, count)
+        p = np.column_stack([np.cos(angle), np.sin(angle)])
+        if self.kind == "ellipse":
+            q = p @ self._inverse[case]
+            on = self._centre[case] + q * np.sqrt(2 * self._level[case] / np.maximum((p * q).sum(axis=1), 1e-12))[:, None]
+            return self._centre[case] + (on - self._centre[case]) * random.uniform(0.5, 1.6, count)[:, None] + 0.02 * p
+        if self.kind == "line":
+            c = self._c[case]
+            along = np.array([-c[1], c[0]]) / np.linalg.norm(c)
+            on = (-self._d[case] / (c @ c)) * c + np.outer(random.normal(scale=2, size=count), along)
+            return on + random.normal(scale=0.5, size=(count, 2))
+        across = random.uniform(-2.5, 2.5, count)
+        middle = (self._c[case] @ self._across) * across + 0.5 * (self._across @ self._H[case] @ self._across) * across**2 + self._d[case]
+        slope = self._c[case] @ self._along
+        along = -middle / slope if self.kind == "parabola" else random.normal(scale=3, size=count)
+        return np.outer(across, self._across) + np.outer(along, self._along) + random.normal(scale=0.4, size=(count, 2))
