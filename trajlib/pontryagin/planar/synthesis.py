@@ -10,6 +10,7 @@ meet the target again (the process ends at the first hit) and where another extr
     barrier            an extremal, mostly one that touches the target, across which the least time jumps.
 
 Extremals with singular arcs are not looked for. They need det(f1, [f0, f1]) = 0: where this is possible, `regularity()` says so.
+Within a step of time of the place where a barrier meets the target a point may be missed (time nan).
 Source: chapter 5 of the problem book (worked example 2, figure 5.1); V. G. Boltyansky's regular synthesis.
 """
 from dataclasses import dataclass, field
