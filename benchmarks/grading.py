@@ -1,9 +1,9 @@
 """Grading a class with `trajlib grade` against `nbgrader autograde`, on the same notebooks in one run.
 
-Overhead is the time on the clock less the cells' own run time, both measured: for nbgrader by the times it leaves in each
-graded notebook, for trajlib by running the same cells and judging the same answers once more with a clock beside them.
-trajlib runs with its sandbox on; nbgrader has none. Starting costs both a few seconds, which a small class feels and a
-large one does not: so what each further notebook costs stands apart. Growth is with students (four times as many) and processes.
+Overhead is the time on the clock less the cells' own run time, both measured in that very run: for nbgrader by the times it
+leaves in each graded notebook, for trajlib by `cell_clock.py`. trajlib runs with its sandbox on; nbgrader has none. Starting
+costs both a few seconds, which a small class feels and a large one does not: so what each further notebook costs stands apart.
+Growth is with students (four times as many) and processes.
 
     python benchmarks/grading.py [STUDENTS] [PROBLEM ...]
 """
@@ -11,7 +11,6 @@ large one does not: so what each further notebook costs stands apart. Growth is 
 import json
 import os
 import shutil
-import statistics
 import subprocess
 import sys
 import tempfile
@@ -24,7 +23,7 @@ from trajlib.masters import read
 from trajlib.masters.reading import master_file
 
 ROOT = Path(__file__).resolve().parents[1]
-PYTHON = sys.executable
+PYTHON, CLOCK = sys.executable, ROOT / "benchmarks" / "cell_clock.py"
 
 
 def main(students=8, *problems):
@@ -41,29 +40,29 @@ def main(students=8, *problems):
         graded = [json.loads(path.read_text(encoding="utf-8")) for path in course.glob("autograded/*/hw1/*.ipynb")]
         count, their_cells = len(graded), sum(map(seconds_in_cells, graded))
         assert count == students * len(problems)
-        cells = sum(own_time(problem) for problem in problems) / len(problems)
 
-        small, large = students * len(problems), 4 * students * len(problems)
-        ours = {small: timed(trajlib, course, environment, 1)}
         cores = len(os.sched_getaffinity(0))
-        side_by_side = {small: timed(trajlib, course, environment, cores)}
+        ours, our_cells = trajlib(course, environment, 1)
+        side_by_side, _ = trajlib(course, environment, cores)
         multiply(course, students, 4)
-        ours[large], side_by_side[large] = (timed(trajlib, course, environment, processes) for processes in (1, cores))
+        ours_of_4, our_cells_of_4 = trajlib(course, environment, 1)
+        side_by_side_of_4, _ = trajlib(course, environment, cores)
 
-    our_cells, overhead, their_overhead = small * cells, ours[small] - small * cells, theirs - their_cells
-    further = (ours[large] - ours[small]) / (large - small)
-    their_further = (theirs - their_start) / count
+    overhead, their_overhead = ours - our_cells, theirs - their_cells
+    further, their_further = (ours_of_4 - ours) / (3 * count), (theirs - their_start) / count
+    cells_further, their_cells_further = (our_cells_of_4 - our_cells) / (3 * count), their_cells / count
+    ratio_further = (their_further - their_cells_further) / (further - cells_further)
     print(f"{students} students, problems {', '.join(problems)}: {count} notebooks, one process each, trajlib in its sandbox")
     print(f"  nbgrader autograde {theirs:.1f} s: cells {their_cells:.1f} s, overhead {their_overhead:.1f} s")
-    print(f"  trajlib grade      {ours[small]:.1f} s: cells {our_cells:.1f} s, overhead {overhead:.1f} s")
-    print(f"  nbgrader takes {theirs / ours[small]:.1f} times as long, its overhead is {their_overhead / overhead:.1f} times ours")
+    print(f"  trajlib grade      {ours:.1f} s: cells {our_cells:.1f} s, overhead {overhead:.1f} s")
+    print(f"  nbgrader takes {theirs / ours:.1f} times as long, its overhead is {their_overhead / overhead:.1f} times ours")
     print("each further notebook")
-    print(f"  nbgrader autograde {their_further:.3f} s: cells {their_cells / count:.3f} s, "
-          f"overhead {their_further - their_cells / count:.3f} s")
-    print(f"  trajlib grade      {further:.3f} s: cells {cells:.3f} s, overhead {further - cells:.3f} s")
+    print(f"  nbgrader autograde {their_further:.3f} s: cells {their_cells_further:.3f} s, overhead {their_further - their_cells_further:.3f} s")
+    print(f"  trajlib grade      {further:.3f} s: cells {cells_further:.3f} s, overhead {further - cells_further:.3f} s")
+    print(f"  nbgrader takes {their_further / further:.1f} times as long, its overhead is {ratio_further:.1f} times ours")
     print(f"growth of trajlib grade, 1 process and {cores}")
-    for size in (small, large):
-        print(f"  {size} notebooks: {ours[size]:.1f} s, {side_by_side[size]:.1f} s")
+    print(f"  {count} notebooks: {ours:.1f} s, {side_by_side:.1f} s")
+    print(f"  {4 * count} notebooks: {ours_of_4:.1f} s, {side_by_side_of_4:.1f} s")
 
 
 def hand_in(course, students, problems):
@@ -99,13 +98,18 @@ def nbgrader(course, environment, command):
 
 
 def trajlib(course, environment, processes):
-    """Grade everything from nothing."""
+    """Grade everything from nothing; returns seconds on the clock and those of the cells."""
     shutil.rmtree(course / "graded", ignore_errors=True)
-    done = subprocess.run([PYTHON, "-m", "trajlib.cli", "grade", "submitted", "--out", "graded", "--processes", str(processes), "--json"],
+    log = course / "cells"
+    log.write_text("", encoding="utf-8")
+    begin = time.perf_counter()
+    done = subprocess.run([PYTHON, CLOCK, log, "grade", "submitted", "--out", "graded", "--processes", str(processes), "--json"],
                           cwd=course, env=environment, capture_output=True, text=True)
+    seconds = time.perf_counter() - begin
     assert done.returncode == 0, done.stderr
     points = json.loads(done.stdout)["assignments"]["hw1"]
     assert set(points.values()) == {max(points.values())}, "all answers are right"
+    return seconds, sum(map(float, log.read_text(encoding="utf-8").split()))
 
 
 def timed(function, *arguments):
@@ -119,43 +123,6 @@ def seconds_in_cells(notebook):
     stamps = [cell["metadata"]["execution"] for cell in notebook["cells"] if cell["metadata"].get("execution")]
     spans = [[datetime.fromisoformat(each[event]) for event in ("iopub.execute_input", "shell.execute_reply")] for each in stamps]
     return sum((end - begin).total_seconds() for begin, end in spans)
-
-
-def own_time(problem, runs=3):
-    """Seconds of the cells of one notebook: its data and answer cells, then the data and check cells that judge it (median)."""
-    from trajlib.execution import in_child, run_notebook
-
-    exercise = exercises.find(problem)
-    answers = list(exercise.about["answers"])
-    master = read(ROOT / "solutions" / master_file(problem))
-    sources = ["import time; trajlib_began = time.perf_counter()", *master.code("data", "answer"),
-               "trajlib_spent = time.perf_counter() - trajlib_began"]
-    ready()
-    spent = []
-    for _ in range(runs):
-        run = run_notebook(sources, [*answers, "trajlib_spent"])
-        cells = json.loads(run.encoded.pop("trajlib_spent"))
-        encoded = {name: text.decode() for name, text in run.encoded.items()}
-        spent.append(cells + in_child(_judging_time, exercise.code("data", "check"), encoded, answers, timeout=300))
-    return statistics.median(spent)
-
-
-def ready():
-    """Import what the grader's ready processes have imported."""
-    import IPython.core.interactiveshell  # noqa: F401
-    import matplotlib.pyplot  # noqa: F401
-    import scipy.integrate  # noqa: F401
-    import sympy  # noqa: F401
-
-    from trajlib import checks
-    for name in checks.__all__:
-        getattr(checks, name)
-
-
-def _judging_time(cells, encoded, names):
-    from trajlib.execution import judge_cells
-
-    return timed(judge_cells, cells, encoded, {}, names)
 
 
 if __name__ == "__main__":

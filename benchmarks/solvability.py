@@ -4,12 +4,10 @@ Time is one half of the comparison and accuracy the other: the exact stacked mat
 results are compared with it. The peer has the same integrator and tolerance; it gives no estimate of its error and no verdict.
 """
 
-import statistics
-import time
-
 import numpy as np
 from scipy.integrate import solve_ivp
 
+from stopwatch import seconds
 from trajlib.solvability import analyse, clohessy_wiltshire, linearise, stack
 
 RUNS = 5
@@ -49,15 +47,6 @@ def exact(times):
     return stack(sight, clohessy_wiltshire(RATE, times))@turning
 
 
-def seconds(function):
-    taken = []
-    for _ in range(RUNS):
-        start = time.perf_counter()
-        function()
-        taken.append(time.perf_counter() - start)
-    return statistics.median(taken)
-
-
 def main():
     for number in (145, 1441):
         times = np.linspace(0, 86400, number)
@@ -68,11 +57,11 @@ def main():
             return np.abs((matrix - true)/scale).max()*np.sqrt(len(true))
 
         found = linearise(field, ranges, START, times, rtol=1e-10)
-        ours = seconds(lambda: linearise(field, ranges, START, times, rtol=1e-10))
+        ours = seconds(lambda: linearise(field, ranges, START, times, rtol=1e-10), RUNS)
         print(f"linearising, {number} epochs, 2 stations: {1e3*ours:.0f} ms, relative error {error(found.matrix):.0e} "
               f"(estimated {np.abs(found.error/scale).max()*np.sqrt(len(true)):.0e})")
         for rtol in (1e-10, 1e-12):
-            peer = seconds(lambda: differences(times, 1.0, rtol))
+            peer = seconds(lambda: differences(times, 1.0, rtol), RUNS)
             # the peer gets the step that suits it best, which its user would not know
             wrong, step = min((error(differences(times, step, rtol)), step) for step in (0.03, 0.1, 0.3, 1.0, 3.0, 10.0, 30.0))
             print(f"   central differences, rtol {rtol:.0e}: {1e3*peer:.0f} ms, error {wrong:.0e} with the best step ({step:g} km); ours "
@@ -80,7 +69,7 @@ def main():
     random = np.random.default_rng(0)
     for n in (100, 1000, 10_000):
         matrix = random.standard_normal((n, 6))
-        ours, peer = seconds(lambda: analyse(matrix, np.ones(n))), seconds(lambda: np.linalg.matrix_rank(matrix))
+        ours, peer = seconds(lambda: analyse(matrix, np.ones(n)), RUNS), seconds(lambda: np.linalg.matrix_rank(matrix), RUNS)
         print(f"judging {n:>6,} x 6: {1e3*ours:.2f} ms, numpy.linalg.matrix_rank {1e3*peer:.2f} ms: {ours/peer:.1f} times")
 
 

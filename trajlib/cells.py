@@ -4,10 +4,10 @@ Cells are moved, duplicated, split and deleted; some fail, some never end. A cel
 one that failed for want of a later cell is tried again; an untouched stub (`name = ...`) takes no answer back.
 """
 
-import io
 import json
 import os
 import signal
+import sys
 import time
 from contextlib import contextmanager, redirect_stderr, redirect_stdout
 
@@ -30,7 +30,9 @@ def run_cells(sources, names, folder=None, before=(), seconds=None):
     os.environ.setdefault("MPLBACKEND", "Agg")
     if folder:
         os.chdir(folder)
-    with redirect_stdout(_Discarded()), redirect_stderr(_Discarded()):
+    sys.path.insert(0, "")  # what a cell wrote into the folder can be imported, as in Jupyter
+    # What is printed is kept nowhere, so that endless output fills nothing.
+    with open(os.devnull, "w", encoding="utf-8", errors="replace") as nowhere, redirect_stdout(nowhere), redirect_stderr(nowhere):
         notebook = _Notebook(names, _Patience(seconds))
         for source in before:
             notebook.run(source)
@@ -40,6 +42,17 @@ def run_cells(sources, names, folder=None, before=(), seconds=None):
     errors = [f"code cell {k}: {_told(error)}" for k, error in failed.items() if not isinstance(error, (TooLong, NotYet))]
     return {"encoded": encoded, "unreadable": unreadable, "errors": errors,
             "stopped": [k for k, error in failed.items() if isinstance(error, TooLong)]}
+
+
+def prepare():
+    """Start a shell now for the next `run_cells`, here or in a child forked from this process."""
+    shell = _shell()
+    shell.run_cell("pass", store_history=False)  # what the first cell would set up
+    _prepared.append(shell)
+
+
+#: Shells that have run nothing of anybody's.
+_prepared = []
 
 
 def _try_again(notebook, sources, failed):
@@ -58,13 +71,13 @@ class _Notebook:
 
     def __init__(self, names, patience):
         self.names, self.given = names, {}
-        self._patience, self._shell = patience, _shell()
+        self._patience, self._shell = patience, _prepared.pop() if _prepared else _shell()
 
     def run(self, source):
         """Run a cell and note the answers; returns its error or None."""
         try:
             with self._patience.for_one():
-                outcome = self._shell.run_cell(source, store_history=False, silent=True)
+                outcome = self._shell.run_cell(source, store_history=False)
             error = outcome.error_before_exec or outcome.error_in_exec
         except BaseException as failure:  # what even the shell cannot run, such as text with half a character
             error = failure
@@ -135,11 +148,21 @@ def _stop(*_):
 
 
 def _shell():
+    from IPython.core.displayhook import DisplayHook
     from IPython.core.interactiveshell import InteractiveShell
     from matplotlib_inline.config import InlineBackend
     from traitlets.config import Config
 
+    class Kept(DisplayHook):
+        """The value of a cell's last line is kept as `_`, but made into no text: nobody reads it here."""
+
+        def __call__(self, result=None):
+            if result is not None:
+                self.update_user_ns(result)
+
     class Shell(InteractiveShell):
+        displayhook_class = Kept
+
         def enable_matplotlib(self, gui=None):
             """`%matplotlib inline` and its kin find no screen here, and need none."""
             return gui, "agg"
@@ -169,10 +192,3 @@ def _told(error):
     except BaseException:
         text = "(its text cannot be read)"
     return f"{name}: {text}"
-
-
-class _Discarded(io.TextIOBase):
-    """Where prints go: kept nowhere, so that endless output fills nothing."""
-
-    def write(self, text):
-        return len(text)

@@ -2,12 +2,13 @@
 
 import ast
 import hashlib
-import importlib.util
 from functools import lru_cache
 from importlib.util import resolve_name
 from pathlib import Path
 
 from trajlib._lazy import home_of
+
+PACKAGE = Path(__file__).resolve().parent
 
 
 def module_closure(source):
@@ -34,9 +35,9 @@ def _loaded(source, package=None):
 
     `package` is the package that relative imports start from, for the source of a module.
     """
-    tree = ast.parse(source)
+    nodes = list(ast.walk(ast.parse(source)))
     packages, found = {}, set()
-    for node in ast.walk(tree):
+    for node in nodes:
         if isinstance(node, ast.Import):
             for alias in node.names:
                 if alias.name.split(".")[0] == "trajlib":
@@ -46,35 +47,37 @@ def _loaded(source, package=None):
             if start.split(".")[0] == "trajlib":
                 for alias in node.names:
                     module = f"{start}.{alias.name}"
-                    if _is_module(module):
+                    if _path(module):
                         packages[alias.asname or alias.name] = module
                     else:
-                        found.add(home_of(start, alias.name) or start)
+                        found.add(_home(start, alias.name) or start)
     for name, module in packages.items():
-        if not _path(module).name.startswith("__init__"):
+        if not _is_package(module):
             found.add(module)
-    for node in ast.walk(tree):
+    for node in nodes:
         if isinstance(node, ast.Attribute) and ast.unparse(node.value) in packages:
-            package = packages[ast.unparse(node.value)]
-            home = home_of(package, node.attr) if _path(package).name == "__init__.py" else None
-            if home is not None and not _path(home).name.startswith("__init__"):
+            home = _home(packages[ast.unparse(node.value)], node.attr)
+            if home is not None and not _is_package(home):
                 found.add(home)
     return found
 
 
 @lru_cache(maxsize=None)
 def _loaded_by(module, path):
-    package = module if path.name == "__init__.py" else module.rpartition(".")[0]
+    package = module if _is_package(module) else module.rpartition(".")[0]
     return frozenset(_loaded(path.read_text(encoding="utf-8"), package))
 
 
-def _is_module(name):
-    try:
-        return importlib.util.find_spec(name) is not None
-    except ModuleNotFoundError:
-        return False
+def _home(module, name):
+    return home_of(module, name) if _is_package(module) else None
+
+
+def _is_package(module):
+    return _path(module).name == "__init__.py"
 
 
 @lru_cache(maxsize=None)
-def _path(module):
-    return Path(importlib.util.find_spec(module).origin)
+def _path(name):
+    """The file of a module of trajlib, None if the name is of something else; by its place, since `find_spec` imports what is above."""
+    place = PACKAGE.joinpath(*name.split(".")[1:])
+    return next((file for file in (place / "__init__.py", place.with_suffix(".py")) if file.is_file()), None)

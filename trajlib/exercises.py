@@ -45,7 +45,7 @@ def read(path):
     """
     path = Path(path)
     try:
-        notebook = json.loads(path.read_text(encoding="utf-8"))
+        notebook = json.loads(path.read_text(encoding="utf-8-sig"))
         about = notebook["metadata"]["trajlib"]
         cells = tuple((_role(cell), "".join(cell["source"])) for cell in notebook["cells"] if cell["cell_type"] == "code")
         return Exercise(path, about, cells)

@@ -86,6 +86,7 @@ ONE = 'problems = ["1.15"]\n'
     (ONE + 'due = "tomorrow"', "due is a date with time and zone"),
     (ONE + "due = 2026-10-01", "due is a date with time and zone"),
     (ONE + "due = 2026-10-01T23:59:00", "due is a date with time and zone"),
+    (ONE + "due = 0001-01-01T00:00:00+03:00", "due is a date of our time"),
     (ONE + 'attempt = "first"', 'attempt is "best" or "last"'),
     (ONE + "attempt = [1]", 'attempt is "best" or "last"'),
     (ONE + "attempts = 0", "attempts is a whole number from 1 up"),
@@ -169,10 +170,32 @@ def test_a_homework_is_not_written_over(tmp_path):
 
 @pytest.mark.parametrize("name, numbers, said", [
     ("hw1", ["9.99"], "no problem 9.99"), ("hw1", ["1.15", "1.15"], "named twice"), ("a/b", ["1.15"], "names a folder"),
-    ("..", ["1.15"], "names a folder"), ("", ["1.15"], "names a folder"), ("hw1 ", ["1.15"], "names a folder")])
+    ("..", ["1.15"], "names a folder"), ("", ["1.15"], "names a folder"), ("x" * 300, ["1.15"], "names a folder"),
+    ("grades.sqlite", ["1.15"], "names a folder"), ("hw1 ", ["1.15"], "names a folder")])
 def test_a_homework_that_cannot_be_made_leaves_nothing_behind(tmp_path, name, numbers, said):
     with pytest.raises(AssignmentError, match=said):
         handing_out.make(tmp_path, name, numbers)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_title_that_cannot_be_leaves_nothing_behind(tmp_path):
+    with pytest.raises(AssignmentError, match="title is one line of text"):
+        handing_out.make(tmp_path, "hw1", ["1.15"], "two\nlines")
+    assert list(tmp_path.iterdir()) == []
+    assert handing_out.make(tmp_path, "hw1", ["1.15"], "one line").title == "one line"
+
+
+def test_a_full_disk_leaves_nothing_behind(tmp_path, monkeypatch):
+    real = Path.write_text
+
+    def fail(path, *text, **how):
+        if path.name == "README.md":
+            raise OSError(28, "No space left on device")
+        return real(path, *text, **how)
+
+    monkeypatch.setattr(Path, "write_text", fail)
+    with pytest.raises(AssignmentError, match="hw1 cannot be written: No space left on device"):
+        handing_out.make(tmp_path, "hw1", ["1.15"])
     assert list(tmp_path.iterdir()) == []
 
 
@@ -182,5 +205,11 @@ def test_due_dates_as_people_write_them():
     local = handing_out.due_date("2026-10-01 12:30")
     assert local.tzinfo is not None and local == datetime.datetime(2026, 10, 1, 12, 30).astimezone()
     assert handing_out.due_date("2026-10-01") == datetime.datetime(2026, 10, 1, 23, 59, 59).astimezone(), "the end of the day"
-    with pytest.raises(AssignmentError, match="is not a date"):
-        handing_out.due_date("Friday")
+    assert handing_out.due_date("2026-10-01T23:59:30Z") == datetime.datetime(2026, 10, 1, 23, 59, 30, tzinfo=datetime.timezone.utc)
+
+
+@pytest.mark.parametrize("text", ["Friday", "2026-W40-4", "2026W404", "20261001", "2026-10-01 23", "2026-02-30", "2026-10-01 23:59:00.5",
+                                  "0001-01-01", "9999-12-31", "0001-01-01T00:00+03:00", "2026-10-01 24:61", "２026-10-01", " 2026-10-01"])
+def test_no_due_dates(text):
+    with pytest.raises(AssignmentError, match='is not a date; write "2026-10-01 23:59"'):
+        handing_out.due_date(text)

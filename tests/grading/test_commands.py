@@ -223,6 +223,16 @@ def test_roster(course, here, capsys):
     assert summary["not in the roster"] == {"hw1": ["cid", "dan"]} and "not in the roster: cid, dan" in capsys.readouterr().err
 
 
+def test_other_points_possible_in_canvas_are_said(course, here, capsys):
+    roster = course / "canvas.csv"
+    for possible, said in (("10", True), ("12", False), ("12.00", False), ("", False), ("(read only)", False)):
+        roster.write_text(f"Student,ID,SIS Login ID,Section,Homework 1 (5)\n    Points Possible,,,,{possible}\nAnn,1,ann,A,\n",
+                          encoding="utf-8")
+        grade(course, roster=roster, quiet=False)
+        assert table(course / "graded" / "hw1" / "canvas.csv")[2][-1] == "10.00", "the points of the homework, as they are"
+        assert ("Canvas has 10 points possible for Homework 1, the homework has 12" in capsys.readouterr().err) == said
+
+
 def test_a_bad_roster_is_said_before_anything_is_graded(course, here):
     (course / "canvas.csv").write_text("name,grade\n", encoding="utf-8")
     with pytest.raises(BadInput, match="not a gradebook exported from Canvas"):
@@ -234,8 +244,134 @@ def test_a_bad_roster_is_said_before_anything_is_graded(course, here):
 
 
 def test_without_a_file_every_answer_is_a_point(course, here, capsys):
+    hand_in(course, "dan", "1.17", {})
     grade(course, assignment_folder=None, quiet=False)
-    assert "hw1: 7 points, no due date, one for each answer, since there is no assignment.toml for it" in capsys.readouterr().err
+    said = capsys.readouterr().err
+    assert "hw1: 7 points, no due date, one for each answer, since there is no assignment.toml for it" in said
+    assert "  problems: 1.15 (from 2 students), 1.17 (from 2 students)\n" in said
+
+
+def test_without_a_file_a_stray_adds_to_nobodys_maximum(course, here, capsys):
+    summary = grade(course, assignment_folder=None, quiet=False)
+    said = capsys.readouterr().err
+    assert "hw1: 5 points" in said and "1.15 (from 2 students)\n" in said
+    assert "submitted/cid/hw1/ch1-p17.ipynb: only cid handed in problem 1.17, while others share 1.15" in said
+    assert summary["to review"] == {"hw1": {"cid": []}}
+
+
+# What is told of what changed
+
+
+def test_a_problem_taken_out_of_the_homework_is_a_change(course, here, capsys):
+    grade(course)
+    write_assignment(course, 'problems = ["1.17"]\n')
+    changes = grade(course, quiet=False)["changes"]["hw1"]
+    assert len(changes) == 5 + 3 and {change["why"] for change in changes} == {"the homework asks for it no longer"}
+    assert "ann 1.15 a_region: right -> not asked for, 2 -> 0 points (the homework asks for it no longer)" in capsys.readouterr().err
+    assert len(table(course / "graded" / "hw1" / "changes.csv")) == 1 + 8
+    assert grade(course)["changes"]["hw1"] == []
+
+
+def test_points_by_hand_are_no_more_than_the_answer_is_worth(course, here, capsys):
+    grade(course)
+    commands.score_by_hand(course / "graded", "bob", "hw1", "1.15", "a_region", 2.0, "well")
+    assert grade(course)["assignments"]["hw1"]["bob"] == 8
+    write_assignment(course, HOMEWORK.replace("= 10", "= 5"))
+    summary = grade(course, quiet=False)
+    assert summary["assignments"]["hw1"]["bob"] == 4
+    (change,) = [change for change in summary["changes"]["hw1"] if (change["student"], change["answer"]) == ("bob", "a_region")]
+    assert (change["old_points"], change["new_points"], change["why"]) == (2, 1, "the assignment's points changed")
+    assert "points by hand above what the answer is worth now count as that: bob 1.15 a_region (2, worth 1)" in capsys.readouterr().err
+    write_assignment(course, HOMEWORK)
+    assert grade(course)["assignments"]["hw1"]["bob"] == 8, "nothing that was entered is lost"
+
+
+# Work that was left aside or could not be read
+
+
+def test_a_person_has_to_look_at_what_was_left_aside(course, here, capsys):
+    for student, place in (("dan", "hw1/inner/ch1-p15.ipynb"), ("eva", "ch1-p15.ipynb"), ("fay", "hw1/mine.ipynb"),
+                           ("ann", "ch1-p15.ipynb")):
+        path = course / "submitted" / student / place
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text('{"cells": []}')
+    (course / "submitted" / "gil" / "hw1").mkdir(parents=True)
+    (course / "submitted" / "gil" / "hw1" / "ch1-p15.pdf").touch()
+    (course / "submitted" / "hal" / "hw1").mkdir(parents=True)
+    summary = grade(course, quiet=False)
+    assert list(summary["to review"]["hw1"]) == ["dan", "eva", "fay", "gil"], "what lies in no homework is Ann's of another one"
+    rows = {row[0]: row[-1] for row in table(course / "graded" / "hw1" / "grades.csv")}
+    assert rows["dan"] == rows["gil"] == "yes" and rows["hal"] == "no"
+    assert "dan" not in [row[0] for row in table(course / "graded" / "hw1" / "moodle.csv")]
+    assert "4 need your look" in capsys.readouterr().err
+    for student in ("dan", "eva", "fay", "gil"):
+        page = (course / "graded" / "hw1" / "feedback" / f"{student}.html").read_text(encoding="utf-8")
+        assert "Nothing was submitted" not in page and "Something you handed in was left aside" in page
+    assert "Nothing was submitted" in (course / "graded" / "hw1" / "feedback" / "hal.html").read_text(encoding="utf-8")
+    summary = (course / "graded" / "hw1" / "summary.html").read_text(encoding="utf-8").split("<h2>Left aside</h2>")[1].split("<h2>")[0]
+    assert all(f"<bdi>{student}</bdi>" in summary for student in ("dan", "eva", "fay", "gil")) and "ann" not in summary
+
+
+def test_a_notebook_for_another_problem_makes_only_those_wait_who_lack_something(course, here):
+    for student, number in (("ann", "1.17"), ("ann", "1.4"), ("cid", "1.4")):
+        hand_in(course, student, number, {})
+    assert grade(course)["to review"]["hw1"] == {"cid": []}
+    for student, looks in (("ann", False), ("cid", True)):
+        page = (course / "graded" / "hw1" / "feedback" / f"{student}.html").read_text(encoding="utf-8")
+        assert "it is for problem 1.4, which this homework does not ask for" in page and ("your lecturer will look at it" in page) == looks
+
+
+def test_a_homework_of_which_everything_was_left_aside(course, here):
+    write_assignment(course, HOMEWORK, name="hw2")
+    hand_in(course, "ann", "1.15", {}, assignment="hw2/inner")
+    assert grade(course)["to review"]["hw2"] == {"ann": []}
+
+
+def test_the_lecturer_sees_what_could_not_be_read(course, here, capsys):
+    for student in ("dan", "eva"):
+        hand_in(course, student, "1.15", {}).write_text("{ broken")
+    grade(course, quiet=False)
+    assert "2 notebooks could not be read or run" in capsys.readouterr().err
+    page = (course / "graded" / "hw1" / "summary.html").read_text(encoding="utf-8")
+    section = page.split("<h2>Notebooks that could not be read or run</h2>")[1].split("<h2>")[0]
+    assert section.count("<tr>") == 2 and "no JSON in UTF-8" in section and "<bdi>dan</bdi> (1.15), <bdi>eva</bdi> (1.15)" in section
+    hand_in(course, "dan", "1.15", RIGHT_1_15)
+    hand_in(course, "eva", "1.15", RIGHT_1_15)
+    grade(course)
+    assert "could not be read or run" not in (course / "graded" / "hw1" / "summary.html").read_text(encoding="utf-8")
+
+
+# A disk that is full, and what is spoilt
+
+
+def test_a_full_disk_is_said_in_one_line_and_tells_its_changes_next_time(course, here):
+    grade(course)
+    hand_in(course, "bob", "1.15", RIGHT_1_15, at=DUE + 120)
+    before = (course / "graded" / "hw1" / "grades.csv").read_bytes()
+    full = course / "graded" / "hw1" / ".grades.csv.writing"
+    full.symlink_to("/dev/full")
+    with pytest.raises(BadInput, match="grades.csv cannot be written: No space left on device; nothing that was there is lost"):
+        grade(course)
+    assert (course / "graded" / "hw1" / "grades.csv").read_bytes() == before
+    summary = grade(course)
+    assert summary["graded"] == 0 and {change["student"] for change in summary["changes"]["hw1"]} == {"bob"}
+
+
+@pytest.mark.parametrize("spoilt", ["[]", "3", '{"students": []}', '{"students": {"ann": {}}, "changes": []}',
+                                    '{"students": {}, "changes": [1]}',
+                                    '{"students": {"ann": {"answers": [{"problem": 1}]}}, "changes": []}', "[" * 10**5])
+def test_a_record_of_another_form_is_said_in_one_line(course, here, spoilt):
+    grade(course)
+    (course / "graded" / "hw1" / "grades.json").write_text(spoilt)
+    for act in (lambda: grade(course), lambda: commands.score_by_hand(course / "graded", "ann", "hw1", "1.15", "a_region", 1.0)):
+        with pytest.raises(BadInput, match="grades.json is not as trajlib grade wrote it"):
+            act()
+
+
+def test_check_takes_a_byte_order_mark(course):
+    path = course / "submitted" / "ann" / "hw1" / "ch1-p15.ipynb"
+    path.write_bytes(b"\xef\xbb\xbf" + path.read_bytes())
+    assert exercises.read(path).number == "1.15"
 
 
 def test_answers_to_be_looked_at(course, here, changed_workbook, capsys):
@@ -258,6 +394,7 @@ def test_answers_to_be_looked_at(course, here, changed_workbook, capsys):
     (["assignment", "new", "hw1", "1.15"], "assignments/hw1 is already there"),
     (["assignment", "new", "hw2", "9.99"], "there is no problem 9.99"),
     (["assignment", "new", "hw2", "1.15", "--due", "Friday"], "'Friday' is not a date"),
+    (["assignment", "new", "hw2", "1.15", "--due", "0001-01-01"], "'0001-01-01' is not a date"),
 ])
 def test_bad_input_ends_in_one_line_and_code_2(course, arguments, said):
     done = trajlib(*arguments, cwd=course)

@@ -1,14 +1,17 @@
 """A run over a course: what is graded, what is graded again, and what is not."""
 
+import os
+import sqlite3
 import sys
 from pathlib import Path
 
 import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
-from classroom import RIGHT_1_15, hand_in  # noqa: E402
+from classroom import RIGHT_1_15, hand_in, write_assignment  # noqa: E402
 
-from trajlib.grading import course, lanes, units  # noqa: E402
+from trajlib.grading import commands, course, lanes, units  # noqa: E402
+from trajlib.grading.assignment import BadInput  # noqa: E402
 from trajlib.grading.judging import Judgement, failed  # noqa: E402
 from trajlib.grading.sandbox import Limits  # noqa: E402
 from trajlib.grading.scores import scores  # noqa: E402
@@ -83,14 +86,110 @@ def test_the_same_notebook_twice_is_one_attempt(tmp_path, broken_lanes):
     assert len(plan.pending) == 1 and points(tmp_path, known) == {"ada": 5.0}
 
 
+LAST = 'problems = ["1.15"]\ndue = 2020-01-02T00:00:00Z\nattempt = "last"\n'
+DUE = 1577923200.0
+
+
+@pytest.fixture
+def by_content(monkeypatch):
+    """Lanes that find right what says GOOD."""
+    def grade_all(given, count, settings):
+        for unit in given:
+            status = "right" if "GOOD" in "".join(unit["sources"]) else "wrong"
+            yield unit["key"], units.as_plain(Judgement({name: units.Verdict(status, "") for name in unit["names"]}, {}, ()))
+
+    monkeypatch.setattr(lanes, "grade_all", grade_all)
+
+
+def late(out, known):
+    with Store(out / "grades.sqlite") as store:
+        return {score.student: bool(score.late) for score in scores(store, known["hw1"])}
+
+
+def run(folder):
+    known, plan, _ = course.grade(folder / "submitted", folder, folder / "assignments")
+    return len(plan.pending), points(folder, known), late(folder, known)
+
+
+def test_an_earlier_version_handed_in_again_is_the_last(tmp_path, by_content):
+    write_assignment(tmp_path, LAST)
+    for k, answers, expected in ((0, "GOOD", (1, 5)), (1, "BAD", (1, 0)), (2, "GOOD", (0, 5))):
+        hand_in(tmp_path, "ann", "1.15", {"a_region": f"'{answers}'"}, at=DUE - 9 + k)
+        graded, found, _ = run(tmp_path)
+        assert (graded, found["ann"]) == expected
+
+
+@pytest.mark.parametrize("rule, points_, is_late", [("last", 5, True), ("best", 5, False)])
+def test_copies_side_by_side(tmp_path, by_content, rule, points_, is_late):
+    write_assignment(tmp_path, LAST.replace("last", rule))
+    for name, answers, at in (("ch1-p15.ipynb", "GOOD", DUE - 9), ("ch1-p15 (1).ipynb", "BAD", DUE - 5),
+                              ("ch1-p15 (2).ipynb", "GOOD", DUE + 5)):
+        hand_in(tmp_path, "ann", "1.15", {"a_region": f"'{answers}'"}, at=at, name=name)
+    assert run(tmp_path) == (2, {"ann": points_}, {"ann": is_late})
+    assert run(tmp_path) == (0, {"ann": points_}, {"ann": is_late})
+
+
+def test_the_time_of_a_file_put_right_later(tmp_path, by_content):
+    write_assignment(tmp_path, LAST)
+    path = hand_in(tmp_path, "ann", "1.15", {"a_region": "'GOOD'"}, at=DUE + 5)
+    assert run(tmp_path) == (1, {"ann": 5}, {"ann": True})
+    os.utime(path, (DUE - 5, DUE - 5))
+    assert run(tmp_path) == (0, {"ann": 5}, {"ann": False})
+    path.unlink()
+    hand_in(tmp_path, "bob", "1.15", {}, at=DUE - 5)
+    assert run(tmp_path)[1:] == ({"ann": 5, "bob": 0}, {"ann": False, "bob": False}), "a result stays when its notebook is gone"
+
+
+@pytest.mark.parametrize("name", [b"grades.sqlite", b"grades.sqlite-wal", b".grading", b"\x01" * 250])
+def test_a_homework_folder_of_an_odd_name_stops_nothing(tmp_path, by_content, name):
+    write_assignment(tmp_path, LAST)
+    ours = hand_in(tmp_path, "ann", "1.15", {"a_region": "'GOOD'"}, at=DUE - 9)
+    folder = os.fsencode(tmp_path / "submitted") + b"/eve/" + name
+    os.makedirs(folder)
+    Path(os.fsdecode(folder + b"/x.ipynb")).write_bytes(ours.read_bytes())
+    done = commands.grade_course(tmp_path / "submitted", tmp_path / "graded", tmp_path / "assignments", 1, 60, True, True)
+    assert done["assignments"]["hw1"] == {"ann": 5, "eve": 0}
+    assert len(done["left aside"]) == (name != b".grading")
+
+
+def test_a_stray_takes_no_points_away(tmp_path, by_content):
+    write_assignment(tmp_path, LAST)
+    hand_in(tmp_path, "ann", "1.15", {"a_region": "'GOOD'"}, at=DUE - 9)
+    hand_in(tmp_path, "ann", "1.17", {}, at=DUE - 5)
+    assert run(tmp_path) == (1, {"ann": 5}, {"ann": False})
+
+
+def test_a_store_that_is_full_or_none_is_said(tmp_path, by_content):
+    hand_in(tmp_path, "ann", "1.15", {"a_region": "'GOOD'"})
+    run(tmp_path)
+    full = "grades.sqlite: database or disk is full; what is stored in it is kept"
+    with pytest.raises(BadInput, match=full), Store(tmp_path / "grades.sqlite") as store:
+        store._database.execute("PRAGMA max_page_count = 1")
+        for k in range(1000):
+            store.set_manual("ann", "hw1", "1.15", f"a{k}", 1.0, "x" * 1000)
+    assert run(tmp_path)[:2] == (0, {"ann": 5})
+    (tmp_path / "graded").mkdir()
+    (tmp_path / "graded" / "grades.sqlite").write_text("this is something else " * 100)
+    with pytest.raises(BadInput, match="grades.sqlite: file is not a database"):
+        course.grade(tmp_path / "submitted", tmp_path / "graded")
+
+
+def test_a_store_of_an_older_version_is_read(tmp_path, by_content):
+    hand_in(tmp_path, "ann", "1.15", {"a_region": "'GOOD'"})
+    run(tmp_path)
+    with sqlite3.connect(tmp_path / "grades.sqlite") as database:
+        database.execute("ALTER TABLE result DROP COLUMN hashes")
+    assert run(tmp_path)[:2] == (0, {"ann": 5})
+
+
 def test_what_is_for_no_problem_is_named(tmp_path, broken_lanes):
     hand_in(tmp_path, "ada", "1.15", RIGHT_1_15)
     hand_in(tmp_path, "ada", "1.4", {})
     odd = hand_in(tmp_path, "bela", "1.15", RIGHT_1_15, name="essay\x1b.ipynb")
     odd.write_text(odd.read_text().replace('"number": "1.15"', '"number": "99.99"'))
     _, plan, _ = course.grade(tmp_path / "submitted", tmp_path)
-    ((path, why),) = plan.aside
-    assert path.endswith("essay\\x1b.ipynb") and "does not say which problem" in why
+    (aside,) = plan.aside
+    assert aside.path.endswith("essay\\x1b.ipynb") and "does not say which problem" in aside.why
 
 
 @pytest.mark.parametrize("out", ["submitted", "submitted/graded"])

@@ -10,15 +10,14 @@ from pathlib import Path
 import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
-from classroom import an_assignment, graded  # noqa: E402
+from classroom import graded  # noqa: E402
 
 from trajlib.checks.verdict import MISSING, RIGHT, UNCHECKED, WRONG  # noqa: E402
-from trajlib.grading import exporting  # noqa: E402
+from trajlib.grading import canvas, exporting  # noqa: E402
 from trajlib.grading.assignment import BadInput  # noqa: E402
-from trajlib.grading.exporting import Roster  # noqa: E402
+from trajlib.grading.canvas import Roster  # noqa: E402
 from trajlib.grading.record import Change  # noqa: E402
 from trajlib.grading.scores import scores  # noqa: E402
-from trajlib.grading.store import Store  # noqa: E402
 
 HOMEWORK = 'title = "Homework 1, stability"\nproblems = ["1.17", "1.18"]\ndue = 2026-10-01T12:00:00+03:00\n[points]\n"1.17" = 5\n'
 BEFORE = datetime(2026, 10, 1, 8, 30, tzinfo=timezone.utc).timestamp()
@@ -26,17 +25,6 @@ AFTER = datetime(2026, 10, 1, 9, 0, 1, tzinfo=timezone.utc).timestamp()
 #: A comma, a quote, formulas, accents, right to left, a line end; identifiers that begin with a sign or have leading zeros.
 AWKWARD = ["O'Neill, Zoë", 'Ann "the best"', "=cmd|'/C calc'!A0", "@SUM(1+1)", "-12345", "+380441234567", "-1+1", "007", "Łukasz Ŝtérn",
            "محمد", "עדה (ada)", "line\nend", "\tcalc", "semi;colon", "naïve@uni.example", "山田"]
-
-
-@pytest.fixture
-def homework(tmp_path):
-    return an_assignment(tmp_path, HOMEWORK)
-
-
-@pytest.fixture
-def store(tmp_path):
-    with Store(tmp_path / "grades.sqlite") as opened:
-        yield opened
 
 
 @pytest.fixture
@@ -109,7 +97,7 @@ ROSTER = ("Student,ID,SIS User ID,SIS Login ID,Section,Old (11),Homework 1\\, st
 
 
 def test_canvas_csv_fills_its_own_column(small, homework):
-    text, strangers = exporting.canvas_csv(homework, small, Roster(ROSTER))
+    text, strangers = canvas.canvas_csv(homework, small, Roster(ROSTER))
     assert text == (
         '"Student","ID","SIS User ID","SIS Login ID","Section","Homework 1, stability (22)"\r\n'
         '"    Points Possible","","","","","7"\r\n'
@@ -123,7 +111,7 @@ def test_canvas_csv_fills_its_own_column(small, homework):
 
 def test_canvas_csv_makes_a_new_column(small, homework):
     roster = ("\ufeff" + ROSTER.replace(" (22)", " (other)")).replace("\n    Points", "\n,,,,,Manual Posting,,\n    Points")
-    text, _ = exporting.canvas_csv(homework, small, Roster(roster))
+    text, _ = canvas.canvas_csv(homework, small, Roster(roster))
     assert [row[5] for row in rows(text)] == ["Homework 1, stability", "7.00", "7.00", "3.00", "", "", ""]
     assert [row[1] for row in rows(text)] == ["ID", "", "101", "102", "103", "104", "105"], "a line about columns is no student"
 
@@ -132,7 +120,7 @@ def test_canvas_csv_makes_a_new_column(small, homework):
 def test_canvas_students_are_known_by_whichever_id_fits(store, homework, column, names):
     for name in names:
         graded(store, name, "1.17", {"a_region": RIGHT, "b_region": RIGHT})
-    text, strangers = exporting.canvas_csv(homework, scores(store, homework), Roster(ROSTER))
+    text, strangers = canvas.canvas_csv(homework, scores(store, homework), Roster(ROSTER))
     assert [row[5] for row in rows(text)][2:4] == ["5.00", "5.00"] and strangers == []
 
 
@@ -141,13 +129,13 @@ def test_an_id_of_one_kind_is_not_taken_for_another(store, homework):
     roster = ROSTER.replace("101,u1", "101,102").replace("102,u2", "102,103")
     for name in ("102", "103"):
         graded(store, name, "1.17", {"a_region": RIGHT, "b_region": RIGHT})
-    text, _ = exporting.canvas_csv(homework, scores(store, homework), Roster(roster.replace("103,u3", "999,u3")))
+    text, _ = canvas.canvas_csv(homework, scores(store, homework), Roster(roster.replace("103,u3", "999,u3")))
     assert [row[5] for row in rows(text)][2:5] == ["5.00", "5.00", "EX"]
 
 
 def test_canvas_roster_with_semicolons_stays_so(small, homework):
     roster = "Student;ID;Section\n    Points Possible;;\n\"Able; Ann\";ann;A\n"
-    text, _ = exporting.canvas_csv(homework, small, Roster(roster))
+    text, _ = canvas.canvas_csv(homework, small, Roster(roster))
     assert rows(text, ";")[2] == ["Able; Ann", "ann", "A", "7.00"]
 
 
@@ -159,10 +147,10 @@ def test_what_is_no_roster(text):
 
 def test_a_roster_that_cannot_be_read(tmp_path):
     with pytest.raises(BadInput, match="No such file"):
-        exporting.read_roster(tmp_path / "canvas.csv")
+        canvas.read_roster(tmp_path / "canvas.csv")
     (tmp_path / "canvas.csv").write_bytes(b"Student,ID,Section\nZo\xeb,1,A\n")
     with pytest.raises(BadInput, match="not CSV in UTF-8"):
-        exporting.read_roster(tmp_path / "canvas.csv")
+        canvas.read_roster(tmp_path / "canvas.csv")
 
 
 # Awkward names
@@ -174,7 +162,7 @@ def test_identifiers_go_back_to_other_systems_as_they_came(store, homework):
     assert sorted(row[3] for row in rows(exporting.nbgrader_csv(homework, found))[1:]) == sorted(AWKWARD)
     out = io.StringIO()
     csv.writer(out).writerows([["Student", "ID", "SIS User ID", "Section"], *([name, name, name, "A"] for name in AWKWARD)])
-    text, strangers = exporting.canvas_csv(homework, found, Roster(out.getvalue()))
+    text, strangers = canvas.canvas_csv(homework, found, Roster(out.getvalue()))
     assert [row[:4] for row in rows(text)[2:]] == [[name, name, name, "A"] for name in AWKWARD] and strangers == []
     assert {row[4] for row in rows(text)[2:]} == {"2.50"}
 

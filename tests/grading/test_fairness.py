@@ -145,6 +145,18 @@ def huge_outputs(given):
         cell["outputs"] = [{"output_type": "display_data", "data": {"image/png": "A" * 10**6}, "metadata": {}}]
 
 
+def last_value_by_its_underscore(given):
+    cell = by_tag(given, "answer")[0]
+    place = given["cells"].index(cell)
+    given["cells"][place:place + 1] = [code("sp.And(k1 > 0, k1*k2 > 1)"), code("a_region = _")]
+
+
+def module_written_by_a_cell(given):
+    cell = by_tag(given, "answer")[0]
+    given["cells"].insert(given["cells"].index(cell), code("%%writefile mine.py\ndef both(p, q): return p & q"))
+    cell["source"] = "from mine import both\na_region = both(k1 > 0, k1*k2 > 1)"
+
+
 def first(source):
     """A change: one more cell on top."""
     def change(given):
@@ -166,6 +178,7 @@ CHANGES = [
     as_handed_out, check_cells_deleted, data_cell_deleted, data_cell_at_the_end, cells_in_reverse_order, helper_below_its_use, all_cells_doubled,
     untouched_copy_below, untouched_copy_above, everything_in_one_cell, answers_split_over_cells, typed_into_check_cells,
     check_cell_reformatted_and_failing, tags_and_metadata_lost, sources_as_lists_and_windows_lines, saved_by_another_editor, huge_outputs,
+    last_value_by_its_underscore, module_written_by_a_cell,
     *map(in_the_answer_cell, (
         "%matplotlib inline", "%matplotlib widget", "%matplotlib notebook", "%pylab inline", "!ls", "files = !ls /", "!nonsense", "!pip install nothing",
         "%pip install nothing", "%config InlineBackend.figure_format = 'svg'", "%load_ext autoreload\n%autoreload 2", "import warnings\nwarnings.warn('!' * 99)",
@@ -174,7 +187,8 @@ CHANGES = [
         "import asyncio\nawait asyncio.sleep(0)", "?sp.And", "import numpy as np\nnp.float64(1) / 0", "k1\nk2;", "from trajlib.stability import *",
         "from concurrent.futures import ThreadPoolExecutor\nlist(ThreadPoolExecutor(8).map(abs, range(99)))",
         "import multiprocessing\nwith multiprocessing.Pool(4) as pool: pool.map(abs, range(99))",
-        "import subprocess\nsubprocess.run(['ls'], check=True)", "import tempfile\ntempfile.NamedTemporaryFile().write(b'x' * 10**6)",
+        "import subprocess\nsubprocess.run(['ls'], check=True)", "import subprocess, sys\nsubprocess.run(['ls'], stdout=sys.stdout, check=True)",
+        "import sys\nsys.stdout.encoding.upper()", "import tempfile\ntempfile.NamedTemporaryFile().write(b'x' * 10**6)",
         "open('notes.txt', 'w').write('x')\nopen('notes.txt').read()")),
     in_the_answer_cell("%%time\nx = 1"),
     *map(first, (

@@ -47,6 +47,17 @@ def test_right_and_wrong():
     assert found.final == FINAL and found.remarks == () and found.answers["b_region"] == "k1 > 0"
 
 
+def test_answers_are_known_by_the_whole_of_them():
+    """Their texts are cut; two that differ beyond have other hashes, the same ones have the same, also when each is judged alone."""
+    long = [sp.And(*(k1 > k for k in range(200)), k2 > last) for last in (1, 2)]
+    found = [judged(handed_over({"a_region": first, "b_region": long[1]})) for first in long]
+    assert found[0].answers["a_region"] == found[1].answers["a_region"]
+    assert found[0].hashes["a_region"] != found[1].hashes["a_region"] == found[0].hashes["b_region"]
+    names = list(EXERCISE.about["answers"])
+    alone = judging._one_by_one(EXERCISE.code("data", "check"), handed_over({"a_region": long[0]}), names, Bounds())
+    assert alone.hashes == {"a_region": found[0].hashes["a_region"]} and set(found[0].hashes) == {"a_region", "b_region"}
+
+
 # Only the check's own verdict counts
 
 

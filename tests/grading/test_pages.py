@@ -19,7 +19,7 @@ from trajlib.execution import judge, run_notebook  # noqa: E402
 from trajlib.grading import assignment as assignments  # noqa: E402
 from trajlib.grading.feedback import feedback  # noqa: E402
 from trajlib.grading.scores import of_student, scores  # noqa: E402
-from trajlib.grading.store import Attempt, Store  # noqa: E402
+from trajlib.grading.store import Attempt  # noqa: E402
 from trajlib.grading.summary import summary  # noqa: E402
 from trajlib.masters import read  # noqa: E402
 from trajlib.masters.reading import master_file  # noqa: E402
@@ -30,17 +30,6 @@ DUE = 1790856000.0
 #: What a name or an answer may try in a page.
 HOSTILE = "</title><script>alert(1)</script><img src=x onerror=alert(2)>\"'&"
 FIVE = {"a_region": RIGHT, "b_region": WRONG, "c_region": MISSING, "d_region": INVALID, "e_region": UNCHECKED}
-
-
-@pytest.fixture
-def homework(tmp_path):
-    return an_assignment(tmp_path, HOMEWORK)
-
-
-@pytest.fixture
-def store(tmp_path):
-    with Store(tmp_path / "grades.sqlite") as opened:
-        yield opened
 
 
 def shown(page):
@@ -191,6 +180,16 @@ def test_summary(store, homework):
     assert len(re.findall('<td class="number">3</td>', failures)) == 4, "messages that differ only in numbers are one failure"
     identical = page.split("Identical wrong answers")[1]
     assert "k2 &lt; 0" in identical and all(name in identical for name in ("ann", "bob", "cid")) and "k1 &gt; 1" not in identical
+
+
+def test_answers_that_only_look_alike_are_not_identical(store, homework):
+    """A text is cut, and leaves out the middle of an array: who was charged with copying must have given the very same."""
+    for k, student in enumerate(["ann", "bob", "cid"]):
+        attempt = store.note_attempt(student, "hw1", "1.15", student, DUE - 1)
+        store.record(attempt, "e", {"a_region": Verdict(WRONG, "no"), "b_region": Verdict(WRONG, "no")},
+                     {"a_region": "[[1, ..., 9]]", "b_region": "[[2, ..., 9]]"}, [], {"a_region": str(k), "b_region": str(k // 2)})
+    identical = summary(homework, scores(store, homework)).split("Identical wrong answers")[1]
+    assert "[[1, ..., 9]]" not in identical and "[[2, ..., 9]]" in identical and "ann" in identical and "cid" not in identical
 
 
 def test_the_distribution_has_everybody_in_it(store, tmp_path):

@@ -164,6 +164,11 @@ def test_what_one_cell_cannot_have_costs_the_others_nothing(sandbox):
     assert found["stopped"] == [3]
 
 
+def test_getting_ready_is_not_the_notebooks_time():
+    with Sandbox(Limits(cpu_seconds=0.4, wall_seconds=60), once=True) as sandbox:
+        assert answers(run(sandbox, "import time\ntime.sleep(0.5)\na = 1")) == {"a": 1}
+
+
 COUNT = """
 import os, threading, time
 a = 0

@@ -11,17 +11,10 @@ from classroom import an_assignment, graded  # noqa: E402
 from trajlib.checks.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG  # noqa: E402
 from trajlib.grading import manual  # noqa: E402
 from trajlib.grading.scores import scores  # noqa: E402
-from trajlib.grading.store import Store  # noqa: E402
 
 TWO = ["a_region", "b_region"]  # the answers of problem 1.17
 HOMEWORK = 'problems = ["1.17"]\ndue = 2026-10-01T12:00:00Z\n[points]\n"1.17.a_region" = 3\n'
 DUE = 1790856000.0
-
-
-@pytest.fixture
-def store(tmp_path):
-    with Store(tmp_path / "graded" / "grades.sqlite") as opened:
-        yield opened
 
 
 def statuses(a, b):

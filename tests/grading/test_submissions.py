@@ -3,6 +3,7 @@
 import json
 import os
 import sys
+from datetime import datetime, timezone
 from pathlib import Path
 
 import pytest
@@ -10,8 +11,9 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 from classroom import hand_in, notebook  # noqa: E402
 
+from trajlib.grading import reading, submissions  # noqa: E402
 from trajlib.grading.printable import printable, printable_name  # noqa: E402
-from trajlib.grading.submissions import Aside, Submission, find  # noqa: E402
+from trajlib.grading.submissions import Aside, Submission, find, students  # noqa: E402
 
 
 def test_in_order_with_what_was_left_aside(tmp_path):
@@ -100,6 +102,85 @@ def test_different_names_stay_different():
 def test_printable():
     assert printable("a\x1b[2J\ud800\u2028b\n") == "a\\x1b[2J\\ud800\\u2028b\\n"
     assert printable("a\nb", keep="\n") == "a\nb"
+
+
+@pytest.mark.parametrize("name, said", [
+    (b"grades.sqlite", "the folder of results needs this name for itself"), (b"grades.sqlite-wal", "needs this name for itself"),
+    (b"grades.sqlite-shm", "needs this name for itself"), (b"\x01" * 250, "this name is too long for a folder of results")])
+def test_names_that_no_homework_can_have(tmp_path, name, said):
+    folder = os.fsencode(tmp_path / "submitted") + b"/eve/" + name
+    os.makedirs(folder)
+    with open(folder + b"/p15.ipynb", "w") as file:
+        json.dump(notebook("1.15", {}), file)
+    hand_in(tmp_path, "ada", "1.15", {})
+    ada, aside = find(tmp_path / "submitted")
+    assert ada.student == "ada" and said in aside.why and (aside.student, aside.assignment) == ("eve", "")
+
+
+def test_folders_of_systems_are_nobodys(tmp_path):
+    real = hand_in(tmp_path, "ada", "1.15", {})
+    for place in ("__MACOSX/ada/hw1/ch1-p15.ipynb", "ada/__MACOSX/ch1-p15.ipynb", "ada/hw1/__MACOSX/ch1-p15.ipynb",
+                  ".Trashes/hw1/ch1-p15.ipynb", "@eaDir/hw1/ch1-p15.ipynb"):
+        (tmp_path / "submitted" / place).parent.mkdir(parents=True)
+        (tmp_path / "submitted" / place).write_bytes(real.read_bytes())
+    (tmp_path / "submitted" / ".DS_Store").touch()
+    (found,) = find(tmp_path / "submitted")
+    assert found.path == str(real) and students(tmp_path / "submitted") == ["ada"]
+    (tmp_path / "submitted" / "bela" / "hw1").mkdir(parents=True)
+    (tmp_path / "submitted" / "bela" / "hw1" / ".DS_Store").touch()
+    assert list(find(tmp_path / "submitted"))[-1].student == "", "an empty folder is nobody's work"
+
+
+@pytest.mark.parametrize("megabytes", [6, 25])
+def test_pictures_cost_nothing(tmp_path, megabytes):
+    given = notebook("1.15", {"a_region": "k1 > 0"})
+    given["cells"][2]["outputs"] = [{"output_type": "display_data", "data": {"image/png": "A" * megabytes * 2**20}, "metadata": {}}]
+    hand_in(tmp_path, "ada", "1.15", {}).write_text(json.dumps(given))
+    (found,) = find(tmp_path / "submitted")
+    assert found.trouble == "" and found.problem == "1.15" and any("a_region = k1 > 0" in cell for cell in found.cells)
+
+
+@pytest.mark.parametrize("content, said", [(b"[" + b"[]," * 2**21 + b"[]]", "not a notebook"), (b"{" * 12 * 2**20, "no JSON in UTF-8")])
+def test_large_files_that_are_no_notebooks(tmp_path, content, said, monkeypatch):
+    monkeypatch.setattr(reading, "LARGE", 2**20)
+    hand_in(tmp_path, "ada", "1.15", {}).write_bytes(content)
+    (found,) = find(tmp_path / "submitted")
+    assert said in found.trouble and found.submitted > 0
+
+
+def test_reading_has_limits(tmp_path, monkeypatch):
+    """Twenty megabytes of empty lists are half a gigabyte in memory."""
+    monkeypatch.setattr(reading, "MEMORY", 100 * 2**20)
+    hand_in(tmp_path, "ada", "1.15", {}).write_bytes(b'{"cells": [' + b"[]," * 7 * 2**20 + b"[]]}")
+    (found,) = find(tmp_path / "submitted")
+    assert found.trouble == "the file has 21 MB, and reading it took more time or memory than allowed"
+
+
+def test_the_time_of_a_file_that_is_not_read(tmp_path, monkeypatch):
+    monkeypatch.setattr(reading, "LARGEST", 100)
+    hand_in(tmp_path, "ada", "1.15", {}, at=5.0)
+    (found,) = find(tmp_path / "submitted")
+    assert found.submitted == 5.0 and "notebooks up to" in found.trouble
+
+
+def test_no_calendar_has_such_a_time(tmp_path, monkeypatch):
+    path = hand_in(tmp_path, "ada", "1.15", {})
+    monkeypatch.setattr(Path, "lstat", lambda path: os.stat_result((0,) * 8 + (10**15, 0)))
+    found = submissions._read("ada", "hw1", path)
+    assert datetime.fromtimestamp(found.submitted, timezone.utc).year == 9999
+
+
+def test_format_3(tmp_path):
+    given = notebook("1.15", {"a_region": "k1 > 0"})
+    cells = [dict(cell) for cell in given["cells"]]
+    for cell in cells:
+        if cell["cell_type"] == "code":
+            cell["input"] = cell.pop("source")
+    old = {"nbformat": 3, "nbformat_minor": 0, "metadata": given["metadata"], "worksheets": [{"cells": cells[:3]}, {"cells": cells[3:]}]}
+    hand_in(tmp_path, "ada", "1.15", {}).write_text(json.dumps(old))
+    (found,) = find(tmp_path / "submitted")
+    assert found.problem == "1.15"
+    assert found.cells == tuple("".join(cell["source"]) for cell in given["cells"] if cell["cell_type"] == "code")
 
 
 def test_too_much_code(tmp_path):

@@ -35,6 +35,25 @@ def test_denied():
     assert in_child(_under_the_filter, _denied, timeout=60) == dict.fromkeys(system_calls.DENIED, [-1, errno.EPERM])
 
 
+def _settings():
+    """What a process may ask about itself, and what it may not set: the error's number."""
+    libc = ctypes.CDLL(None, use_errno=True)
+    column = system_calls.ARCHITECTURES[platform.machine()][1]
+    limit, action = ctypes.create_string_buffer(16), ctypes.create_string_buffer(152)
+    found = []
+    for call, arguments in ((system_calls.PRLIMIT, (0, 0, None, limit)), (system_calls.PRLIMIT, (0, 0, limit, None)),
+                            (system_calls.SIGACTION, (17, None, action, 8)), (system_calls.SIGACTION, (17, action, None, 8)),
+                            (system_calls.SIGACTION, (10, action, None, 8))):
+        ctypes.set_errno(0)
+        found.append([libc.syscall(call[column], *arguments), ctypes.get_errno()])
+    return found
+
+
+def test_limits_and_the_end_of_children_can_be_asked_but_not_set():
+    asked, denied = [0, 0], [-1, errno.EPERM]
+    assert in_child(_under_the_filter, _settings, timeout=60) == [asked, denied, asked, denied, asked]
+
+
 def _clones():
     libc = ctypes.CDLL(None, use_errno=True)
     column = system_calls.ARCHITECTURES[platform.machine()][1]

@@ -19,6 +19,8 @@ from pathlib import Path
 
 from trajlib import exercises
 
+#: No homework has such a name: these stand in the folder of results, beside a folder for each homework.
+TAKEN = {"grades.sqlite", "grades.sqlite-wal", "grades.sqlite-shm", "grades.sqlite-journal"}
 FIELDS = {"title", "problems", "due", "attempt", "attempts", "points"}
 
 
@@ -51,10 +53,18 @@ def read(path):
     """The assignment in the file `path`; its name is that of the folder. Raises `AssignmentError`."""
     path = Path(path)
     try:
-        given = tomllib.loads(path.read_text(encoding="utf-8"))
+        return from_text(path.read_text(encoding="utf-8"), path)
     except OSError as error:
         raise AssignmentError(f"{path}: {error.strerror}") from None
-    except (UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
+    except UnicodeDecodeError as error:
+        raise AssignmentError(f"{path} is not TOML in UTF-8: {error}") from None
+
+
+def from_text(text, path):
+    """The assignment that a text says when it stands in the file `path`. Raises `AssignmentError`."""
+    try:
+        given = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
         raise AssignmentError(f"{path} is not TOML in UTF-8: {error}") from None
     name = path.resolve().parent.name
     unknown = set(given) - FIELDS
@@ -68,6 +78,7 @@ def read(path):
     due = given.get("due")
     _require(due is None or (isinstance(due, datetime.datetime) and due.tzinfo is not None), path,
              "due is a date with time and zone, without quotes: 2026-10-01T23:59:00+03:00")
+    _require(due is None or can_be_due(due), path, "due is a date of our time, from 1971 to 9998")
     attempt = given.get("attempt", "best")
     _require(attempt in ("best", "last"), path, 'attempt is "best" or "last"')
     attempts = given.get("attempts")
@@ -78,6 +89,11 @@ def read(path):
 def of_problems(name, problems):
     """The assignment that needs no file: one point an answer, no due date, the best attempt."""
     return Assignment(name, name, tuple(problems), _points(Path(name), problems, {}))
+
+
+def can_be_due(date):
+    """Whether every calendar can hold the date, in whatever zone."""
+    return 1970 < date.year < 9999
 
 
 def answers_of(problem):

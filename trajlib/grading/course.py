@@ -3,15 +3,16 @@
 import fcntl
 import os
 from contextlib import closing, contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from trajlib import exercises
 from trajlib.grading import assignment as assignments
-from trajlib.grading import isolation, lanes, submissions, units
+from trajlib.grading import belonging, isolation, lanes, submissions, units
 from trajlib.grading.judging import FINAL, NOT_FINAL, WITHIN_LIMITS, Bounds
 from trajlib.grading.sandbox import Limits
 from trajlib.grading.store import Store
+from trajlib.grading.submissions import Aside, Submission
 
 
 class CourseError(assignments.BadInput):
@@ -20,7 +21,7 @@ class CourseError(assignments.BadInput):
 
 @dataclass(frozen=True)
 class Plan:
-    """What a run is to do: notebooks still to be graded, how many have a result already, and (path, why) left aside."""
+    """What a run is to do: notebooks still to be graded, how many have a result already, and each `Aside`."""
 
     pending: tuple
     known: int
@@ -39,24 +40,27 @@ def grade(submitted, out, assignment_folder=None, count=None, limits=Limits(), b
     out = Path(out)
     if out.resolve().is_relative_to(Path(submitted).resolve()):
         raise CourseError(f"{out} lies in {submitted}, where every folder is a student's: put it beside")
-    out.mkdir(parents=True, exist_ok=True)
+    try:
+        out.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise CourseError(f"{out} cannot be made: {error.strerror}") from None
     for folder in () if trusting else (submitted, out):
         if (shown := isolation.shown_through(folder)) is not None:
             raise CourseError(f"{folder} lies in {shown}, which every notebook can read: move it elsewhere")
     with _alone(out), Store(out / "grades.sqlite") as store:
         found = list(submissions.find(submitted))
-        names = sorted({s.assignment for s in found if isinstance(s, submissions.Submission)})
+        known, alone = _homeworks(found, assignment_folder)
         count = count or len(os.sched_getaffinity(0))
         if cluster is None:  # or else each worker sees what fits it
             limits, bounds = units.fitting(limits, count), units.fitting(bounds, count)
-        known = {name: _assignment(name, assignment_folder, found) for name in names}
-        plan = _plan(found, known, store, limits)
+        with store.together():
+            plan = _plan(found, known, alone, store, limits)
         progress(0, len(plan.pending))
         failed = 0
         with closing(_judgements(plan.pending, count, limits, bounds, trusting, cluster)) as judgements:
             for done, (unit, judgement, within) in enumerate(judgements, start=1):
                 store.record(unit["key"], _as_graded(unit["exercise"], judgement.final, within), judgement.verdicts, judgement.answers,
-                             judgement.remarks)
+                             judgement.remarks, judgement.hashes)
                 failed += judgement.final == NOT_FINAL
                 progress(done, len(plan.pending))
     return known, plan, failed
@@ -65,7 +69,11 @@ def grade(submitted, out, assignment_folder=None, count=None, limits=Limits(), b
 @contextmanager
 def _alone(out):
     """Two graders at work on one folder would do everything twice. The lock ends with the process, however that ends."""
-    with open(out / ".grading", "w") as file:
+    try:
+        file = open(out / ".grading", "w")
+    except OSError as error:
+        raise CourseError(f"{out} cannot be written to: {error.strerror}") from None
+    with file:
         try:
             fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
@@ -103,36 +111,50 @@ def _is_graded(versions, exercise, limits):
             and any(_as_graded(exercise, final, limits) in versions for final in (FINAL, WITHIN_LIMITS)))
 
 
-def _plan(found, known, store, limits):
-    prints, pending, skipped, aside = {}, {}, 0, []
-    for submission in found:
-        if isinstance(submission, submissions.Aside):
-            aside.append((submission.path, submission.why))
-            continue
-        homework = known[submission.assignment]
-        problem = submission.problem if submission.problem in homework.problems else None
-        if problem is None and len(homework.problems) == 1:
-            problem = homework.problems[0]  # there is only one it can be
-        if problem is None:
-            aside.append((submission.path, submission.trouble or f"it does not say which problem of {homework.name} it is for"))
-            continue
+def _plan(found, known, alone, store, limits):
+    """`known` are the homeworks by name, `alone` says of (homework, problem) why its notebooks are left aside."""
+    prints, pending, skipped = {}, {}, 0
+    copies, aside = _by_attempt(found, known, alone)
+    for (student, name, problem, content), same in copies.items():
         exercise = exercises.find(problem)
         if problem not in prints:
             prints[problem] = units.fingerprint(exercise)
-        attempt = store.note_attempt(submission.student, submission.assignment, problem, submission.content, submission.submitted)
+        # One file of several with the same content: the earliest, or where the last attempt counts the latest.
+        when = (max if known[name].attempt == "last" else min)(submission.submitted for submission in same)
+        attempt = store.note_attempt(student, name, problem, content, when)
         if _is_graded(store.versions(attempt), prints[problem], limits):
             skipped += 1
-        else:  # by attempt, since the same notebook may lie there twice
-            pending[attempt] = {"key": attempt, "problem": problem, "exercise": prints[problem], "trouble": submission.trouble,
-                                "sources": units.to_run(submission, exercise), "names": list(exercise.about["answers"])}
+        else:
+            pending[attempt] = {"key": attempt, "problem": problem, "exercise": prints[problem], "trouble": same[0].trouble,
+                                "sources": units.to_run(same[0], exercise), "names": list(exercise.about["answers"])}
     return Plan(tuple(pending.values()), skipped, tuple(aside))
 
 
-def _assignment(name, folder, found):
-    """The assignment's file if there is one, else what the notebooks themselves say."""
-    path = Path(folder) / name / "assignment.toml" if folder else None
-    if path is not None and path.exists():
-        return assignments.read(path)
-    here = {s.problem for s in found if isinstance(s, submissions.Submission) and s.assignment == name and s.problem}
-    real = {exercise.number for exercise in exercises.read_all()}
-    return assignments.of_problems(name, sorted(here & real, key=lambda number: [int(part) for part in number.split(".")]))
+def _by_attempt(found, known, alone):
+    """({(student, homework, problem, content): its submissions}, everything left aside)."""
+    copies, aside = {}, []
+    for one in found:
+        if isinstance(one, Aside):
+            aside.append(one if one.assignment in known else replace(one, assignment=""))
+            continue
+        problem = belonging.problem_for(one, known[one.assignment])
+        if (one.assignment, one.problem) in alone:
+            aside.append(Aside(one.path, alone[one.assignment, one.problem], one.student, one.assignment))
+        elif isinstance(problem, Aside):
+            aside.append(problem)
+        else:
+            copies.setdefault((one.student, one.assignment, problem, one.content), []).append(one)
+    return copies, aside
+
+
+def _homeworks(found, folder):
+    """({name: homework}, why problems that no file asks for are left aside): each by its file, or else by what was handed in."""
+    known, alone = {}, {}
+    for name in sorted({one.assignment for one in found if one.assignment}):
+        path = Path(folder) / name / "assignment.toml" if folder else None
+        if path is not None and path.exists():
+            known[name] = assignments.read(path)
+        elif any(isinstance(one, Submission) and one.assignment == name for one in found):
+            known[name], whys = belonging.unwritten(name, found)
+            alone |= {(name, problem): why for problem, why in whys.items()}
+    return known, alone

@@ -1,4 +1,4 @@
-"""Grades as other systems read them: a plain table, Moodle, Canvas, nbgrader, and Gradescope's results.json.
+"""Grades as other systems read them: a plain table, Moodle, nbgrader, and Gradescope's results.json; Canvas is in `canvas`.
 
 Every table is quoted CSV in UTF-8. Tables for people's eyes (grades.csv, changes.csv) guard against names that a
 spreadsheet would run as a formula; in tables that another system reads back, an identifier goes through as it is.
@@ -10,10 +10,8 @@ import io
 import json
 import re
 from datetime import datetime, timezone
-from pathlib import Path
 
 from trajlib.checks.verdict import RIGHT, UNCHECKED
-from trajlib.grading.assignment import BadInput
 
 # For people
 
@@ -24,18 +22,18 @@ BOM = "\ufeff"
 def grades_csv(assignment, scores):
     """One row a student: points by problem, total, late problems, whether somebody has to look at it."""
     header = ["student", *assignment.problems, "total", "max", "late", "needs review"]
-    rows = [[score.student, *(_points(sum(answer.points for answer in score.of_problem(problem))) for problem in assignment.problems),
-             _points(score.points), _points(score.max_points), " ".join(score.late), "yes" if score.needs_review else "no"]
+    rows = [[score.student, *(decimal(sum(answer.points for answer in score.of_problem(problem))) for problem in assignment.problems),
+             decimal(score.points), decimal(score.max_points), " ".join(score.late), "yes" if score.needs_review else "no"]
             for score in scores]
-    return BOM + _csv([header, *(map(_harmless, row) for row in rows)])
+    return BOM + quoted([header, *(map(_harmless, row) for row in rows)])
 
 
 def changes_csv(changes):
     """One row for each answer whose verdict or points changed since they were first written, oldest first."""
     header = ["when", "student", "problem", "answer", "old verdict", "new verdict", "old points", "new points", "why"]
     rows = [[change.when, change.student, change.problem, change.answer, change.old_verdict, change.new_verdict,
-             _points(change.old_points), _points(change.new_points), change.why] for change in changes]
-    return BOM + _csv([header, *(map(_harmless, row) for row in rows)])
+             decimal(change.old_points), decimal(change.new_points), change.why] for change in changes]
+    return BOM + quoted([header, *(map(_harmless, row) for row in rows)])
 
 
 def _harmless(cell):
@@ -53,27 +51,8 @@ def moodle_csv(assignment, scores):
     """
     ready = [score for score in scores if score.handed_in and not score.needs_review]
     identity = "Email address" if ready and all("@" in score.student for score in ready) else "ID number"
-    rows = [[score.student, _points(score.points), _feedback(score)] for score in ready]
-    return _csv([[identity, assignment.title, f"{assignment.title} (feedback)"], *rows])
-
-
-def canvas_csv(assignment, scores, roster):
-    """(text, unmatched): the gradebook exported from Canvas with one column filled, and students it does not know.
-
-    Students are matched by whichever of "SIS User ID", "SIS Login ID" and "ID" fits most of them. A column that Canvas
-    already has for the assignment, "Title (1234)", is filled; else Canvas makes a new one. Who has no grade yet keeps what
-    stands there. `roster` is a `Roster`.
-    """
-    known = {score.student: score for score in scores}
-    key = max(("SIS User ID", "SIS Login ID", "ID"), key=lambda name: sum(row in known for row in roster.column(name)))
-    column = next((name for name in roster.header if re.fullmatch(rf"{re.escape(assignment.title)} \(\d+\)", name)), assignment.title)
-    possible = roster.possible(column) or _points(assignment.max_points)
-    rows = [["    Points Possible", *[""] * (roster.width - 1), possible]]
-    for identity, row, present in zip(roster.column(key), roster.rows, roster.column(column)):
-        score = known.get(identity)
-        rows.append([*row[:roster.width], _points(score.points) if score and score.handed_in and not score.needs_review else present])
-    text = _csv([[*roster.header[:roster.width], column], *rows], roster.delimiter)
-    return text, [score.student for score in scores if score.student not in set(roster.column(key))]
+    rows = [[score.student, decimal(score.points), _feedback(score)] for score in ready]
+    return quoted([[identity, assignment.title, f"{assignment.title} (feedback)"], *rows])
 
 
 def nbgrader_csv(assignment, scores):
@@ -83,10 +62,10 @@ def nbgrader_csv(assignment, scores):
     rows = []
     for score in scores:
         times = [attempt.submitted for attempt in score.counted.values()]
-        points = "" if score.needs_review else _points(score.points)
+        points = "" if score.needs_review else decimal(score.points)
         rows.append([assignment.name, _utc(assignment.due.timestamp()) if assignment.due else "", _utc(max(times)) if times else "",
-                     score.student, "", "", "", points, "0.00", points, _points(score.max_points)])
-    return _csv([header, *rows])
+                     score.student, "", "", "", points, "0.00", points, decimal(score.max_points)])
+    return quoted([header, *rows])
 
 
 def gradescope_json(score, hints, remarks, points, seconds):
@@ -110,58 +89,22 @@ def _gradescope_test(answer, hints):
             "output_format": "text", "visibility": "visible"}
 
 
-def read_roster(path):
-    """The `Roster` in a file; raises `BadInput`."""
-    try:
-        return Roster(Path(path).read_bytes().decode("utf-8"))
-    except OSError as error:
-        raise BadInput(f"{path}: {error.strerror}") from None
-    except (UnicodeDecodeError, csv.Error) as error:
-        raise BadInput(f"{path} is not CSV in UTF-8: {error}") from None
-
-
-class Roster:
-    """A gradebook exported from Canvas: `header`, `rows` of students, `width` of the columns about them (up to Section).
-
-    Raises `BadInput` if the text is no such export.
-    """
-
-    def __init__(self, text):
-        text = text.lstrip("\ufeff")
-        first = text.partition("\n")[0]
-        self.delimiter = ";" if first.count(";") > first.count(",") else ","
-        lines = list(csv.reader(io.StringIO(text, newline=""), delimiter=self.delimiter))
-        self.header = lines[0] if lines else []
-        if self.header[:2] != ["Student", "ID"] or "Section" not in self.header:
-            raise BadInput("the roster is not a gradebook exported from Canvas: its columns are to be Student, ID, ..., Section, ...")
-        self.width = self.header.index("Section") + 1
-        lines = [(line + [""] * len(self.header))[:len(self.header)] for line in lines[1:]]
-        self._possible = next((line for line in lines if line[0].strip() == "Points Possible"), [""] * len(self.header))
-        # Other lines without an ID say something about columns ("Manual Posting"), not about a student.
-        self.rows = [line for line in lines if line[1].strip() and line is not self._possible]
-
-    def column(self, name):
-        """What each student has in a column; nothing in one that is not there."""
-        return [row[self.header.index(name)] if name in self.header else "" for row in self.rows]
-
-    def possible(self, name):
-        return self._possible[self.header.index(name)].strip() if name in self.header else ""
-
-
 def _feedback(score):
     return "; ".join(f"{answer.problem} {answer.answer}: " + (answer.verdict.status if answer.manual is None else
-                     f"{_points(answer.points)} by hand" + (f" ({answer.manual})" if answer.manual else "")) for answer in score.answers)
+                     f"{decimal(answer.points)} by hand" + (f" ({answer.manual})" if answer.manual else "")) for answer in score.answers)
 
 
 def _utc(seconds):
     return f"{datetime.fromtimestamp(seconds, timezone.utc):%Y-%m-%d %H:%M:%S}"
 
 
-def _points(value):
+def decimal(value):
+    """A number as a table has it."""
     return f"{value:.2f}"
 
 
-def _csv(rows, delimiter=","):
+def quoted(rows, delimiter=","):
+    """A table as text."""
     text = io.StringIO()
     csv.writer(text, quoting=csv.QUOTE_ALL, delimiter=delimiter, lineterminator="\r\n").writerows(rows)
     return text.getvalue()

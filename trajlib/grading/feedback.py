@@ -1,6 +1,7 @@
 """The page a student gets: each answer, what held and what did not, the next hint, a link to the theory; never a solution."""
 
 from html import escape
+from pathlib import Path
 
 from trajlib import exercises
 from trajlib.checks.reporting import MARKS
@@ -15,10 +16,14 @@ LEGEND = {RIGHT: "the property that was asked for holds", WRONG: "a property fai
 
 def feedback(assignment, score, site=""):
     """The page as HTML. `site` is the address of the student edition of the site; without it the theory is named, not linked."""
-    waiting = f", and {count(len(score.to_review), 'answer')} still to be looked at by a lecturer" if score.needs_review else ""
+    waiting = f", and {count(len(score.to_review), 'answer')} still to be looked at by a lecturer" if score.to_review else ""
     parts = [f"<p>{points(score.points)} of {points(score.max_points)} points{waiting}.</p>"]
     if assignment.due:
         parts.append(f'<p class="soft">Due {spoken(assignment.due)}.</p>')
+    if score.aside:
+        named = "".join(f"<li><code>{escape(Path(one.path).name)}</code>: {escape(one.why)}</li>" for one in score.aside)
+        look = "; your lecturer will look at it" if score.waits_aside else ""
+        parts.append(f"<p>Something you handed in was left aside{look}:</p><ul>{named}</ul>")
     for problem in assignment.problems:
         about, mine = exercises.find(problem).about, score.of_problem(problem)
         earned = f"{points(sum(a.points for a in mine))} / {points(sum(a.max_points for a in mine))}"
@@ -37,7 +42,8 @@ def open_hints(answer, about, tried):
 def _of_problem(problem, about, answers, score):
     attempt = score.counted.get(problem)
     if attempt is None and all(answer.manual is None for answer in answers):
-        return ["<p>Nothing was submitted for this problem.</p>"]
+        return ["<p>No notebook for this problem was found beside what was left aside.</p>" if score.aside else
+                "<p>Nothing was submitted for this problem.</p>"]
     parts = []
     if problem in score.late:
         parts.append("<p><em>Handed in after the due date.</em></p>")

@@ -6,6 +6,7 @@ A notebook is named ch1-p15.ipynb, so that it is still known for problem 1.15 wh
 import datetime
 import json
 import re
+import shutil
 from pathlib import Path
 
 from trajlib import exercises
@@ -14,6 +15,9 @@ from trajlib.grading.assignment import AssignmentError
 
 #: A link of an exercise into the site that `make book` builds beside it.
 LOCAL_LINK = re.compile(r"\[([^\]]*)\]\((?:\.\./)+_build/html/([^)\s]+)\)")
+
+#: A day, with or without a time, with or without a zone.
+DATE = re.compile(r"\d{4}-\d\d-\d\d([T ]\d\d:\d\d(:\d\d)?(Z|[+-]\d\d:\d\d)?)?", re.ASCII)
 
 README = """\
 # {title}
@@ -44,18 +48,24 @@ def make(folder, name, problems, title=None, due=None, site=""):
     Raises `AssignmentError`.
     """
     place = Path(folder) / name
-    if not re.fullmatch(r"\w([\w .-]*\w)?", name):
+    if not re.fullmatch(r"\w([\w .-]*\w)?", name) or len(name.encode()) > 200 or name in assignments.TAKEN:
         raise AssignmentError(f"{name!r} cannot be the name of a homework: it names a folder, take letters, digits, - and _")
     if place.exists():
         raise AssignmentError(f"{place} is already there; take another name or remove it")
-    notebooks = {file_name(problem): release(problem, site) for problem in _known(problems)}
-    place.mkdir(parents=True)
-    for notebook, text in notebooks.items():
-        (place / notebook).write_text(text, encoding="utf-8")
-    file = place / "assignment.toml"
-    file.write_text(_toml(title or name, problems, due), encoding="utf-8")
-    homework = assignments.read(file)
-    (place / "README.md").write_text(_readme(homework), encoding="utf-8")
+    files = {file_name(problem): release(problem, site) for problem in _known(problems)}
+    files["assignment.toml"] = _toml(title or name, problems, due)
+    homework = assignments.from_text(files["assignment.toml"], place / "assignment.toml")
+    files["README.md"] = _readme(homework)
+    made = False
+    try:
+        place.mkdir(parents=True)
+        made = True
+        for file, text in files.items():
+            (place / file).write_text(text, encoding="utf-8")
+    except OSError as error:
+        if made:
+            shutil.rmtree(place, ignore_errors=True)
+        raise AssignmentError(f"{place} cannot be written: {error.strerror}") from None
     return homework
 
 
@@ -84,10 +94,13 @@ def due_date(text):
     A date alone means the end of that day. Raises `AssignmentError`.
     """
     try:
-        due = datetime.datetime.fromisoformat(text)
+        # Python reads more than people would: 2026-W40-4 is a day, but ends at its beginning.
+        due = datetime.datetime.fromisoformat(text) if DATE.fullmatch(text) else None
+        if due is None or not assignments.can_be_due(due):
+            raise ValueError
     except ValueError:
         raise AssignmentError(f'{text!r} is not a date; write "2026-10-01 23:59", or "2026-10-01T23:59:00+03:00" with a zone') from None
-    if re.fullmatch(r"\d{4}-?\d\d-?\d\d", text):
+    if len(text) == len("2026-10-01"):
         due = due.replace(hour=23, minute=59, second=59)
     return due if due.tzinfo else due.astimezone()
 

@@ -5,10 +5,11 @@ explode. If the whole notebook cannot be judged within them, its answers are jud
 costs only itself; it becomes `unchecked`, which a lecturer has to look at, never wrong and never right.
 """
 
+import hashlib
 import json
 import resource
 import sys
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from trajlib.checks.encoding import EncodingError, decode, describe
 from trajlib.checks.verdict import MISSING, UNCHECKED, Verdict
@@ -40,7 +41,7 @@ class Bounds:
 
 @dataclass(frozen=True)
 class Judgement:
-    """Verdicts by answer, the answers as short texts, and remarks on the notebook itself.
+    """Verdicts by answer, the answers as short texts (and hashes of the whole ones), and remarks on the notebook itself.
 
     Each remark begins with whose affair it is: "notebook", "limits" or "grader". `final` is "yes"; "within limits" if
     other limits could change it; "no" if the grader itself failed, so that the notebook is to be graded again.
@@ -50,6 +51,7 @@ class Judgement:
     answers: dict
     remarks: tuple
     final: str = FINAL
+    hashes: dict = field(default_factory=dict)
 
 
 def judge(exercise, outcome, bounds=Bounds()):
@@ -81,23 +83,24 @@ def _without_answers(names, outcome):
 
 def _one_by_one(cells, handed_over, names, bounds):
     """Judge each answer alone: one that explodes costs only itself."""
-    verdicts, answers, remarks = {}, {}, ()
+    verdicts, answers, remarks, hashes = {}, {}, (), {}
     for name in names:
         try:
             alone = _apart(cells, handed_over, names, bounds.answer_seconds, bounds.memory_megabytes, only=name)
             verdicts[name], remarks = alone.verdicts[name], alone.remarks
             answers |= alone.answers
+            hashes |= alone.hashes
         except TimeLimit:
             verdicts[name] = Verdict(UNCHECKED, f"judging this answer took longer than {bounds.answer_seconds:g} s; a lecturer has to look at it")
         except RuntimeError:
             verdicts[name] = Verdict(UNCHECKED, "judging this answer needed more memory than allowed, or failed; a lecturer has to look at it")
-    return Judgement(verdicts, answers, remarks, WITHIN_LIMITS)
+    return Judgement(verdicts, answers, remarks, WITHIN_LIMITS, hashes)
 
 
 def _apart(cells, handed_over, names, seconds, megabytes, only=None):
-    verdicts, answers, remarks, stopped = in_child(_judge, cells, handed_over, names, seconds, megabytes, only, timeout=3 * seconds)
+    verdicts, answers, remarks, stopped, hashes = in_child(_judge, cells, handed_over, names, seconds, megabytes, only, timeout=3 * seconds)
     return Judgement({name: Verdict(*verdict) for name, verdict in verdicts.items()}, answers, tuple(remarks),
-                     WITHIN_LIMITS if stopped else FINAL)
+                     WITHIN_LIMITS if stopped else FINAL, hashes)
 
 
 def _judge(cells, handed_over, names, seconds, megabytes, only):
@@ -109,7 +112,8 @@ def _judge(cells, handed_over, names, seconds, megabytes, only):
     resource.setrlimit(resource.RLIMIT_CPU, (int(seconds) + 1, int(seconds) + 2))
     encoded, unreadable, remarks, stopped = _read(handed_over, [name for name in names if only in (None, name)])
     verdicts = {name: [status, printable(message[:2000], keep="\n")] for name, (status, message) in judge_cells(cells, encoded, unreadable, names).items()}
-    return [verdicts, _described(encoded), remarks, stopped]
+    hashes = {name: hashlib.sha256(text.encode("utf-8", "surrogatepass")).hexdigest() for name, text in encoded.items()}
+    return [verdicts, _described(encoded), remarks, stopped, hashes]
 
 
 def _described(encoded):

@@ -2,10 +2,11 @@
 
 A regrade, a resubmission, points given by hand or a changed assignment file can change a grade that students have seen.
 Each run compares its grades with those written before, and says which answers changed and why. The file is replaced
-whole, so a run that is killed has either told its changes or tells them next time.
+whole, after everything else, so a run that is killed has either told its changes or tells them next time.
 """
 
 import json
+from contextlib import suppress
 from dataclasses import dataclass
 
 from trajlib.grading.assignment import BadInput
@@ -26,25 +27,44 @@ class Change:
     why: str
 
 
-def bring_up_to_date(path, assignment, scores, when):
-    """Write the grades to `path`; returns (changes of this run, all changes so far). `when` is a text."""
+#: Reasons that are given in more than one case.
+POINTS_CHANGED, NOT_ASKED = "the assignment's points changed", "the homework asks for it no longer"
+
+
+def compared(path, assignment, scores, when):
+    """(changes since the grades were written to `path`, all changes so far, the text to write there now). `when` is a text."""
     before = read(path)
-    new = _changes(before["students"], _students(scores), when)
+    new = _changes(before["students"], _students(scores), {(p, a) for p, answers in assignment.points.items() for a in answers}, when)
     everything = [*(Change(**change) for change in before["changes"]), *new]
     text = json.dumps({"assignment": assignment.name, "title": assignment.title, "max points": assignment.max_points,
                        "students": _students(scores), "changes": [vars(change) for change in everything]}, ensure_ascii=False, indent=1)
-    put(path, text + "\n")
-    return new, everything
+    return new, everything, text + "\n"
 
 
 def read(path):
     """The grades last written, as plain data; nobody and no change where nothing was written yet. Raises `BadInput`."""
-    if not path.exists():
-        return {"students": {}, "changes": []}
     try:
-        return json.loads(path.read_text(encoding="utf-8"))
-    except ValueError:
+        given = json.loads(path.read_text(encoding="utf-8"))
+        _check(given)
+        return given
+    except FileNotFoundError:
+        return {"students": {}, "changes": []}
+    except OSError as error:
+        raise BadInput(f"{path} cannot be read: {error.strerror}") from None
+    except (ValueError, TypeError, KeyError, AttributeError, RecursionError):
         raise BadInput(f"{path} is not as trajlib grade wrote it; grade without it, and changes are told from there on") from None
+
+
+def _check(given):
+    """Fails on what cannot be read as grades."""
+    for student in given["students"].values():
+        for answer in student["answers"]:
+            texts, numbers = (answer["problem"], answer["answer"], answer["verdict"]), (answer["points"], answer["max points"])
+            if not all(isinstance(one, str) for one in texts) or not all(type(one) in (int, float) for one in numbers):
+                raise TypeError
+            answer["notebook"], answer["by hand"], answer["judged by"]
+    for change in given["changes"]:
+        Change(**change).old_points + change["new_points"] + 0.0
 
 
 def put(path, text):
@@ -54,10 +74,15 @@ def put(path, text):
 
 
 def put_bytes(path, data):
-    path.parent.mkdir(parents=True, exist_ok=True)
     beside = path.with_name(f".{path.name[:100]}.writing")
-    beside.write_bytes(data)
-    beside.replace(path)
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        beside.write_bytes(data)
+        beside.replace(path)
+    except OSError as error:
+        with suppress(OSError):
+            beside.unlink()
+        raise BadInput(f"{path} cannot be written: {error.strerror}; nothing that was there is lost") from None
 
 
 def _students(scores):
@@ -68,37 +93,51 @@ def _students(scores):
 def _answer(score, answer):
     attempt = score.counted.get(answer.problem)
     return {"problem": answer.problem, "answer": answer.answer, "verdict": answer.verdict.status, "message": answer.verdict.message,
-            "points": answer.points, "max points": answer.max_points, "by hand": answer.manual,
+            "points": answer.points, "max points": answer.max_points, "by hand": answer.manual, "points by hand": answer.by_hand,
             # The notebook that counts and the version of the problem it was judged by, each as a hash.
             "notebook": attempt.content if attempt else None, "judged by": attempt.exercise if attempt else None}
 
 
-def _changes(before, after, when):
-    """Changes of grades that stood before; what is graded for the first time is no change."""
+def _changes(before, after, asked, when):
+    """Changes of grades that stood before; what is graded for the first time is no change. `asked` are (problem, answer)."""
     changes = []
-    for student, now in after.items():
-        old = {(answer["problem"], answer["answer"]): answer for answer in before.get(student, {"answers": []})["answers"]}
-        for answer in now["answers"]:
-            was = old.get((answer["problem"], answer["answer"]))
-            if was is None or (was["notebook"] is None and was["by hand"] is None and answer["notebook"] is not None):
-                continue
-            if was["verdict"] != answer["verdict"] or abs(was["points"] - answer["points"]) > 1e-9:
-                changes.append(Change(when, student, answer["problem"], answer["answer"], was["verdict"], answer["verdict"],
-                                      was["points"], answer["points"], _why(was, answer)))
+    for student in {**after, **before}:
+        now = _by_answer(after.get(student))
+        for name, was in _by_answer(before.get(student)).items():
+            is_new = was["notebook"] is None and was["by hand"] is None
+            if name not in now:
+                if was["points"] > 0:
+                    why = "points by hand taken back" if name in asked else NOT_ASKED
+                    changes.append(Change(when, student, *name, was["verdict"], "not asked for", was["points"], 0.0, why))
+            elif not (is_new and now[name]["notebook"] is not None) and (
+                    was["verdict"] != now[name]["verdict"] or abs(was["points"] - now[name]["points"]) > 1e-9):
+                changes.append(Change(when, student, *name, was["verdict"], now[name]["verdict"], was["points"], now[name]["points"],
+                                      _why(was, now[name])))
     return changes
 
 
+def _by_answer(student):
+    return {(answer["problem"], answer["answer"]): answer for answer in student["answers"]} if student else {}
+
+
 def _why(was, now):
-    if was["by hand"] != now["by hand"] or (now["by hand"] is not None and was["points"] != now["points"]):
+    if _by_hand(was) != _by_hand(now):
         return "points given by hand" if now["by hand"] is not None else "points by hand taken back"
+    if now["by hand"] is not None and was["points"] != now["points"]:
+        return POINTS_CHANGED
     if was["notebook"] != now["notebook"]:
         return "another attempt counts"
     versions = {_version(was), _version(now)}
     if len(versions) == 2 and "failed" not in versions:
         return "the problem or its checks changed"
     if was["max points"] != now["max points"]:
-        return "the assignment's points changed"
+        return POINTS_CHANGED
     return "graded again"
+
+
+def _by_hand(answer):
+    """The comment and the points that were entered, or None."""
+    return None if answer["by hand"] is None else (answer["by hand"], answer.get("points by hand", answer["points"]))
 
 
 def _version(answer):

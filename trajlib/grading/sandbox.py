@@ -59,7 +59,7 @@ class Sandbox:
         self._greeted = False
 
     def __enter__(self):
-        self._start()
+        self.start()
         self._greet()
         return self
 
@@ -75,7 +75,7 @@ class Sandbox:
 
     def _try(self, request):
         try:
-            self._start()
+            self.start()
             self._greet()
             framing.send(self._worker.stdin.fileno(), request)
             outcome = self._outcome_once() if self._once else self._outcome()
@@ -85,7 +85,7 @@ class Sandbox:
             self._stop()
         if self._once:
             with suppress(isolation.NoIsolation):
-                self._start()  # it gets ready while this outcome is judged
+                self.start()  # it gets ready while this outcome is judged
         return outcome
 
     def _outcome(self):
@@ -113,7 +113,8 @@ class Sandbox:
             return (f"signal {code - 128}" if code > 128 else f"signal {-code}" if code < 0 else f"exit {code}").encode()
         return b"silent"
 
-    def _start(self):
+    def start(self):
+        """Begin to get ready; entering, or the first run, waits for it."""
         if self._worker is None:
             self._worker, self._greeted = self._spawn(), False
 
@@ -132,7 +133,7 @@ class Sandbox:
         if greeting != NOT_NESTED:
             raise isolation.NoIsolation(f"the sandbox does not start here: {greeting.decode(errors='replace')}")
         self._once = True
-        self._start()
+        self.start()
         self._greet()
 
     def _spawn(self):
@@ -153,9 +154,12 @@ class Sandbox:
 class Trusting(Sandbox):
     """No sandbox: notebooks run as the grader's own user, within limits. For students, or machines, that can be trusted."""
 
-    def __enter__(self):
-        self._folder = tempfile.TemporaryDirectory(prefix="trajlib-", ignore_cleanup_errors=True)
-        return super().__enter__()
+    _folder = None
+
+    def start(self):
+        if self._folder is None:
+            self._folder = tempfile.TemporaryDirectory(prefix="trajlib-", ignore_cleanup_errors=True)
+        super().start()
 
     def __exit__(self, *_):
         super().__exit__()

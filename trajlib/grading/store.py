@@ -2,18 +2,20 @@
 
 import json
 import sqlite3
-from dataclasses import dataclass
+from contextlib import contextmanager
+from dataclasses import dataclass, field
 from datetime import datetime, timezone
 from pathlib import Path
 
 from trajlib.checks.verdict import Verdict
+from trajlib.grading.assignment import BadInput
 
 SCHEMA = """
 CREATE TABLE IF NOT EXISTS attempt (
   id INTEGER PRIMARY KEY,
   student TEXT NOT NULL, assignment TEXT NOT NULL, problem TEXT NOT NULL,
   content TEXT NOT NULL,            -- SHA-256 of the notebook's bytes
-  submitted REAL NOT NULL,          -- when it was handed in, seconds since 1970
+  submitted REAL NOT NULL,          -- the time of its file when it was last there, seconds since 1970
   UNIQUE (student, assignment, problem, content)
 );
 CREATE TABLE IF NOT EXISTS result (
@@ -21,6 +23,7 @@ CREATE TABLE IF NOT EXISTS result (
   exercise TEXT NOT NULL,           -- fingerprint of the exercise and of the checks it was judged by
   verdicts TEXT NOT NULL, answers TEXT NOT NULL, remarks TEXT NOT NULL,
   graded TEXT NOT NULL,
+  hashes TEXT NOT NULL DEFAULT '{}', -- SHA-256 of each answer as it was encoded
   PRIMARY KEY (attempt, exercise)
 );
 CREATE TABLE IF NOT EXISTS manual (
@@ -45,6 +48,11 @@ class Attempt:
     verdicts: dict
     answers: dict
     remarks: tuple
+    hashes: dict = field(default_factory=dict)
+
+
+class StoreError(BadInput):
+    """The file cannot be read or written; what is in it stays as it was."""
 
 
 class Store:
@@ -53,21 +61,39 @@ class Store:
     def __init__(self, path):
         self.path = Path(path)
         self.path.parent.mkdir(parents=True, exist_ok=True)
-        self._database = sqlite3.connect(self.path, isolation_level=None, timeout=60)
-        self._database.execute("PRAGMA journal_mode=WAL")
-        self._database.execute("PRAGMA foreign_keys=ON")
-        self._database.executescript(SCHEMA)
+        try:
+            self._database = sqlite3.connect(self.path, isolation_level=None, timeout=60)
+            self._database.execute("PRAGMA journal_mode=WAL")
+            self._database.execute("PRAGMA foreign_keys=ON")
+            self._database.executescript(SCHEMA)
+            if "hashes" not in {row[1] for row in self._database.execute("PRAGMA table_info(result)")}:  # written by an older version
+                self._database.execute("ALTER TABLE result ADD COLUMN hashes TEXT NOT NULL DEFAULT '{}'")
+        except sqlite3.Error as error:
+            raise self._error(error) from error
 
     def __enter__(self):
         return self
 
-    def __exit__(self, *_):
+    def __exit__(self, kind, error, trace):
         self._database.close()
+        if type(error) in (sqlite3.OperationalError, sqlite3.DatabaseError):  # the disk, not a mistake of ours
+            raise self._error(error) from error
+
+    def _error(self, error):
+        return StoreError(f"{self.path}: {error}; what is stored in it is kept, and the same command goes on from there")
+
+    @contextmanager
+    def together(self):
+        """What is noted within is stored together, or not at all: the disk is waited for once."""
+        self._database.execute("BEGIN IMMEDIATE")
+        with self._database:
+            yield
 
     def note_attempt(self, student, assignment, problem, content, submitted):
-        """The id of an attempt, new or known: the same notebook handed in twice is one attempt."""
+        """The id of an attempt, new or known: the same notebook handed in twice is one attempt, at the time it has now."""
         key = (student, assignment, problem, content)
-        self._database.execute("INSERT OR IGNORE INTO attempt (student, assignment, problem, content, submitted) VALUES (?, ?, ?, ?, ?)",
+        self._database.execute("INSERT INTO attempt (student, assignment, problem, content, submitted) VALUES (?, ?, ?, ?, ?)"
+                               " ON CONFLICT DO UPDATE SET submitted = excluded.submitted WHERE submitted != excluded.submitted",
                                (*key, submitted))
         (found,) = self._database.execute(
             "SELECT id FROM attempt WHERE student = ? AND assignment = ? AND problem = ? AND content = ?", key).fetchone()
@@ -78,22 +104,23 @@ class Store:
         rows = self._database.execute("SELECT exercise FROM result WHERE attempt = ? ORDER BY rowid", (attempt,))
         return [exercise for exercise, in rows]
 
-    def record(self, attempt, exercise, verdicts, answers, remarks):
+    def record(self, attempt, exercise, verdicts, answers, remarks, hashes=None):
         """Store a result, whole or not at all; a second one by the same exercise replaces the first."""
         self._database.execute(
-            "INSERT OR REPLACE INTO result VALUES (?, ?, ?, ?, ?, ?)",
+            "INSERT OR REPLACE INTO result (attempt, exercise, verdicts, answers, remarks, graded, hashes) VALUES (?, ?, ?, ?, ?, ?, ?)",
             (attempt, exercise, json.dumps({name: [v.status, v.message] for name, v in verdicts.items()}, ensure_ascii=False),
-             json.dumps(answers, ensure_ascii=False), json.dumps(list(remarks), ensure_ascii=False), datetime.now(timezone.utc).isoformat(timespec="seconds")))
+             json.dumps(answers, ensure_ascii=False), json.dumps(list(remarks), ensure_ascii=False),
+             datetime.now(timezone.utc).isoformat(timespec="seconds"), json.dumps(hashes or {})))
 
     def attempts(self, assignment):
         """All attempts at an assignment with their newest results, by student, problem and time."""
         rows = self._database.execute("""
-            SELECT a.id, a.student, a.assignment, a.problem, a.content, a.submitted, r.exercise, r.verdicts, r.answers, r.remarks
+            SELECT a.id, a.student, a.assignment, a.problem, a.content, a.submitted, r.exercise, r.verdicts, r.answers, r.remarks, r.hashes
             FROM attempt a LEFT JOIN result r ON r.attempt = a.id
               AND r.rowid = (SELECT max(rowid) FROM result WHERE attempt = a.id)
             WHERE a.assignment = ? ORDER BY a.student, a.problem, a.submitted, a.id""", (assignment,))
         return [Attempt(*row[:7], {name: Verdict(*verdict) for name, verdict in json.loads(row[7] or "{}").items()},
-                        json.loads(row[8] or "{}"), tuple(json.loads(row[9] or "[]"))) for row in rows]
+                        json.loads(row[8] or "{}"), tuple(json.loads(row[9] or "[]")), json.loads(row[10] or "{}")) for row in rows]
 
     def set_manual(self, student, assignment, problem, answer, points, comment):
         """A lecturer's score, which beats the automatic one until it is taken back."""

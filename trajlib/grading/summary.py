@@ -1,4 +1,4 @@
-"""The page a lecturer gets: distribution of points, hardest answers, common failures, identical wrong answers."""
+"""The page a lecturer gets: what waits for a look or could not be read, points, hardest answers, common failures, identical ones."""
 
 import re
 import statistics
@@ -15,8 +15,12 @@ def summary(assignment, scores):
     """The page as HTML, from the scores of the whole class."""
     handed_in = [score for score in scores if score.handed_in]
     parts = [_in_short(assignment, scores, handed_in)]
-    if any(score.needs_review for score in scores):
+    if any(score.to_review for score in scores):
         parts += ["<h2>To be looked at</h2>", _to_review(assignment, scores)]
+    if any(score.aside for score in scores):
+        parts += ["<h2>Left aside</h2>", _aside(scores)]
+    if any(score.spoilt for score in scores):
+        parts += ["<h2>Notebooks that could not be read or run</h2>", _spoilt(scores)]
     if handed_in:
         parts += ["<h2>Points</h2>", _histogram(assignment, handed_in), "<h2>Answers, hardest first</h2>", _hardest(handed_in),
                   "<h2>Common failures</h2>", _failures(handed_in), "<h2>Identical wrong answers</h2>", _identical(handed_in)]
@@ -40,6 +44,30 @@ def _to_review(assignment, scores):
     command = f"trajlib score STUDENT {escape(assignment.name)} PROBLEM ANSWER POINTS"
     return (f"<p>These could not be judged and may still raise the grade. Give points with <code>{command}</code>, then grade again.</p>"
             + table(("student", "answer", "what was given, and why it was not judged"), rows))
+
+
+def _aside(scores):
+    whose = defaultdict(list)
+    for score in scores:
+        for one in score.aside:
+            whose[one.why].append((score.student, one.path))
+    rows = [f"<tr><td>{person(student)}</td><td><code>{escape(path)}</code></td><td>{escape(why)}</td></tr>"
+            for why, works in sorted(whose.items(), key=lambda pair: -len(pair[1])) for student, path in works]
+    return ("<p>This may be work that is missing. Name it, or move it, as it should be, or take it away; then grade again.</p>"
+            + table(("student", "what", "why"), rows))
+
+
+def _spoilt(scores):
+    """The newest notebooks of students that gave no answer at all, by what was said of them."""
+    whose = defaultdict(list)
+    for score in scores:
+        for problem, remarks in score.spoilt.items():
+            whose[NUMBER.sub("#", remarks[0])].append((score.student, problem, remarks[0]))
+    rows = [f'<tr><td class="number">{len(works)}</td><td>{escape(works[0][2])}</td>'
+            f"<td>{', '.join(f'{person(student)} ({escape(problem)})' for student, problem, _ in works)}</td></tr>"
+            for works in sorted(whose.values(), key=len, reverse=True)]
+    return ("<p>What a student handed in last for a problem, without any answer that could be read. It earns nothing; ask for it again.</p>"
+            + table(("times", "why, in the words of one of them", "students and problems"), rows))
 
 
 def _histogram(assignment, scores, bars=10):
@@ -93,13 +121,17 @@ def _failures(scores, most=10):
 
 
 def _identical(scores):
-    """Wrong answers that several students gave in the very same form: a common misconception, or copied work."""
-    givers = defaultdict(list)
+    """Wrong answers that several students gave in the very same form: a common misconception, or copied work.
+
+    Compared are the whole answers, of which a text on the page may show only a part.
+    """
+    givers, texts = defaultdict(list), {}
     for score in scores:
         for answer in score.answers:
-            if answer.verdict.status == WRONG and answer.text:
-                givers[answer.problem, answer.answer, answer.text].append(score.student)
+            if answer.verdict.status == WRONG and answer.hash:
+                givers[answer.problem, answer.answer, answer.hash].append(score.student)
+                texts[answer.hash] = answer.text
     shared = sorted(((given, names) for given, names in givers.items() if len(names) > 1), key=lambda pair: -len(pair[1]))
-    rows = [f'<tr><td class="number">{len(names)}</td>{answer_name(problem, name)}<td><code>{escape(text)}</code></td>'
-            f"<td>{', '.join(map(person, names))}</td></tr>" for (problem, name, text), names in shared]
+    rows = [f'<tr><td class="number">{len(names)}</td>{answer_name(problem, name)}<td><code>{escape(texts[given])}</code></td>'
+            f"<td>{', '.join(map(person, names))}</td></tr>" for (problem, name, given), names in shared]
     return table(("times", "answer", "given", "by"), rows)

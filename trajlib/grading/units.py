@@ -9,6 +9,7 @@ from trajlib import exercises
 from trajlib.checks.verdict import MISSING, Verdict
 from trajlib.dependencies import module_closure
 from trajlib.grading.judging import Bounds, Judgement, judge
+from trajlib.grading.preloading import SYMPY, preload
 from trajlib.grading.sandbox import Limits, Sandbox, Trusting
 
 
@@ -42,13 +43,13 @@ class Bench:
         self._sandbox, self._bounds = (Trusting if trusting else Sandbox)(limits), bounds
 
     def __enter__(self):
-        # What the judging children need is imported once, here.
-        import sympy  # noqa: F401
-
-        from trajlib import checks
-        for name in checks.__all__:
-            getattr(checks, name)
-        self._sandbox.__enter__()
+        self._sandbox.start()  # it loads its own while the judging children's is loaded here
+        try:
+            preload(*SYMPY, "trajlib.checks.sympy_codec", themes=["checks"])
+            self._sandbox.__enter__()
+        except BaseException:
+            self._sandbox.__exit__()
+            raise
         return self
 
     def __exit__(self, *error):
@@ -70,7 +71,7 @@ def as_plain(judgement):
 
 def from_plain(given):
     verdicts = {name: Verdict(**verdict) for name, verdict in given["verdicts"].items()}
-    return Judgement(verdicts, given["answers"], tuple(given["remarks"]), given["final"])
+    return Judgement(verdicts, given["answers"], tuple(given["remarks"]), given["final"], given.get("hashes", {}))
 
 
 def fitting(limits, count):

@@ -23,11 +23,13 @@ import struct
 import tempfile
 import time
 
-from trajlib.cells import run_cells
+import trajlib
+from trajlib.cells import prepare, run_cells
 from trajlib.grading import framing, system_calls, watching
 from trajlib.grading.isolation import (CLONE_NEWIPC, CLONE_NEWNET, CLONE_NEWNS, CLONE_NEWPID, CLONE_NEWUSER, MS_BIND, MS_NODEV, MS_NOSUID,
                                        MS_PRIVATE, MS_RDONLY, MS_REC, SCRATCH, NoIsolation, end_with_parent, loaded, mount, system_call,
                                        unshare)
+from trajlib.grading.preloading import NOTEBOOKS, SYMPY, preload
 
 PR_SET_NO_NEW_PRIVS, PR_CAPBSET_DROP, PR_SET_CHILD_SUBREAPER = 38, 24, 36
 CAPABILITY_VERSION_3 = 0x20080522
@@ -72,18 +74,9 @@ def _can_nest(in_scratch):
 
 
 def _make_ready():
-    """Import what notebooks use, once; children inherit it."""
-    import casadi  # noqa: F401
-    import IPython.core.interactiveshell  # noqa: F401
-    import matplotlib.pyplot  # noqa: F401
-    import matplotlib_inline.config  # noqa: F401
-    import scipy.integrate  # noqa: F401
-    import scipy.linalg  # noqa: F401
-    import sympy  # noqa: F401
-
-    import trajlib.checks.encoding
-    for name in trajlib.checks.__all__:
-        getattr(trajlib.checks, name)
+    """Load what notebooks use, and start the shell for their cells, once; children inherit it."""
+    preload(*SYMPY, *NOTEBOOKS, "trajlib.checks.sympy_codec", themes=trajlib.__all__)
+    prepare()
 
 
 # The keeper
@@ -222,7 +215,9 @@ def _keep_only(results):
 
 def _limit(limits, mode):
     """Limits of the kernel on this process and its children, each for itself; `watching` sums up."""
-    bounds = {resource.RLIMIT_AS: loaded() + limits["memory_megabytes"] * 2**20, resource.RLIMIT_CPU: math.ceil(limits["cpu_seconds"]) + 5,
+    # The process may have loaded the libraries itself, which is not the notebook's time or memory.
+    bounds = {resource.RLIMIT_AS: loaded() + limits["memory_megabytes"] * 2**20,
+              resource.RLIMIT_CPU: math.ceil(time.process_time() + limits["cpu_seconds"]) + 5,
               resource.RLIMIT_FSIZE: limits["disk_megabytes"] * 2**20, resource.RLIMIT_NOFILE: 128, resource.RLIMIT_CORE: 0}
     if mode != "trusting":  # there it would count all processes of the user
         bounds[resource.RLIMIT_NPROC] = limits["processes"]

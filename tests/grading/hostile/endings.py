@@ -17,6 +17,15 @@ ENDINGS = [
            stopped_the_run, ("import os, signal\nos.kill(os.getppid(), signal.SIGSTOP)", WRONG), apart=True, patience=3),
     Attack("sets an alarm", "asks for a signal that kills the process a little later", "by then another student is being marked",
            "only its own process could die of it", stopped_the_run, ("import signal\nsignal.setitimer(signal.ITIMER_REAL, 0.02)", WRONG)),
+    Attack("has the kernel kill it", "lowers its own limit on computing and goes past it", "the kernel kills the grader that runs the cell",
+           "limits are the grader's to set", stopped_the_run, (
+               """
+               import resource
+               try:
+                   resource.setrlimit(resource.RLIMIT_CPU, (1, 1))
+               finally:
+                   for _ in range(10**8): pass
+               """, WRONG), blame="limits"),
     Attack("ignores signals", "ignores whatever asks it to end, and goes on", "asking politely does not end it", "it is not asked", stopped_the_run, (
         """
         import signal, time

@@ -152,6 +152,31 @@ RESOURCES = [
                os.close(into)
                a_region = int(os.read(out, 20) or 0)
                """,)),
+    Attack("computes by children it forgets", "lets short-lived children compute, whose time the kernel forgets since nobody waits for them",
+           "nothing limits their time", "how children end is not the notebook's to say, so that their time counts", reached(6), (
+               """
+               import os, signal, time
+               try:
+                   signal.signal(signal.SIGCHLD, signal.SIG_IGN)
+               except OSError:
+                   pass
+               computed = 0
+               for _ in range(25):
+                   children = []
+                   for _ in range(4):
+                       children.append(os.fork())
+                       if children[-1] == 0:
+                           before = time.process_time()
+                           while time.process_time() < before + 0.06: pass
+                           os._exit(0)
+                   for child in children:
+                       try:
+                           os.waitpid(child, 0)
+                       except ChildProcessError:
+                           pass
+                   computed += 0.24
+               a_region = round(computed)
+               """,), patience=30, blame="limits"),
     Attack("loops without end", "never ends", "nobody stops it", "the cell is stopped, and the run goes on", stopped_the_run,
            ("while True: pass", WRONG), patience=2, blame="limits"),
     Attack("loops and will not be stopped", "never ends, and swallows every exception", "nobody stops it", "its process is ended", stopped_the_run, (

@@ -16,7 +16,7 @@ from pathlib import Path
 
 from trajlib import exercises
 from trajlib.grading import assignment as assignments
-from trajlib.grading import exporting, record, submissions, units
+from trajlib.grading import belonging, exporting, record, submissions, units
 from trajlib.grading.feedback import open_hints
 from trajlib.grading.gradescope.own_user import OwnUser
 from trajlib.grading.judging import Bounds, judge
@@ -38,10 +38,10 @@ def main(root=Path("/autograder")):
     homework = assignments.read(root / "source" / "assignment.toml")
     earlier = _earlier(root / "submission_metadata.json")
     with tempfile.TemporaryDirectory() as scratch:
-        found, remarks = _submitted(root / "submission", Path(scratch), homework)
+        found, aside, remarks = _submitted(root / "submission", Path(scratch), homework)
         attempts = _graded(found)
     # All that was handed in at once is one attempt: of two notebooks for a problem the better one counts.
-    score = of_student("student", dataclasses.replace(homework, attempt="best", attempts=None, due=None), attempts, {})
+    score = of_student("student", dataclasses.replace(homework, attempt="best", attempts=None, due=None), attempts, {}, aside)
     hints = {(answer.problem, answer.answer): open_hints(answer, exercises.find(answer.problem).about, 1 + len(earlier))
              for answer in score.answers if answer.problem in score.counted}
     remarks += [f"{problem}: {remark}" for problem, attempt in score.counted.items() for remark in attempt.remarks]
@@ -68,7 +68,7 @@ def _that_counts(homework, earlier, now):
 
 
 def _submitted(folder, scratch, homework):
-    """(submissions with the problem they are for, sentences on what was left aside), each notebook once."""
+    """(submissions with the problem they are for, what was left aside, sentences on that), each notebook once."""
     # As in a course's folder: student/assignment/notebook. Names that meet, from different folders, stay apart.
     for k, path in enumerate(sorted(path for path in folder.rglob("*") if path.suffix.lower() == ".ipynb")):
         place = scratch / "student" / f"{k:05d}" / path.name
@@ -77,19 +77,17 @@ def _submitted(folder, scratch, homework):
             shutil.copy2(path, place)
         else:
             place.symlink_to("/nowhere")  # named as what it is, and not followed
-    found, remarks = {}, []
+    found, aside = {}, []
     for one in submissions.find(scratch):
-        if isinstance(one, submissions.Aside):
-            continue
-        problem = one.problem if one.problem in homework.problems else homework.problems[0] if len(homework.problems) == 1 else None
-        if problem is None:
-            remarks.append(f"left aside: {printable(Path(one.path).name)}: "
-                           + (one.trouble or f"it does not say which problem of the homework it is for ({', '.join(homework.problems)})"))
+        problem = one if isinstance(one, submissions.Aside) else belonging.problem_for(one, homework)
+        if isinstance(problem, submissions.Aside):
+            aside.append(problem)
         else:
             found[problem, one.content] = (problem, one)
+    remarks = [f"left aside: {printable(Path(one.path).name)}: {one.why}" for one in aside]
     if not found:
         remarks.append("There is no notebook of this homework in what you handed in.")
-    return list(found.values()), remarks
+    return list(found.values()), aside, remarks
 
 
 def _graded(found):

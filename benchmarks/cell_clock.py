@@ -1,0 +1,55 @@
+"""`trajlib grade` with a clock beside the cells: what a notebook's own cells take, noted in the very run that is timed.
+
+    python benchmarks/cell_clock.py LOG grade submitted --out graded
+
+Each notebook adds two numbers to the file LOG: the seconds of its data and answer cells in the sandbox, and those of its
+check cells where they judge. Each cell counts once; that the grader runs data cells again before the notebook and before
+the checks is its own affair. What the clock itself takes is not taken off either.
+"""
+
+import json
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+from trajlib import cli
+from trajlib.grading import judging, lanes
+from trajlib.grading.sandbox import Sandbox
+
+SPENT = "trajlib_spent"
+BEGIN, END = "import time; trajlib_began = time.perf_counter()", f"{SPENT} = time.perf_counter() - trajlib_began"
+
+
+def main(log, *arguments):
+    folder = str(Path(__file__).resolve().parent)
+    lanes.START = f"import sys; sys.path.insert(0, {folder!r}); import cell_clock; cell_clock.work({str(Path(log).resolve())!r})"
+    sys.argv[1:] = arguments
+    cli.main()
+
+
+def work(log):
+    """What a lane of the grader does, with a clock."""
+    run, judge_cells = Sandbox.run, judging.judge_cells
+
+    def clocked_run(sandbox, sources, names, before=()):
+        outcome = run(sandbox, [BEGIN, *sources, END], [*names, SPENT], before)
+        handed_over = json.loads(outcome.handed_over)
+        note(log, float(handed_over["encoded"].pop(SPENT)))
+        return replace(outcome, handed_over=json.dumps(handed_over).encode())
+
+    def clocked_judge_cells(cells, *rest):
+        start = ("data", BEGIN)
+        stop = ("data", f"with open({log!r}, 'a') as log: log.write(f'{{time.perf_counter() - trajlib_began}}\\n')")
+        return judge_cells([each for cell in cells for each in ([start, cell, stop] if cell[0] == "check" else [cell])], *rest)
+
+    Sandbox.run, judging.judge_cells = clocked_run, clocked_judge_cells
+    lanes.work()
+
+
+def note(log, seconds):
+    with open(log, "a", encoding="utf-8") as file:
+        file.write(f"{seconds}\n")
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
