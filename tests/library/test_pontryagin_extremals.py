@@ -209,6 +209,45 @@ def test_least_fuel():
     assert extremal.certificate().holds(1e-11)
 
 
+@pytest.mark.parametrize("damping, between", [(0.0, 0), (0.0, 1), (1.0, 0)])
+def test_corners_of_the_switching_curve(damping, between):
+    """A start from which all arcs last half a period: the switching function vanishes at both ends, and only with lambda_0 = 0.
+
+    Without a switching Newton's method may find any of many costates; one of them alone satisfies the maximum condition.
+    """
+    period = np.pi/np.sqrt(1 - damping**2/4)
+    record = oscillator(damping, period, 0, period*between)
+    extremal = record.problem.solve()
+    assert [kind for kind, _, _ in extremal.arcs] == ["u-", "u+"][1 - between:]
+    assert extremal.cost == pytest.approx(period*(1 + between), rel=1e-11) and not extremal.normal
+    assert extremal.certificate().holds(1e-11)
+
+
+@pytest.mark.parametrize("start, sign", [((2, 0), 1), ((-2, 0), -1)])
+def test_exact_corners(start, sign):
+    extremal = Problem({x1: x2, x2: -x1 + u}, ONE, dict(zip((x1, x2), start)), [x1, x2]).solve()
+    assert [kind for kind, _, _ in extremal.arcs] == ["u+" if sign > 0 else "u-"]
+    assert extremal.duration == pytest.approx(np.pi, abs=1e-11) and extremal.certificate().holds(1e-11)
+    # psi_2 = sign sin t
+    assert extremal.costate(0) == pytest.approx([-sign, 0], abs=1e-9)
+
+
+OUTSIDE, INSIDE = np.arccos(0.92) + np.arccos(0.2), np.arctan2(0.05, 1.3) + np.arccos(0.84625/np.hypot(1.3, 0.05))
+
+
+@pytest.mark.parametrize("radius, start, kinds, least", [(half, (1.5, 0), ["u-", "u+"], OUTSIDE), (1, (0.3, 0.05), ["u-"], INSIDE)])
+def test_fastest_of_several_extremals_to_a_circle(radius, start, kinds, least):
+    """The oscillator (problem 5.8); other starts of the search lead to slower extremals, or to none.
+
+    Outside: u = -1 turns around (-1, 0) to the circle of radius 1 around (1 + R, 0), in a triangle with the sides 5/2, 5/2, 1; the
+    last arc begins at (1 + R - cos s, -sin s). Inside: u = -1 alone, (x1 + 1) cos T + x2 sin T = x1 + 1 - (R^2 - r^2)/2.
+    """
+    extremal = Problem({x1: x2, x2: -x1 + u}, ONE, dict(zip((x1, x2), start)), [x1**2 + x2**2 - radius**2]).solve()
+    assert [kind for kind, _, _ in extremal.arcs] == kinds
+    assert extremal.duration == pytest.approx(least, abs=1e-11) and extremal.certificate().holds(1e-11)
+    assert "a better process is not excluded" in extremal._repr_markdown_()
+
+
 @settings(max_examples=15, deadline=None, derandomize=True)
 @given(a=st.floats(-8, 8), b=st.floats(-5, 5))
 def test_double_integrator_from_anywhere(a, b):

@@ -312,8 +312,71 @@ def test_barriers_of_both_sides_are_mirror_images():
 @pytest.mark.parametrize("side", [1, -1])
 def test_beside_a_barrier_the_time_is_that_of_the_way_round(side):
     found = synthesis(problem([x1 - x2]), horizon=8)
-    v = np.linspace(0.1, 0.8, 8)    # next to (1, 1) the cells are too coarse
+    v = np.linspace(0.1, 0.99, 10)
     edge = (1 + v**2)/2
     for beyond in (1e-3, 1e-4):
         x = side*np.array([edge + beyond, v])
         assert np.allclose(found.time(*x), 1 + v + np.sqrt(v**2 + 2*(edge + beyond) - 1), atol=1e-6)
+
+
+@pytest.mark.parametrize("side", [1, -1])
+def test_no_point_is_missed_where_a_barrier_meets_the_target(side):
+    """Next to (1, 1) in problem 5.10 neighbouring extremals meet the line again at different steps."""
+    found = synthesis(problem([x1 - x2]), horizon=8)
+    a, b = 1 + starts(((-0.3, 0.3), (-0.3, 0.3)), 2000)
+    a, b = a[a > b], b[a > b]
+    direct = (b < 1) & (a < (1 + b*b)/2)
+    with np.errstate(invalid="ignore"):
+        exact = np.where(direct, 1 - b - np.sqrt(1 + b*b - 2*a), 1 + b + np.sqrt(b*b + 2*a - 1))
+    assert 10 < direct.sum() < a.size/2
+    assert np.abs(found.time(side*a, side*b) - exact).max() < 1e-6
+
+
+def test_behind_the_target_there_is_no_time():
+    """Extremals are followed a little beyond the target for their neighbours, but no time is read off there."""
+    found = synthesis(problem([x1]), side="positive", window=((-1, 1), (-2, 2)), horizon=6)
+    a, b = starts(found.window)
+    assert (found.reaches(a, b) == (a > 0)).all()
+
+
+def inside_circle(radius):
+    return synthesis(linear(OSCILLATOR, [x1**2 + x2**2 - radius**2]), side="inside", window=((-float(radius), float(radius)),)*2, horizon=6)
+
+
+@pytest.mark.parametrize("radius", [sp.Rational(3, 2), sp.Rational(37, 20)])
+def test_dispersal_curve_of_the_oscillator_runs_to_its_ends(radius):
+    """Inside a circle (problem 5.8): x2 = x1 sqrt(D/(2 - D)), 2 D = R^2 - r^2, from the circle through the centre to the circle.
+
+    Near its ends, and everywhere as R grows to 2, the two extremals run side by side for a long time.
+    """
+    found = inside_circle(radius)
+    points = np.vstack([curve.points for curve in found.dispersal_curves])
+    size = np.hypot(*points.T)
+    D = (float(radius)**2 - size**2)/2
+    assert np.abs(points[:, 1] - points[:, 0]*np.sqrt(D/(2 - D))).max() < 1e-10
+    for branch in (points[:, 0] > 0, points[:, 0] < 0):
+        covered = np.sort(np.append(size[branch], [0, float(radius)]))
+        assert np.diff(covered).max() < 0.06
+    assert not found.switching_curves and found.regularity()["C"].holds
+
+
+def test_dispersal_curve_that_is_followed():
+    """Inside the circle of radius 2 it is r = 2 |cos(angle)|, made of two extremals that touch the circle; extremals switch on it."""
+    found = inside_circle(sp.Integer(2))
+    for curves in (found.switching_curves, found.dispersal_curves):
+        points = np.vstack([curve.points for curve in curves])
+        assert np.abs((np.abs(points[:, 0]) - 1)**2 + points[:, 1]**2 - 1).max() < 1e-10
+        assert (points[:, 0]*points[:, 1] > 0).all()
+        for branch in (points[:, 0] > 0, points[:, 0] < 0):
+            assert np.ptp(points[branch][:, 0]) > 1.98 and np.diff(np.sort(points[branch][:, 0])).max() < 0.1
+    assert {curve.kind for curve in found.switching_curves} == {"followed"}
+
+
+def test_touching_the_target_from_inside_fails_condition_c():
+    """R = 3.3: from (R, 0) back with u = 1, on a circle around (1, 0), above the semicircle on which extremals switch: optimal there."""
+    found = inside_circle(sp.Rational(33, 10))
+    condition = found.regularity()["C"]
+    assert not condition.holds and "(3.3, " in condition.text
+    angle = np.linspace(0.1, 1.0, 9)
+    assert np.abs(found.time(1 + 2.3*np.cos(angle), 2.3*np.sin(angle)) - angle).max() < 1e-4
+    assert all(curve.arrives and not curve.optimal for curve in found.borders)

@@ -125,7 +125,8 @@ class Extremal:
         rows = "".join(f"| {kind_latex(kind)} | {begin:.9g} | {end:.9g} |\n" for kind, begin, end in self.arcs)
         case = r"normal, $\lambda_0 = 1$" if self.normal else r"abnormal, $\lambda_0 = 0$"
         return (f"$J = {self.cost:.12g}$, $t_k = {self.duration:.12g}$ ({case})\n\n"
-                f"| arc | begin | end |\n|---|---|---|\n{rows}")
+                f"| arc | begin | end |\n|---|---|---|\n{rows}\n"
+                "The conditions are necessary ones: this is an extremal, the best one that was found; a better process is not excluded.\n")
 
 
 def solve(problem, structure=None, guess=None):
@@ -136,7 +137,8 @@ def solve(problem, structure=None, guess=None):
     "duration": number, and state or control: a number, a list of values at equal steps, or a function of time.
 
     The result satisfies the conditions of the maximum principle to about 1e-12; among several extremals it is the one
-    next to the best discrete solution found, which need not be the best of all (see `compare`).
+    next to the best discrete solution found. For a target given by one equation and a free final time the search starts
+    from several motions. Even so the best of all may be missed (see `compare`).
 
     Raises ValueError if a parameter has no value; `StartOnTarget`; `Infeasible` (also for a duration that is too short);
     `Unbounded`; `Chattering`; `WrongStructure` if the arcs asked for cannot be joined; `NotConverged`. All of them are

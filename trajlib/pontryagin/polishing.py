@@ -6,6 +6,7 @@ import numpy as np
 
 from .errors import WrongStructure
 from .maximum_condition import wanted_arcs
+from .multipliers import several_multipliers
 from .shooting import CANCELLING, ArcEquations, Shot, build_flows, newton
 from .structure import Arc, name
 from .transcription import Picture
@@ -42,13 +43,16 @@ def polish(numeric, picture, arcs, duration, made, keep_structure=False):
             reason = (f"the conditions for the arcs {', '.join(name(arc.kinds) for arc in arcs)} do not determine their lengths "
                       f"(Newton's method would still move them by {shot.uncertainty:.1e} of the duration)")
             break
-        elif shot.multiplier < -1e-8:
-            reason = "the only solution near the guess has lambda_0 < 0"
-            break
         else:
             description, wanted = wanted_arcs(numeric, shot)
-            if [arc.kinds for arc in wanted] == [arc.kinds for arc in arcs]:
+            if not description and shot.multiplier >= -1e-8:
                 return shot
+            other = _with_other_multipliers(numeric, shot, duration)
+            if other is not None:
+                return other
+            if shot.multiplier < -1e-8:
+                reason = "the only solution near the guess has lambda_0 < 0"
+                break
             reason = f"the maximum condition fails on {description}"
             picture, arcs = sampled(numeric, shot), wanted
         if keep_structure:
@@ -75,6 +79,15 @@ def shoot(numeric, picture, arcs, duration, made):
         return lifted
     abnormal = _solved(numeric, copy(shot), duration, abnormal=True)
     return abnormal if abnormal.residual <= max(ACCEPTED, shot.residual) else shot
+
+
+def _with_other_multipliers(numeric, shot, duration):
+    """A shot along the same trajectory whose multipliers satisfy the maximum condition, or None."""
+    other = several_multipliers(numeric, shot, duration)
+    if other is None:
+        return None
+    other = _solved(numeric, other, duration, abnormal=False)
+    return other if other.residual <= ACCEPTED and not wanted_arcs(numeric, other)[0] else None
 
 
 def _largest_costate(numeric, shot):

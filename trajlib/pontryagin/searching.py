@@ -16,32 +16,38 @@ def first_picture(numeric, guess=None, structure=None):
     for side in sides(numeric):
         programme = Transcription(numeric, INTERVALS, structure, side)
         starts = [guess] if guess is not None else guesses(numeric, INTERVALS, side)
-        # A point is hard to hit by chance: begin with some way to it. A curve is crossed by most motions.
-        ladder_first = guess is None and numeric.m > 1 and numeric.duration is None
-        picture = None
+        # A point is hard to hit by chance: begin with some way to it. A curve is crossed by most motions, each of which
+        # may lead to an extremal of its own: there all of them are tried, and the way that needs little time as well.
+        free = guess is None and numeric.duration is None
+        ladder_first, every = free and numeric.m > 1, free and numeric.m == 1
+        pictures = []
         for attempt in ("ladder", "guesses") if ladder_first else ("guesses", "ladder"):
             if attempt == "guesses":
-                picture = _first_success(programme, starts, failures)
+                pictures += _successes(programme, starts, failures, every)
             elif numeric.m and not _runs_away(numeric, failures):
                 start, distance = reach_target(numeric, structure, side)
                 closest = min(closest, distance)
-                picture = _first_success(programme, [start] if start else [], failures)
-            if picture is not None:
+                pictures += _successes(programme, [start] if start else [], failures)
+            if pictures and not every:
                 break
-        if picture is not None:
-            found.append((picture, side))
+        found += [(picture, side) for picture in pictures]
     if not found:
         explain(numeric, failures, closest, structure)
     return min(found, key=lambda pair: pair[0].cost)
 
 
-def _first_success(programme, starts, failures):
+def _successes(programme, starts, failures, every=False):
+    """The pictures that the starts lead to: the first one, or every one; what fails is put to the failures."""
+    pictures = []
     for start in starts:
         result = programme.solve(start)
-        if isinstance(result, Picture):
-            return result
-        failures.append(result)
-    return None
+        if not isinstance(result, Picture):
+            failures.append(result)
+            continue
+        pictures.append(result)
+        if not every:
+            break
+    return pictures
 
 
 def reach_target(numeric, structure=None, side=None):
@@ -113,17 +119,28 @@ def settled_duration(numeric, picture):
 
 
 def refuse_endless(numeric, picture, side):
-    """Raise `Unbounded` if twice the time costs no more: the infimum is approached as the duration grows."""
+    """Raise `Unbounded` if more time never costs more: the infimum is approached as the duration grows."""
     from dataclasses import replace
 
     from .numeric import NumericProblem
 
-    longer = NumericProblem(replace(numeric.problem, duration=2*picture.duration))
-    result = Transcription(longer, 2*len(picture.controls), side=side).solve((2*picture.duration, picture.states, picture.controls))
-    if isinstance(result, Picture) and result.cost <= picture.cost + 1e-6*abs(picture.cost):
-        raise Unbounded(f"no duration is best: with twice the time {picture.duration:.4g} the cost is "
-                        f"{_cost(numeric, result.cost):.9g}, not worse than {_cost(numeric, picture.cost):.9g}. "
-                        "The infimum is approached as the duration grows; give a duration.")
+    durations, costs = [], []
+    for factor in (2, 1, 1/2, 1/4, 1/8):
+        duration = factor*picture.duration
+        fixed = NumericProblem(replace(numeric.problem, duration=duration))
+        # Steps as long as those of the picture, so that the costs can be compared.
+        programme = Transcription(fixed, int(np.ceil(factor*len(picture.controls))), side=side)
+        result = programme.solve((duration, picture.states, picture.controls))
+        if not isinstance(result, Picture) or (costs and result.cost < costs[-1] - 1e-6*abs(costs[-1])):
+            break
+        durations.append(duration)
+        costs.append(result.cost)
+    if len(costs) < 2:
+        return
+    values = ", ".join(f"{_cost(numeric, cost):.7g} for {duration:.3g}" for duration, cost in zip(durations[::-1], costs[::-1]))
+    raise Unbounded(f"no best duration was found: the cost keeps {'rising' if numeric.problem.maximise else 'falling'} with the duration "
+                    f"({values}), towards about {_cost(numeric, costs[0]):.7g}. It seems that this value is approached as the duration "
+                    "grows, and not attained. Give a duration.")
 
 
 def explain(numeric, failures, closest, structure=None):
@@ -167,8 +184,8 @@ def _least_time(numeric):
     from .numeric import NumericProblem
 
     fastest = NumericProblem(replace(numeric.problem, running=1, final=0, duration=None, maximise=False))
-    picture = _first_success(Transcription(fastest, INTERVALS), guesses(fastest, INTERVALS), [])
-    return picture and picture.duration
+    pictures = _successes(Transcription(fastest, INTERVALS), guesses(fastest, INTERVALS), [])
+    return pictures[0].duration if pictures else None
 
 
 def _cost(numeric, value):

@@ -13,6 +13,9 @@ import sympy as sp
 
 #: Numbers of substeps of the extrapolated midpoint rule.
 COLUMNS = (2, 4, 6, 8)
+#: For so many steps an extremal that has met the target again is followed further, for neighbours that live longer:
+#: the cells between them have to reach as far as these.
+BEYOND = 4
 
 
 class Plant:
@@ -125,7 +128,7 @@ class Plant:
 class Fan:
     """Extremals for the parameters s of a family of ends, on a grid of reversed times; `add` puts more between them.
 
-    `path`, `costate`: shape (K + 1, 2, N), nan after an extremal has died. `sign`, `count`: of the control, and the number of
+    `path`, `costate`: shape (K + 1, 2, N), nan some steps after an extremal has died. `sign`, `count`: of the control, and the number of
     switchings so far, (K + 1, N). `switchings`: rows index of the extremal, tau, x1, x2. `life`: the last step at which it lives;
     `dead`: 1 if it then met the target again, 2 if it left the box. `cut`: when it stops to be optimal (set by `cut_at_overlaps`).
     """
@@ -196,11 +199,10 @@ class Fan:
             x1, x2 = z_new[:2]
             met = self.target.outside(z_new[:2], self.ends.side) <= 0
             lost = ~((x1 >= left) & (x1 <= right) & (x2 >= bottom) & (x2 <= top))
-            # One step is kept beyond the death, so that the cells of the fan reach as far as the extremals.
-            ended = met | lost
+            ended = (met | lost) & (dead[now] == 0)
             life[now[ended]] = k - 1
             dead[now[ended]] = np.where(met, 1, 2)[ended]
-            active[now[ended]] = False
+            active[now[lost | (k - life[now] >= BEYOND)]] = False
         return path, costate, signs, number, life, dead, np.hstack([np.empty((4, 0)), *found])
 
     def flow(self, s, tau):

@@ -132,7 +132,8 @@ def _curves(synthesis):
 def _arrival(synthesis):
     """Condition C: where trajectories meet the target at the angle zero."""
     plant = synthesis.plant
-    tangent = [b for b in synthesis.borders if b.optimal and b.kind == "abnormal"]
+    # How far back they stay optimal does not matter here.
+    tangent = [b for b in synthesis.borders if b.arrives and b.kind == "abnormal"]
     if not synthesis.reached:
         speeds = [np.hypot(*plant.velocity(synthesis._target.at[:, None], np.array([sign])))[0] for sign in (-1, 1)]
         used = sorted({int(s) for fan in synthesis._field.fans for s in np.unique(fan.sign[0][fan.life > 0])})
@@ -140,7 +141,7 @@ def _arrival(synthesis):
         return Condition("C", slow > 0, float(slow), f"the point is reached with a velocity of {slow:.3g} or more")
     if not tangent:
         return Condition("C", True, np.nan, "optimal trajectories cross the target at a non-zero angle")
-    places = ", ".join("({:.4g}, {:.4g})".format(*(np.round(b.points[0], 9) + 0.0)) for b in tangent)
+    places = ", ".join("({:.4g}, {:.4g})".format(*(np.round(b.points[0], 6) + 0.0)) for b in tangent)
     return Condition("C", False, 0.0, f"optimal trajectories end at the angle zero at {places}: there lambda_0 = 0")
 
 

@@ -10,7 +10,6 @@ meet the target again (the process ends at the first hit) and where another extr
     barrier            an extremal, mostly one that touches the target, across which the least time jumps.
 
 Extremals with singular arcs are not looked for. They need det(f1, [f0, f1]) = 0: where this is possible, `regularity()` says so.
-Within a step of time of the place where a barrier meets the target a point may be missed (time nan).
 Source: chapter 5 of the problem book (worked example 2, figure 5.1); V. G. Boltyansky's regular synthesis.
 """
 from dataclasses import dataclass, field
@@ -19,12 +18,12 @@ from functools import cached_property
 import numpy as np
 from scipy.optimize import brentq
 
-from .fan import Fan
-from .cuts import Curve, border_extremals, cut_at_overlaps, switching_curves
+from .fan import BEYOND, Fan
+from .cuts import Curve, border_extremals, cut_at_overlaps, dispersal_curves, switching_curves
 from ..statement import Problem
 from .reading import greatest_rate, positive, read_plant, read_target, read_window
 from .terminal_sets import Ends, families
-from .time_field import TimeField
+from .time_field import ON_TARGET, TimeField
 
 #: Neighbouring extremals are at most this share of the window apart (while there are not too many of them).
 SPACING = 0.025
@@ -138,7 +137,7 @@ class Synthesis:
         return (x[0] >= left - dx) & (x[0] <= right + dx) & (x[1] >= bottom - dy) & (x[1] <= top + dy)
 
     def _on_target(self, x):
-        return np.abs(self._target.outside(x, 1)) < 1e-10
+        return np.abs(self._target.outside(x, 1)) < ON_TARGET
 
     def _spread(self, fan, long, share):
         """Indices of extremals whose far ends are evenly spread along the border of what they cover."""
@@ -191,9 +190,7 @@ def synthesis(problem, *, window=((-3, 3), (-3, 3)), horizon=6.0, side="both", c
     if not fans:
         raise ValueError("terminal: no extremal ends on this target: no admissible velocity crosses it towards the side asked for")
     field_ = TimeField(fans, window)
-    dispersal = []
-    for fan in fans:
-        dispersal += cut_at_overlaps(fan, field_)
+    dispersal = dispersal_curves(np.hstack([cut_at_overlaps(fan, field_) for fan in fans]), field_)
     touches = [_single(plant, target, touch, horizon, steps, box) for touch in touching]
     return Synthesis(problem, window, horizon, switching_curves(fans, window), dispersal, _reached(arcs) if target.sides != (0,) else [],
                      target, field_, touches)
@@ -215,7 +212,7 @@ def _fill(fan, window):
         parts = np.where(wide, np.hypot(step[:, 0], step[:, 1])/SPACING, 0).max(axis=0)
         split = (parts > 1) & (gap > 1e-5*span)
         met = fan.dead == 1
-        torn = (met[1:] | met[:-1]) & (np.abs(np.diff(fan.life)) > 3) & (gap > 1e-8*span)
+        torn = (met[1:] | met[:-1]) & (np.abs(np.diff(fan.life)) >= BEYOND) & (gap > 1e-8*span)
         if fan.s.size > MOST:
             split[:] = False
         if not (split | torn).any():

@@ -4,6 +4,8 @@ Neighbouring extremals and neighbouring moments make cells; a point of the plane
 reached), in one, or in several, where the extremals overlap and the shortest time decides. Inside a cell the parameter
 and the time are interpolated; Newton's method on x(s, tau) = point then makes them exact.
 """
+from dataclasses import dataclass, fields
+
 import numpy as np
 
 #: Share of the window's size: cells are sorted into squares of this size to find those around a point.
@@ -12,6 +14,36 @@ SQUARES = 96
 SLACK = 0.02
 #: How many steps of time an interpolated time may be wrong.
 SOONEST = 1.5
+#: Values of the terminal expression this close to zero count as zero.
+ON_TARGET = 1e-10
+
+
+@dataclass
+class Fastest:
+    """The fastest extremals from N points, each an array (N,): `time` (inf where there is none), `sign` of the control at the
+    point, `fan` (-1 where there is none), the parameter `s` there, and the structure: `first` control and `count` of switchings.
+    """
+
+    time: np.ndarray
+    sign: np.ndarray
+    fan: np.ndarray
+    s: np.ndarray
+    first: np.ndarray
+    count: np.ndarray
+
+    @classmethod
+    def none(cls, size):
+        whole = [np.zeros(size, int) for _ in range(4)]
+        return cls(np.full(size, np.inf), whole[0], whole[1] - 1, np.full(size, np.nan), *whole[2:])
+
+    def at(self, which):
+        """Those from some of the points."""
+        return Fastest(*(getattr(self, f.name)[which] for f in fields(self)))
+
+    def put(self, which, others):
+        """Put others in the places of some."""
+        for f in fields(self):
+            getattr(self, f.name)[which] = getattr(others, f.name)
 
 
 class TimeField:
@@ -94,10 +126,16 @@ class TimeField:
         v = (d[:, 0]*b[:, 1] - d[:, 1]*b[:, 0])/det
         w = (a[:, 0]*d[:, 1] - a[:, 1]*d[:, 0])/det
         inside = (v >= -slack) & (w >= -slack) & (v + w <= 1 + slack)
+        # The cells of a fan reach beyond the target, where its extremals have ended already.
+        inside &= self._outside(x)[self.fan[triangle], point]
         point, triangle, v, w = point[inside], triangle[inside], v[inside], w[inside]
         share = np.stack([1 - v - w, v, w], axis=-1)
         value = (share[:, :, None]*self.values[triangle]).sum(axis=1)
         return point, triangle, value[:, 0], value[:, 1]
+
+    def _outside(self, x):
+        """Whether points (2, N) lie on the side of the target from which each of the fans comes: (fans, N)."""
+        return np.array([fan.target.outside(x, fan.ends.side) > -ON_TARGET for fan in self.fans])
 
     def interpolated(self, x, slack=SLACK):
         """For points (2, N): the least interpolated time (inf where there is none), its triangle (-1), s."""
@@ -109,15 +147,19 @@ class TimeField:
 
     def exact(self, x):
         """For points (2, N): the least time, the sign of the control there and the fan (-1 where there is none)."""
-        size = x.shape[1]
-        time, sign, fan = np.full(size, np.inf), np.zeros(size, int), np.full(size, -1)
-        self._polish(x, np.arange(size), time, sign, fan, SOONEST)
-        # Where the soonest cells only seemed to contain the point, later ones count too.
-        self._polish(x, np.flatnonzero(~np.isfinite(time)), time, sign, fan, np.inf)
-        self._fall_back(x, time, sign, fan)
-        return time, sign, fan
+        found = self.polished(x)
+        self._fall_back(x, found)
+        return found.time, found.sign, found.fan
 
-    def _polish(self, x, which, time, sign, fan, later):
+    def polished(self, x):
+        """The fastest extremals from points (2, N) that Newton's method finds: `Fastest`."""
+        found = Fastest.none(x.shape[1])
+        self._polish(x, np.arange(x.shape[1]), found, SOONEST)
+        # Where the soonest cells only seemed to contain the point, later ones count too.
+        self._polish(x, np.flatnonzero(~np.isfinite(found.time)), found, np.inf)
+        return found
+
+    def _polish(self, x, which, found, later):
         """Newton's method for the points `which` in cells that are not more than `later` steps behind the soonest."""
         point, triangle, s, tau = self._distinct(x[:, which], later)
         point = which[point]
@@ -131,26 +173,26 @@ class TimeField:
                 continue
             pick, first, switchings = self.structures(triangle[mine])
             mine = mine[pick]
-            exact_tau, signs, ok = polish(family, x[:, point[mine]], s[mine], tau[mine], first, switchings)
-            mine, exact_tau, signs = mine[ok], exact_tau[ok], signs[ok]
-            order = np.argsort(-exact_tau, kind="stable")
-            for_point = point[mine][order]
-            better = exact_tau[order] < time[for_point]
-            for_point, order = for_point[better], order[better]
-            time[for_point], sign[for_point], fan[for_point] = exact_tau[order], signs[order], number
+            exact_s, exact_tau, signs, ok = polish(family, x[:, point[mine]], s[mine], tau[mine], first, switchings)
+            order = np.flatnonzero(ok)[np.argsort(-exact_tau[ok], kind="stable")]
+            order = order[exact_tau[order] < found.time[point[mine[order]]]]
+            for_point = point[mine[order]]                  # the last one written is the shortest
+            for name, values in (("time", exact_tau), ("sign", signs), ("s", exact_s), ("first", first), ("count", switchings)):
+                getattr(found, name)[for_point] = values[order]
+            found.fan[for_point] = number
 
-    def _fall_back(self, x, time, sign, fan):
+    def _fall_back(self, x, found):
         """Where Newton's method failed inside of a cell (next to a fold of the family) the interpolated values stand.
 
         Not in the last cells of a family: their edges are chords of its last extremal, and reach a little beyond it.
         """
-        open_ = np.flatnonzero(~np.isfinite(time))
+        open_ = np.flatnonzero(~np.isfinite(found.time))
         if open_.size:
             tau, triangle, _ = self.interpolated(x[:, open_], slack=0)
-            found = (triangle >= 0) & ~self.last[triangle]
-            open_, triangle = open_[found], triangle[found]
-            time[open_], fan[open_] = tau[found], self.fan[triangle]
-            sign[open_] = self.first[triangle]*np.where(np.median(self.count[triangle], axis=1) % 2, -1, 1)
+            inner = (triangle >= 0) & ~self.last[triangle]
+            open_, triangle = open_[inner], triangle[inner]
+            found.time[open_], found.fan[open_] = tau[inner], self.fan[triangle]
+            found.sign[open_] = self.first[triangle]*np.where(np.median(self.count[triangle], axis=1) % 2, -1, 1)
 
     def structures(self, triangle):
         """First control and numbers of switchings that occur in triangles: (which triangle, first, switchings)."""
@@ -179,7 +221,7 @@ class TimeField:
 
 
 def polish(fan, x, s, tau, first, switchings, rounds=20):
-    """Newton's method on x(s, tau) = x for extremals of a given structure; returns tau, the control's sign, which are good.
+    """Newton's method on x(s, tau) = x for extremals of a given structure; returns s, tau, the control's sign, which are good.
 
     On a switching curve the sign is that of the control that follows.
     """
@@ -225,7 +267,7 @@ def polish(fan, x, s, tau, first, switchings, rounds=20):
         new = np.where(new <= fan.ends.low, (s[busy] + fan.ends.low)/2, new)
         s[busy] = np.where(new >= fan.ends.high, (s[busy] + fan.ends.high)/2, new)
         tau[busy] = np.maximum(tau[busy] + np.clip(step_tau, -4*fan.times[1], 4*fan.times[1]), 0)
-    return tau, sign, good
+    return s, tau, sign, good
 
 
 def _solve(a, b, c):
