@@ -1,9 +1,19 @@
 """`checks.report`: one bad answer hides no other, our failures are never the student's, nothing leaks."""
 
+import decimal
+import fractions
+from collections import OrderedDict, namedtuple
+
+import casadi
+import mpmath
+import numpy as np
 import pytest
 import sympy as sp
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from trajlib import checks
+from trajlib.checks.encoding import EncodingError, decode, encode
 from trajlib.checks.verdict import Unusable, Verdict, Wrong, judged
 
 
@@ -16,6 +26,9 @@ def positive(answer):
     return "it is positive"
 
 
+@judged
+def told(answer):
+    return f"{type(answer).__name__} {answer!r}"
 
 
 def test_all_right_is_shown_and_does_not_raise(capsys):
@@ -44,6 +57,45 @@ def test_failures_of_a_check_are_unchecked():
 @pytest.mark.parametrize("stub", [..., [1, ...], (1, [..., 2]), {"a": ...}])
 def test_stubs_are_missing_however_deep(stub):
     assert positive(stub).status == "missing"
+
+
+@pytest.mark.parametrize("answer", [[..., None], {1, ...}, np.array([..., 1])], ids=["beside what cannot cross", "set", "array"])
+def test_stubs_beside_other_things(answer):
+    assert positive(answer).status == ("invalid" if None in list(answer) else "missing")
+
+
+ODD = [fractions.Fraction(1, 3), np.str_("yes"), np.float32(2), np.array([1, None]), np.array([[sp.pi, 1]]), mpmath.mpf(3), casadi.DM(2), sp.Array([1, 2]),
+       sp.Symbol("x"), ..., None, positive, casadi.SX(1), decimal.Decimal(1), OrderedDict(), range(3), object, namedtuple("P", "x")(1),
+       sp.Sum(1, (sp.Symbol("n"), 1, 2)), 10**2000]
+leaves = st.integers(0, len(ODD) - 1).map(ODD.__getitem__) | st.integers() | st.text(max_size=5)
+keys = st.text(max_size=3) | st.integers(-9, 9).map(np.int64) | st.text(max_size=3).map(np.str_) | st.just((1,))
+answers = st.recursive(leaves, lambda inner: st.lists(inner, max_size=3) | st.tuples(inner, inner) | st.dictionaries(keys, inner, max_size=3), max_leaves=6)
+
+
+@settings(deadline=None, derandomize=True)
+@given(answers)
+def test_a_verdict_is_that_on_the_answer_as_it_crosses(answer):
+    try:
+        received = decode(encode(answer))
+    except EncodingError as error:
+        received = Unusable(str(error))
+    assert told(answer) == told(received)
+
+
+def test_a_check_cannot_change_the_answer():
+    @judged
+    def greedy(answer):
+        answer.clear()
+        return "it is mine"
+
+    mine = [1, 2]
+    assert greedy(mine).status == "right" and mine == [1, 2]
+
+
+def test_an_answer_that_holds_itself_is_invalid():
+    cycle = []
+    cycle.append(cycle)
+    assert "levels allowed" in positive(cycle).message
 
 
 def test_an_unusable_answer_is_invalid_with_its_reason():

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 from harness import Workbench, apart, called_functions, check_calls
 from mutants import mutants
+from nonsense import NOT_ASKED, nonsense
 from oracles import is_right
 
 from trajlib.checks.encoding import decode, encode
@@ -90,11 +91,13 @@ def test_no_mutant_passes_that_is_not_proved_right(master, record_property):
     record_property("equivalent", found["equivalent"])
     assert found["passed"] == [], "accepted, though not proved right"
     assert found["refused"] == [], "proved right, yet not accepted"
+    record_property("without value", found["without value"])
+    assert found["taken for answers"] == [], "infinite or undefined, yet not refused"
 
 
 def _mutants(master):
     bench = Workbench(master)
-    result = {"count": 0, "equivalent": 0, "passed": [], "refused": []}
+    result = {"count": 0, "equivalent": 0, "passed": [], "refused": [], "without value": 0, "taken for answers": []}
     for name, reference in bench.reference.items():
         check, arguments, options = bench.check_arguments(name)
         kind = master.answers[name].kind
@@ -107,6 +110,14 @@ def _mutants(master):
                 result["passed"].append(f"{name} = {mutant}")
             if verdict.status != "right" and right:
                 result["refused"].append(f"{name} = {mutant}: {verdict.status}: {verdict.message}")
+        # Not one of these is a value, so no oracle is asked: each has to be told that it is none, and not left unchecked.
+        for what, mutant in nonsense(reference, [*arguments, *options.values()]):
+            verdict = bench.judge_one(name, mutant)
+            result["without value"] += 1
+            where = what.removeprefix("defined for ").removesuffix(" alone")
+            not_asked = verdict.status == "right" and (master.number, where) in NOT_ASKED
+            if verdict.status not in ("wrong", "invalid") and not not_asked:
+                result["taken for answers"].append(f"{name}, {what}: {verdict.status}: {verdict.message}")
     return result
 
 

@@ -1,9 +1,9 @@
 """A feedback law followed from many starts at once, and compared with the fastest times."""
 
 import numpy as np
-import sympy as sp
 
-from trajlib.checks.verdict import Invalid, Wrong
+from trajlib.checks.at_values import real_function
+from trajlib.checks.verdict import Wrong
 
 #: A law may be slower than the optimum by this share: its switching curve may be written in decimals.
 SLOWER = 0.004
@@ -19,8 +19,7 @@ class Law:
     """An expression of the state and the parameters, on many states at once."""
 
     def __init__(self, expression, state, parameters, truth, curve=None):
-        # Symbols are the data's own and functions are SymPy's (coercion.with_symbols), so the code made is ours.
-        self._function = sp.lambdify([*state, *parameters, *([curve[0]] if curve else [])], expression, "numpy")
+        self._function = real_function([*state, *parameters, *([curve[0]] if curve else [])], [expression])
         self._cases = np.array(truth.cases, dtype=float).reshape(len(truth.cases), len(parameters))
         self._abscissa, self._tables = (curve[1], self._tabulated(curve[2], truth)) if curve else (None, [])
 
@@ -39,13 +38,7 @@ class Law:
             for k, (first, second) in enumerate(self._tables):
                 ordinate[case == k] = np.interp(places[case == k], first, second, left=np.nan, right=np.nan)
             values.append(ordinate)
-        with np.errstate(all="ignore"):
-            try:
-                values = self._function(*values)
-            except (TypeError, ValueError, AttributeError, NameError):
-                raise Invalid("the law cannot be evaluated: it has to be a real expression in the state, such as a Piecewise") from None
-            values = np.broadcast_to(np.asarray(values, dtype=complex), len(x))
-        return np.where(abs(values.imag) < 1e-9 * (1 + abs(values)), values.real, np.nan)
+        return self._function(*values)[0]
 
 
 def follow(law, truth, lanes):
@@ -71,12 +64,14 @@ def _closed_loop(law, plant, lanes, steps=48):
     low, high = plant.bounds
     around = np.array([[0, 0], [1, 0], [-1, 0], [0, 1], [0, -1]]) * 1e-8
 
+    def beside(x):
+        return (x[:, None] + (1 + abs(x).max(axis=1))[:, None, None] * around).reshape(-1, 2)
+
     def value(x, case):
-        return np.clip(np.nan_to_num(law(x, case)), low, high)
+        return np.clip(law(x, case), low, high)  # nan, which equals no control, where the law has no value
 
     def holds(x, u, case):
-        near = (x[:, None] + (1 + abs(x).max(axis=1))[:, None, None] * around).reshape(-1, 2)
-        return (abs(value(near, np.repeat(case, 5)).reshape(-1, 5) - u[:, None]) < SAME).any(axis=1)
+        return (abs(value(beside(x), np.repeat(case, 5)).reshape(-1, 5) - u[:, None]) < SAME).any(axis=1)
 
     u = value(x, case)
     for _ in range(5 * steps):
@@ -107,7 +102,12 @@ def _closed_loop(law, plant, lanes, steps=48):
             for k in np.flatnonzero((said < low - SAME) | (said > high + SAME)):
                 raise Wrong(f"a motion under your law comes to ({x[here[k]][0]:.4g}, {x[here[k]][1]:.4g}), where it gives {said[k]:.4g}, "
                             "outside the bounds of the control")
-            u[here], rest[here] = value(x[here], case[here]), t[here]
+            u[here], rest[here] = np.clip(said, low, high), t[here]
+            for k in here[np.isnan(said)]:
+                near = value(beside(x[k:k + 1]), np.repeat(case[k], 5))
+                if np.isnan(near).all():
+                    raise Wrong(f"a motion under your law comes to ({x[k][0]:.4g}, {x[k][1]:.4g}), where it gives no real number")
+                u[k] = near[~np.isnan(near)][0]  # on a curve alone a law need not be defined
         on = busy[~switching]
         x[on], t[on] = after[~switching], t[on] + step[~switching]
     return x, t

@@ -14,6 +14,8 @@ from trajlib.checks.verdict import Invalid
 
 YES = {True, "yes", "true", "y"}
 NO = {False, "no", "false", "n"}
+#: Numbers from here on count as infinite: where a tolerance grows with the answer, the square of one would make it so.
+LARGEST = 1e50
 
 
 def as_expression(answer, symbols=()):
@@ -44,7 +46,11 @@ def with_symbols(answer, symbols):
 def as_number(answer):
     """A real number, exact where the answer is (an `Expr` without symbols)."""
     value = as_expression(answer)
-    if value.is_infinite or abs(sp.im(value.evalf(30))) > 1e-12 * (1 + abs(sp.re(value.evalf(30)))):
+    try:
+        number = complex(value.evalf(30))
+    except TypeError:
+        raise Invalid("expected a single real number") from None
+    if not abs(number) < LARGEST or abs(number.imag) > 1e-12 * (1 + abs(number.real)):
         raise Invalid("expected a finite real number")
     return sp.re(value) if value.is_real is not True else value
 
@@ -116,8 +122,12 @@ def as_condition(answer, symbols):
         answer = _membership(answer, symbols)
     if not isinstance(answer, (sp.logic.boolalg.Boolean, sp.core.relational.Relational)) or isinstance(answer, sp.Symbol):
         raise Invalid(f"expected a condition such as {symbols[0]} > 0 or sp.And(...), got {_named(answer)}")
-    if answer.has(sp.nan, sp.zoo):
-        raise Invalid("the condition contains an undefined value (nan or a division by zero)")
+    for relation in answer.atoms(sp.core.relational.Relational):
+        if not all(isinstance(side, sp.Expr) for side in relation.args):
+            raise Invalid("a condition is compared with another, or with True or False; write the condition itself, such as "
+                          f"{symbols[0]} > 0")
+        if any(_is_undefined(side) for side in relation.args):
+            raise Invalid("the condition contains an undefined value (nan, a division by zero, or oo - oo)")
     return with_symbols(answer, symbols)
 
 
@@ -150,6 +160,11 @@ def rounds_to(answer, value, scale=None):
         return float(answer) == 0
     half_unit = 0.5 * 10.0 ** (math.floor(math.log10(size)) - 2)
     return abs(float(answer) - float(value)) <= half_unit * (1 + 1e-9)
+
+
+def _is_undefined(side):
+    """True for an expression that has no value whatever its symbols are; oo has one, where numbers are compared."""
+    return side.has(sp.nan, sp.zoo) or side.is_number and side.has(sp.oo, -sp.oo, 0) and side.evalf(5) in (sp.nan, sp.zoo)
 
 
 def _membership(region, symbols):

@@ -22,6 +22,13 @@ class ConvexTarget:
             return
         self.kind, self._corners = "hull", np.array(corners)
 
+    @classmethod
+    def points(cls, points):
+        """A single point for each case, given by numbers."""
+        made = cls.__new__(cls)
+        made.g, made.point, made.kind, made._corners = None, True, "hull", np.asarray(points, dtype=float)[:, None, :]
+        return made
+
     def _curve(self, g, state, names, cases, zero):
         hessian, gradient = sp.hessian(g, state), sp.Matrix([g.diff(v) for v in state])
         if any(v.free_symbols & set(state) for v in hessian):

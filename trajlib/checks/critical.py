@@ -10,10 +10,12 @@ import numpy as np
 import sympy as sp
 
 from trajlib.checks import coercion
+from trajlib.checks.at_values import matrix_at, number_at, numbers_at
 from trajlib.checks.fields import as_text, sample_values
 from trajlib.checks.linear import STABILITY
-from trajlib.checks.motions import Motion, compare_condition, number_text, values_text
+from trajlib.checks.motions import Motion, compare_condition
 from trajlib.checks.verdict import Invalid, Wrong, judged
+from trajlib.checks.wording import number_text, rounded_text, values_text
 
 #: Eigenvalues closer together than this, relative to the size of the matrix, are one eigenvalue: a Jordan block of order
 #: m spreads its eigenvalue by the m-th root of the rounding error.
@@ -29,10 +31,10 @@ def eigenvalue_multiplicities(answer, field, state, parameters, program=None, pa
     rows = _rows(answer, parameters)
     for values, matrix in _matrices(field, state, parameters, program, part):
         n, size = len(matrix), np.linalg.norm(matrix)
-        numbers = [complex(value.xreplace(values).evalf(20)) for value, _, _ in rows]
+        numbers = [number_at(value, values, f"your eigenvalue number {k}") for k, (value, _, _) in enumerate(rows, 1)]
         for k, number in enumerate(numbers):
             off = min(np.linalg.svd(matrix - number * np.eye(n), compute_uv=False))
-            if off > 1e-9 * size:
+            if not off <= 1e-9 * size:
                 raise Wrong(f"your {number_text(number)} is no eigenvalue{_where(values)}: A - lambda E is invertible there, its smallest "
                             f"singular value is {off:.3g}")
             if any(abs(number - other) < SPREAD * size for other in numbers[:k]):
@@ -94,19 +96,20 @@ def growing_motion(answer, field, state, parameters, time, constants=(), program
     for values, matrix in _matrices(field, state, parameters, program, part):
         values = values | {c: sp.Rational(int(random.integers(3, 30)), 11) for c in constants}
         for moment in (sp.Rational(3, 7), sp.Rational(29, 11), sp.Rational(-13, 9)):
-            x, rate = (np.array([complex(e.subs(values).subs(time, moment).evalf(20)) for e in v]) for v in (motion, rates))
-            if np.linalg.norm(x.imag) > 1e-9 * (1 + np.linalg.norm(x)):
+            at = values | {time: moment}
+            x, rate = numbers_at(motion, at, part), numbers_at(rates, at, [f"{s}'" for s in part])
+            if not np.linalg.norm(x.imag) <= 1e-9 * (1 + np.linalg.norm(x)):
                 raise Wrong(f"this motion is not real{_where(values)}, {time} = {moment}")
             if np.linalg.norm(x) == 0:
                 raise Wrong("this is the state of rest; it does not grow")
             off = abs(matrix @ x - rate)
-            if max(off) > 1e-9 * (np.linalg.norm(matrix) * np.linalg.norm(x) + np.linalg.norm(rate)):
+            if not max(off) <= 1e-9 * (np.linalg.norm(matrix) * np.linalg.norm(x) + np.linalg.norm(rate)) < np.inf:
                 k = int(np.argmax(off))
                 raise Wrong(f"the equations are not satisfied: {part[k]}' is {rate[k].real:.4g} along your motion, and they ask for "
                             f"{(matrix @ x)[k].real:.4g}{_where(values)}, {time} = {moment}")
-        early, late = (max(_logarithm(motion, values, time, sp.Integer(moment)) for moment in moments)
+        early, late = (max(_logarithm(motion, values | {time: sp.Integer(moment)}) for moment in moments)
                        for moments in ((0, 1, 7, 10), (10**6, 10**6 + 1)))
-        if late < early + np.log(1e3):
+        if not late > early + np.log(1e3):
             raise Wrong(f"it satisfies the equations but does not grow: its distance from zero is at most {np.exp(early):.4g} for {time} "
                         f"up to 10 and {np.exp(late):.4g} for {time} = 1000000{_where(values)}")
     return ("it satisfies the equations, and its distance from zero exceeds every bound; so does every multiple of it, however small its "
@@ -124,9 +127,9 @@ def limit_state(answer, field, state, parameters, start, program=None, part=None
             raise RuntimeError("these motions do not settle")
         for begin in (*np.eye(len(part)), np.arange(1.0, len(part) + 1)):
             at = values | {s: sp.Integer(int(x)) for s, x in zip(start, begin)}
-            said = np.array([complex(e.subs(at).evalf(20)) for e in limit])
+            said = numbers_at(limit, at, [f"limit of {s}" for s in part])
             true = late @ begin
-            if np.linalg.norm(said - true) > 1e-7 * np.linalg.norm(begin):
+            if not np.linalg.norm(said - true) <= 1e-7 * np.linalg.norm(begin):
                 raise Wrong(f"the motion from {as_text(begin)} has come to {as_text(true + 0.0)} after a long time{_where(values)}; your "
                             f"limit is {as_text(said.real)}")
     return "motions from several starts come to these states"
@@ -141,14 +144,17 @@ def conserved_form(answer, field, state, parameters, program=None, part=None):
         expanded = sp.expand(form.xreplace(values))
         if not expanded.is_polynomial(*part) or any(sum(powers) != 2 for powers in sp.Poly(expanded, *part).monoms()):
             raise Wrong(f"this is no quadratic form in {', '.join(s.name for s in part)}: every term has to be of second order in them")
-        weights = np.array(sp.hessian(expanded, part).evalf(20).tolist(), dtype=float)
+        weights = matrix_at(sp.hessian(expanded, part), {})
+        if abs(weights.imag).max() > 0:
+            raise Wrong(f"its coefficients are not real{_where(values)}")
+        weights = weights.real
         rate = weights @ matrix + (weights @ matrix).T
-        if np.linalg.norm(rate) > 1e-9 * np.linalg.norm(weights) * np.linalg.norm(matrix):
+        if not np.linalg.norm(rate) <= 1e-9 * np.linalg.norm(weights) * np.linalg.norm(matrix):
             row, column = np.unravel_index(np.argmax(abs(rate)), rate.shape)
             raise Wrong(f"it is not conserved: its derivative along the motions has the term {part[row]}*{part[column]} with the "
                         f"coefficient {rate[row, column] / (2 if row == column else 1):.4g}{_where(values)}")
         lowest = np.linalg.eigvalsh(weights)
-        if lowest[0] <= 1e-9 * lowest[-1]:
+        if not lowest[0] > 1e-9 * lowest[-1]:
             direction = np.linalg.eigh(weights)[1][:, 0]
             direction = np.where(abs(direction) < 1e-9, 0, direction)
             told = ", ".join(f"{s} = {x:.3g}" for s, x in zip(part, direction))
@@ -240,9 +246,11 @@ def _exponential(matrix):
     return result
 
 
-def _logarithm(motion, values, time, moment):
-    """The logarithm of the distance from zero at a moment."""
-    length = sp.sqrt(sum(sp.Abs(e.subs(values).subs(time, moment).evalf(20)) ** 2 for e in motion))
+def _logarithm(motion, at):
+    """The logarithm of the distance from zero; the distance itself may be too large for a float."""
+    length = sp.sqrt(sum(sp.Abs(e.subs(at).evalf(20)) ** 2 for e in motion))
+    if length.is_finite is not True:
+        raise Wrong(f"your motion is infinite or undefined at {rounded_text(at)}, where it should have a value")
     return float(sp.log(length)) if length != 0 else -np.inf
 
 

@@ -11,6 +11,7 @@ import sympy as sp
 from sympy.core.relational import Relational
 
 from trajlib.checks import coercion
+from trajlib.checks.at_values import number_at, value_at
 from trajlib.checks.fields import Field
 from trajlib.checks.verdict import Invalid, Wrong, judged
 
@@ -30,7 +31,7 @@ def polar_form(answer, field, state, polar):
         true = _polar_velocity(flow, r, phi)
         size = abs(true[0]) / r + abs(true[1]) + np.linalg.norm(flow(_place(r, phi))) * (1 + 1 / r)
         for name, rate, value in zip(("r'", "phi'"), rates, true):
-            said = _number(rate, dict(zip(polar, (r, phi))))
+            said = number_at(rate, dict(zip(polar, (r, phi))), f"your expression for {name}")
             if not abs(said - value) <= 1e-9 * size:
                 raise Wrong(f"at r = {r:.3g}, phi = {phi:.3g} the motion has {name} = {value:.4g}; your expression gives {said.real:.4g}")
     return "both rates agree with the velocity of the motion at random points"
@@ -49,13 +50,13 @@ def radial_motion(answer, field, state, time, start):
         life = _life(flow, r0)
         for t in (0.0, 0.1 * life, 0.35 * life, 0.8 * life):
             values = {time: sp.Float(t, 25), start: sp.Float(r0, 25)}
-            r = _real(claim, values, f"r at t = {t:.3g} for r0 = {r0:g}")
-            if t == 0 and abs(r - r0) > 1e-9 * r0:
+            r = value_at(claim, values, "r")
+            if t == 0 and not abs(r - r0) <= 1e-9 * r0:
                 raise Wrong(f"for r0 = {r0:g} your motion starts at r(0) = {r:.4g}")
             if r <= 0:
                 raise Wrong(f"for r0 = {r0:g} your motion has r = {r:.4g} at t = {t:.3g}; a distance from zero stays positive here")
-            true, said = _polar_velocity(flow, r, ANGLES[0])[0], _real(slope, values, f"dr/dt at t = {t:.3g} for r0 = {r0:g}")
-            if abs(said - true) > 1e-9 * (abs(true) + r):
+            true, said = _polar_velocity(flow, r, ANGLES[0])[0], value_at(slope, values, "r, differentiated,")
+            if not abs(said - true) <= 1e-9 * (abs(true) + r) < math.inf:
                 raise Wrong(f"for r0 = {r0:g} your motion is at r = {r:.4g} when t = {t:.3g} and changes at the rate {said:.4g} there; "
                             f"the system demands r' = {true:.4g} at this r")
     return "it starts at r0, and everywhere r' is what the system demands of it, for motions from five starts"
@@ -235,16 +236,3 @@ def _life(flow, r0, duration=2.0):
             return duration
         duration /= 1.6
     raise RuntimeError("the motion leaves every bound at once")
-
-
-def _number(expression, values):
-    """The complex value of an expression; nan where it has none."""
-    value = expression.subs(values).evalf(20)
-    return complex(value) if value.is_number and value.is_finite is not False else complex("nan")
-
-
-def _real(expression, values, what):
-    number = _number(expression, values)
-    if not (math.isfinite(number.real) and abs(number.imag) < 1e-12 * (1 + abs(number))):
-        raise Wrong(f"your expression gives no real number for {what}, where the motion still lasts")
-    return number.real

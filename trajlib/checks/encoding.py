@@ -5,11 +5,14 @@ from that text without executing anything of the student's: no pickle, no `eval`
 name from the wire. What may cross is a closed list, the same in both directions:
 
 - bool, int, float (with nan and the infinities), complex, str, and the untouched stub `...`;
-- NumPy scalars (they become Python numbers) and arrays of bool, int, float or complex; CasADi `DM` (becomes a float array);
+- NumPy scalars (they become Python numbers and strings) and arrays of bool, int, float or complex; CasADi `DM` (becomes a float array);
 - SymPy numbers, expressions, relations, conditions, sets, Piecewise laws, matrices and polynomials (`sympy_codec` lists the nodes);
-- lists, tuples, sets and frozensets of these, and dicts of these keyed by strings, numbers or SymPy.
+- `Fraction` and mpmath's numbers (they become SymPy's);
+- lists, tuples, sets and frozensets of these, and dicts of these keyed by strings, numbers or SymPy;
+- NumPy arrays of these (dtype object) or of strings, and `sympy.Array` (they become nested lists).
 
 Types are compared by identity, never by `isinstance`: a subclass of an allowed type may carry foreign code, so it is refused unread.
+A check in a notebook first sends the answer through here too (`verdict.judged`), so that a student reads there what a grader would say.
 
 The text is UTF-8 JSON in one canonical form. Booleans, finite numbers, strings and lists are themselves; everything else is an object
 with a "kind". Equal sets and dicts give equal bytes, whatever their order. Limits (below) bound the time and memory of both directions.
@@ -57,8 +60,8 @@ def encode(value):
     True
     >>> encode([0, {"x": lambda t: t}])
     Traceback (most recent call last):
-    trajlib.checks.encoding.EncodingError: answer[1]['x'] is a function, and functions are not data: where one is asked for, the check \
-calls it by value. An answer may be a number, a string, an array, a SymPy expression, relation, set or matrix, or a list or dict of these.
+    trajlib.checks.encoding.EncodingError: answer[1]['x'] is a function, and functions are not data: write its formula in SymPy. \
+An answer may be a number, a string, an array, a SymPy expression, relation, set or matrix, or a list or dict of these.
     """
     walk = _Encoder()
     try:
@@ -75,8 +78,9 @@ def decode(data):
     """Return the value that `encode` turned into `data`.
 
     The result equals what was encoded, in form too: nothing is computed, and what was left unevaluated stays so. Intended differences:
-    NumPy scalars come back as Python numbers, DM and sparse matrices as dense arrays and matrices, `UnevaluatedExpr(x)` as `x`, a Poly
-    over the domain that its coefficients suggest, and a Dummy as one that equals only Dummies decoded with the same name and number.
+    NumPy scalars come back as Python numbers and strings, a Fraction and mpmath's numbers as SymPy's, DM and sparse matrices as dense
+    arrays and matrices, arrays of objects and `sympy.Array` as nested lists, `UnevaluatedExpr(x)` as `x`, a Poly over the domain that its
+    coefficients suggest, and a Dummy as one that equals only Dummies decoded with the same name and number.
 
     Raises `EncodingError`, and nothing else, for bytes that `encode` would not have written and for numbers too large to work with.
 
@@ -203,11 +207,14 @@ class _Encoder(_Walk):
 
 _HINTS = {
     "NoneType": "is None: was a value assigned, and does each function return one?",
-    "Fraction": "is a Fraction: write sympy.Rational(p, q)",
     "Decimal": "is a Decimal: write a float or a sympy.Rational",
     "SX": "is a CasADi symbol: write the expression in SymPy",
     "MX": "is a CasADi symbol: write the expression in SymPy",
-    "matrix": "is a numpy.matrix: write numpy.array(...)",
+    "matrix": "is a matrix of NumPy or mpmath: write sympy.Matrix(...) or numpy.array(...)",
+    **{f"{form}_{kind}": "is a sparse matrix: write A.toarray()" for form in ("csr", "csc", "coo", "dok", "lil", "dia", "bsr")
+       for kind in ("matrix", "array")},
+    **dict.fromkeys(("OrderedDict", "defaultdict", "Counter", "Dict"), "is a dict of a kind of its own: write dict(...)"),
+    "constant": "is a constant of mpmath: write that of SymPy, such as sympy.pi",
     "UndefinedFunction": "is a function without its argument: write x(t), not x",
 }
 
@@ -217,8 +224,8 @@ def _refusal(value):
     if hint := _HINTS.get(name):
         return f"{hint}. {ALLOWED}"
     if callable(value):
-        return f"is a {name}, and functions are not data: where one is asked for, the check calls it by value. {ALLOWED}"
-    return f"is of the type {name}, which is not an answer (nor is a subclass of an allowed type). {ALLOWED}"
+        return f"is a {name}, and functions are not data: write its formula in SymPy. {ALLOWED}"
+    return f"is of the type {name}, which is not an answer (nor is a subclass of an allowed type: write list(...) or the like). {ALLOWED}"
 
 
 def _write_float(walk, value):
@@ -275,8 +282,10 @@ _PLAIN = {
 # NumPy's and CasADi's types exist only where these are loaded; a plain answer must not load them.
 
 _DTYPES = {"bool": "?", "int": "<i8", "float": "<f8", "complex": "<c16"}
-_KIND_OF_DTYPE = {"b": "bool", "i": "int", "u": "int", "f": "float", "c": "complex"}
-_PYTHON = {"bool": bool, "int": int, "float": float, "complex": complex}
+_KIND_OF_DTYPE = {"b": "bool", "i": "int", "u": "int", "f": "float", "c": "complex", "U": "str"}
+_PYTHON = {"bool": bool, "int": int, "float": float, "complex": complex, "str": str}
+_AS_LISTS = "OU"  # arrays of these kinds are written as nested lists
+_KNOWN_TO_SYMPY = ("sympy", "mpmath", "fractions")
 
 
 def _library_encoder(value):
@@ -287,7 +296,7 @@ def _library_encoder(value):
             return _write_scalar
     if (casadi := sys.modules.get("casadi")) and type(value) is casadi.DM:
         return _write_dm
-    if "sympy" in sys.modules:
+    if any(name in sys.modules for name in _KNOWN_TO_SYMPY):
         from trajlib.checks import sympy_codec
 
         return sympy_codec.encoder(value)
@@ -302,7 +311,7 @@ def _numpy_scalars(numpy):
 def _dtype_name(walk, value):
     name = _KIND_OF_DTYPE.get(value.dtype.kind)
     if name is None:
-        raise walk.error(f"is of NumPy's kind {value.dtype.kind!r}; arrays may hold numbers or booleans, a sympy.Matrix expressions")
+        raise walk.error(f"is of NumPy's kind {value.dtype.kind!r}; arrays may hold numbers, booleans, strings or SymPy")
     return name
 
 
@@ -311,6 +320,8 @@ def _write_scalar(walk, value):
 
 
 def _write_array(walk, value):
+    if value.dtype.kind in _AS_LISTS:
+        return write_elements(walk, value)
     name = _dtype_name(walk, value)
     if value.size > MAX_ELEMENTS or value.ndim > MAX_AXES:
         raise walk.error(f"is an array of {value.size} elements; up to {MAX_ELEMENTS} along {MAX_AXES} axes are allowed")
@@ -318,6 +329,13 @@ def _write_array(walk, value):
         raise walk.error("is an array with integers beyond 64 signed bits")
     data = base64.b64encode(value.astype(_DTYPES[name]).tobytes()).decode("ascii")
     return {"kind": "array", "dtype": name, "shape": list(value.shape), "data": data}
+
+
+def write_elements(walk, array):
+    """An array by its elements, which are visited like those of nested lists."""
+    if math.prod(max(1, size) for size in array.shape) > MAX_NODES:  # before the lists are made
+        raise walk.error(f"is an array of shape {array.shape}; up to {MAX_NODES} elements that are no plain numbers are allowed")
+    return walk.visit(array.tolist()) if array.shape else walk.child("[()]", array[()])
 
 
 def _write_dm(walk, value):
@@ -494,6 +512,8 @@ def _joined(opening, shown, length, closing):
 def _text_of_array(value, data):
     import numpy
 
+    if value.dtype.kind in _AS_LISTS:
+        return _text(value.tolist(), 0)
     shown = numpy.array2string(value, threshold=20, edgeitems=2, precision=6, separator=", ")
     return f"array of shape {value.shape}: {shown}"
 

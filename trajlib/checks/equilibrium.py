@@ -4,8 +4,10 @@ import numpy as np
 import sympy as sp
 
 from trajlib.checks import coercion
+from trajlib.checks.at_values import numbers_at
 from trajlib.checks.fields import Field, as_text
 from trajlib.checks.verdict import Invalid, Wrong, judged
+from trajlib.checks.wording import number_text
 
 
 @judged
@@ -98,7 +100,7 @@ def _spectra_by_place(answer, state):
             row = [*coercion.as_expressions(row[0], (), n), *coercion.as_expressions(row[1], (), n)]
         numbers = coercion.as_expressions(row, (), 2 * n)
         place = np.array([float(coercion.as_number(x)) for x in numbers[:n]])
-        yield place, [complex(x.evalf(20)) for x in numbers[n:]]
+        yield place, numbers_at(numbers[n:], {}, [f"eigenvalue at {as_text(place)}"] * n).tolist()
 
 
 def _judge_spectrum(numbers, matrix, point):
@@ -108,11 +110,11 @@ def _judge_spectrum(numbers, matrix, point):
     for number in numbers:
         if not any(_is_eigenvalue(number, value) for value in eigenvalues):
             residual = abs(np.linalg.det(number * np.eye(len(matrix)) - matrix))
-            raise Wrong(f"at {as_text(point)} your number {_complex_text(number)} is no eigenvalue of the first approximation: "
+            raise Wrong(f"at {as_text(point)} your number {number_text(number)} is no eigenvalue of the first approximation: "
                         f"det(lambda E - A) has the modulus {residual:.4g} there, not zero")
         close = [value for value in left if _is_eigenvalue(number, value)]
         if not close:
-            raise Wrong(f"at {as_text(point)} the sum of your eigenvalues is {_complex_text(sum(numbers))}, "
+            raise Wrong(f"at {as_text(point)} the sum of your eigenvalues is {number_text(sum(numbers))}, "
                         f"while the sum of the diagonal elements of A is {np.trace(matrix):.4g}")
         left.remove(min(close, key=lambda value: abs(value - number)))
 
@@ -145,9 +147,3 @@ def _rounds_to(place, point, size=None):
 
 def _among(point, points):
     return any(np.linalg.norm(point - other) < 1e-6 * (1 + np.linalg.norm(point)) for other in points)
-
-
-def _complex_text(number):
-    if abs(number.imag) < 1e-12 * (1 + abs(number)):
-        return f"{number.real:.4g}"
-    return f"{number.real:.4g} {'+' if number.imag > 0 else '-'} {abs(number.imag):.4g}i"

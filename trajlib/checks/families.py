@@ -11,10 +11,12 @@ import numpy as np
 import sympy as sp
 
 from trajlib.checks import coercion
+from trajlib.checks.at_values import matrix_at, number_at
 from trajlib.checks.fields import Field, as_text, sample_values
 from trajlib.checks.semialgebraic import Condition, cells, lines
 from trajlib.checks.semialgebraic import as_text as place_text
 from trajlib.checks.verdict import Invalid, Wrong, judged
+from trajlib.checks.wording import number_text
 
 #: Stationary values are compared between -REACH and REACH; families are followed as far as that and a little further.
 REACH = 12.0
@@ -60,7 +62,7 @@ def deviation_matrices(answer, field, state, parameters=(), given=(), integer=No
     matrices = [coercion.as_matrix(part, [*parameters, *_symbols(integer)], (n, n)) for part in _list_of_matrices(answer)]
     for values, flow, found in _systems(field, state, parameters, given):
         true = [(point, flow.jacobian(point)) for point in found]
-        claimed = [np.array(matrix.xreplace(values | {s: sp.Integer(k) for s in _symbols(integer)}).evalf(20).tolist(), dtype=complex)
+        claimed = [matrix_at(matrix, values | {s: sp.Integer(k) for s in _symbols(integer)})
                    for matrix in matrices for k in (range(-2, 3) if matrix.has(*_symbols(integer)) else (0,))]
         for matrix in claimed:
             if not any(_same(matrix, other) for _, other in true):
@@ -79,7 +81,7 @@ def growth_rate(answer, field, state, parameters=(), given=()):
     """The positive root of the characteristic equation at the unstable stationary solutions."""
     claim = coercion.as_expression(answer, parameters)
     for values, flow, found in _systems(field, state, parameters, given):
-        number = complex(claim.xreplace(values).evalf(20))
+        number = number_at(claim, values)
         for point in found:
             matrix = flow.jacobian(point)
             rate = max(np.linalg.eigvals(matrix).real)
@@ -89,7 +91,7 @@ def growth_rate(answer, field, state, parameters=(), given=()):
             told = (f"it is a root of the characteristic equation at {state[0]} = {point[0]:.4g}, but not a positive one"
                     if residual < 1e-9 * np.linalg.norm(matrix) ** len(state) else
                     f"at {state[0]} = {point[0]:.4g} the characteristic determinant has the modulus {residual:.4g} for it, not zero")
-            raise Wrong(f"your expression gives {_number_text(number)}{_where(values)}; {told}")
+            raise Wrong(f"your expression gives {number_text(number)}{_where(values)}; {told}")
     return "it is positive and a root of the characteristic equation at every unstable stationary solution"
 
 
@@ -127,7 +129,7 @@ def rest_kinds(answer, field, state):
             raise Wrong(f"x = {number:.4g} is no stationary solution: the right-hand sides are {as_text(flow([number, 0.0]))}, not zero")
         eigenvalues = np.linalg.eigvals(flow.jacobian(near[0]))
         if kind != _kind(eigenvalues):
-            told = " and ".join(_number_text(number) for number in eigenvalues)
+            told = " and ".join(number_text(number) for number in eigenvalues)
             raise Wrong(f"at x = {number:.4g} the roots of the characteristic equation are {told}: that is no {kind}")
         left = [point for point in left if point is not near[0]]
     if left:
@@ -152,21 +154,21 @@ def saddle_slopes(answer, field, state):
             velocity = flow.derivative(point, line)
             across, along = line[0] * velocity[1] - line[1] * velocity[0], velocity @ line
             # Three significant digits of a slope turn the line by at most this angle.
-            if abs(across) > 0.006 * np.linalg.norm(flow.jacobian(point)) or along * sign <= 0:
+            if not abs(across) <= 0.006 * np.linalg.norm(flow.jacobian(point)) or not along * sign > 0:
                 raise Wrong(f"along the line of slope {slope:.4g} through the saddle at {state[0]} = {point[0]:.4g} small deviations "
                             f"change at the rate {along:.3g} along it and {across:.3g} across it: these motions do not {told} the saddle")
     return "along these lines the linear field at each saddle points straight away from it and straight to it"
 
 
 def _systems(field, state, parameters, given):
-    """Triples (values, field, rest points between -REACH and REACH) for three samples of the parameters that satisfy `given`."""
+    """Triples (values, field, rest points between -REACH and REACH) for four samples of the parameters that satisfy `given`."""
     return _searched(tuple(field), tuple(state), tuple(parameters), _joined(given))
 
 
 @functools.lru_cache(maxsize=16)
 def _searched(field, state, parameters, given):
     # Several answers of a problem ask about the same equation: one search serves them all.
-    flows = [(values, Field(field, state, values)) for values in allowed_values(parameters, given, 3)]
+    flows = [(values, Field(field, state, values)) for values in allowed_values(parameters, given, 4)]
     return [(values, flow, [point for point in flow.rest_points(160, reach=1.2 * REACH) if abs(point[0]) < REACH]) for values, flow in flows]
 
 
@@ -221,7 +223,7 @@ def _first_coordinate(part, state, symbols):
 def _judge_values(families, values, flow, found, wanted, integer, what):
     claimed = []
     for family in families:
-        for told, number in _members(family.xreplace(values), integer):
+        for told, number in _members(family, values, integer):
             if abs(number.imag) > 1e-9 * (1 + abs(number)):
                 raise Wrong(f"your value{told} is not real{_where(values)}")
             number = number.real
@@ -243,15 +245,18 @@ def _judge_values(families, values, flow, found, wanted, integer, what):
                     f"and your answer gives {len(wanted) - len(missed)} of these")
 
 
-def _members(family, integer):
+def _members(family, values, integer):
     """Pairs (text, number): the members of a family that can lie between -REACH and REACH, and a few on either side."""
+    def member(k):
+        return number_at(family, values | {s: sp.Integer(k) for s in _symbols(integer)}, "your value")
+
     if integer is None or not family.has(integer):
-        return [("", complex(family.evalf(20)))]
-    start, after = (complex(family.subs(integer, k).evalf(20)) for k in (0, 1))
+        return [("", member(0))]
+    start, after = member(0), member(1)
     step = abs(after - start)
     centre = round((start / (start - after)).real) if step > 1e-9 else 0
     extent = min(int(REACH / step) + 3, 60) if step > 1e-9 else 12
-    return [(f" ({integer} = {k})", complex(family.subs(integer, k).evalf(20))) for k in range(centre - extent, centre + extent + 1)]
+    return [(f" ({integer} = {k})", member(k)) for k in range(centre - extent, centre + extent + 1)]
 
 
 def _growth(flow, point):
@@ -311,10 +316,3 @@ def _where(values):
 
 def _matrix_text(matrix):
     return "; ".join(as_text(row.real) for row in matrix)
-
-
-def _number_text(number):
-    number = complex(number)
-    if abs(number.imag) < 1e-12 * (1 + abs(number)):
-        return f"{number.real:.4g}"
-    return f"{number.real:.4g} {'+' if number.imag > 0 else '-'} {abs(number.imag):.4g}i"

@@ -13,33 +13,15 @@ and neither a law nor a shooting comes in.
 import functools
 
 import numpy as np
-import sympy as sp
 
-from trajlib.checks.convex_targets import ConvexTarget
-from trajlib.checks.linear_plant import Plant
-from trajlib.checks.sampling import largest, sample_cases
+from trajlib.checks.sampling import largest
 
 #: Times up to this one are looked at closely, and up to twenty times as long roughly, where it is asked whether a target is in reach.
 HORIZON = 20.0
+NEAR, FAR = HORIZON * (np.arange(1, 131) / 130)**1.6, HORIZON * 1.1**np.arange(1, 33)
+TIMES = np.concatenate([NEAR, FAR])
 #: Directions up to this angle from a good one are searched for a better: nearly the half of all that can separate.
 WIDE = 1.5705
-#: How far from a border two answers must agree about a point, in units of the size of the state.
-BESIDE, BESIDE_DECIMALS = 0.006, 0.015
-
-
-def frozen(field, state, control, bounds, target, parameters, start):
-    """The data as hashable values, so that the optimum is computed once."""
-    def fixed(value):
-        return tuple(map(fixed, value)) if isinstance(value, (list, tuple, sp.MatrixBase)) else sp.sympify(value)
-
-    target = list(target) if isinstance(target, (list, tuple)) else [target]
-    return (fixed(list(field)), tuple(state), control, fixed(list(bounds)), fixed(target),
-            tuple(parameters.items()), None if start is None else sp.sympify(start))
-
-
-@functools.lru_cache(maxsize=64)
-def fastest_times(field, state, control, bounds, target, parameters, start):
-    return FastestTimes(field, state, control, bounds, target, parameters, start)
 
 
 class Lanes:
@@ -57,21 +39,31 @@ class Lanes:
 
 
 class FastestTimes:
-    """The fastest times, and how the fastest motions begin, for sample starts and sample values of the parameters."""
+    """The fastest times of a plant to a convex target, and how the fastest motions begin."""
 
-    def __init__(self, field, state, control, bounds, target, parameters, start):
-        self.state, self.parameters, self.start = state, dict(parameters), start
-        self.plant = Plant(field, state, control, bounds)
-        self.cases = sample_cases(self.parameters)
-        self.convex = ConvexTarget(target, state, list(self.parameters), self.cases)
-        self._angles, self._spacing = self.convex.angles()
-        # Fine at first; far starts may be in reach too, but no law is asked about them.
-        self._times = np.concatenate([HORIZON * (np.arange(1, 131) / 130)**1.6, HORIZON * 1.1**np.arange(1, 33)])
+    def __init__(self, plant, convex):
+        self.plant, self.convex = plant, convex
+        self._angles, self._spacing = convex.angles()
+
+    @functools.cached_property
+    def _near(self):
+        return self._carried(NEAR)
+
+    @functools.cached_property
+    def _far(self):
+        return self._carried(FAR)
+
+    def _moments(self, far):
+        yield from self._near
+        # An oscillator's control switches often in long times: they cost more than all the near ones, and are seldom needed.
+        yield from self._far if far else ()
+
+    def _carried(self, times):
+        """For each time T, in all directions p: (T, p.e^{AT}, the least and the largest p.y that are reached from the origin)."""
         p = directions(self._angles)
-        rows = np.repeat(p, len(self._times), axis=0), np.tile(self._times, len(p))
-        self._least, self._most = (self.plant.extreme(*rows, sign).reshape(len(p), -1) for sign in (-1, 1))
-        self._carried = np.einsum("ki,tij->tkj", p, self.plant.exponential(self._times))
-        self.kept, self._limited = {}, None  # whether some starts are out of reach: not known yet
+        rows = np.tile(p, (len(times), 1)), np.repeat(times, len(p))
+        least, most = (self.plant.extreme(*rows, sign).reshape(len(times), -1) for sign in (-1, 1))
+        return list(zip(times, np.einsum("ki,tij->tkj", p, self.plant.exponential(times)), least, most))
 
     def solve(self, x, case, far=False):
         """The optimum from each start: `time` (inf where out of reach), `control` it begins with, `switching` function there.
@@ -92,9 +84,9 @@ class FastestTimes:
         before = p @ x.T - support
         line, suspects = self._middle(before), []
         apart = np.array([np.full(n, np.inf), before.max(axis=0)])  # the distance of x and D, later R(T) and D, at the last two times
-        for j, T in enumerate(self._times if far else self._times[:130]):
+        for j, (T, carried, least, most) in enumerate(self._moments(far)):
             outward = inside[todo]
-            gap = self._carried[j] @ x[todo].T - support[:, todo] + np.where(outward, self._most[:, j, None], self._least[:, j, None])
+            gap = carried @ x[todo].T - support[:, todo] + np.where(outward, most[:, None], least[:, None])
             best = gap.argmax(axis=0)
             largest, angle = gap[best, np.arange(len(todo))], np.where(outward, self._angles[best], self._middle(gap))
             maybe = np.flatnonzero(~outward & (largest <= 0))
@@ -111,12 +103,12 @@ class FastestTimes:
                 drop, rise = np.where(np.isfinite(apart[0]), apart[0], apart[1]) - apart[1], gap.max(axis=0) - apart[1]
                 dip = np.flatnonzero(~outward & (drop >= 0) & (rise > 0) & (apart[1] <= 2 * np.maximum(drop, rise)))
                 if len(dip):
-                    ends = (self._times[j - 2] if j > 1 else 0.0, T)
+                    ends = (TIMES[j - 2] if j > 1 else 0.0, T)
                     suspects.append((todo[dip], *(np.full(len(dip), end) for end in ends)))
             here = todo[hit]
             if len(here):
                 # From inside, a direction between those tried may have got through one or two of the times before.
-                earlier = np.where(inside[here], self._times[j - 3] if j > 2 else 0.0, self._times[j - 1] if j else 0.0)
+                earlier = np.where(inside[here], TIMES[j - 3] if j > 2 else 0.0, TIMES[j - 1] if j else 0.0)
                 # From inside, the direction that gets through first; from outside, the last line that separates.
                 with np.errstate(all="ignore"):
                     share = np.where(gap[:, hit] >= 0, -before[:, hit] / (gap[:, hit] - before[:, hit]), np.inf)
@@ -242,155 +234,6 @@ class FastestTimes:
 
         closest = largest(lambda T: -apart(T), when, left / steps, steps=12)
         return np.minimum(apart(closest), apart(when))
-
-    # Which starts are looked at.
-
-    def lanes(self, decimals):
-        """Starts spread over the plane, and pairs on both sides of the switching curves."""
-        kept = self.kept.get(decimals)
-        if kept is None:
-            kept = self.kept[decimals] = self._lanes(BESIDE_DECIMALS if decimals else BESIDE)
-        return kept
-
-    def _points(self, count, seed=4):
-        random, points, cases = np.random.default_rng(seed), [], []
-        for case in range(len(self.cases)):
-            spread = random.normal(size=(count, 2)) * np.array([0.7, 2, 4])[np.arange(count) % 3, None]
-            both = np.concatenate([spread, self.convex.around(random, case, count // 2)])
-            points.append(both)
-            cases.append(np.full(len(both), case))
-        points, cases = np.concatenate(points), np.concatenate(cases)
-        keep = self.allowed(points, cases)
-        return points[keep], cases[keep]
-
-    def allowed(self, x, case):
-        return self.condition(self.start if self.start is not None else sp.true)(x, case)
-
-    def condition(self, condition):
-        """A SymPy condition as a function of states and cases."""
-        test = sp.lambdify([*self.state, *self.parameters], condition, "numpy")
-        cases = np.array(self.cases, dtype=float).reshape(len(self.cases), len(self.parameters))
-
-        def holds(x, case):
-            with np.errstate(all="ignore"):
-                return np.broadcast_to(np.asarray(test(x[:, 0], x[:, 1], *cases[case].T), dtype=bool), len(x))
-
-        return holds
-
-    def _lanes(self, beside):
-        if "near" not in self.kept:
-            count = 100 if len(self.cases) == 1 else 24
-            spread = self._safe(self.solve(*self._points(count)))
-            self.kept["spread"] = spread
-            self.kept["near"] = self._between(spread, lambda lanes: lanes.control, 28 if len(self.cases) == 1 else 7)
-        spread, near = self.kept["spread"], self.kept["near"]
-        if near is None:
-            return spread
-        middle, direction, case = near
-        shift = beside * (0.3 + np.linalg.norm(middle, axis=1))[:, None] * direction
-        sides = np.concatenate([middle + shift, middle - shift])
-        case = np.concatenate([case, case])
-        keep = self.allowed(sides, case)
-        return Lanes.joined([spread, self._safe(self.solve(sides[keep], case[keep]))])
-
-    def _safe(self, lanes):
-        """Starts in reach, with all states next to them in reach too, and not on the target already."""
-        out_of_reach = lanes.take(~np.isfinite(lanes.time))
-        shortest = 0.15 if self.convex.kind == "hull" else 0.02
-        lanes = lanes.take(np.isfinite(lanes.time) & (lanes.time > shortest) & (lanes.time < 0.9 * HORIZON))
-        if self._limited is None and len(out_of_reach.x):
-            self._limited = not np.isfinite(self.solve(out_of_reach.x[:12], out_of_reach.case[:12], far=True).time).all()
-        if not self._limited or not len(lanes.x):
-            return lanes
-        return lanes.take(np.isfinite(self._around(lanes, 0.02, count=4).time).all(axis=1))
-
-    def _around(self, lanes, share, far=False, count=8):
-        """The optimum at some states around each, as columns."""
-        angle = np.arange(count) * 2 * np.pi / count + 0.3
-        ring = np.column_stack([np.cos(angle), np.sin(angle)])
-        size = share * (0.3 + np.linalg.norm(lanes.x, axis=1))
-        points = (lanes.x[:, None] + size[:, None, None] * ring).reshape(-1, 2)
-        case = np.repeat(lanes.case, count)
-        solved = self.solve(points, case, far)
-        same = (solved.inside == np.repeat(lanes.inside, count)) & self.allowed(points, case)
-        return Lanes(time=np.where(same, solved.time, 0).reshape(-1, count),
-                      control=np.where(same, solved.control, np.repeat(lanes.control, count)).reshape(-1, count))
-
-    def robust(self, lanes, decimals):
-        """True where the fastest motions from all states around begin alike: no switching curve is close."""
-        around = self._around(lanes, (BESIDE_DECIMALS if decimals else BESIDE) / 2, count=5)
-        return (around.control == lanes.control[:, None]).all(axis=1)
-
-    def beside_barrier(self, lanes):
-        """True where the fastest time jumps from one state next to the start to another."""
-        times = np.column_stack([self._around(lanes, 0.02).time, lanes.time])
-        times = np.sort(np.where(times > 0, times, np.nan), axis=1)
-        # The largest gap between two of the times: a steep slope has a wide range of times too, but no such gap.
-        with np.errstate(all="ignore"):
-            gaps = np.diff(times, axis=1)
-            return np.where(np.isnan(gaps), 0, gaps).max(axis=1) > 0.25 * lanes.time
-
-    def _between(self, lanes, kind, count, far=False):
-        """Points where `kind` changes: (points, directions across, cases), by bisection between neighbours that differ."""
-        left, right, case, random = [], [], [], np.random.default_rng(6)
-        for k in range(len(self.cases)):
-            here = np.flatnonzero(lanes.case == k)
-            if not len(here):
-                continue
-            marks, x = kind(lanes)[here], lanes.x[here]
-            ones = random.permutation(np.flatnonzero(marks == marks.max()))
-            others = np.flatnonzero(marks != marks.max())
-            if not len(others):
-                continue
-            for one in ones[:count]:
-                # A start inside D is no neighbour of one outside: between the two lies the target.
-                alike = others[lanes.inside[here][others] == lanes.inside[here][one]]
-                if self.convex.kind == "line":
-                    side = np.sign(self.convex.g(x, np.full(len(x), k)))
-                    alike = alike[side[alike] == side[one]]
-                if len(alike):
-                    near = alike[np.argsort(np.linalg.norm(x[alike] - x[one], axis=1))[random.integers(0, min(3, len(alike)))]]
-                    left.append(x[one])
-                    right.append(x[near])
-                    case.append(k)
-        if not left:
-            return None
-        left, right, case = np.array(left), np.array(right), np.array(case)
-        direction = (right - left) / np.linalg.norm(right - left, axis=1)[:, None]
-        one = kind(self.solve(left, case, far))
-        for _ in range(9):
-            middle = (left + right) / 2
-            same = (kind(self.solve(middle, case, far)) == one)[:, None]
-            left, right = np.where(same, middle, left), np.where(same, right, middle)
-        return (left + right) / 2, direction, case
-
-    def border(self, decimals):
-        """Starts in reach and out of reach, many of them on both sides of the border between."""
-        kept = self.kept.get(("border", decimals))
-        if kept is None:
-            spread = self.solve(*self._points(100 if len(self.cases) == 1 else 40, seed=5), far=True)
-            near = self._between(spread, lambda lanes: np.isfinite(lanes.time), 30 if len(self.cases) == 1 else 8, far=True)
-            parts = [spread]
-            for share in ((0.02,) if decimals else (0.008, 0.03)) if near is not None else ():
-                middle, direction, case = near
-                shift = share * (0.3 + np.linalg.norm(middle, axis=1))[:, None] * direction
-                both, cases = np.concatenate([middle + shift, middle - shift]), np.concatenate([case, case])
-                keep = self.allowed(both, cases)
-                parts.append(self.solve(both[keep], cases[keep], far=True))
-            kept = Lanes.joined(parts)
-            self.kept[("border", decimals)] = kept
-        return kept
-
-    def on_border(self, lanes):
-        """True where states next to the start are of the other kind: there rounding decides."""
-        reach = np.isfinite(lanes.time)
-        return (np.isfinite(self._around(lanes, 0.003, far=True).time) != reach[:, None]).any(axis=1)
-
-    def told(self, lanes, k):
-        values = self.cases[lanes.case[k]]
-        named = ", ".join(f"{p} = {v:.4g}" for p, v in zip(self.parameters, values))
-        place = ", ".join(f"{s} = {v:.4g}" for s, v in zip(self.state, lanes.x[k]))
-        return f"{'for ' + named + ', ' if named else ''}from {place}"
 
 
 def directions(angles):

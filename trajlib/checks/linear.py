@@ -5,6 +5,7 @@ import sympy as sp
 from scipy.integrate import solve_ivp
 
 from trajlib.checks import coercion
+from trajlib.checks.at_values import matrix_at
 from trajlib.checks.fields import Field, as_text, sample_values
 from trajlib.checks.regions import compare_region, roots_left_of, some_root_right
 from trajlib.checks.verdict import Wrong, judged
@@ -25,11 +26,11 @@ def linearisation(answer, field, state, at, parameters=()):
     for values in sample_values(parameters):
         flow = Field(field, state, values)
         point = [float(sp.sympify(x).subs(values)) for x in at]
-        claimed = np.array(matrix.xreplace(values).evalf(20).tolist(), dtype=complex)
+        claimed = matrix_at(matrix, values)
         size = max(np.linalg.norm(flow.jacobian(point)), FLOOR)
         for k, unit in enumerate(np.eye(n)):
             true = flow.derivative(point, unit)
-            if np.linalg.norm(claimed @ unit - true) > 1e-9 * size:
+            if not np.linalg.norm(claimed @ unit - true) <= 1e-9 * size:
                 where = f" for {', '.join(f'{p} = {v}' for p, v in values.items())}" if values else ""
                 raise Wrong(f"a small deviation of {state[k]} alone changes the right-hand sides at the rate "
                             f"{as_text(true)}{where}; your matrix gives {as_text((claimed @ unit).real)}")

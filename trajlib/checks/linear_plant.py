@@ -24,27 +24,15 @@ class Plant:
 
     def exponential(self, s):
         """e^{As}, an array with two more axes than s."""
-        s = np.asarray(s, dtype=float)
-        centre, square, root = self._trace / 2, self._square, self._root
-        if square > 1e-14:
-            even, odd = np.cosh(root * s), np.sinh(root * s) / root
-        elif square < -1e-14:
-            even, odd = np.cos(root * s), np.sin(root * s) / root
-        else:
-            even, odd = np.ones_like(s), s
+        s, centre = np.asarray(s, dtype=float), self._trace / 2
+        even, odd = self._waves(s)
         growth = np.exp(centre * s)
         return (growth * even)[..., None, None] * np.eye(2) + (growth * odd)[..., None, None] * (self.A - centre * np.eye(2))
 
     def response(self, s):
         """(e^{As} b, its integral from 0 to s)."""
-        s = np.asarray(s, dtype=float)[..., None]
-        centre, square, root = self._trace / 2, self._square, self._root
-        if square > 1e-14:
-            even, odd = np.cosh(root * s), np.sinh(root * s) / root
-        elif square < -1e-14:
-            even, odd = np.cos(root * s), np.sin(root * s) / root
-        else:
-            even, odd = 1.0, s
+        s, centre = np.asarray(s, dtype=float)[..., None], self._trace / 2
+        even, odd = self._waves(s)
         impulse = even * self.b + odd * self._turned
         if centre:
             impulse = impulse * np.exp(centre * s)
@@ -56,6 +44,14 @@ class Plant:
             second = s**2 / 2
         return impulse, s * self.b + second * (self.A @ self.b)
 
+    def _waves(self, s):
+        """The functions e, o of time with e^{As} = e^{cs}(e E + o (A - cE)), where 2c is the trace of A."""
+        if self._square > 1e-14:
+            return np.cosh(self._root * s), np.sinh(self._root * s) / self._root
+        if self._square < -1e-14:
+            return np.cos(self._root * s), np.sin(self._root * s) / self._root
+        return np.ones_like(s), s
+
     def move(self, x, u, s):
         """The states x after times s under constant controls u, each row its own."""
         return np.einsum("nij,nj->ni", self.exponential(s), x) + u[:, None] * self.response(s)[1]
@@ -66,7 +62,7 @@ class Plant:
         `whole` is the integral of e^{As}b, if it is known already.
         """
         whole = self.response(T)[1] if whole is None else whole
-        zeros = self._zeros(p, T)
+        zeros = self.zeros(p, T)
         inner = np.einsum("nci,ni->nc", self.response(zeros)[1], p)
         last = (whole * p).sum(axis=1)
         absolute = abs(inner[:, 0]) + abs(last - inner[:, -1])
@@ -74,7 +70,17 @@ class Plant:
             absolute = absolute + abs(np.diff(inner, axis=1)).sum(axis=1)
         return self.mean * last + sign * self.half * absolute
 
-    def _zeros(self, p, T):
+    def farthest(self, p, T, sign):
+        """The integral over [0, T] of e^{As}b u with the u for which p.e^{As}b u is least (sign -1) or largest (+1); rows of p and T.
+
+        So the state farthest against p, or along it, that is reached from the origin in the time T.
+        """
+        ends = np.column_stack([np.zeros_like(T), self.zeros(p, T), T])
+        parts = np.diff(self.response(ends)[1], axis=1)
+        u = self.mean + sign * self.half * np.sign(np.einsum("nci,ni->nc", parts, p))
+        return (u[..., None] * parts).sum(axis=1)
+
+    def zeros(self, p, T):
         """The zeros of p.e^{As}b between 0 and T in order; rows are filled up with T."""
         start, other = p @ self.b, p @ self._turned
         with np.errstate(all="ignore"):

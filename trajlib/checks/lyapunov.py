@@ -8,11 +8,13 @@ import sympy as sp
 from sympy.core.relational import Relational
 
 from trajlib.checks import coercion
+from trajlib.checks.at_values import number_at
 from trajlib.checks.families import allowed_values
 from trajlib.checks.fields import Field, as_text, sample_values
 from trajlib.checks.semialgebraic import Condition, cells, lines
 from trajlib.checks.semialgebraic import as_text as place_text
 from trajlib.checks.verdict import Invalid, Wrong, judged
+from trajlib.checks.wording import values_text
 
 
 @judged
@@ -25,10 +27,10 @@ def lyapunov_derivative(answer, function, field, state, parameters=()):
         for _ in range(4):
             point = random.normal(size=len(state))
             true = level.derivative(point, flow(point))[0]
-            said = complex(claim.xreplace(values).subs(dict(zip(state, point))).evalf(20))
+            said = number_at(claim, values | dict(zip(state, point)))
             # The size of the terms of grad V . f, not of their sum, sets the scale: the sum may cancel.
             size = abs(level.derivative(point, np.ones(len(state)))[0]) * np.linalg.norm(flow(point)) + abs(true)
-            if abs(said - true) > 1e-9 * size:
+            if not abs(said - true) <= 1e-9 * size:
                 where = ", ".join(f"{s} = {v:.3g}" for s, v in [*zip(state, point), *((p, float(v)) for p, v in values.items())])
                 raise Wrong(f"at {where} the function changes along the motion at the rate {true:.4g}; "
                             f"your expression gives {said.real:.4g}")
@@ -40,7 +42,7 @@ def vanishing_set(answer, function, field, state, parameters=()):
     """The set of states where the derivative of V along the motions is zero, for parameters that are not zero."""
     claim = Condition(coercion.as_condition(answer, state), state)
     rate = sum(sp.diff(function, x) * f for x, f in zip(state, field))
-    for values in sample_values(parameters, count=3):
+    for values in sample_values(parameters, count=4):
         zero = Condition(sp.Eq(sp.expand(rate.subs(values)), 0), state)
         for point, direction in lines(state, count=24):
             inside, on = cells(point, direction, zero.boundaries + claim.boundaries)
@@ -60,7 +62,7 @@ def departure(answer, function, field, state, parameters=()):
     """
     claim = coercion.as_expression(answer, [*state, *parameters])
     rate = sum(sp.diff(function, x) * f for x, f in zip(state, field))
-    for values in sample_values(parameters, count=3):
+    for values in sample_values(parameters, count=4):
         zero = Condition(sp.Eq(sp.expand(rate.subs(values)), 0), state)
         places = [place for point, direction in lines(state, count=16) for place in cells(point, direction, zero.boundaries)[1]
                   if zero.holds(place)]
@@ -68,8 +70,8 @@ def departure(answer, function, field, state, parameters=()):
             raise RuntimeError("no state was met where the derivative vanishes")
         for place in places:
             at = values | {x: sp.Rational(v.numerator, v.denominator) for x, v in zip(state, place)}
-            true, said = (complex(sp.sympify(e).subs(at).evalf(20)) for e in (field[-1], claim))
-            if abs(said - true) > 1e-9 * (abs(true) + max(abs(float(v)) for v in place)):
+            true, said = complex(sp.sympify(field[-1]).subs(at).evalf(20)), number_at(claim, at)
+            if not abs(said - true) <= 1e-9 * (abs(true) + max(abs(float(v)) for v in place)):
                 where = "".join(f", {p} = {v}" for p, v in values.items())
                 raise Wrong(f"at {place_text(state, place)}{where} the derivative of V is zero, and {state[-1]} changes there at the rate "
                             f"{true.real:.4g}; your expression gives {said.real:.4g}")
@@ -139,9 +141,9 @@ def basin_level(answer, function, field, state, parameters=(), given=()):
     claim = coercion.as_expression(answer, parameters)
     directions = _directions(len(state))
     for values, level, others, rate in _stable_systems(function, field, state, parameters, given):
-        number = complex(claim.xreplace(values).evalf(20))
+        number = number_at(claim, values, "your level")
         real = abs(number.imag) <= 1e-9 * abs(number)
-        told = (f"for {_values_text(values)} " if values else "") + f"your level is {f'{number.real:.4g}' if real else 'not real'}"
+        told = (f"for {values_text(values)} " if values else "") + f"your level is {f'{number.real:.4g}' if real else 'not real'}"
         if not real or number.real <= 0:
             raise Wrong(f"{told}; V is positive near zero, so the level has to be a positive number")
         low, high = (_border(lambda points, c=c: level(points) < c, directions) for c in (0.994 * number.real, 1.008 * number.real))
@@ -168,7 +170,7 @@ def basin_estimate(answer, function, field, state, parameters=(), given=()):
     directions = _directions(len(state))
     for values, level, others, rate in _stable_systems(function, field, state, parameters, given):
         claim = condition.subs(values)
-        where = f" (for {_values_text(values)})" if values else ""
+        where = f" (for {values_text(values)})" if values else ""
         reach = _reach(claim, state, directions, where)
         border = directions * reach[:, None]
         heights = level(border)
@@ -325,7 +327,3 @@ def _holds_equilibrium(claim, field, state, values, others):
         if all(sp.sympify(f).subs(values).subs(exact) == 0 for f in field) and claim.subs(exact) == True:  # noqa: E712
             return f"it contains the equilibrium {as_text(point)}"
     return ""
-
-
-def _values_text(values):
-    return ", ".join(f"{p} = {v}" for p, v in values.items())

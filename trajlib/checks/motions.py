@@ -12,10 +12,12 @@ import numpy as np
 import sympy as sp
 
 from trajlib.checks import coercion
+from trajlib.checks.at_values import matrix_at, number_at, numbers_at
 from trajlib.checks.fields import STEP, as_text, sample_values
 from trajlib.checks.semialgebraic import Condition, cells
 from trajlib.checks.semialgebraic import as_text as place_text
 from trajlib.checks.verdict import Invalid, Wrong, judged
+from trajlib.checks.wording import number_text, values_text
 
 
 @judged
@@ -30,16 +32,16 @@ def program_motion(answer, field, state, parameters, program, controls, time):
     random = np.random.default_rng(9)
     for values in sample_values(parameters):
         at = values | {time: sp.Rational(int(random.integers(1, 400)), 97)}
-        place = {s: complex(component.subs(at).evalf(20)) for s, component in motion.items()}
+        place = dict(zip(motion, numbers_at(motion.values(), at, motion).tolist()))
         where = f"for {values_text(at)}"
         for symbol, expression in program.items():
             wanted = complex(sp.sympify(expression).subs(at).evalf(20))
-            if abs(place[symbol] - wanted) > 1e-9 * (1 + abs(wanted)):
+            if not abs(place[symbol] - wanted) <= 1e-9 * (1 + abs(wanted)):
                 raise Wrong(f"this is not the program: {where} your {symbol} is {place[symbol].real:.4g}, prescribed is {wanted.real:.4g}")
         for symbol, rate, right_side in zip(state, rates, field):
-            left = complex(rate.subs(at).evalf(20))
+            left = number_at(rate, at, f"the derivative of your {symbol}")
             terms = [complex(term.subs(values).subs(place).evalf(20)) for term in sp.Add.make_args(sp.expand(right_side))]
-            if abs(left - sum(terms)) > 1e-9 * (abs(left) + sum(map(abs, terms)) + 1e-3):
+            if not abs(left - sum(terms)) <= 1e-9 * (abs(left) + sum(map(abs, terms)) + 1e-3) < np.inf:
                 raise Wrong(f"the equation for {symbol}' does not hold: {where} its left-hand side is {left.real:.4g}, its right-hand side "
                             f"{sum(terms).real:.4g}")
     return "it is the program, and all equations hold at random times and parameters"
@@ -101,8 +103,8 @@ def angle_deviations(answer, field, state, parameters, angle, deviations):
             slope, friction = angles.derivatives(values, phi)
             for deviation, true in (((1, 0), slope), ((0, 1), friction), ((0, 0), 0.0), ((1, 1), slope + friction)):
                 at = values | {angle: sp.Float(phi, 20)} | dict(zip(deviations, deviation))
-                said = complex(claim.subs(at).evalf(20))
-                if abs(said - true) > 1e-8 * (abs(slope) + abs(friction)):
+                said = number_at(claim, at)
+                if not abs(said - true) <= 1e-8 * (abs(slope) + abs(friction)):
                     told = ", ".join(f"{symbol} = {value}" for symbol, value in zip(deviations, deviation))
                     raise Wrong(f"for {values_text(values)} and the stationary angle {phi:.4g} a deviation {told} changes phi'' by {true:.4g} "
                                 f"to first order; your expression gives {said.real:.4g}")
@@ -341,11 +343,12 @@ def _judge_rest_angles(answer, field, state, parameters, integer, wanted, word):
         matched = set()
         for family in families:
             for number in range(-3, 4) if family.has(integer) else (0,):
-                given = complex(family.subs(values).subs(integer, number).evalf(20))
+                given = number_at(family, values | {integer: sp.Integer(number)}, "your angle")
                 member = f" ({integer} = {number})" if family.has(integer) else ""
-                if not np.isfinite(given) or abs(given.imag) > 1e-9 * (1 + abs(given)):
+                if abs(given.imag) > 1e-9 * (1 + abs(given)):
                     raise Wrong(f"your value{member} is not real for {values_text(values)}, where there are stationary angles")
-                near = [phi for phi in found if abs(np.exp(1j * given.real) - np.exp(1j * phi)) < 1e-3 * max(1, abs(given))]
+                # Three digits of an angle that has turned a few times are that many of its size; beyond, they would tell nothing.
+                near = [phi for phi in found if abs(np.exp(1j * given.real) - np.exp(1j * phi)) < 1e-3 * min(max(1, abs(given)), 20)]
                 if not near:
                     raise Wrong(f"your value {given.real:.4g}{member} is no stationary angle for {values_text(values)}: f(phi, 0) is "
                                 f"{angles.force(values, given.real):.4g} there")
@@ -424,9 +427,9 @@ def _judge_columns(answer, field, state, parameters, program, symbols, true_matr
     motion = Motion(field, state, parameters, program)
     for values in sample_values(parameters):
         true = true_matrix(motion, values)
-        said = np.array(claim.xreplace(values).evalf(20).tolist(), dtype=complex)
+        said = matrix_at(claim, values)
         for k, symbol in enumerate(symbols):
-            if np.linalg.norm(said[:, k] - true[:, k]) > 1e-9 * np.linalg.norm(true):
+            if not np.linalg.norm(said[:, k] - true[:, k]) <= 1e-9 * np.linalg.norm(true):
                 raise Wrong(f"a small deviation of {symbol} alone changes the right-hand sides of the equations at the rate "
                             f"{as_text(true[:, k])} for {values_text(values)}; your matrix gives {as_text(said[:, k].real)}")
     return "for small deviations in every direction the right-hand sides change as the matrix says"
@@ -445,13 +448,3 @@ def _components(answer, names, symbols):
 def _roots_told(slope, friction):
     first, second = np.roots([1.0, -friction, -slope]).astype(complex)
     return f"the roots of the characteristic equation are {number_text(first)} and {number_text(second)}"
-
-
-def number_text(z):
-    """A complex number for a message."""
-    return f"{z.real:.4g}" if abs(z.imag) < 1e-12 * (1 + abs(z)) else f"{z.real:.4g} {'+' if z.imag > 0 else '-'} {abs(z.imag):.4g}i"
-
-
-def values_text(values):
-    """Values of symbols for a message: `k = 1/3, omega = 2`."""
-    return ", ".join(f"{p} = {x if x.q < 1000 else f'{float(x):.6g}'}" for p, x in values.items())

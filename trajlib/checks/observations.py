@@ -12,9 +12,10 @@ import sympy as sp
 from scipy.linalg import expm
 
 from trajlib.checks import coercion
+from trajlib.checks.at_values import compare_at, random_values, truth_at, value_at
 from trajlib.checks.verdict import Invalid, Wrong, judged
+from trajlib.checks.wording import rounded_text
 
-SAMPLES = 6
 MOMENTS = 12
 #: What counts as nothing beside numbers of size one.
 ZERO = 1e-8
@@ -24,9 +25,9 @@ ZERO = 1e-8
 def measured_motion(answer, matrix, output, initial, t):
     """The measured component of the solution of x' = A x through the initial values."""
     claim = coercion.as_expression(answer, [*_symbols(matrix), *initial, t])
-    for values in _numbers([*_symbols(matrix), *initial, t], 71):
+    for values in random_values([*_symbols(matrix), *initial, t], 71):
         states = expm(_array(matrix, values)*values[t])@[values[s] for s in initial]
-        _compare(claim, values, _seen(output, values, states), "what is measured", np.abs(states).max())
+        compare_at(claim, values, _seen(output, values, states), "what is measured", np.abs(states).max())
     return "it is what is measured along the motion, for random values of all symbols"
 
 
@@ -34,12 +35,13 @@ def measured_motion(answer, matrix, output, initial, t):
 def unseen_direction(answer, matrix, output):
     """A change of the initial state of x' = A x that no measurement sees."""
     claim = coercion.as_expressions(answer, _symbols(matrix), matrix.rows)
-    for values in _numbers(_symbols(matrix), 72):
+    for values in random_values(_symbols(matrix), 72):
         direction = _direction(claim, values)
         for time in np.linspace(0, 3, MOMENTS):
             seen = _seen(output, values, expm(_array(matrix, values)*time)@direction)
-            if abs(seen) > ZERO:
-                raise Wrong(f"for {_text(values)}, scaled to length 1, your change alters the measurement at t = {time:.3g} by {seen:.3g}")
+            if not abs(seen) <= ZERO:
+                raise Wrong(f"for {rounded_text(values)}, scaled to length 1, your change alters the measurement at t = {time:.3g} by "
+                            f"{seen:.3g}")
     return "it changes the state and no measurement, for random values of the symbols"
 
 
@@ -49,10 +51,10 @@ def bias_of_estimate(answer, matrix, output, unknowns, wanted, left_out):
     claim = coercion.as_expression(answer, [*_symbols(matrix), left_out])
     j, k = list(unknowns).index(wanted), list(unknowns).index(left_out)
     kept = [i for i in range(matrix.rows) if i != k]
-    for values in _numbers([*_symbols(matrix), left_out], 73):
+    for values in random_values([*_symbols(matrix), left_out], 73):
         rows = _rows(matrix, output, values, np.linspace(0, 4, 3*MOMENTS))
         found = np.linalg.lstsq(rows[:, kept], rows[:, k]*values[left_out], rcond=None)[0]
-        _compare(claim, values, found[kept.index(j)], f"the error of the estimate of {wanted}", abs(values[left_out]), 1e-7)
+        compare_at(claim, values, found[kept.index(j)], f"the error of the estimate of {wanted}", abs(values[left_out]), 1e-7)
     return "least squares without this unknown is wrong by it, for random values of the symbols"
 
 
@@ -61,13 +63,13 @@ def worst_of_three(answer, matrix, output, unknowns, wanted, tau, delta):
     """The greatest error of `wanted` from three measurements at 0, tau, 2 tau with errors up to delta."""
     claim = coercion.as_expression(answer, [*_symbols(matrix), tau, delta])
     j = list(unknowns).index(wanted)
-    for values in _numbers([*_symbols(matrix), tau, delta], 74):
+    for values in random_values([*_symbols(matrix), tau, delta], 74):
         A = _array(matrix, values)
         fastest = np.abs(np.linalg.eigvals(A)).max()
         values[tau] *= 1.1/fastest                # between an eighth and seven eighths of half a period
         rows = _rows(matrix, output, values, values[tau]*np.arange(3))
         corners = (np.linalg.solve(rows, np.array(signs)*values[delta])[j] for signs in itertools.product((-1, 1), repeat=3))
-        _compare(claim, values, max(abs(error) for error in corners), f"the greatest error of {wanted}", 0, 1e-7)
+        compare_at(claim, values, max(abs(error) for error in corners), f"the greatest error of {wanted}", 0, 1e-7)
     return "no errors up to delta do worse, and some do as much, for random values of the symbols"
 
 
@@ -75,14 +77,14 @@ def worst_of_three(answer, matrix, output, unknowns, wanted, tau, delta):
 def unseen_by_bearings(answer, relative, t):
     """A change (dx0, dy0, dvx, dvy) of a uniform motion that changes no bearing to first order."""
     claim = coercion.as_expressions(answer, _symbols(sp.Matrix(relative), t), 4)
-    for values in _numbers(_symbols(sp.Matrix(relative), t), 75):
+    for values in random_values(_symbols(sp.Matrix(relative), t), 75):
         direction = _direction(claim, values)
         for time in np.linspace(0, 2.5, MOMENTS):
             x, y = (float(part.subs(values | {t: time})) for part in relative)
             dx, dy = direction[:2] + time*direction[2:]
             turned = (x*dy - y*dx)/(x*x + y*y)
-            if abs(turned) > ZERO:
-                raise Wrong(f"for {_text(values)}, scaled to length 1, your change turns the bearing at t = {time:.3g} by "
+            if not abs(turned) <= ZERO:
+                raise Wrong(f"for {rounded_text(values)}, scaled to length 1, your change turns the bearing at t = {time:.3g} by "
                             f"{turned:.3g} rad per unit")
     return "it changes no bearing to first order, for random motions"
 
@@ -105,11 +107,8 @@ def bearing_tells_range(answer, relative, t, T, turn):
             continue
         # the targets left over by the bearings before T are those whose relative motion is `before` times a factor
         change = after[0]*before[1] - after[1]*before[0]
-        said = claim.subs(values)
-        if said not in (sp.true, sp.false):
-            raise Invalid("the condition does not become true or false when all symbols have values")
-        if bool(said) != (change != 0):
-            raise Wrong(f"for {_text(values)} a small change of the range " + (
+        if truth_at(claim, values) != (change != 0):
+            raise Wrong(f"for {rounded_text(values)} a small change of the range " + (
                 f"turns the bearing by {float(change/(after[0]**2 + after[1]**2)):.3g} rad per unit of its factor, yet your condition fails"
                 if change else "does not change the bearing, yet your condition holds"))
     return "it agrees with the change of the bearing, for motions in general position and for turns along the line of sight"
@@ -121,16 +120,16 @@ def range_error(answer, relative, t, T, turn, delta):
     symbols = _symbols(sp.Matrix(relative), t) + [t, T, *turn, delta]
     claim = coercion.as_expression(answer, symbols)
     random = np.random.default_rng(77)
-    for values in _numbers(symbols, 78):
+    for values in random_values(symbols, 78):
         values |= {s: values[s]*float(random.choice((-1, 1))) for s in symbols if s not in (t, T, delta)}
         values[t] += values[T]
         before = np.array([float(part.subs(values)) for part in relative])
         after = before - np.array([values[s] for s in turn])*(values[t] - values[T])
         slope = (after[0]*before[1] - after[1]*before[0])/(after@after)
-        said = _value(claim, values, "the error")
+        said = value_at(claim, values, "the error")
         if said < 0:
-            raise Wrong(f"for {_text(values)} your expression is negative; its size was asked for")
-        _compare(claim, values, values[delta]/abs(slope), "the relative error of the range", 0)
+            raise Wrong(f"for {rounded_text(values)} your expression is negative; its size was asked for")
+        compare_at(claim, values, values[delta]/abs(slope), "the relative error of the range", 0)
     return "it is delta over the sensitivity of the bearing to the range, for random motions and turns"
 
 
@@ -139,14 +138,14 @@ def modes_of_range(answer, matrix, sight, initial, rate, t):
     """The four coefficients of 1, t, cos(rate t), sin(rate t) in the deviation of a range."""
     symbols = [*_symbols(matrix), *sight, *initial]
     claims = coercion.as_expressions(answer, symbols, 4)
-    for values in _numbers(symbols, 79):
-        now = [_value(claim, values, "a coefficient") for claim in claims]
+    for values in random_values(symbols, 79):
+        now = [value_at(claim, values, "a coefficient") for claim in claims]
         w, start = values[rate], np.array([values[s] for s in initial])
         for time in np.linspace(0.1, 7, MOMENTS):
             true = np.array([values[s] for s in sight])@(expm(_array(matrix, values)*time)@start)[:len(sight)]
             said = now[0] + now[1]*time + now[2]*math.cos(w*time) + now[3]*math.sin(w*time)
-            if abs(said - true) > ZERO*(abs(true) + np.abs(start).max()*(1 + time)):
-                raise Wrong(f"for {_text(values)} the range at {t} = {time:.3g} deviates by {true:.5g}; your four terms sum up to "
+            if not abs(said - true) <= ZERO*(abs(true) + np.abs(start).max()*(1 + time)):
+                raise Wrong(f"for {rounded_text(values)} the range at {t} = {time:.3g} deviates by {true:.5g}; your four terms sum up to "
                             f"{said:.5g}")
     return "the four terms sum up to the deviation of the range at all times, for random directions and motions"
 
@@ -163,17 +162,17 @@ def unseen_motions(answer, matrix, sight, count):
     if len(claims) != count:
         raise Wrong(f"{count} independent motions were asked for, your list has {len(claims)}")
     output = sp.Matrix([[*sight, *[0]*(matrix.rows - len(sight))]])
-    for values in _numbers(symbols, 80):
+    for values in random_values(symbols, 80):
         directions = np.array([_direction(claim, values) for claim in claims])
         for number, direction in enumerate(directions, 1):
             for time in np.linspace(0, 6, MOMENTS):
                 motion = expm(_array(matrix, values)*time)@direction
                 seen = _seen(output, values, motion)
-                if abs(seen) > ZERO*(1 + np.abs(motion).max()):
-                    raise Wrong(f"for {_text(values)} motion number {number}, scaled to length 1, changes the range at t = {time:.3g} "
-                                f"by {seen:.3g}")
-        if np.linalg.svd(directions, compute_uv=False)[-1] < 1e-6:
-            raise Wrong(f"for {_text(values)} your motions are not independent: a combination of them is zero")
+                if not abs(seen) <= ZERO*(1 + np.abs(motion).max()):
+                    raise Wrong(f"for {rounded_text(values)} motion number {number}, scaled to length 1, changes the range at "
+                                f"t = {time:.3g} by {seen:.3g}")
+        if not np.linalg.svd(directions, compute_uv=False)[-1] >= 1e-6:
+            raise Wrong(f"for {rounded_text(values)} your motions are not independent: a combination of them is zero")
     return "they are independent and leave the range as it is, for random directions"
 
 
@@ -181,7 +180,7 @@ def unseen_motions(answer, matrix, sight, count):
 def numbers_seen(answer, matrix, sights):
     """How many combinations of the unknowns are determined by ranges along each of the given directions."""
     claims = coercion.as_expressions(answer, (), len(sights))
-    values = next(_numbers(_symbols(matrix), 81))
+    values = next(random_values(_symbols(matrix), 81))
     for number, (claim, sight) in enumerate(zip(claims, sights), 1):
         claim = coercion.as_integer(claim)
         output = sp.Matrix([[*sight, *[0]*(matrix.rows - len(sight))]])
@@ -216,11 +215,9 @@ def stations_insufficient(answer, matrix, first, second):
         rows = sp.Matrix.vstack(*[sp.Matrix([[*n, *[0]*(matrix.rows - len(n))]])*power for n in (one, other) for power in powers])
         insufficient = rows.rank() < matrix.rows
         values = dict(zip(symbols, [*one, *other]))
-        said = claim.subs(values)
-        if said not in (sp.true, sp.false):
-            raise Invalid("the condition does not become true or false when all symbols have values")
-        if bool(said) != insufficient:
-            raise Wrong(f"for {_text(values)} the ranges determine {'not everything' if insufficient else 'everything'}, yet your "
+        said = truth_at(claim, values)
+        if said != insufficient:
+            raise Wrong(f"for {rounded_text(values)} the ranges determine {'not everything' if insufficient else 'everything'}, yet your "
                         f"condition {'holds' if said else 'fails'}")
     return "it agrees with the rank, for directions in general position, parallel ones and those parallel in two components"
 
@@ -236,7 +233,7 @@ def breaks_bound(answer, matrix, state, factor):
     values = np.linalg.svd(H, compute_uv=False)
     found = np.linalg.norm(np.linalg.lstsq(H, e, rcond=None)[0])
     bound = values[0]/values[-1]*np.linalg.norm(e)/np.linalg.norm(H@x + e)*np.linalg.norm(x)
-    if found < float(factor)*bound*(1 - 1e-9):
+    if not found >= float(factor)*bound*(1 - 1e-9):
         raise Wrong(f"the estimate is wrong by {found:.4g} and the printed bound is {bound:.4g}: it is exceeded {found/bound:.3g} times, "
                     f"not {float(factor):g} times")
     return "the estimate is wrong by more than the printed bound, as many times as was asked"
@@ -267,7 +264,7 @@ def condition_of_nearly_equal(answer, delta):
     for size in (1.0, 0.3, 0.04, 0.003, 2.5, 9.0):
         columns = np.array([[1, 1/math.hypot(1, size)], [0, size/math.hypot(1, size)]])
         values = np.linalg.svd(columns, compute_uv=False)
-        _compare(claim, {delta: size}, values[0]/values[-1], "the condition number", 0)
+        compare_at(claim, {delta: size}, values[0]/values[-1], "the condition number", 0)
     return "it is the ratio of the singular values, for small and large errors"
 
 
@@ -276,12 +273,12 @@ def fooling_error(answer, M):
     """The error of a column that is a multiple of another from which on the condition number is below M."""
     claim = coercion.as_expression(answer, [M])
     for limit in (1.5, 4.0, 30.0, 1e3, 1e5):
-        size = _value(claim, {M: limit}, "the error")
+        size = value_at(claim, {M: limit}, "the error")
         if size <= 0:
             raise Wrong(f"for M = {limit:g} your error {size:.4g} is not positive")
         columns = np.array([[1, 1/math.hypot(1, size)], [0, size/math.hypot(1, size)]])
         values = np.linalg.svd(columns, compute_uv=False)
-        if abs(values[0]/values[-1] - limit) > 1e-6*limit:
+        if not abs(values[0]/values[-1] - limit) <= 1e-6*limit:
             raise Wrong(f"for M = {limit:g} your error gives the condition number {values[0]/values[-1]:.6g}")
     return "with this error the condition number is just M, for small and large M"
 
@@ -300,9 +297,10 @@ def _seen(output, values, state):
 
 def _direction(claim, values):
     """The vector at the given values, scaled to length 1."""
-    numbers = np.array([_value(part, values, f"component {k}") for k, part in enumerate(claim, 1)])
+    numbers = np.array([value_at(part, values, f"component {k}") for k, part in enumerate(claim, 1)])
     if not np.abs(numbers).max() > 0:
-        raise Wrong(f"for {_text(values)} it is zero: a change that changes nothing")
+        raise Wrong(f"for {rounded_text(values)} it is zero: a change that changes nothing")
+    numbers = numbers/np.abs(numbers).max()  # a square of what is very large would be infinite
     return numbers/np.linalg.norm(numbers)
 
 
@@ -312,30 +310,3 @@ def _symbols(matrix, *without):
 
 def _array(matrix, values):
     return np.array(sp.Matrix(matrix).subs(values).evalf().tolist(), dtype=float)
-
-
-def _numbers(symbols, seed):
-    """Random positive values of all symbols."""
-    random = np.random.default_rng(seed)
-    for _ in range(SAMPLES):
-        yield dict(zip(symbols, random.uniform(0.4, 2.5, len(symbols)).tolist()))
-
-
-def _value(claim, values, what):
-    number = claim.subs(values).evalf(20)
-    if number.free_symbols or not number.is_number:
-        raise Invalid(f"{what}: the expression does not become a number when all symbols have values")
-    number = complex(number)
-    if not (math.isfinite(number.real) and abs(number.imag) < 1e-12*(1 + abs(number))):
-        raise Wrong(f"for {_text(values)} your expression gives no real number for {what}")
-    return number.real
-
-
-def _compare(claim, values, true, what, scale, tolerance=1e-9):
-    said = _value(claim, values, what)
-    if abs(said - true) > tolerance*(abs(true) + scale):
-        raise Wrong(f"for {_text(values)} {what} is {true:.4g}; your expression gives {said:.4g}")
-
-
-def _text(values):
-    return ", ".join(f"{symbol} = {float(value):.3g}" for symbol, value in values.items())

@@ -4,6 +4,7 @@ import numpy as np
 import sympy as sp
 
 from trajlib.checks import coercion
+from trajlib.checks.at_values import real_function
 from trajlib.checks.transfer_optima import rk4
 from trajlib.checks.verdict import Wrong
 
@@ -16,12 +17,12 @@ class Control:
         if _is_list(answer) and len(answer) and all(_is_list(arc) and len(arc) == 2 for arc in answer):
             symbols = [time, *parameters]
             arcs = [[coercion.as_expression(value, symbols), coercion.as_expression(until, parameters)] for value, until in answer]
-            self._values = [sp.lambdify([time, *parameters], value, "numpy") for value, _ in arcs]
-            self._ends = [sp.lambdify(self.parameters, until, "numpy") for _, until in arcs]
+            self._values = [real_function(symbols, [value]) for value, _ in arcs]
+            self._ends = [real_function(self.parameters, [until]) for _, until in arcs]
             parts = [part for arc in arcs for part in arc]
         else:
             parts = [coercion.as_expression(answer, [time, *parameters])]
-            self._values, self._ends = [sp.lambdify([time, *parameters], parts[0], "numpy")], None
+            self._values, self._ends = [real_function([time, *parameters], parts)], None
         self.rounding = rounding(parts)
 
     def sections(self, values, duration):
@@ -29,7 +30,12 @@ class Control:
         numbers = [float(values[p]) for p in self.parameters]
 
         def smooth(value):
-            return lambda t: _real(value(t, *numbers))
+            def u(t):
+                # At a single instant, as between the cases t < 1 and t > 1, a control need not be defined.
+                said = (value(moment, *numbers) for moment in (t, t + 1e-9 * duration, t - 1e-9 * duration))
+                return _real(next((v for v in said if np.isfinite(v[0])), [np.nan]), f"your control at {self.time} = {t:.4g}")
+
+            return u
 
         if self._ends is None:
             u = smooth(self._values[0])
@@ -37,8 +43,8 @@ class Control:
             # The value at a jump itself is of no account: it is asked a little inside.
             return [(a, b, _inside(u, a, b)) for a, b in zip([0.0, *jumps], [*jumps, duration])]
         begin, found = 0.0, []
-        for value, until in zip(self._values, self._ends):
-            end = _real(until(*numbers))
+        for k, (value, until) in enumerate(zip(self._values, self._ends), 1):
+            end = _real(until(*numbers), f"the end of your arc number {k}")
             if not end > begin:
                 raise Wrong(f"your arcs end at times that do not grow: {end:.4g} comes after {begin:.4g}")
             found.append((begin, min(end, duration), smooth(value)))
@@ -110,8 +116,8 @@ def _inside(u, begin, end):
     return lambda t: u(min(max(t, begin + margin), end - margin))
 
 
-def _real(value):
-    value = complex(value)
-    if not np.isfinite(value) or abs(value.imag) > 1e-9 * (1 + abs(value)):
-        raise Wrong("your control is not real at all times of the transfer")
-    return value.real
+def _real(value, what):
+    """The only entry of an array, which `real_function` gives."""
+    if not np.isfinite(value[0]):
+        raise Wrong(f"{what} is no real number, or not defined")
+    return float(value[0])

@@ -7,6 +7,7 @@ values of the parameters, by Newton's method from many starts at once. "The stat
 the domain: a data cell that leaves room for two makes the answer unchecked.
 """
 
+import cmath
 import functools
 import math
 from fractions import Fraction
@@ -15,6 +16,7 @@ import numpy as np
 import sympy as sp
 
 from trajlib.checks import coercion
+from trajlib.checks.at_values import real_at
 from trajlib.checks.fields import as_text
 from trajlib.checks.semialgebraic import Condition, cells
 from trajlib.checks.semialgebraic import as_text as place_text
@@ -72,7 +74,7 @@ def cycle_period(answer, radial, angular, radius, parameters):
     family = _Family([radial], [radius], parameters, _cycles(radius))
     turning = _Family([angular], [radius], parameters, _cycles(radius))
     for values, numbers, rest in family.samples():
-        period = _real(claim, values)
+        period = real_at(claim, values)
         if period is None:
             raise Wrong(f"for {_told(values)} there is a closed orbit, but your expression gives no real number")
         rate = float(turning(rest, numbers)[0])
@@ -93,7 +95,7 @@ def stationary_linearisation(answer, field, state, parameters, domain=None):
         true = family.jacobian(rest, numbers)
         size = np.linalg.norm(true)
         for k in range(n):
-            said = [_real(entry, values) for entry in matrix[:, k]]
+            said = [real_at(entry, values) for entry in matrix[:, k]]
             if any(value is None for value in said):
                 raise Wrong(f"for {_told(values)} your matrix is not real")
             if not all(_near(value, t, matrix, size) for value, t in zip(said, true[:, k])):
@@ -109,7 +111,7 @@ def stationary_value(answer, expression, field, state, parameters, domain=None):
     family = _Family(field, state, parameters, domain)
     reading = _Family([expression], state, parameters, domain)
     for values, numbers, rest in family.samples():
-        true, said = float(reading(rest, numbers)[0]), _real(claim, values)
+        true, said = float(reading(rest, numbers)[0]), real_at(claim, values)
         if said is None or not _near(said, true, claim, _scale(expression, values, state, rest)):
             told = "no real number" if said is None else f"{said:.4g}"
             raise Wrong(f"for {_told(values)} the value is {true:.4g}; your expression gives {told}")
@@ -173,7 +175,7 @@ def dulac(answer, field, state, parameters, domain=None):
         if not np.all(np.isfinite(parts[:, k])):
             raise Wrong(f"at {where}, a point of the domain, your multiplier or its divergence is not a real number")
         true, said = parts[:-2, k].sum(), parts[-2, k]
-        if not _near(said, true, divergence, abs(parts[:-2, k]).sum()):
+        if not (math.isfinite(true) and _near(said, true, divergence, abs(parts[:-2, k]).sum())):
             raise Wrong(f"at {where} the divergence of the field times your multiplier is {true:.4g}; "
                         f"your second expression gives {said:.4g}")
     signs = np.sign(np.where(abs(parts[-2]) > 1e-12 * abs(parts[:-2]).sum(axis=0), parts[-2], 0))
@@ -196,15 +198,17 @@ def first_integral(answer, field, state, parameters, domain=None):
     random = np.random.default_rng(10)
     places = np.array([[_draw(random, symbol, domain) for _ in range(60)] for symbol in symbols])
     with np.errstate(all="ignore"):
-        gradient = np.array([_values(slope, symbols, places) for slope in slopes])
+        levels, *gradient = np.array([_values(part, symbols, places) for part in (claim, *slopes)])
         velocity = np.array([_values(component, symbols, places) for component in field])
-    if not np.all(np.isfinite(gradient)):
-        raise Wrong("your expression is not real, or has no derivatives, at some points of the domain")
+    gradient = np.array(gradient)
+    for k in np.flatnonzero(~np.isfinite([levels, *gradient]).all(axis=0)):
+        where = ", ".join(f"{s} = {x:.3g}" for s, x in zip(symbols, places[:, k]))
+        raise Wrong(f"your expression is not real, or has no derivatives, at {where}, a point of the domain")
     if not np.any(abs(gradient) > 1e-12):
         raise Wrong("your expression does not depend on the state: a constant tells nothing about the motions")
     rates, sizes = (gradient * velocity).sum(axis=0), abs(gradient * velocity).sum(axis=0)
     worst = int(np.argmax(abs(rates) - 1e-9 * sizes))
-    if abs(rates[worst]) > 1e-9 * sizes[worst]:
+    if not abs(rates[worst]) <= 1e-9 * sizes[worst] < math.inf:
         raise Wrong("along the motion through " + ", ".join(f"{s} = {x:.3g}" for s, x in zip(symbols, places[:, worst]))
                     + f" your expression changes at the rate {rates[worst]:.4g}, not zero")
     return "it keeps its value along the motions, at random states"
@@ -225,21 +229,21 @@ def phase_curve(answer, field, state, parameters, through, domain=None):
         scale = 0.0
         for _ in range(6):
             x = sp.Rational(round(10**4 * _draw(random, first, domain)), 10**4)
-            y, dy = (_real(expression, values | {first: x}) for expression in (claim, slope))
+            y, dy = (real_at(expression, values | {first: x}) for expression in (claim, slope))
             where = f"for {_told(values)} at {first} = {float(x):.3g}"
             if y is None or dy is None or not family.inside(np.array([float(x), y])):
                 raise Wrong(f"{where} your expression gives "
                             + ("no real number" if y is None or dy is None else f"{second} = {y:.3g}, outside the domain"))
             velocity = family(np.array([float(x), y]), numbers)
             scale = max(scale, y)
-            if abs(dy * velocity[0] - velocity[1]) > 1e-8 * (np.linalg.norm(velocity) + abs(dy * velocity[0])):
+            if not abs(dy * velocity[0] - velocity[1]) <= 1e-8 * (np.linalg.norm(velocity) + abs(dy * velocity[0])) < math.inf:
                 raise Wrong(f"{where} your curve has the slope {dy:.4g}, but a motion that is there moves along the slope "
                             f"{velocity[1] / velocity[0]:.4g}")
         for end_x, end_y in through:
             middle = sum(_ends(first, domain)) / 2
             close = sp.Float(middle + (1 - 1e-8) * (float(end_x) - middle), 25)
-            y = _real(claim, values | {first: close})
-            if y is None or abs(y - float(end_y)) > 1e-3 * scale:
+            y = real_at(claim, values | {first: close})
+            if y is None or not abs(y - float(end_y)) <= 1e-3 * scale:
                 raise Wrong(f"for {_told(values)} your curve does not go through ({end_x}, {end_y}): close to it {second} is "
                             + ("not real" if y is None else f"{y:.3g}"))
     return "its slope is that of the motions, and it goes through the points asked for"
@@ -255,7 +259,7 @@ def _judge_points(answer, family, noun):
     for values, numbers, rests in family.samples(alone=False):
         missed, outside = list(rests), ""
         for k, point in enumerate(points):
-            place = [_real(coordinate, values) for coordinate in point]
+            place = [real_at(coordinate, values) for coordinate in point]
             if any(coordinate is None for coordinate in place):
                 outside = "; what your answer gives is not real"
                 continue
@@ -477,8 +481,11 @@ class _Family:
     def samples(self, count=7, need_rest=True, alone=True):
         """Triples (exact values, their floats, the stationary point), or with all points of the domain unless `alone`."""
         random = np.random.default_rng(15)
-        tries = [[_simple(_draw(random, p, self.domain), p, self.domain) for p in self.parameters]
-                 for _ in range(30 if self.parameters else 1)]
+        count_of_tries = 30 if self.parameters else 1
+        # Multiples of irrational numbers are spread evenly, every few of them that follow one another.
+        shares = np.outer(np.arange(1, count_of_tries + 1), np.sqrt([2, 3, 5, 7, 11, 13, 17, 19])[:len(self.parameters)]) % 1
+        tries = [[_simple(_draw(random, p, self.domain, share), p, self.domain) for p, share in zip(self.parameters, row)]
+                 for row in shares]
         numbers = np.array(tries, dtype=float).T.reshape(len(self.parameters), len(tries))
         rests = self.rests(numbers) if need_rest else [[None]] * len(tries)
         chosen = [k for k, found in enumerate(rests) if found]
@@ -570,15 +577,18 @@ def _allowed(value, symbol, domain):
     return low < value < high
 
 
-def _draw(random, symbol, domain):
-    """A random value of a symbol, of a moderate size."""
+def _draw(random, symbol, domain, share=None):
+    """A random value of a symbol, of a moderate size; or that at a share, between 0 and 1, of all its values."""
     low, high = _ends(symbol, domain)
-    size = math.exp(random.uniform(math.log(0.15), math.log(8)))
+    share = random.uniform() if share is None else share
     if math.isfinite(low) and math.isfinite(high):
-        return random.uniform(low + 0.02 * (high - low), high - 0.02 * (high - low))
+        return low + (0.02 + 0.96 * share) * (high - low)
+    smallest, largest = math.log(0.15), math.log(8)
     if math.isfinite(low) or math.isfinite(high):
+        size = math.exp(smallest + share * (largest - smallest))
         return low + size if math.isfinite(low) else high - size
-    return float(random.choice((-1, 1))) * size
+    sign, share = (1, 2 * share - 1) if share > 0.5 else (-1, 1 - 2 * share)
+    return sign * math.exp(smallest + share * (largest - smallest))
 
 
 def _spread(random, symbol, domain):
@@ -604,23 +614,18 @@ def _simple(value, symbol, domain):
     return simple if simple.denominator > 1 and _allowed(float(simple), symbol, domain) else _rational(value)
 
 
-def _real(expression, values):
-    """The value of an expression as a float, or None if it is not real or not defined."""
-    number = expression.xreplace(values)
-    number = complex(number.evalf(20)) if not number.has(sp.nan, sp.zoo, sp.oo) else complex("nan")
-    return number.real if math.isfinite(number.real) and abs(number.imag) < 1e-12 * (1 + abs(number)) else None
-
-
 def _values(expression, symbols, places):
     """An expression at many places; nan where it is not real. Symbols and functions are known (`coercion.with_symbols`)."""
+    if expression.has(sp.nan, sp.zoo):
+        return np.full(places.shape[1], math.nan)
     function = sp.lambdify(symbols, expression, "mpmath")
 
     def value(place):
         try:
             number = complex(function(*place))
-        except (ZeroDivisionError, ValueError, OverflowError):
+        except (ZeroDivisionError, ValueError, OverflowError, TypeError):  # TypeError: a Piecewise without a case for this place
             return math.nan
-        return number.real if abs(number.imag) < 1e-9 * (1 + abs(number)) else math.nan
+        return number.real if cmath.isfinite(number) and abs(number.imag) < 1e-9 * (1 + abs(number)) else math.nan
 
     return np.array([value(place.tolist()) for place in places.T])
 
@@ -637,7 +642,7 @@ def _near(said, true, written, size=0.0):
 def _scale(expression, values, state, rest):
     """The size of the terms of an expression at a place: their sum may cancel."""
     numbers = values | {x: sp.Float(float(v), 20) for x, v in zip(state, rest)}
-    return sum(abs(_real(term, numbers) or 0.0) for term in sp.Add.make_args(sp.expand(expression)))
+    return sum(abs(real_at(term, numbers) or 0.0) for term in sp.Add.make_args(sp.expand(expression)))
 
 
 def _kind(matrix):

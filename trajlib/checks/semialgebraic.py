@@ -94,7 +94,8 @@ class _Sign:
         try:
             with mpmath.workdps(30):
                 number = mpmath.mpmathify(self._numeric(*(mpmath.mpf(x.numerator) / x.denominator for x in point)))
-        except (ZeroDivisionError, ValueError):
+        except (ZeroDivisionError, ValueError, TypeError, OverflowError):
+            # TypeError: a Piecewise without a case for this point gives None, and complex numbers have no order.
             return None
         if mpmath.isnan(number) or abs(number.imag) > 1e-20:
             return None

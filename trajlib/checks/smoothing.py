@@ -12,9 +12,13 @@ import numpy as np
 import sympy as sp
 
 from trajlib.checks import coercion
-from trajlib.checks.verdict import Invalid, Wrong, judged
+from trajlib.checks.at_values import compare_at, random_values, spread, value_at
+from trajlib.checks.verdict import Wrong, judged
+from trajlib.checks.wording import rounded_text
 
 RECORDS = 6
+#: Of the values of all symbols, the same in every check.
+SEED = 64
 PIECES = 16
 
 
@@ -23,10 +27,10 @@ def transition_polynomial(answer, transition, lam, kappa):
     """The characteristic polynomial det(lambda E - A) of a transition matrix that depends on kappa."""
     claim = coercion.as_expression(answer, [lam, kappa])
     random = np.random.default_rng(61)
-    for _ in range(RECORDS):
-        at, stiffness = random.uniform(-3, 3), random.uniform(0.1, 9)
+    for stiffness in spread(random, 0.1, 9, RECORDS):
+        at = random.uniform(-3, 3)
         true = np.linalg.det(at*np.eye(transition.rows) - _matrix(transition, kappa, stiffness))
-        _compare(claim, {lam: at, kappa: stiffness}, true, "det(lambda E - A)", abs(true) + 1)
+        compare_at(claim, {lam: at, kappa: stiffness}, true, "det(lambda E - A)", abs(true) + 1)
     return "it is det(lambda E - A) at random lambda and kappa"
 
 
@@ -35,10 +39,10 @@ def reduced_polynomial(answer, transition, w, kappa):
     """The polynomial in w = lambda + 1/lambda whose product with lambda^2 is the characteristic polynomial."""
     claim = coercion.as_expression(answer, [w, kappa])
     random = np.random.default_rng(62)
-    for _ in range(RECORDS):
-        at, stiffness = random.choice([-1, 1])*random.uniform(0.3, 3), random.uniform(0.1, 9)
+    for stiffness in spread(random, 0.1, 9, RECORDS):
+        at = random.choice([-1, 1])*random.uniform(0.3, 3)
         true = np.linalg.det(at*np.eye(transition.rows) - _matrix(transition, kappa, stiffness))/at**2
-        _compare(claim, {w: at + 1/at, kappa: stiffness}, true, f"P(lambda)/lambda^2 at lambda = {at:.3g}", abs(true) + 1)
+        compare_at(claim, {w: at + 1/at, kappa: stiffness}, true, f"P(lambda)/lambda^2 at lambda = {at:.3g}", abs(true) + 1)
     return "lambda^2 times it is det(lambda E - A) at random lambda and kappa"
 
 
@@ -49,11 +53,10 @@ def on_unit_circle(answer, transition, phi, kappa):
     if claim.has(sp.I):
         raise Wrong("the imaginary unit is left in it: an expression whose sign can be read off was asked for")
     random = np.random.default_rng(63)
-    for _ in range(RECORDS):
-        angle, stiffness = random.uniform(0.2, 3), random.uniform(0.1, 9)
+    for angle, stiffness in zip(spread(random, 0.2, 3, RECORDS), spread(random, 0.1, 9, RECORDS)):
         point = cmath.exp(1j*angle)
         true = (np.linalg.det(point*np.eye(transition.rows) - _matrix(transition, kappa, stiffness))/point**2).real
-        _compare(claim, {phi: angle, kappa: stiffness}, true, f"P/lambda^2 at lambda = exp({angle:.3g} i)", abs(true) + 1)
+        compare_at(claim, {phi: angle, kappa: stiffness}, true, f"P/lambda^2 at lambda = exp({angle:.3g} i)", abs(true) + 1)
     return "on the unit circle it is P(lambda)/lambda^2, at random angles and kappa"
 
 
@@ -67,7 +70,7 @@ def multiple_eigenvalues(answer, transition, kappa):
     unit = 10.0**(math.floor(math.log10(claim)) - 2)
     rounding = 0.5*unit if number.has(sp.Float) else 1e-6*claim
     low, high = (_split(transition, kappa, claim + side*rounding) for side in (-1, 1))
-    if low*high > 0:
+    if not low*high <= 0:
         values = np.linalg.eigvals(_matrix(transition, kappa, claim))
         gap = min(abs(a - b) for k, a in enumerate(values) for b in values[:k])
         raise Wrong(f"for kappa = {claim:.4g} the eigenvalues are different: the nearest two are {gap:.3g} apart")
@@ -92,7 +95,7 @@ def spline_acceleration(answer, times, samples, rho, M):
     claim = coercion.as_expression(answer, _symbols(times, samples, rho, M))
     for values, t, h in _drawn(times, samples, rho, M):
         states = _least_cost(t, h, values[rho], values[M])
-        _compare(claim, values, _middle(t, *states), "the acceleration at the middle sample", np.abs(h).max()/t[1]**2)
+        compare_at(claim, values, _middle(t, *states), "the acceleration at the middle sample", np.abs(h).max()/t[1]**2)
     return "it is that of the motion with the least cost, for random samples and weights"
 
 
@@ -103,7 +106,7 @@ def spline_positions(answer, times, samples, rho, M):
     for values, t, h in _drawn(times, samples, rho, M):
         x, _ = _least_cost(t, h, values[rho], values[M])
         for k, claim in enumerate(claims):
-            _compare(claim, values, x[k], f"x{k}", np.abs(h).max())
+            compare_at(claim, values, x[k], f"x{k}", np.abs(h).max())
     return "they are those of the motion with the least cost, for random samples and weights"
 
 
@@ -112,7 +115,7 @@ def interpolant_acceleration(answer, times, samples):
     """The greatest acceleration of the motion with the least integral of u^2 through three samples."""
     claim = coercion.as_expression(answer, _symbols(times, samples))
     for values, t, h in _drawn(times, samples):
-        _compare(claim, values, abs(_middle(t, *_least_cost(t, h, 1.0, None))), "the greatest acceleration through the samples",
+        compare_at(claim, values, abs(_middle(t, *_least_cost(t, h, 1.0, None))), "the greatest acceleration through the samples",
                  np.abs(h).max()/t[1]**2)
     return "it is that of the easiest motion through the samples"
 
@@ -122,12 +125,12 @@ def weight_for_bound(answer, times, samples, rho, D):
     """The weight M for which the motion of least cost has the greatest acceleration D."""
     claim = coercion.as_expression(answer, _symbols(times, samples, rho, D))
     for values, t, h in _bounded(times, samples, rho, D):
-        weight = _value(claim, values, "M")
+        weight = value_at(claim, values, "M")
         if weight <= 0:
-            raise Wrong(f"for {_text(values)} your M = {weight:.4g} is not positive")
+            raise Wrong(f"for {rounded_text(values)} your M = {weight:.4g} is not positive")
         greatest = abs(_middle(t, *_least_cost(t, h, values[rho], weight)))
-        if abs(greatest - values[D]) > 1e-8*values[D]:
-            raise Wrong(f"for {_text(values)} the motion of least cost with your M = {weight:.4g} has the greatest acceleration "
+        if not abs(greatest - values[D]) <= 1e-8*values[D]:
+            raise Wrong(f"for {rounded_text(values)} the motion of least cost with your M = {weight:.4g} has the greatest acceleration "
                         f"{greatest:.4g}, not {values[D]:.4g}")
     return "the motion of least cost with this weight has the greatest acceleration D, for random samples and bounds"
 
@@ -142,7 +145,7 @@ def spline_misfit(answer, times, samples, rho, D):
             middle = (low + high)/2
             states = _least_cost(t, h, values[rho], math.exp(middle))
             low, high = (middle, high) if abs(_middle(t, *states)) > values[D] else (low, middle)
-        _compare(claim, values, values[rho]*np.sum((states[0] - h)**2), "the misfit", values[rho]*np.sum(h**2), 1e-8)
+        compare_at(claim, values, values[rho]*np.sum((states[0] - h)**2), "the misfit", values[rho]*np.sum(h**2), 1e-8)
     return "it is the misfit of the motion whose weight meets the bound, for random samples and bounds"
 
 
@@ -161,7 +164,7 @@ def bounded_misfit(answer, times, samples, rho, D):
         free = np.array([np.inf, np.inf])
         limits = np.append(free, np.full(step.size, values[D]))
         found = lsq_linear(rows, h, (-limits, limits), method="bvls", tol=1e-14)
-        _compare(claim, values, 2*values[rho]*found.cost, "the least misfit", values[rho]*np.sum(h**2), 1e-7)
+        compare_at(claim, values, 2*values[rho]*found.cost, "the least misfit", values[rho]*np.sum(h**2), 1e-7)
     return "no motion within the bound fits better, for random samples and bounds"
 
 
@@ -169,11 +172,11 @@ def bounded_misfit(answer, times, samples, rho, D):
 def filter_gain(answer, omega, rho, M):
     """The factor g with which x = g cos(omega t) solves M x'''' + rho (x - cos(omega t)) = 0."""
     claim = coercion.as_expression(answer, [omega, rho, M])
-    for values in _numbers([omega, rho, M]):
-        gain = _value(claim, values, "the factor")
+    for values in random_values([omega, rho, M], SEED):
+        gain = value_at(claim, values, "the factor")
         left = values[M]*values[omega]**4*gain + values[rho]*(gain - 1)
-        if abs(left) > 1e-9*(values[M]*values[omega]**4 + values[rho]):
-            raise Wrong(f"for {_text(values)}, at t = 0, your motion leaves M x'''' + rho (x - h) = {left:.4g}")
+        if not abs(left) <= 1e-9*(values[M]*values[omega]**4 + values[rho]):
+            raise Wrong(f"for {rounded_text(values)}, at t = 0, your motion leaves M x'''' + rho (x - h) = {left:.4g}")
     return "x = g h satisfies the equation, for random frequencies and weights"
 
 
@@ -181,9 +184,9 @@ def filter_gain(answer, omega, rho, M):
 def boundary_decay(answer, rho, M):
     """The rate at which the influence of an end dies out: -Re s of the solutions exp(s t) of M x'''' + rho x = 0 that decay."""
     claim = coercion.as_expression(answer, [rho, M])
-    for values in _numbers([rho, M]):
+    for values in random_values([rho, M], SEED):
         roots = np.roots([values[M], 0, 0, 0, values[rho]])
-        _compare(claim, values, -max(root.real for root in roots if root.real < 0), "the rate of decay", 0)
+        compare_at(claim, values, -max(root.real for root in roots if root.real < 0), "the rate of decay", 0)
     return "the solutions exp(s t) that decay have -Re s equal to it, for random weights"
 
 
@@ -191,14 +194,14 @@ def boundary_decay(answer, rho, M):
 def weight_of_harmonic(answer, amplitude, omega, rho, D):
     """The weight M for which the reconstruction of `amplitude` cos(omega t) has the greatest acceleration D."""
     claim = coercion.as_expression(answer, [amplitude, omega, rho, D])
-    for values in _numbers([amplitude, omega, rho, D]):
+    for values in random_values([amplitude, omega, rho, D], SEED):
         values[D] = values[amplitude]*values[omega]**2*0.8*values[D]/(1 + values[D])
-        weight = _value(claim, values, "M")
+        weight = value_at(claim, values, "M")
         if weight <= 0:
-            raise Wrong(f"for {_text(values)} your M = {weight:.4g} is not positive")
+            raise Wrong(f"for {rounded_text(values)} your M = {weight:.4g} is not positive")
         size = values[rho]*values[amplitude]/(weight*values[omega]**4 + values[rho])  # x = size cos(omega t) solves the equation
-        if abs(size*values[omega]**2 - values[D]) > 1e-9*values[D]:
-            raise Wrong(f"for {_text(values)} your M = {weight:.4g} gives the greatest acceleration "
+        if not abs(size*values[omega]**2 - values[D]) <= 1e-9*values[D]:
+            raise Wrong(f"for {rounded_text(values)} your M = {weight:.4g} gives the greatest acceleration "
                         f"{size*values[omega]**2:.4g}, not {values[D]:.4g}")
     return "with this weight the greatest acceleration is D, for random measurements and bounds"
 
@@ -208,18 +211,18 @@ def steady_costate(answer, rho, M):
     """The constant matrix P >= 0 of (psi1, psi2) = c - P (x, y) for steady continuous measurements of weight rho."""
     claim = coercion.as_matrix(answer, [rho, M], (2, 2))
     A, b = np.array([[0.0, 1], [0, 0]]), np.array([0.0, 1])
-    for values in _numbers([rho, M]):
-        P = np.array([[_value(claim[i, j], values, f"p{i + 1}{j + 1}") for j in range(2)] for i in range(2)])
-        if abs(P[0, 1] - P[1, 0]) > 1e-9*np.abs(P).max():
-            raise Wrong(f"for {_text(values)} your matrix is not symmetric; it is a matrix of second derivatives of a cost")
+    for values in random_values([rho, M], SEED):
+        P = np.array([[value_at(claim[i, j], values, f"p{i + 1}{j + 1}") for j in range(2)] for i in range(2)])
+        if not abs(P[0, 1] - P[1, 0]) <= 1e-9*np.abs(P).max():
+            raise Wrong(f"for {rounded_text(values)} your matrix is not symmetric; it is a matrix of second derivatives of a cost")
         terms = [P@A, A.T@P, -np.outer(P@b, b@P)/values[M], np.diag([values[rho], 0])]
         residual, size = sum(terms), sum(map(np.abs, terms))
-        if (np.abs(residual) > 1e-9*size.max()).any():
+        if not (np.abs(residual) <= 1e-9*size.max()).all():
             i, j = np.unravel_index(np.abs(residual).argmax(), (2, 2))
-            raise Wrong(f"for {_text(values)} your P would not stay constant: the element ({i + 1}, {j + 1}) of its rate is "
+            raise Wrong(f"for {rounded_text(values)} your P would not stay constant: the element ({i + 1}, {j + 1}) of its rate is "
                         f"{-residual[i, j]:.4g}")
-        if np.linalg.eigvalsh(P).min() <= 0:
-            raise Wrong(f"for {_text(values)} your P is constant, but not positive definite: a cost that is still to come "
+        if not np.linalg.eigvalsh(P).min() > 0:
+            raise Wrong(f"for {rounded_text(values)} your P is constant, but not positive definite: a cost that is still to come "
                         "cannot be negative")
     return "it stays constant under the Riccati equation and is positive definite, for random weights"
 
@@ -265,7 +268,7 @@ def _symbols(times, samples, *more):
 
 def _drawn(times, samples, *more):
     """Random positive values of all symbols, with times and samples as arrays."""
-    for values in _numbers(_symbols(times, samples, *more)):
+    for values in random_values(_symbols(times, samples, *more), SEED):
         yield values, *(np.array([float(sp.sympify(part).subs(values)) for part in parts]) for parts in (times, samples))
 
 
@@ -275,29 +278,3 @@ def _bounded(times, samples, rho, D):
     for values, t, h in _drawn(times, samples, rho):
         values[D] = random.uniform(0.1, 0.6)*abs(_middle(t, *_least_cost(t, h, 1.0, None)))
         yield values, t, h
-
-
-def _numbers(symbols):
-    random = np.random.default_rng(64)
-    for _ in range(RECORDS):
-        yield dict(zip(symbols, random.uniform(0.4, 2.5, len(symbols)).tolist()))
-
-
-def _value(claim, values, what):
-    number = claim.subs(values).evalf(20)
-    if number.free_symbols:
-        raise Invalid(f"{what}: the expression does not become a number when all symbols have values")
-    number = complex(number)
-    if not (math.isfinite(number.real) and abs(number.imag) < 1e-12*(1 + abs(number))):
-        raise Wrong(f"for {_text(values)} your expression gives no real number for {what}")
-    return number.real
-
-
-def _compare(claim, values, true, what, scale, tolerance=1e-9):
-    said = _value(claim, values, what)
-    if abs(said - true) > tolerance*(abs(true) + scale):
-        raise Wrong(f"for {_text(values)} {what} is {true:.4g}; your expression gives {said:.4g}")
-
-
-def _text(values):
-    return ", ".join(f"{symbol} = {value:.3g}" for symbol, value in values.items())

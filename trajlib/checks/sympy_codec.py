@@ -13,6 +13,8 @@ Names need care of another kind. `lambdify` prints an expression as Python code,
 `Symbol("print(1)")` runs in whatever process compiles it. Hence the narrow alphabet of names, without brackets, quotes and dots, and
 no undefined function called like one that Python or NumPy has (`exec`, `chr`, `load`).
 
+Numbers of mpmath and Fractions are written as the SymPy numbers they are, a `sympy.Array` as nested lists; neither stays what it was.
+
 What a check will do with an answer is bounded by the judge's own limits of time and memory, yet numbers that nobody writes as an
 answer and that a mere comparison would blow up, such as 10**10**9 or exp(exp(exp(9))), are refused here, by a bound on their size.
 """
@@ -20,8 +22,10 @@ import builtins
 import math
 import re
 import unicodedata
+from fractions import Fraction
 from typing import NamedTuple
 
+import mpmath
 import numpy as np
 import sympy as sp
 from sympy.core.assumptions import _assume_defined
@@ -30,12 +34,13 @@ from sympy.functions.elementary.piecewise import ExprCondPair
 from sympy.logic.boolalg import Boolean
 from sympy.matrices.matrixbase import MatrixBase
 
-from trajlib.checks.encoding import MAX_DIGITS, MAX_NODES
+from trajlib.checks.encoding import MAX_DIGITS, MAX_NODES, write_elements
 
 MAX_NAME = 100  # characters of a symbol's or function's name
 MAX_FUNCTIONS = 100  # different undefined functions in an answer: each is a Python class
 MAX_ORDER = 100  # of a derivative
 MAX_EXPONENT = 4_096  # a number as exponent
+DOUBLE_BITS = 53  # precision of a float
 NUMBER_BITS = int(MAX_DIGITS * math.log2(10))  # magnitude of anything without symbols, and the precision of a Float
 
 
@@ -77,7 +82,7 @@ def a_function(x):
 
 def part(x):
     """A side of an equation, an element of a set, a value of a Lambda."""
-    return isinstance(x, sp.Basic) and not isinstance(x, (sp.Poly, ExprCondPair))
+    return isinstance(x, sp.Basic) and not isinstance(x, (sp.Poly, ExprCondPair, sp.NDimArray))
 
 
 def case(x):
@@ -239,6 +244,25 @@ def _write_float(walk, value):
     return {"kind": "Float", "mantissa": int(-mantissa if sign else mantissa), "exponent": int(exponent), "precision": value._prec}
 
 
+def _write_fraction(walk, value):
+    p, q = walk.integer(value.numerator), walk.integer(value.denominator)
+    return p if q == 1 else {"kind": "Rational", "p": p, "q": q}
+
+
+def _write_mpf(walk, value):
+    return walk.visit(_number(value._mpf_))
+
+
+def _write_mpc(walk, value):
+    real, imag = map(_number, value._mpc_)
+    return walk.visit(real + _S.ImaginaryUnit * imag)
+
+
+def _number(mpf):
+    """The Float with all digits of mpmath's tuple; nan or an infinity where it says so."""
+    return sp.Float._new(mpf, max(DOUBLE_BITS, mpf[3]), zero=False)
+
+
 def _write_symbol(walk, value):
     return {"kind": "Symbol", "name": _name(walk, value.name), "assumptions": _assumptions(walk, value._assumptions_orig)}
 
@@ -287,6 +311,11 @@ _WRITERS = {
     **{id(type(number)): _write_rational for number in (sp.Rational(1, 3), _S.Half)},
     **{id(cls): _write_matrix("Matrix") for cls in (sp.MutableDenseMatrix, sp.MutableSparseMatrix)},
     **{id(cls): _write_matrix("ImmutableMatrix") for cls in (sp.ImmutableDenseMatrix, sp.ImmutableSparseMatrix)},
+    **{id(cls): write_elements for cls in (sp.ImmutableDenseNDimArray, sp.MutableDenseNDimArray)},
+    **{id(cls): write_elements for cls in (sp.ImmutableSparseNDimArray, sp.MutableSparseNDimArray)},
+    id(mpmath.mpf): _write_mpf,
+    id(mpmath.mpc): _write_mpc,
+    id(Fraction): _write_fraction,
     id(sp.Float): _write_float,
     id(sp.Symbol): _write_symbol,
     id(sp.Dummy): _write_dummy,

@@ -15,8 +15,10 @@ import numpy as np
 import sympy as sp
 
 from trajlib.checks import coercion
+from trajlib.checks.at_values import real_function, truth_at
 from trajlib.checks.closed_loop import SAME, Law, follow
-from trajlib.checks.fastest_times import BESIDE, BESIDE_DECIMALS, Lanes, fastest_times, frozen
+from trajlib.checks.fastest_times import Lanes
+from trajlib.checks.sampled_optimum import BESIDE, BESIDE_DECIMALS, frozen, sampled_optimum
 from trajlib.checks.sampling import spread_over
 from trajlib.checks.target_families import TargetFamily
 from trajlib.checks.verdict import Wrong, judged
@@ -39,7 +41,7 @@ def time_optimal_law(answer, field, state, control, bounds, target, parameters=N
 def _time_optimal(claim, data, curve):
     """The sentence on a law that is optimal: a law is often judged again beside another answer."""
     field, state, control, bounds, target, parameters, start = data
-    truth, parameters = fastest_times(*data), dict(parameters)
+    truth, parameters = sampled_optimum(*data), dict(parameters)
     law = Law(claim, state, list(parameters), truth)
     if curve:
         ends = TargetFamily(field, state, control, bounds, target, *curve[2:4], parameters | {curve[3]: curve[4]}, start)
@@ -77,7 +79,7 @@ def minimal_time(answer, field, state, control, bounds, target, parameters=None,
     """The shortest time to the target as an expression in the initial state, where the target can be reached."""
     parameters = dict(parameters or {})
     claim = coercion.as_expression(answer, [*state, *parameters])
-    truth = fastest_times(*frozen(field, state, control, bounds, target, parameters, start))
+    truth = sampled_optimum(*frozen(field, state, control, bounds, target, parameters, start))
     lanes = truth.lanes(claim.has(sp.Float))
     said = Law(claim, state, list(parameters), truth)(lanes.x, lanes.case)
     tolerance = 5e-3 if claim.has(sp.Float) else 1e-4
@@ -94,7 +96,7 @@ def reachable_starts(answer, field, state, control, bounds, target, parameters=N
     """The condition on the initial state under which the target can be reached; the border of the set counts either way."""
     parameters = dict(parameters or {})
     claim = coercion.as_condition(answer, [*state, *parameters])
-    truth = fastest_times(*frozen(field, state, control, bounds, target, parameters, start))
+    truth = sampled_optimum(*frozen(field, state, control, bounds, target, parameters, start))
     lanes = truth.border(claim.has(sp.Float))
     said = truth.condition(claim)(lanes.x, lanes.case)
     reached = np.isfinite(lanes.time)
@@ -144,19 +146,18 @@ def switching_points(answer, field, state, control, bounds, target, ends, variab
     domain = dict(parameters or {})
     claim = coercion.as_expressions(answer, [variable, *[p for p in domain if p != variable]], length=2)
     target = TargetFamily(field, state, control, bounds, target, ends, variable, domain, start)
-    said = sp.lambdify([variable, *target.parameters], claim, "numpy")
+    said = real_function([variable, *target.parameters], claim)
     tolerance = 5e-3 if any(part.has(sp.Float) for part in claim) else 1e-6
     met = 0
     for values in target.samples():
         places = target.places(values, count=24)
         points, times, _ = target.switchings(places, values)
-        with np.errstate(all="ignore"):
-            given = np.column_stack([np.broadcast_to(np.asarray(part, dtype=float), places.shape) for part in said(places, *values)])
+        given = said(places, *values).T
         for k in np.flatnonzero(np.isfinite(times)):
             met += 1
             if not np.all(np.isfinite(given[k])):
                 raise Wrong(f"{target.told(values, places[k])} your point is not real")
-            if np.linalg.norm(given[k] - points[k]) > tolerance * (1 + np.linalg.norm(points[k])):
+            if not np.linalg.norm(given[k] - points[k]) <= tolerance * (1 + np.linalg.norm(points[k])):
                 raise Wrong(f"{target.told(values, places[k])} the optimal motion switches {times[k]:.4g} before its end, at a distance "
                             f"{np.linalg.norm(given[k] - points[k]):.4g} from your point ({given[k][0]:.4g}, {given[k][1]:.4g})")
     if not met:
@@ -173,7 +174,7 @@ def switching_crossing(answer, field, state, control, bounds, target, ends, vari
     domain = dict(parameters or {})
     claim = coercion.as_expressions(answer, [variable, *[p for p in domain if p != variable]], length=2)
     target = TargetFamily(field, state, control, bounds, target, ends, variable, domain, start)
-    said = sp.lambdify([variable, *target.parameters], claim, "numpy")
+    said = real_function([variable, *target.parameters], claim)
     tolerance = 5e-3 if any(part.has(sp.Float) for part in claim) else 1e-5
     for values in target.samples():
         places = target.places(values, count=12)
@@ -181,8 +182,7 @@ def switching_crossing(answer, field, state, control, bounds, target, ends, vari
         step = 1e-5
         tangent = (target.switchings(places + step, values)[0] - target.switchings(places - step, values)[0]) / (2 * step)
         low, high = target.plant.bounds
-        with np.errstate(all="ignore"):
-            given = [np.broadcast_to(np.asarray(part, dtype=float), places.shape) for part in said(places, *values)]
+        given = said(places, *values)
         for name, u, numbers in (("before", low + high - after, given[0]), ("after", after, given[1])):
             velocity = points @ target.plant.A.T + np.outer(u, target.plant.b)
             true = tangent[:, 0] * velocity[:, 1] - tangent[:, 1] * velocity[:, 0]
@@ -233,7 +233,7 @@ def _parting(*curve):
     for told, (one,), (other,), away in _sides_of(*curve, (0.06,)):
         if one.control == other.control or not away:
             raise Wrong(f"{told} of your curve the fastest motions from both sides do not part")
-        if abs(one.time - other.time) > 0.12 * one.time + 0.01:
+        if not abs(one.time - other.time) <= 0.12 * one.time + 0.01:
             raise Wrong(f"{told} of your curve the fastest times differ on the two sides: {one.time:.4g} and {other.time:.4g}")
     return "on both sides the fastest motions leave the curve, and their times agree on it, at sample points"
 
@@ -254,21 +254,19 @@ def _jumping(*curve):
 
 def _sides_of(claim, variable, interval, data, shares):
     """For points of a curve: a text, the optima on one side and on the other at some distances, whether both motions move away."""
-    truth, state, parameters = fastest_times(*data), data[1], dict(data[5])
+    truth, state, parameters = sampled_optimum(*data), data[1], dict(data[5])
     beside = BESIDE_DECIMALS if claim.has(sp.Float) else BESIDE / 2
     index = list(state).index(variable)
-    function = sp.lambdify([variable, *parameters], claim, "numpy")
+    function = real_function([variable, *parameters], [claim])
     for case, values in enumerate(truth.cases):
         ends = [float(sp.sympify(end).subs(dict(zip(parameters, values)))) for end in (interval.inf, interval.sup)]
         places = spread_over(*ends, count=9 if len(truth.cases) == 1 else 5)
         step = 1e-6 * (1 + abs(places))
-        with np.errstate(all="ignore"):
-            other, ahead = (np.broadcast_to(np.asarray(function(at, *values), dtype=complex), places.shape)
-                            for at in (places, places + step))
+        (other,), (ahead,) = (function(at, *values) for at in (places, places + step))
         told = "".join(f"for {p} = {v:.4g}, " for p, v in zip(parameters, values))
-        for k in np.flatnonzero(~np.isfinite(other + ahead) | (abs(other.imag) > 1e-9)):
+        for k in np.flatnonzero(~np.isfinite(other + ahead)):
             raise Wrong(f"{told}at {variable} = {places[k]:.4g} your curve is not real")
-        other, slope = other.real, (ahead.real - other.real) / step
+        slope = (ahead - other) / step
         on = np.column_stack([places, other] if index == 0 else [other, places])
         normal = np.column_stack([-slope, np.ones_like(slope)] if index == 0 else [np.ones_like(slope), -slope])
         normal /= np.linalg.norm(normal, axis=1)[:, None]
@@ -305,7 +303,7 @@ def continuous_time(answer, field, state, control, bounds, target, ends, variabl
             low, high = (middle, high) if (_jump(float(middle), *data) > 0) == (at_low > 0) else (low, middle)
         tried += [(low - beside, at_low), (high + beside, at_high)]
     for value, jump in tried:
-        if bool(claim.subs(name, sp.Float(value))) != (jump == 0):
+        if truth_at(claim, {name: sp.Float(value)}) != (jump == 0):
             raise Wrong(f"for {name} = {value:.4g} the fastest time " + ("jumps across a motion that only touches the target" if jump else
                         "jumps nowhere: it is the same on both sides of all motions that touch the target")
                         + "; your condition says otherwise")
@@ -316,7 +314,7 @@ def continuous_time(answer, field, state, control, bounds, target, ends, variabl
 def _jumps(value, field, state, control, bounds, target, ends, variable, interval, start, name):
     fixed = {name: sp.Float(value)}
     target, ends, start = target.subs(fixed), [end.subs(fixed) for end in ends], None if start is None else start.subs(fixed)
-    truth = fastest_times(*frozen(field, state, control, bounds, [target], {}, start))
+    truth = sampled_optimum(*frozen(field, state, control, bounds, [target], {}, start))
     family = TargetFamily(field, state, control, bounds, target, ends, variable, {variable: interval}, start)
     places = family.places((), count=361)
     rates, jump = family.rates(places, ()), 0.0
@@ -342,7 +340,7 @@ def other_extremals(answer, field, state, control, bounds, target, start=None):
     """The condition on the start under which there is an extremal to the line besides the fastest one; it may cross the line before."""
     claim = coercion.as_condition(answer, state)
     lanes, later = _line_extremals(field, state, control, bounds, target, start)
-    said = fastest_times(*frozen(field, state, control, bounds, target, {}, start)).condition(claim)(lanes.x, lanes.case)
+    said = sampled_optimum(*frozen(field, state, control, bounds, target, {}, start)).condition(claim)(lanes.x, lanes.case)
     for k in np.flatnonzero(said != np.isfinite(later)):
         place = ", ".join(f"{s} = {v:.4g}" for s, v in zip(state, lanes.x[k]))
         raise Wrong(f"from {place} there is " + (f"another extremal, which takes {later[k]:.4g}" if np.isfinite(later[k]) else
@@ -355,7 +353,7 @@ def other_extremal_time(answer, field, state, control, bounds, target, start=Non
     """The time that the other extremal of `other_extremals` takes, where there is one."""
     claim = coercion.as_expression(answer, state)
     lanes, later = _line_extremals(field, state, control, bounds, target, start)
-    truth = fastest_times(*frozen(field, state, control, bounds, target, {}, start))
+    truth = sampled_optimum(*frozen(field, state, control, bounds, target, {}, start))
     said = Law(claim, state, [], truth)(lanes.x, lanes.case)
     tolerance = 5e-3 if claim.has(sp.Float) else 1e-6
     for k in np.flatnonzero(np.isfinite(later) & ~(abs(said - later) <= tolerance * later)):
@@ -372,7 +370,7 @@ def _line_extremals(field, state, control, bounds, target, start):
     reaches the line there, and rises, since its rate is the Hamiltonian; the first of all is the fastest one. Starts next to a
     border of their set are left out.
     """
-    truth = fastest_times(*frozen(field, state, control, bounds, target, {}, start))
+    truth = sampled_optimum(*frozen(field, state, control, bounds, target, {}, start))
     if "extremals" in truth.kept:
         return truth.kept["extremals"]
     plant, (points, case) = truth.plant, truth._points(1000, seed=7)

@@ -4,16 +4,22 @@
 - a system homogeneous of first degree in two states, a line through zero as the target: the direction (angle) obeys an
   equation of its own, and the time is the integral of dtheta/(greatest or least rate); the process ends when the line is
   met for the first time after the start;
-- a linear system x' = Ax + bu with two states, the origin as the target: x0 can be brought there within T exactly if
-  q.x0 <= S_T(q) := int_0^T max_u(-q.e^{-As}b u) ds for every direction q, so the least time is the greatest one that any q demands.
+- a linear system x' = Ax + bu with two states, the origin as the target: the least time is that of `fastest_times`. Whether there is
+  one at all is told by time running back: x0 can be brought to the origin within T exactly if, for every direction q,
+  q.x0 <= S_T(q) := int_0^T max_u(-q.e^{-As}b u) ds.
 """
 
 import functools
+import itertools
 import math
 
 import numpy as np
 import sympy as sp
 from scipy.integrate import quad
+
+from trajlib.checks.convex_targets import ConvexTarget
+from trajlib.checks.fastest_times import FastestTimes, directions
+from trajlib.checks.linear_plant import Plant
 
 #: For how many sets of parameters an answer is tried.
 SAMPLES = 10
@@ -54,8 +60,7 @@ class Transfer:
         start = np.array([float(put(e)) for e in self.initial])
         # State symbols that stand for the start are values of parameters, never to be replaced in the dynamics.
         free = {p: v for p, v in values.items() if p not in self.dynamics}
-        parts = (tuple(f.subs(free) for f in self.dynamics.values()), tuple(float(b.subs(free)) for b in self.bounds),
-                 tuple(g.subs(free) for g in self.terminal))
+        parts = (tuple(e.subs(free) for e in expressions) for expressions in (self.dynamics.values(), self.bounds, self.terminal))
         system = _system(self._kind, tuple(self.dynamics), self.control, *parts)
         return _Optimum(system, start, self.slowest, **options)
 
@@ -92,8 +97,7 @@ class Transfer:
         return self._system().radii(duration)
 
     def _system(self):
-        return _system(_Linear, tuple(self.dynamics), self.control, tuple(self.dynamics.values()), tuple(map(float, self.bounds)),
-                       tuple(self.terminal))
+        return _system(_Linear, tuple(self.dynamics), self.control, tuple(self.dynamics.values()), tuple(self.bounds), tuple(self.terminal))
 
     def _modes_allow(self, start):
         """Exactly: the part of the start along each mode that does not decay must lie in what the control can undo."""
@@ -127,23 +131,26 @@ def _decisions(key):
 def _samples(key, count):
     dynamics, control, bounds, initial, terminal, parameters, slowest = key
     transfer = Transfer(dict(dynamics), {control: bounds}, dict(zip(dict(dynamics), initial)), terminal, parameters, slowest)
-    random, found = np.random.default_rng(51), []
-    for k in range(400 * count):
+    solvable, found = filter(transfer.solvable, _drawn(parameters, 400 * count)), []
+    while len(found) < count:
+        fresh = [(values, transfer.at(values)) for values in itertools.islice(solvable, count - len(found))]
+        if not fresh:
+            raise RuntimeError("too few starts from which the target can be reached were met")
+        for system in {best.system for _, best in fresh}:
+            system.foresee([best.start for _, best in fresh if best.system is system])
+        found += [(values, best) for values, best in fresh if math.isfinite(best.duration) and best.duration > 0]
+    return found
+
+
+def _drawn(parameters, count):
+    random = np.random.default_rng(51)
+    for k in range(count):
         scale = (sp.S.One, sp.Rational(1, 4), sp.Integer(3))[k % 3]
         values = {}
         for p in parameters:
             size = sp.Integer(int(random.integers(1, 6))) if p.is_integer else scale * sp.Rational(int(random.integers(3, 40)), 13)
             values[p] = size if p.is_positive or not (p.is_negative or random.integers(2)) else -size
-        if not transfer.solvable(values):
-            continue
-        best = transfer.at(values)
-        if math.isfinite(best.duration) and best.duration > 0:
-            found.append((values, best))
-        if len(found) == count:
-            break
-    if len(found) < count:
-        raise RuntimeError("too few starts from which the target can be reached were met")
-    return found
+        yield values
 
 
 class _Optimum:
@@ -199,7 +206,7 @@ class _System:
     """A system with numbers for its parameters."""
 
     def __init__(self, state, control, field, bounds, terminal):
-        self.bounds = bounds
+        self.bounds = tuple(map(float, bounds))
         symbols = [*state, control]
         self._field = sp.lambdify(symbols, field, "math")
         self._jacobian = sp.lambdify(symbols, sp.Matrix(field).jacobian(list(state)).tolist(), "math")
@@ -218,6 +225,9 @@ class _System:
 
     def normals(self):
         return self._normals
+
+    def foresee(self, starts):
+        """Find the optima from many starts at once, where that is quicker than one by one."""
 
     def path(self, start, duration, slowest, count):
         times = duration * (np.arange(count) + 0.37) / count
@@ -364,145 +374,95 @@ class _Turn(_System):
 
 
 class _Linear(_System):
-    """x' = Ax + bu in the plane, the origin as the target."""
+    """x' = Ax + bu in the plane, the origin as the target.
+
+    Time runs back here: what can be brought to the origin within T is what x' = -Ax - bu reaches from there, and it only grows with T.
+    The least times are those of `fastest_times`, to more digits.
+    """
 
     DIRECTIONS = 720
 
     def __init__(self, state, control, field, bounds, terminal):
         super().__init__(state, control, field, bounds, terminal)
-        if not bounds[0] <= 0 <= bounds[1]:
+        if not self.bounds[0] <= 0 <= self.bounds[1]:
             raise RuntimeError("the origin has to be a state of rest for an admissible control")
-        matrix, column, _ = _linear_parts(dict(zip(state, field)), control)
-        self.matrix, self.column = np.array(matrix, dtype=float), np.array(column, dtype=float).ravel()
-        # Along a mode the control's effect is bounded in isolated directions only: these are added exactly.
-        modes = [np.array(v.evalf(), dtype=float).ravel() for value, _, vectors in matrix.T.eigenvects() if value.is_real for v in vectors]
-        angles = (np.arange(self.DIRECTIONS) + 0.5) * 2 * math.pi / self.DIRECTIONS
-        exact = [math.atan2(sign * v[1], sign * v[0]) for v in modes for sign in (1, -1)]
-        self.angles = np.sort(np.concatenate([angles, np.mod(exact, 2 * math.pi)]))
+        self._back = Plant([-f for f in field], state, control, bounds)
         # Sums of powers of time grow slowly, exponentials fast.
-        self.longest = 4096.0 if not (self.matrix @ self.matrix).any() else 128.0
-        self._cache = {}
-
-    def _support(self, angles, horizon, pieces=600):
-        """S_T(q) for T on a grid up to `horizon`: an array with a row a direction."""
-        times, column = self._columns(horizon, pieces)
-        g = -(np.cos(angles)[:, None] * column[0] + np.sin(angles)[:, None] * column[1])
-        h = times[1] - times[0]
-        a, b = g[:, :-1], g[:, 1:]
-        both = np.where(a * b < 0, np.abs(a - b), 1.0)
-        # Within a step g counts as linear; where it changes its sign both triangles are taken.
-        up = np.where(a * b < 0, np.where(a > 0, a * a, b * b) / both, np.maximum(a, 0) + np.maximum(b, 0)) * h / 2
-        down = np.where(a * b < 0, np.where(a < 0, a * a, b * b) / both, np.maximum(-a, 0) + np.maximum(-b, 0)) * h / 2
-        if self.matrix.any() and (self.matrix @ self.matrix).any():
-            # Simpson's correction where g keeps its sign, so that the rule is exact to fourth order.
-            bend = np.zeros_like(g)
-            bend[:, 1:-1] = g[:, 2:] - 2 * g[:, 1:-1] + g[:, :-2]
-            bend[:, 0], bend[:, -1] = bend[:, 1], bend[:, -2]
-            correction = h * (bend[:, :-1] + bend[:, 1:]) / 24
-            up -= np.where((a > 0) & (b > 0), correction, 0)
-            down += np.where((a < 0) & (b < 0), correction, 0)
-        rate = self.bounds[1] * up - self.bounds[0] * down
-        return times, np.concatenate([np.zeros((len(angles), 1)), np.cumsum(rate, axis=1)], axis=1)
-
-    def _columns(self, horizon, pieces):
-        """Times and e^{-As}b at them: with A = m + N, N^2 = d (Cayley, Hamilton), e^N = cosh(sqrt d) + sinh(sqrt d)/sqrt d N."""
-        times = np.linspace(0, horizon, pieces + 1)
-        mean = np.trace(self.matrix) / 2
-        part = self.matrix - mean * np.eye(2)
-        root = np.sqrt(complex(-np.linalg.det(part)))
-        swing = np.sinh(root * times) / root if abs(root) > 1e-9 else times
-        grown = np.exp(-mean * times) * (np.cosh(root * times) * self.column[:, None] - swing * (part @ self.column)[:, None])
-        return times, grown.real
-
-    def _stored_support(self, horizon):
-        key = ("support", horizon)
-        if key not in self._cache:
-            self._cache[key] = self._support(self.angles, horizon, 1500)
-        return self._cache[key]
-
-    def _demanded(self, start, angles, times, support):
-        """The first T with S_T(q) >= q.x0, for each direction; inf where there is none on the grid."""
-        need = np.cos(angles) * start[0] + np.sin(angles) * start[1]
-        slack = 1e-11 * (np.abs(need) + np.abs(start).sum())
-        reached = support >= (need - slack)[:, None]
-        k = np.argmax(reached, axis=1)
-        rows = np.arange(len(angles))
-        before, after = support[rows, np.maximum(k - 1, 0)], support[rows, k]
-        part = np.where(after > before, (need - before) / np.where(after > before, after - before, 1), 1.0)
-        found = np.where(k == 0, 0.0, times[np.maximum(k - 1, 0)] + np.clip(part, 0, 1) * times[1])
-        return np.where(reached[:, -1], found, np.inf)
+        self._longest = 4096.0 if not (self._back.A @ self._back.A).any() else 128.0
+        self._found, self._plans = {}, {}
 
     def duration(self, start, slowest, meetings):
         if slowest or meetings != 1:
             raise RuntimeError("with the origin as the target only the fastest transfer is known")
-        return self._fastest(tuple(map(float, start)))[0]
+        return self._optimum(start)[0]
 
-    def _fastest(self, start):
-        key = ("fastest", start)
-        if key in self._cache:
-            return self._cache[key]
-        horizon = 4.0
-        while True:
-            times, support = self._stored_support(horizon)
-            demanded = self._demanded(start, self.angles, times, support)
-            k = int(np.argmax(demanded))
-            if math.isfinite(demanded[k]):
-                break
-            if horizon == self.longest:
-                return math.inf, None
-            horizon = min(4 * horizon, self.longest)
-        best, angle, horizon = demanded[k], self.angles[k], 1.05 * demanded[k]
-        # The directions that demand more than a given time form an interval, so the greatest time is found by zooming.
-        width = 2 * math.pi / self.DIRECTIONS
-        for _ in range(6):
-            angles = angle + width * np.linspace(-1, 1, 25)
-            demanded = self._demanded(start, angles, *self._support(angles, horizon))
-            while not np.all(np.isfinite(demanded)):
-                horizon *= 1.3
-                if horizon > self.longest:
-                    return math.inf, None
-                demanded = self._demanded(start, angles, *self._support(angles, horizon))
-            k = int(np.argmax(demanded))
-            best, angle, width, horizon = demanded[k], angles[k], width / 6, 1.02 * demanded[k]
-        best = float(self._demanded(start, np.array([angle]), *self._support(np.array([angle]), 1.001 * best, 8000))[0])
-        self._cache[key] = best, angle
-        return best, angle
+    def _optimum(self, start):
+        """(least time, angle of a direction p for which no state that can be brought to the origin in this time has a smaller p.x)."""
+        self.foresee([start])
+        return self._found[tuple(start)]
+
+    def foresee(self, starts):
+        starts = [start for start in dict.fromkeys(map(tuple, starts)) if start not in self._found]
+        if not starts:
+            return
+        x, case = np.array(starts), np.arange(len(starts))
+        lanes = FastestTimes(self._back, ConvexTarget.points(x)).solve(np.zeros_like(x), case, far=True)
+        time, angle, reached = lanes.time, lanes.angle, np.isfinite(lanes.time)
+        time[reached], angle[reached] = self._closer(x[reached], time[reached], angle[reached])
+        self._found.update(zip(starts, zip(time.tolist(), angle.tolist())))
+
+    def _closer(self, x, time, angle, step=1e-6):
+        """The same to about ten digits, by Newton's iteration for the motion, time running back, to end at the start x."""
+        def miss(time, angle):
+            return self._back.farthest(directions(angle), time, -1) - x
+
+        def slopes(time, angle):
+            return np.stack([miss(time + step, angle) - miss(time - step, angle), miss(time, angle + step) - miss(time, angle - step)],
+                            axis=2) / (2 * step)
+
+        better, turned = time, angle
+        for _ in range(5):
+            # Without a switching the end does not depend on the angle, and the least step leaves the angle as it is.
+            change = np.einsum("nij,nj->ni", np.linalg.pinv(slopes(better, turned), rcond=1e-9), miss(better, turned))
+            better, turned = better - change[:, 0], turned - change[:, 1]
+        closer = np.linalg.norm(miss(better, turned), axis=1) <= np.linalg.norm(miss(time, angle), axis=1)
+        good = closer & (abs(better - time) < 1e-3 * time)
+        return np.where(good, better, time), np.where(good, turned, angle)
 
     def holds(self, start):
         """Whether some time suffices, up to the precision of the grid of directions."""
-        times, support = self._stored_support(self.longest)
-        need = np.cos(self.angles) * start[0] + np.sin(self.angles) * start[1]
-        return bool(np.all(need <= support[:, -1] + 1e-9 * np.abs(start).sum()))
+        normals, support = self._limits
+        return bool(np.all(normals @ start <= support + 1e-9 * np.abs(start).sum()))
+
+    @functools.cached_property
+    def _limits(self):
+        """Directions q, and S_T(q) for a time T as long as any that is looked at."""
+        normals = directions((np.arange(self.DIRECTIONS) + 0.5) * 2 * math.pi / self.DIRECTIONS)
+        return normals, self._support(normals, self._longest)
+
+    def _support(self, normals, time):
+        return self._back.extreme(normals, np.full(len(normals), time), 1)
 
     def radii(self, duration):
-        angles = np.linspace(0, 2 * math.pi, 90, endpoint=False)
-        _, support = self._support(angles, duration)
-        normals = np.array([np.cos(angles), np.sin(angles)])
+        normals = directions(np.linspace(0, 2 * math.pi, 90, endpoint=False))
+        support = self._support(normals, duration)
         # The set {q.x <= S(q) for all q} is met along a direction d at the least S(q)/q.d.
-        along = normals.T @ normals
-        return np.min(np.where(along > 1e-9, support[:, -1][:, None] / np.where(along > 1e-9, along, 1), np.inf), axis=0)
-
-    def _switching(self, start, duration):
-        """The switching function -q.e^{-As}b of the fastest control on a grid of times."""
-        _, angle = self._fastest(tuple(map(float, start)))
-        times, column = self._columns(duration, 1500)
-        return times, -(math.cos(angle) * column[0] + math.sin(angle) * column[1])
+        along = normals @ normals.T
+        return np.min(np.where(along > 1e-9, support[:, None] / np.where(along > 1e-9, along, 1), np.inf), axis=0)
 
     def breaks(self, start, duration):
         return self._plan(start, duration)[0]
 
     def _plan(self, start, duration):
-        """The switching times of the fastest control and its first value."""
-        key = ("plan", tuple(map(float, start)))
-        if key not in self._cache:
-            times, g = self._switching(start, duration)
-            k = np.flatnonzero(g[:-1] * g[1:] < 0)
-            found = times[k] + g[k] / (g[k] - g[k + 1]) * times[1]
+        """The switching times of the fastest control and its first value: time running back, it makes p.y least at the end."""
+        key = tuple(start)
+        if key not in self._plans:
+            p = directions(np.array([self._optimum(start)[1]]))
             # A zero next to an end belongs to a start on the switching curve, or to the target: no switching.
-            inner = [t for t in found if 1e-4 * duration < t < (1 - 1e-4) * duration]
-            first = self.bounds[1] if np.interp(duration * 2e-4, times, g) > 0 else self.bounds[0]
-            self._cache[key] = inner, first
-        return self._cache[key]
+            inner = [t for t in self._back.zeros(p, np.array([duration]))[0] if 1e-4 * duration < t < (1 - 1e-4) * duration]
+            pushed = float(p[0] @ self._back.response(duration * 2e-4)[0])
+            self._plans[key] = inner, self.bounds[1] if pushed < 0 else self.bounds[0]
+        return self._plans[key]
 
     def switchings(self, start, duration):
         return len(self.breaks(start, duration))

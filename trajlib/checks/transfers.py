@@ -12,15 +12,19 @@ import numpy as np
 import sympy as sp
 
 from trajlib.checks import coercion
-from trajlib.checks.motions import compare_condition, values_text
+from trajlib.checks.at_values import real_at, real_function, truth_at
+from trajlib.checks.motions import compare_condition
 from trajlib.checks.open_loop import Control, Path
 from trajlib.checks.transfer_optima import SAMPLES, Transfer
 from trajlib.checks.verdict import Invalid, Wrong, judged
+from trajlib.checks.wording import values_text
 
 #: What decimals of an answer may cost: half a unit of the third digit.
 ROUNDING = 5e-3
 #: What an answer without decimals may be off by: the precision of integrating it.
 EXACT = 1e-5
+#: Where the end is looked at, as a part of the duration: a law may be defined up to the end alone, which is known up to rounding.
+ENDING = 1 - 1e-9
 
 
 @judged
@@ -107,8 +111,8 @@ def turning_rate(answer, dynamics, controls, angle):
         x = r * math.cos(theta), r * math.sin(theta)
         rates = field(*x, u)
         true = (x[0] * rates[1] - x[1] * rates[0]) / r**2
-        said = _number(claim, {angle: sp.Float(theta, 20), control: sp.Float(u, 20)})
-        if said is None or abs(said - true) > 1e-9 * (1 + abs(true)):
+        said = real_at(claim, {angle: sp.Float(theta, 20), control: sp.Float(u, 20)})
+        if said is None or not abs(said - true) <= 1e-9 * (1 + abs(true)):
             told = "no real number" if said is None else f"{said:.4g}"
             raise Wrong(f"at {first} = {x[0]:.4g}, {second} = {x[1]:.4g} with {control} = {u:.4g} the direction turns at the rate "
                         f"{true:.4g}; your "
@@ -135,10 +139,7 @@ def reached_within(answer, dynamics, controls, initial, terminal, duration, para
         times = [(sp.Rational(best.duration * x).limit_denominator(10**9), x > 1) for x in (0.3, 0.999, 1.001, 4)]
         times += [(exact, True)] if abs(exact - best.duration) < 1e-12 else []
         for time, holds in times:
-            said = claim.subs(values | {duration: time})
-            if said not in (sp.true, sp.false):
-                raise Invalid("the condition cannot be decided at numbers")
-            if bool(said) != holds:
+            if truth_at(claim, values | {duration: time}) != holds:
                 raise Wrong(f"for {values_text(values | {duration: time})} the target {'can' if holds else 'cannot'} be reached in time; "
                             f"your condition {'does not hold' if holds else 'holds'}")
     return "it tells the times that suffice from those that do not, for several sets of parameters"
@@ -154,7 +155,7 @@ def least_rate(answer, quantity, dynamics, controls):
     for _ in range(20):
         place = {x: sp.Rational(int(random.integers(2, 60)), 13) * int(random.choice((-1, 1))) for x in state}
         rates = [float(slope.subs(place).subs(control, u)) for u in bounds]
-        said = _number(claim, place)
+        said = real_at(claim, place)
         if said is None or not _close(said, min(rates), claim, max(map(abs, rates))):
             told = "no real number" if said is None else f"{said:.4g}"
             raise Wrong(f"for {values_text(place)} the controls {bounds[0]} and {bounds[1]} give the rates {rates[0]:.4g} and "
@@ -171,9 +172,9 @@ def switchings(answer, dynamics, controls, initial, terminal, parameters):
     for values, best in transfer.samples(4 * SAMPLES):
         if all(value.is_integer for value in values.values()):
             continue  # the number may be another one at exceptional starts: those on a switching curve
-        said = _number(claim, values)
+        said = real_at(claim, values)
         count = best.switchings()
-        if said is None or abs(said - count) > 1e-9:
+        if said is None or not abs(said - count) <= 1e-9:
             told = "no real number" if said is None else f"{said:.4g}"
             raise Wrong(f"for {values_text(values)} the fastest control switches {_times(count)}; your expression gives {told}")
     return f"it counts the switchings of the fastest control for {4 * SAMPLES} starts"
@@ -212,7 +213,7 @@ def isochrone_radius(answer, dynamics, controls, terminal, duration, count):
     claim = coercion.as_expression(answer, [count])
     transfer = Transfer(dynamics, controls, {x: x for x in dynamics}, terminal, list(dynamics))
     for number in range(1, 6):
-        said = _number(claim, {count: number})
+        said = real_at(claim, {count: number})
         radii = transfer.reach(float(sp.sympify(duration).subs(count, number)))
         if max(radii) - min(radii) > 1e-3 * max(radii):
             raise RuntimeError("this isochrone is no circle")
@@ -229,11 +230,11 @@ def isochrone_radius(answer, dynamics, controls, terminal, duration, count):
 
 def _judge_time(answer, transfer):
     claim = coercion.as_expression(answer, transfer.parameters)
-    value_of = _function(transfer.parameters, [claim])
+    value_of = real_function(transfer.parameters, [claim])
     for values, best in transfer.samples(2 * SAMPLES):
         said = float(value_of(*map(float, values.values()))[0])
         if not np.isfinite(said):
-            said = _number(claim, values)  # a real value may come about through complex ones
+            said = real_at(claim, values)  # a real value may come about through complex ones
         if said is None or not _close(said, best.duration, claim):
             where = f"for {values_text(values)} " if values else ""
             if said is None:
@@ -250,7 +251,7 @@ def _judge_control(answer, transfer, time):
         path = Path(best, sections, where)
         path.admissible(read.rounding)
         miss, size = path.miss()
-        if miss > read.rounding * size:
+        if not miss <= read.rounding * size:
             raise Wrong(f"{where}your control does not bring the system to the target at the {transfer.word} time possible: it ends there "
                         "at "
                         f"{_point(path.states[-1])}")
@@ -273,7 +274,7 @@ def _judge_motion(answer, transfer, time):
         claims.append(sp.diff(claims[-1], time))
     rates = [sp.diff(claim, time) for claim in claims]
     rounding = _rounding(claims)
-    values_of, rates_of = (_function(symbols, part) for part in (claims, rates))
+    values_of, rates_of = (real_function(symbols, part) for part in (claims, rates))
     for values, best in transfer.samples():
         where = f"for {values_text(values)} " if values else ""
         numbers = [float(values[p]) for p in transfer.parameters]
@@ -290,14 +291,14 @@ def _judge_motion(answer, transfer, time):
             ends = [best.field(y, u) for u in best.bounds]
             low, high = np.minimum(*ends), np.maximum(*ends)
             slack = 10 * rounding * (np.abs(low) + np.abs(high) + size / best.duration)
-            if np.any(rate < low - slack) or np.any(rate > high + slack):
+            if not (np.all(rate >= low - slack) and np.all(rate <= high + slack)):
                 k = int(np.argmax(np.maximum(low - slack - rate, rate - high - slack)))
                 raise Wrong(f"{where}at t = {t:.4g} your motion is at {_point(y)} and changes with {states[k]}' = {rate[k]:.4g}; the "
                             "admissible "
                             f"controls give there " + (f"{low[k]:.4g}" if low[k] == high[k] else f"{low[k]:.4g} to {high[k]:.4g}"))
             if transfer.slowest and best.met_between(start, y):
                 raise Wrong(f"{where}your motion has met the target before t = {t:.4g} already")
-        end = values_of(best.duration, *numbers)
+        end = values_of(ENDING * best.duration, *numbers)
         if not np.max(np.abs(best.gap(end))) <= 2 * rounding * size:
             raise Wrong(f"{where}your motion is not on the target at the {transfer.word} time possible: it is at {_point(end)} then")
     return f"it starts where it should, obeys the equations with an admissible control, and is on the target at the {transfer.word} time"
@@ -310,7 +311,7 @@ def _judge_costate(answer, transfer, time):
     symbols = [time, *transfer.parameters]
     claims = coercion.as_expressions(answer, symbols, len(states))
     rounding = _rounding(claims)
-    values_of, slopes_of = _function(symbols, claims), _function(symbols, [sp.diff(claim, time) for claim in claims])
+    values_of, slopes_of = real_function(symbols, claims), real_function(symbols, [sp.diff(claim, time) for claim in claims])
     for values, best in transfer.samples():
         where = f"for {values_text(values)} " if values else ""
         numbers = [float(values[p]) for p in transfer.parameters]
@@ -322,7 +323,7 @@ def _judge_costate(answer, transfer, time):
                 raise Wrong(f"{there} your costates are not real")
             terms = -best.jacobian(y, u).T * psi
             wanted, size = terms.sum(axis=1), np.abs(terms).sum() + np.abs(psi).sum() / best.duration
-            if np.any(np.abs(slope - wanted) > 10 * rounding * size):
+            if not np.all(np.abs(slope - wanted) <= 10 * rounding * size):
                 k = int(np.argmax(np.abs(slope - wanted)))
                 raise Wrong(f"{there} the adjoint equation for {states[k]} does not hold: the derivative of your costate is "
                             f"{slope[k]:.4g}, the "
@@ -330,16 +331,18 @@ def _judge_costate(answer, transfer, time):
             products = [psi @ best.field(y, v) for v in best.bounds]
             here = psi @ best.field(y, u)
             size = max(map(abs, products)) + 1e-3
-            if here < max(products) - 4 * rounding * size:
+            if not here >= max(products) - 4 * rounding * size:
                 raise Wrong(f"{there} the control of the {transfer.manner} motion does not make psi.f greatest with your costates: it "
                             f"gives {here:.4g}, "
                             f"another one {max(products):.4g}")
-            if abs(here - (-1 if transfer.slowest else 1)) > 4 * rounding * size:
+            if not abs(here - (-1 if transfer.slowest else 1)) <= 4 * rounding * size:
                 raise Wrong(f"{there} psi.f is {here:.4g} with your costates; H = 0 with lambda_0 = 1 demands "
                             f"{-1 if transfer.slowest else 1}")
-        psi, normal = values_of(best.duration, *numbers), best.normals()
+        psi, normal = values_of(ENDING * best.duration, *numbers), best.normals()
+        if not np.all(np.isfinite(psi)):
+            raise Wrong(f"{where}at the end, t = {best.duration:.4g}, your costates are not real")
         rest = psi - normal.T @ np.linalg.lstsq(normal.T, psi, rcond=None)[0]
-        if np.any(np.abs(rest) > 4 * rounding * np.abs(psi).sum()):
+        if not np.all(np.abs(rest) <= 4 * rounding * np.abs(psi).sum()):
             raise Wrong(f"{where}at the end your costates are {_point(psi)}; the condition of transversality does not hold for them")
     return f"adjoint equations, maximum condition, transversality and H = 0 hold along the {transfer.manner} motion"
 
@@ -347,14 +350,14 @@ def _judge_costate(answer, transfer, time):
 def _judge_meetings(answer, transfer, count):
     claim = coercion.as_expression(answer, [count])
     for number in (0, 1, 2, 3, 7):
-        said = _number(claim, {count: number})
+        said = real_at(claim, {count: number})
         best = transfer.at({}, meetings=number)
         if said is None or not (_close(said, best.duration, claim) if number else abs(said) < 1e-9):
             if number == 0:
                 raise Wrong(f"the start lies on the target already; for {count} = 0 your expression gives another time than that of the "
                             "start")
-            told = "is no real number" if said is None else f"is {said:.4g}"
-            raise Wrong(f"for {count} = {number} your time {told}; {best.told_time(said)}")
+            told = "no real number" if said is None else f"{said:.4g}; {best.told_time(said)}"
+            raise Wrong(f"for {count} = {number} your time is {told}")
     return f"it is the {transfer.word} time of this meeting, for several numbers"
 
 
@@ -362,7 +365,7 @@ def _judge_switching(answer, transfer, time):
     claim = coercion.as_expression(answer, [time])
     best = transfer.at({})
     rounding = _rounding([claim])
-    value_of = _function([time], [claim])
+    value_of = real_function([time], [claim])
     found = best.switching_function()
     size = max(abs(value) for _, value in found)
     for t, true in found:
@@ -375,31 +378,6 @@ def _judge_switching(answer, transfer, time):
 
 
 # Small things.
-
-
-def _function(symbols, expressions):
-    """A list of expressions as a function to an array; nan where one of them is not real."""
-    # Only SymPy functions of the data's own symbols come here (coercion.with_symbols), so the code made is ours.
-    compiled = sp.lambdify(symbols, [e.rewrite(sp.Piecewise) if e.has(sp.Heaviside) else e for e in expressions], "numpy")
-
-    def evaluate(*numbers):
-        try:
-            with np.errstate(all="ignore"):
-                values = np.array([complex(v) for v in compiled(*numbers)])
-        except (ZeroDivisionError, OverflowError, TypeError):
-            return np.full(len(expressions), np.nan)
-        return np.where(np.abs(values.imag) < 1e-9 * (1 + np.abs(values)), values.real, np.nan)
-
-    return evaluate
-
-
-def _number(expression, values):
-    """The value of an expression, or None where it is not a real number."""
-    try:
-        value = complex(expression.subs(values, simultaneous=True).evalf(20))
-    except (TypeError, ValueError):
-        return None
-    return value.real if np.isfinite(value) and abs(value.imag) < 1e-12 * (1 + abs(value)) else None
 
 
 def _rounding(expressions):

@@ -3,11 +3,16 @@
 A check is a function `check(answer, *data)` under the decorator `judged`. It returns the sentence that says what
 holds, or raises `Wrong` (a property fails) or `Invalid` (not of the type asked). Whatever else it raises is our
 failure, and the verdict says so: `unchecked`, never wrong, never right.
+
+A check judges what a grader would receive: the answer encoded as data and decoded again, in a notebook too. What
+cannot be written as data is `invalid` in both, with the same message; the data are used as they are.
 """
 
 import functools
 import warnings
 from dataclasses import dataclass
+
+from trajlib.checks.encoding import EncodingError, decode, encode
 
 RIGHT, WRONG, MISSING, INVALID, UNCHECKED = STATUSES = ("right", "wrong", "missing", "invalid", "unchecked")
 
@@ -42,16 +47,17 @@ def judged(check):
     def judge(answer, *data, **options):
         if isinstance(answer, Unusable):
             return Verdict(INVALID, answer.reason)
-        if _holds_ellipsis(answer):
-            return Verdict(MISSING, "not answered yet")
         try:
             # A warning on stderr would cost the cell its points in nbgrader.
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore")
-                return Verdict(RIGHT, check(answer, *data, **options))
+                received = decode(encode(answer))
+                if _holds_ellipsis(received):
+                    return Verdict(MISSING, "not answered yet")
+                return Verdict(RIGHT, check(received, *data, **options))
         except Wrong as failed:
             return Verdict(WRONG, str(failed))
-        except Invalid as refused:
+        except (Invalid, EncodingError) as refused:
             return Verdict(INVALID, str(refused))
         except Exception as error:
             return Verdict(UNCHECKED, "this answer could not be judged; the fault is the check's, not yours "
@@ -61,10 +67,10 @@ def judged(check):
 
 
 def _holds_ellipsis(answer):
-    """True for the untouched stub, also inside a list, tuple or dict that is filled only in part."""
+    """True for the untouched stub, also inside a list, tuple, set or dict that is filled only in part."""
     if answer is ...:
         return True
-    if type(answer) in (list, tuple):
+    if type(answer) in (list, tuple, set, frozenset):
         return any(_holds_ellipsis(part) for part in answer)
     if type(answer) is dict:
         return any(_holds_ellipsis(part) for part in answer.values())

@@ -1,0 +1,140 @@
+"""A notebook's check and the grader say the same of an answer, word by word, whatever object it is: an answer is judged as it crosses."""
+
+import collections
+import decimal
+import fractions
+from pathlib import Path
+
+import casadi
+import mpmath
+import numpy as np
+import pytest
+import scipy.sparse
+import sympy as sp
+from harness import Workbench
+
+from trajlib import exercises
+from trajlib.checks.encoding import EncodingError, encode
+from trajlib.execution import in_child, judge_cells
+from trajlib.masters import read
+
+SOLUTIONS = Path(__file__).resolve().parents[2] / "solutions"
+PROBLEMS = ("1.3", "1.8", "1.11", "5.3", "7.2")
+
+
+class Row(list):
+    pass
+
+
+class Word(str):
+    pass
+
+
+def elementwise(change):
+    """The change of an answer that changes each of its numbers and words."""
+    def changed(value):
+        if isinstance(value, (list, tuple)):
+            return type(value)(map(changed, value))
+        return value.applyfunc(change) if isinstance(value, sp.MatrixBase) else change(value)
+
+    return changed
+
+
+def of_objects(value):
+    if isinstance(value, (list, tuple, sp.MatrixBase)):
+        return np.array(value, dtype=object)
+    array = np.empty((), dtype=object)
+    array[()] = value
+    return array
+
+
+def as_sympy_array(value):
+    several_matrices = isinstance(value, list) and isinstance(value[0], sp.MatrixBase)  # SymPy would make flat rows of them
+    return sp.Array(value) if isinstance(value, (list, tuple, sp.MatrixBase)) and not several_matrices else value
+
+
+def as_numpy_scalar(value):
+    return {str: np.str_, bool: np.bool_, int: np.int64, float: np.float64}.get(type(value), lambda same: same)(value)
+
+
+def as_set(values):
+    try:
+        return {tuple(value) if isinstance(value, list) else value for value in values}
+    except TypeError:  # of matrices
+        return values
+
+
+def as_fraction(value):
+    return fractions.Fraction(int(value.p), int(value.q)) if isinstance(value, sp.Rational) else value
+
+
+def as_decimal_number(make):
+    return lambda value: make(str(sp.N(value, 30))) if isinstance(value, sp.Expr) and value.is_number and value.is_real else value
+
+
+#: Other forms of the reference: all of them right.
+ACCEPTED = {
+    "arrays of objects": of_objects,
+    "arrays in lists": lambda value: [of_objects(part) if isinstance(part, (list, tuple)) else part for part in value]
+    if isinstance(value, list) else value,
+    "arrays of words": lambda value: np.array(value) if isinstance(value, str) else value,
+    "SymPy arrays": as_sympy_array,
+    "NumPy scalars": elementwise(as_numpy_scalar),
+    "Fractions": elementwise(as_fraction),
+    "sparse matrices": lambda value: sp.SparseMatrix(value) if isinstance(value, sp.MatrixBase) else value,
+}
+#: Forms whose verdict may be any: decimals where an exact number is asked.
+EITHER = {
+    "mpmath": elementwise(as_decimal_number(mpmath.mpf)),
+    "floats": elementwise(as_decimal_number(float)),
+    "sets": lambda value: as_set(value) if isinstance(value, list) else value,
+    "tuples of SymPy": lambda value: sp.Tuple(*value) if isinstance(value, (list, tuple)) else value,
+    "partly": lambda value: [..., *value[1:]] if isinstance(value, list) else value,
+    "partly None": lambda value: [None, ..., *value[2:]] if isinstance(value, list) else value,
+    "texts": str,
+    "fives": lambda value: 5,
+}
+#: What cannot cross is invalid, in the encoder's words.
+REFUSED = {
+    "named tuples": lambda value: collections.namedtuple("Pair", [f"x{i}" for i in range(len(value))])(*value) if isinstance(value, list) else value,
+    "subclasses": lambda value: {list: Row, str: Word, dict: collections.OrderedDict}.get(type(value), lambda same: same)(value),
+    "Decimals": as_decimal_number(decimal.Decimal),
+    "functions": lambda value: lambda t: value,
+    "None": lambda value: None,
+    "CasADi": lambda value: casadi.SX.sym("x"),
+    "iterators": lambda value: iter(value) if isinstance(value, list) else value,
+    "matrices of NumPy": lambda value: np.zeros((2, 2)).view(np.matrix),
+    "matrices of mpmath": lambda value: mpmath.eye(2),
+    "sparse matrices of SciPy": lambda value: scipy.sparse.eye(2, format="csr"),
+}
+
+
+@pytest.mark.parametrize("number", PROBLEMS)
+def test_notebook_and_grade_agree(number):
+    assert in_child(_disagreements, number, timeout=300) == []
+
+
+def _disagreements(number):
+    exercise = exercises.find(number)
+    bench = Workbench(read(SOLUTIONS / exercise.path.parent.name / f"{exercise.path.stem}.md"))
+    found = []
+    for form, change in {**ACCEPTED, **EITHER, **REFUSED}.items():
+        answers = {name: changed for name, value in bench.reference.items() if (changed := change(value)) is not value}
+        here = {name: [verdict.status, verdict.message] for name, verdict in bench.judge(answers).items()}
+        graded = judge_cells(exercise.code("data", "check"), *_handed_over(answers), list(bench.reference))
+        for name in answers:
+            expected = "right" if form in ACCEPTED else "invalid" if form in REFUSED else here[name][0]
+            if here[name] != graded[name] or here[name][0] != expected or form in REFUSED and not here[name][1].startswith("answer "):
+                found.append([form, name, here[name], graded[name]])
+    return found
+
+
+def _handed_over(answers):
+    """(encoded, unreadable) as a student's process hands them over."""
+    encoded, unreadable = {}, {}
+    for name, value in answers.items():
+        try:
+            encoded[name] = encode(value).decode()
+        except EncodingError as error:
+            unreadable[name] = str(error)
+    return encoded, unreadable

@@ -1,0 +1,17 @@
+"""How messages write numbers and the values of symbols."""
+
+
+def number_text(number):
+    """A real or complex number for a message: `0.5`, `-1 + 2i`."""
+    z = complex(number)
+    return f"{z.real:.4g}" if abs(z.imag) < 1e-12 * (1 + abs(z)) else f"{z.real:.4g} {'+' if z.imag > 0 else '-'} {abs(z.imag):.4g}i"
+
+
+def values_text(values):
+    """Rational values of symbols for a message: `k = 1/3, omega = 2`."""
+    return ", ".join(f"{symbol} = {x if x.q < 1000 else f'{float(x):.6g}'}" for symbol, x in values.items())
+
+
+def rounded_text(values):
+    """Values of symbols that nobody has to see in full: `M = 0.713, rho = 2.4`."""
+    return ", ".join(f"{symbol} = {float(value):.3g}" for symbol, value in values.items())
