@@ -23,7 +23,7 @@ def test_no_whole_numbers(answer):
 
 
 @pytest.mark.parametrize("answer", [[1, 2], (1, 2), np.array([1, 2]), np.array([[1], [2]]), np.array([[1, 2]]), sp.Matrix([1, 2]),
-                                    sp.Matrix([[1, 2]]), sp.Tuple(1, 2), [[1], [2]], [1.0, sp.Integer(2)]])
+                                    sp.Matrix([[1, 2]]), sp.Tuple(1, 2), [[1], [2]], [[1, 2]], [1.0, sp.Integer(2)]])
 def test_vectors_in_any_form(answer):
     assert [int(v) for v in coercion.as_expressions(answer, length=2)] == [1, 2]
 

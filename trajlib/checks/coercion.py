@@ -199,7 +199,9 @@ def _entries(answer):
     if isinstance(answer, (list, tuple, sp.Tuple)):
         nested = [_entries(entry) for entry in answer]
         if nested and all(entry is not None and len(entry) == 1 for entry in nested):
-            return [entry[0] for entry in nested]
+            return [entry[0] for entry in nested]  # a column
+        if len(nested) == 1 and nested[0] is not None:
+            return nested[0]  # a row
         return list(answer)
     return None
 
