@@ -40,10 +40,10 @@ serve:  ## show the built site at http://127.0.0.1:8000
 	@$(BIN)/python -m http.server --bind 127.0.0.1 --directory _build/html 8000
 
 test: $(INSTALLED)  ## all tests
-	$(BIN)/python -m pytest -n 2
+	$(BIN)/python -m pytest -n 2 --dist loadgroup
 
 test-quick: $(INSTALLED)  ## the fast layers: without the built site and whatever is marked slow
-	$(BIN)/python -m pytest -n 2 -m "not site and not slow"
+	$(BIN)/python -m pytest -n 2 --dist loadgroup -m "not site and not slow"
 
 clean:  ## remove everything built, but not the environment
 	rm -rf _build conf.py

@@ -2,42 +2,70 @@
 right forms right, and no mutant passes that an independent oracle does not prove right."""
 
 import ast
+import functools
 import time
 from pathlib import Path
 
 import pytest
-from harness import Workbench, apart, called_functions, check_calls
+from harness import called_functions, check_calls, data_of, each_part, slowness
 from mutants import mutants
 from nonsense import NOT_ASKED, nonsense
 from oracles import is_right
 
 from trajlib.checks.encoding import decode, encode
+from trajlib.execution import in_child
 from trajlib.masters import master_paths, read
 
 ROOT = Path(__file__).resolve().parents[2]
 PATHS = master_paths(ROOT / "solutions")
 #: Seconds that the verdict on one answer may take, by chapter (design: speed matters where people wait).
 VERDICT_SECONDS = {"5": 3.0}
+#: Seconds of computing that the tests of one problem may take: with 194 problems everybody waits for them. In chapter 5 an answer
+#: is judged by simulating it.
+PROBLEM_SECONDS = {"5": 60}
 #: Options of checks that may be written as numbers in a check cell.
 TOLERANCES = {"tolerance", "horizon"}
 #: Solvers of other libraries that an answer and its check must not share.
 SOLVERS = ("trajlib.", "control", "casadi", "scipy.linalg", "scipy.optimize", "sympy.solvers")
 
-@pytest.fixture(params=PATHS, ids=lambda path: f"{path.parent.name[2:]}.{int(path.stem[1:])}")
+
+def _problem(path):
+    number = f"{path.parent.name[2:]}.{int(path.stem[1:])}"
+    return pytest.param(path, id=number, marks=pytest.mark.xdist_group(number))  # its tests share what one process has found
+
+
+@pytest.fixture(scope="module", params=map(_problem, PATHS))
 def master(request):
     return read(request.param)
 
 
+@functools.cache
+def _found(path):
+    """What all tests of a problem look at, from one process: its cells are run and its optima computed once."""
+    return in_child(each_part, read(path), PARTS, timeout=300)
+
+
+def found(master, part):
+    how, what = _found(master.path)[part]
+    assert how == "done", what
+    return what
+
+
 def test_the_reference_is_right_and_crosses_the_encoder(master):
-    found = apart(_reference, master)
-    assert found["verdicts"] == dict.fromkeys(master.answers, "right"), found["messages"]
-    slow = {name: seconds for name, seconds in found["seconds"].items()
-            if seconds > VERDICT_SECONDS.get(master.number.split(".")[0], 1.0)}
-    assert not slow, f"verdicts that take too long: {slow}"
+    seen = found(master, "reference")
+    assert seen["verdicts"] == dict.fromkeys(master.answers, "right"), seen["messages"]
+    slow = {name: seconds for name, seconds in seen["seconds"].items()
+            if seconds > slowness() * VERDICT_SECONDS.get(master.number.split(".")[0], 1.0)}
+    assert not slow, f"verdicts that take too long: {slow} on a machine {slowness():.2f} times as slow as that of the limits"
 
 
-def _reference(master):
-    bench = Workbench(master)
+def test_nobody_waits_long_for_one_problem(master):
+    most = slowness() * PROBLEM_SECONDS.get(master.number.split(".")[0], 20)
+    assert found(master, "seconds") < most
+
+
+def _reference(bench):
+    """Comes first, so that the times are those of first verdicts."""
     answers = {name: decode(encode(value)) for name, value in bench.reference.items()}
     bench.judge({})  # imports; nothing is known of the answers yet, as at a student's first check
     seconds = {}
@@ -51,19 +79,37 @@ def _reference(master):
 
 
 def test_the_untouched_copy_is_missing(master):
-    assert apart(_untouched, master) == dict.fromkeys(master.answers, "missing")
+    assert found(master, "untouched") == dict.fromkeys(master.answers, "missing")
 
 
-def _untouched(master):
-    return {name: v.status for name, v in Workbench(master).judge({}).items()}
+def _untouched(bench):
+    return {name: v.status for name, v in bench.judge({}).items()}
 
 
 def test_wrong_cells_are_wrong_and_harm_no_other_answer(master):
     assert {name for name, _, _ in master.trials("wrong")} == set(master.answers), "every answer needs a wrong cell"
-    found = apart(_trials, master, "wrong")
-    assert found and [trial for trial in found if trial["status"] != "wrong" or trial["others"]] == []
-    for trial in found:
+    seen = found(master, "wrong")
+    assert seen["harmed"] == []
+    assert seen["trials"] and [trial for trial in seen["trials"] if trial["status"] != "wrong"] == []
+    for trial in seen["trials"]:
         assert len(trial["message"]) > 20 and trial["reference"] not in trial["message"], trial
+
+
+def _wrong(bench):
+    """Every other answer is wrong, first one half of them and then the other, each in all its wrong ways: the rest stay right."""
+    trials, harmed, order = {}, [], list(bench.master.answers)
+    for trial in _values(bench, "wrong"):
+        trials.setdefault(trial["answer"], []).append(trial)
+    for half in (order[::2], order[1::2]):
+        for turn in range(max((len(trials[name]) for name in half if name in trials), default=0)):
+            tried = {name: trials[name][turn] for name in half if turn < len(trials.get(name, ()))}
+            verdicts = bench.judge_among_right({name: trial["value"] for name, trial in tried.items()})
+            for name, verdict in verdicts.items():
+                if name in tried:
+                    tried[name].update(status=verdict.status, message=verdict.message)
+                elif verdict.status != "right":
+                    harmed.append(f"{name} is {verdict.status} beside {[trial['comment'] for trial in tried.values()]}")
+    return {"trials": [_as_data(trial) for name in trials for trial in trials[name]], "harmed": harmed}
 
 
 def test_right_cells_are_right(master):
@@ -71,36 +117,42 @@ def test_right_cells_are_right(master):
     few = [name for name, answer in master.answers.items()
            if forms.count(name) < 2 and not answer.kind.startswith(("choice", "yes/no"))]
     assert not few, f"these answers need two cells tagged right: {few}"
-    assert [trial for trial in apart(_trials, master, "right") if trial["status"] != "right"] == []
+    assert [trial for trial in found(master, "right") if trial["status"] != "right"] == []
 
 
-def _trials(master, role):
-    bench, found = Workbench(master), []
-    for name, source, comment in master.trials(role):
-        value = decode(encode(bench.try_cell(source)[name]))
-        verdicts = bench.judge_beside(name, value) if role == "wrong" else {name: bench.judge_one(name, value)}
-        found.append({"answer": name, "comment": comment, "status": verdicts[name].status,
-                      "message": verdicts[name].message, "reference": f"= {bench.reference[name]}",
-                      "others": [other for other, v in verdicts.items() if other != name and v.status != "right"]})
-    return found
+def _right(bench):
+    trials = _values(bench, "right")
+    for trial in trials:
+        verdict = bench.judge_one(trial["answer"], trial["value"])
+        trial.update(status=verdict.status, message=verdict.message)
+    return list(map(_as_data, trials))
+
+
+def _values(bench, role):
+    """What the trial cells of a role give their answers, after the encoder."""
+    return [{"answer": name, "comment": comment, "value": decode(encode(bench.try_cell(source)[name])),
+             "reference": f"= {bench.reference[name]}"} for name, source, comment in bench.master.trials(role)]
+
+
+def _as_data(trial):
+    return {key: text for key, text in trial.items() if key != "value"}
 
 
 def test_no_mutant_passes_that_is_not_proved_right(master, record_property):
-    found = apart(_mutants, master)
-    record_property("mutants", found["count"])
-    record_property("equivalent", found["equivalent"])
-    assert found["passed"] == [], "accepted, though not proved right"
-    assert found["refused"] == [], "proved right, yet not accepted"
-    record_property("without value", found["without value"])
-    assert found["taken for answers"] == [], "infinite or undefined, yet not refused"
+    seen = found(master, "mutants")
+    record_property("mutants", seen["count"])
+    record_property("equivalent", seen["equivalent"])
+    assert seen["passed"] == [], "accepted, though not proved right"
+    assert seen["refused"] == [], "proved right, yet not accepted"
+    record_property("without value", seen["without value"])
+    assert seen["taken for answers"] == [], "infinite or undefined, yet not refused"
 
 
-def _mutants(master):
-    bench = Workbench(master)
+def _mutants(bench):
     result = {"count": 0, "equivalent": 0, "passed": [], "refused": [], "without value": 0, "taken for answers": []}
     for name, reference in bench.reference.items():
         check, arguments, options = bench.check_arguments(name)
-        kind = master.answers[name].kind
+        kind = bench.master.answers[name].kind
         for mutant in mutants(reference, kind):
             right = is_right(mutant, reference, check, arguments, options, kind)
             verdict = bench.judge_one(name, mutant)
@@ -115,10 +167,13 @@ def _mutants(master):
             verdict = bench.judge_one(name, mutant)
             result["without value"] += 1
             where = what.removeprefix("defined for ").removesuffix(" alone")
-            not_asked = verdict.status == "right" and (master.number, where) in NOT_ASKED
+            not_asked = verdict.status == "right" and (bench.master.number, where) in NOT_ASKED
             if verdict.status not in ("wrong", "invalid") and not not_asked:
                 result["taken for answers"].append(f"{name}, {what}: {verdict.status}: {verdict.message}")
     return result
+
+
+PARTS = {"reference": _reference, "untouched": _untouched, "wrong": _wrong, "right": _right, "mutants": _mutants}
 
 
 def test_check_cells_hold_no_answers(master):
@@ -138,11 +193,12 @@ def test_check_cells_hold_no_answers(master):
 
 
 def test_answer_and_check_share_no_solver(master):
-    assert apart(_shared, master) == []
+    assert in_child(_shared, master, timeout=120) == []
 
 
 def _shared(master):
-    namespace = Workbench(master).data | {}
+    """In a process of its own: what another part has computed already would not be seen to be called."""
+    namespace = data_of(master)
     answered, checked = set(), set()
     for source in master.code("answer"):
         direct, within = called_functions(source, "answer", namespace)
