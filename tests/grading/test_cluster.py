@@ -314,7 +314,7 @@ def test_certificates_that_cannot_be_used_are_refused(dask, tmp_path):
 
 
 def test_nobody_at_the_address(monkeypatch):
-    monkeypatch.setattr(cluster, "TO_CONNECT", 0.5)
+    monkeypatch.setattr(cluster, "TO_CONNECT", 4)
     with pytest.raises(cluster.ClusterError, match="no scheduler can be reached at tcp://127.0.0.1:1: .*refused"):
         next(cluster.grade_all([a_unit(0)], units.settings(Limits(), Bounds()), cluster.Cluster("tcp://127.0.0.1:1")))
 
