@@ -61,8 +61,10 @@ b = [sorted(os.listdir("/")), sorted(os.environ), os.getcwd(), os.listdir("."), 
 """
 
 
-def test_sees_trajlib_and_nothing_else_of_ours(sandbox):
-    found = answers(run(sandbox, LOOK, names=("a", "b")))
+@pytest.mark.parametrize("once", [False, True], ids=["nested", "once"])
+def test_sees_trajlib_and_nothing_else_of_ours(once):
+    with Sandbox(PATIENT, once) as sandbox:  # looking through everything takes a while
+        found = answers(run(sandbox, LOOK, names=("a", "b")))
     assert found["a"] and all(path.startswith(f"{isolation.PACKAGE}/") and not path.endswith(".ipynb") for path in found["a"])
     top, variables, here, files, shared = found["b"]
     assert not {"home", "var", "opt", "srv", "mnt", "run", "boot", "sys"} & set(top)
