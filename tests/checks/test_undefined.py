@@ -62,7 +62,9 @@ def test_what_has_a_value_is_read():
 
 def test_a_condition_with_an_undefined_term_does_not_hold():
     assert truth_at(NEVER > 0, {x: 1}) is False and truth_at(x > 0, {x: 1}) is True
-    assert truth_at(sp.Symbol("z") ** sp.Rational(1, 2) > 0, {"z": -1}) is False
+    z = sp.Symbol("z")
+    assert truth_at(z ** sp.Rational(1, 2) > 0, {z: -1}) is False
+    assert truth_at(sp.Integral(z, (z, 0, 2)) > z, {z: 1}) is True  # bound in the integral
 
 
 LAW = cases("syntheses")

@@ -1,12 +1,9 @@
 """Runs a master's cells by role and judges answers, each problem in a process of its own."""
 
 import ast
-import functools
 import sys
 import time
 import traceback
-
-import sympy as sp
 
 from trajlib import checks
 from trajlib.masters.reading import reported_names
@@ -92,23 +89,6 @@ def each_part(master, parts):
         except Exception:
             found[name] = ["error", traceback.format_exc(limit=-5)]
     return found | {"seconds": ["done", time.process_time()]}
-
-
-@functools.cache
-def slowness():
-    """How many times as long as on the machine for which limits of time are set a piece of SymPy takes here, at least 1."""
-    x, y, z = sp.symbols("x y z")
-    taken = []
-    for _ in range(3):
-        sp.core.cache.clear_cache()
-        start = time.process_time()
-        sp.factor(sp.expand((x + 2*y - 3*z)**6 * (x - y*z + 1)**5))
-        taken.append(time.process_time() - start)
-    return max(1.0, min(taken) / SECONDS_THERE)
-
-
-#: What this takes on that machine.
-SECONDS_THERE = 0.28
 
 
 def called_functions(source, role, namespace):

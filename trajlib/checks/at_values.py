@@ -76,7 +76,7 @@ def real_at(claim, values):
 def truth_at(claim, values):
     """Whether a condition holds; where a term of it is undefined it does not."""
     try:
-        said = claim.subs(values)
+        said = _all_at_once(claim, values)
     except TypeError:  # it asks which of two numbers is greater, and one is not real
         return False
     if said not in (sp.true, sp.false):
@@ -120,6 +120,13 @@ def real_function(symbols, expressions):
             return np.array([one(function, numbers, shape) for function in compiled])
 
     return evaluate
+
+
+def _all_at_once(claim, values):
+    """The condition with its values. `subs` puts them in one after the other and thinks about every step."""
+    if any(getattr(part, "bound_symbols", None) for part in sp.preorder_traversal(claim)):
+        return claim.subs(values)  # an integral over one of the symbols, say, which is not to be replaced there
+    return claim.xreplace({symbol: sp.sympify(value) for symbol, value in values.items()})
 
 
 def _put(claim, values):

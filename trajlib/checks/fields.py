@@ -29,7 +29,10 @@ class Field:
 
     def jacobian(self, point):
         """The matrix of partial derivatives at a point, by complex steps."""
-        return np.column_stack([self.derivative(point, unit) for unit in np.eye(len(self.state))])
+        n = len(self.state)
+        steps = np.asarray(point, dtype=complex)[:, None] + 1j * STEP * np.eye(n)  # the k-th column goes along the k-th variable
+        with np.errstate(all="ignore"):
+            return np.array([np.broadcast_to(value, n) for value in self._function(*steps)]).imag / STEP
 
     def derivative(self, point, direction):
         """The derivative of f at a point along a direction."""
@@ -53,7 +56,9 @@ class Field:
                 if np.all(np.isfinite(trial)) and np.linalg.norm(trial) < np.linalg.norm(value) * (1 + 1e-9):
                     break
                 move = move / 2
-            x, value = x + move, self(x + move)
+            else:
+                trial = self(x + move)
+            x, value = x + move, trial
         # Steps that do not shrink lead nowhere, however small the field has become: exp(x) falls without end.
         return None
 

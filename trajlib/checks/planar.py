@@ -27,6 +27,8 @@ TYPES = tuple(f"{how} {what}" for what in ("node", "star", "degenerate node", "f
 TYPES += ("saddle", "centre")
 #: How many starts Newton's method gets.
 STARTS = 48
+#: For how many sets of parameter values a field's stationary points are kept: a verdict asks for some thirty, mostly the same.
+MOST_KEPT = 200
 #: Half a unit of the third significant digit, at worst: what decimals in a condition may move its border by.
 ROUNDING = 0.005
 POSITIVE, NEGATIVE = sp.Interval.open(0, sp.oo), sp.Interval.open(-sp.oo, 0)
@@ -40,39 +42,39 @@ def stationary_points(answer, field, state, parameters, domain=None):
 
     A point whose formula is not real, or leaves the domain, for some values of the parameters stands for no point there.
     """
-    return _judge_points(answer, _Family(field, state, parameters, domain), "stationary point")
+    return _judge_points(answer, _family(field, state, parameters, domain), "stationary point")
 
 
 @judged
 def nullcline(answer, rate, variable, parameters, domain=None):
     """The curve on which `rate` vanishes, solved for `variable`; the other state variables count as parameters."""
-    return _judge_points(answer, _Family([rate], [variable], parameters, domain), "point of the curve")
+    return _judge_points(answer, _family([rate], [variable], parameters, domain), "point of the curve")
 
 
 @judged
 def cycle_radius(answer, radial, radius, parameters):
     """The radius of the closed orbit of r' = R(r) in polar coordinates with an angle that keeps turning."""
-    return _judge_points(answer, _Family([radial], [radius], parameters, _cycles(radius)), "closed orbit")
+    return _judge_points(answer, _family([radial], [radius], parameters, _cycles(radius)), "closed orbit")
 
 
 @judged
 def stationary_exists(answer, field, state, parameters, domain=None):
     """The parameters for which there is a stationary point in the domain."""
-    return _judge_existence(answer, _Family(field, state, parameters, domain), "stationary point")
+    return _judge_existence(answer, _family(field, state, parameters, domain), "stationary point")
 
 
 @judged
 def cycle_exists(answer, radial, radius, parameters):
     """The parameters for which r' = R(r) has a closed orbit, a circle around zero."""
-    return _judge_existence(answer, _Family([radial], [radius], parameters, _cycles(radius)), "closed orbit")
+    return _judge_existence(answer, _family([radial], [radius], parameters, _cycles(radius)), "closed orbit")
 
 
 @judged
 def cycle_period(answer, radial, angular, radius, parameters):
     """The period of the closed orbit of r' = R(r), phi' = W(r): at the rate W the angle gains 2 pi in it."""
     claim = coercion.as_expression(answer, parameters)
-    family = _Family([radial], [radius], parameters, _cycles(radius))
-    turning = _Family([angular], [radius], parameters, _cycles(radius))
+    family = _family([radial], [radius], parameters, _cycles(radius))
+    turning = _family([angular], [radius], parameters, _cycles(radius))
     for values, numbers, rest in family.samples():
         period = real_at(claim, values)
         if period is None:
@@ -90,7 +92,7 @@ def stationary_linearisation(answer, field, state, parameters, domain=None):
     if n == 1 and not isinstance(answer, (list, tuple, sp.MatrixBase, np.ndarray)):
         answer = [[answer]]
     matrix = coercion.as_matrix(answer, parameters, (n, n))
-    family = _Family(field, state, parameters, domain)
+    family = _family(field, state, parameters, domain)
     for values, numbers, rest in family.samples():
         true = family.jacobian(rest, numbers)
         size = np.linalg.norm(true)
@@ -108,8 +110,8 @@ def stationary_linearisation(answer, field, state, parameters, domain=None):
 def stationary_value(answer, expression, field, state, parameters, domain=None):
     """The value of an expression of the state at the stationary point."""
     claim = coercion.as_expression(answer, parameters)
-    family = _Family(field, state, parameters, domain)
-    reading = _Family([expression], state, parameters, domain)
+    family = _family(field, state, parameters, domain)
+    reading = _family([expression], state, parameters, domain)
     for values, numbers, rest in family.samples():
         true, said = float(reading(rest, numbers)[0]), real_at(claim, values)
         if said is None or not _near(said, true, claim, _scale(expression, values, state, rest)):
@@ -122,7 +124,7 @@ def stationary_value(answer, expression, field, state, parameters, domain=None):
 def stationary_stability(answer, field, state, parameters, domain=None):
     """Whether the stationary point is asymptotically stable, stable (and no more) or unstable, by Theorem 1.4."""
     claim = coercion.as_choice(answer, STABILITY)
-    family = _Family(field, state, parameters, domain)
+    family = _family(field, state, parameters, domain)
     for values, numbers, rest in family.samples():
         eigenvalues = np.linalg.eigvals(family.jacobian(rest, numbers))
         largest = max(eigenvalues.real)
@@ -138,7 +140,7 @@ def stationary_type(answer, field, state, parameters, domain=None):
     """The type of the stationary point of a planar system, the same for all values of the parameters."""
     spelled = answer.lower().replace("center", "centre").replace("star node", "star") if isinstance(answer, str) else answer
     claim = coercion.as_choice(spelled, TYPES)
-    family = _Family(field, state, parameters, domain)
+    family = _family(field, state, parameters, domain)
     for values, numbers, rest in family.samples():
         matrix = family.jacobian(rest, numbers)
         kind = _kind(matrix)
@@ -151,13 +153,13 @@ def stationary_type(answer, field, state, parameters, domain=None):
 @judged
 def focus_region(answer, field, state, parameters, domain=None):
     """The parameters for which the stationary point is a focus; the border, where the roots are equal, counts either way."""
-    return _judge_roots(answer, _Family(field, state, parameters, domain), -1, "a focus")
+    return _judge_roots(answer, _family(field, state, parameters, domain), -1, "a focus")
 
 
 @judged
 def node_region(answer, field, state, parameters, domain=None):
     """The parameters for which the stationary point is a node; the border, where the roots are equal, counts either way."""
-    return _judge_roots(answer, _Family(field, state, parameters, domain), 1, "a node")
+    return _judge_roots(answer, _family(field, state, parameters, domain), 1, "a node")
 
 
 @judged
@@ -223,7 +225,7 @@ def phase_curve(answer, field, state, parameters, through, domain=None):
     first, second = state
     claim = coercion.as_expression(answer, [first, *parameters])
     slope = sp.diff(claim, first)
-    family = _Family(field, state, parameters, domain)
+    family = _family(field, state, parameters, domain)
     random = np.random.default_rng(12)
     for values, numbers, _ in family.samples(need_rest=False, count=5):
         scale = 0.0
@@ -380,6 +382,16 @@ def _rounded_across(place, truth):
     return changes(ROUNDING) and not changes(1e-9)
 
 
+def _family(field, state, parameters, domain):
+    """The `_Family` of the data, the same for the same data: what it has found serves the next verdict too."""
+    return _known(tuple(map(sp.sympify, field)), tuple(state), tuple(parameters), tuple(dict(domain or {}).items()))
+
+
+@functools.lru_cache(maxsize=16)
+def _known(field, state, parameters, domain):
+    return _Family(field, state, parameters, dict(domain))
+
+
 class _Family:
     """A field with parameters: its values, first approximation and stationary points for arrays of parameter values."""
 
@@ -397,6 +409,7 @@ class _Family:
         self._intervals = [_ends(x, self.domain) for x in self.state]
         random = np.random.default_rng(14)
         self._starts = np.array([[_draw(random, x, self.domain) for x in self.state] for _ in range(STARTS)]).T
+        self._settled = {}
 
     def _compiled(self, expressions):
         slopes = [sp.diff(component, x) for component in expressions for x in self.state] if self._square else []
@@ -415,6 +428,14 @@ class _Family:
     def settle(self, numbers, starts, steps):
         """Newton's method from many starts for every column of parameter values: places (n, columns, starts) and which
         of them are stationary points in the domain."""
+        asked = (numbers.tobytes(), numbers.shape, starts, steps)
+        if asked not in self._settled:
+            if len(self._settled) == MOST_KEPT:
+                self._settled.clear()
+            self._settled[asked] = self._settle(numbers, starts, steps)
+        return self._settled[asked]
+
+    def _settle(self, numbers, starts, steps):
         x = np.repeat(self._starts[:, None, :starts], numbers.shape[1], axis=1)
         fixed = numbers[:, :, None]
         for _ in range(steps):
