@@ -29,20 +29,23 @@ def main(log, *arguments):
 
 def work(log):
     """What a lane of the grader does, with a clock."""
-    run, judge_cells = Sandbox.run, judging.judge_cells
+    hand_in, outcome, judge_answers = Sandbox.hand_in, Sandbox.outcome, judging.judge_answers
 
-    def clocked_run(sandbox, sources, names, before=()):
-        outcome = run(sandbox, [BEGIN, *sources, END], [*names, SPENT], before)
-        handed_over = json.loads(outcome.handed_over)
+    def clocked_hand_in(sandbox, sources, names, before=()):
+        hand_in(sandbox, [BEGIN, *sources, END], [*names, SPENT], before)
+
+    def clocked_outcome(sandbox):
+        found = outcome(sandbox)
+        handed_over = json.loads(found.handed_over)
         note(log, float(handed_over["encoded"].pop(SPENT)))
-        return replace(outcome, handed_over=json.dumps(handed_over).encode())
+        return replace(found, handed_over=json.dumps(handed_over).encode())
 
-    def clocked_judge_cells(cells, *rest):
-        start = ("data", BEGIN)
-        stop = ("data", f"with open({log!r}, 'a') as log: log.write(f'{{time.perf_counter() - trajlib_began}}\\n')")
-        return judge_cells([each for cell in cells for each in ([start, cell, stop] if cell[0] == "check" else [cell])], *rest)
+    def clocked_judge_answers(cells, *rest):
+        start = ("check", BEGIN)
+        stop = ("check", f"with open({log!r}, 'a') as log: log.write(f'{{time.perf_counter() - trajlib_began}}\\n')")
+        return judge_answers([each for cell in cells for each in ([start, cell, stop] if cell[0] == "check" else [cell])], *rest)
 
-    Sandbox.run, judging.judge_cells = clocked_run, clocked_judge_cells
+    Sandbox.hand_in, Sandbox.outcome, judging.judge_answers = clocked_hand_in, clocked_outcome, clocked_judge_answers
     lanes.work()
 
 

@@ -3,6 +3,8 @@
 Overhead is the time on the clock less the cells' own run time, both measured in that very run: for nbgrader by the times it
 leaves in each graded notebook, for trajlib by `cell_clock.py`. trajlib runs with its sandbox on; nbgrader has none. Starting
 costs both a few seconds, which a small class feels and a large one does not: so what each further notebook costs stands apart.
+While a notebook runs, one process of trajlib also gets its judge ready, and while that judges, the next notebook's place: this
+uses a second core where one is idle. The growth with as many processes as cores, where none is, shows what that hides.
 Growth is with students (four times as many) and processes.
 
     python benchmarks/grading.py [STUDENTS] [PROBLEM ...]

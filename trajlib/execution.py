@@ -9,11 +9,16 @@ import multiprocessing
 import os
 import signal
 import traceback
-from contextlib import suppress
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 
 from trajlib.cells import run_cells
 from trajlib.checks.verdict import UNCHECKED, Unusable, Verdict
+
+
+CONTEXT = multiprocessing.get_context("fork" if "fork" in multiprocessing.get_all_start_methods() else "spawn")
+
+DISTURBING = {signal.SIGINT, signal.SIGTERM}
 
 
 @dataclass(frozen=True)
@@ -29,33 +34,48 @@ class TimeLimit(RuntimeError):
     """The child did not finish within its time."""
 
 
-def in_child(function, *args, timeout):
-    """The result of `function(*args)` computed in a child process; both must be plain data.
+class Child:
+    """A child process that computes `function(*args)`, beginning now; what goes in and out must be plain data.
 
-    The child is forked where the system can, so it starts with everything imported that the parent has. Raises
-    `TimeLimit` after `timeout` seconds, and `RuntimeError` with the child's last words if it dies.
+    It is forked where the system can, so it starts with everything imported that the parent has.
     """
-    method = "fork" if "fork" in multiprocessing.get_all_start_methods() else "spawn"
-    context = multiprocessing.get_context(method)
-    receiver, sender = context.Pipe(duplex=False)
-    child = context.Process(target=_serve, args=(sender, function, args), daemon=True)
-    child.start()
-    sender.close()
+
+    def __init__(self, function, *args):
+        self._receiver, sender = CONTEXT.Pipe(duplex=False)
+        self._process = CONTEXT.Process(target=_serve, args=(sender, function, args), daemon=True)
+        with _undisturbed():
+            self._process.start()
+        sender.close()
+
+    def result(self, timeout):
+        """Raises `TimeLimit` after `timeout` seconds, and `RuntimeError` with the child's last words if it dies."""
+        try:
+            if not self._receiver.poll(timeout):
+                raise TimeLimit(f"no result after {timeout:g} s")
+            kind, value = json.loads(self._receiver.recv_bytes())
+        except EOFError:
+            self._process.join()
+            if self._process.exitcode == -signal.SIGXCPU:
+                raise TimeLimit("no result within the limit of processor time") from None
+            raise RuntimeError("the process ended without a result") from None
+        if kind == "error":
+            raise RuntimeError(value)
+        return value
+
+    def end(self):
+        self._process.kill()
+        self._process.join()
+        self._process.close()
+        self._receiver.close()
+
+
+def in_child(function, *args, timeout):
+    """The result of a `Child`, which ends with it."""
+    child = Child(function, *args)
     try:
-        if not receiver.poll(timeout):
-            raise TimeLimit(f"no result after {timeout:g} s")
-        kind, value = json.loads(receiver.recv_bytes())
-    except EOFError:
-        child.join()
-        if child.exitcode == -signal.SIGXCPU:
-            raise TimeLimit("no result within the limit of processor time") from None
-        raise RuntimeError("the process ended without a result") from None
+        return child.result(timeout)
     finally:
-        child.kill()
-        child.join()
-    if kind == "error":
-        raise RuntimeError(value)
-    return value
+        child.end()
 
 
 def run_notebook(sources, names, timeout=120, folder=None):
@@ -74,7 +94,22 @@ def judge(cells, run, names, timeout=60):
     return {name: Verdict(*verdict) for name, verdict in found.items()}
 
 
+@contextmanager
+def _undisturbed():
+    """Ctrl-C and the like wait: what a handler of signals raises in the midst of a fork is printed and lost."""
+    if not hasattr(signal, "pthread_sigmask"):  # Windows
+        yield
+        return
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, DISTURBING)
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
 def _serve(sender, function, args):
+    if hasattr(signal, "pthread_sigmask"):
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, DISTURBING)
     try:
         answer = ["done", function(*args)]
     except BaseException:  # whatever happened is told, even SystemExit
@@ -84,7 +119,12 @@ def _serve(sender, function, args):
 
 
 def judge_cells(cells, encoded, unreadable, names):
-    """In this very process: {name: [status, message]} for encoded answers (for a child only).
+    """In this very process: {name: [status, message]} for encoded answers (for a child only)."""
+    return judge_answers(cells, lambda: decoded(encoded, unreadable, names), names)
+
+
+def judge_answers(cells, answers, names):
+    """The same, where `answers()` gives them by name as `decoded` does; it is called when the first check is due.
 
     What was handed over reaches the check cells under the names of the answers alone: nothing else of theirs, such as
     the data, can be replaced by it.
@@ -92,18 +132,23 @@ def judge_cells(cells, encoded, unreadable, names):
     os.environ.setdefault("MPLBACKEND", "Agg")
     from trajlib.checks import collecting
 
-    answers = {name: _answer(encoded.get(name), unreadable.get(name)) for name in names}
-    namespace = {"__name__": "exercise"}
+    given, namespace = None, {"__name__": "exercise"}
     with collecting() as verdicts:
         for role, source in cells:
             if role != "check":
                 exec(compile(source, f"<{role} cell>", "exec"), namespace)
                 continue
-            namespace.update(answers)
+            given = answers() if given is None else given
+            namespace.update(given)
             with suppress(Exception):  # a check cell that fails leaves its own answers unchecked, and no others
                 exec(compile(source, "<check cell>", "exec"), namespace)
     unchecked = Verdict(UNCHECKED, "no check cell could judge this answer; the fault is the check's, not yours")
     return {name: [verdict.status, verdict.message] for name in names for verdict in [verdicts.get(name, unchecked)]}
+
+
+def decoded(encoded, unreadable, names):
+    """{name: value} of the answers: the stub for one that is not there, `Unusable` for one that cannot be read."""
+    return {name: _answer(encoded.get(name), unreadable.get(name)) for name in names}
 
 
 def _answer(text, unreadable):

@@ -6,6 +6,7 @@ import os
 import re
 import shutil
 import signal
+import socket
 import sqlite3
 import subprocess
 import sys
@@ -313,10 +314,23 @@ def test_certificates_that_cannot_be_used_are_refused(dask, tmp_path):
         next(cluster.grade_all([a_unit(0)], units.settings(Limits(), Bounds()), files(cert=tmp_path / "x.pem", key=tmp_path / "key.pem")))
 
 
-def test_nobody_at_the_address(monkeypatch):
-    monkeypatch.setattr(cluster, "TO_CONNECT", 4)
+@pytest.mark.parametrize("seconds", [0.2, 1.5])
+def test_nobody_at_the_address(monkeypatch, seconds):
+    """However Dask's last try before the time is up ended."""
+    monkeypatch.setattr(cluster, "TO_CONNECT", seconds)
     with pytest.raises(cluster.ClusterError, match="no scheduler can be reached at tcp://127.0.0.1:1: .*refused"):
         next(cluster.grade_all([a_unit(0)], units.settings(Limits(), Bounds()), cluster.Cluster("tcp://127.0.0.1:1")))
+
+
+def test_somebody_else_at_the_address(tmp_path):
+    """The command ends, though Dask would wait for ever for the first word."""
+    hand_in(tmp_path, "ada", "1.15", RIGHT_1_15)
+    shorter = "from trajlib import cli\nfrom trajlib.grading import cluster\ncluster.TO_CONNECT = 1\ncli.main()"
+    with socket.create_server(("127.0.0.1", 0)) as silent:
+        address = f"tcp://127.0.0.1:{silent.getsockname()[1]}"
+        done = subprocess.run([sys.executable, "-c", shorter, "grade", "submitted", "--out", "graded", "--cluster", address], cwd=tmp_path,
+                              env=ALIKE, capture_output=True, text=True, timeout=100)
+    assert done.returncode == 2 and "something listens there, but gives no answer within 1 s" in done.stderr and "Traceback" not in done.stderr
 
 
 def test_without_dask_one_line(monkeypatch):

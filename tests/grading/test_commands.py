@@ -270,6 +270,11 @@ def test_a_problem_taken_out_of_the_homework_is_a_change(course, here, capsys):
     assert "ann 1.15 a_region: right -> not asked for, 2 -> 0 points (the homework asks for it no longer)" in capsys.readouterr().err
     assert len(table(course / "graded" / "hw1" / "changes.csv")) == 1 + 8
     assert grade(course)["changes"]["hw1"] == []
+    write_assignment(course, HOMEWORK)
+    back = grade(course, quiet=False)["changes"]["hw1"]
+    assert len(back) == 5 + 3 and {change["why"] for change in back} == {"the homework asks for it again"}
+    assert "ann 1.15 a_region: not asked for -> right, 0 -> 2 points (the homework asks for it again)" in capsys.readouterr().err
+    assert len(table(course / "graded" / "hw1" / "changes.csv")) == 1 + 8 + 8 and grade(course)["changes"]["hw1"] == []
 
 
 def test_points_by_hand_are_no_more_than_the_answer_is_worth(course, here, capsys):

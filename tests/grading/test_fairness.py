@@ -279,3 +279,11 @@ def test_a_slow_machine_costs_nothing(tmp_path):
                 other.join()
     assert full_marks(result), result
     assert time.monotonic() - began > 0.5 * seconds
+
+
+def test_data_cells_run_once_where_they_stand_first_and_ahead_of_all_else_where_not():
+    (data,) = [source for _, source in EXERCISE.code("data")]
+    for begins_with_them in ([data, "a_region = k1 > 0"], [data + "\n"], [data, data]):
+        assert units._lacking(EXERCISE, begins_with_them) == []
+    for lacks in ([], ["a_region = k1 > 0"], ["a_region = k1 > 0", data], [data + "\nk1 = 1", ""], [f"import os\n{data}"]):
+        assert units._lacking(EXERCISE, lacks) == [data.strip()]

@@ -14,7 +14,7 @@ from classroom import RIGHT_1_15  # noqa: E402
 from trajlib import exercises  # noqa: E402
 from trajlib.checks.encoding import encode  # noqa: E402
 from trajlib.checks.verdict import INVALID, MISSING, RIGHT, STATUSES, UNCHECKED, WRONG  # noqa: E402
-from trajlib.execution import in_child, judge_cells  # noqa: E402
+from trajlib.execution import CONTEXT, decoded, in_child, judge_cells  # noqa: E402
 from trajlib.grading import judging  # noqa: E402
 from trajlib.grading.judging import FINAL, NOT_FINAL, WITHIN_LIMITS, Bounds, judge  # noqa: E402
 from trajlib.grading.sandbox import Outcome  # noqa: E402
@@ -260,7 +260,8 @@ def _fuzz(count):
             # Those of one answer suffice: checks are slow, bytes are many.
             chosen = [name for name in NAMES if name in encoded or name in unreadable][:1] or NAMES[:1]
             verdicts = judge_cells([cells[0], cells[1 + NAMES.index(chosen[0])]], encoded, unreadable, chosen)
-            described = judging._described(encoded)
+            given = decoded(encoded, unreadable, NAMES)
+            described = {name: judging._described(given[name]) for name in encoded}
             json.dumps([verdicts, described, remarks, stopped], ensure_ascii=False).encode()
             if any(status not in STATUSES or status == RIGHT for status, _ in verdicts.values()):
                 found.append(f"{k}: {verdicts} for {message[:300]!r}")
@@ -304,8 +305,10 @@ def test_what_is_loaded_takes_nothing_from_the_judges_memory():
 
 
 def _with_little_memory(taken, allowed):
+    receiver, sender = CONTEXT.Pipe(duplex=False)
+    sender.send_bytes(handed_over())
     try:
-        judging._judge([("data", f"x = bytearray({taken} * 2**20)")], handed_over(), ["a"], 60, allowed, None)
+        judging._judge(receiver, [("data", f"x = bytearray({taken} * 2**20)"), ("check", "x")], ["a"], 60, allowed, None)
     except BaseException as error:
         return [type(error).__name__]
     return ["nothing"]

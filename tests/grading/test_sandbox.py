@@ -2,6 +2,7 @@
 
 import json
 import os
+import select
 import shutil
 import signal
 import stat
@@ -243,6 +244,29 @@ def test_a_worker_that_is_killed_costs_nothing():
         assert answers(run(sandbox, "a = 1")) == {"a": 1}
         started = sandbox._worker.pid
         assert answers(run(sandbox, "a = 2")) == {"a": 2} and sandbox._worker.pid == started
+
+
+def test_a_worker_that_is_killed_in_the_midst_costs_nothing():
+    with Sandbox(TIGHT) as sandbox:
+        sandbox.hand_in(["import time\ntime.sleep(1)\na = 1"], ["a"])
+        os.killpg(sandbox._worker.pid, signal.SIGKILL)
+        assert answers(sandbox.outcome()) == {"a": 1}
+
+
+def test_the_grader_is_free_while_a_notebook_runs():
+    with Sandbox(PATIENT) as sandbox:
+        sandbox.hand_in(["import time\na = time.sleep(3), 1"], ["a"])
+        start = time.monotonic()
+        assert not select.select([sandbox._worker.stdout], [], [], 0)[0]
+        assert sandbox.outcome().ended == "done" and time.monotonic() - start > 1
+
+
+def test_the_wait_for_a_notebook_is_no_time_of_the_notebook():
+    """Its process is there before it comes."""
+    with Sandbox(Limits(cpu_seconds=2, wall_seconds=4)) as sandbox:
+        assert answers(run(sandbox, "a = 1")) == {"a": 1}
+        time.sleep(5)
+        assert answers(run(sandbox, "import time\ntime.sleep(0.5)\na = 2")) == {"a": 2}
 
 
 def test_a_sandbox_that_always_fails_says_so(monkeypatch):

@@ -9,7 +9,9 @@ import json
 import logging
 import os
 import queue
+import socket
 import ssl
+import threading
 import time
 import uuid
 import warnings
@@ -83,9 +85,12 @@ def _connected(cluster):
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # what differs between the machines, `cluster_lanes` says
-            client = distributed.Client(cluster.address, security=security, timeout=TO_CONNECT, set_as_default=False)
+            # Dask's own limit is not one on what answers nothing at all.
+            client = _within(3 * TO_CONNECT, lambda: distributed.Client(cluster.address, security=security, timeout=TO_CONNECT, set_as_default=False))
     except (OSError, RuntimeError, TypeError, ValueError) as error:
         cause = _cause(error)
+        if cause in ("CancelledError", "TimeoutError"):  # of Dask's last try, cut short: the one before it failed for a reason
+            cause = _refusal_of(cluster.address)
         hint = "; is its certificate signed by the same CA, and does it use TLS?" if "ssl" in cause.lower() else ""
         raise ClusterError(f"no scheduler can be reached at {cluster.address}: {cause}{hint}") from None
     try:
@@ -137,6 +142,38 @@ def _cause(error):
     while error.__cause__ is not None:
         error = error.__cause__
     return " ".join(str(error).rpartition("Error: ")[2].split())[:200] or type(error).__name__
+
+
+def _within(seconds, function):
+    """The value of `function()`, in a thread that is left behind if it does not end in time: then raises `TimeoutError`."""
+    ended = queue.SimpleQueue()
+
+    def work():
+        try:
+            ended.put((function(), None))
+        except BaseException as error:
+            ended.put((None, error))
+
+    threading.Thread(target=work, daemon=True).start()
+    try:
+        value, error = ended.get(timeout=seconds)
+    except queue.Empty:
+        raise TimeoutError from None
+    if error is not None:
+        raise error
+    return value
+
+
+def _refusal_of(address):
+    """Why nothing can be connected to an address, asked of the system itself."""
+    parts = urlsplit(address)
+    try:
+        with socket.create_connection((parts.hostname, parts.port), timeout=TO_CONNECT):
+            return f"something listens there, but gives no answer within {TO_CONNECT} s"
+    except TimeoutError:
+        return f"no answer within {TO_CONNECT} s"
+    except OSError as error:
+        return error.strerror or str(error)
 
 
 @dataclass

@@ -34,7 +34,7 @@ def grade(submitted, out, assignment_folder=None, count=None, limits=Limits(), b
 
     What has a result by the very same exercise and library is not graded again, so a killed run goes on where it
     stopped, and a changed exercise regrades only what it changed; so do other limits what met the former ones. Each
-    result is stored before the next is asked for. With `trusting` there is no sandbox; with a `trajlib.grading.cluster.Cluster`
+    result is stored as soon as it is there. With `trusting` there is no sandbox; with a `trajlib.grading.cluster.Cluster`
     its workers grade, not this machine.
     """
     out = Path(out)

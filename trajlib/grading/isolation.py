@@ -81,8 +81,8 @@ def _packages():
     return [Path(path) for path in sys.path if Path(path).name in ("site-packages", "dist-packages") and Path(path).is_dir()]
 
 
-def spawn(mode, disk_megabytes=64):
-    """Start the worker in a sandbox; returns the `Popen` with binary pipes on stdin and stdout.
+def spawn(mode, limits):
+    """Start the worker in a sandbox, for notebooks within the limits (`sandbox.Limits` as a dict); returns the `Popen` with binary pipes on stdin and stdout.
 
     Raises `NoIsolation` where bubblewrap is missing or the system forbids what it needs.
     """
@@ -99,7 +99,7 @@ def spawn(mode, disk_megabytes=64):
                "--ro-bind-try", "/etc/alternatives", "/etc/alternatives", "--ro-bind-try", "/etc/ld.so.cache", "/etc/ld.so.cache",
                "--proc", "/proc", "--dev", "/dev", "--chdir", "/tmp"]
     for folder in SCRATCH:
-        command += ["--size", str(disk_megabytes * 2**20), "--tmpfs", folder]
+        command += ["--size", str(limits["disk_megabytes"] * 2**20), "--tmpfs", folder]
     for name, value in ENVIRONMENT.items():
         command += ["--setenv", name, value]
     for path in folders:
@@ -109,7 +109,7 @@ def spawn(mode, disk_megabytes=64):
     # The first process of a namespace cannot be killed from inside.
     command += ["--as-pid-1"] if mode == "once" else []
     # Nothing outside /tmp and /dev/shm can be written, so no notebook leaves anything for the next.
-    command += ["--remount-ro", "/dev", "--remount-ro", "/", *_python(mode)]
+    command += ["--remount-ro", "/dev", "--remount-ro", "/", *_python(mode, limits)]
 
     def hand_over():
         if as_root:
@@ -127,9 +127,9 @@ def spawn(mode, disk_megabytes=64):
     return _started(command, hand_over, {})
 
 
-def spawn_without(folder):
+def spawn_without(folder, limits):
     """Start the worker with no sandbox around it, in a session of its own and with an empty `folder` for its home."""
-    return _started(_python("trusting"), end_with_parent, ENVIRONMENT | {"HOME": folder, "TMPDIR": folder, "MPLCONFIGDIR": folder})
+    return _started(_python("trusting", limits), end_with_parent, ENVIRONMENT | {"HOME": folder, "TMPDIR": folder, "MPLCONFIGDIR": folder})
 
 
 def end_with_parent():
@@ -155,10 +155,10 @@ def _started(command, prepare, environment):
         raise NoIsolation(f"the sandbox does not start here: {error}") from None
 
 
-def _python(mode):
+def _python(mode, limits):
     # Isolated from variables, the user's folders and the current one; libraries are found where the grader itself found them.
     paths = [str(path) for path in [*_packages(), PACKAGE.parent]]
-    start = f"import sys; sys.path += [path for path in {paths!r} if path not in sys.path]; from trajlib.grading import worker; worker.main({mode!r}"
+    start = f"import sys; sys.path += [path for path in {paths!r} if path not in sys.path]; from trajlib.grading import worker; worker.main({mode!r}, {limits!r}"
     in_scratch = [str(path) for path in visible() if any(path.is_relative_to(folder) for folder in SCRATCH)]
     return [sys.executable, "-I", "-c", f"{start}, {in_scratch!r})"]
 

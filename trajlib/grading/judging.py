@@ -1,7 +1,7 @@
 """Judge what a notebook handed over: decode, run data and check cells of the pristine exercise, within limits.
 
 Each judgement is a forked child with bounds on time and memory, since an answer can be an expression built to
-explode. If the whole notebook cannot be judged within them, its answers are judged one by one, so that one such answer
+explode. It starts, and runs the data cells, while the notebook is still running. If the whole notebook cannot be judged within them, its answers are judged one by one, so that one such answer
 costs only itself; it becomes `unchecked`, which a lecturer has to look at, never wrong and never right.
 """
 
@@ -9,11 +9,12 @@ import hashlib
 import json
 import resource
 import sys
+from contextlib import suppress
 from dataclasses import dataclass, field
 
-from trajlib.checks.encoding import EncodingError, decode, describe
-from trajlib.checks.verdict import MISSING, UNCHECKED, Verdict
-from trajlib.execution import TimeLimit, in_child, judge_cells
+from trajlib.checks.encoding import describe
+from trajlib.checks.verdict import MISSING, UNCHECKED, Unusable, Verdict
+from trajlib.execution import CONTEXT, Child, TimeLimit, decoded, judge_answers
 from trajlib.grading.isolation import end_with_parent, loaded
 from trajlib.grading.printable import printable
 
@@ -56,14 +57,30 @@ class Judgement:
 
 def judge(exercise, outcome, bounds=Bounds()):
     """The `Judgement` on a sandbox `Outcome` for a pristine exercise (`trajlib.exercises.Exercise`)."""
-    names = list(exercise.about["answers"])
-    if outcome.ended != "done":
-        return _without_answers(names, outcome)
-    cells = exercise.code("data", "check")
+    judging = Judging(exercise, bounds)
     try:
-        return _apart(cells, outcome.handed_over, names, bounds.seconds, bounds.memory_megabytes)
-    except RuntimeError:
-        return _one_by_one(cells, outcome.handed_over, names, bounds)
+        return judging.of(outcome)
+    finally:
+        judging.end()
+
+
+class Judging:
+    """Gets ready from now on to judge one notebook of an exercise; then `of` its outcome comes the judgement."""
+
+    def __init__(self, exercise, bounds=Bounds()):
+        self._names, self._cells, self._bounds = list(exercise.about["answers"]), exercise.code("data", "check"), bounds
+        self._first = _Judge(self._cells, self._names, bounds.seconds, bounds.memory_megabytes)
+
+    def of(self, outcome):
+        if outcome.ended != "done":
+            return _without_answers(self._names, outcome)
+        try:
+            return self._first.judgement(outcome.handed_over)
+        except RuntimeError:
+            return _one_by_one(self._cells, outcome.handed_over, self._names, self._bounds)
+
+    def end(self):
+        self._first.end()
 
 
 def failed(names, why):
@@ -85,8 +102,9 @@ def _one_by_one(cells, handed_over, names, bounds):
     """Judge each answer alone: one that explodes costs only itself."""
     verdicts, answers, remarks, hashes = {}, {}, (), {}
     for name in names:
+        judge = _Judge(cells, names, bounds.answer_seconds, bounds.memory_megabytes, only=name)
         try:
-            alone = _apart(cells, handed_over, names, bounds.answer_seconds, bounds.memory_megabytes, only=name)
+            alone = judge.judgement(handed_over)
             verdicts[name], remarks = alone.verdicts[name], alone.remarks
             answers |= alone.answers
             hashes |= alone.hashes
@@ -94,37 +112,55 @@ def _one_by_one(cells, handed_over, names, bounds):
             verdicts[name] = Verdict(UNCHECKED, f"judging this answer took longer than {bounds.answer_seconds:g} s; a lecturer has to look at it")
         except RuntimeError:
             verdicts[name] = Verdict(UNCHECKED, "judging this answer needed more memory than allowed, or failed; a lecturer has to look at it")
+        finally:
+            judge.end()
     return Judgement(verdicts, answers, remarks, WITHIN_LIMITS, hashes)
 
 
-def _apart(cells, handed_over, names, seconds, megabytes, only=None):
-    verdicts, answers, remarks, stopped, hashes = in_child(_judge, cells, handed_over, names, seconds, megabytes, only, timeout=3 * seconds)
-    return Judgement({name: Verdict(*verdict) for name, verdict in verdicts.items()}, answers, tuple(remarks),
-                     WITHIN_LIMITS if stopped else FINAL, hashes)
+class _Judge:
+    """A child that judges once what is handed over: all answers, or `only` one."""
+
+    def __init__(self, cells, names, seconds, megabytes, only=None):
+        receiver, self._sender = CONTEXT.Pipe(duplex=False)
+        self._child, self._seconds = Child(_judge, receiver, cells, names, seconds, megabytes, only), seconds
+        receiver.close()
+
+    def judgement(self, handed_over):
+        with suppress(OSError):  # it has died, which its result will tell
+            self._sender.send_bytes(handed_over)
+        verdicts, answers, remarks, stopped, hashes = self._child.result(timeout=3 * self._seconds)
+        return Judgement({name: Verdict(*verdict) for name, verdict in verdicts.items()}, answers, tuple(remarks),
+                         WITHIN_LIMITS if stopped else FINAL, hashes)
+
+    def end(self):
+        self._sender.close()
+        self._child.end()
 
 
-def _judge(cells, handed_over, names, seconds, megabytes, only):
+def _judge(receiver, cells, names, seconds, megabytes, only):
     """In the child: read the bytes strictly, keep the answers asked for, judge."""
     if sys.platform == "linux":
         end_with_parent()
     memory = loaded() + megabytes * 2**20
     resource.setrlimit(resource.RLIMIT_AS, (memory, memory))
     resource.setrlimit(resource.RLIMIT_CPU, (int(seconds) + 1, int(seconds) + 2))
-    encoded, unreadable, remarks, stopped = _read(handed_over, [name for name in names if only in (None, name)])
-    verdicts = {name: [status, printable(message[:2000], keep="\n")] for name, (status, message) in judge_cells(cells, encoded, unreadable, names).items()}
-    hashes = {name: hashlib.sha256(text.encode("utf-8", "surrogatepass")).hexdigest() for name, text in encoded.items()}
-    return [verdicts, _described(encoded), remarks, stopped, hashes]
-
-
-def _described(encoded):
-    """The answers as short texts, for the lecturer's eyes."""
     found = {}
-    for name, text in encoded.items():
-        try:
-            found[name] = printable(describe(decode(text.encode())))
-        except (EncodingError, UnicodeEncodeError) as error:
-            found[name] = f"({printable(str(error)[:400])})"
-    return found
+
+    def answers():
+        encoded, unreadable, found["remarks"], found["stopped"] = _read(receiver.recv_bytes(), [name for name in names if only in (None, name)])
+        given = decoded(encoded, unreadable, names)
+        found["texts"] = {name: _described(given[name]) for name in encoded}
+        found["hashes"] = {name: hashlib.sha256(text.encode("utf-8", "surrogatepass")).hexdigest() for name, text in encoded.items()}
+        return given
+
+    verdicts = judge_answers(cells, answers, names)
+    told = {name: [status, printable(message[:2000], keep="\n")] for name, (status, message) in verdicts.items()}
+    return [told, *(found[key] for key in ("texts", "remarks", "stopped", "hashes"))]
+
+
+def _described(answer):
+    """A short text for the lecturer's eyes."""
+    return f"({printable(answer.reason[:400])})" if isinstance(answer, Unusable) else printable(describe(answer))
 
 
 def _read(handed_over, names):

@@ -40,10 +40,10 @@ def grade_all(units, count, settings):
                     lane = Lane(settings)
                     lanes.append(lane)
                     lane.greeted()
-                yield unit["key"], result
-                following = lane.take(waiting)
+                following = lane.take(waiting)  # it goes on while this result is stored
                 if following is not None:
                     busy[lane] = following
+                yield unit["key"], result
     finally:
         for lane in lanes:
             lane.stop()

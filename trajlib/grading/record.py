@@ -28,14 +28,18 @@ class Change:
 
 
 #: Reasons that are given in more than one case.
-POINTS_CHANGED, NOT_ASKED = "the assignment's points changed", "the homework asks for it no longer"
+POINTS_CHANGED, NOT_ASKED, ASKED_AGAIN = "the assignment's points changed", "the homework asks for it no longer", "the homework asks for it again"
+#: In the place of a verdict.
+NO_VERDICT = "not asked for"
 
 
 def compared(path, assignment, scores, when):
     """(changes since the grades were written to `path`, all changes so far, the text to write there now). `when` is a text."""
     before = read(path)
+    former = [Change(**change) for change in before["changes"]]
     new = _changes(before["students"], _students(scores), {(p, a) for p, answers in assignment.points.items() for a in answers}, when)
-    everything = [*(Change(**change) for change in before["changes"]), *new]
+    new += _asked_again(former, before["students"], _students(scores), when)
+    everything = [*former, *new]
     text = json.dumps({"assignment": assignment.name, "title": assignment.title, "max points": assignment.max_points,
                        "students": _students(scores), "changes": [vars(change) for change in everything]}, ensure_ascii=False, indent=1)
     return new, everything, text + "\n"
@@ -108,12 +112,21 @@ def _changes(before, after, asked, when):
             if name not in now:
                 if was["points"] > 0:
                     why = "points by hand taken back" if name in asked else NOT_ASKED
-                    changes.append(Change(when, student, *name, was["verdict"], "not asked for", was["points"], 0.0, why))
+                    changes.append(Change(when, student, *name, was["verdict"], NO_VERDICT, was["points"], 0.0, why))
             elif not (is_new and now[name]["notebook"] is not None) and (
                     was["verdict"] != now[name]["verdict"] or abs(was["points"] - now[name]["points"]) > 1e-9):
                 changes.append(Change(when, student, *name, was["verdict"], now[name]["verdict"], was["points"], now[name]["points"],
                                       _why(was, now[name])))
     return changes
+
+
+def _asked_again(former, before, after, when):
+    """Points that went when the homework asked for an answer no longer, and are back."""
+    last = {(change.student, change.problem, change.answer): change for change in former}
+    gone = {key for key, change in last.items() if change.new_verdict == NO_VERDICT}
+    return [Change(when, student, *name, NO_VERDICT, now["verdict"], 0.0, now["points"], ASKED_AGAIN)
+            for student, graded in after.items() for name, now in _by_answer(graded).items()
+            if (student, *name) in gone and name not in _by_answer(before.get(student)) and now["points"] > 0]
 
 
 def _by_answer(student):

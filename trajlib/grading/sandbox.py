@@ -55,7 +55,7 @@ class Sandbox:
     def __init__(self, limits=Limits(), once=False):
         self.limits = limits
         self._once = once
-        self._worker = None
+        self._worker = self._proc = None
         self._greeted = False
 
     def __enter__(self):
@@ -68,19 +68,43 @@ class Sandbox:
 
     def run(self, sources, names, before=()):
         """Run code cells, those of `before` first, and collect the answers `names`; returns an `Outcome`, whatever the notebook does."""
-        request = json.dumps({"sources": list(sources), "names": list(names), "before": list(before), "limits": asdict(self.limits)}).encode()
-        outcome = self._try(request)
-        # The machine was out of memory, or somebody ended our processes: not the notebook's doing, so it is tried once more.
-        return self._try(request) if outcome.ended == "failed" else outcome
+        self.hand_in(sources, names, before)
+        return self.outcome()
 
-    def _try(self, request):
+    def hand_in(self, sources, names, before=()):
+        """Let the notebook begin that `run` would run; it goes on until `outcome` is asked for."""
+        self._request = json.dumps({"sources": list(sources), "names": list(names), "before": list(before)}).encode()
+        self._begin()
+
+    def outcome(self):
+        """The `Outcome` of the notebook handed in."""
+        outcome = self._end()
+        if outcome.ended != "failed":
+            return outcome
+        # The machine was out of memory, or somebody ended our processes: not the notebook's doing, so it is tried once more.
+        self._begin()
+        return self._end()
+
+    def _begin(self):
+        self._in_the_way = None
         try:
             self.start()
             self._greet()
-            framing.send(self._worker.stdin.fileno(), request)
+            if self._once:
+                self._proc = os.open("/proc", os.O_RDONLY | os.O_DIRECTORY)
+                self._watch = watching.Watch(self._worker.pid, self._worker.stdout.fileno(), asdict(self.limits), self._proc)
+                self._watch.prepared()
+            framing.send(self._worker.stdin.fileno(), self._request)
+        except (framing.Broken, OSError, isolation.NoIsolation) as trouble:
+            self._in_the_way = trouble
+
+    def _end(self):
+        try:
+            if self._in_the_way is not None:
+                raise self._in_the_way
             outcome = self._outcome_once() if self._once else self._outcome()
-        except (framing.Broken, OSError, isolation.NoIsolation) as broken:
-            outcome = Outcome("failed", str(broken).encode())
+        except (framing.Broken, OSError, isolation.NoIsolation) as trouble:
+            outcome = Outcome("failed", str(trouble).encode())
         if self._once or outcome.ended == "failed":
             self._stop()
         if self._once:
@@ -93,11 +117,7 @@ class Sandbox:
         return self._told(ended, message)
 
     def _outcome_once(self):
-        proc = os.open("/proc", os.O_RDONLY | os.O_DIRECTORY)
-        try:
-            ended, message = watching.answers_of(self._worker.pid, self._worker.stdout.fileno(), asdict(self.limits), proc)
-        finally:
-            os.close(proc)
+        ended, message = self._watch.answers()
         if ended == b"died":
             message = self._how_it_died()
         return self._told(ended, message)
@@ -137,7 +157,7 @@ class Sandbox:
         self._greet()
 
     def _spawn(self):
-        return isolation.spawn("once" if self._once else "nested", self.limits.disk_megabytes)
+        return isolation.spawn("once" if self._once else "nested", asdict(self.limits))
 
     def _stop(self):
         if self._worker is not None:
@@ -149,6 +169,9 @@ class Sandbox:
             for pipe in (self._worker.stdin, self._worker.stdout, self._worker.stderr):
                 pipe.close()
             self._worker = None
+        if self._proc is not None:
+            os.close(self._proc)
+            self._proc = None
 
 
 class Trusting(Sandbox):
@@ -166,7 +189,7 @@ class Trusting(Sandbox):
         self._folder.cleanup()
 
     def _spawn(self):
-        return isolation.spawn_without(self._folder.name)
+        return isolation.spawn_without(self._folder.name, asdict(self.limits))
 
     def _told(self, ended, message):
         return Outcome(ended.decode(), message)

@@ -8,7 +8,7 @@ from dataclasses import asdict, replace
 from trajlib import exercises
 from trajlib.checks.verdict import MISSING, Verdict
 from trajlib.dependencies import module_closure
-from trajlib.grading.judging import Bounds, Judgement, judge
+from trajlib.grading.judging import Bounds, Judgement, Judging
 from trajlib.grading.preloading import SYMPY, preload
 from trajlib.grading.sandbox import Limits, Sandbox, Trusting
 
@@ -41,6 +41,7 @@ class Bench:
 
     def __init__(self, limits=Limits(), bounds=Bounds(), trusting=False):
         self._sandbox, self._bounds = (Trusting if trusting else Sandbox)(limits), bounds
+        self._judging = None
 
     def __enter__(self):
         self._sandbox.start()  # it loads its own while the judging children's is loaded here
@@ -54,14 +55,24 @@ class Bench:
 
     def __exit__(self, *error):
         self._sandbox.__exit__(*error)
+        if self._judging is not None:
+            self._judging.end()
 
     def grade(self, unit):
         """The judgement on a unit {"problem": .., "sources": [..]}, as plain data."""
         exercise = exercises.find(unit["problem"])
-        # The data cells go first, in case the notebook lost or moved its own.
-        data = [source for _, source in exercise.code("data")]
-        outcome = self._sandbox.run(unit["sources"], exercise.about["answers"], before=data)
-        return as_plain(judge(exercise, outcome, self._bounds))
+        self._sandbox.hand_in(unit["sources"], exercise.about["answers"], before=_lacking(exercise, unit["sources"]))
+        # While the notebook runs, the former one's judge is put away, and this one's gets ready.
+        former, self._judging = self._judging, Judging(exercise, self._bounds)
+        if former is not None:
+            former.end()
+        return as_plain(self._judging.of(self._sandbox.outcome()))
+
+
+def _lacking(exercise, sources):
+    """The data cells, unless the notebook begins with them: it may have lost, changed or moved its own."""
+    data = [source.strip() for _, source in exercise.code("data")]
+    return [] if [source.strip() for source in sources[:len(data)]] == data else data
 
 
 def as_plain(judgement):

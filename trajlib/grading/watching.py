@@ -26,36 +26,43 @@ class Exceeded(RuntimeError):
     """The processes together use more than they may; the message is the limit: time, memory, processes or sockets."""
 
 
-def answers_of(keeper, descriptor, limits, proc, own_network=True):
-    """(how it ended, message) of the notebook that runs below the process `keeper` and hands over on `descriptor`.
+class Watch:
+    """Over the notebook that runs below the process `keeper` and hands over on `descriptor`.
 
-    Ended is "done", or the limit that ended it ("time", "memory", "processes", "sockets", "large"), or "died", or "failed"
-    if its process could not be prepared. `proc` is a descriptor of the /proc in which `keeper` is to be found.
+    First wait until it is `prepared`, then give it its request, then wait for its `answers`. `proc` is a descriptor of the
+    /proc in which `keeper` is to be found.
     """
-    try:
-        said = framing.receive(descriptor, timeout=PREPARATION)
-    except framing.Broken as broken:
-        said = f"not prepared ({broken})".encode()
-    if said != PREPARED:
-        return b"failed", said
 
-    before = _descendants(keeper, proc)
-    # What getting ready has taken, where the notebook runs in the very process that did so, is not the notebook's.
-    sockets, seconds = _sockets(before, proc), _seconds(before)
+    def __init__(self, keeper, descriptor, limits, proc, own_network=True):
+        self._keeper, self._descriptor, self._limits, self._proc, self._own_network = keeper, descriptor, limits, proc, own_network
 
-    def look():
-        processes = _descendants(keeper, proc)
-        _compare(processes, limits, seconds, proc)
-        if own_network and _sockets(processes, proc) > sockets + MOST_SOCKETS:
+    def prepared(self):
+        """Wait until the notebook's process is confined, and note what getting ready took, which is not the notebook's."""
+        try:
+            self._said = framing.receive(self._descriptor, timeout=PREPARATION)
+        except framing.Broken as broken:
+            self._said = f"not prepared ({broken})".encode()
+        before = _descendants(self._keeper, self._proc)
+        self._sockets, self._seconds = _sockets(before, self._proc), _seconds(before)
+
+    def answers(self):
+        """(how it ended, message): "done", or the limit that ended it ("time", "memory", "processes", "sockets", "large"), or
+        "died", or "failed" if its process could not be prepared."""
+        if self._said != PREPARED:
+            return b"failed", self._said
+        try:
+            message = framing.receive(self._descriptor, self._limits["wall_seconds"], self._look, INTERVAL)
+            return (b"done", message) if len(message) <= LARGEST else (b"large", b"")
+        except Exceeded as limit:
+            return str(limit).encode(), b""
+        except framing.Broken as broken:
+            return {"time": b"time", "large": b"large", "closed": b"died"}[str(broken)], b""
+
+    def _look(self):
+        processes = _descendants(self._keeper, self._proc)
+        _compare(processes, self._limits, self._seconds, self._proc)
+        if self._own_network and _sockets(processes, self._proc) > self._sockets + MOST_SOCKETS:
             raise Exceeded("sockets")
-
-    try:
-        message = framing.receive(descriptor, limits["wall_seconds"], look, INTERVAL)
-        return (b"done", message) if len(message) <= LARGEST else (b"large", b"")
-    except Exceeded as limit:
-        return str(limit).encode(), b""
-    except framing.Broken as broken:
-        return {"time": b"time", "large": b"large", "closed": b"died"}[str(broken)], b""
 
 
 def end_descendants(proc):

@@ -5,23 +5,25 @@ namespace of its own, without network, with an empty /tmp and no /proc, without 
 is done, or out of time, everything it left behind ends with it.
 
 The ready process never holds a request or an answer itself: whatever it had read would stand in the memory of every
-later child. A keeper, forked for each notebook, reads the request, forks the child, watches it and replies.
+later child. A keeper, forked for each notebook, forks the child, hands it the request, watches it and replies. Both are
+there, and the child is confined, before the request comes: while one notebook is judged, the next one's place gets ready.
 
 There are three modes: `nested`, as said; `once`, where the system allows no namespaces inside the sandbox: one
 notebook, run by this very process, which a sandbox of its own surrounds; `trusting`, with no sandbox around at all.
 """
 
 import ctypes
+import fcntl
 import json
 import math
 import os
 import resource
-import select
 import shutil
 import signal
 import struct
 import tempfile
 import time
+from contextlib import suppress
 
 import trajlib
 from trajlib.cells import prepare, run_cells
@@ -37,10 +39,13 @@ CAPABILITY_VERSION_3 = 0x20080522
 NOT_NESTED = b"not nested"
 
 
-def main(mode, in_scratch=()):
-    """Serve requests. `in_scratch` are visible folders (an installation) that lie where notebooks find an empty folder."""
+def main(mode, limits, in_scratch=()):
+    """Serve requests, each notebook within the limits (`sandbox.Limits` as a dict).
+
+    `in_scratch` are visible folders (an installation) that lie where notebooks find an empty folder.
+    """
     try:
-        if mode == "nested" and not _can_nest(in_scratch):
+        if mode == "nested" and not _can_nest(limits, in_scratch):
             framing.send(1, NOT_NESTED)
             return
         if mode != "trusting":
@@ -51,22 +56,21 @@ def main(mode, in_scratch=()):
     _make_ready()
     framing.send(1, b"ready")
     if mode == "once":
-        _run(json.loads(framing.receive(0)), 1, mode)
+        _run(limits, 0, 1, mode)
     while True:
-        select.select([0], [], [])  # a request has come; it is left to the keeper to read
         keeper = os.fork()
         if keeper == 0:
-            _keep(mode, in_scratch)
+            _keep(mode, limits, in_scratch)
         if os.waitpid(keeper, 0)[1] != 0:
             return  # no more requests, or the keeper failed: the grader sees a closed pipe
 
 
-def _can_nest(in_scratch):
+def _can_nest(limits, in_scratch):
     """Try in a child whether this system allows namespaces inside the sandbox."""
     child = os.fork()
     if child == 0:
         try:
-            _enter_namespaces(1, in_scratch)
+            _enter_namespaces(limits, in_scratch)
             os._exit(0)
         finally:
             os._exit(1)
@@ -82,41 +86,51 @@ def _make_ready():
 # The keeper
 
 
-def _keep(mode, in_scratch):
+def _keep(mode, limits, in_scratch):
     """Serve one request and end: 0 if it was answered."""
-    code = 1
+    code, first, folder = 1, None, "/tmp"
     try:
-        request = json.loads(framing.receive(0))
-        results, childs_end = os.pipe()
+        (childs_requests, requests), (results, childs_results) = os.pipe(), os.pipe()
         proc = os.open("/proc", os.O_RDONLY | os.O_DIRECTORY)  # stays ours when the child's is covered
-        folder = "/tmp"
         if mode == "nested":
-            _enter_namespaces(request["limits"]["disk_megabytes"], in_scratch)
+            _enter_namespaces(limits, in_scratch)
         else:
             end_with_parent()
             folder = tempfile.mkdtemp()
             system_call("prctl", PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
         first = os.fork()
         if first == 0:
-            _run(request, childs_end, mode, folder)
-        os.close(childs_end)
-        ended, message = watching.answers_of(os.getpid(), results, request["limits"], proc, own_network=mode == "nested")
+            _run(limits, childs_requests, childs_results, mode, folder)
+        os.close(childs_requests)
+        os.close(childs_results)
+        watch = watching.Watch(os.getpid(), results, limits, proc, own_network=mode == "nested")
+        watch.prepared()
+        request = framing.receive(0)
+        with suppress(OSError):  # it has died, which its other pipe will tell
+            framing.send(requests, request)
+        ended, message = watch.answers()
         if ended == b"died":
             message = _how_it_died(first)
-        # With the first process of its namespace every thread, child and daemon of the notebook ends.
-        _kill(first)
-        if mode == "trusting":
-            watching.end_descendants(proc)
-            shutil.rmtree(folder, ignore_errors=True)
+        _end(first, mode, folder, proc)
         framing.send(1, ended + b"|" + message)
         code = 0
     except framing.Broken:
-        pass  # no more requests
+        if first is not None:  # no more requests
+            _end(first, mode, folder, proc)
     finally:
         os._exit(code)
 
 
-def _enter_namespaces(disk_megabytes, in_scratch):
+def _end(first, mode, folder, proc):
+    """With the first process of its namespace every thread, child and daemon of the notebook ends."""
+    os.kill(first, signal.SIGKILL)
+    os.waitpid(first, 0)
+    if mode == "trusting":
+        watching.end_descendants(proc)
+        shutil.rmtree(folder, ignore_errors=True)
+
+
+def _enter_namespaces(limits, in_scratch):
     user, group = os.getuid(), os.getgid()
     unshare(CLONE_NEWUSER | CLONE_NEWNS | CLONE_NEWPID | CLONE_NEWNET | CLONE_NEWIPC)
     for name, text in (("setgroups", "deny"), ("uid_map", f"{user} {user} 1"), ("gid_map", f"{group} {group} 1")):
@@ -125,7 +139,7 @@ def _enter_namespaces(disk_megabytes, in_scratch):
     mount("none", "/", flags=MS_REC | MS_PRIVATE)
     held = {path: os.open(path, os.O_PATH) for path in in_scratch}
     for folder in SCRATCH:
-        mount("tmpfs", folder, "tmpfs", MS_NOSUID | MS_NODEV, f"size={disk_megabytes}m,nr_inodes=10000,mode=1777")
+        mount("tmpfs", folder, "tmpfs", MS_NOSUID | MS_NODEV, f"size={limits['disk_megabytes']}m,nr_inodes=10000,mode=1777")
     for path, descriptor in held.items():
         if os.path.isdir(f"/proc/self/fd/{descriptor}"):
             os.makedirs(path, exist_ok=True)
@@ -152,36 +166,32 @@ def _how_it_died(first):
     return b"silent"
 
 
-def _kill(first):
-    os.kill(first, signal.SIGKILL)
-    os.waitpid(first, 0)
-
-
 # The notebook's own process
 
 
-def _run(request, results, mode, folder="/tmp"):
-    """Give up everything, run the notebook, hand the answers over; never returns."""
+def _run(limits, requests, results, mode, folder="/tmp"):
+    """Give up everything, run the notebook that comes on `requests`, hand the answers over; never returns."""
     this = os.getpid()
     try:
-        results = _keep_only(results)
+        results, requests = _keep_only(results, requests)
         try:
-            _confine(request["limits"], mode)
+            _confine(limits, mode)
             os.chdir(folder)
         except Exception as error:
             framing.send(results, repr(error).encode())
             return
         # Whatever fails from here on is the notebook's affair, and what failed before is not.
         framing.send(results, watching.PREPARED)
-        message = _answers(request)
+        request = json.loads(framing.receive(requests))
+        os.close(requests)
+        message = _answers(request, limits)
         if os.getpid() == this:  # not a child that the notebook forked and forgot
             framing.send(results, message)
     finally:
         os._exit(0)
 
 
-def _answers(request):
-    limits = request["limits"]
+def _answers(request, limits):
     try:
         return json.dumps(run_cells(request["sources"], request["names"], before=request["before"],
                                     seconds=(limits["cpu_seconds"], limits["wall_seconds"]))).encode()
@@ -201,16 +211,16 @@ def _confine(limits, mode):
         _give_up_privileges()
 
 
-def _keep_only(results):
-    """Close every file but this one, which becomes number 3; input and output lead nowhere."""
-    if results != 3:
-        os.dup2(results, 3, inheritable=False)
-    os.closerange(4, 4096)
+def _keep_only(*kept):
+    """Close every file but these, which become numbers 3, 4, ...; input and output lead nowhere."""
+    aside = [fcntl.fcntl(descriptor, fcntl.F_DUPFD_CLOEXEC, 3 + len(kept)) for descriptor in kept]
+    numbers = [os.dup2(descriptor, number, inheritable=False) for number, descriptor in enumerate(aside, start=3)]
+    os.closerange(3 + len(kept), 4096)
     nothing = os.open("/dev/null", os.O_RDWR)
     for descriptor in (0, 1, 2):
         os.dup2(nothing, descriptor)
     os.close(nothing)
-    return 3
+    return numbers
 
 
 def _limit(limits, mode):

@@ -10,6 +10,7 @@ import signal
 import socket
 import subprocess
 import sys
+from dataclasses import asdict
 
 from trajlib.grading import isolation, system_calls, worker
 from trajlib.grading.sandbox import Outcome, Sandbox
@@ -26,7 +27,7 @@ class OwnUser(Sandbox):
         return self  # started with the first notebook, and tried again if the machine is too slow at first
 
     def _spawn(self):
-        start = f"from trajlib.grading.gradescope import own_user; own_user.keep({self._user.pw_uid}, {self._user.pw_gid})"
+        start = f"from trajlib.grading.gradescope import own_user; own_user.keep({self._user.pw_uid}, {self._user.pw_gid}, {asdict(self.limits)!r})"
         return subprocess.Popen([sys.executable, "-I", "-c", start], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                                 close_fds=True, start_new_session=True, env=isolation.ENVIRONMENT)
 
@@ -52,8 +53,8 @@ class OwnUser(Sandbox):
         return Outcome(ended.decode(), message)
 
 
-def keep(user, group):
-    """As root: run the worker as another user, who cannot reach this process, and end as the worker ends."""
+def keep(user, group, limits):
+    """As root: run the worker, for notebooks within the limits, as another user, who cannot reach this process, and end as the worker ends."""
     isolation.system_call("prctl", worker.PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
     child = os.fork()
     if child == 0:
@@ -65,7 +66,7 @@ def keep(user, group):
             os.umask(0o077)
             # No namespace confines the network here.
             system_calls.FAMILIES = (socket.AF_UNIX,)
-            worker.main("once")
+            worker.main("once", limits)
         except BaseException as error:
             print(repr(error), file=sys.stderr, flush=True)  # the grader reads the last line
         finally:
