@@ -1,6 +1,7 @@
 """Runs a master's cells by role and judges answers, each problem in a process of its own."""
 
 import ast
+import cProfile
 import sys
 import time
 import traceback
@@ -93,26 +94,25 @@ def each_part(master, parts):
 
 def called_functions(source, role, namespace):
     """Functions (module, name) that run while a cell runs: (directly from the cell, anywhere in trajlib)."""
-    direct, within = set(), set()
-    this = f"<{role} cell>"
-
-    def watch(frame, event, _):
-        if event != "call":
-            return
-        called = (frame.f_globals.get("__name__") or "", frame.f_code.co_qualname if sys.version_info >= (3, 11) else frame.f_code.co_name)
-        if frame.f_back is not None and frame.f_back.f_code.co_filename == this:
-            direct.add(called)
-        if called[0].startswith("trajlib") and not called[1].startswith("<"):
-            within.add(called)
-        if frame.f_back is not None and str(frame.f_back.f_globals.get("__name__")).startswith("trajlib.checks"):
-            direct.add(called)
-
-    sys.setprofile(watch)
+    profile = cProfile.Profile(builtins=False)  # a trace function in Python would take several times as long as the cell
+    profile.enable()
     try:
         execute(source, role, namespace)
     finally:
-        sys.setprofile(None)
+        profile.disable()
+    modules = {getattr(module, "__file__", None): name for name, module in sys.modules.copy().items()}
+    direct, within = set(), set()
+    for entry in profile.getstats():
+        caller = modules.get(entry.code.co_filename, "")
+        within.add((caller, _name(entry.code)))
+        if entry.code.co_filename == f"<{role} cell>" or caller.startswith("trajlib.checks"):
+            direct |= {(modules.get(called.code.co_filename, ""), _name(called.code)) for called in entry.calls or ()}
+    within = {(module, name) for module, name in within if module.startswith("trajlib") and not name.startswith("<")}
     return direct, within
+
+
+def _name(code):
+    return code.co_qualname if sys.version_info >= (3, 11) else code.co_name
 
 
 def _only(source, name):

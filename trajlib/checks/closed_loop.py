@@ -3,6 +3,7 @@
 import numpy as np
 
 from trajlib.checks.at_values import real_function
+from trajlib.checks.sampling import bisected
 from trajlib.checks.verdict import Wrong
 
 #: A law may be slower than the optimum by this share: its switching curve may be written in decimals.
@@ -79,24 +80,25 @@ def _closed_loop(law, plant, lanes, steps=48):
         if not len(busy):
             break
         step = np.minimum(h[busy], end[busy] - t[busy])
-        after = plant.move(x[busy], u[busy], step)
-        switching = ~holds(after, u[busy], case[busy])
-        here = busy[switching]
+        # A law that chatters is followed with a small delay; where this delay decides, there is nothing to search for.
+        early = np.clip(rest[busy] + h[busy] / 40 - t[busy], 0, step)
+        soon = np.flatnonzero(early > 0)
+        lanes_asked = np.concatenate([busy, busy[soon]])
+        places = plant.move(x[lanes_asked], u[lanes_asked], np.concatenate([step, early[soon]]))
+        held, after = holds(places, u[lanes_asked], case[lanes_asked]), places[:len(busy)]
+        switching, delayed = ~held[:len(busy)], np.zeros(len(busy), dtype=bool)
+        delayed[soon] = ~held[len(busy):]
+        here, delayed = busy[switching], delayed[switching]
         if len(here):
-            # A law that chatters is followed with a small delay; where this delay decides, there is nothing to search for.
-            late = step[switching].copy()
-            early = np.clip(rest[here] + h[here] / 40 - t[here], 0, late)
-            delayed = (early > 0) & ~holds(plant.move(x[here], u[here], early), u[here], case[here])
+            late, early = step[switching].copy(), early[switching]
             late[delayed] = early[delayed]
-            sought = np.flatnonzero(~delayed)
-            if len(sought):
-                there = here[sought]
-                first, last = early[sought], late[sought]
-                for _ in range(40):
-                    middle = (first + last) / 2
-                    held = holds(plant.move(x[there], u[there], middle), u[there], case[there])
-                    first, last = np.where(held, middle, first), np.where(held, last, middle)
-                late[sought] = last
+            there = here[~delayed]
+            if len(there):
+                def goes_on(spans, rows, there=there):
+                    lanes = there[rows]
+                    return holds(plant.move(x[lanes], u[lanes], spans), u[lanes], case[lanes])
+
+                late[~delayed] = bisected(goes_on, early[~delayed], late[~delayed], 40)[1]
             x[here], t[here] = plant.move(x[here], u[here], late), t[here] + late
             said = law(x[here], case[here])
             for k in np.flatnonzero((said < low - SAME) | (said > high + SAME)):

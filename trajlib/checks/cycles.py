@@ -4,6 +4,7 @@ The closed orbits of these checks are circles around zero. They are found from t
 radial velocity vanishes at every angle and the angular velocity nowhere.
 """
 
+import functools
 import math
 
 import numpy as np
@@ -12,7 +13,7 @@ from sympy.core.relational import Relational
 
 from trajlib.checks import coercion
 from trajlib.checks.at_values import number_at, value_at
-from trajlib.checks.fields import Field
+from trajlib.checks.fields import known_field
 from trajlib.checks.verdict import Invalid, Wrong, judged
 
 CYCLES = ("stable", "unstable", "semistable")
@@ -24,7 +25,7 @@ ANGLES = 0.4 + 2 * math.pi * np.arange(24) / 24
 def polar_form(answer, field, state, polar):
     """The pair (r', phi') of a planar system, in the polar coordinates `polar`."""
     rates = coercion.as_expressions(answer, polar, length=2)
-    flow = Field(field, state)
+    flow = known_field(tuple(field), tuple(state))
     random = np.random.default_rng(8)
     for _ in range(20):
         r, phi = random.uniform(0.2, 2.5), random.uniform(0, 2 * math.pi)
@@ -45,7 +46,7 @@ def radial_motion(answer, field, state, time, start):
     """
     claim = coercion.as_expression(answer, [time, start])
     slope = sp.diff(claim, time)
-    flow = Field(field, state)
+    flow = known_field(tuple(field), tuple(state))
     for r0 in (0.3, 0.85, 1.0, 1.4, 2.3):
         life = _life(flow, r0)
         for t in (0.0, 0.1 * life, 0.35 * life, 0.8 * life):
@@ -65,7 +66,7 @@ def radial_motion(answer, field, state, time, start):
 @judged
 def limit_cycles(answer, field, state):
     """The radii of all limit cycles that are circles around zero."""
-    flow = Field(field, state)
+    flow = known_field(tuple(field), tuple(state))
     radii = [float(r) for r in _radii(answer)]
     found = _circles(flow)
     for radius in radii:
@@ -91,7 +92,7 @@ def cycle_stability(answer, field, state, radius=None):
     """
     joined = "".join(answer.replace("-", " ").split()) if isinstance(answer, str) else answer  # semi-stable
     claim = coercion.as_choice(joined, CYCLES)
-    flow = Field(field, state)
+    flow = known_field(tuple(field), tuple(state))
     radius = _circle(flow, radius)
     inside, outside = (_tendency(flow, radius, side) for side in (-1, 1))
     truth = {("to", "to"): "stable", ("from", "from"): "unstable"}.get((inside, outside), "semistable")
@@ -115,7 +116,7 @@ def return_slope(answer, field, state, radius=None):
     Judged by Liouville's formula: in the plane it is exp of the integral of the divergence over one turn.
     """
     claim = coercion.as_number(answer)
-    flow = Field(field, state)
+    flow = known_field(tuple(field), tuple(state))
     radius = _circle(flow, radius)
     exponent = 0.0
     for phi in ANGLES:  # the trapezoidal rule is exact here for trigonometric polynomials below degree 24
@@ -163,6 +164,7 @@ def _polar_velocity(flow, r, phi):
     return x @ velocity / r, (x[0] * velocity[1] - x[1] * velocity[0]) / r**2
 
 
+@functools.lru_cache(maxsize=16)
 def _circles(flow, reach=20.0):
     """Radii, below `reach`, of the circles around zero that are closed orbits.
 
@@ -217,6 +219,7 @@ def _turn(flow, radius):
     return sum(2 * math.pi / len(ANGLES) / abs(_polar_velocity(flow, radius, phi)[1]) for phi in ANGLES)
 
 
+@functools.lru_cache(maxsize=16)
 def _tendency(flow, radius, side):
     """"to" or "from": where a motion on one side of the cycle goes."""
     start = radius * (1 + 0.05 * side)

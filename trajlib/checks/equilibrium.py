@@ -1,5 +1,7 @@
 """Positions of equilibrium of an autonomous system, the spectra there, and which of them are stable."""
 
+import functools
+
 import numpy as np
 import sympy as sp
 
@@ -13,9 +15,8 @@ from trajlib.checks.wording import number_text
 @judged
 def equilibria(answer, field, state):
     """All equilibria of x' = f(x): every point given is one, and a search finds no other."""
-    flow = Field(field, state)
+    flow, found = _searched(tuple(field), tuple(state))
     given = [_rest_point(flow, place) for place in _places(answer, state)]
-    found = flow.rest_points()
     missed = [point for point in found if not _among(point, given)]
     if missed:
         raise Wrong(f"your list does not hold all of them: a search finds {len(found)}, "
@@ -29,13 +30,12 @@ def spectra(answer, field, state):
 
     Judged by the characteristic determinant det(lambda E - A) at the numbers given, and by their sum, the trace of A.
     """
-    flow = Field(field, state)
+    flow, found = _searched(tuple(field), tuple(state))
     given = []
     for place, numbers in _spectra_by_place(answer, state):
         point = _rest_point(flow, place)
         given.append(point)
         _judge_spectrum(numbers, flow.jacobian(point), point)
-    found = flow.rest_points()
     missed = [point for point in found if not _among(point, given)]
     if missed:
         raise Wrong(f"a search finds {len(found)} equilibria, you give eigenvalues for {len(found) - len(missed)} of them")
@@ -45,10 +45,10 @@ def spectra(answer, field, state):
 @judged
 def stable_equilibria(answer, field, state):
     """The asymptotically stable equilibria among all, by the first approximation."""
-    flow = Field(field, state)
+    flow, found = _searched(tuple(field), tuple(state))
     given = _places(answer, state)
     stable = []
-    for point in flow.rest_points():
+    for point in found:
         real_part = max(np.linalg.eigvals(flow.jacobian(point)).real)
         if abs(real_part) < 1e-8:
             raise RuntimeError("the first approximation does not decide here")
@@ -65,6 +65,13 @@ def stable_equilibria(answer, field, state):
         raise Wrong(f"your list holds {len(stable) - len(missed)} of the asymptotically stable equilibria, and there are more: "
                     "some equilibrium that you leave out has a first approximation whose eigenvalues all have negative real parts")
     return "at these equilibria, and at no others, all eigenvalues of the first approximation have negative real parts"
+
+
+@functools.lru_cache(maxsize=16)
+def _searched(field, state):
+    """The field and its rest points. Several answers of a problem ask about the same system: one search serves them all."""
+    flow = Field(field, state)
+    return flow, flow.rest_points()
 
 
 def _places(answer, state):

@@ -22,6 +22,8 @@ NEAR, FAR = HORIZON * (np.arange(1, 131) / 130)**1.6, HORIZON * 1.1**np.arange(1
 TIMES = np.concatenate([NEAR, FAR])
 #: Directions up to this angle from a good one are searched for a better: nearly the half of all that can separate.
 WIDE = 1.5705
+#: How many starts are looked at together: fewer take nearly the same time, more need much memory.
+TOGETHER = 640
 
 
 class Lanes:
@@ -72,7 +74,8 @@ class FastestTimes:
         """
         x, case = np.asarray(x, dtype=float), np.asarray(case)
         inside = self.convex.inside(x, case)
-        parts = [self._solve(x[k:k + 160], case[k:k + 160], inside[k:k + 160], far) for k in range(0, len(x), 160)]
+        groups = [slice(k, k + TOGETHER) for k in range(0, len(x), TOGETHER)]
+        parts = [self._solve(x[group], case[group], inside[group], far) for group in groups]
         if not parts:
             return Lanes(x=x, case=case, inside=inside, **dict.fromkeys(("time", "control", "switching", "angle"), np.zeros(0)))
         return Lanes.joined(parts)
@@ -191,7 +194,7 @@ class FastestTimes:
 
         def gap(turn):
             p = directions(theta + turn)
-            return (p * moved).sum(axis=1) + self.plant.extreme(p, T, sign, whole) - self.convex.support(p, case, x)
+            return p[:, 0] * moved[:, 0] + p[:, 1] * moved[:, 1] + self.plant.extreme(p, T, sign, whole) - self.convex.support(p, case, x)
 
         turn = largest(lambda turn: gap(turn) / np.where(inside, 1, np.cos(turn)), np.zeros(len(x)), width, steps, enough)
         return theta + turn, gap(turn)
@@ -237,4 +240,7 @@ class FastestTimes:
 
 
 def directions(angles):
-    return np.column_stack([np.cos(angles), np.sin(angles)])
+    p = np.empty((*np.shape(angles), 2))
+    np.cos(angles, out=p[..., 0])
+    np.sin(angles, out=p[..., 1])
+    return p

@@ -3,12 +3,21 @@
 Only fields of data cells come here, never an answer: they are turned into code by `lambdify`.
 """
 
+import functools
+from contextlib import suppress
+
 import numpy as np
 import sympy as sp
 from scipy.integrate import solve_ivp
 
 #: Step of the complex-step derivative: no subtraction, so the result is exact to rounding (Squire and Trapp, 1998).
 STEP = 1e-30
+
+
+@functools.lru_cache(maxsize=16)
+def known_field(field, state):
+    """The `Field` of the data, given as tuples: the same for the same data, so that what is found of it can be kept."""
+    return Field(field, state)
 
 
 class Field:
@@ -27,47 +36,76 @@ class Field:
         with np.errstate(all="ignore"):
             return np.array([complex(value) if np.iscomplexobj(point) else value for value in self._function(*point)])
 
+    def velocity(self, _, point):
+        """f at a real point and any time, for an integration: Python's own numbers take a third of the time of NumPy's."""
+        try:
+            values = np.array(self._function(*point.tolist()))
+        except (ZeroDivisionError, OverflowError):  # where NumPy's are infinite
+            return self(point)
+        return self(point) if np.iscomplexobj(values) else values  # and where they are nan
+
     def jacobian(self, point):
         """The matrix of partial derivatives at a point, by complex steps."""
-        n = len(self.state)
-        steps = np.asarray(point, dtype=complex)[:, None] + 1j * STEP * np.eye(n)  # the k-th column goes along the k-th variable
+        return self._jacobians(np.asarray(point, dtype=float)[:, None])[0]
+
+    def _at(self, points):
+        """f at many points, the columns of an array."""
         with np.errstate(all="ignore"):
-            return np.array([np.broadcast_to(value, n) for value in self._function(*steps)]).imag / STEP
+            return np.array([np.broadcast_to(value, points.shape[1:]) for value in self._function(*points)])
+
+    def _jacobians(self, points):
+        """The matrices of partial derivatives at the columns of an array, stacked along the first axis."""
+        steps = points[:, :, None] + 1j * STEP * np.eye(len(self.state))[:, None, :]  # the last axis: along which variable
+        return self._at(steps).imag.transpose(1, 0, 2) / STEP
 
     def derivative(self, point, direction):
         """The derivative of f at a point along a direction."""
         return self(np.asarray(point, dtype=complex) + 1j * STEP * np.asarray(direction)).imag / STEP
 
-    def refine(self, start, steps=60):
+    def refine(self, start):
         """The rest point that a damped Newton iteration reaches from `start`, or None."""
-        x = np.array(start, dtype=float)
-        value = self(x)
-        for _ in range(steps):
-            if not np.all(np.isfinite(value)):
-                return None
-            try:
-                move = np.linalg.solve(self.jacobian(x), -value)
-            except np.linalg.LinAlgError:
-                return None
-            if np.linalg.norm(move) < 1e-13 * (1 + np.linalg.norm(x)):
-                return x
-            for _ in range(30):
-                trial = self(x + move)
-                if np.all(np.isfinite(trial)) and np.linalg.norm(trial) < np.linalg.norm(value) * (1 + 1e-9):
+        (point,) = self._refined(np.array(start, dtype=float)[:, None])
+        return point
+
+    def _refined(self, starts, steps=60):
+        """The same for many starts at once, the columns of an array: a list of points and None."""
+        x, found = starts.copy(), [None] * starts.shape[1]
+        value, left = self._at(x), np.arange(starts.shape[1])
+        with np.errstate(all="ignore"):
+            for _ in range(steps):
+                left = left[np.isfinite(value[:, left]).all(axis=0)]
+                move, solved = _solved(self._jacobians(x[:, left]), -value[:, left])
+                left, move = left[solved], move[:, solved]
+                arrived = np.linalg.norm(move, axis=0) < 1e-13 * (1 + np.linalg.norm(x[:, left], axis=0))
+                for k in left[arrived]:
+                    found[k] = x[:, k].copy()
+                left, move = left[~arrived], move[:, ~arrived]
+                if not len(left):
                     break
-                move = move / 2
-            else:
-                trial = self(x + move)
-            x, value = x + move, trial
+                x[:, left] += self._shortened(move, x[:, left], np.linalg.norm(value[:, left], axis=0))
+                value[:, left] = self._at(x[:, left])
         # Steps that do not shrink lead nowhere, however small the field has become: exp(x) falls without end.
-        return None
+        return found
+
+    def _shortened(self, move, x, size):
+        """Steps of Newton's method halved until the field has become no larger than `size`, at most 30 times."""
+        move, long = move.copy(), np.arange(move.shape[1])
+        for _ in range(30):
+            trial = self._at(x[:, long] + move[:, long])
+            smaller = np.isfinite(trial).all(axis=0) & (np.linalg.norm(trial, axis=0) < size[long] * (1 + 1e-9))
+            long = long[~smaller]
+            if not len(long):
+                break
+            move[:, long] /= 2
+        return move
 
     def rest_points(self, starts=240, seed=3, reach=None):
         """The rest points that a search finds, sorted: from many starts at several scales, or evenly within `reach`."""
-        random, found, n = np.random.default_rng(seed), [], len(self.state)
-        for k in range(starts):
-            start = random.normal(scale=(0.5, 2, 8)[k % 3], size=n) if reach is None else random.uniform(-reach, reach, size=n)
-            point = self.refine(start)
+        random, n = np.random.default_rng(seed), len(self.state)
+        places = [random.normal(scale=(0.5, 2, 8)[k % 3], size=n) if reach is None else random.uniform(-reach, reach, size=n)
+                  for k in range(starts)]
+        found = []
+        for point in self._refined(np.array(places).T):
             if point is not None and all(np.linalg.norm(point - other) > 1e-6 * (1 + np.linalg.norm(other)) for other in found):
                 found.append(point)
         return sorted(found, key=tuple)
@@ -78,8 +116,23 @@ class Field:
             return escape - np.linalg.norm(x)
 
         outside.terminal = True
-        path = solve_ivp(lambda _, x: self(x), (0, duration), start, method="DOP853", rtol=1e-9, atol=1e-12, events=outside)
+        with np.errstate(all="ignore"):
+            path = solve_ivp(self.velocity, (0, duration), start, method="DOP853", rtol=1e-9, atol=1e-12, events=outside)
         return None if path.t[-1] < duration else path.y[:, -1]
+
+
+def _solved(matrices, sides):
+    """Solutions of systems of linear equations, in columns as their right-hand sides are, and which of them have one."""
+    try:
+        return np.linalg.solve(matrices, sides.T[:, :, None])[:, :, 0].T, np.ones(len(matrices), dtype=bool)
+    except np.linalg.LinAlgError:
+        pass
+    # A singular matrix among them: the others count all the same.
+    found, solved = np.full(sides.shape, np.nan), np.zeros(len(matrices), dtype=bool)
+    for k, (matrix, side) in enumerate(zip(matrices, sides.T)):
+        with suppress(np.linalg.LinAlgError):
+            found[:, k], solved[k] = np.linalg.solve(matrix, side), True
+    return found, solved
 
 
 def sample_values(parameters, count=6, seed=5):

@@ -1,12 +1,14 @@
 """The first approximation at a stationary solution, and what it says of stability."""
 
+import functools
+
 import numpy as np
 import sympy as sp
 from scipy.integrate import solve_ivp
 
 from trajlib.checks import coercion
 from trajlib.checks.at_values import matrix_at
-from trajlib.checks.fields import Field, as_text, sample_values
+from trajlib.checks.fields import Field, as_text, known_field, sample_values
 from trajlib.checks.regions import compare_region, roots_left_of, some_root_right
 from trajlib.checks.verdict import Wrong, judged
 
@@ -56,7 +58,7 @@ def zero_stability(answer, field, state):
     Decided by the spectrum of the first approximation; where that is silent, by motions that start close to zero.
     """
     claim = coercion.as_choice(answer, STABILITY)
-    flow = Field(field, state)
+    flow = known_field(tuple(field), tuple(state))
     real_part = max(np.linalg.eigvals(flow.jacobian([0.0] * len(state))).real)
     if abs(real_part) > 1e-9:
         truth = "unstable" if real_part > 0 else "asymptotically stable"
@@ -75,6 +77,7 @@ def _matrix(field, state, at):
     return sp.Matrix([[sp.diff(component, x).subs(rest) for x in state] for component in field])
 
 
+@functools.lru_cache(maxsize=16)
 def _by_motions(flow, radius=0.05, duration=200.0):
     """Stability of zero from motions that start on a small sphere, for fields whose first approximation is critical.
 
@@ -111,7 +114,8 @@ def _trend(flow, measure, start, duration, escape=1.0):
 
     outside.terminal = True
     times = np.concatenate([np.linspace(end - 0.1, end, 600) for end in (0.5, 1.0)]) * duration
-    path = solve_ivp(lambda _, x: flow(x), (0, duration), start, method="DOP853", rtol=1e-9, atol=1e-12, t_eval=times, events=outside)
+    with np.errstate(all="ignore"):
+        path = solve_ivp(flow.velocity, (0, duration), start, method="DOP853", rtol=1e-9, atol=1e-12, t_eval=times, events=outside)
     if path.t_events[0].size:
         return np.inf
     amplitudes = np.linalg.norm(measure @ path.y, axis=0)

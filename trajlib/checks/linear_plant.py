@@ -19,30 +19,38 @@ class Plant:
         self._square = (self._trace / 2)**2 - self._determinant
         self._root = np.sqrt(abs(self._square))
         self._turned = self.A @ self.b - self._trace / 2 * self.b
-        if abs(self._determinant) > 1e-12:
-            self._inverse = np.linalg.inv(self.A)
+        self._deviator = self.A - self._trace / 2 * np.eye(2)
+        #: Where A has an inverse, the integral of e^{As}b is found with it.
+        self._inverse = np.linalg.inv(self.A) if abs(self._determinant) > 1e-12 else None
+        pushed = (self.b, self.A @ self.b) if self._inverse is None else (self._inverse @ self.b, self._inverse @ self._turned)
+        self._vectors = np.column_stack([self.b, self._turned, *pushed])
 
     def exponential(self, s):
         """e^{As}, an array with two more axes than s."""
-        s, centre = np.asarray(s, dtype=float), self._trace / 2
-        even, odd = self._waves(s)
-        growth = np.exp(centre * s)
-        return (growth * even)[..., None, None] * np.eye(2) + (growth * odd)[..., None, None] * (self.A - centre * np.eye(2))
+        s = np.asarray(s, dtype=float)
+        even, odd = self._grown(*self._waves(s), s)
+        return even[..., None, None] * np.eye(2) + odd[..., None, None] * self._deviator
 
     def response(self, s):
         """(e^{As} b, its integral from 0 to s)."""
-        s, centre = np.asarray(s, dtype=float)[..., None], self._trace / 2
-        even, odd = self._waves(s)
+        s = np.asarray(s, dtype=float)[..., None]
+        even, odd = self._grown(*self._waves(s), s)
         impulse = even * self.b + odd * self._turned
-        if centre:
-            impulse = impulse * np.exp(centre * s)
-        if abs(self._determinant) > 1e-12:
+        if self._inverse is not None:
             return impulse, (impulse - self.b) @ self._inverse.T
+        return impulse, s * self.b + self._second(s) * (self.A @ self.b)
+
+    def _second(self, s):
+        """The factor of Ab in the integral of e^{As}b where A has no inverse; that of b is s."""
         if abs(self._trace) > 1e-12:
-            second = (np.expm1(self._trace * s) / self._trace - s) / self._trace
-        else:
-            second = s**2 / 2
-        return impulse, s * self.b + second * (self.A @ self.b)
+            return (np.expm1(self._trace * s) / self._trace - s) / self._trace
+        return s**2 / 2
+
+    def _grown(self, even, odd, s):
+        if not self._trace:
+            return even, odd
+        growth = np.exp(self._trace / 2 * s)
+        return growth * even, growth * odd
 
     def _waves(self, s):
         """The functions e, o of time with e^{As} = e^{cs}(e E + o (A - cE)), where 2c is the trace of A."""
@@ -54,21 +62,36 @@ class Plant:
 
     def move(self, x, u, s):
         """The states x after times s under constant controls u, each row its own."""
-        return np.einsum("nij,nj->ni", self.exponential(s), x) + u[:, None] * self.response(s)[1]
+        s = s[:, None]
+        even, odd = self._grown(*self._waves(s), s)
+        free = even * x + odd * (x @ self._deviator.T)
+        if self._inverse is not None:
+            return free + u[:, None] * ((even * self.b + odd * self._turned - self.b) @ self._inverse.T)
+        return free + u[:, None] * (s * self.b + self._second(s) * (self.A @ self.b))
 
     def extreme(self, p, T, sign, whole=None):
         """The integral over [0, T] of the least (sign -1) or largest (+1) value of p.e^{As}b u; rows of p and T.
 
         `whole` is the integral of e^{As}b, if it is known already.
         """
-        whole = self.response(T)[1] if whole is None else whole
-        zeros = self.zeros(p, T)
-        inner = np.einsum("nci,ni->nc", self.response(zeros)[1], p)
-        last = (whole * p).sum(axis=1)
-        absolute = abs(inner[:, 0]) + abs(last - inner[:, -1])
-        if inner.shape[1] > 1:
-            absolute = absolute + abs(np.diff(inner, axis=1)).sum(axis=1)
+        # Thousands of times some hundred rows come here, so all is said by numbers a row: p.b, p.(A - cE)b and the two of `_carried`.
+        start, other, *along = (p @ self._vectors).T
+        zeros = self._zeros(start, other, T)
+        last = self._carried(T, *along) if whole is None else whole[:, 0] * p[:, 0] + whole[:, 1] * p[:, 1]
+        if zeros.shape[1] == 1:
+            inner = self._carried(zeros[:, 0], *along)
+            absolute = abs(inner) + abs(last - inner)
+        else:
+            inner = self._carried(zeros, *(part[:, None] for part in along))
+            absolute = abs(inner[:, 0]) + abs(last - inner[:, -1]) + abs(inner[:, 1:] - inner[:, :-1]).sum(axis=1)
         return self.mean * last + sign * self.half * absolute
+
+    def _carried(self, s, first, second):
+        """p.(the integral of e^{Ar}b from 0 to s), from the last two columns of p @ self._vectors."""
+        if self._inverse is None:
+            return s * first + self._second(s) * second
+        even, odd = self._grown(*self._waves(s), s)
+        return even * first + odd * second - first
 
     def farthest(self, p, T, sign):
         """The integral over [0, T] of e^{As}b u with the u for which p.e^{As}b u is least (sign -1) or largest (+1); rows of p and T.
@@ -82,7 +105,9 @@ class Plant:
 
     def zeros(self, p, T):
         """The zeros of p.e^{As}b between 0 and T in order; rows are filled up with T."""
-        start, other = p @ self.b, p @ self._turned
+        return self._zeros(p @ self.b, p @ self._turned, T)
+
+    def _zeros(self, start, other, T):
         with np.errstate(all="ignore"):
             if self._square < -1e-14:
                 first = np.mod(np.arctan2(-self._root * start, other), np.pi) / self._root

@@ -6,6 +6,8 @@ iteration. A stationary angle is the solution phi(t) = phi0 of an equation phi''
 state (phi, phi'); the angles between 0 and 2 pi are found from the signs of f on a grid.
 """
 
+import functools
+import itertools
 from fractions import Fraction
 
 import numpy as np
@@ -19,6 +21,8 @@ from trajlib.checks.semialgebraic import as_text as place_text
 from trajlib.checks.verdict import Invalid, Wrong, judged
 from trajlib.checks.wording import number_text, values_text
 
+#: For how many sets of parameter values the stationary angles are kept: a verdict asks for a thousand, mostly the same.
+MOST_KEPT = 5000
 
 @judged
 def program_motion(answer, field, state, parameters, program, controls, time):
@@ -62,7 +66,7 @@ def input_matrix_along(answer, field, state, parameters, program, controls):
 @judged
 def rest_angles_exist(answer, field, state, parameters):
     """The parameters for which phi'' = f(phi, phi') has stationary solutions at all."""
-    angles = _Angles(field, state, parameters)
+    angles = _angles(tuple(field), tuple(state), tuple(parameters))
     compare_condition(answer, parameters, angles.exist,
                       lambda values: "there f(phi, 0) runs from {:.4g} to {:.4g}".format(*angles.extremes(values)))
     return "f(phi, 0) takes the value zero for these parameters and for no others, on both sides of the boundary and on it"
@@ -97,8 +101,8 @@ def angle_deviations(answer, field, state, parameters, angle, deviations):
     claim = coercion.as_expression(answer, [*deviations, angle, *parameters])
     if not claim.is_polynomial(*deviations) or sp.Poly(claim, *deviations).total_degree() > 1:
         raise Invalid(f"expected an expression that is linear in {deviations[0]} and {deviations[1]}")
-    angles = _Angles(field, state, parameters)
-    for values in angles.samples():
+    angles = _angles(tuple(field), tuple(state), tuple(parameters))
+    for values in angles.samples:
         for phi in angles.rest(values):
             slope, friction = angles.derivatives(values, phi)
             for deviation, true in (((1, 0), slope), ((0, 1), friction), ((0, 0), 0.0), ((1, 1), slope + friction)):
@@ -249,6 +253,12 @@ def _values(parameters, place):
     return {p: sp.Rational(x.numerator, x.denominator) for p, x in zip(parameters, place)}
 
 
+@functools.lru_cache(maxsize=16)
+def _angles(field, state, parameters):
+    """The `_Angles` of the data, the same for the same data: what it has found serves the next verdict too."""
+    return _Angles(field, state, parameters)
+
+
 class _Angles:
     """Stationary solutions of phi'' = f(phi, phi'), f of period 2 pi in phi."""
 
@@ -266,6 +276,7 @@ class _Angles:
         self._slope = sp.lambdify(names, sp.diff(force, phi).subs(still), "numpy")
         self._curvature = sp.lambdify(names, sp.diff(force, phi, 2).subs(still), "numpy")
         self._friction = sp.lambdify(names, sp.diff(force, rate).subs(still), "numpy")
+        self._known = {}
 
     def _numbers(self, values):
         return [float(values[p]) for p in self.parameters]
@@ -290,17 +301,32 @@ class _Angles:
         rounding = 1e-12 * (abs(low) + abs(high))
         return low <= rounding and high >= -rounding
 
+    def slopes(self, values):
+        """The `derivatives` at all stationary angles."""
+        asked = tuple(values[p] for p in self.parameters)
+        if asked not in self._known:
+            if len(self._known) == MOST_KEPT:
+                self._known.clear()
+            self._known[asked] = [self.derivatives(values, phi) for phi in self.rest(values)]
+        return self._known[asked]
+
     def derivatives(self, values, phi):
         """The derivatives of f at a stationary angle with respect to phi and phi'."""
         numbers = self._numbers(values)
         return float(self._slope(phi, *numbers)), float(self._friction(phi, *numbers))
 
-    def samples(self, count=5):
-        """Values of the parameters for which there are stationary angles."""
-        found = [values for values in sample_values(self.parameters, 60 * count) if len(self.rest(values))]
+    @functools.cached_property
+    def samples(self):
+        """Five sets of values of the parameters for which there are stationary angles."""
+        found = list(itertools.islice((values for values in sample_values(self.parameters, 300) if len(self.rest(values))), 5))
         if not found:
             raise RuntimeError("no parameters with stationary angles were met")
-        return found[:count]
+        return found
+
+    @functools.cached_property
+    def edges(self):
+        """The `border` from the first two samples."""
+        return [pair for values in self.samples[:2] for pair in self.border(values)]
 
     def border(self, values):
         """Pairs (values close to the border of existence, values on it or None), along each parameter from `values`."""
@@ -336,8 +362,8 @@ class _Angles:
 
 def _judge_rest_angles(answer, field, state, parameters, integer, wanted, word):
     families = [coercion.as_expression(part, [*parameters, integer]) for part in _listed(answer, integer)]
-    angles = _Angles(field, state, parameters)
-    for values in angles.samples():
+    angles = _angles(tuple(field), tuple(state), tuple(parameters))
+    for values in angles.samples:
         found = angles.rest(values)
         chosen = [phi for phi in found if wanted(*angles.derivatives(values, phi))]
         matched = set()
@@ -381,10 +407,9 @@ def _listed(answer, integer):
 def _judge_angles(answer, field, state, parameters, angle, kind, word):
     symbols = [angle, *parameters]
     claim = Condition(coercion.as_condition(answer, symbols), symbols)
-    angles = _Angles(field, state, parameters)
-    samples = angles.samples()
-    edges = [pair for values in samples[:2] for pair in angles.border(values)]
-    for values in [*samples, *(near for near, _ in edges)]:
+    angles = _angles(tuple(field), tuple(state), tuple(parameters))
+    edges = angles.edges
+    for values in [*angles.samples, *(near for near, _ in edges)]:
         for phi in angles.rest(values):
             slope, friction = angles.derivatives(values, phi)
             place = (Fraction(float(phi)), *(Fraction(int(values[p].p), int(values[p].q)) for p in parameters))
@@ -402,10 +427,10 @@ def _judge_angles(answer, field, state, parameters, angle, kind, word):
 
 
 def _judge_kind(answer, field, state, parameters, kind, word):
-    angles = _Angles(field, state, parameters)
+    angles = _angles(tuple(field), tuple(state), tuple(parameters))
 
     def discriminants(values):
-        pairs = [angles.derivatives(values, phi) for phi in angles.rest(values)]
+        pairs = angles.slopes(values)
         return [friction**2 + 4 * slope for slope, friction in pairs if slope < 0], pairs
 
     def truth(values):

@@ -4,6 +4,7 @@ Motions are found by the matrix exponential at random values of the symbols, err
 unseen by applying the measurements to it; conditions are decided in exact rational arithmetic, on and off the surfaces where they change.
 """
 
+import functools
 import itertools
 import math
 
@@ -37,8 +38,9 @@ def unseen_direction(answer, matrix, output):
     claim = coercion.as_expressions(answer, _symbols(matrix), matrix.rows)
     for values in random_values(_symbols(matrix), 72):
         direction = _direction(claim, values)
-        for time in np.linspace(0, 3, MOMENTS):
-            seen = _seen(output, values, expm(_array(matrix, values)*time)@direction)
+        times = np.linspace(0, 3, MOMENTS)
+        for time, move in zip(times, _moves(matrix, values, times)):
+            seen = _seen(output, values, move@direction)
             if not abs(seen) <= ZERO:
                 raise Wrong(f"for {rounded_text(values)}, scaled to length 1, your change alters the measurement at t = {time:.3g} by "
                             f"{seen:.3g}")
@@ -141,8 +143,9 @@ def modes_of_range(answer, matrix, sight, initial, rate, t):
     for values in random_values(symbols, 79):
         now = [value_at(claim, values, "a coefficient") for claim in claims]
         w, start = values[rate], np.array([values[s] for s in initial])
-        for time in np.linspace(0.1, 7, MOMENTS):
-            true = np.array([values[s] for s in sight])@(expm(_array(matrix, values)*time)@start)[:len(sight)]
+        times, towards = np.linspace(0.1, 7, MOMENTS), np.array([values[s] for s in sight])
+        for time, move in zip(times, _moves(matrix, values, times)):
+            true = towards@(move@start)[:len(sight)]
             said = now[0] + now[1]*time + now[2]*math.cos(w*time) + now[3]*math.sin(w*time)
             if not abs(said - true) <= ZERO*(abs(true) + np.abs(start).max()*(1 + time)):
                 raise Wrong(f"for {rounded_text(values)} the range at {t} = {time:.3g} deviates by {true:.5g}; your four terms sum up to "
@@ -164,10 +167,12 @@ def unseen_motions(answer, matrix, sight, count):
     output = sp.Matrix([[*sight, *[0]*(matrix.rows - len(sight))]])
     for values in random_values(symbols, 80):
         directions = np.array([_direction(claim, values) for claim in claims])
+        times = np.linspace(0, 6, MOMENTS)
+        moves, (towards,) = _moves(matrix, values, times), _array(output, values)
         for number, direction in enumerate(directions, 1):
-            for time in np.linspace(0, 6, MOMENTS):
-                motion = expm(_array(matrix, values)*time)@direction
-                seen = _seen(output, values, motion)
+            for time, move in zip(times, moves):
+                motion = move@direction
+                seen = float(towards@motion)
                 if not abs(seen) <= ZERO*(1 + np.abs(motion).max()):
                     raise Wrong(f"for {rounded_text(values)} motion number {number}, scaled to length 1, changes the range at "
                                 f"t = {time:.3g} by {seen:.3g}")
@@ -194,11 +199,20 @@ def numbers_seen(answer, matrix, sights):
 @judged
 def stations_insufficient(answer, matrix, first, second):
     """Condition on two directions, none of whose components vanish, under which ranges along both leave something unseen."""
-    symbols = [*first, *second]
-    claim = coercion.as_condition(answer, symbols)
-    random = np.random.default_rng(82)
-    at = {s: sp.Rational(2, 3) for s in _symbols(matrix)}
-    A = matrix.subs(at)
+    claim = coercion.as_condition(answer, [*first, *second])
+    for values, insufficient in _pairs_of_stations(sp.ImmutableMatrix(matrix), tuple(first), tuple(second)):
+        said = truth_at(claim, values)
+        if said != insufficient:
+            raise Wrong(f"for {rounded_text(values)} the ranges determine {'not everything' if insufficient else 'everything'}, yet your "
+                        f"condition {'holds' if said else 'fails'}")
+    return "it agrees with the rank, for directions in general position, parallel ones and those parallel in two components"
+
+
+@functools.lru_cache(maxsize=16)
+def _pairs_of_stations(matrix, first, second):
+    """Pairs of directions, as values of their symbols, and whether ranges along both leave something unseen."""
+    random, found = np.random.default_rng(82), []
+    A = matrix.subs({s: sp.Rational(2, 3) for s in _symbols(matrix)})
     powers = [A**k for k in range(matrix.rows)]
 
     def drawn():
@@ -213,13 +227,8 @@ def stations_insufficient(answer, matrix, first, second):
             kept = (number//3) % 3
             other = [part if k == kept else factor*one[k] for k, part in enumerate(other)]
         rows = sp.Matrix.vstack(*[sp.Matrix([[*n, *[0]*(matrix.rows - len(n))]])*power for n in (one, other) for power in powers])
-        insufficient = rows.rank() < matrix.rows
-        values = dict(zip(symbols, [*one, *other]))
-        said = truth_at(claim, values)
-        if said != insufficient:
-            raise Wrong(f"for {rounded_text(values)} the ranges determine {'not everything' if insufficient else 'everything'}, yet your "
-                        f"condition {'holds' if said else 'fails'}")
-    return "it agrees with the rank, for directions in general position, parallel ones and those parallel in two components"
+        found.append((dict(zip([*first, *second], [*one, *other])), rows.rank() < matrix.rows))
+    return found
 
 
 @judged
@@ -285,8 +294,12 @@ def fooling_error(answer, M):
 
 def _rows(matrix, output, values, times):
     """The stacked matrix of the measurements at the given times."""
-    A, H = _array(matrix, values), _array(output, values)
-    return np.concatenate([H@expm(A*time) for time in times])
+    return np.concatenate(_array(output, values)@_moves(matrix, values, times))
+
+
+def _moves(matrix, values, times):
+    """The matrices that take the initial state to the states at the given times, stacked along the first axis."""
+    return expm(_array(matrix, values)*times[:, None, None])
 
 
 def _seen(output, values, state):
@@ -309,4 +322,12 @@ def _symbols(matrix, *without):
 
 
 def _array(matrix, values):
-    return np.array(sp.Matrix(matrix).subs(values).evalf().tolist(), dtype=float)
+    matrix = sp.ImmutableMatrix(matrix)
+    symbols = tuple(_symbols(matrix))
+    return np.array(_compiled(matrix, symbols)(*(float(values[s]) for s in symbols)), dtype=float)
+
+
+@functools.lru_cache(maxsize=32)
+def _compiled(matrix, symbols):
+    # Only matrices of the data come here, never an answer.
+    return sp.lambdify(symbols, matrix, "numpy")

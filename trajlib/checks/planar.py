@@ -337,20 +337,16 @@ def _compare(answer, family, truth, describe):
 
 def _grid(family, truth, claim, margin):
     """Places to try, and pairs (place, truth value) on both sides of each border that bisection finds, `margin` away from it."""
-    random = np.random.default_rng(13)
-    parameters, places, edges = family.parameters, [], []
-    for k, varied in enumerate(parameters):
-        for _ in range(4 if len(parameters) > 1 else 2):
-            base = [_simple(_draw(random, p, family.domain), p, family.domain) for p in parameters]
-            line = [tuple(value if j == k else base[j] for j in range(len(base))) for value in _spread(random, varied, family.domain)]
-            holds = truth(np.array(line, dtype=float).T)
-            edges += [(low, high, a) for low, high, a, b in zip(line, line[1:], holds, holds[1:]) if a != b and not np.isnan(a + b)]
-            places += line
-            direction = tuple(Fraction(int(j == k)) for j in range(len(base)))
-            start = tuple(Fraction(0) if j == k else base[j] for j in range(len(base)))
-            for place in sum(cells(start, direction, claim.boundaries), []):
-                if _allowed(float(place[k]), varied, family.domain):
-                    places.append(place)
+    places, edges = [], []
+    for k, base, line in family.lines:
+        holds = truth(np.array(line, dtype=float).T)
+        edges += [(low, high, a) for low, high, a, b in zip(line, line[1:], holds, holds[1:]) if a != b and not np.isnan(a + b)]
+        places += line
+        direction = tuple(Fraction(int(j == k)) for j in range(len(base)))
+        start = tuple(Fraction(0) if j == k else base[j] for j in range(len(base)))
+        for place in sum(cells(start, direction, claim.boundaries), []):
+            if _allowed(float(place[k]), family.parameters[k], family.domain):
+                places.append(place)
     if not edges:
         return places, []
     low, high = (np.array([edge[i] for edge in edges], dtype=float).T for i in (0, 1))
@@ -455,12 +451,7 @@ class _Family:
     def rests(self, numbers):
         """For every column of parameter values the list of stationary points in the domain."""
         x, good = self.settle(numbers, starts=STARTS, steps=40)
-        found = [[] for _ in range(x.shape[1])]
-        for j, points in enumerate(found):
-            for place in x[:, j, good[j]].T:
-                if not any(np.linalg.norm(place - other) < 1e-6 * (1 + np.linalg.norm(other)) for other in points):
-                    points.append(place)
-        return found
+        return [_different(x[:, j, good[j]]) for j in range(x.shape[1])]
 
     def first_rests(self, numbers):
         """The stationary point for every column of parameter values (n, columns), and where there is one."""
@@ -501,14 +492,8 @@ class _Family:
 
     def samples(self, count=7, need_rest=True, alone=True):
         """Triples (exact values, their floats, the stationary point), or with all points of the domain unless `alone`."""
-        random = np.random.default_rng(15)
-        count_of_tries = 30 if self.parameters else 1
-        # Multiples of irrational numbers are spread evenly, every few of them that follow one another.
-        shares = np.outer(np.arange(1, count_of_tries + 1), np.sqrt([2, 3, 5, 7, 11, 13, 17, 19])[:len(self.parameters)]) % 1
-        tries = [[_simple(_draw(random, p, self.domain, share), p, self.domain) for p, share in zip(self.parameters, row)]
-                 for row in shares]
-        numbers = np.array(tries, dtype=float).T.reshape(len(self.parameters), len(tries))
-        rests = self.rests(numbers) if need_rest else [[None]] * len(tries)
+        tries, numbers = self._tries
+        rests = self._rests_of_tries if need_rest else [[None]] * len(tries)
         chosen = [k for k, found in enumerate(rests) if found]
         if not chosen:
             raise RuntimeError("no sample values of the parameters have a stationary point in the domain")
@@ -518,6 +503,39 @@ class _Family:
             if alone and len(rests[k]) > 1:
                 raise RuntimeError(f"there are {len(rests[k])} stationary points in the domain for {_told(values)}")
             yield values, numbers[:, k], rests[k][0] if alone else rests[k]
+
+    @functools.cached_property
+    def _tries(self):
+        """Rational values of the parameters to choose samples from, in rows, and their floats, in columns."""
+        count = 30 if self.parameters else 1
+        # Multiples of irrational numbers are spread evenly, every few of them that follow one another.
+        shares = np.outer(np.arange(1, count + 1), np.sqrt([2, 3, 5, 7, 11, 13, 17, 19])[:len(self.parameters)]) % 1
+        tries = [[_simple(_draw(None, p, self.domain, share), p, self.domain) for p, share in zip(self.parameters, row)] for row in shares]
+        return tries, np.array(tries, dtype=float).T.reshape(len(self.parameters), len(tries))
+
+    @functools.cached_property
+    def _rests_of_tries(self):
+        return self.rests(self._tries[1])
+
+    @functools.cached_property
+    def lines(self):
+        """Lines on which one parameter alone varies: triples (which one, a place on the line, a grid of places along it)."""
+        random, found = np.random.default_rng(13), []
+        for k, varied in enumerate(self.parameters):
+            for _ in range(4 if len(self.parameters) > 1 else 2):
+                base = [_simple(_draw(random, p, self.domain), p, self.domain) for p in self.parameters]
+                found.append((k, base, [(*base[:k], value, *base[k + 1:]) for value in _spread(random, varied, self.domain)]))
+        return found
+
+
+def _different(places):
+    """The columns of an array without those that are close to an earlier one: a list."""
+    found = []
+    while places.shape[1]:
+        first = places[:, 0]
+        found.append(first)
+        places = places[:, ~(np.linalg.norm(places - first[:, None], axis=0) < 1e-6 * (1 + np.linalg.norm(first)))]
+    return found
 
 
 def _evaluated(function, place, numbers):

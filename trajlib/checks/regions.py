@@ -5,13 +5,12 @@ exact fractions. Where the boundary can lie is found from the coefficients and t
 (Orlando: it vanishes wherever two roots are opposite), so no narrow piece of the region is missed on a line.
 """
 
-from fractions import Fraction
-
 import numpy as np
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
 from trajlib.checks import coercion
+from trajlib.checks.exact_polynomials import exact
 from trajlib.checks.semialgebraic import Condition, as_text, cells, lines
 from trajlib.checks.verdict import Wrong, judged
 
@@ -99,8 +98,7 @@ class _Spectrum:
         return self._terms[k] if 0 <= k < len(self._terms) else sp.Poly(0, *self.parameters, domain="QQ")
 
     def coefficients(self, place):
-        values = [c.eval(tuple(sp.Rational(x.numerator, x.denominator) for x in place)) for c in self._terms]
-        return [Fraction(int(v.p), int(v.q)) for v in values]
+        return [exact(c).value(place) for c in self._terms]
 
     def describe(self, place):
         largest = max(np.roots([float(c) for c in self.coefficients(place)]).real)

@@ -12,10 +12,12 @@ import sympy as sp
 from trajlib.checks.convex_targets import ConvexTarget
 from trajlib.checks.fastest_times import HORIZON, FastestTimes, Lanes
 from trajlib.checks.linear_plant import Plant
-from trajlib.checks.sampling import sample_cases
+from trajlib.checks.sampling import bisected, sample_cases
 
 #: How far from a border two answers must agree about a point, in units of the size of the state.
 BESIDE, BESIDE_DECIMALS = 0.006, 0.015
+#: How many sets of states around starts are kept with their optima.
+RINGS = 64
 
 
 def frozen(field, state, control, bounds, target, parameters, start):
@@ -41,6 +43,7 @@ class SampledOptimum(FastestTimes):
         self.cases = sample_cases(self.parameters)
         super().__init__(Plant(field, state, control, bounds), ConvexTarget(target, state, list(self.parameters), self.cases))
         self.kept, self._limited = {}, None  # whether some starts are out of reach: not known yet
+        self._rings = {}
 
     def lanes(self, decimals):
         """Starts spread over the plane, and pairs on both sides of the switching curves."""
@@ -110,7 +113,18 @@ class SampledOptimum(FastestTimes):
         return lanes.take(np.isfinite(self._around(lanes, 0.02, count=4).time).all(axis=1))
 
     def _around(self, lanes, share, far=False, count=8):
-        """The optimum at some states around each, as columns."""
+        """The optimum at some states around each, as columns.
+
+        Laws that differ from the optimum do so from the same starts, mostly; so the rings asked for last are kept.
+        """
+        asked = (lanes.x.tobytes(), lanes.case.tobytes(), share, far, count)
+        if asked not in self._rings:
+            while len(self._rings) >= RINGS:
+                del self._rings[next(iter(self._rings))]
+            self._rings[asked] = self._ring(lanes, share, far, count)
+        return self._rings[asked]
+
+    def _ring(self, lanes, share, far, count):
         angle = np.arange(count) * 2 * np.pi / count + 0.3
         ring = np.column_stack([np.cos(angle), np.sin(angle)])
         size = share * (0.3 + np.linalg.norm(lanes.x, axis=1))
@@ -163,10 +177,7 @@ class SampledOptimum(FastestTimes):
         left, right, case = np.array(left), np.array(right), np.array(case)
         direction = (right - left) / np.linalg.norm(right - left, axis=1)[:, None]
         one = kind(self.solve(left, case, far))
-        for _ in range(9):
-            middle = (left + right) / 2
-            same = (kind(self.solve(middle, case, far)) == one)[:, None]
-            left, right = np.where(same, middle, left), np.where(same, right, middle)
+        left, right = bisected(lambda places, rows: kind(self.solve(places, case[rows], far)) == one[rows], left, right, 9)
         return (left + right) / 2, direction, case
 
     def border(self, decimals):

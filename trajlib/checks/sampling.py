@@ -1,4 +1,4 @@
-"""Sample values of parameters, and a search for the largest value, for many cases side by side."""
+"""Sample values of parameters, and searches for a change and for the largest value, for many cases side by side."""
 
 import numpy as np
 import sympy as sp
@@ -33,11 +33,35 @@ def largest(function, centre, width, steps, enough=np.inf):
     a, b = high - ratio * (high - low), low + ratio * (high - low)
     at_a, at_b = function(a), function(b)
     for _ in range(steps):
-        if (np.maximum(at_a, at_b) > enough).all():
+        if enough < np.inf and (np.maximum(at_a, at_b) > enough).all():
             break
         up = at_a < at_b
         low, high = np.where(up, a, low), np.where(up, high, b)
-        a, b = np.where(up, b, high - ratio * (high - low)), np.where(up, low + ratio * (high - low), a)
-        fresh = function(np.where(up, b, a))
+        place = np.where(up, low + ratio * (high - low), high - ratio * (high - low))
+        fresh = function(place)
+        a, b = np.where(up, b, place), np.where(up, place, a)
         at_a, at_b = np.where(up, at_b, fresh), np.where(up, fresh, at_a)
     return np.where(at_a > at_b, a, b)
+
+
+def bisected(like_first, first, last, turns):
+    """(first, last) after so many halvings, each row its own; `like_first(places, rows)` says at which places all is as at the first.
+
+    The middles that the next few halvings may come to are asked about in one call: for few rows it is the call that takes the time.
+    """
+    rows = np.arange(len(first))
+    while turns > 0:
+        depth = min(turns, 4 if len(rows) < 10 else 3 if len(rows) < 30 else 2 if len(rows) < 120 else 1)
+        parts = 2**depth
+        ends = np.empty((len(rows), parts + 1, *np.shape(first)[1:]))
+        ends[:, 0], ends[:, -1] = first, last
+        for width in parts // 2**np.arange(depth):
+            ends[:, width // 2::width] = (ends[:, :-1:width] + ends[:, width::width]) / 2
+        asked = ends[:, 1:-1].reshape(-1, *np.shape(first)[1:])
+        like = np.asarray(like_first(asked, np.repeat(rows, parts - 1))).reshape(len(rows), parts - 1)
+        at = np.zeros(len(rows), dtype=int)
+        for width in parts // 2**np.arange(1, depth + 1):
+            at += width * like[rows, at + width - 1]
+        first, last = ends[rows, at], ends[rows, at + 1]
+        turns -= depth
+    return first, last

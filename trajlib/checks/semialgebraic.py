@@ -15,6 +15,7 @@ import sympy as sp
 from sympy.core.relational import Relational
 from sympy.logic.boolalg import BooleanFalse, BooleanTrue
 
+from trajlib.checks.exact_polynomials import exact, rational_roots
 from trajlib.checks.verdict import Invalid
 
 
@@ -89,8 +90,8 @@ class _Sign:
 
     def __call__(self, point):
         if self._parts is not None:
-            numerator, denominator = (_value(poly, point) for poly in self._parts)
-            return None if denominator == 0 else _sign(numerator) * _sign(denominator)
+            numerator, denominator = (exact(poly).sign(point) for poly in self._parts)
+            return None if denominator == 0 else numerator * denominator
         try:
             with mpmath.workdps(30):
                 number = mpmath.mpmathify(self._numeric(*(mpmath.mpf(x.numerator) / x.denominator for x in point)))
@@ -124,15 +125,13 @@ def cells(point, direction, polynomials, extent=100, extra=0):
     Returns two lists of points, (inside, on), the second with the rational roots. `extra` more points are spread over
     the line where terms that are not rational functions hide their boundary from the polynomials.
     """
-    t = sp.Symbol("t")
-    roots, exact = {0.0, *(5 * np.tan(np.linspace(-1.5, 1.5, extra)))}, set()
+    roots, rational = {0.0, *(5 * np.tan(np.linspace(-1.5, 1.5, extra)))}, set()
     for poly in polynomials:
-        along = _along(poly, point, direction, t)
-        if along.is_zero or along.degree() == 0:
-            continue
-        roots.update(_real_roots(along))
-        exact.update(Fraction(int(r.p), int(r.q)) for r in along.ground_roots() if r.is_Rational)
-    ordered = sorted(roots | {-float(extent), float(extent)} | {float(r) for r in exact})
+        along = exact(poly).along(point, direction)
+        if len(along) > 1:
+            roots.update(_real_roots(along))
+            rational |= rational_roots(along)
+    ordered = sorted(roots | {-float(extent), float(extent)} | {float(r) for r in rational})
     inside = []
     for left, right in zip(ordered, ordered[1:]):
         # Two computed roots this close are one root of two polynomials: nothing lies between them.
@@ -141,7 +140,7 @@ def cells(point, direction, polynomials, extent=100, extra=0):
     def place(s):
         return tuple(p + s * d for p, d in zip(point, direction))
 
-    return [place(s) for s in inside], [place(s) for s in sorted(exact)]
+    return [place(s) for s in inside], [place(s) for s in sorted(rational)]
 
 
 def as_text(parameters, point):
@@ -149,27 +148,10 @@ def as_text(parameters, point):
     return ", ".join(f"{p} = {x if x.denominator < 1000 else f'{float(x):.4g}'}" for p, x in zip(parameters, point))
 
 
-def _along(poly, point, direction, t):
-    shift = {p: sp.Rational(x.numerator, x.denominator) + sp.Rational(d.numerator, d.denominator) * t
-             for p, x, d in zip(poly.gens, point, direction)}
-    return sp.Poly(poly.as_expr().xreplace(shift), t)
-
-
-def _real_roots(poly):
-    coefficients = np.array([float(c) for c in poly.all_coeffs()])
-    roots = np.roots(coefficients)
+def _real_roots(coefficients):
+    roots = np.roots([float(c) for c in coefficients])
     # A double root comes back as a close complex pair; its real part still separates the cells.
     return {float(r.real) for r in roots if abs(r.imag) < 1e-5 * (1 + abs(r))}
-
-
-def _value(poly, point):
-    total = Fraction(0)
-    for powers, coefficient in poly.terms():
-        term = Fraction(int(coefficient.p), int(coefficient.q))
-        for base, power in zip(point, powers):
-            term *= base**power
-        total += term
-    return total
 
 
 def _sign(number):

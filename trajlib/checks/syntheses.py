@@ -44,7 +44,7 @@ def _time_optimal(claim, data, curve):
     truth, parameters = sampled_optimum(*data), dict(parameters)
     law = Law(claim, state, list(parameters), truth)
     if curve:
-        ends = TargetFamily(field, state, control, bounds, target, *curve[2:4], parameters | {curve[3]: curve[4]}, start)
+        ends = _family(field, state, control, bounds, target, *curve[2:4], parameters | {curve[3]: curve[4]}, start)
         law = Law(claim, state, list(parameters), truth, (curve[0], sp.lambdify([*state, *parameters], curve[1], "numpy"), ends))
     decimals = claim.has(sp.Float)
     lanes = truth.lanes(decimals)
@@ -116,28 +116,44 @@ def reached_part(answer, field, state, control, bounds, target, ends, variable, 
     """
     domain = dict(parameters or {})
     claim = coercion.as_condition(answer, [variable, *[p for p in domain if p != variable]])
-    target = TargetFamily(field, state, control, bounds, target, ends, variable, domain, start)
-    test = sp.lambdify([variable, *target.parameters], claim, "numpy")
-    beside = 0.006 if claim.has(sp.Float) else 0.002
-    for values in target.samples():
-        places = target.places(values)
-        rates = target.rates(places, values)
-        changes = [target.change(a, b, values) for a, b in zip(places, places[1:])
-                   if np.sign(target.rates(np.array([a, b]), values)).prod() < 0]
-        # Samples at which the rate hardly differs from zero stay undecided; the borders are tried on both sides instead.
-        tried = np.concatenate([places[abs(rates) > 1e-3 * abs(rates).max()], *[[c - beside, c + beside] for c in changes]])
-        low, high = target.interval
-        tried = tried[(tried > low) & (tried < high)]
-        tried = tried[[all(abs(t - c) > beside / 2 for c in changes) for t in tried]]
-        reached = target.rates(tried, values) < 0
+    family = _family(field, state, control, bounds, target, ends, variable, domain, start)
+    test = sp.lambdify([variable, *family.parameters], claim, "numpy")
+    for values, tried, reached, points in _arrivals(family, 0.006 if claim.has(sp.Float) else 0.002):
         with np.errstate(all="ignore"):
             said = np.broadcast_to(np.asarray(test(tried, *values), dtype=bool), tried.shape)
         for k in np.flatnonzero(said != reached):
-            point = target.point(tried[k:k + 1], values)[0]
-            raise Wrong(f"{target.told(values, tried[k])}, at the point ({point[0]:.4g}, {point[1]:.4g}) of the target, "
+            raise Wrong(f"{family.told(values, tried[k])}, at the point ({points[k][0]:.4g}, {points[k][1]:.4g}) of the target, "
                         + ("optimal motions end" if reached[k] else "no admissible motion arrives from the side of the starts")
                         + "; your condition says otherwise")
     return "optimal motions end there, and no motion can arrive at the rest of the target"
+
+
+def _family(field, state, control, bounds, target, ends, variable, domain, start):
+    field, state, control, bounds, target, domain, start = frozen(field, state, control, bounds, target, domain, start)
+    return _family_of(field, state, control, bounds, target, tuple(map(sp.sympify, ends)), variable, domain, start)
+
+
+@functools.lru_cache(maxsize=32)
+def _family_of(field, state, control, bounds, target, ends, variable, domain, start):
+    return TargetFamily(field, state, control, bounds, target, ends, variable, dict(domain), start)
+
+
+@functools.lru_cache(maxsize=32)
+def _arrivals(family, beside):
+    """For each case: its values, places on the target, whether optimal motions end there, the points. No answer changes them."""
+    found = []
+    for values in family.samples():
+        places = family.places(values)
+        rates = family.rates(places, values)
+        changes = [family.change(a, b, values) for a, b in zip(places, places[1:])
+                   if np.sign(family.rates(np.array([a, b]), values)).prod() < 0]
+        # Samples at which the rate hardly differs from zero stay undecided; the borders are tried on both sides instead.
+        tried = np.concatenate([places[abs(rates) > 1e-3 * abs(rates).max()], *[[c - beside, c + beside] for c in changes]])
+        low, high = family.interval
+        tried = tried[(tried > low) & (tried < high)]
+        tried = tried[[all(abs(t - c) > beside / 2 for c in changes) for t in tried]]
+        found.append((values, tried, family.rates(tried, values) < 0, family.point(tried, values)))
+    return found
 
 
 @judged
@@ -145,7 +161,7 @@ def switching_points(answer, field, state, control, bounds, target, ends, variab
     """The switching curve [x1, x2]: the last switching of the optimal motion that ends at the point `ends` of the target."""
     domain = dict(parameters or {})
     claim = coercion.as_expressions(answer, [variable, *[p for p in domain if p != variable]], length=2)
-    target = TargetFamily(field, state, control, bounds, target, ends, variable, domain, start)
+    target = _family(field, state, control, bounds, target, ends, variable, domain, start)
     said = real_function([variable, *target.parameters], claim)
     tolerance = 5e-3 if any(part.has(sp.Float) for part in claim) else 1e-6
     met = 0
@@ -173,7 +189,7 @@ def switching_crossing(answer, field, state, control, bounds, target, ends, vari
     """
     domain = dict(parameters or {})
     claim = coercion.as_expressions(answer, [variable, *[p for p in domain if p != variable]], length=2)
-    target = TargetFamily(field, state, control, bounds, target, ends, variable, domain, start)
+    target = _family(field, state, control, bounds, target, ends, variable, domain, start)
     said = real_function([variable, *target.parameters], claim)
     tolerance = 5e-3 if any(part.has(sp.Float) for part in claim) else 1e-5
     for values in target.samples():

@@ -45,11 +45,13 @@ def _simplified(rate, angle):
     rate = sp.expand(rate)
     s, c = sp.symbols("s c")
     inner = rate.xreplace({sp.sin(angle): s, sp.cos(angle): c})
-    forms = [rate, sp.expand(sp.trigsimp(rate))]
+    normal = []
     if inner.is_polynomial(s, c):
-        rest = sp.rem(inner, s**2 + c**2 - 1, c, s)
-        forms.append(sp.expand(rest).xreplace({s: sp.sin(angle), c: sp.cos(angle)}))
-    return min(forms, key=sp.count_ops)
+        rest = sp.expand(sp.rem(inner, s**2 + c**2 - 1, c, s)).xreplace({s: sp.sin(angle), c: sp.cos(angle)})
+        if not rest.has(angle):
+            return rest  # no form of it is shorter, and trigsimp takes a hundred times as long
+        normal = [rest]
+    return min([rate, sp.expand(sp.trigsimp(rate)), *normal], key=sp.count_ops)
 
 
 @dataclass(frozen=True)

@@ -1,5 +1,6 @@
 """Oracles of program motions and stationary angles."""
 
+import functools
 import math
 
 import numpy as np
@@ -10,12 +11,14 @@ from oracles.sameness import LOGIC, holds, same_condition
 def same_angles(mutant, reference, field, state, parameters, integer):
     """True if two lists of angles are the same on the circle, for several values of the parameters."""
     samples = [{p: -sp.Rational(j, 7) if p.is_negative else sp.Rational(j + 2, 3) for p in parameters} for j in (1, 2, 4)]
-    return all(_on_circle(mutant, values, integer) == _on_circle(reference, values, integer) for values in samples)
+    one, other = (tuple(map(sp.sympify, angles)) for angles in (mutant, reference))
+    return all(_on_circle(one, tuple(values.items()), integer) == _on_circle(other, tuple(values.items()), integer) for values in samples)
 
 
+@functools.lru_cache(maxsize=64)  # that of the reference is asked for with every mutant
 def _on_circle(angles, values, integer):
     """Points of the circle, rounded; an angle that is not real is a point of its own."""
-    numbers = [complex(a.subs(values).subs(integer, j).evalf()) for a in map(sp.sympify, angles) for j in range(-6, 7)]
+    numbers = [complex(a.subs(dict(values)).subs(integer, j).evalf()) for a in angles for j in range(-6, 7)]
     return {"not real" if abs(x.imag) > 1e-9 else (round(math.cos(x.real), 6) + 0.0, round(math.sin(x.real), 6) + 0.0) for x in numbers}
 
 

@@ -1,5 +1,6 @@
 """Whether two answers are the same, whatever their form: by value, as conditions at many points, as functions at random places."""
 
+import itertools
 import math
 from fractions import Fraction
 from random import Random
@@ -29,18 +30,24 @@ def same_value(one, other, kind=""):
     if isinstance(one, sp.MatrixBase) or isinstance(other, sp.MatrixBase):
         return sp.Matrix(one).shape == sp.Matrix(other).shape and all(map(same_value, sp.Matrix(one), sp.Matrix(other)))
     difference = sp.sympify(one) - sp.sympify(other)
-    return not _differs_somewhere(difference) and sp.simplify(difference) == 0
+    return not differs_somewhere(difference) and sp.simplify(difference) == 0
 
 
-def _differs_somewhere(difference):
+def differs_somewhere(difference):
     """True if it certainly is not zero at some place: that is soon seen, and then nothing has to be simplified."""
     random = Random(5)
     for _ in range(4):
-        place = {symbol: sp.Rational(random.randint(3, 60), 20) for symbol in sorted(difference.free_symbols, key=str)}
+        place = {symbol: _some_value(symbol, random) for symbol in sorted(difference.free_symbols, key=str)}
         value = difference.subs(place)
-        if value.is_number and value.is_comparable and abs(value.evalf(30)) > 1e-12:
+        # It may be a complex number: where a root of a negative one comes in, say.
+        if value.is_number and value.is_finite is not False and 1e-12 < abs(complex(value.evalf(30))) < math.inf:
             return True
     return False
+
+
+def _some_value(symbol, random):
+    size = sp.Integer(random.randint(1, 9)) if symbol.is_integer else sp.Rational(random.randint(3, 60), 20)
+    return -size if symbol.is_negative else size
 
 
 def same_condition(one, other, leave_out=lambda point: False):
@@ -59,17 +66,35 @@ def _points(symbols, *conditions):
 
     yield from (anywhere() for _ in range(600))
     for atom in sorted(set().union(*(condition.atoms(Relational) for condition in conditions)), key=str):
-        difference = atom.lhs - atom.rhs
-        for symbol in sorted(difference.free_symbols, key=str):
+        numerator = sp.numer(sp.together(atom.lhs - atom.rhs))
+        for symbol in sorted(numerator.free_symbols, key=str):
+            if not numerator.is_polynomial(symbol):
+                continue
+            coefficients = sp.lambdify(symbols, sp.Poly(numerator, symbol).all_coeffs(), modules="math")
             for _ in range(12):
-                point = dict(zip(symbols, anywhere()))
-                others = {s: sp.Rational(v.numerator, v.denominator) for s, v in point.items() if s != symbol}
-                line = sp.numer(sp.together(difference.xreplace(others)))
-                for root in sp.Poly(line, symbol).ground_roots() if line.is_polynomial(symbol) and line.has(symbol) else []:
-                    if root.is_Rational:
-                        at = Fraction(int(root.p), int(root.q))
-                        for value in (at, at + Fraction(1, 10**4), at - Fraction(1, 10**4)):
-                            yield [value if s == symbol else point[s] for s in symbols]
+                point = anywhere()
+                try:
+                    line = coefficients(*point)
+                except (ZeroDivisionError, ValueError, TypeError, OverflowError):
+                    line = []
+                if not line or not all(isinstance(c, (int, Fraction)) for c in line):  # roots of numbers come in
+                    place = {s: sp.Rational(x.numerator, x.denominator) for s, x in zip(symbols, point) if s != symbol}
+                    here = numerator.xreplace(place)
+                    line = sp.Poly(here, symbol).all_coeffs() if here.is_polynomial(symbol) and here.has(symbol) else []
+                for at in _rational_roots(line):
+                    for value in (at, at + Fraction(1, 10**4), at - Fraction(1, 10**4)):
+                        yield [value if s == symbol else x for s, x in zip(symbols, point)]
+
+
+def _rational_roots(coefficients):
+    """The rational roots of a polynomial, its coefficients from the highest power down."""
+    coefficients = list(itertools.dropwhile(lambda c: c == 0, coefficients))
+    if len(coefficients) < 2:
+        return []
+    if len(coefficients) == 2 and isinstance(coefficients[0], (int, Fraction)):
+        return [-coefficients[1] / Fraction(coefficients[0])]
+    roots = sp.Poly([sp.sympify(c) for c in coefficients], sp.Symbol("t")).ground_roots()
+    return [Fraction(int(root.p), int(root.q)) for root in roots if root.is_Rational]
 
 
 def holds(test, point):

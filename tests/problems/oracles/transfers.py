@@ -9,12 +9,14 @@ def same_transfer(mutant, reference, *_):
     """True if two functions of time and parameters agree at random values: at single instants, of switchings, they may differ."""
     if isinstance(mutant, (list, tuple)) or isinstance(reference, (list, tuple)):
         return same_value(mutant, reference)
+    # Not compiled anew for each place: this takes a hundred times as long as a value.
     random, symbols = np.random.default_rng(29), sorted(mutant.free_symbols | reference.free_symbols, key=str)
+    functions = [sp.lambdify(symbols, e, "numpy") for e in (mutant, reference)]
     for _ in range(60):
         values = [int(random.integers(1, 9)) if s.is_integer else random.uniform(0.05, 4) * (1 if s.is_positive else random.choice((-1, 1)))
                   for s in symbols]
         with np.errstate(all="ignore"):
-            one, other = (complex(sp.lambdify(symbols, e, "numpy")(*values)) for e in (mutant, reference))
+            one, other = (complex(function(*values)) for function in functions)
         if not (np.isclose(one, other, rtol=1e-9, atol=1e-9) or np.isnan(one) and np.isnan(other)):
             return False
     return True
