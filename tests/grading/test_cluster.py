@@ -384,3 +384,5 @@ def test_a_lane_ends_with_its_thread_and_outlives_others(monkeypatch):
         assert lane.alive() and cluster_lanes._all == {lane, other}
         cluster_lanes._end("x")
         assert not lane.alive() and not cluster_lanes._all
+        # A worker that was slow to get ready hears of the end first.
+        assert b"the run has ended" in lasting.submit(cluster_lanes.ready, given).result() and not cluster_lanes._all

@@ -90,6 +90,8 @@ def tell_library():
 
 _mine = threading.local()
 _all, _guard = set(), threading.Lock()
+#: Runs that were told to end: a lane of theirs that is still getting ready must not stay.
+_ended = set()
 
 
 def _trajlib():
@@ -122,8 +124,11 @@ class _Kept:
             _look_around()
         limits, bounds, trusting = units.from_settings(given)
         self.settings = units.settings(units.fitting(limits, given["lanes"]), units.fitting(bounds, given["lanes"]), trusting)
-        self.run, self._lane, self._using = given["run"], Lane(self.settings | {"patience": PATIENCE}), threading.Lock()
+        self.run, self._using = given["run"], threading.Lock()
         with _guard:
+            if self.run in _ended:
+                raise Unfit("the run has ended")
+            self._lane = Lane(self.settings | {"patience": PATIENCE})
             _all.add(self)
         try:
             with self._using:
@@ -157,6 +162,7 @@ class _Kept:
 
 def _end(run):
     with _guard:
+        _ended.add(run)
         mine = [lane for lane in _all if lane.run == run]
     for lane in mine:
         lane.stop()
