@@ -13,6 +13,7 @@ from docutils.statemachine import StringList
 from sphinx import addnodes
 from sphinx.util import logging
 from sphinx.util.docutils import SphinxDirective, SphinxRole
+from sphinx.util.index_entries import split_index_msg
 
 from workbook import catalogue
 from workbook.boxes import details, summary
@@ -145,7 +146,15 @@ def _name_labels(app, document):
             labels.labels[name] = page, anchor, f"solution of problem {problem.number}"
 
 
+def _keep_index_entries(app, env):
+    """Sphinx's search forgets the index entries of pages that it need not write again; the environment knows them."""
+    for docname, entries in env.get_domain("index").entries.items():
+        env._search_index_index_entries[docname] = sorted(
+            {(text, target or "", main) for kind, value, target, main, _ in entries for text in split_index_msg(kind, value)})
+
+
 def setup(app):
+    app.connect("env-updated", _keep_index_entries)
     app.connect("source-read", _complete)
     app.connect("doctree-read", _name_labels, priority=900)
     app.add_directive("problem-head", ProblemHead)
