@@ -35,13 +35,13 @@ NO_VERDICT = "not asked for"
 
 def compared(path, assignment, scores, when):
     """(changes since the grades were written to `path`, all changes so far, the text to write there now). `when` is a text."""
-    before = read(path)
+    before, students = read(path), _students(scores)
     former = [Change(**change) for change in before["changes"]]
-    new = _changes(before["students"], _students(scores), {(p, a) for p, answers in assignment.points.items() for a in answers}, when)
-    new += _asked_again(former, before["students"], _students(scores), when)
+    new = _changes(before["students"], students, {(p, a) for p, answers in assignment.points.items() for a in answers}, when)
+    new += _asked_again(former, before["students"], students, when)
     everything = [*former, *new]
     text = json.dumps({"assignment": assignment.name, "title": assignment.title, "max points": assignment.max_points,
-                       "students": _students(scores), "changes": [vars(change) for change in everything]}, ensure_ascii=False, indent=1)
+                       "students": students, "changes": [vars(change) for change in everything]}, ensure_ascii=False, indent=1)
     return new, everything, text + "\n"
 
 
