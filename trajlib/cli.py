@@ -130,9 +130,6 @@ def grade(submitted: Annotated[Path, typer.Argument(help="Folder submitted/<stud
     """
     if sys.platform != "linux":
         raise UserError("grading needs Linux; on Windows it runs in WSL, on a Mac in a virtual machine")
-    from trajlib.grading.commands import grade_course
-    from trajlib.grading.isolation import NoIsolation
-
     if not submitted.is_dir():
         raise UserError(f"{submitted} is not a folder")
     if processes is not None and processes < 1:
@@ -143,9 +140,7 @@ def grade(submitted: Annotated[Path, typer.Argument(help="Folder submitted/<stud
         raise UserError("--tls-ca-file, --tls-cert and --tls-key are for --cluster")
     where = {"address": cluster, "ca_file": tls_ca_file, "cert": tls_cert, "key": tls_key} if cluster is not None else None
     try:
-        summary = grade_course(submitted, out, assignments, processes, timeout, trust_students, as_json, roster, site, where)
-    except NoIsolation as error:
-        raise UserError(f"{error}; --trust-students grades without a sandbox") from None
+        summary = _grade_course(submitted, out, assignments, processes, timeout, trust_students, as_json, roster, site, where)
     except KeyboardInterrupt:
         print("trajlib: stopped; what is graded is stored, and the same command goes on from there", file=sys.stderr)
         raise typer.Exit(130) from None
@@ -212,6 +207,20 @@ def main():
             raise
         print(f"trajlib: {error}", file=sys.stderr)
         sys.exit(2)
+
+
+def _grade_course(*given):
+    # Also what is to be imported is inside: that takes long enough for somebody to press Ctrl-C.
+    from trajlib.grading.stopping import ctrl_c_heeded
+
+    with ctrl_c_heeded():
+        from trajlib.grading.commands import grade_course
+        from trajlib.grading.isolation import NoIsolation
+
+        try:
+            return grade_course(*given)
+        except NoIsolation as error:
+            raise UserError(f"{error}; --trust-students grades without a sandbox") from None
 
 
 def _show(name, verdict):
