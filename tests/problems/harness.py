@@ -16,9 +16,9 @@ class Workbench:
     def __init__(self, master):
         self.master = master
         self.data = data_of(master)
-        solved = dict(self.data)
+        solved, self.called = dict(self.data), set()  # by the answer cells: what `called_functions` tells
         for source in master.code("answer"):
-            execute(source, "answer", solved)
+            self.called |= called_functions(source, "answer", solved)
         self.reference = {name: solved[name] for name in master.answers}
         self.calls = {name: call for source in master.code("check") for name, call in check_calls(source).items()}
 
@@ -93,7 +93,7 @@ def each_part(master, parts):
 
 
 def called_functions(source, role, namespace):
-    """Functions (module, name) that run while a cell runs: (directly from the cell, anywhere in trajlib)."""
+    """Functions (module, name) that run while a cell runs: those called from the cell or a check, and all of trajlib."""
     profile = cProfile.Profile(builtins=False)  # a trace function in Python would take several times as long as the cell
     profile.enable()
     try:
@@ -101,14 +101,13 @@ def called_functions(source, role, namespace):
     finally:
         profile.disable()
     modules = {getattr(module, "__file__", None): name for name, module in sys.modules.copy().items()}
-    direct, within = set(), set()
+    called, within = set(), set()
     for entry in profile.getstats():
         caller = modules.get(entry.code.co_filename, "")
         within.add((caller, _name(entry.code)))
         if entry.code.co_filename == f"<{role} cell>" or caller.startswith("trajlib.checks"):
-            direct |= {(modules.get(called.code.co_filename, ""), _name(called.code)) for called in entry.calls or ()}
-    within = {(module, name) for module, name in within if module.startswith("trajlib") and not name.startswith("<")}
-    return direct, within
+            called |= {(modules.get(other.code.co_filename, ""), _name(other.code)) for other in entry.calls or ()}
+    return called | {(module, name) for module, name in within if module.startswith("trajlib") and not name.startswith("<")}
 
 
 def _name(code):

@@ -7,7 +7,7 @@ import time
 from pathlib import Path
 
 import pytest
-from harness import called_functions, check_calls, data_of, each_part
+from harness import called_functions, check_calls, data_of, each_part, execute
 from mutants import mutants
 from nonsense import NOT_ASKED, nonsense
 from oracles import is_right
@@ -66,7 +66,7 @@ def test_nobody_waits_long_for_one_problem(master):
 
 def _reference(bench):
     """Comes first, so that the times are those of first verdicts."""
-    answers = {name: decode(encode(value)) for name, value in bench.reference.items()}
+    answers = {name: decode(data) for name, data in _encoded(bench).items()}
     bench.judge({})  # imports; nothing is known of the answers yet, as at a student's first check
     seconds = {}
     for name, value in answers.items():
@@ -76,6 +76,10 @@ def _reference(bench):
     verdicts = bench.judge(answers)
     return {"verdicts": {name: v.status for name, v in verdicts.items()}, "seconds": seconds,
             "messages": {name: v.message for name, v in verdicts.items()}}
+
+
+def _encoded(bench):
+    return {name: encode(value) for name, value in bench.reference.items()}
 
 
 def test_the_untouched_copy_is_missing(master):
@@ -173,7 +177,12 @@ def _mutants(bench):
     return result
 
 
-PARTS = {"reference": _reference, "untouched": _untouched, "wrong": _wrong, "right": _right, "mutants": _mutants}
+def _solved(bench):
+    """The answers, to be judged elsewhere, and what was called to find them."""
+    return {"answers": {name: data.decode() for name, data in _encoded(bench).items()}, "called": sorted(bench.called)}
+
+
+PARTS = {"reference": _reference, "untouched": _untouched, "wrong": _wrong, "right": _right, "mutants": _mutants, "solved": _solved}
 
 
 def test_check_cells_hold_no_answers(master):
@@ -198,22 +207,22 @@ def test_answer_and_check_share_no_solver(master):
 
 @functools.cache
 def _called(path):
-    return in_child(_shared, read(path), timeout=120)
+    master = read(path)
+    solved = found(master, "solved")
+    return in_child(_shared, master, solved["answers"], solved["called"], timeout=120)
 
 
-def _shared(master):
+def _shared(master, answers, answered):
     """In a process of its own: what another part has computed already would not be seen to be called."""
-    namespace = data_of(master)
-    answered, checked = set(), set()
-    for source in master.code("answer"):
-        direct, within = called_functions(source, "answer", namespace)
-        answered |= within | direct
-    with_checks = {call for call in answered if call[0].startswith("trajlib.checks")}
     from trajlib import checks
+    data = data_of(master)
+    untouched, solved = (data | values for values in (dict.fromkeys(answers, ...), {n: decode(a.encode()) for n, a in answers.items()}))
+    checked, answered = set(), set(map(tuple, answered))
     with checks.collecting():
         for source in master.code("check"):
-            direct, within = called_functions(source, "check", namespace)
-            checked |= within | direct
+            execute(source, "check", untouched)  # imports, which are no calls
+            checked |= called_functions(source, "check", solved)
+    with_checks = {call for call in answered if call[0].startswith("trajlib.checks")}
     shared = {call for call in answered & checked if call[0].startswith(SOLVERS)} - with_checks
     lazy = {call for call in shared if call[0] == "trajlib._lazy"}
     told = sorted(f"{module}.{name}" for module, name in shared - lazy) + sorted(f"the answer uses a check: {c}" for c in with_checks if c[1] != "<module>")
