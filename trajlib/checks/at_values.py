@@ -96,8 +96,9 @@ def compare_at(claim, values, true, what, scale, tolerance=1e-9):
 def real_function(symbols, expressions):
     """Several expressions as a function of numbers or arrays, to an array with a row for each; nan where one is not a real number."""
     # Only SymPy functions of the data's own symbols come here (coercion.with_symbols), so the code made is ours.
+    # A docstring would take as long as the code.
     compiled = [sp.lambdify(symbols, sp.nan if e.has(sp.nan, sp.zoo) else e.rewrite(sp.Piecewise) if e.has(sp.Heaviside) else e,
-                            [{"select": _first_of}, "numpy"]) for e in expressions]
+                            [{"select": _first_of}, "numpy"], docstring_limit=0) for e in expressions]
 
     def one(function, numbers, shape):
         try:

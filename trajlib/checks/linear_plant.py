@@ -107,6 +107,12 @@ class Plant:
         """The zeros of p.e^{As}b between 0 and T in order; rows are filled up with T."""
         return self._zeros(p @ self.b, p @ self._turned, T)
 
+    def first_zero(self, p, T):
+        """(the first zero of p.e^{As}b after s = 0, or T if there is none before, its sign until then), for rows of p."""
+        start, other = p @ self.b, p @ self._turned
+        start[abs(start) < 1e-12] = 0
+        return self._zeros(start, other, np.full(len(p), T)).min(axis=1), np.sign(np.where(start, start, other))
+
     def _zeros(self, start, other, T):
         with np.errstate(all="ignore"):
             if self._square < -1e-14:

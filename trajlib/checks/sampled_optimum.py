@@ -76,7 +76,7 @@ class SampledOptimum(FastestTimes):
 
     def condition(self, condition):
         """A SymPy condition as a function of states and cases."""
-        test = sp.lambdify([*self.state, *self.parameters], condition, "numpy")
+        test = sp.lambdify([*self.state, *self.parameters], condition, "numpy", docstring_limit=0)
         cases = np.array(self.cases, dtype=float).reshape(len(self.cases), len(self.parameters))
 
         def holds(x, case):

@@ -6,6 +6,9 @@ import sympy as sp
 from trajlib.checks.linear_plant import Plant
 from trajlib.checks.sampling import sample_cases
 
+#: Switchings earlier than this before the end are not asked for.
+LONGEST = 12.0
+
 
 class TargetFamily:
     """A family of points of the target, numbered by a variable, and the optimal motions that end there."""
@@ -71,21 +74,11 @@ class TargetFamily:
     def switchings(self, places, values):
         """(points, times before the end, controls after): where the extremals that end at `places` switch for the last time."""
         y, n = self.point(places, values), self._towards(places, values)
-        s = np.linspace(0, 12, 1201)
-        q = n @ self.plant.response(s)[0].T
-        first = np.where(abs(q[:, 0]) > 1e-12, q[:, 0], q[:, 1])
-        turned = np.sign(q) == -np.sign(first)[:, None]
-        cell = turned.argmax(axis=1)
-        low, high = s[np.maximum(cell - 1, 0)], s[cell]
-        for _ in range(60):
-            middle = (low + high) / 2
-            same = np.sign((self.plant.response(middle)[0] * n).sum(axis=1)) == np.sign(first)
-            low, high = np.where(same, middle, low), np.where(same, high, middle)
-        time = (low + high) / 2
-        after = np.where(first > 0, *self.plant.bounds)
+        time, sign = self.plant.first_zero(n, LONGEST)
+        after = np.where(sign > 0, *self.plant.bounds)
         back = self.plant.exponential(-time)
         points = np.einsum("nij,nj->ni", back, y - after[:, None] * self.plant.response(time)[1])
-        usable = turned.any(axis=1) & (self.rates(places, values) < -1e-9)
+        usable = (time < LONGEST) & (self.rates(places, values) < -1e-9)
         return points, np.where(usable, time, np.inf), after
 
     def before(self, places, values, time):

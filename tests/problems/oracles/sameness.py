@@ -1,5 +1,6 @@
 """Whether two answers are the same, whatever their form: by value, as conditions at many points, as functions at random places."""
 
+import functools
 import itertools
 import math
 from fractions import Fraction
@@ -110,8 +111,14 @@ def excluded(given):
     return lambda point: given.subs({s: sp.Rational(v.numerator, v.denominator) for s, v in point.items()}) == False  # noqa: E712
 
 
+@functools.lru_cache(maxsize=32)
+def compiled(symbols, answer):
+    """An answer as a function of numbers or arrays: the reference is asked for again with every mutant."""
+    return sp.lambdify(symbols, answer, "numpy", docstring_limit=0)  # a docstring would take as long as the code
+
+
 def agree_at_random(one, other, domain, given=None, count=6000):
-    random, symbols = np.random.default_rng(23), list(domain)
+    random, symbols = np.random.default_rng(23), tuple(domain)
     columns = []
     for interval in domain.values():
         low, high = (float(end) for end in (interval.inf, interval.sup))
@@ -119,8 +126,7 @@ def agree_at_random(one, other, domain, given=None, count=6000):
         columns.append(random.uniform(low, high, count) if math.isfinite(high - low) else low + abs(spread) if math.isfinite(low)
                        else high - abs(spread) if math.isfinite(high) else spread)
     with np.errstate(all="ignore"):
-        values = [np.broadcast_to(np.asarray(sp.lambdify(symbols, answer, "numpy")(*columns), dtype=float), count)
-                  for answer in (one, other)]
-        keep = np.ones(count, dtype=bool) if given is None else np.asarray(sp.lambdify(symbols, given, "numpy")(*columns), dtype=bool)
+        values = [np.broadcast_to(np.asarray(compiled(symbols, answer)(*columns), dtype=float), count) for answer in (one, other)]
+        keep = np.ones(count, dtype=bool) if given is None else np.asarray(compiled(symbols, given)(*columns), dtype=bool)
     one, other = (value[keep] for value in values)
     return np.allclose(one, other, rtol=1e-9, equal_nan=True)
