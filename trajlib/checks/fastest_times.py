@@ -133,9 +133,12 @@ class FastestTimes:
             met[again] = False
         time[met], theta[met] = self._refine(x[met], case[met], inside[met], low[met], high[met], theta[met])
         # From inside, R(T) may get through in two places at nearly the same time.
-        both = np.flatnonzero(met & inside)
-        if len(both) and self._spacing:
-            other, angle = self._refine(x[both], case[both], inside[both], low[both], high[both], second[both])
+        both = np.flatnonzero(met & inside) if self._spacing else np.zeros(0, dtype=int)
+        if len(both):
+            other = self._best(second[both], time[both], x[both], case[both], inside[both], np.full(len(both), 0.2), 16)[1]
+            both = both[other > -1e-6]
+        if len(both):
+            other, angle = self._refine(x[both], case[both], inside[both], low[both], time[both], second[both])
             opened = self._gap(angle, other, x[both], case[both], inside[both]) > -1e-6
             sooner = opened & (other < time[both])
             time[both], theta[both] = np.where(sooner, other, time[both]), np.where(sooner, angle, theta[both])
@@ -204,6 +207,44 @@ class FastestTimes:
 
         From inside: at which R(T) gets through the border, and the direction in which it does.
         """
+        if not self._spacing:
+            return self._halved(x, case, inside, low, high, theta)
+        time, angle, sure = self._touching(x, case, inside, low, high, theta)
+        doubtful = np.flatnonzero(~sure)
+        if len(doubtful):
+            time[doubtful], angle[doubtful] = self._halved(*(part[doubtful] for part in (x, case, inside, low, high, theta)))
+        return time, angle
+
+    def _touching(self, x, case, inside, low, high, theta, step=1e-4):
+        """The same by Newton's iteration, in turn for the time at which a line separates no more and for the best line then.
+
+        The third result says where this was proved, to the precision of the halvings: before, that line separates, and after, none.
+        """
+        start, T, rows = theta, (low + high) / 2, np.arange(len(x))
+
+        def gaps(*places):
+            repeated = np.tile(rows, len(places))
+            angles, times = (np.concatenate(column) for column in zip(*places))
+            return self._gap(angles, times, x[repeated], case[repeated], inside[repeated]).reshape(len(places), -1)
+
+        with np.errstate(all="ignore"):
+            for _ in range(6):
+                now, later = gaps((theta, T), (theta, T + step))
+                T = np.clip(T - now * step / (later - now), low, high)
+                # Seen along the tangent of the unit circle, as in `_best`.
+                left, middle, right = gaps((theta - step, T), (theta, T), (theta + step, T))
+                left, right = (np.where(inside, side, side / np.cos(step)) for side in (left, right))
+                turn = (right - left) / 2 * step / (2 * middle - left - right)
+                theta = theta + np.clip(turn, -0.3, 0.3)
+            apart = np.where(inside, 1, -1) * (high - low) / 2**18
+            separates = self._gap(theta, T + apart, x, case, inside) > 0
+            sure = np.flatnonzero(separates & (~inside | (abs(theta - start) < 0.15)))
+            x, case, inside, after = (part[sure] for part in (x, case, inside, T - apart))
+            none = self._best(theta[sure], after, x, case, inside, np.where(inside, 0.15, WIDE), 24)[1] <= 0
+        return T, theta, np.isin(rows, sure[none])
+
+    def _halved(self, x, case, inside, low, high, theta):
+        """The same by halvings, whatever the shape of the distance."""
         centre = theta
         for turn in range(18):
             middle = (low + high) / 2
