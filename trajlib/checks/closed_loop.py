@@ -75,41 +75,44 @@ def _closed_loop(law, plant, lanes, steps=48):
         return (abs(value(beside(x), np.repeat(case, 5)).reshape(-1, 5) - u[:, None]) < SAME).any(axis=1)
 
     u = value(x, case)
-    for _ in range(5 * steps):
-        busy = np.flatnonzero(t < end - 1e-12)
-        if not len(busy):
-            break
-        step = np.minimum(h[busy], end[busy] - t[busy])
-        # A law that chatters is followed with a small delay; where this delay decides, there is nothing to search for.
-        early = np.clip(rest[busy] + h[busy] / 40 - t[busy], 0, step)
-        soon = np.flatnonzero(early > 0)
-        lanes_asked = np.concatenate([busy, busy[soon]])
-        places = plant.move(x[lanes_asked], u[lanes_asked], np.concatenate([step, early[soon]]))
-        held, after = holds(places, u[lanes_asked], case[lanes_asked]), places[:len(busy)]
-        switching, delayed = ~held[:len(busy)], np.zeros(len(busy), dtype=bool)
-        delayed[soon] = ~held[len(busy):]
-        here, delayed = busy[switching], delayed[switching]
-        if len(here):
-            late, early = step[switching].copy(), early[switching]
-            late[delayed] = early[delayed]
-            there = here[~delayed]
-            if len(there):
-                def goes_on(spans, rows, there=there):
-                    lanes = there[rows]
-                    return holds(plant.move(x[lanes], u[lanes], spans), u[lanes], case[lanes])
+    # A start whose law switches waits until all others have come to a switching or to the end: one search serves them together.
+    waits, turns, first, last = np.zeros(len(x), dtype=bool), np.zeros(len(x), dtype=int), np.zeros(len(x)), np.zeros(len(x))
+    while True:
+        busy = np.flatnonzero(~waits & (t < end - 1e-12) & (turns < 5 * steps))
+        if len(busy):
+            turns[busy] += 1
+            step = np.minimum(h[busy], end[busy] - t[busy])
+            # A law that chatters is followed with a small delay; where this delay decides, there is nothing to search for.
+            early = np.clip(rest[busy] + h[busy] / 40 - t[busy], 0, step)
+            soon = np.flatnonzero(early > 0)
+            lanes_asked = np.concatenate([busy, busy[soon]])
+            places = plant.move(x[lanes_asked], u[lanes_asked], np.concatenate([step, early[soon]]))
+            held, after = holds(places, u[lanes_asked], case[lanes_asked]), places[:len(busy)]
+            switching, delayed = ~held[:len(busy)], np.zeros(len(busy), dtype=bool)
+            delayed[soon] = ~held[len(busy):]
+            waits[busy] = switching
+            first[busy], last[busy] = early, np.where(delayed, early, step)
+            on = busy[~switching]
+            x[on], t[on] = after[~switching], t[on] + step[~switching]
+            continue
+        here = np.flatnonzero(waits)
+        if not len(here):
+            return x, t
+        there = here[first[here] < last[here]]
+        if len(there):
+            def goes_on(spans, rows, there=there):
+                lanes = there[rows]
+                return holds(plant.move(x[lanes], u[lanes], spans), u[lanes], case[lanes])
 
-                late[~delayed] = bisected(goes_on, early[~delayed], late[~delayed], 40)[1]
-            x[here], t[here] = plant.move(x[here], u[here], late), t[here] + late
-            said = law(x[here], case[here])
-            for k in np.flatnonzero((said < low - SAME) | (said > high + SAME)):
-                raise Wrong(f"a motion under your law comes to ({x[here[k]][0]:.4g}, {x[here[k]][1]:.4g}), where it gives {said[k]:.4g}, "
-                            "outside the bounds of the control")
-            u[here], rest[here] = np.clip(said, low, high), t[here]
-            for k in here[np.isnan(said)]:
-                near = value(beside(x[k:k + 1]), np.repeat(case[k], 5))
-                if np.isnan(near).all():
-                    raise Wrong(f"a motion under your law comes to ({x[k][0]:.4g}, {x[k][1]:.4g}), where it gives no real number")
-                u[k] = near[~np.isnan(near)][0]  # on a curve alone a law need not be defined
-        on = busy[~switching]
-        x[on], t[on] = after[~switching], t[on] + step[~switching]
-    return x, t
+            last[there] = bisected(goes_on, first[there], last[there], 40)[1]
+        x[here], t[here], waits[here] = plant.move(x[here], u[here], last[here]), t[here] + last[here], False
+        said = law(x[here], case[here])
+        for k in np.flatnonzero((said < low - SAME) | (said > high + SAME)):
+            raise Wrong(f"a motion under your law comes to ({x[here[k]][0]:.4g}, {x[here[k]][1]:.4g}), where it gives {said[k]:.4g}, "
+                        "outside the bounds of the control")
+        u[here], rest[here] = np.clip(said, low, high), t[here]
+        for k in here[np.isnan(said)]:
+            near = value(beside(x[k:k + 1]), np.repeat(case[k], 5))
+            if np.isnan(near).all():
+                raise Wrong(f"a motion under your law comes to ({x[k][0]:.4g}, {x[k][1]:.4g}), where it gives no real number")
+            u[k] = near[~np.isnan(near)][0]  # on a curve alone a law need not be defined
