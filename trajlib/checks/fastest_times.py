@@ -155,20 +155,21 @@ class FastestTimes:
         if not suspects:
             return
         here, first, last = (np.concatenate(column) for column in zip(*suspects))
-        n, K = len(here), len(self._angles)
-        rows = [np.tile(part[here], (K, 1) if part.ndim > 1 else K) for part in (x, case, inside)]
+        K, x, case, inside = len(self._angles), x[here], case[here], inside[here]
 
-        def gaps_of(T):
-            return self._gap(np.repeat(self._angles, n), np.tile(T, K), *rows).reshape(K, n)
+        def gaps_of(T, rows=slice(None)):
+            starts = (np.tile(part[rows], (K, 1) if part.ndim > 1 else K) for part in (x, case, inside))
+            return self._gap(np.repeat(self._angles, len(T)), np.tile(T, K), *starts).reshape(K, len(T))
 
-        def distance(T):
-            gaps = gaps_of(T)
+        def distance(T, rows=slice(None)):
+            gaps = gaps_of(T, rows)
             if not self._spacing:
                 return gaps.max(axis=0)
             angle = self._angles[gaps.argmax(axis=0)]
-            return np.maximum(self._best(angle, T, x[here], case[here], inside[here], np.full(n, WIDE), 16)[1], gaps.max(axis=0))
+            best = self._best(angle, T, x[rows], case[rows], inside[rows], np.full(len(T), WIDE), 16)[1]
+            return np.maximum(best, gaps.max(axis=0))
 
-        closest = largest(lambda T: -distance(T), (first + last) / 2, (last - first) / 2, 12)
+        closest = largest(lambda T, rows: -distance(T, rows), (first + last) / 2, (last - first) / 2, 12)
         line, through = self._middle(gaps_of(first)), distance(closest) <= 0
         for k in np.flatnonzero(through)[::-1]:  # the earliest last
             if not closest[k] > high[here[k]]:
@@ -195,12 +196,16 @@ class FastestTimes:
         moved = np.einsum("nij,nj->ni", self.plant.exponential(T), x)
         whole, sign = self.plant.response(T)[1], np.where(inside, 1, -1)
 
-        def gap(turn):
-            p = directions(theta + turn)
-            return p[:, 0] * moved[:, 0] + p[:, 1] * moved[:, 1] + self.plant.extreme(p, T, sign, whole) - self.convex.support(p, case, x)
+        def gap(turn, rows):
+            p, y = directions(theta[rows] + turn), moved[rows]
+            reached = self.plant.extreme(p, T[rows], sign[rows], whole[rows])
+            return p[:, 0] * y[:, 0] + p[:, 1] * y[:, 1] + reached - self.convex.support(p, case[rows], x[rows])
 
-        turn = largest(lambda turn: gap(turn) / np.where(inside, 1, np.cos(turn)), np.zeros(len(x)), width, steps, enough)
-        return theta + turn, gap(turn)
+        def seen(turn, rows):
+            return gap(turn, rows) / np.where(inside[rows], 1, np.cos(turn))
+
+        turn = largest(seen, np.zeros(len(x)), width, steps, enough)
+        return theta + turn, gap(turn, slice(None))
 
     def _refine(self, x, case, inside, low, high, theta):
         """The first time between low and high at which no line separates, and the last separating direction.
@@ -272,11 +277,12 @@ class FastestTimes:
             angle = np.where(better, self._angles[gaps.argmax(axis=0)], angle)
         width = np.full(n, WIDE)
 
-        def apart(T):
-            gap = self._best(angle, np.clip(T, 1e-9, left), x, case, inside, width, 24)[1]
-            return np.where(inside, -gap, gap)
+        def apart(T, rows=slice(None)):
+            starts = (part[rows] for part in (x, case, inside, width))
+            gap = self._best(angle[rows], np.clip(T, 1e-9, left[rows]), *starts, 24)[1]
+            return np.where(inside[rows], -gap, gap)
 
-        closest = largest(lambda T: -apart(T), when, left / steps, steps=12)
+        closest = largest(lambda T, rows: -apart(T, rows), when, left / steps, steps=12)
         return np.minimum(apart(closest), apart(when))
 
 
