@@ -66,7 +66,7 @@ def bisected(like_first, first, last, turns):
     """
     rows = np.arange(len(first))
     while turns > 0:
-        depth = min(turns, 4 if len(rows) < 10 else 3 if len(rows) < 30 else 2 if len(rows) < 120 else 1)
+        depth = min(turns, 6 if len(rows) < 4 else 4 if len(rows) < 10 else 3 if len(rows) < 30 else 2 if len(rows) < 120 else 1)
         parts = 2**depth
         ends = np.empty((len(rows), parts + 1, *np.shape(first)[1:]))
         ends[:, 0], ends[:, -1] = first, last
