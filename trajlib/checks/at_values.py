@@ -97,8 +97,7 @@ def real_function(symbols, expressions):
     """Several expressions as a function of numbers or arrays, to an array with a row for each; nan where one is not a real number."""
     # Only SymPy functions of the data's own symbols come here (coercion.with_symbols), so the code made is ours.
     # A docstring would take as long as the code.
-    compiled = [sp.lambdify(symbols, sp.nan if e.has(sp.nan, sp.zoo) else e.rewrite(sp.Piecewise) if e.has(sp.Heaviside) else e,
-                            [{"select": _first_of}, "numpy"], docstring_limit=0) for e in expressions]
+    compiled = [sp.lambdify(symbols, _printable(e), [{"select": _first_of}, "numpy"], docstring_limit=0) for e in expressions]
 
     def one(function, numbers, shape):
         try:
@@ -123,6 +122,15 @@ def real_function(symbols, expressions):
             return np.array([one(function, numbers, shape) for function in compiled])
 
     return evaluate
+
+
+def _printable(e):
+    """The expression as SymPy makes code of it at once: a choice between conditions it would simplify first, for seconds."""
+    if e.has(sp.nan, sp.zoo):
+        return sp.nan
+    if e.has(sp.Heaviside):
+        e = e.rewrite(sp.Piecewise)
+    return e.replace(sp.ITE, lambda a, b, c: sp.Or(sp.And(a, b), sp.And(sp.Not(a), c))) if e.has(sp.ITE) else e
 
 
 def _first_of(conditions, values, default):
