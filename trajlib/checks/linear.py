@@ -8,9 +8,10 @@ from scipy.integrate import solve_ivp
 
 from trajlib.checks import coercion
 from trajlib.checks.at_values import matrix_at
-from trajlib.checks.fields import Field, as_text, known_field, sample_values
+from trajlib.checks.fields import Field, known_field, sample_values
 from trajlib.checks.regions import compare_region, roots_left_of, some_root_right
 from trajlib.checks.verdict import Wrong, judged
+from trajlib.checks.wording import other_rate, where_text
 
 STABILITY = ("asymptotically stable", "stable", "unstable")
 #: Below this a derivative is zero: what complex steps leave of terms of higher order.
@@ -33,9 +34,7 @@ def linearisation(answer, field, state, at, parameters=()):
         for k, unit in enumerate(np.eye(n)):
             true = flow.derivative(point, unit)
             if not np.linalg.norm(claimed @ unit - true) <= 1e-9 * size:
-                where = f" for {', '.join(f'{p} = {v}' for p, v in values.items())}" if values else ""
-                raise Wrong(f"a small deviation of {state[k]} alone changes the right-hand sides at the rate "
-                            f"{as_text(true)}{where}; your matrix gives {as_text((claimed @ unit).real)}")
+                raise Wrong(f"{other_rate(state[k], claimed @ unit, true)}{where_text(values)}")
     return "for small deviations in every direction the field changes as the matrix says"
 
 

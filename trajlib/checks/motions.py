@@ -15,11 +15,11 @@ import sympy as sp
 
 from trajlib.checks import coercion
 from trajlib.checks.at_values import matrix_at, number_at, numbers_at
-from trajlib.checks.fields import STEP, as_text, sample_values
+from trajlib.checks.fields import STEP, sample_values
 from trajlib.checks.semialgebraic import Condition, cells
 from trajlib.checks.semialgebraic import as_text as place_text
 from trajlib.checks.verdict import Invalid, Wrong, judged
-from trajlib.checks.wording import number_text, values_text
+from trajlib.checks.wording import number_text, other_rate, values_text, where_text
 
 #: For how many sets of parameter values the stationary angles are kept: a verdict asks for a thousand, mostly the same.
 MOST_KEPT = 5000
@@ -455,8 +455,7 @@ def _judge_columns(answer, field, state, parameters, program, symbols, true_matr
         said = matrix_at(claim, values)
         for k, symbol in enumerate(symbols):
             if not np.linalg.norm(said[:, k] - true[:, k]) <= 1e-9 * np.linalg.norm(true):
-                raise Wrong(f"a small deviation of {symbol} alone changes the right-hand sides of the equations at the rate "
-                            f"{as_text(true[:, k])} for {values_text(values)}; your matrix gives {as_text(said[:, k].real)}")
+                raise Wrong(f"{other_rate(symbol, said[:, k], true[:, k])}{where_text(values)}")
     return "for small deviations in every direction the right-hand sides change as the matrix says"
 
 

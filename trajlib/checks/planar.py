@@ -21,6 +21,7 @@ from trajlib.checks.fields import as_text
 from trajlib.checks.semialgebraic import Condition, cells
 from trajlib.checks.semialgebraic import as_text as place_text
 from trajlib.checks.verdict import Invalid, Wrong, judged
+from trajlib.checks.wording import other_rate
 
 STABILITY = ("asymptotically stable", "stable", "unstable")
 TYPES = tuple(f"{how} {what}" for what in ("node", "star", "degenerate node", "focus") for how in ("stable", "unstable"))
@@ -101,8 +102,7 @@ def stationary_linearisation(answer, field, state, parameters, domain=None):
             if any(value is None for value in said):
                 raise Wrong(f"for {_told(values)} your matrix is not real")
             if not all(_near(value, t, matrix, size) for value, t in zip(said, true[:, k])):
-                raise Wrong(f"for {_told(values)} a small deviation of {state[k]} alone changes the right-hand sides at the rate "
-                            f"{_vector_told(true[:, k])}; your answer gives {_vector_told(said)}")
+                raise Wrong(f"for {_told(values)} {other_rate(state[k], said, true[:, k])}")
     return "small deviations from the stationary solution change the right-hand sides as it says"
 
 

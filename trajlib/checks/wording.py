@@ -12,6 +12,18 @@ def values_text(values):
     return ", ".join(f"{symbol} = {x if x.q < 1000 else f'{float(x):.6g}'}" for symbol, x in values.items())
 
 
+def where_text(values):
+    """The values of a sample for the end of a message; nothing where there are none."""
+    return f" for {values_text(values)}" if values else ""
+
+
 def rounded_text(values):
     """Values of symbols that nobody has to see in full: `M = 0.713, rho = 2.4`."""
     return ", ".join(f"{symbol} = {float(value):.3g}" for symbol, value in values.items())
+
+
+def other_rate(symbol, said, true):
+    """That a matrix of equations in deviations is wrong in a column: where, and what it says there, not what is right."""
+    k = max(range(len(said)), key=lambda i: abs(said[i] - true[i]))
+    which = "the right-hand side" if len(said) == 1 else f"right-hand side {k + 1}"
+    return f"a small deviation of {symbol} alone changes {which} at another rate than yours, {number_text(said[k])}"
