@@ -10,4 +10,5 @@ True
 from trajlib._lazy import lazy_modules
 
 __version__ = "0.1.0"
-__getattr__, __dir__, __all__ = lazy_modules(__name__, ["checks", "masters", "plotting", "pontryagin", "reconstruction", "solvability", "stability"])
+_MODULES = ["checks", "masters", "plotting", "pontryagin", "reconstruction", "solvability", "stability", "structure"]
+__getattr__, __dir__, __all__ = lazy_modules(__name__, _MODULES)

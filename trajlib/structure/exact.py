@@ -1,0 +1,83 @@
+"""Exact linear algebra over the field that the entries generate: rational numbers, radicals, rational functions.
+
+With symbols a rank is generic: the one for all values of the symbols but those on which some polynomial vanishes.
+"""
+import sympy as sp
+from sympy.functions.elementary.hyperbolic import HyperbolicFunction
+from sympy.functions.elementary.trigonometric import TrigonometricFunction
+from sympy.polys.matrices import DomainMatrix
+
+
+def field_matrix(matrix):
+    """The matrix over the smallest field SymPy finds for its entries, in which it can tell zero exactly."""
+    for function in sorted(matrix.atoms(TrigonometricFunction, HyperbolicFunction), key=str):
+        if function.free_symbols:
+            plain = function.xreplace({s: sp.Symbol(s.name) for s in function.free_symbols})
+            raise ValueError(f"A: {plain} stands in the system, and a rank with such functions is not exact here; put symbols "
+                             "for them, or the rational functions of tau = tan(angle/2)")
+    return DomainMatrix.from_Matrix(matrix, extension=True).to_field()
+
+
+def rank(matrix):
+    """Exact rank; generic if there are symbols."""
+    if 0 in matrix.shape:
+        return 0
+    return field_matrix(matrix).rank()
+
+
+def determinant(matrix):
+    """Exact determinant from the characteristic polynomial, which needs no division, so that symbols stay polynomials."""
+    over = DomainMatrix.from_Matrix(matrix, extension=True)
+    return sp.Integer(-1)**matrix.rows*over.domain.to_sympy(over.charpoly()[-1])
+
+
+def inverse(matrix):
+    return tidy(field_matrix(matrix).inv().to_Matrix())
+
+
+def product(*matrices):
+    """A product of exact matrices with tidy entries."""
+    result = matrices[0]
+    for factor in matrices[1:]:
+        result = result*factor
+    return tidy(result)
+
+
+def tidy(matrix):
+    """Entries in lowest terms, rational functions factored."""
+    def entry(e):
+        if e.is_Rational:
+            return e
+        return sp.factor(sp.cancel(e)) if e.free_symbols else sp.radsimp(sp.expand(e))
+
+    return matrix.applyfunc(entry)
+
+
+def independent_rows(matrix):
+    """Indices of the rows that do not depend on the rows above them."""
+    if 0 in matrix.shape:
+        return ()
+    return field_matrix(matrix.T).rref()[1]
+
+
+def null_columns(matrix):
+    """Basis of the kernel as columns: coprime polynomial or whole entries, the first nonzero one positive."""
+    n = matrix.cols
+    if not matrix.rows:
+        return sp.eye(n)
+    kernel = field_matrix(matrix).nullspace().to_Matrix()
+    return sp.Matrix.hstack(sp.zeros(n, 0), *(simple_multiple(kernel[i, :]).T for i in range(kernel.rows)))
+
+
+def simple_multiple(vector):
+    """The multiple of a vector that has coprime whole (or polynomial) entries, the first nonzero one positive."""
+    entries = [sp.together(e) for e in vector]
+    common = sp.lcm_list([sp.denom(e) for e in entries])
+    entries = [sp.cancel(e*common) for e in entries]
+    divisor = sp.gcd_list(entries)
+    if divisor not in (0, 1):
+        entries = [sp.cancel(e/divisor) for e in entries]
+    first = next((e for e in entries if e != 0), sp.Integer(1))
+    if first.could_extract_minus_sign():
+        entries = [-e for e in entries]
+    return sp.Matrix(*vector.shape, [sp.expand(e) for e in entries])

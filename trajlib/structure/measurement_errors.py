@@ -1,0 +1,128 @@
+"""Measurements with an unknown error, and outputs that change with time: examples 4 and 5, problems 2.16 and 2.17.
+
+An error c w with w' = S w (a constant: S = 0; an oscillation of known frequency: S = [[0, omega], [-omega, 0]]) becomes a part
+of the state: (x; w)' = diag(A, S) (x; w), z = (H, c) (x; w).
+
+For an output z = H(t) x that depends on time analytically, Kalman's matrix is built of the derivatives of z:
+N_0 = H, N_(k+1) = N_k' + N_k A. The system is observable on every interval exactly when the rank of N_0, ..., N_(n-1) is n for
+some t (and then for all but isolated t): rows that depend on the earlier ones over the functions of t make all later ones depend
+on them too. The rank of H, HA, ... with t frozen in H says nothing.
+
+Polynomials, exponentials, sines and cosines in H(t) satisfy a linear equation with constant coefficients, of order d say; then z
+satisfies one of order nd, and z vanishes identically exactly when its first nd derivatives vanish at t = 0. So for conditions on
+parameters the matrix is (N_0; ...; N_(nd-1)) at t = 0, whose entries are polynomials in the parameters.
+"""
+import numpy as np
+import sympy as sp
+
+from ..stability.systems import read_symbols
+from .parameters import rank_conditions
+from .reading import as_floats, is_float_array, read_exact_matrix, read_exact_rectangle, read_float_matrix, read_observed
+
+
+def with_measurement_error(A, H, S, c):
+    """The state augmented by the error of z = Hx + cw, w' = Sw: (A', H') (MATLAB: blkdiag, [C c]).
+
+    `A`: n x n, `H`: m x n, `S`: k x k, `c`: m x k (a flat list or a row for one output). Exact, with symbols, or floats.
+    Returns A' = diag(A, S) of order n + k and H' = (H, c). Raises ValueError for shapes that do not fit.
+    Source: examples 4 and 5 of the problem book.
+
+    >>> import sympy as sp
+    >>> omega = sp.Symbol("omega")
+    >>> S = sp.Matrix([[0, omega], [-omega, 0]])
+    >>> A, H = with_measurement_error(sp.Matrix([[0, 1], [-1, 0]]), sp.Matrix([[1, 0]]), S, [1, 0])
+    >>> H
+    Matrix([[1, 0, 1, 0]])
+    >>> from trajlib.structure import observability_matrix
+    >>> sp.factor(observability_matrix(A, H).det())
+    omega*(omega - 1)**2*(omega + 1)**2
+    """
+    A, H = read_observed(A, H)
+    floating = isinstance(A, np.ndarray) or is_float_array(S) or is_float_array(c)
+    if floating:
+        A, H, S, c = as_floats(A, "A"), as_floats(H, "H"), read_float_matrix(as_floats(S, "S")), np.atleast_2d(as_floats(c, "c"))
+    else:
+        try:
+            S = read_exact_matrix(S)
+        except ValueError as error:
+            raise ValueError(str(error).replace("A:", "S:", 1)) from None
+        c = read_exact_rectangle(c, "c")
+    if tuple(c.shape) != (H.shape[0], S.shape[0]):
+        raise ValueError(f"c: expected shape {(H.shape[0], S.shape[0])}, a row for each output and a column for each w, "
+                         f"got {tuple(c.shape)}")
+    if floating:
+        n, k = len(A), len(S)
+        return np.block([[A, np.zeros((n, k))], [np.zeros((k, n)), S]]), np.hstack([H, c])
+    return sp.diag(A, S), sp.Matrix.hstack(H, c)
+
+
+def time_varying_observability_matrix(A, H, time):
+    """The matrix (N_0; ...; N_(n-1)) of an output z = H(t) x, with N_0 = H, N_(k+1) = N_k' + N_k A (MATLAB: obsv for A, C(t)).
+
+    `A`: n x n, `H`: m x n, SymPy matrices that may contain the symbol `time`. Returns an mn x n matrix.
+    Raises ValueError for shapes that do not fit. Source: the derivatives of z, as asked by problem 2.17.
+
+    >>> import sympy as sp
+    >>> t, omega = sp.symbols("t omega")
+    >>> H = sp.Matrix([[sp.sin(omega*t), sp.cos(omega*t)]])
+    >>> N = time_varying_observability_matrix(sp.Matrix([[0, 1], [-1, 0]]), H, t)
+    >>> sp.simplify(N.det())
+    1 - omega
+    """
+    (time,) = read_symbols(time, "time")
+    A, H = read_observed(A, H)
+    if isinstance(A, np.ndarray):
+        raise ValueError("H: expected SymPy matrices; an output that changes with time is given by its formulas")
+    blocks = [H]
+    while len(blocks) < A.rows:
+        blocks.append((blocks[-1].diff(time) + blocks[-1]*A).applyfunc(sp.expand))
+    return sp.Matrix.vstack(*blocks)
+
+
+def time_varying_conditions(A, H, time, parameters=()):
+    """For which parameters is x' = Ax, z = H(t) x observable on every interval? (MATLAB: none; rank of the Gramian.)
+
+    `A`: n x n, constant; `H`: m x n, sums of polynomials, exponentials, sines and cosines of `time`; `parameters`: the other
+    symbols, real. Returns `RankConditions` (with `sp.true` or `sp.false` as the region if there are no parameters); its minors are
+    those of the derivatives of z at t = 0. Raises ValueError for other functions of time, for an A that depends on time, for
+    symbols that are not named. Source: problem 2.17 of the problem book.
+
+    >>> import sympy as sp
+    >>> t, omega = sp.symbols("t omega")
+    >>> H = sp.Matrix([[sp.sin(omega*t), sp.cos(omega*t)]])
+    >>> found = time_varying_conditions(sp.Matrix([[0, 1], [-1, 0]]), H, t, [omega])
+    >>> found.region, found.exceptions
+    (Ne(omega, 1), ((Eq(omega, 1), 1),))
+    """
+    parameters = read_symbols(parameters, "parameters")
+    N = time_varying_observability_matrix(A, H, time)
+    A, H = read_observed(A, H)
+    if time in A.free_symbols:
+        raise ValueError(f"A: expected a constant matrix, got one that contains {time}; study the rank of "
+                         "time_varying_observability_matrix instead")
+    if strangers := H.free_symbols - {time, *parameters} | A.free_symbols - {*parameters}:
+        raise ValueError(f"parameters: the system also has {', '.join(sorted(map(str, strangers)))}; name every symbol that is "
+                         "not a number")
+    blocks = [N[:H.rows, :]]
+    for _ in range(A.rows*_order_of_equation(H, time) - 1):
+        blocks.append((blocks[-1].diff(time) + blocks[-1]*A).applyfunc(sp.expand))
+    return rank_conditions(sp.Matrix.vstack(*(b.subs(time, 0) for b in blocks)), parameters)
+
+
+def _order_of_equation(H, time):
+    """The order of a linear equation with constant coefficients that all entries of H satisfy."""
+    powers = {}
+    for entry in H:
+        for term in sp.Add.make_args(sp.expand(sp.expand(entry.rewrite(sp.exp)), power_exp=False)):
+            factors, exponent = [], sp.Integer(0)
+            for factor in sp.Mul.make_args(term):
+                if isinstance(factor, sp.exp) and factor.has(time):
+                    exponent += factor.args[0]
+                else:
+                    factors.append(factor)
+            rest = sp.Mul(*factors)
+            rate = sp.expand(exponent).coeff(time, 1)
+            if not rest.is_polynomial(time) or sp.expand(exponent - rate*time).has(time):
+                raise ValueError(f"H: expected sums of polynomials, exponentials, sines and cosines of {time}, got {entry}")
+            powers[rate] = max(powers.get(rate, 0), sp.degree(rest, time) if rest.has(time) else 0)
+    return int(sum(degree + 1 for degree in powers.values()))

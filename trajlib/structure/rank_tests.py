@@ -1,0 +1,127 @@
+"""Is the state seen, can it be steered? The criteria of Kalman and of Popov, Theorems 2.1 - 2.4 of the problem book.
+
+Exact systems: the rank of Kalman's matrix, and Popov's criterion for the characteristic numbers at which the rank of
+(A - lambda E; H) falls, with the motions exp(lambda t) v that the output does not show. Floats: Popov's criterion alone,
+with its singular value as the margin.
+"""
+from dataclasses import dataclass
+
+import numpy as np
+import sympy as sp
+
+from ..stability.hurwitz import characteristic_polynomial
+from ..stability.systems import as_prose
+from . import exact, floats
+from .kalman_matrices import stacked_powers
+from .popov import LAMBDA, LostMode, lost_modes
+from .reading import read_controlled, read_observed
+
+__all__ = ["LostMode", "RankTest", "controllability", "observability"]
+
+
+@dataclass(frozen=True)
+class RankTest:
+    """Whether a system is observable (or controllable), the rank of Kalman's matrix, and what is lost; true in an `if` if it is.
+
+    - `holds`: the verdict, `rank == order`; `rank`: of N (or W); `order`: the dimension of the state;
+    - `lost`: tuple of `LostMode`, the characteristic numbers at which the rank of Popov's criterion falls;
+    - `margin`: for floats the smallest singular value in Popov's criterion, the distance to the systems for which the
+      verdict would be no; None for exact systems;
+    - `reason`: the verdict in words. With symbols everything is generic: true for all values of the symbols but
+      exceptional ones, which `observability_conditions` and `controllability_conditions` give.
+    """
+
+    holds: bool
+    rank: int
+    order: int
+    lost: tuple
+    margin: float | None = None
+    reason: str = ""
+
+    def __bool__(self):
+        return self.holds
+
+    def _repr_markdown_(self):
+        return as_prose(self.reason)
+
+
+def observability(A, H=None):
+    """Is x' = Ax, z = Hx observable? Rank, lost modes, margin (MATLAB: rank(obsv(A, C)), Popov's or PBH test).
+
+    `A`: n x n, `H`: m x n. SymPy matrices or lists of rows are judged exactly; with symbols the verdict is generic (it may
+    fail for special values: see `observability_conditions`). NumPy arrays of floats, or a StateSpace in place of `A`, are
+    judged by Popov's criterion with its singular value as the margin. Returns `RankTest`.
+    Raises ValueError for shapes that do not fit and entries that are not real.
+    Source: Theorems 2.1 and 2.3 of the problem book.
+
+    >>> import sympy as sp
+    >>> found = observability(sp.Matrix([[0, 1, 0], [1, 1, 1], [1, 0, 1]]), sp.Matrix([[0, 1, 0]]))
+    >>> found.holds, found.rank, found.order
+    (False, 2, 3)
+    >>> found.lost
+    (LostMode(eigenvalue=0, vectors=Matrix([
+    [ 1],
+    [ 0],
+    [-1]])),)
+    """
+    A, H = read_observed(A, H)
+    return _test(A, H, "observable", lambda vectors: vectors)
+
+
+def controllability(A, B=None):
+    """Is x' = Ax + Bu controllable? Rank, lost modes, margin (MATLAB: rank(ctrb(A, B)), Popov's or PBH test).
+
+    `A`: n x n, `B`: n x s; exact, symbolic (generic) or floats as in `observability`. The vectors of the lost modes are
+    rows w with w A = lambda w, w B = 0: no control changes w x exp(-lambda t). Returns `RankTest`.
+    Raises ValueError for shapes that do not fit and entries that are not real.
+    Source: Theorems 2.2 and 2.4 of the problem book.
+
+    >>> import sympy as sp
+    >>> found = controllability(sp.Matrix([[0, 1, 1], [1, 1, 0], [0, -1, -1]]), sp.Matrix([0, 1, 0]))
+    >>> found.rank, found.lost
+    (2, (LostMode(eigenvalue=0, vectors=Matrix([[1, 0, 1]])),))
+    """
+    A, H = read_controlled(A, B)
+    return _test(A, H, "controllable", lambda vectors: vectors.T)
+
+
+def _test(A, H, word, orient):
+    if isinstance(A, np.ndarray):
+        return float_test(A, H, word, orient)
+    rank = exact.rank(stacked_powers(A, H))
+    P = sp.Matrix.vstack(A - LAMBDA*sp.eye(A.rows), H)
+    lost = lost_modes(P, characteristic_polynomial(A, LAMBDA)) if rank < A.rows else ()
+    return rank_test(rank, A.rows, [LostMode(m.eigenvalue, orient(m.vectors)) for m in lost], word,
+                     generic=bool(A.free_symbols | H.free_symbols))
+
+
+def rank_test(rank, order, lost, word, margin=None, generic=False, remark=""):
+    """A `RankTest` with its verdict in words."""
+    holds = rank == order
+    reason = f"{word if holds else f'not {word}'}: rank {rank} of {order}"
+    if lost:
+        reason += ", the rank of Popov's criterion falls at " + ", ".join(dict.fromkeys(_named(m.eigenvalue) for m in lost))
+    if generic:
+        reason += " (for general values of the symbols)"
+    return RankTest(holds, rank, order, tuple(lost), margin, reason + remark)
+
+
+def _named(eigenvalue):
+    if isinstance(eigenvalue, sp.Poly):
+        return f"the roots of {eigenvalue.as_expr()}"
+    if isinstance(eigenvalue, sp.Basic):
+        return f"lambda = {eigenvalue}"
+    return f"lambda = {complex(eigenvalue):.6g}" if np.imag(eigenvalue) else f"lambda = {float(eigenvalue):.6g}"
+
+
+def float_test(A, H, word, orient=lambda vectors: vectors):
+    """Popov's verdict in floats; a margin close to rounding is told."""
+    split = floats.split(A, H)
+    scale = np.linalg.norm(np.vstack([A, H]), 2)
+    remark = f"; margin {split.margin:.3g}"
+    if split.unseen.shape[1]:
+        remark += ", zero within rounding; exact entries (SymPy) would decide" if split.margin else ""
+    elif split.margin < np.sqrt(np.finfo(float).eps)*scale:
+        remark += f", small: a change of the entries by {split.margin:.1e} can turn the verdict; exact entries (SymPy) would decide"
+    lost = [LostMode(value, orient(vectors)) for value, vectors in floats.lost_modes(A, H, split)]
+    return rank_test(split.seen.shape[1], len(A), lost, word, split.margin, remark=remark)
