@@ -1,0 +1,60 @@
+import numpy as np
+import sympy as sp
+from case import Case
+
+a = sp.symbols("alpha", real=True)
+g, l1, l2 = sp.symbols("g l1 l2", positive=True)
+w = sp.symbols("omega", positive=True)
+M = sp.Matrix
+DRIVEN = (M([[0, 1], [2, 1]]), M([0, 1]))
+# The sum x1 + x2 obeys an equation of its own, with the eigenvalue 2.
+SUM = (M([[1, 2], [1, 0]]), M([1, -1]))
+TWO_INPUTS = (M([[1, 0], [0, 1]]), M([[1, 0], [0, 1]]))
+VALUE = (M([[1, a], [-3, -2]]), M([1, 1]), [a])
+NEVER = (M([[2, -1], [1, 0]]), M([1, 1]), [a])
+# Two pendulums on one carriage, its acceleration being the control.
+CARRIAGE = (M([[0, 0, 1, 0], [0, 0, 0, 1], [g / l1, 0, 0, 0], [0, g / l2, 0, 0]]), M([0, 0, 1 / l1, 1 / l2]), [g, l1, l2])
+ORBIT = (M([[0, -w, 1, 0], [w, 0, 0, 1], [-w**2, 0, 0, -w], [0, 2 * w**2, w, 0]]), M([0, 0, 1, 0]), [w])
+RADIAL = (ORBIT[0], M([0, 0, 0, 1]), [w])
+
+CASES = [
+    Case("controllable", "yes", DRIVEN, "right", "every combination is reached"),
+    Case("controllable", "no", SUM, "right", "one combination is not"),
+    Case("controllable", True, ORBIT, "right", "for every positive omega"),
+    Case("controllable", "no", CARRIAGE, "right", "not for equal lengths"),
+    Case("controllable", False, DRIVEN, "wrong", "the opposite"),
+    Case("controllable", "yes", CARRIAGE, "wrong", "equal lengths overlooked"),
+    Case("controllable", ..., DRIVEN, "missing", "the untouched stub"),
+    Case("controllable", sp.Ne(l1, l2), CARRIAGE, "invalid", "the condition where yes or no is asked"),
+    Case("controllable_parameters", sp.Ne(a, -6), VALUE, "right", "one value left out"),
+    Case("controllable_parameters", sp.Or(a < -6, -6 < a), VALUE, "right", "both sides of it"),
+    Case("controllable_parameters", sp.Ne(l1 / l2, 1), CARRIAGE, "right", "a quotient"),
+    Case("controllable_parameters", sp.Ne(l1**2, l2**2), CARRIAGE, "right", "squares of what is positive"),
+    Case("controllable_parameters", False, NEVER, "right", "for no value"),
+    Case("controllable_parameters", sp.Ne(a, 6), VALUE, "wrong", "a sign"),
+    Case("controllable_parameters", a > -6, VALUE, "wrong", "one side only"),
+    Case("controllable_parameters", True, CARRIAGE, "wrong", "equal lengths overlooked"),
+    Case("controllable_parameters", sp.Ne(a, 1), NEVER, "wrong", "a factor that does not matter"),
+    Case("controllable_parameters", -6, VALUE, "invalid", "the value alone"),
+    Case("controllability_matrix", [[0, 1], [1, 1]], DRIVEN, "right", "nested lists"),
+    Case("controllability_matrix", np.array([[1.0, 0.0, 1.0, 0.0], [0.0, 1.0, 0.0, 1.0]]), TWO_INPUTS, "right", "two controls"),
+    Case("controllability_matrix", M.hstack(*[ORBIT[0]**k * ORBIT[1] for k in range(4)]), ORBIT, "right", "with a parameter"),
+    Case("controllability_matrix", [[1, -1], [-1, 1]], SUM, "right", "of rank 1"),
+    Case("controllability_matrix", [[1, 1], [-1, 1]], SUM, "wrong", "one entry"),
+    Case("controllability_matrix", M.hstack(*[ORBIT[0]**k * ORBIT[1] for k in range(4)]).T, ORBIT, "wrong", "the transpose"),
+    Case("controllability_matrix", [[1, 1, 0, 0], [0, 0, 1, 1]], TWO_INPUTS, "wrong", "control by control"),
+    Case("controllability_matrix", [[0, 1, 1], [1, 1, 3]], DRIVEN, "invalid", "a power too many"),
+    Case("controllability_rank", 1, SUM, "right", "one combination is lost"),
+    Case("controllability_rank", sp.Integer(2), TWO_INPUTS, "right", "full"),
+    Case("controllability_rank", 2, SUM, "wrong", "taken for full"),
+    Case("controllability_rank", 4, TWO_INPUTS, "wrong", "the number of columns"),
+    Case("controllability_rank", [1], SUM, "invalid", "a list"),
+    Case("uncontrolled_eigenvalues", [2], SUM, "right", "a list"),
+    Case("uncontrolled_eigenvalues", {0}, RADIAL, "right", "a set"),
+    Case("uncontrolled_eigenvalues", [], CARRIAGE, "right", "none for lengths in general position"),
+    Case("uncontrolled_eigenvalues", [-1], SUM, "wrong", "the controlled one"),
+    Case("uncontrolled_eigenvalues", [0, sp.I * w], RADIAL, "wrong", "one too many"),
+    Case("uncontrolled_eigenvalues", [], RADIAL, "wrong", "overlooked"),
+    Case("uncontrolled_eigenvalues", "2", SUM, "invalid", "text"),
+]
+LIMITS = ["As for observability, since the transposed matrices are judged."]

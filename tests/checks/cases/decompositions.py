@@ -1,0 +1,112 @@
+import numpy as np
+import sympy as sp
+from case import Case
+
+w = sp.symbols("omega", positive=True)
+M, half = sp.Matrix, sp.Rational(1, 2)
+# Rank 2 of 3: the motion (1, 0, -1) is not seen; the same for control, where x1 + x3 cannot be changed.
+SEEN = (M([[0, 1, 0], [1, 1, 1], [1, 0, 1]]), M([[0, 1, 0]]))
+T = M([[0, 1, 0], [1, 1, 1], [1, 0, -1]])
+SPLIT = M([[0, 1, 0], [0, 2, 0], [2, -1, 0]])
+DRIVEN = (M([[0, 1, 1], [1, 1, 0], [0, -1, -1]]), M([0, 1, 0]))
+P = M([[0, 1, 1], [1, 1, 0], [0, -1, 1]])
+P_SPLIT = M([[0, 2, 0], [1, 0, 1], [0, 0, 0]])
+# Two equal oscillators, of which the sum of the coordinates is measured.
+TWINS = (M([[0, 1, 0, 0], [-w**2, 0, 0, 0], [0, 0, 0, 1], [0, 0, -w**2, 0]]), M([[1, 0, 1, 0]]), [w])
+SUM_AND_DIFFERENCE = M([[1, 0, 1, 0], [0, 1, 0, 1], [1, 0, -1, 0], [0, 1, 0, -1]])
+# Two controls (example 7), and the same matrices transposed for two outputs.
+A7, B7 = M([[1, 1, 0, 0], [0, 1, 0, 0], [0, 0, 2, 1], [0, 0, 0, 2]]), M([[1, 0], [0, 1], [0, 1], [1, 0]])
+b1, b2 = B7[:, 0], B7[:, 1]
+CONTROLS, OUTPUTS = (A7, B7), (A7.T, B7.T)
+IN_TURN, BY_TURNS = M.hstack(b1, A7 * b1, A7**2 * b1, b2), M.hstack(b1, A7 * b1, b2, A7 * b2)
+CANONICAL = M.hstack(A7 * b1 - 7 * half * b1 - b2 / 2, b1, A7 * b2 - 5 * half * b2 - b1 / 2, b2)
+LEANING = M.hstack(b1, A7 * b1, A7**2 * b1, M([0, 1, 0, 0]))
+# One combination of three coordinates is reached by no control, and u2 adds nothing to u1.
+REST = (M([[0, 1, 0], [0, 0, 0], [0, 0, 1]]), M([[0, 1], [1, 0], [0, 0]]))
+SPIN, TURNED = M([[0, 1], [-1, 0]]), M([[1, 1], [-2, -1]])
+
+CASES = [
+    Case("observability_split", T, SEEN, "right", "rows h, hA and one more"),
+    Case("observability_split", M([[1, 0, 1], [0, 3, 0], [0, 0, 1]]), SEEN, "right", "other observable coordinates, another rest"),
+    Case("observability_split", np.array([[0, 1, 0], [0.333, 0.333, 0.333], [1, 0, 0]]), SEEN, "right", "decimals"),
+    Case("observability_split", SUM_AND_DIFFERENCE, TWINS, "right", "with a parameter"),
+    Case("observability_split", T.inv(), SEEN, "wrong", "the inverse"),
+    Case("observability_split", T[[2, 0, 1], :], SEEN, "wrong", "the unobservable part first"),
+    Case("observability_split", sp.eye(3), SEEN, "wrong", "the coordinates as given"),
+    Case("observability_split", M([[0, 1, 0], [1, 1, 1], [2, 2, 2]]), SEEN, "wrong", "Kalman's matrix: no inverse"),
+    Case("observability_split", [[0, 1, 0], [1, 1, 1], [1, ..., -1]], SEEN, "missing", "an entry left open"),
+    Case("observability_split", T[:2, :], SEEN, "invalid", "the observable coordinates alone"),
+    Case("controllability_split", P, DRIVEN, "right", "columns b, Ab and one more"),
+    Case("controllability_split", [[0, 1, 0], [1, 0, 0], [0, -1, 1]], DRIVEN, "right", "nested lists, other columns"),
+    Case("controllability_split", (4 * P).inv().inv(), DRIVEN, "right", "other lengths"),
+    Case("controllability_split", P.inv() + sp.eye(3) * 0, DRIVEN, "wrong", "the inverse"),
+    Case("controllability_split", P[:, ::-1], DRIVEN, "wrong", "the uncontrollable part first"),
+    Case("controllability_split", M([[0, 1, 0], [1, 1, 2], [0, -1, 0]]), DRIVEN, "wrong", "Kalman's matrix: no inverse"),
+    Case("controllability_split", "P", DRIVEN, "invalid", "text"),
+    Case("observability_split_system", [SPLIT, M([[1, 0, 0]])], SEEN, "right", "in the coordinates of the rows h, hA"),
+    Case("observability_split_system", (SPLIT.tolist(), [1, 0, 0]), SEEN, "right", "nested lists, a vector for H'"),
+    Case("observability_split_system", [M([[2, 0, 0], [0, 0, 0], [1, 5, 0]]), M([[1, -1, 0]])], SEEN, "right", "modes, another A21"),
+    Case("observability_split_system", [1.0 * SPLIT, M([[0.5, 0, 0]])], SEEN, "right", "floats, another length"),
+    Case("observability_split_system", [SEEN[0], SEEN[1]], SEEN, "wrong", "the system as given"),
+    Case("observability_split_system", [M([[0, 1, 0], [0, 2, 0], [2, -1, 1]]), M([[1, 0, 0]])], SEEN, "wrong", "another eigenvalue"),
+    Case("observability_split_system", [SPLIT, M([[0, 1, 0]])], SEEN, "wrong", "the second coordinate does not see the first"),
+    Case("observability_split_system", [SPLIT, M([[1, 0, 1]])], SEEN, "wrong", "the output contains the unobservable part"),
+    Case("observability_split_system", SPLIT, SEEN, "invalid", "the matrix alone"),
+    Case("observability_split_system", [SPLIT, M([[1, 0]])], SEEN, "invalid", "an output of another length"),
+    Case("controllability_split_system", [P_SPLIT, M([1, 0, 0])], DRIVEN, "right", "in the basis b, Ab"),
+    Case("controllability_split_system", [P_SPLIT, [2, 0, 0]], DRIVEN, "right", "another length, a vector for B'"),
+    Case("controllability_split_system", [P_SPLIT.T, M([1, 0, 0])], DRIVEN, "wrong", "transposed"),
+    Case("controllability_split_system", [P_SPLIT, M([1, 0, 1])], DRIVEN, "wrong", "the control enters the uncontrollable part"),
+    Case("controllability_split_system", [DRIVEN[0], DRIVEN[1]], DRIVEN, "wrong", "the system as given"),
+    Case("controllability_split_system", [P_SPLIT], DRIVEN, "invalid", "one matrix"),
+    Case("observable_part", [M([[0, 1], [0, 2]]), M([[1, 0]])], SEEN, "right", "in the coordinates of the rows h, hA"),
+    Case("observable_part", [[[2, 0], [0, 0]], [1, 1]], SEEN, "right", "modes, as lists"),
+    Case("observable_part", [np.array([[2.0, 1.0], [0.0, 0.0]]), np.array([1.0, 0.0])], SEEN, "right", "arrays"),
+    Case("observable_part", [M([[0, 1], [-w**2, 0]]), M([[1, 0]])], TWINS, "right", "with a parameter"),
+    Case("observable_part", [M([[0, w], [-w, 0]]), M([[1, 1]])], TWINS, "right", "with a parameter, other coordinates"),
+    Case("observable_part", [M([[0, 1], [0, 1]]), M([[1, 0]])], SEEN, "wrong", "another eigenvalue"),
+    Case("observable_part", [M([[0, 0], [0, 2]]), M([[1, 0]])], SEEN, "wrong", "not observable"),
+    Case("observable_part", [SPLIT, M([[1, 0, 0]])], SEEN, "wrong", "the whole system"),
+    Case("observable_part", [M([[0, w**2], [-1, 0]])], TWINS, "invalid", "one matrix"),
+    Case("canonical_observable_part", [M([[2, 1], [0, 0]]), M([[1, 0]])], SEEN, "right", "the form (2.5)"),
+    Case("canonical_observable_part", [[[2, 1], [0, 0]], [1, 0]], SEEN, "right", "lists"),
+    Case("canonical_observable_part", [M([[0, 1], [0, 2]]), M([[1, 0]])], SEEN, "wrong", "another shape"),
+    Case("canonical_observable_part", [M([[0, 1], [2, 0]]), M([[1, 0]])], SEEN, "wrong", "another polynomial"),
+    Case("canonical_observable_part", [M([[2, 1], [0, 0]]), M([[0, 1]])], SEEN, "wrong", "the output is not the first coordinate"),
+    Case("canonical_observable_part", M([[2, 1], [0, 0]]), SEEN, "invalid", "the matrix alone"),
+    Case("sequential_inputs", IN_TURN, CONTROLS, "right", "b1, A b1, A^2 b1, b2"),
+    Case("sequential_inputs", IN_TURN * sp.diag(M([[1, 2, 0], [0, 1, 5], [0, 0, 1]]), 3), CONTROLS, "right", "another basis of part 1"),
+    Case("sequential_inputs", M([[0, 1, 0], [1, 0, 0], [0, 0, 1]]), REST, "right", "u2 adds nothing, one coordinate is left over"),
+    Case("sequential_inputs", BY_TURNS, CONTROLS, "wrong", "the parallel one"),
+    Case("sequential_inputs", LEANING, CONTROLS, "wrong", "u2 enters part 1 too"),
+    Case("sequential_inputs", IN_TURN[:, [3, 0, 1, 2]], CONTROLS, "wrong", "the parts in the opposite order"),
+    Case("sequential_inputs", [b1, b2], CONTROLS, "invalid", "the first columns of the chains"),
+    Case("parallel_inputs", BY_TURNS, CONTROLS, "right", "b1, A b1, b2, A b2"),
+    Case("parallel_inputs", CANONICAL, CONTROLS, "right", "both parts in canonical form"),
+    Case("parallel_inputs", IN_TURN, CONTROLS, "wrong", "the sequential one"),
+    Case("parallel_inputs", BY_TURNS[:, [0, 2, 1, 3]], CONTROLS, "wrong", "the columns as taken, not part by part"),
+    Case("parallel_inputs", sp.eye(3), CONTROLS, "invalid", "another order"),
+    Case("sequential_outputs", IN_TURN.T, OUTPUTS, "right", "rows h1, h1 A, h1 A^2, h2"),
+    Case("sequential_outputs", np.array((IN_TURN.T * half).tolist(), dtype=float), OUTPUTS, "right", "floats"),
+    Case("sequential_outputs", BY_TURNS.T, OUTPUTS, "wrong", "the parallel one"),
+    Case("sequential_outputs", LEANING.T, OUTPUTS, "wrong", "z2 contains part 1 too"),
+    Case("sequential_outputs", IN_TURN, OUTPUTS, "wrong", "transposed"),
+    Case("sequential_outputs", 1, OUTPUTS, "invalid", "a number"),
+    Case("parallel_outputs", BY_TURNS.T, OUTPUTS, "right", "rows h1, h1 A, h2, h2 A"),
+    Case("parallel_outputs", CANONICAL.T, OUTPUTS, "right", "both parts in canonical form"),
+    Case("parallel_outputs", IN_TURN.T, OUTPUTS, "wrong", "the sequential one"),
+    Case("parallel_outputs", sp.ones(4), OUTPUTS, "wrong", "no inverse"),
+    Case("parallel_outputs", [1, 2, 3, 4], OUTPUTS, "invalid", "a vector"),
+    Case("similarity", M([[1, 0], [-1, 1]]), (SPIN, TURNED), "right", "one of many"),
+    Case("similarity", M([[0, 1], [-1, -1]]), (SPIN, TURNED), "right", "another"),
+    Case("similarity", M([[1, 0], [1, 1]]), (SPIN, TURNED), "wrong", "the inverse"),
+    Case("similarity", sp.eye(2), (SPIN, TURNED), "wrong", "the variables as they are"),
+    Case("similarity", sp.zeros(2), (SPIN, TURNED), "wrong", "zero satisfies the equation, but has no inverse"),
+    Case("similarity", [[1, 0]], (SPIN, TURNED), "invalid", "a row too few"),
+]
+LIMITS = [
+    "Decompositions with parameters are judged at six rational values in general position.",
+    "A system given by rounded decimals is compared with the given one to about three digits; where eigenvalues lie close together, "
+    "rounding may turn it into another system, and it is refused.",
+    "A decomposition by components has its parts in the order in which the data name the outputs or the controls.",
+]

@@ -1,0 +1,138 @@
+import numpy as np
+import sympy as sp
+from case import Case
+
+a, b = sp.symbols("alpha beta", real=True)
+w = sp.symbols("omega", positive=True)
+r = sp.symbols("r", real=True)
+p = sp.Symbol("alpha")
+M = sp.Matrix
+# A chain that is seen from its head, and one whose output loses the eigenvalue 0: the motion (1, 0, -1) is not seen.
+CHAIN = (M([[0, 1, 0], [0, 0, 1], [2, 0, 0]]), M([[1, 0, 0]]))
+LOST = (M([[0, 1, 0], [1, 1, 1], [1, 0, 1]]), M([[0, 1, 0]]))
+# Two equal oscillators: their difference, a motion of two dimensions, is not seen.
+TWINS = (M([[0, 1, 0, 0], [-w**2, 0, 0, 0], [0, 0, 0, 1], [0, 0, -w**2, 0]]), M([[1, 0, 1, 0]]), [w])
+# The eigenvalues 1 and 4 are lost for alpha = 1 and alpha = -4; the last example for irrational values.
+VALUE = (M([[0, 1], [-4, 5]]), M([[1 - a, 4 + a]]), [a])
+RATIONAL = (M([[1, 0], [0, 2]]), M([[a - 1, 2 * a + 3]]), [a])
+ROOTS = (M([[0, 1], [2, 0]]), M([[a, 1]]), [a])
+TWO_OUTPUTS = (M([[0, 1], [1, 0]]), M([[a, 0], [0, b]]), [a, b])
+CURVE = (M([[0, 1], [-b, -a]]), M([[1, 1]]), [a, b])
+MODES = (M([[a, 0], [0, b]]), M([[1, 1]]), [a, b])
+EQUAL = (M([[1, 0], [0, 1]]), M([[1, r]]), [r])
+ALWAYS = (M([[0, 1], [-w**2, 0]]), M([[1, 0]]), [w])
+SOMETIMES = (M([[0, 1], [-w**2, 0]]), M([[1 - w, 0]]), [w])
+NEVER = (M([[a, 0], [0, a]]), M([[1, 1]]), [a])
+ROW = (M([[0, 1], [3, 2]]), M([[1, 2]]))
+BOTH = (M([[0, 1], [3, 2]]), M([[1, 2], [0, a]]), [a])
+u, v = [1, 0, -1, 0], [0, 1, 0, -1]
+
+CASES = [
+    Case("observable", "yes", CHAIN, "right", "nothing stays unseen"),
+    Case("observable", False, LOST, "right", "a motion stays unseen"),
+    Case("observable", True, ALWAYS, "right", "for every positive omega"),
+    Case("observable", "no", SOMETIMES, "right", "not for all values of the parameter"),
+    Case("observable", "no", NEVER, "right", "for no value of the parameter"),
+    Case("observable", "no", CHAIN, "wrong", "the opposite"),
+    Case("observable", "yes", LOST, "wrong", "the opposite"),
+    Case("observable", "yes", SOMETIMES, "wrong", "one value overlooked"),
+    Case("observable", ..., CHAIN, "missing", "the untouched stub"),
+    Case("observable", 3, CHAIN, "invalid", "the rank"),
+    Case("observable", sp.Ne(w, 1), SOMETIMES, "invalid", "the condition where yes or no is asked"),
+    Case("observable_parameters", sp.And(sp.Ne(a, 1), sp.Ne(a, -sp.Rational(3, 2))), RATIONAL, "right", "two values left out"),
+    Case("observable_parameters", sp.Ne((p - 1) * (2 * p + 3), 0), RATIONAL, "right", "the determinant, a plain symbol"),
+    Case("observable_parameters", sp.S.Reals - sp.FiniteSet(1, -1.5), RATIONAL, "right", "a set, with a decimal"),
+    Case("observable_parameters", sp.Ne(a**2, 2), ROOTS, "right", "two irrational values"),
+    Case("observable_parameters", sp.Ne(sp.Abs(a), sp.sqrt(2)), ROOTS, "right", "an absolute value"),
+    Case("observable_parameters", sp.And(sp.Ne(a, sp.sqrt(2)), sp.Ne(a, -sp.sqrt(2))), ROOTS, "right", "irrational values, named"),
+    Case("observable_parameters", sp.Or(sp.Ne(a, 0), sp.Ne(b, 0)), TWO_OUTPUTS, "right", "a single point left out"),
+    Case("observable_parameters", sp.Ne(1 - a + b, 0), CURVE, "right", "a line left out"),
+    Case("observable_parameters", sp.Ne(a, b), MODES, "right", "different eigenvalues"),
+    Case("observable_parameters", True, ALWAYS, "right", "all values"),
+    Case("observable_parameters", w > 0, ALWAYS, "right", "all values that the data allow"),
+    Case("observable_parameters", False, NEVER, "right", "none"),
+    Case("observable_parameters", sp.Ne(a, 1), RATIONAL, "wrong", "the other value overlooked"),
+    Case("observable_parameters", sp.Ne(a, sp.sqrt(2)), ROOTS, "wrong", "the negative root overlooked"),
+    Case("observable_parameters", sp.And(sp.Ne(a**2, 2), sp.Ne(a**2, 3)), ROOTS, "wrong", "irrational values left out in vain"),
+    Case("observable_parameters", sp.And(sp.Ne(a, 1.414), sp.Ne(a, -1.414)), ROOTS, "wrong", "irrational values, rounded"),
+    Case("observable_parameters", True, ROOTS, "wrong", "the exceptional values overlooked"),
+    Case("observable_parameters", sp.And(sp.Ne(a, 0), sp.Ne(b, 0)), TWO_OUTPUTS, "wrong", "two lines in the place of a point"),
+    Case("observable_parameters", True, TWO_OUTPUTS, "wrong", "the point overlooked"),
+    Case("observable_parameters", sp.Ne(1 + a + b, 0), CURVE, "wrong", "a sign"),
+    Case("observable_parameters", sp.Or(sp.Ne(a - b, 1), sp.Eq(a, 2)), CURVE, "wrong", "a single point of the line taken along"),
+    Case("observable_parameters", sp.And(sp.Ne(a - b, 1), sp.Or(sp.Ne(a, 3), sp.Ne(b, 0))), CURVE, "wrong", "a point too many left out"),
+    Case("observable_parameters", a > b, MODES, "wrong", "half of the plane"),
+    Case("observable_parameters", ..., RATIONAL, "missing", "the untouched stub"),
+    Case("observable_parameters", 1, RATIONAL, "invalid", "the value alone"),
+    Case("observable_parameters", sp.Ne(sp.Symbol("gamma"), 1), RATIONAL, "invalid", "a symbol that the problem does not have"),
+    Case("unobservable_parameters", sp.Or(sp.Eq(a, 1), sp.Eq(a, -sp.Rational(3, 2))), RATIONAL, "right", "equations"),
+    Case("unobservable_parameters", {1, -1.5}, RATIONAL, "right", "a set of values"),
+    Case("unobservable_parameters", [sp.sqrt(2), -sp.sqrt(2)], ROOTS, "right", "a list of irrational values"),
+    Case("unobservable_parameters", sp.FiniteSet(1, -sp.Rational(3, 2)), RATIONAL, "right", "a finite set of SymPy"),
+    Case("unobservable_parameters", [], ALWAYS, "right", "none"),
+    Case("unobservable_parameters", sp.Eq(a, b), MODES, "right", "a line"),
+    Case("unobservable_parameters", [1], RATIONAL, "wrong", "one value alone"),
+    Case("unobservable_parameters", [sp.Eq(a, 1), sp.Eq(2 * a, -3)], RATIONAL, "wrong", "conditions in a list hold together"),
+    Case("unobservable_parameters", [1, -1.5, 2], RATIONAL, "wrong", "a value too many"),
+    Case("unobservable_parameters", sp.Ne(a, b), MODES, "wrong", "where it is observable"),
+    Case("unobservable_parameters", "alpha = 1", RATIONAL, "invalid", "text"),
+    Case("observability_matrix", [[1, 2], [6, 5]], ROW, "right", "nested lists"),
+    Case("observability_matrix", np.array([[1.0, 2.0], [6.0, 5.0]]), ROW, "right", "an array"),
+    Case("observability_matrix", M([[1, 2], [0, p], [6, 5], [3 * p, 2 * p]]), BOTH, "right", "two outputs, a plain symbol"),
+    Case("observability_matrix", M([[1, 6], [2, 5]]), ROW, "wrong", "the transpose"),
+    Case("observability_matrix", [[1, 2], [2, 5]], ROW, "wrong", "A times the vector for the row times A"),
+    Case("observability_matrix", [[1, 2], [6, 6]], ROW, "wrong", "one entry"),
+    Case("observability_matrix", M([[1, 2], [6, 5], [0, a], [3 * a, 2 * a]]), BOTH, "wrong", "output by output, not power by power"),
+    Case("observability_matrix", [[1, 2], [..., 5]], ROW, "missing", "an entry left open"),
+    Case("observability_matrix", [[1, 2]], ROW, "invalid", "a row too few"),
+    Case("observability_rank", 2, LOST, "right", "one motion unseen"),
+    Case("observability_rank", 3.0, CHAIN, "right", "full, as a float"),
+    Case("observability_rank", 3, LOST, "wrong", "taken for full"),
+    Case("observability_rank", 4, CHAIN, "wrong", "more than columns"),
+    Case("observability_rank", 2.5, LOST, "invalid", "not whole"),
+    Case("unseen_states", [[1, 0, -1]], LOST, "right", "a list of one vector"),
+    Case("unseen_states", [-2, 0, 2], LOST, "right", "the vector itself, another length"),
+    Case("unseen_states", M([1, 0, -1]), LOST, "right", "a column"),
+    Case("unseen_states", np.array([[0.707, 0, -0.707]]), LOST, "right", "decimals"),
+    Case("unseen_states", [M(u), M(v)], TWINS, "right", "as nullspace() gives them"),
+    Case("unseen_states", M([u, [1, w, -1, -w]]).T, TWINS, "right", "columns of a matrix, one with a parameter"),
+    Case("unseen_states", {tuple(u), (0, 1, 0, -1)}, TWINS, "right", "a set of tuples"),
+    Case("unseen_states", [], CHAIN, "right", "none"),
+    Case("unseen_states", sp.zeros(3, 0), CHAIN, "right", "none, as a matrix without columns"),
+    Case("unseen_states", [[1, 0, 1]], LOST, "wrong", "a vector that is seen"),
+    Case("unseen_states", [[0, 0, 0]], LOST, "wrong", "zero"),
+    Case("unseen_states", [], LOST, "wrong", "one overlooked"),
+    Case("unseen_states", [u], TWINS, "wrong", "one of two"),
+    Case("unseen_states", [u, v, [1, 1, -1, -1]], TWINS, "wrong", "dependent"),
+    Case("unseen_states", [[1, 0.02, -1]], LOST, "wrong", "the second digit off"),
+    Case("unseen_states", [[r, -1]], EQUAL, "right", "for every value of the parameter"),
+    Case("unseen_states", [[r * (1 + r**2), -1 - r**2]], EQUAL, "right", "a factor that is never zero"),
+    Case("unseen_states", [[1, -1 / r]], EQUAL, "wrong", "not defined at one value"),
+    Case("unseen_states", [[r**2 - 2 * r, 2 - r]], EQUAL, "wrong", "zero at one value"),
+    Case("unseen_states", [[1, 0, -1, 0]], LOST, "invalid", "four components"),
+    Case("unseen_states", sp.eye(2), LOST, "invalid", "a matrix of another order"),
+    Case("lost_eigenvalues", [0], LOST, "right", "a list"),
+    Case("lost_eigenvalues", 0, LOST, "right", "the number itself"),
+    Case("lost_eigenvalues", {sp.I * w, -sp.I * w}, TWINS, "right", "a pair that depends on a parameter"),
+    Case("lost_eigenvalues", sp.FiniteSet(sp.I * w, -sp.I * w), TWINS, "right", "a finite set"),
+    Case("lost_eigenvalues", {sp.I * w: 2, -sp.I * w: 2}, TWINS, "right", "as eigenvals() gives them"),
+    Case("lost_eigenvalues", sp.S.EmptySet, CHAIN, "right", "none"),
+    Case("lost_eigenvalues", np.array([1.41, -1.41]), (ROOTS[0], M([[0, 0]])), "right", "decimals"),
+    Case("lost_eigenvalues", [0, 2], LOST, "wrong", "an eigenvalue that is seen"),
+    Case("lost_eigenvalues", [1], LOST, "wrong", "no eigenvalue"),
+    Case("lost_eigenvalues", [], LOST, "wrong", "overlooked"),
+    Case("lost_eigenvalues", [sp.I * w], TWINS, "wrong", "one of the pair"),
+    Case("lost_eigenvalues", [w, -w], TWINS, "wrong", "real in the place of imaginary"),
+    Case("lost_eigenvalues", [1.4, -1.4], (ROOTS[0], M([[0, 0]])), "wrong", "two digits"),
+    Case("lost_eigenvalues", "none", CHAIN, "invalid", "a word"),
+]
+LIMITS = [
+    "With two parameters or more, conditions are compared on 24 lines, at every boundary of the condition and of the truth there "
+    "(irrational ones on 6 of them) and between; for two parameters on lines through isolated exceptional points and crossings of two "
+    "boundaries with a rational coordinate too. What none of these lines meets passes.",
+    "A condition with other terms than rational functions, roots and absolute values (a logarithm, say) is also asked at 60 more points "
+    "a line; an exceptional value that such a term alone has passes unless one of the points hits it.",
+    "Matrices, vectors and eigenvalues with parameters are judged at six rational values in general position: what holds at other, "
+    "exceptional, values is not asked; but a basis with one parameter has to be one at the rational values too where it might fail.",
+    "The numbers of the data have to be rational.",
+]

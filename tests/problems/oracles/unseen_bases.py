@@ -1,0 +1,27 @@
+"""Oracles of bases of unseen states: a basis may be any other one of the same space."""
+
+import sympy as sp
+
+
+def unseen_where_lost(mutant, reference, A, H, parameter):
+    """At the same values, bases of what the rows H, H A, ... send to zero there."""
+    if not isinstance(mutant, dict) or {sp.sympify(value) for value in mutant} != {sp.sympify(value) for value in reference}:
+        return False
+    return all(_is_basis(basis, A.subs(parameter, value), H.subs(parameter, value)) for value, basis in mutant.items())
+
+
+def mechanical_unseen_states(mutant, reference, M, D, K, H1, H2):
+    """A basis for the equations solved for the accelerations."""
+    A = sp.Matrix(sp.BlockMatrix([[sp.zeros(M.rows), sp.eye(M.rows)], [-M.LUsolve(K), -M.LUsolve(D)]]))
+    return _is_basis(mutant, A, sp.Matrix.hstack(H1, H2))
+
+
+def _is_basis(vectors, A, H):
+    if not isinstance(vectors, (list, tuple)) or any(not isinstance(v, (list, tuple)) or len(v) != A.rows for v in vectors):
+        return False
+    columns = sp.Matrix(A.rows, len(vectors), lambda i, j: vectors[j][i])
+    N = sp.Matrix.vstack(*(H*A**k for k in range(A.rows)))
+    return columns.rank() == columns.cols == A.rows - N.rank() and (N*columns).expand().is_zero_matrix
+
+
+ORACLES = {"unseen_where_lost": unseen_where_lost, "mechanical_unseen_states": mechanical_unseen_states}

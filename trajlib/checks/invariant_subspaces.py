@@ -1,0 +1,100 @@
+"""States that an output never shows, exactly: the largest subspace of ker H that A maps into itself.
+
+A motion x' = A x keeps z = H x equal to zero for all time exactly if it starts in this subspace. It is found by leaving out of
+ker H what A carries away, again and again, in exact elimination: entries are fractions, or residues at an irrational value of a
+parameter (`parameter_places`). What a control cannot reach is the same for the transposed matrices.
+"""
+
+from fractions import Fraction
+
+import numpy as np
+import sympy as sp
+
+ZERO, ONE = Fraction(0), Fraction(1)
+
+
+def unseen_subspace(A, H):
+    """A basis, a list of vectors, of the states from which H x stays zero; A and H are lists of rows."""
+    basis = kernel(H, len(A))
+    while basis:
+        images = [product(A, vector) for vector in basis]
+        # Which combinations of the basis stay in its span: those for which images * c = basis * d has a solution.
+        relations = kernel(list(zip(*images, *basis)), 2 * len(basis))
+        if len(relations) == len(basis):
+            break
+        basis = [combined(relation[:len(basis)], basis) for relation in relations]
+    return basis
+
+
+def restricted(A, basis):
+    """The matrix F, a list of rows, of A on an invariant subspace: A (basis) = (basis) F."""
+    size = len(basis)
+    rows, _ = echelon(list(zip(*basis, *(product(A, vector) for vector in basis))))
+    return [list(row[size:]) for row in rows[:size]]
+
+
+def kernel(rows, columns):
+    """A basis of the solutions of `rows` x = 0 in so many unknowns."""
+    reduced, pivots = echelon(rows)
+    basis = []
+    for free in sorted(set(range(columns)) - set(pivots)):
+        vector = [ZERO] * columns
+        vector[free] = ONE
+        for row, pivot in zip(reduced, pivots):
+            vector[pivot] = -row[free]
+        basis.append(vector)
+    return basis
+
+
+def echelon(rows):
+    """(rows, pivots): the reduced echelon form without its zero rows, and the columns of its pivots."""
+    left, done, pivots = [list(row) for row in rows], [], []
+    for column in range(len(left[0]) if left else 0):
+        chosen = next((row for row in left if row[column]), None)
+        if chosen is None:
+            continue
+        left.remove(chosen)
+        inverse = ONE / chosen[column]
+        chosen = [inverse * entry for entry in chosen]
+        left, done = ([[a - row[column] * b for a, b in zip(row, chosen)] if row[column] else row for row in part]
+                      for part in (left, done))
+        done.append(chosen)
+        pivots.append(column)
+    return done, pivots
+
+
+def product(rows, vector):
+    """The matrix with these rows times a vector."""
+    return [sum((a * x for a, x in zip(row, vector) if a and x), ZERO) for row in rows]
+
+
+def combined(weights, vectors):
+    """The sum of the vectors with these weights."""
+    return [sum((c * x for c, x in zip(weights, entries)), ZERO) for entries in zip(*vectors)]
+
+
+def characteristic_coefficients(rows):
+    """The coefficients of det(lambda E - rows), from the highest power down, by Leverrier's recursion."""
+    n, power, found = len(rows), None, [ONE]
+    for k in range(1, n + 1):
+        # power = rows * (power + found[-1] * E), with the first one being the matrix itself.
+        inner = [[(power[i][j] if power else ZERO) + (found[-1] if i == j else ZERO) for j in range(n)] for i in range(n)]
+        columns = [product(rows, column) for column in zip(*inner)]
+        power = [list(row) for row in zip(*columns)]
+        found.append(-sum((power[i][i] for i in range(n)), ZERO) / k)
+    return found
+
+
+def different_roots(coefficients):
+    """The different complex roots of a polynomial with fractions as coefficients; a multiple root comes once, without loss of digits."""
+    poly = sp.Poly([sp.Rational(c.numerator, c.denominator) for c in coefficients], sp.Symbol("s"))
+    simple = [float(c) for c in poly.sqf_part().all_coeffs()]
+    roots = np.roots(simple)
+    for _ in range(3):
+        roots = roots - np.polyval(simple, roots) / np.polyval(np.polyder(simple), roots)
+    return roots
+
+
+def to_floats(rows, columns):
+    """Rows of fractions as an array of floats, also where there is none of them."""
+    return np.array([[float(entry) for entry in row] for row in rows]).reshape(len(rows), columns)
