@@ -4,10 +4,7 @@ What a control cannot reach is what the output B^T y of y' = A^T y does not show
 there. So each function here takes a `Pair`, of (A, H) or of (A^T, B^T), and the `Side` with the words of its messages.
 """
 
-import functools
-import itertools
 from dataclasses import dataclass
-from fractions import Fraction
 
 import numpy as np
 import sympy as sp
@@ -16,7 +13,6 @@ from trajlib.checks import coercion
 from trajlib.checks.at_values import matrix_at, number_at
 from trajlib.checks.invariant_subspaces import characteristic_coefficients, different_roots, product, restricted, to_floats
 from trajlib.checks.pairs import compare_condition, place_text
-from trajlib.checks.parameter_places import allowed, places
 from trajlib.checks.verdict import Invalid, Wrong
 from trajlib.checks.wording import number_text, where_text
 
@@ -56,8 +52,8 @@ def judge_yes_no(answer, pair, side):
     if not pair.parameters:
         (unseen,) = pair.unseen
         if claim != (not unseen):
-            raise Wrong(f"there {_how_many(unseen, side)}" if unseen else side.none_free)
-        return f"there {_how_many(unseen, side)}" if unseen else side.none_free
+            raise Wrong(f"there {how_many(unseen, side)}" if unseen else side.none_free)
+        return f"there {how_many(unseen, side)}" if unseen else side.none_free
 
     def told(place, claimed, dimension):
         return f"for some values of the parameters there {_number_of(dimension, side)}"
@@ -108,7 +104,7 @@ def judge_rank(answer, pair, side):
             raise Wrong(f"{claim} cannot be the rank of a matrix with {pair.order} {'columns' if side is OUTPUT else 'rows'}")
         raise Wrong(f"the order less the rank is the number of {side.several_free}; by your rank it would be {pair.order - claim}, and "
                     f"there are {'more' if len(unseen) > pair.order - claim else 'fewer'}")
-    return f"there {_how_many(unseen, side)}" if unseen else side.none_free
+    return f"there {how_many(unseen, side)}" if unseen else side.none_free
 
 
 def judge_kalman(claim, pair, side):
@@ -169,89 +165,6 @@ def compare_eigenvalues(answer, parameters, samples, true, whole, side):
     return f"at each of them there is {_a(side.vector)}, and at no other {side.spectrum}"
 
 
-def judge_basis(answer, pair, side):
-    """A basis of the unseen states, as a list of vectors or as the columns of a matrix."""
-    n = pair.order
-    vectors = as_vectors(answer, n, pair.parameters)
-    tolerance = tolerance_of(*vectors)
-    for (values, place), unseen in [*zip(pair.samples, pair.unseen), *_where_vectors_fail(vectors, pair)]:
-        A, H = (to_floats(rows, n) for rows in pair.at(place))
-        said = np.array([[number_at(entry, values, f"component {i} of your vector {k}") for i, entry in enumerate(vector, 1)]
-                         for k, vector in enumerate(vectors, 1)]).reshape(len(vectors), n)
-        space, _ = np.linalg.qr(to_floats(unseen, n).T)
-        for k, vector in enumerate(said, 1):
-            size = np.linalg.norm(vector)
-            if size == 0:
-                raise Wrong(f"your vector {k} is zero{where_text(values)}; a basis consists of vectors that are not")
-            if not np.linalg.norm(vector - space @ (space.T @ vector)) <= tolerance * size:
-                raise Wrong(f"{_seen(A, H, vector, k)}{where_text(values)}")
-        if len(said) and np.linalg.svd(said / np.linalg.norm(said, axis=1)[:, None], compute_uv=False)[-1] < 1e-2 * tolerance:
-            raise Wrong(f"your {len(said)} vectors are linearly dependent{where_text(values)}")
-        if len(said) < len(unseen):
-            raise Wrong(f"there {_how_many(unseen, side)}{where_text(values)}; your answer has {len(said) or 'none'} of them")
-    return "from each of them z stays zero, they are independent, and there are no more" if vectors else side.none_free
-
-
-def _where_vectors_fail(vectors, pair):
-    """Rational values of a single parameter at which the vectors are not defined or become dependent: a basis that serves for
-    all values has to serve there too."""
-    if len(pair.parameters) != 1 or not vectors or not all(e.is_rational_function(*pair.parameters) for v in vectors for e in v):
-        return []
-    (parameter,) = pair.parameters
-    columns = sp.Matrix(vectors).T.applyfunc(lambda e: sp.together(sp.nsimplify(e, rational=True)))
-    if columns.has(sp.nan, sp.zoo, sp.oo):
-        return []  # undefined at every sample as well
-    minors = [sp.numer(sp.together(columns.extract(list(rows), list(range(columns.cols))).det(method="berkowitz")))
-              for rows in itertools.combinations(range(columns.rows), columns.cols)]
-    critical = [sp.Poly(e, parameter, domain="QQ") for e in (*map(sp.denom, columns), functools.reduce(sp.gcd, minors))]
-    critical = [poly for poly in critical if not poly.is_ground]
-    found = places((Fraction(0),), (Fraction(1),), critical, irrational=False)
-    at_roots = [place for place in found if allowed(place, pair.parameters) and not all(map(place.value, critical))]
-    return [(({parameter: sp.Rational(*place.coordinates[0].as_integer_ratio())}, place), unseen) for place in at_roots
-            if (unseen := pair.unseen_at(place)) is not None]
-
-
-def as_vectors(answer, n, parameters):
-    """A list of vectors from a list, a set, a matrix whose columns they are; none of them from anything empty."""
-    if isinstance(answer, np.ndarray) and answer.ndim == 2:
-        answer = sp.Matrix(*answer.shape, [sp.sympify(x) for x in answer.ravel().tolist()])
-    if isinstance(answer, np.ndarray):
-        answer = answer.tolist()  # one vector, or none
-    if isinstance(answer, sp.MatrixBase):
-        if 0 in answer.shape:
-            return []
-        if n not in answer.shape:
-            raise Invalid(f"expected a list of vectors with {n} components each, or a matrix whose columns they are; the shape of yours is "
-                          f"{answer.shape}")
-        if answer.rows != n:
-            answer = answer.T  # an array made of a list of vectors has them as rows
-        answer = [list(answer.col(j)) for j in range(answer.cols)]
-    if answer is sp.S.EmptySet:
-        return []
-    if not isinstance(answer, (list, tuple, set, frozenset, sp.FiniteSet, sp.Tuple)):
-        raise Invalid(f"expected a list of vectors with {n} components each")
-    parts = list(answer)
-    if parts and n > 1 and all(isinstance(part, (int, float, complex, sp.Expr)) and not isinstance(part, bool) for part in parts):
-        parts = [parts]  # a single vector, written without the outer list
-    if n > 1 and len(parts) == n and all(isinstance(part, (list, tuple)) and len(part) == 1 for part in parts):
-        parts = [[part[0] for part in parts]]  # a single column
-    return [coercion.as_expressions(part, parameters, n) for part in parts]
-
-
-def _seen(A, H, vector, k):
-    """Why a vector does not belong: the first derivative of z that is not zero."""
-    state, scale = vector, np.linalg.norm(vector)
-    for order in range(len(vector)):
-        z = H @ state
-        for j, value in enumerate(z):
-            if abs(value) > 1e-4 * scale * max(np.linalg.norm(H[j]), 1e-30) * max(1.0, np.linalg.norm(A)) ** order:
-                output = "z" if len(H) == 1 else f"z{j + 1}"
-                name = output + "'" * order if order < 4 else f"the derivative of {output} of order {order}"
-                return f"the motion from your vector {k} gives {name} = {number_text(value)} at t = 0, not 0"
-        state = A @ state
-    return f"the motion from your vector {k} does not keep z = 0 to three digits"
-
-
 def _among(answer, parameter):
     """The condition that a parameter has one of the values in a list or a set; other answers as they are."""
     if isinstance(answer, (list, tuple, set, frozenset)) and answer and not any(
@@ -292,7 +205,7 @@ def _differing_rows(said, true, tolerance):
     return np.flatnonzero(~(abs(said - true).max(axis=1) <= tolerance * size))
 
 
-def _how_many(unseen, side):
+def how_many(unseen, side):
     return _number_of(len(unseen), side)
 
 

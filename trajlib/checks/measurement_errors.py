@@ -13,7 +13,8 @@ from trajlib.checks import coercion
 from trajlib.checks.at_values import compare_at, matrix_at
 from trajlib.checks.dual_questions import Side, judge_region, judge_yes_no, tolerance_of
 from trajlib.checks.invariant_subspaces import echelon, product, to_floats
-from trajlib.checks.known_starts import judge_starts, judge_where_lost, starts_of
+from trajlib.checks.known_starts import starts_of
+from trajlib.checks.unseen_bases import judge_basis, judge_where_lost
 from trajlib.checks.verdict import Invalid, Wrong, judged
 from trajlib.checks.wording import number_text, where_text
 
@@ -56,13 +57,13 @@ def amplitude_found_parameters(answer, A, H, S, c, start, parameters):
 @judged
 def unseen_with_error(answer, A, H, S, c, start):
     """A basis of the vectors (x1(0), ..., xn(0), C) that give z = 0 for all time; an empty list if zero is the only one."""
-    return judge_starts(answer, _starts(A, H, S, c, start))
+    return judge_basis(answer, _starts(A, H, S, c, start), BOTH)
 
 
 @judged
 def unseen_with_error_where_lost(answer, A, H, S, c, start, parameter):
     """Every real value of the parameter at which not all is found, as {value: basis of the vectors (x(0), C) with z = 0}."""
-    return judge_where_lost(answer, _starts(A, H, S, c, start, (parameter,)), parameter,
+    return judge_where_lost(answer, _starts(A, H, S, c, start, (parameter,)), BOTH,
                             lambda value: _starts(*(matrix.subs(parameter, value) for matrix in (A, H, S, c)), start))
 
 

@@ -43,7 +43,7 @@ def mechanical_controllable_parameters(answer, M, D, K, L, parameters):
 
     Where M becomes singular the order of the equations drops; what is said of these values does not count.
     """
-    return judge_region(answer, _first_order(*_transposed(M, D, K, L), parameters), CONTROL, holds=True)
+    return judge_region(answer, first_order(*_transposed(M, D, K, L), parameters), CONTROL, holds=True)
 
 
 @judged
@@ -66,7 +66,7 @@ def mechanical_uncontrolled_eigenvalues(answer, M, D, K, L, parameters=()):
 
 def _judge_yes_no(answer, system, parameters, side):
     if parameters:
-        return judge_yes_no(answer, _first_order(*system, parameters), OUTPUT if side is SEEN else CONTROL)
+        return judge_yes_no(answer, first_order(*system, parameters), OUTPUT if side is SEEN else CONTROL)
     claim = coercion.as_yes_no(answer)
     lost, _ = _spectra(system, {})
     reason = f"the rank of {side.pencil} falls at {len(lost)} value{'s' if len(lost) > 1 else ''} of lambda" if len(lost) else \
@@ -107,7 +107,7 @@ def _transposed(M, D, K, L):
     return M.T, D.T, K.T, L.T, sp.zeros(L.cols, L.rows)
 
 
-def _first_order(M, D, K, H1, H2, parameters):
+def first_order(M, D, K, H1, H2, parameters):
     """The `Pair` in the state (x, x')."""
     n, inverse = M.rows, M.inv(method="ADJ")
     A = sp.zeros(n).row_join(sp.eye(n)).col_join((-inverse * K).row_join(-inverse * D))

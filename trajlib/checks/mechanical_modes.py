@@ -7,9 +7,10 @@ import dataclasses
 
 import sympy as sp
 
-from trajlib.checks.dual_questions import OUTPUT, compare_eigenvalues, judge_basis
+from trajlib.checks.dual_questions import OUTPUT, compare_eigenvalues
 from trajlib.checks.invariant_subspaces import characteristic_coefficients, different_roots
-from trajlib.checks.pairs import pair_of
+from trajlib.checks.mechanical import first_order
+from trajlib.checks.unseen_bases import judge_basis
 from trajlib.checks.verdict import judged
 
 #: A root is a value at which the square matrix loses its rank: the question of Theorem 2.5 with an output that shows nothing.
@@ -20,7 +21,7 @@ ALONE = dataclasses.replace(OUTPUT, pencil="M lambda^2 + D lambda + K", spectrum
 @judged
 def mechanical_roots(answer, M, D, K):
     """The different roots of det(M lambda^2 + D lambda + K), also complex ones."""
-    pair = _in_state(M, D, K, sp.zeros(1, M.cols), sp.zeros(1, M.cols))
+    pair = first_order(M, D, K, sp.zeros(1, M.cols), sp.zeros(1, M.cols), ())
     ((values, place),) = pair.samples
     roots = different_roots(characteristic_coefficients(pair.at(place)[0]))
     compare_eigenvalues(answer, (), [values], [roots], [roots], ALONE)
@@ -30,10 +31,4 @@ def mechanical_roots(answer, M, D, K):
 @judged
 def mechanical_unseen_states(answer, M, D, K, H1, H2):
     """A basis of the initial states (x, x') whose motions give z = H1 x + H2 x' = 0 for all time; an empty list if zero is the only one."""
-    return judge_basis(answer, _in_state(M, D, K, H1, H2), OUTPUT)
-
-
-def _in_state(M, D, K, H1, H2):
-    inverse = M.inv(method="ADJ")
-    A = sp.zeros(M.rows).row_join(sp.eye(M.rows)).col_join((-inverse * K).row_join(-inverse * D))
-    return pair_of(A, H1.row_join(H2))
+    return judge_basis(answer, first_order(M, D, K, H1, H2, ()), OUTPUT)

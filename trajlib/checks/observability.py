@@ -5,8 +5,9 @@ into itself, exactly (`invariant_subspaces`), at every exceptional value of a pa
 """
 
 from trajlib.checks import coercion
-from trajlib.checks.dual_questions import OUTPUT, judge_basis, judge_eigenvalues, judge_kalman, judge_rank, judge_region, judge_yes_no
+from trajlib.checks.dual_questions import OUTPUT, judge_eigenvalues, judge_kalman, judge_rank, judge_region, judge_yes_no
 from trajlib.checks.pairs import pair_of
+from trajlib.checks.unseen_bases import judge_basis, judge_where_lost
 from trajlib.checks.verdict import judged
 
 
@@ -45,9 +46,19 @@ def observability_rank(answer, A, H):
 def unseen_states(answer, A, H, parameters=()):
     """A basis of the initial states whose motions give z = 0 for all time; an empty list if zero is the only one.
 
-    With parameters: for their values in general position, as the assumptions allow.
+    With parameters: for their values in general position, as the assumptions allow; with one, also where the answer might fail.
     """
     return judge_basis(answer, pair_of(A, H, parameters), OUTPUT)
+
+
+@judged
+def unseen_where_lost(answer, A, H, parameter):
+    """Every real value of the parameter for which the system is not observable, as {value: basis of the unseen states}.
+
+    For systems that lose observability at finitely many values, all of them rational.
+    """
+    return judge_where_lost(answer, pair_of(A, H, (parameter,)), OUTPUT,
+                            lambda value: pair_of(A.subs(parameter, value), H.subs(parameter, value)))
 
 
 @judged

@@ -38,6 +38,7 @@ class Pair:
         if A.rows != A.cols or H.cols != A.cols:
             raise ValueError(f"matrices of the shapes {A.shape} and {H.shape} make no system")
         self.order, self.outputs, self.parameters = A.rows, H.rows, list(parameters)
+        self.unknowns = self.order  # what is asked for is the whole state
         self._quotients = [[self._quotient(entry) for entry in matrix] for matrix in (A, H)]
 
     def _quotient(self, entry):
@@ -62,6 +63,10 @@ class Pair:
         """A basis of the states from which the output stays zero, or None where an entry is not defined."""
         rows = self.at(place)
         return None if rows is None else unseen_subspace(*rows)
+
+    def state_of(self, vector):
+        """The initial state that a vector of the unknowns stands for."""
+        return vector
 
     @functools.cached_property
     def samples(self):
@@ -95,25 +100,27 @@ class Pair:
     @functools.cached_property
     def _minors(self):
         """The common factor of combinations of the minors of Kalman's matrix of order n, then what each has besides."""
-        n, rows = self.order, []
-        A, H = (self._cleared(quotients) for quotients in self._quotients)
-        block = H
-        for _ in range(n):
-            rows.append(block)
-            block = block * A
-        kalman = rows[0].vstack(*rows[1:])
-        if self.outputs == 1:
-            return [self._determinant(kalman)]
+        told, n = self._derivative_rows(), self.unknowns
+        if told.shape[0] == n:
+            return [self._determinant(told)]
         random = Random(3)
         found = []
         for _ in range(2):
-            mix = DomainMatrix([[kalman.domain(random.randint(-9, 9)) for _ in range(kalman.shape[0])] for _ in range(n)],
-                               (n, kalman.shape[0]), kalman.domain)
-            found.append(self._determinant(mix * kalman))
+            mix = DomainMatrix([[told.domain(random.randint(-9, 9)) for _ in range(told.shape[0])] for _ in range(n)],
+                               (n, told.shape[0]), told.domain)
+            found.append(self._determinant(mix * told))
         if any(poly.is_zero for poly in found):
             return [found[0] + found[1]]
         common = found[0].gcd(found[1])
         return [common, *(poly.quo(common) for poly in found)]
+
+    def _derivative_rows(self):
+        """Kalman's matrix: what the output and its derivatives at t = 0 tell of the unknowns, without denominators."""
+        A, H = (self._cleared(quotients) for quotients in self._quotients)
+        rows = [H]
+        while len(rows) < self.order:
+            rows.append(rows[-1] * A)
+        return rows[0].vstack(*rows[1:])
 
     def _cleared(self, quotients):
         """The matrix times its common denominator, over the ring of polynomials."""

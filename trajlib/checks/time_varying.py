@@ -14,7 +14,8 @@ from scipy.linalg import expm
 from trajlib.checks import coercion
 from trajlib.checks.at_values import compare_at, matrix_at, spread, value_at
 from trajlib.checks.dual_questions import OUTPUT, judge_region, tolerance_of
-from trajlib.checks.known_starts import judge_where_lost, starts_of
+from trajlib.checks.known_starts import starts_of
+from trajlib.checks.unseen_bases import judge_where_lost
 from trajlib.checks.verdict import Wrong, judged
 from trajlib.checks.wording import number_text, rounded_text
 
@@ -106,7 +107,7 @@ def varying_observable_parameters(answer, A, H, time, parameters):
 @judged
 def varying_unseen_where_lost(answer, A, H, time, parameter):
     """Every real value of the parameter for which the system is not observable, as {value: basis of the unseen initial states}."""
-    return judge_where_lost(answer, _starts(A, H, time, (parameter,)), parameter,
+    return judge_where_lost(answer, _starts(A, H, time, (parameter,)), OUTPUT,
                             lambda value: _starts(A.subs(parameter, value), H.subs(parameter, value), time))
 
 
