@@ -1,9 +1,12 @@
-"""Canonical forms by observation (2.5) and by control (2.4), and the changes of variables that lead to them.
+"""Canonical forms by observation (2.5) and by control (2.4), and the changes of variables that lead to them; the matrix in the basis
+b, A b, A^2 b, ...
 
 A form is judged by its shape and by its characteristic polynomial; a change of variables by what it makes of the equations. The
-form by control is the other one of the transposed matrix, with rows and columns in reverse order.
+form by control is the other one of the transposed matrix, with rows and columns in reverse order; the matrix in the basis of the
+chain is the form by observation with rows and columns in reverse order.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -19,19 +22,22 @@ from trajlib.checks.wording import number_text, where_text
 
 @dataclass(frozen=True)
 class _Form:
-    """The words of one of the two forms; `place` names the entry that stands at (i, j) of the form by observation of order n."""
+    """The words of one of the forms; `place` names the entry that stands at (i, j) of the form by observation of order n."""
 
-    number: str
-    other: str
+    shape: str
     ones_and_zeros: str
-    flipped: bool
-
-    def place(self, i, j, n):
-        return f"({n - j}, {n - i})" if self.flipped else f"({i + 1}, {j + 1})"
+    place: Callable
+    relatives: tuple  # what a matrix is that has the shape when flipped, when transposed, when its rows and columns are reversed
 
 
-BY_OBSERVATION = _Form("(2.5)", "(2.4)", "ones above the diagonal and zeros elsewhere, but for the first column", False)
-BY_CONTROL = _Form("(2.4)", "(2.5)", "ones above the diagonal and zeros elsewhere, but for the last row", True)
+_BELOW = "your matrix has its ones below the diagonal"
+BY_OBSERVATION = _Form("the shape (2.5)", "ones above the diagonal and zeros elsewhere, but for the first column",
+                       lambda i, j, n: (i + 1, j + 1), ("this has the shape (2.4)", _BELOW, _BELOW))
+BY_CONTROL = _Form("the shape (2.4)", "ones above the diagonal and zeros elsewhere, but for the last row",
+                   lambda i, j, n: (n - j, n - i), ("this has the shape (2.5)", _BELOW, _BELOW))
+OF_CHAIN = _Form("the shape that A g^i = g^(i+1) gives", "ones below the diagonal and zeros elsewhere, but for the last column",
+                 lambda i, j, n: (n - i, n - j), ("your matrix has its coefficients in the first row", "this has the shape (2.4)",
+                                                  "this has the shape (2.5)"))
 
 
 @judged
@@ -64,6 +70,18 @@ def controller_canonical_basis(answer, A, B, parameters=()):
     return _judge_change(claim.T[::-1, :], pair_of(A.T, B.T, parameters), said, by_rows=False)
 
 
+@judged
+def chain_basis_matrix(answer, A, B, parameters=()):
+    """The matrix of a controllable system with one control in the basis g^1 = b, g^2 = A b, ..., g^n = A^(n-1) b.
+
+    Column i holds the coordinates of A g^i: ones below the diagonal, and the last column as the eigenvalues of A demand.
+    """
+    claim, pair = coercion.as_matrix(answer, parameters, A.shape), pair_of(A.T, B.T, parameters)
+    if pair.outputs != 1 or any(pair.unseen):
+        raise ValueError("b, A b, A^2 b, ... are no basis")
+    return judge_form(claim[::-1, ::-1], pair, OF_CHAIN)
+
+
 def judge_form(claim, pair, form):
     """Shape and characteristic polynomial of a matrix that is to be the form by observation of the pair's A."""
     n, tolerance = pair.order, tolerance_of(claim)
@@ -77,22 +95,22 @@ def judge_form(claim, pair, form):
             at = max((0, 1, -1, 2, -2, 3, 5), key=lambda x: min(abs(np.polyval(own - true, x)), 0.5 * max(abs(own - true))))
             raise Wrong(f"the characteristic polynomials differ{where_text(values)}: at lambda = {at} that of A is "
                         f"{number_text(np.polyval(true, at))}, that of your matrix {number_text(np.polyval(own, at))}")
-    return f"it has the shape {form.number} and the characteristic polynomial of A"
+    return f"it has {form.shape} and the characteristic polynomial of A"
 
 
 def shape_of_form(said, tolerance, form, where):
-    """Raise `Wrong` unless a matrix of numbers has ones above the diagonal and zeros outside its first column."""
+    """Raise `Wrong` unless a matrix of numbers, turned so that it should be the form by observation, has ones above the diagonal and
+    zeros outside its first column."""
     n = len(said)
     pattern = np.eye(n, k=1)
     if _has_shape(said, pattern, tolerance):
         return
-    if _has_shape(said.T[::-1, ::-1], pattern, tolerance):
-        raise Wrong(f"this has the shape {form.other}; asked is the shape {form.number}{where}: {form.ones_and_zeros}")
-    if _has_shape(said.T, pattern, tolerance) or _has_shape(said[::-1, ::-1], pattern, tolerance):
-        raise Wrong(f"your matrix has its ones below the diagonal{where}; the shape {form.number} has {form.ones_and_zeros}")
+    for view, relative in zip((said.T[::-1, ::-1], said.T, said[::-1, ::-1]), form.relatives):
+        if _has_shape(view, pattern, tolerance):
+            raise Wrong(f"{relative}{where}; asked is {form.shape}: {form.ones_and_zeros}")
     off = abs(said - pattern) * (np.arange(n) > 0)
-    i, j = np.unravel_index(np.argmax(off), off.shape)
-    raise Wrong(f"the entry {form.place(i, j, n)} of your matrix is {number_text(said[i, j])}{where}; the shape {form.number} has "
+    i, j = map(int, np.unravel_index(np.argmax(off), off.shape))
+    raise Wrong(f"the entry {form.place(i, j, n)} of your matrix is {number_text(said[i, j])}{where}; {form.shape} has "
                 f"{form.ones_and_zeros}")
 
 

@@ -3,6 +3,7 @@
 from trajlib.checks import coercion
 from trajlib.checks.dual_questions import CONTROL, judge_eigenvalues, judge_kalman, judge_rank, judge_region, judge_yes_no
 from trajlib.checks.pairs import pair_of
+from trajlib.checks.unseen_bases import judge_basis, judge_where_lost
 from trajlib.checks.verdict import judged
 
 
@@ -29,6 +30,25 @@ def controllability_matrix(answer, A, B, parameters=()):
 def controllability_rank(answer, A, B):
     """The rank of W: the order of the system less the number of independent combinations of x that no control changes."""
     return judge_rank(answer, pair_of(A.T, B.T), CONTROL)
+
+
+@judged
+def uncontrolled_combinations(answer, A, B, parameters=()):
+    """A basis of the rows w whose combinations w x of the coordinates no control changes; an empty list if every one is changed.
+
+    With parameters: for their values in general position, as the assumptions allow; with one, also where the answer might fail.
+    """
+    return judge_basis(answer, pair_of(A.T, B.T, parameters), CONTROL)
+
+
+@judged
+def uncontrolled_where_lost(answer, A, B, parameter):
+    """Every real value of the parameter for which the system is not controllable, as {value: basis of the rows w}.
+
+    For systems that lose controllability at finitely many values, all of them rational.
+    """
+    return judge_where_lost(answer, pair_of(A.T, B.T, (parameter,)), CONTROL,
+                            lambda value: pair_of(A.T.subs(parameter, value), B.T.subs(parameter, value)))
 
 
 @judged

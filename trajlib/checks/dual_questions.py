@@ -4,6 +4,7 @@ What a control cannot reach is what the output B^T y of y' = A^T y does not show
 there. So each function here takes a `Pair`, of (A, H) or of (A^T, B^T), and the `Side` with the words of its messages.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -15,6 +16,20 @@ from trajlib.checks.invariant_subspaces import characteristic_coefficients, diff
 from trajlib.checks.pairs import compare_condition, place_text
 from trajlib.checks.verdict import Invalid, Wrong
 from trajlib.checks.wording import number_text, where_text
+
+
+def _output_shows(k, order, number, value):
+    """That a motion is seen: the first derivative of an output that is not zero; `number` is empty for a single output."""
+    name = f"z{number}" + "'" * order if order < 4 else f"the derivative of z{number} of order {order}"
+    return f"the motion from your vector {k} gives {name} = {value} at t = 0, not 0"
+
+
+def _control_changes(k, order, number, value):
+    """That a combination w x is changed: the first of its derivatives that holds the control."""
+    power = "" if order == 0 else "A " if order == 1 else f"A^{order} "
+    which = "the first derivative" if order == 0 else f"the derivative of order {order + 1}"
+    return (f"the control u{number} changes your combination {k}: it enters {which} of w x with the coefficient w {power}b{number} = "
+            f"{value}, not 0")
 
 
 @dataclass(frozen=True)
@@ -31,6 +46,10 @@ class Side:
     pencil: str
     vector: str  # that shows the loss of an eigenvalue
     spectrum: str = "eigenvalue of A"
+    left: str = "what is unseen"  # all that is left over, and why a basis of it is one
+    basis_right: str = "from each of them z stays zero, they are independent, and there are no more"
+    shows: Callable = _output_shows  # why a vector does not belong
+    shows_little: str = "the motion from your vector {k} does not keep z = 0 to three digits"
 
 
 OUTPUT = Side("observable", "not observable", "independent initial state with z = 0 for all time", "independent initial states with z = 0 "
@@ -38,7 +57,9 @@ OUTPUT = Side("observable", "not observable", "independent initial state with z 
               "eigenvector v of A with H v = 0")
 CONTROL = Side("controllable", "not controllable", "independent combination of the coordinates that no control changes",
                "independent combinations of the coordinates that no control changes", "every combination of the coordinates is changed by "
-               "some control", "W", "column", "(A - lambda E, B)", "row w with w A = lambda w and w B = 0")
+               "some control", "W", "column", "(A - lambda E, B)", "row w with w A = lambda w and w B = 0", left="what no control changes",
+               basis_right="no control changes any of them, they are independent, and there are no more", shows=_control_changes,
+               shows_little="a control changes your combination {k}, though little")
 
 
 def tolerance_of(*answers):
@@ -77,9 +98,12 @@ def judge_region(answer, pair, side, holds):
 
     def told(place, claimed, dimension):
         told = f"there {_number_of(dimension, side)}" if dimension else side.none_free
-        if len(pair.parameters) == 1 and claimed == holds and dimension:
-            # The value itself would be the answer.
-            return (f"your condition {'holds' if claimed else 'does not hold'} at a value of {pair.parameters[0]} where the system is "
+        if claimed == holds and dimension:
+            # An exceptional value itself would be the answer: one parameter of those it depends on stays unsaid.
+            hidden = next((p for p in pair.parameters if any(p in poly.free_symbols for poly in pair.boundaries)), pair.parameters[0])
+            shown = [(p, x) for p, x in zip(pair.parameters, place.numbers()) if p != hidden]
+            others = "".join(f"with {p} = {float(x):.4g} " for p, x in shown[:1]) + "".join(f"and {p} = {float(x):.4g} " for p, x in shown[1:])
+            return (f"{others}your condition {'holds' if claimed else 'does not hold'} at a value of {hidden} where the system is "
                     f"{side.fails}: {told}")
         return (f"at {place_text(pair.parameters, place)} your condition {'holds' if claimed else 'does not hold'}, yet the system is "
                 f"{side.fails if dimension else side.holds} there: {told}")

@@ -19,12 +19,11 @@ ALONE = dataclasses.replace(OUTPUT, pencil="M lambda^2 + D lambda + K", spectrum
 
 
 @judged
-def mechanical_roots(answer, M, D, K):
-    """The different roots of det(M lambda^2 + D lambda + K), also complex ones."""
-    pair = first_order(M, D, K, sp.zeros(1, M.cols), sp.zeros(1, M.cols), ())
-    ((values, place),) = pair.samples
-    roots = different_roots(characteristic_coefficients(pair.at(place)[0]))
-    compare_eigenvalues(answer, (), [values], [roots], [roots], ALONE)
+def mechanical_roots(answer, M, D, K, parameters=()):
+    """The different roots of det(M lambda^2 + D lambda + K), also complex ones; with parameters for their values in general position."""
+    pair = first_order(M, D, K, sp.zeros(1, M.cols), sp.zeros(1, M.cols), parameters)
+    roots = [different_roots(characteristic_coefficients(pair.at(place)[0])) for _, place in pair.samples]
+    compare_eigenvalues(answer, pair.parameters, [values for values, _ in pair.samples], roots, roots, ALONE)
     return "the determinant vanishes at each of them and nowhere else"
 
 

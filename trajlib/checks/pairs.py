@@ -159,11 +159,13 @@ def compare_condition(answer, pair, holds_for, told):
 
 
 def _crossings(boundaries, parameters):
-    """Lines through the rational points of a plane where two boundaries cross: a claim may make an exception of such a point."""
+    """Lines through rational points of a plane where boundaries may hide an exception: where two cross, or one shrinks to a point."""
     if len(parameters) != 2:
         return
     factors = sorted({factor for poly in boundaries for factor, _ in poly.factor_list()[1]}, key=lambda poly: str(poly.as_expr()))
-    for one, other in itertools.combinations(factors, 2):
+    # At an isolated point of a curve, which no other line hits, its derivative vanishes too.
+    slopes = [(factor, factor.diff(parameters[0])) for factor in factors if factor.total_degree() > 1]
+    for one, other in [*itertools.combinations(factors, 2), *((one, slope) for one, slope in slopes if not slope.is_zero)]:
         if one.total_degree() * other.total_degree() <= LARGEST_DEGREE:
             yield from lines_through_meetings(one, other, parameters)
 

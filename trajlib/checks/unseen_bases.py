@@ -1,4 +1,5 @@
-"""What is unseen, as bases: for a system, for all values of a parameter, or at the values at which observability is lost.
+"""What is unseen, as bases: for a system, for all values of a parameter, or at the values at which observability is lost. Of the
+transposed matrices: the combinations of the coordinates that no control changes.
 
 A condition such as alpha != 1 may be guessed; the states that stay unseen at the value left out may not. The truth is that of
 `pairs`: the largest invariant subspace in the kernel of the output, at every value where it can appear.
@@ -35,12 +36,12 @@ def judge_basis(answer, pair, side, at=None):
             if size == 0:
                 raise Wrong(f"your vector {k} is zero{where}; a basis consists of vectors that are not")
             if not np.linalg.norm(vector - space @ (space.T @ vector)) <= tolerance * size:
-                raise Wrong(f"{_seen(pair, place, vector, k)}{where}")
+                raise Wrong(f"{_seen(pair, place, vector, k, side)}{where}")
         if len(said) and np.linalg.svd(said / np.linalg.norm(said, axis=1)[:, None], compute_uv=False)[-1] < 1e-2 * tolerance:
             raise Wrong(f"your {len(said)} vectors are linearly dependent{where}")
         if len(said) < len(unseen):
             raise Wrong(f"there {how_many(unseen, side)}{where}; your answer has {len(said) or 'none'} of them")
-    return "from each of them z stays zero, they are independent, and there are no more" if vectors else side.none_free
+    return side.basis_right if vectors else side.none_free
 
 
 def _where_vectors_fail(vectors, pair):
@@ -89,19 +90,17 @@ def as_vectors(answer, n, parameters):
     return [coercion.as_expressions(part, parameters, n) for part in parts]
 
 
-def _seen(pair, place, vector, k):
-    """Why a vector does not belong: the first derivative of z that is not zero."""
+def _seen(pair, place, vector, k, side):
+    """Why a vector does not belong: the first of the numbers H A^k v, or w A^k B, that is not zero."""
     A, H = (to_floats(rows, pair.order) for rows in pair.at(place))
     state = pair.state_of(vector)
     scale, growth = max(np.linalg.norm(state), 1e-30), max(1.0, np.linalg.norm(A))
     for order in range(pair.order):
         for j, value in enumerate(H @ state):
             if abs(value) > 1e-4 * scale * growth**order * max(np.linalg.norm(H[j]), 1e-30):
-                output = "z" if len(H) == 1 else f"z{j + 1}"
-                name = output + "'" * order if order < 4 else f"the derivative of {output} of order {order}"
-                return f"the motion from your vector {k} gives {name} = {number_text(value)} at t = 0, not 0"
+                return side.shows(k, order, "" if len(H) == 1 else j + 1, number_text(value))
         state = A @ state
-    return f"the motion from your vector {k} does not keep z = 0 to three digits"
+    return side.shows_little.format(k=k)
 
 
 def judge_where_lost(answer, pair, side, at_value):
@@ -112,7 +111,7 @@ def judge_where_lost(answer, pair, side, at_value):
     (parameter,) = pair.parameters
     if not isinstance(answer, dict):
         example = [3, 1, *[0] * (pair.unknowns - 2)]
-        raise Invalid(f"expected a dictionary such as {{4: [{example}]}}, from each value to a basis of what is unseen there")
+        raise Invalid(f"expected a dictionary such as {{4: [{example}]}}, from each value to a basis of {side.left} there")
     lost, named = _values_where_lost(pair, parameter), {}
     for key, basis in answer.items():
         value = coercion.as_number(key)
@@ -127,7 +126,7 @@ def judge_where_lost(answer, pair, side, at_value):
                     "of them")
     for value, basis in named.items():
         judge_basis(basis, at_value(value), side, f" for {parameter} = {value}")
-    return f"at these values of the parameter and no others the system is {side.fails}, and the vectors are bases of what is unseen"
+    return f"at these values of the parameter and no others the system is {side.fails}, and the vectors are bases of {side.left}"
 
 
 def _values_where_lost(pair, parameter):

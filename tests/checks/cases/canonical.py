@@ -11,6 +11,8 @@ BY_OBSERVATION, BY_CONTROL = M([[0, 1, 0], [2, 0, 1], [2, 0, 0]]), M([[0, 1, 0],
 T = M([[1, 0, 0], [0, 1, 0], [-1, 1, 1]])
 P = M([[-1, 0, 1], [1, 1, 0], [1, 0, 0]])
 FREE = (M([[0, 1], [a, 1]]), M([[1, 1]]), [a])
+FREE_DRIVEN = (M([[0, 1], [a, 1]]), M([0, 1]), [a])
+W = M.hstack(*[DRIVEN[0]**k * DRIVEN[1] for k in range(3)])
 
 CASES = [
     Case("observer_canonical_matrix", BY_OBSERVATION, (PLANT,), "right", "a matrix"),
@@ -30,6 +32,20 @@ CASES = [
     Case("controller_canonical_matrix", [[0, 1, 0], [0, 0, 1], [2, -2, 0]], (PLANT,), "wrong", "a sign"),
     Case("controller_canonical_matrix", [[0, 1, 0], [0, 0, 2], [1, 1, 0]], (PLANT,), "wrong", "the eigenvalues of A in another shape"),
     Case("controller_canonical_matrix", [2, 2, 0], (PLANT,), "invalid", "the last row alone"),
+    Case("chain_basis_matrix", BY_CONTROL.T, DRIVEN, "right", "a matrix"),
+    Case("chain_basis_matrix", W.inv() * DRIVEN[0] * W, DRIVEN, "right", "carried over"),
+    Case("chain_basis_matrix", np.array(BY_CONTROL.T.tolist(), dtype=float), DRIVEN, "right", "an array of floats"),
+    Case("chain_basis_matrix", [[0, a], [1, 1]], FREE_DRIVEN, "right", "with a parameter"),
+    Case("chain_basis_matrix", BY_CONTROL, DRIVEN, "wrong", "the form by control: rows for columns"),
+    Case("chain_basis_matrix", BY_OBSERVATION, DRIVEN, "wrong", "the form by observation: the basis in reverse order"),
+    Case("chain_basis_matrix", BY_OBSERVATION.T, DRIVEN, "wrong", "the coefficients in the first row"),
+    Case("chain_basis_matrix", [[0, 0, -2], [1, 0, -2], [0, 1, 0]], DRIVEN, "wrong", "signs of the polynomial"),
+    Case("chain_basis_matrix", [[0, 0, 0], [1, 0, 2], [0, 1, 2]], DRIVEN, "wrong", "the coefficients in the opposite order"),
+    Case("chain_basis_matrix", W * DRIVEN[0] * W.inv(), DRIVEN, "wrong", "the inverse on the wrong side"),
+    Case("chain_basis_matrix", W, DRIVEN, "wrong", "the basis itself"),
+    Case("chain_basis_matrix", [[0, a], [1, -1]], FREE_DRIVEN, "wrong", "a sign, with a parameter"),
+    Case("chain_basis_matrix", [[0, 2], [1, 2]], DRIVEN, "invalid", "another order"),
+    Case("chain_basis_matrix", "companion", DRIVEN, "invalid", "text"),
     Case("observer_canonical_transformation", T, SEEN, "right", "a matrix"),
     Case("observer_canonical_transformation", np.array(T.tolist(), dtype=float), SEEN, "right", "an array"),
     Case("observer_canonical_transformation", [[1, 1], [a - 1, 1]], FREE, "right", "with a parameter"),

@@ -16,6 +16,15 @@ NEVER = (M([[2, -1], [1, 0]]), M([1, 1]), [a])
 CARRIAGE = (M([[0, 0, 1, 0], [0, 0, 0, 1], [g / l1, 0, 0, 0], [0, g / l2, 0, 0]]), M([0, 0, 1 / l1, 1 / l2]), [g, l1, l2])
 ORBIT = (M([[0, -w, 1, 0], [w, 0, 0, 1], [-w**2, 0, 0, -w], [0, 2 * w**2, w, 0]]), M([0, 0, 1, 0]), [w])
 RADIAL = (ORBIT[0], M([0, 0, 0, 1]), [w])
+AXES = (sp.diag(1, 2, 1), M([1, 0, -1]))
+LOST = (VALUE[0], VALUE[1], a)
+TWICE = (sp.diag(1, 2, 3), M([a - 2, 2 * a - 1, 1 - 2 * a]), a)
+STEERED = (M([[0, 1], [-1, 0]]), M([1, a]), a)
+TWO_LOST = {2: [[1, 0, 0]], 0.5: [[0, 1, 0], [0, 0, 1]]}
+
+# Two bodies on one table: control is lost where they have both coefficients in common.
+s, q = sp.symbols("s q", real=True)
+SHAKEN = (M([[0, 1, 0, 0], [-5, -2, 0, 0], [0, 0, 0, 1], [0, 0, -q, -s]]), M([0, -1, 0, -1]), [s, q])
 
 CASES = [
     Case("controllable", "yes", DRIVEN, "right", "every combination is reached"),
@@ -49,6 +58,34 @@ CASES = [
     Case("controllability_rank", 2, SUM, "wrong", "taken for full"),
     Case("controllability_rank", 4, TWO_INPUTS, "wrong", "the number of columns"),
     Case("controllability_rank", [1], SUM, "invalid", "a list"),
+    Case("uncontrolled_combinations", [[1, 1]], SUM, "right", "a list"),
+    Case("uncontrolled_combinations", [M([[-0.5, -0.5]])], SUM, "right", "a row, of another length and sign"),
+    Case("uncontrolled_combinations", M([2, 2]), SUM, "right", "a column"),
+    Case("controllable_parameters", sp.Or(sp.Ne(s, 2), sp.Ne(q, 5)), SHAKEN, "right", "all but one point of the plane"),
+    Case("controllable_parameters", True, SHAKEN, "wrong", "an isolated point overlooked"),
+    Case("uncontrolled_combinations", [], DRIVEN, "right", "none"),
+    Case("uncontrolled_combinations", [[0, w, 1, 0]], RADIAL, "right", "with a parameter"),
+    Case("uncontrolled_combinations", [[1, 0, 1], [0, 1, 0]], AXES, "right", "two of them"),
+    Case("uncontrolled_combinations", [[1, -1]], SUM, "wrong", "what the control changes alone"),
+    Case("uncontrolled_combinations", [[1, 0]], DRIVEN, "wrong", "changed by its second derivative"),
+    Case("uncontrolled_combinations", [[0, 1, 0], [0, 2, 0]], AXES, "wrong", "dependent"),
+    Case("uncontrolled_combinations", [[1, 0, 1]], AXES, "wrong", "one of two"),
+    Case("uncontrolled_combinations", [], SUM, "wrong", "overlooked"),
+    Case("uncontrolled_combinations", [[0, -w, 1, 0]], RADIAL, "wrong", "a sign"),
+    Case("uncontrolled_combinations", [[1, 0]], TWO_INPUTS, "wrong", "with two controls"),
+    Case("uncontrolled_combinations", ..., SUM, "missing", "the untouched stub"),
+    Case("uncontrolled_combinations", [[1, 1, 0]], SUM, "invalid", "three components"),
+    Case("uncontrolled_combinations", "x1 + x2", SUM, "invalid", "text"),
+    Case("uncontrolled_where_lost", {-6: [[1, -1]]}, LOST, "right", "one value"),
+    Case("uncontrolled_where_lost", {}, STEERED, "right", "no such value"),
+    Case("uncontrolled_where_lost", TWO_LOST, TWICE, "right", "two values, one of them a decimal"),
+    Case("uncontrolled_where_lost", {2.0: M([[-3, 0, 0]]), sp.S.Half: M([[0, 1, 1], [0, 1, 2]])}, TWICE, "right", "rows of a matrix"),
+    Case("uncontrolled_where_lost", {-6: [[1, 1]]}, LOST, "wrong", "the combination that the control changes"),
+    Case("uncontrolled_where_lost", {6: [[1, -1]]}, LOST, "wrong", "a sign"),
+    Case("uncontrolled_where_lost", {2: [[1, 0, 0]]}, TWICE, "wrong", "a value overlooked"),
+    Case("uncontrolled_where_lost", TWO_LOST | {0: [[0, 1, 1]]}, TWICE, "wrong", "w b = 0 without the next condition"),
+    Case("uncontrolled_where_lost", {}, LOST, "wrong", "overlooked"),
+    Case("uncontrolled_where_lost", [[1, -1]], LOST, "invalid", "a basis without its value"),
     Case("uncontrolled_eigenvalues", [2], SUM, "right", "a list"),
     Case("uncontrolled_eigenvalues", {0}, RADIAL, "right", "a set"),
     Case("uncontrolled_eigenvalues", [], CARRIAGE, "right", "none for lengths in general position"),

@@ -12,6 +12,9 @@ MIXED = (*REPELLED, sp.Matrix([[1]]), sp.Matrix([[1]]))
 # Free masses with friction on the first: a triple root zero.
 SLIDING = (sp.eye(2), sp.diag(1, 0), sp.zeros(2))
 i, root3 = sp.I, sp.sqrt(3)
+# A spring whose stiffness is a parameter.
+stiff = sp.symbols("kappa", real=True)
+TUNED = (sp.eye(1), sp.zeros(1), sp.Matrix([[stiff]]), [stiff])
 
 CASES = [
     Case("mechanical_roots", [i, -i, i * root3, -i * root3], SPRINGS, "right", "exact"),
@@ -21,6 +24,9 @@ CASES = [
     Case("mechanical_roots", {1: 1, -1: 1}, REPELLED, "right", "as sp.roots gives them"),
     Case("mechanical_roots", [0, -1], SLIDING, "right", "a multiple root once"),
     Case("mechanical_roots", [0, 0, 0, -1], SLIDING, "right", "a multiple root as often as it is one"),
+    Case("mechanical_roots", [sp.sqrt(-stiff), -sp.sqrt(-stiff)], TUNED, "right", "with a parameter"),
+    Case("mechanical_roots", [i * sp.sqrt(stiff), -i * sp.sqrt(stiff)], TUNED, "right", "the same with the imaginary unit"),
+    Case("mechanical_roots", [sp.sqrt(stiff), -sp.sqrt(stiff)], TUNED, "wrong", "the sign of the stiffness"),
     Case("mechanical_roots", [i, -i], SPRINGS, "wrong", "two overlooked"),
     Case("mechanical_roots", [1, root3], SPRINGS, "wrong", "the frequencies"),
     Case("mechanical_roots", [-1, -3], SPRINGS, "wrong", "the squares"),

@@ -222,6 +222,7 @@ ORACLES = {
     "controllable_parameters": transposed(observable_parameters),
     "mechanical_controllable_parameters": mechanical_controllable_parameters,
     "unseen_states": unseen_states,
+    "uncontrolled_combinations": transposed(unseen_states),
     "lost_eigenvalues": same_numbers,
     "uncontrolled_eigenvalues": same_numbers,
     "mechanical_lost_eigenvalues": same_numbers,

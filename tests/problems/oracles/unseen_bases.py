@@ -10,6 +10,10 @@ def unseen_where_lost(mutant, reference, A, H, parameter):
     return all(_is_basis(basis, A.subs(parameter, value), H.subs(parameter, value)) for value, basis in mutant.items())
 
 
+def uncontrolled_where_lost(mutant, reference, A, B, parameter):
+    return unseen_where_lost(mutant, reference, A.T, B.T, parameter)
+
+
 def mechanical_unseen_states(mutant, reference, M, D, K, H1, H2):
     """A basis for the equations solved for the accelerations."""
     A = sp.Matrix(sp.BlockMatrix([[sp.zeros(M.rows), sp.eye(M.rows)], [-M.LUsolve(K), -M.LUsolve(D)]]))
@@ -24,4 +28,5 @@ def _is_basis(vectors, A, H):
     return columns.rank() == columns.cols == A.rows - N.rank() and (N*columns).expand().is_zero_matrix
 
 
-ORACLES = {"unseen_where_lost": unseen_where_lost, "mechanical_unseen_states": mechanical_unseen_states}
+ORACLES = {"unseen_where_lost": unseen_where_lost, "uncontrolled_where_lost": uncontrolled_where_lost,
+           "mechanical_unseen_states": mechanical_unseen_states}

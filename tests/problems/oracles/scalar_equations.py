@@ -1,0 +1,24 @@
+"""Oracle of scalar equations: another equation is the same one if it is the reference times a constant."""
+
+import sympy as sp
+from sympy.core.function import AppliedUndef
+
+
+def canonical_equation(mutant, reference, A, B, motion, control, parameters=()):
+    """Left less right, as a linear form in the derivatives, is that of the reference times a factor that is not zero."""
+    if not isinstance(mutant, sp.Eq):
+        return False
+    one, other = (sp.expand((side.lhs - side.rhs).doit()) for side in (mutant, reference))
+    top = motion.diff(motion.args[0], A.rows)
+    factor = sp.cancel(one.coeff(top) / other.coeff(top))
+    if factor == 0 or factor.free_symbols - set(parameters) or factor.atoms(AppliedUndef):
+        return False
+    return sp.simplify(sp.expand(one - factor * other)) == 0
+
+
+def scalar_equation(mutant, reference, A, B, output, motion, control, parameters=()):
+    """The same for another combination of the state."""
+    return canonical_equation(mutant, reference, A, B, motion, control, parameters)
+
+
+ORACLES = {"canonical_equation": canonical_equation, "scalar_equation": scalar_equation}
