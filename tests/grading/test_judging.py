@@ -186,8 +186,9 @@ def _what_a_watch_sees():
     return sorted({" ".join(event.split(" (")[:1]) for event in watch.events})
 
 
-#: By problem, what is right although it looks like nothing: there are no such angles in 1.6.
-EMPTY_AND_RIGHT = {"1.6": [[], ()]}
+#: By problem, what is right although it looks like nothing: there are no such angles in 1.6, and where a system is observable (or
+#: controllable) no state is unseen and no eigenvalue lost. Eigenvalues may come as a dictionary with their multiplicities.
+EMPTY_AND_RIGHT = {"1.6": [[], ()], **dict.fromkeys(["2.3", "2.5", "2.14"], [[], ()]), **dict.fromkeys(["2.6", "2.7", "2.26"], [[], (), {}])}
 NOTHING = [float("nan"), float("inf"), -float("inf"), sp.nan, sp.zoo, sp.oo, -sp.oo, complex(float("nan"), 1), 10**1999, [], {}, (), "", "right", [sp.nan] * 2,
            sp.Matrix([[sp.nan, sp.nan], [sp.nan, sp.nan]]), [[float("nan")] * 2] * 2, sp.Eq(k1, sp.nan, evaluate=False), {"right": "right"}]
 
