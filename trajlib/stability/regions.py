@@ -113,13 +113,7 @@ class StabilityConditions:
         return plotting.region(self.region, self.parameters, first_range, second_range, ax=ax)
 
     def _repr_latex_(self):
-        if self.region is sp.false:
-            body = r"\varnothing"
-        elif self.region is sp.true:
-            body = r"\text{all values of the parameters}"
-        else:
-            body = latex_condition(self.region)
-        return f"$\\displaystyle {body}$"
+        return f"$\\displaystyle {latex_region(self.region)}$"
 
 
 def stability_conditions(poly_or_matrix, parameters, margin=0, symbol=None):
@@ -250,6 +244,13 @@ def _exact_number(value):
     if not value.is_number or value.is_real is False:
         raise ValueError(f"point: expected real numbers, got {value}")
     return value
+
+
+def latex_region(region):
+    """A region of parameters in LaTeX, also an empty one and the whole space."""
+    if region in (sp.true, sp.false):
+        return r"\text{all values of the parameters}" if region == sp.true else r"\varnothing"
+    return latex_condition(region)
 
 
 def latex_condition(condition):

@@ -16,7 +16,7 @@ import sympy as sp
 
 from ..stability.cells import TooLarge, solution_point
 from ..stability.inequalities import equation, sign_of
-from ..stability.regions import latex_condition
+from ..stability.regions import latex_region
 from ..stability.systems import as_real, read_symbols, with_names
 from . import exact
 from .kalman_matrices import stacked_powers
@@ -42,13 +42,7 @@ class RankConditions:
     minors: tuple
 
     def _repr_latex_(self):
-        if self.region is sp.false:
-            body = r"\varnothing"
-        elif self.region is sp.true:
-            body = r"\text{all values of the parameters}"
-        else:
-            body = latex_condition(self.region)
-        return f"$\\displaystyle {body}$"
+        return f"$\\displaystyle {latex_region(self.region)}$"
 
 
 def observability_conditions(A, H, parameters):
