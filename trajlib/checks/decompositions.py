@@ -199,7 +199,11 @@ def _judge_system(matrix, output, pair, side):
             raise Wrong(f"in your system {_first_mixed(new_A, new_H, size, side)}{where_text(values)}; xi has as many coordinates as "
                         f"{side.size} says")
         if not _same_system(A, H, new_A, new_H, tolerance):
-            raise Wrong(_why_different(A, new_A, new_A[:size, :size], new_H[:, :size], values, side))
+            why = _why_different(A, new_A, new_A[:size, :size], new_H[:, :size], values, side)
+            if size < n and np.allclose(np.poly(new_A), np.poly(A)) and _same_system(A, H, new_A[:size, :size], new_H[:, :size], tolerance):
+                why = (f"your {side.part} part is that of the given system, but no change of variables gives the rest of your "
+                       f"equations{where_text(values)}: look at eta, and at how the two parts act on each other")
+            raise Wrong(why)
     return "the blocks are zero where they have to be, and a change of variables turns the given system into yours"
 
 
