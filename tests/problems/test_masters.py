@@ -209,7 +209,7 @@ def test_answer_and_check_share_no_solver(master):
 def _called(path):
     master = read(path)
     solved = found(master, "solved")
-    return in_child(_shared, master, solved["answers"], solved["called"], timeout=300)
+    return in_child(_shared, master, solved["answers"], solved["called"], timeout=120)
 
 
 def _shared(master, answers, answered):
