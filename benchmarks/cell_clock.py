@@ -2,9 +2,9 @@
 
     python benchmarks/cell_clock.py LOG grade submitted --out graded
 
-Each notebook adds two numbers to the file LOG: the seconds of its data and answer cells in the sandbox, and those of its
-check cells where they judge. Each cell counts once; that the grader runs data cells again before the notebook and before
-the checks is its own affair. What the clock itself takes is not taken off either.
+Each notebook adds two numbers to the file LOG: the seconds of its data and answer cells in the sandbox, and those of
+its check cells where they judge. Each cell counts once; that the grader runs data cells again before the notebook and
+before the checks is its own affair. What the clock itself takes is not taken off either.
 """
 
 import json
@@ -22,7 +22,8 @@ BEGIN, END = "import time; trajlib_began = time.perf_counter()", f"{SPENT} = tim
 
 def main(log, *arguments):
     folder = str(Path(__file__).resolve().parent)
-    lanes.START = f"import sys; sys.path.insert(0, {folder!r}); import cell_clock; cell_clock.work({str(Path(log).resolve())!r})"
+    lanes.START = (f"import sys; sys.path.insert(0, {folder!r}); import cell_clock; "
+                   f"cell_clock.work({str(Path(log).resolve())!r})")
     sys.argv[1:] = arguments
     cli.main()
 
@@ -43,7 +44,8 @@ def work(log):
     def clocked_judge_answers(cells, *rest):
         start = ("check", BEGIN)
         stop = ("check", f"with open({log!r}, 'a') as log: log.write(f'{{time.perf_counter() - trajlib_began}}\\n')")
-        return judge_answers([each for cell in cells for each in ([start, cell, stop] if cell[0] == "check" else [cell])], *rest)
+        return judge_answers([each for cell in cells
+                              for each in ([start, cell, stop] if cell[0] == "check" else [cell])], *rest)
 
     Sandbox.hand_in, Sandbox.outcome, judging.judge_answers = clocked_hand_in, clocked_outcome, clocked_judge_answers
     lanes.work()

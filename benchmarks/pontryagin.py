@@ -1,9 +1,11 @@
-"""Extremals by `Problem.solve()` against YAPSS, rockit, dymos and plain CasADi: error of the cost and of the switching times
-against the time from the bare statement to the result, each solved in a fresh process, packages imported before the clock starts.
+"""Extremals by `Problem.solve()` against YAPSS, rockit, dymos and plain CasADi: error of the cost and of the switching
+times against the time from the bare statement to the result, each solved in a fresh process, packages imported before
+the clock starts.
 
-The peers live in an environment of their own, which is made on the first run (`python -m venv`, then pip) in _build/peers or
-where `--environment` says. Peers get a guess of the time and straight lines as states; trajlib gets the statement alone.
-Their switching times are read off their controls with the right structure given, so that no peer suffers from a bad reading.
+The peers live in an environment of their own, which is made on the first run (`python -m venv`, then pip) in
+_build/peers or where `--environment` says. Peers get a guess of the time and straight lines as states; trajlib gets the
+statement alone. Their switching times are read off their controls with the right structure given, so that no peer
+suffers from a bad reading.
 """
 
 import argparse
@@ -37,7 +39,8 @@ def environment(folder):
 
 def ours(name):
     """What a fresh process prints for trajlib: cost, switching times, seconds, residuals."""
-    import casadi  # noqa: F401  imported for the peers before the clock starts, so here too; trajlib's own modules load inside
+    # noqa: F401  imported for the peers before the clock starts, so here too; trajlib's own modules load inside
+    import casadi
     import sympy as sp
 
     from trajlib.pontryagin import Problem
@@ -71,7 +74,8 @@ def run(command):
 
 
 def switchings(case, times, controls):
-    """Switching times of a peer's control: from the mean between the middles of the true arcs, or from the line that meets a bound."""
+    """Switching times of a peer's control: from the mean between the middles of the true arcs, or from the line that
+    meets a bound."""
     times, controls = np.array(times), np.array(controls)
     if "line" in case.levels:
         middles = (times[1:] + times[:-1])/2 if len(times) > len(controls) else times
@@ -123,7 +127,8 @@ def main():
 
 
 def measured(python, name, case):
-    """{solver: its fastest run, or a word saying why there is none}; the solvers take turns, since other work slows all of them."""
+    """{solver: its fastest run, or a word saying why there is none}; the solvers take turns, since other work slows all
+    of them."""
     best, guess = {}, {}
     for turn in range(RUNS):
         results = {"trajlib": run([sys.executable, HERE/"pontryagin.py", "--ours", name])}

@@ -1,7 +1,8 @@
 """The problems of `pontryagin.py`, and how each peer solves them; runs in the peers' environment.
 
-`python pontryagin_peers.py PEER PROBLEM GUESS` (of the time) prints {"cost", "times", "controls", "seconds"}: times and controls of the
-solution (the controls constant on intervals for CasADi and rockit), seconds from the bare statement, the package being imported.
+`python pontryagin_peers.py PEER PROBLEM GUESS` (of the time) prints {"cost", "times", "controls", "seconds"}: times and
+controls of the solution (the controls constant on intervals for CasADi and rockit), seconds from the bare statement,
+the package being imported.
 """
 
 import json
@@ -13,7 +14,8 @@ from math import cos, exp, pi, sin, sqrt
 
 @dataclass(frozen=True)
 class Case:
-    """min of int f_0 dt, x' = f(x, u), |u| <= 1, start and end given; free time if `duration` is None; with its solution."""
+    """min of int f_0 dt, x' = f(x, u), |u| <= 1, start and end given; free time if `duration` is None; with its
+    solution."""
 
     field: object
     density: object
@@ -38,7 +40,8 @@ def oscillator(damping, lengths):
     for s in lengths[:0:-1]:
         times.append(s + (times[-1] if times else 0.0))
     levels = tuple(1.0 if (len(lengths) - i) % 2 else -1.0 for i in range(len(lengths)))
-    return Case(lambda x, u: (x[1], -x[0] - damping*x[1] + u), lambda x, u: 1, (x, y), (0.0, 0.0), None, levels, tuple(times), sum(lengths))
+    return Case(lambda x, u: (x[1], -x[0] - damping*x[1] + u), lambda x, u: 1, (x, y), (0.0, 0.0), None, levels,
+                tuple(times), sum(lengths))
 
 
 def plane(x, u):
@@ -48,14 +51,16 @@ def plane(x, u):
 r, c = sqrt(1.08), sqrt(3*(2.1**2/4 - 1))
 CASES = {
     "double integrator": Case(plane, lambda x, u: 1, (1.0, 0.4), (0.0, 0.0), None, (-1.0, 1.0), (0.4 + r,), 0.4 + 2*r),
-    "turnpike": Case(lambda x, u: (u,), lambda x, u: x[0]**2, (0.83,), (0.41,), 2.0, (-1.0, 0.0, 1.0), (0.83, 1.59), (0.83**3 + 0.41**3)/3),
+    "turnpike": Case(lambda x, u: (u,), lambda x, u: x[0]**2, (0.83,), (0.41,), 2.0, (-1.0, 0.0, 1.0), (0.83, 1.59),
+                     (0.83**3 + 0.41**3)/3),
     "oscillator": oscillator(0.0, [1.0, pi, 2.0]),
     "damped oscillator": oscillator(1.0, [0.9, 2*pi/sqrt(3), 1.4]),
     "saturated quadratic": Case(plane, lambda x, u: u**2, (1.0, 0.0), (0.0, 0.0), 2.1, (-1.0, "line", 1.0),
                                 (1.05 - c, 1.05 + c), 2.1 - 4*c/3),
 }
 N = 100
-# A user's guesses of the time, for the peers alone: the next is taken where one leads nowhere. States: the straight line.
+# A user's guesses of the time, for the peers alone: the next is taken where one leads nowhere. States: the straight
+# line.
 GUESSES = (3.0, 1.0, 6.0, 9.0)
 
 

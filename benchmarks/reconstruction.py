@@ -1,6 +1,7 @@
 """Reconstruction with the search for the weight M against one `make_smoothing_spline` fit with M given, and its growth.
 
-The peer solves a single problem of the same functional; ours solves one for every trial value of M and the sweep at the end.
+The peer solves a single problem of the same functional; ours solves one for every trial value of M and the sweep at the
+end.
 """
 
 import numpy as np

@@ -25,7 +25,8 @@ def main():
         make(copy, ".venv/.installed")
         cold, warm = make(copy, "book"), make(copy, "book")
         pages = len(list((copy / "solutions").glob("ch*/p*.md")))
-        print(f"{pages} problems: cold {cold:.1f} s, warm {warm:.1f} s; a warm build takes {warm / cold:.3f} of a cold one")
+        print(f"{pages} problems: cold {cold:.1f} s, warm {warm:.1f} s; a warm build takes {warm / cold:.3f} of a "
+              f"cold one")
 
 
 if __name__ == "__main__":

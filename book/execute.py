@@ -1,11 +1,13 @@
-"""Execute the pages of the book whose outputs are missing or stale, two at a time, into the cache the site is built from.
+"""Execute the pages of the book whose outputs are missing or stale, two at a time, into the cache the site is built
+from.
 
     python book/execute.py
 
 A page is stale when its code cells changed, or a module of trajlib that it loads (however indirectly), or
 requirements.txt. Jupyter Book's own cache sees only the cells. Records that no page uses any more are removed.
 
-A cell that fails, also a check that finds an answer not right, ends with the page, the cell and the message, exit code 1.
+A cell that fails, also a check that finds an answer not right, ends with the page, the cell and the message, exit code
+1.
 """
 
 import hashlib
@@ -75,7 +77,8 @@ def main(root=ROOT):
 
 def digest(root):
     """One hash of everything that outputs depend on, so that a run with nothing to do need not read the pages."""
-    files = [root / "_config.yml", root / "_toc.yml", root / "requirements.txt", *page_paths(root), *LIBRARY.rglob("*.py")]
+    files = [root / "_config.yml", root / "_toc.yml", root / "requirements.txt", *page_paths(root),
+             *LIBRARY.rglob("*.py")]
     found = hashlib.sha256(sys.version.encode())
     for path in sorted(set(files)):
         found.update(f"{path}\n".encode() + path.read_bytes())

@@ -24,4 +24,5 @@ def pytest_terminal_summary(terminalreporter):
             if name in counted:
                 counted[name] += value
     if counted["mutants"]:
-        terminalreporter.write_line(f"mutants of answers: {counted['mutants']} tried, {counted['equivalent']} proved right by an oracle, the others rejected")
+        terminalreporter.write_line(f"mutants of answers: {counted['mutants']} tried, {counted['equivalent']} proved "
+                                    f"right by an oracle, the others rejected")

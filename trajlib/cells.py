@@ -32,14 +32,16 @@ def run_cells(sources, names, folder=None, before=(), seconds=None):
         os.chdir(folder)
     sys.path.insert(0, "")  # what a cell wrote into the folder can be imported, as in Jupyter
     # What is printed is kept nowhere, so that endless output fills nothing.
-    with open(os.devnull, "w", encoding="utf-8", errors="replace") as nowhere, redirect_stdout(nowhere), redirect_stderr(nowhere):
+    with open(os.devnull, "w", encoding="utf-8",
+              errors="replace") as nowhere, redirect_stdout(nowhere), redirect_stderr(nowhere):
         notebook = _Notebook(names, _Patience(seconds))
         for source in before:
             notebook.run(source)
         failed = {k: error for k, source in enumerate(sources, start=1) if (error := notebook.run(source)) is not None}
         _try_again(notebook, sources, failed)
         encoded, unreadable = notebook.encoded()
-    errors = [f"code cell {k}: {_told(error)}" for k, error in failed.items() if not isinstance(error, (TooLong, NotYet))]
+    errors = [f"code cell {k}: {_told(error)}" for k, error in failed.items()
+              if not isinstance(error, (TooLong, NotYet))]
     return {"encoded": encoded, "unreadable": unreadable, "errors": errors,
             "stopped": [k for k, error in failed.items() if isinstance(error, TooLong)]}
 
@@ -168,7 +170,8 @@ def _shell():
             return gui, "agg"
 
         def showtraceback(self, *args, **options):
-            """Errors are told by their type and text: nobody reads a traceback here, and one may be built to be endless."""
+            """Errors are told by their type and text: nobody reads a traceback here, and one may be built to be
+            endless."""
 
         showsyntaxerror = showtraceback
 

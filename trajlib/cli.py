@@ -60,7 +60,8 @@ def solve(number: Annotated[str, typer.Argument(help='A problem such as "1.15".'
     if as_json:
         answers = {name: {"type": master.answers[name].kind, "text": texts[name], "encoded": json.loads(data)}
                    for name, data in run.encoded.items()}
-        print(json.dumps({"number": number, "answers": answers, "verdicts": _plain(verdicts)}, ensure_ascii=False, indent=1))
+        print(json.dumps({"number": number, "answers": answers, "verdicts": _plain(verdicts)}, ensure_ascii=False,
+                         indent=1))
     else:
         console.print(f"[bold]{number}[/bold]  {master.title}")
         for name in master.answers:
@@ -70,7 +71,8 @@ def solve(number: Annotated[str, typer.Argument(help='A problem such as "1.15".'
 
 
 @app.command()
-def check(notebook: Annotated[Path, typer.Argument(help="A student's notebook of the workbook.")], as_json: AsJson = False,
+def check(notebook: Annotated[Path, typer.Argument(help="A student's notebook of the workbook.")],
+          as_json: AsJson = False,
           timeout: Annotated[float, typer.Option(help="Seconds the notebook may run.")] = 120):
     """Run a notebook of yours and judge its answers. The exit code is 0 if all are right, 1 if not."""
     from trajlib.execution import TimeLimit, judge, run_notebook
@@ -85,7 +87,8 @@ def check(notebook: Annotated[Path, typer.Argument(help="A student's notebook of
         raise UserError(f"{notebook} was still running after {timeout:g} s; --timeout allows it more") from None
     verdicts = judge(pristine.code("data", "check"), run, pristine.about["answers"])
     if as_json:
-        print(json.dumps({"number": pristine.number, "verdicts": _plain(verdicts), "errors": run.errors}, ensure_ascii=False, indent=1))
+        print(json.dumps({"number": pristine.number, "verdicts": _plain(verdicts), "errors": run.errors},
+                         ensure_ascii=False, indent=1))
     else:
         console.print(f"[bold]{pristine.number}[/bold]  {pristine.about['title']}")
         for error in run.errors:
@@ -98,7 +101,8 @@ def check(notebook: Annotated[Path, typer.Argument(help="A student's notebook of
 
 
 @app.command(name="exercises")
-def write_exercises(numbers: Annotated[list[str] | None, typer.Argument(help="Only these problems; all if none is named.")] = None,
+def write_exercises(numbers: Annotated[list[str] | None,
+                                       typer.Argument(help="Only these problems; all if none is named.")] = None,
                     as_json: AsJson = False):
     """Regenerate the students' notebooks from the masters (in a checkout)."""
     from trajlib.masters import write_exercises as write
@@ -106,21 +110,26 @@ def write_exercises(numbers: Annotated[list[str] | None, typer.Argument(help="On
     if not (exercises.CHECKOUT / "solutions").is_dir():
         raise UserError("there are no masters here: run this in a checkout of the workbook")
     changed = [str(path.relative_to(exercises.CHECKOUT)) for path in write(exercises.CHECKOUT, numbers or ())]
-    print(json.dumps({"changed": changed}) if as_json else "\n".join(changed) or "all notebooks are in step with their masters")
+    print(json.dumps({"changed": changed}) if as_json else "\n".join(changed)
+          or "all notebooks are in step with their masters")
 
 
 @app.command()
 def grade(submitted: Annotated[Path, typer.Argument(help="Folder submitted/<student>/<assignment>/<notebook>.ipynb.")],
           out: Annotated[Path, typer.Option(help="Folder for the grade store, tables and feedback pages.")],
-          assignments: Annotated[Path | None, typer.Option(help="Folder <assignment>/assignment.toml; default: assignments, if it is there.")
+          assignments: Annotated[Path | None, typer.Option(help="Folder <assignment>/assignment.toml; default: "
+                                                                "assignments, if it is there.")
                                  ] = None,
           roster: Annotated[Path | None, typer.Option(help="Gradebook exported from Canvas, to fill one column of.")] = None,
           site: Annotated[str, typer.Option(help="Address of the student edition of the site, for links to the theory.")] = "",
           processes: Annotated[int | None, typer.Option(help="Notebooks graded at the same time; default: all cores.")] = None,
           timeout: Annotated[float, typer.Option(help="Seconds of computing one notebook may take.", min=1)] = 120,
-          trust_students: Annotated[bool, typer.Option("--trust-students", help="Run notebooks without a sandbox, as yourself.")] = False,
-          cluster: Annotated[str | None, typer.Option(help="Grade on a Dask cluster: its scheduler's address, tls://host:8786.")] = None,
-          tls_ca_file: Annotated[Path | None, typer.Option(help="For --cluster: the certificate of who signed the others.")] = None,
+          trust_students: Annotated[bool, typer.Option("--trust-students",
+                                                       help="Run notebooks without a sandbox, as yourself.")] = False,
+          cluster: Annotated[str | None, typer.Option(help="Grade on a Dask cluster: its scheduler's address, "
+                                                           "tls://host:8786.")] = None,
+          tls_ca_file: Annotated[Path | None, typer.Option(help="For --cluster: the certificate of who signed the "
+                                                                "others.")] = None,
           tls_cert: Annotated[Path | None, typer.Option(help="For --cluster: this machine's certificate.")] = None,
           tls_key: Annotated[Path | None, typer.Option(help="For --cluster: the private key to it.")] = None,
           as_json: AsJson = False):
@@ -135,12 +144,15 @@ def grade(submitted: Annotated[Path, typer.Argument(help="Folder submitted/<stud
     if processes is not None and processes < 1:
         raise UserError("--processes is a number from 1 up")
     if cluster is not None and processes is not None:
-        raise UserError("--processes is for this machine; with --cluster each worker grades as many at a time as it has threads")
+        raise UserError("--processes is for this machine; with --cluster each worker grades as many at a time as it "
+                        "has threads")
     if cluster is None and (tls_ca_file or tls_cert or tls_key):
         raise UserError("--tls-ca-file, --tls-cert and --tls-key are for --cluster")
-    where = {"address": cluster, "ca_file": tls_ca_file, "cert": tls_cert, "key": tls_key} if cluster is not None else None
+    where = ({"address": cluster, "ca_file": tls_ca_file, "cert": tls_cert, "key": tls_key} if cluster is not None
+             else None)
     try:
-        summary = _grade_course(submitted, out, assignments, processes, timeout, trust_students, as_json, roster, site, where)
+        summary = _grade_course(submitted, out, assignments, processes, timeout, trust_students, as_json, roster,
+                                site, where)
     except KeyboardInterrupt:
         print("trajlib: stopped; what is graded is stored, and the same command goes on from there", file=sys.stderr)
         raise typer.Exit(130) from None
@@ -177,19 +189,23 @@ def new(name: Annotated[str, typer.Argument(help="The homework's name; it names 
 
     made = make(assignments, name, numbers, title, due_date(due) if due else None, site)
     answers = sum(len(points) for points in made.points.values())
-    console.print(f"{assignments / name}: {len(made.problems)} problems, {answers} answers, {made.max_points:g} points, "
+    console.print(f"{assignments / name}: {len(made.problems)} problems, {answers} answers, {made.max_points:g} "
+                  f"points, "
                   + (f"due {spoken(made.due)}" if made.due else "no due date"), markup=False)
 
 
 @assignment.command()
-def gradescope(name: Annotated[str, typer.Argument(help="The homework's name.")],
-               out: Annotated[Path, typer.Option(help="The archive to write, to be uploaded as an autograder.")],
-               assignments: Annotated[Path, typer.Option(help="Folder in which homeworks stand.")] = Path("assignments")):
+def gradescope(
+    name: Annotated[str, typer.Argument(help="The homework's name.")],
+    out: Annotated[Path, typer.Option(help="The archive to write, to be uploaded as an autograder.")],
+    assignments: Annotated[Path, typer.Option(help="Folder in which homeworks stand.")] = Path("assignments"),
+):
     """Make an autograder for Gradescope from assignments/NAME/assignment.toml."""
     from trajlib.grading.gradescope.bundle import make
 
     made = make(assignments, name, out)
-    console.print(f"{out}: an autograder for {made.title}, {made.max_points:g} points; upload it to Gradescope", markup=False)
+    console.print(f"{out}: an autograder for {made.title}, {made.max_points:g} points; upload it to Gradescope",
+                  markup=False)
 
 
 def main():
@@ -200,7 +216,8 @@ def main():
         print(f"trajlib: {error}", file=sys.stderr)
         sys.exit(2)
     except ValueError as error:
-        # Masters and homeworks that break their contract say so themselves; nothing else of ours raises a ValueError here.
+        # Masters and homeworks that break their contract say so themselves; nothing else of ours raises a ValueError
+        # here.
         from trajlib.grading.assignment import BadInput
         from trajlib.masters import MasterError
         if not isinstance(error, (BadInput, MasterError)):

@@ -78,6 +78,7 @@ def _is_package(module):
 
 @lru_cache(maxsize=None)
 def _path(name):
-    """The file of a module of trajlib, None if the name is of something else; by its place, since `find_spec` imports what is above."""
+    """The file of a module of trajlib, None if the name is of something else; by its place, since `find_spec` imports
+    what is above."""
     place = PACKAGE.joinpath(*name.split(".")[1:])
     return next((file for file in (place / "__init__.py", place.with_suffix(".py")) if file.is_file()), None)

@@ -84,7 +84,8 @@ def run_notebook(sources, names, timeout=120, folder=None):
     A cell that fails does not stop the others: what can be answered is answered.
     """
     result = in_child(run_cells, list(sources), list(names), str(folder) if folder else None, timeout=timeout)
-    return Run({name: text.encode() for name, text in result["encoded"].items()}, result["unreadable"], tuple(result["errors"]))
+    return Run({name: text.encode() for name, text in result["encoded"].items()}, result["unreadable"],
+               tuple(result["errors"]))
 
 
 def judge(cells, run, names, timeout=60):

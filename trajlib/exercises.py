@@ -47,7 +47,8 @@ def read(path):
     try:
         notebook = json.loads(path.read_text(encoding="utf-8-sig"))
         about = notebook["metadata"]["trajlib"]
-        cells = tuple((_role(cell), "".join(cell["source"])) for cell in notebook["cells"] if cell["cell_type"] == "code")
+        cells = tuple((_role(cell), "".join(cell["source"])) for cell in notebook["cells"]
+                      if cell["cell_type"] == "code")
         return Exercise(path, about, cells)
     except (OSError, UnicodeDecodeError, json.JSONDecodeError) as error:
         raise UnknownExercise(f"{path} is not a readable notebook: {error}") from None

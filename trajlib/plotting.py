@@ -1,8 +1,9 @@
 """The pictures of the workbook: one function draws one thing on the Axes it is given and returns that Axes.
 
-Colours are those of Okabe and Ito, which colour-blind readers tell apart; whatever a colour says, a line style, a marker
-or a hatching says too, so that the pictures survive a black-and-white printer. Sizes suit a narrow screen. Importing this
-module changes nothing in Matplotlib: the style applies to figures made here, and elsewhere inside `with style():`.
+Colours are those of Okabe and Ito, which colour-blind readers tell apart; whatever a colour says, a line style, a
+marker or a hatching says too, so that the pictures survive a black-and-white printer. Sizes suit a narrow screen.
+Importing this module changes nothing in Matplotlib: the style applies to figures made here, and elsewhere inside `with
+style():`.
 """
 from collections.abc import Iterable, Mapping
 from contextlib import contextmanager
@@ -112,7 +113,8 @@ def phase_portrait(field, state, x_range, y_range, ax=None, starts=None, params=
     for start in () if starts is None else starts:
         start = _number_pair(start, "starts")
         for direction in (1, -1):
-            found = solve_ivp(lambda s, p: direction*rate(s, p), (0, 12), start, events=[inside, arrived], rtol=1e-7, atol=1e-9,
+            found = solve_ivp(lambda s, p: direction*rate(s, p), (0, 12), start, events=[inside, arrived], rtol=1e-7,
+                              atol=1e-9,
                               max_step=0.05)
             ax.plot(*found.y, color=BLUE, linestyle="-", linewidth=1.6, zorder=3)
             if direction == 1:

@@ -9,8 +9,8 @@ and the weight M > 0 is chosen so that max |u| = D. The motion is a natural cubi
 and vanishes at both ends), so max |u| is found at a sample. Several coordinates are as many problems of their own.
 
 The matrix sweep (progonka) writes the costate before sample k as an affine function of the state, in the paper
-(psi_2, psi_1)^T = Q_k (x, y)^T + q_k. The pair is minus the gradient of the cost still to come, so that with a symmetric
-P_k >= 0 and a vector c_k
+(psi_2, psi_1)^T = Q_k (x, y)^T + q_k. The pair is minus the gradient of the cost still to come, so that with a
+symmetric P_k >= 0 and a vector c_k
 
     (psi_1, psi_2)^T = c_k - P_k (x, y)^T,      Q_k = -[[p12, p22], [p11, p12]].
 
@@ -21,8 +21,9 @@ Over an interval tau, with Phi = [[1, tau], [0, 1]] and S = 1/M [[tau^3/3, tau^2
     c_k = E_k^T c_{k+1} + (rho_k h_k, 0)^T              backwards,
     xi_{k+1} = E_k xi_k + T_k c_{k+1}, P_0 xi_0 = c_0   forwards.
 
-These are the paper's (4.3), (4.6)-(4.8). P_k, E_k, T_k do not depend on the samples h. Written out and with det P carried
-along, the recursion for P_k adds, multiplies and divides positive numbers only: nothing cancels, however small M is.
+These are the paper's (4.3), (4.6)-(4.8). P_k, E_k, T_k do not depend on the samples h. Written out and with det P
+carried along, the recursion for P_k adds, multiplies and divides positive numbers only: nothing cancels, however small
+M is.
 """
 from dataclasses import dataclass, field
 
@@ -41,8 +42,8 @@ TIE = 1e-7
 class SweepGains:
     """Gains of the matrix sweep for times `t`, standard errors `sigma` and a weight `M`, computed ahead of the data.
 
-    `t`: N + 1 increasing times. `sigma`: a number or N + 1 standard errors in the unit of the samples; infinity says that
-    nothing was measured at this time. `M`: units of time^3/sigma^2. Source: (4.6), (4.7) of the paper.
+    `t`: N + 1 increasing times. `sigma`: a number or N + 1 standard errors in the unit of the samples; infinity says
+    that nothing was measured at this time. `M`: units of time^3/sigma^2. Source: (4.6), (4.7) of the paper.
 
     >>> gains = SweepGains([0, 1, 2, 3], sigma=1.0, M=0.5)
     >>> x, y, u = gains.apply([0.0, 2.0, 4.0, 6.0])       # samples on a line: the line itself
@@ -54,7 +55,8 @@ class SweepGains:
         self.t = _times(t)
         self.rho = _weights(sigma, self.t.size)
         if not (np.isscalar(M) and np.isfinite(M) and M > 0):
-            raise ValueError(f"M: expected a positive finite number, got {M}; max |u| grows as M falls, a straight line is M = inf")
+            raise ValueError(f"M: expected a positive finite number, got {M}; max |u| grows as M falls, a straight "
+                             f"line is M = inf")
         self.M = float(M)
         self._tau = np.diff(self.t)
         self._p11, self._p12, self._p22, self._det_p, det = _riccati(self._tau, self.rho, self.M)
@@ -79,11 +81,13 @@ class SweepGains:
         return -np.moveaxis(np.array([[self._p12, self._p22], [self._p11, self._p12]]), -1, 0)
 
     def apply(self, h):
-        """Position, velocity and acceleration at the samples for records `h` of shape (N + 1, ...), three arrays of this shape."""
+        """Position, velocity and acceleration at the samples for records `h` of shape (N + 1, ...), three arrays of
+        this shape."""
         records = _samples(h, self.rho)
         shape = records.shape
         records = records.reshape(shape[0], -1)
-        # The motion of h + a + b t is that of h plus a + b t: what is left after a straight line has smaller rounding errors.
+        # The motion of h + a + b t is that of h plus a + b t: what is left after a straight line has smaller rounding
+        # errors.
         line, slope = _straight_line(self.t, self.rho, records)
         rest = np.where(self.rho[:, None] > 0, records - line, 0)
 
@@ -102,7 +106,8 @@ class SweepGains:
         return (x + line).reshape(shape), (y + slope).reshape(shape), u.reshape(shape)
 
     def _accelerations(self, x, y, c2):
-        """u = psi_2/M, or where that cancels (small M) from the cubic through neighbouring states; zero at both ends."""
+        """u = psi_2/M, or where that cancels (small M) from the cubic through neighbouring states; zero at both
+        ends."""
         tau = self._tau[:, None]
         u = (c2 - self._p12[:, None]*x - self._p22[:, None]*y)/self.M
         by_states = (6*np.diff(x, axis=0)/tau - 4*y[:-1] - 2*y[1:])/tau
@@ -116,9 +121,9 @@ class SweepGains:
 class Reconstruction:
     """A reconstructed motion; what `reconstruct` returns.
 
-    `M`: the weight (0 where the bound is not active, one number a column for several columns). `active`: whether the bound
-    `bound` holds the motion back. `misfit`: sum of ((x_k - h_k)/sigma_k)^2. `max_acceleration`: the greatest |u|. The
-    motion before the first and after the last sample is uniform.
+    `M`: the weight (0 where the bound is not active, one number a column for several columns). `active`: whether the
+    bound `bound` holds the motion back. `misfit`: sum of ((x_k - h_k)/sigma_k)^2. `max_acceleration`: the greatest |u|.
+    The motion before the first and after the last sample is uniform.
     """
 
     t: np.ndarray
@@ -164,7 +169,8 @@ class Reconstruction:
         with plotting.style():
             _, (upper, lower) = plt.subplots(2, 1, figsize=(6, 5.2), sharex=True, height_ratios=[3, 2])
             upper.plot(self.t, columns[:, column], "o", ms=5, mfc="white", mec="k", ls="none", label="samples")
-            upper.plot(times, self.position(times).reshape(times.size, -1)[:, column], color=plotting.BLUE, ls="-", label="motion")
+            upper.plot(times, self.position(times).reshape(times.size, -1)[:, column], color=plotting.BLUE, ls="-",
+                       label="motion")
             lower.plot(times, self.acceleration(times).reshape(times.size, -1)[:, column], color=plotting.BLUE, ls="-")
             if self.bound is not None:
                 bound = np.broadcast_to(self.bound, self.h.shape[1:]).ravel()[column]
@@ -179,15 +185,15 @@ class Reconstruction:
 def reconstruct(t, h, sigma, *, max_acceleration=None, M=None, method="sweep"):
     """The motion that fits noisy samples of its position under an acceleration bound (MATLAB: csaps, spaps).
 
-    `t`: N + 1 increasing times; `h`: samples, shape (N + 1,) or (N + 1, ...) with a column for each coordinate or record;
-    `sigma`: standard errors, a number or N + 1 of them (infinity: not measured, `h` may be nan there). Give either
-    `max_acceleration` (a number, or one a column), or the weight `M`, not both.
+    `t`: N + 1 increasing times; `h`: samples, shape (N + 1,) or (N + 1, ...) with a column for each coordinate or
+    record; `sigma`: standard errors, a number or N + 1 of them (infinity: not measured, `h` may be nan there). Give
+    either `max_acceleration` (a number, or one a column), or the weight `M`, not both.
 
     `method="sweep"` (the paper): M is found such that max |u| = max_acceleration; `active` is False and M = 0 where
     already the natural spline through all samples keeps the bound. (max |u| need not fall as M grows: where several M
-    meet the bound, one of them is found.) `method="direct"`: least misfit among all motions with |u| <= max_acceleration,
-    a quadratic programme with u linear on quarters of each interval; of equally good motions the one with the least
-    integral of u^2.
+    meet the bound, one of them is found.) `method="direct"`: least misfit among all motions with |u| <=
+    max_acceleration, a quadratic programme with u linear on quarters of each interval; of equally good motions the one
+    with the least integral of u^2.
 
     >>> import numpy as np
     >>> t = np.arange(9.0)
@@ -210,12 +216,14 @@ def reconstruct(t, h, sigma, *, max_acceleration=None, M=None, method="sweep"):
 
     bound = np.asarray(max_acceleration, dtype=float)
     if not (bound > 0).all():
-        raise ValueError(f"max_acceleration: expected a positive bound, got {max_acceleration}; no motion has |u| below zero, and "
+        raise ValueError(f"max_acceleration: expected a positive bound, got {max_acceleration}; no motion has |u| "
+                         f"below zero, and "
                          "with 0 it is uniform: fit a straight line")
     try:
         bounds = np.broadcast_to(bound, h.shape[1:]).ravel()
     except ValueError:
-        raise ValueError(f"max_acceleration: expected a number or an array of shape {h.shape[1:]}, got shape {bound.shape}") from None
+        raise ValueError(f"max_acceleration: expected a number or an array of shape {h.shape[1:]}, got shape "
+                         f"{bound.shape}") from None
     columns = h.reshape(t.size, -1)
     solve = _swept if method == "sweep" else _direct
     found = [solve(t, columns[:, k], rho, bounds[k]) for k in range(columns.shape[1])]
@@ -229,7 +237,8 @@ def reconstruct(t, h, sigma, *, max_acceleration=None, M=None, method="sweep"):
 def sweep_eigenvalues(kappa):
     """The four eigenvalues of the transition matrix A_k, by growing modulus; `kappa` = rho tau^3/M.
 
-    The roots of (3.9), a reciprocal polynomial: with w = lambda + 1/lambda it is w^2 + (kappa/6 - 4) w + 2 kappa/3 + 4 = 0.
+    The roots of (3.9), a reciprocal polynomial: with w = lambda + 1/lambda it is w^2 + (kappa/6 - 4) w + 2 kappa/3 + 4
+    = 0.
 
     >>> sweep_eigenvalues(144).real.round(3).tolist()        # the only kappa > 0 with multiple roots
     [-0.101, -0.101, -9.899, -9.899]
@@ -247,7 +256,8 @@ def sweep_eigenvalues(kappa):
 
 
 def _riccati(tau, rho, M):
-    """p11, p12, p22 and det of P_k for all k, and det(I + S P_{k+1}); a plain loop over floats, nothing is subtracted."""
+    """p11, p12, p22 and det of P_k for all k, and det(I + S P_{k+1}); a plain loop over floats, nothing is
+    subtracted."""
     a, b, c, d = float(rho[-1]), 0.0, 0.0, 0.0
     rows, steps = [(a, b, c, d)], []
     for step, weight in zip(tau[::-1].tolist(), rho[-2::-1].tolist()):
@@ -336,7 +346,8 @@ def _root(excess, start, width):
         if (value > 0) != (here > 0):
             return brentq(excess, min(start, there), max(start, there), xtol=1e-12)
         start, here, width = there, value, 2*width
-    raise ArithmeticError("no weight M was found that meets the acceleration bound: it is beyond the range of machine numbers; "
+    raise ArithmeticError("no weight M was found that meets the acceleration bound: it is beyond the range of machine "
+                          "numbers; "
                           "change the units of time or length, or fit a straight line")
 
 
@@ -385,13 +396,15 @@ def _direct(t, h, rho, bound):
     limits = np.concatenate([np.full(2*n, np.inf), np.ones(n)])
     z = casadi.SX.sym("z", 3*n)
     problem = {"x": z, "f": casadi.dot(z, quadratic@z)/2 + casadi.dot(gradient, z), "g": motion@z}
-    options = {"print_time": False, "ipopt.print_level": 0, "ipopt.sb": "yes", "ipopt.tol": 1e-11, "ipopt.max_iter": 300,
+    options = {"print_time": False, "ipopt.print_level": 0, "ipopt.sb": "yes", "ipopt.tol": 1e-11,
+               "ipopt.max_iter": 300,
                "ipopt.bound_relax_factor": 0.0, "ipopt.mehrotra_algorithm": "yes",
                "ipopt.hessian_constant": "yes", "ipopt.jac_c_constant": "yes"}
     solver = casadi.nlpsol("direct", "ipopt", problem, options)
     found = solver(x0=np.zeros(3*n), lbx=-limits, ubx=limits, lbg=0, ubg=0)
     if not solver.stats()["success"]:
-        raise ArithmeticError(f"the direct method did not converge ({solver.stats()['return_status']}); try method=\"sweep\"")
+        raise ArithmeticError(f"the direct method did not converge ({solver.stats()['return_status']}); try "
+                              f"method=\"sweep\"")
     x, y, u = np.asarray(found["x"]).ravel().reshape(3, n)
     line_at = line[0] + slope[0]*(knots - t[0])
     return (knots, x*length + line_at, y*length/unit + slope[0], u*bound), 0.0, True
@@ -452,16 +465,19 @@ def _straight_line(t, rho, records):
 def _times(t):
     t = np.asarray(t, dtype=float)
     if t.ndim != 1 or t.size < 2:
-        raise ValueError(f"t: expected a list of two or more times, got {'shape ' + str(t.shape) if t.ndim != 1 else t.size}")
+        raise ValueError(f"t: expected a list of two or more times, got "
+                         f"{'shape ' + str(t.shape) if t.ndim != 1 else t.size}")
     if not np.isfinite(t).all():
         raise ValueError(f"t: the times must be finite, t[{np.flatnonzero(~np.isfinite(t))[0]}] is not")
     wrong = np.flatnonzero(np.diff(t) <= 0)
     if wrong.size:
         k = wrong[0]
         if t[k] == t[k + 1]:
-            raise ValueError(f"t: the time {t[k]:g} is repeated (t[{k}] and t[{k + 1}]); replace samples at one time by their "
+            raise ValueError(f"t: the time {t[k]:g} is repeated (t[{k}] and t[{k + 1}]); replace samples at one time "
+                             f"by their "
                              "weighted mean")
-        raise ValueError(f"t: the times must increase, t[{k + 1}] = {t[k + 1]:g} follows t[{k}] = {t[k]:g}; sort times and "
+        raise ValueError(f"t: the times must increase, t[{k + 1}] = {t[k + 1]:g} follows t[{k}] = {t[k]:g}; sort "
+                         f"times and "
                          "samples together")
     return t
 
@@ -486,7 +502,8 @@ def _weights(sigma, size):
 def _samples(h, rho):
     h = np.asarray(h, dtype=float)
     if h.ndim == 0 or h.shape[0] != rho.size or 0 in h.shape:
-        raise ValueError(f"h: expected {rho.size} samples, one a time (several records as columns), got shape {h.shape}")
+        raise ValueError(f"h: expected {rho.size} samples, one a time (several records as columns), got shape "
+                         f"{h.shape}")
     lost = ~np.isfinite(h.reshape(rho.size, -1)).all(axis=1) & (rho > 0)
     if lost.any():
         k = np.flatnonzero(lost)[0]

@@ -11,7 +11,8 @@ x, y = sp.symbols("x y", real=True)
 plain = sp.Symbol("x")
 
 
-@pytest.mark.parametrize("answer", [3, 3.0, np.float64(3), np.int32(3), sp.Integer(3), sp.Float(3), sp.Rational(6, 2), np.array(3), 3 + 0j])
+@pytest.mark.parametrize("answer", [3, 3.0, np.float64(3), np.int32(3), sp.Integer(3), sp.Float(3), sp.Rational(6, 2),
+                                    np.array(3), 3 + 0j])
 def test_whole_numbers(answer):
     assert coercion.as_integer(answer) == 3 and float(coercion.as_number(answer)) == 3
 
@@ -22,7 +23,8 @@ def test_no_whole_numbers(answer):
         coercion.as_integer(answer)
 
 
-@pytest.mark.parametrize("answer", [[1, 2], (1, 2), np.array([1, 2]), np.array([[1], [2]]), np.array([[1, 2]]), sp.Matrix([1, 2]),
+@pytest.mark.parametrize("answer", [[1, 2], (1, 2), np.array([1, 2]), np.array([[1], [2]]), np.array([[1, 2]]),
+                                    sp.Matrix([1, 2]),
                                     sp.Matrix([[1, 2]]), sp.Tuple(1, 2), [[1], [2]], [[1, 2]], [1.0, sp.Integer(2)]])
 def test_vectors_in_any_form(answer):
     assert [int(v) for v in coercion.as_expressions(answer, length=2)] == [1, 2]
@@ -34,12 +36,14 @@ def test_casadi_numbers():
     assert coercion.as_matrix(casadi.DM([[1, 2], [3, 4]])) - sp.Matrix([[1, 2], [3, 4]]) == sp.zeros(2, 2)
 
 
-@pytest.mark.parametrize("answer", [[[1, 2], [3, 4]], np.array([[1, 2], [3, 4]]), sp.Matrix([[1, 2], [3, 4]]), ((1, 2), (3, 4))])
+@pytest.mark.parametrize("answer", [[[1, 2], [3, 4]], np.array([[1, 2], [3, 4]]), sp.Matrix([[1, 2], [3, 4]]),
+                                    ((1, 2), (3, 4))])
 def test_matrices_in_any_form(answer):
     assert coercion.as_matrix(answer, shape=(2, 2)) == sp.Matrix([[1, 2], [3, 4]])
 
 
-@pytest.mark.parametrize("answer, said", [([[1, 2], [3]], "lengths"), (np.zeros((2, 2, 2)), "3 axes"), ([[1, 2]], "shape"), (5, "matrix"), ("A", "matrix")])
+@pytest.mark.parametrize("answer, said", [([[1, 2], [3]], "lengths"), (np.zeros((2, 2, 2)), "3 axes"),
+                                          ([[1, 2]], "shape"), (5, "matrix"), ("A", "matrix")])
 def test_no_matrices(answer, said):
     with pytest.raises(Invalid, match=said):
         coercion.as_matrix(answer, shape=(2, 2))
@@ -63,11 +67,14 @@ def test_conditions(answer, condition):
 
 def test_intervals_of_a_single_symbol():
     assert coercion.as_condition(sp.Interval.open(0, sp.oo), [x]).subs(x, 1) == sp.true
-    assert coercion.as_condition(sp.Union(sp.Interval.open(-2, -1), sp.Interval(1, 2)), [x]).subs(x, sp.Rational(3, 2)) == sp.true
+    assert coercion.as_condition(sp.Union(sp.Interval.open(-2, -1), sp.Interval(1, 2)),
+                                 [x]).subs(x, sp.Rational(3, 2)) == sp.true
 
 
-@pytest.mark.parametrize("points", [[(1, 2), (3, 4)], {(1, 2), (3, 4)}, np.array([[1, 2], [3, 4]]), sp.Matrix([[1, 2], [3, 4]]),
-                                    sp.FiniteSet((1, 2), (3, 4)), [sp.Matrix([1, 2]), sp.Matrix([3, 4])], [{x: 1, y: 2}, {x: 3, y: 4}]])
+@pytest.mark.parametrize("points", [[(1, 2), (3, 4)], {(1, 2), (3, 4)}, np.array([[1, 2], [3, 4]]),
+                                    sp.Matrix([[1, 2], [3, 4]]),
+                                    sp.FiniteSet((1, 2), (3, 4)), [sp.Matrix([1, 2]), sp.Matrix([3, 4])],
+                                    [{x: 1, y: 2}, {x: 3, y: 4}]])
 def test_points_in_any_form(points):
     assert sorted([int(v) for v in p] for p in coercion.as_points(points, 2)) == [[1, 2], [3, 4]]
 
@@ -79,14 +86,16 @@ def test_choices(word):
         coercion.as_choice("wobbly", ["stable"])
 
 
-@pytest.mark.parametrize("answer, value", [(True, True), ("yes", True), ("No", False), (np.bool_(True), True), (sp.false, False)])
+@pytest.mark.parametrize("answer, value", [(True, True), ("yes", True), ("No", False), (np.bool_(True), True),
+                                           (sp.false, False)])
 def test_yes_and_no(answer, value):
     assert coercion.as_yes_no(answer) is value
 
 
 @pytest.mark.parametrize("answer, value, right", [
     (0.385, 0.3849, True), (0.38, 0.3849, False), (3.49e-6, 3.4873e-6, True), (3.5e-6, 3.4873e-6, False),
-    (-0.385, 0.3849, False), (1.0, 1, True), (0, 0, True), (1e-9, 0, False), (123456, 123111, True), (124000, 123111, False),
+    (-0.385, 0.3849, False), (1.0, 1, True), (0, 0, True), (1e-9, 0, False), (123456, 123111, True),
+    (124000, 123111, False),
 ])
 def test_three_significant_digits(answer, value, right):
     assert coercion.rounds_to(answer, value) is right

@@ -20,7 +20,8 @@ def some_polynomials(count=40):
         return sp.Rational(chance.randint(-30, 30), chance.choice((1, 2, 3, 7)))
 
     for _ in range(count):
-        terms = [fraction() * x**chance.randint(0, 3) * y**chance.randint(0, 3) * z**chance.randint(0, 2) for _ in range(chance.randint(1, 6))]
+        terms = [fraction() * x**chance.randint(0, 3) * y**chance.randint(0, 3) * z**chance.randint(0, 2)
+                 for _ in range(chance.randint(1, 6))]
         place = tuple(Fraction(chance.randint(-40, 40), chance.randint(1, 9)) for _ in range(3))
         direction = tuple(Fraction(chance.randint(-2, 2), chance.randint(1, 3)) for _ in range(3))
         yield sp.Poly(sum(terms), x, y, z), place, direction
@@ -34,14 +35,17 @@ def test_values_signs_and_lines_are_those_of_sympy():
     for poly, place, direction in some_polynomials():
         true = poly.eval(tuple(map(rational, place)))
         assert rational(exact(poly).value(place)) == true and exact(poly).sign(place) == sp.sign(true)
-        line = sp.Poly(poly.as_expr().subs(dict(zip((x, y, z), (rational(p) + rational(d) * t for p, d in zip(place, direction))),
+        line = sp.Poly(poly.as_expr().subs(dict(zip((x, y, z), (rational(p) + rational(d) * t
+                                                                for p, d in zip(place, direction))),
                                                 ), simultaneous=True), t)
         assert [rational(c) for c in exact(poly).along(place, direction)] == ([] if line.is_zero else line.all_coeffs())
 
 
 @pytest.mark.parametrize("expression", [
-    t, t**3, 3 * t - 2, t**2 - 2, t**2 + 1, 4 * t**2 - 4 * t + 1, (t - 1)**3 * (2 * t + 5), (t**2 - 2) * (7 * t - 3), t**3 - 2, t**5 - t + 1,
-    (t**2 + t + 1) * (t - sp.Rational(10**6, 10**6 + 1)), t**2 * (t - 1) * (t**4 + t + 1), sp.Integer(5), (t - 10**5) * (t**3 - 5) * (t + sp.Rational(1, 3)),
+    t, t**3, 3 * t - 2, t**2 - 2, t**2 + 1, 4 * t**2 - 4 * t + 1, (t - 1)**3 * (2 * t + 5), (t**2 - 2) * (7 * t - 3),
+    t**3 - 2, t**5 - t + 1,
+    (t**2 + t + 1) * (t - sp.Rational(10**6, 10**6 + 1)), t**2 * (t - 1) * (t**4 + t + 1), sp.Integer(5),
+    (t - 10**5) * (t**3 - 5) * (t + sp.Rational(1, 3)),
     (t**2 - 2) * (t**2 - 3) * (t**2 - 6),  # it has a root modulo every prime, and no rational one
 ])
 def test_all_rational_roots_and_no_others(expression):

@@ -48,7 +48,8 @@ def test_a_condition_at_the_roots_of_two(condition, positive, negative):
 
 
 @pytest.mark.parametrize("condition, zeros", [
-    (sp.Ne(x, sp.sqrt(3)), 3), (sp.Ne(sp.Abs(x), sp.sqrt(3)), 3), (sp.Ne(sp.sqrt(x), sp.sqrt(3)), 9), (sp.Ne(1 / x, sp.Rational(1, 3)), 9),
+    (sp.Ne(x, sp.sqrt(3)), 3), (sp.Ne(sp.Abs(x), sp.sqrt(3)), 3), (sp.Ne(sp.sqrt(x), sp.sqrt(3)), 9),
+    (sp.Ne(1 / x, sp.Rational(1, 3)), 9),
 ])
 def test_the_boundary_of_a_condition_is_known(condition, zeros):
     claim = Claim(condition, [x])
@@ -79,5 +80,6 @@ def test_the_signs_that_the_data_assume():
     positive, negative = sp.symbols("p n", positive=True), sp.symbols("m", negative=True)
     assert allowed(Rational([Fraction(1)]), [positive[0]]) and not allowed(Rational([Fraction(0)]), [positive[0]])
     assert allowed(Rational([Fraction(-1)]), [negative]) and not allowed(Rational([Fraction(1)]), [negative])
-    place = Irrational((Fraction(0),), (Fraction(-1),), (Fraction(1), Fraction(0), Fraction(-2)), irrational_places(x**2 - 2)[0].root)
+    place = Irrational((Fraction(0),), (Fraction(-1),), (Fraction(1), Fraction(0), Fraction(-2)),
+                       irrational_places(x**2 - 2)[0].root)
     assert place.signs()[0] == -sp.sign(irrational_places(x**2 - 2)[0].root)

@@ -59,17 +59,21 @@ def test_stubs_are_missing_however_deep(stub):
     assert positive(stub).status == "missing"
 
 
-@pytest.mark.parametrize("answer", [[..., None], {1, ...}, np.array([..., 1])], ids=["beside what cannot cross", "set", "array"])
+@pytest.mark.parametrize("answer", [[..., None], {1, ...}, np.array([..., 1])],
+                         ids=["beside what cannot cross", "set", "array"])
 def test_stubs_beside_other_things(answer):
     assert positive(answer).status == ("invalid" if None in list(answer) else "missing")
 
 
-ODD = [fractions.Fraction(1, 3), np.str_("yes"), np.float32(2), np.array([1, None]), np.array([[sp.pi, 1]]), mpmath.mpf(3), casadi.DM(2), sp.Array([1, 2]),
-       sp.Symbol("x"), ..., None, positive, casadi.SX(1), decimal.Decimal(1), OrderedDict(), range(3), object, namedtuple("P", "x")(1),
+ODD = [fractions.Fraction(1, 3), np.str_("yes"), np.float32(2), np.array([1, None]), np.array([[sp.pi, 1]]),
+       mpmath.mpf(3), casadi.DM(2), sp.Array([1, 2]),
+       sp.Symbol("x"), ..., None, positive, casadi.SX(1), decimal.Decimal(1), OrderedDict(), range(3), object,
+       namedtuple("P", "x")(1),
        sp.Sum(1, (sp.Symbol("n"), 1, 2)), 10**2000]
 leaves = st.integers(0, len(ODD) - 1).map(ODD.__getitem__) | st.integers() | st.text(max_size=5)
 keys = st.text(max_size=3) | st.integers(-9, 9).map(np.int64) | st.text(max_size=3).map(np.str_) | st.just((1,))
-answers = st.recursive(leaves, lambda inner: st.lists(inner, max_size=3) | st.tuples(inner, inner) | st.dictionaries(keys, inner, max_size=3), max_leaves=6)
+answers = st.recursive(leaves, lambda inner: st.lists(inner, max_size=3) | st.tuples(inner, inner)
+                       | st.dictionaries(keys, inner, max_size=3), max_leaves=6)
 
 
 @settings(deadline=None, derandomize=True)

@@ -15,8 +15,10 @@ from trajlib.checks.verdict import Invalid, Wrong
 x, y, t = sp.symbols("x y t", real=True)
 UNDEFINED = sp.Add(sp.oo, -sp.oo, evaluate=False)
 NEVER = sp.Piecewise((x, x > 10**9))
-VALUELESS = [UNDEFINED, sp.Mul(0, sp.oo, evaluate=False), sp.Pow(0, -1, evaluate=False), sp.oo, -sp.oo, sp.I * sp.oo, sp.nan,
-             sp.log(0, evaluate=False), NEVER, x + UNDEFINED, 1 / sp.Add(x, -x, evaluate=False), sp.sinh(sp.cosh(100 + x**2))]
+VALUELESS = [UNDEFINED, sp.Mul(0, sp.oo, evaluate=False), sp.Pow(0, -1, evaluate=False), sp.oo, -sp.oo, sp.I * sp.oo,
+             sp.nan,
+             sp.log(0, evaluate=False), NEVER, x + UNDEFINED, 1 / sp.Add(x, -x, evaluate=False),
+             sp.sinh(sp.cosh(100 + x**2))]
 HUGE = sp.Integer(10) ** 200
 
 
@@ -31,7 +33,8 @@ def cases(name):
 def test_no_number_leaves_that_is_not_finite(claim):
     values = {x: sp.Rational(3, 7)}
     for read in (number_at, lambda claim, values: value_at(claim, values, "the height")):
-        with pytest.raises(Wrong, match="(undefined|infinite|larger than 1e.50) at x = 0.429, where it should have a value"):
+        with pytest.raises(Wrong, match="(undefined|infinite|larger than 1e.50) at x = 0.429, where it should have a "
+                                        "value"):
             read(claim, values)
     assert real_at(claim, values) is None
     assert np.isnan(real_function([x], [claim])(0.43)).all()
@@ -52,7 +55,8 @@ def test_what_has_a_value_is_read():
     assert matrix_at(sp.Matrix([[x, 1], [0, 2]]), {x: 3}).tolist() == [[3, 1], [0, 2]]
     assert value_at(sp.Piecewise((x, x < sp.oo), (1 / x, True)), {x: 2}, "it") == 2
     assert number_at(sp.Piecewise((1, sp.sqrt(x) > 1), (0, True)), {x: 4}) == 1
-    quotient = real_function([x], [sp.Piecewise((sp.sin(x) / x, sp.Ne(x, 0)), (1, True))])  # one case is not asked where it is undefined
+    # one case is not asked where it is undefined
+    quotient = real_function([x], [sp.Piecewise((sp.sin(x) / x, sp.Ne(x, 0)), (1, True))])
     assert quotient(0.0)[0] == 1 and quotient(np.array([0.0, 1.0]))[0, 1] == pytest.approx(math.sin(1))
     assert np.isnan(real_function([x], [sp.sqrt(x)])(-1.0)[0])
     for claim in (sp.AccumBounds(0, 1), x + y):
@@ -82,7 +86,8 @@ LATE = sp.Piecewise((-1, MOVE.t < 1), (1, MOVE.t > sp.Rational(21, 20)))
     ("time_optimal_law", sp.Piecewise((LAW.TO_ORIGIN, LAW.x2 < 9), (sp.oo, True)), LAW.ORIGIN, "right", "shortest"),
     ("fastest_control", PUSH, (*MOVE.MASS, *MOVE.REST, MOVE.t), "right", "least"),
     ("fastest_control", LATE, (*MOVE.MASS, *MOVE.REST, MOVE.t), "wrong", "your control at t = 1.0"),
-    ("fastest_control", [(-1, 1), (1, sp.oo)], (*MOVE.MASS, *MOVE.REST, MOVE.t), "wrong", "the end of your arc number 2"),
+    ("fastest_control", [(-1, 1), (1, sp.oo)], (*MOVE.MASS, *MOVE.REST, MOVE.t), "wrong",
+     "the end of your arc number 2"),
     ("unseen_direction", [HUGE, HUGE, HUGE, HUGE], SEEN.UNSEEN, "wrong", "larger than"),
     ("unseen_direction", [0, 10**9, 0, 10**9 * SEEN.g], SEEN.UNSEEN, "right", "changes"),
     ("breaks_bound", [0, 0, HUGE], SEEN.BOUND, "invalid", "finite"),
@@ -93,7 +98,8 @@ LATE = sp.Piecewise((-1, MOVE.t < 1), (1, MOVE.t > sp.Rational(21, 20)))
     ("rest_values", [sp.pi * LISTS.n, sp.oo], LISTS.PENDULUM, "wrong", "infinite"),
     ("first_integral", PLANE.k1 * PLANE.v**3 / 3 - PLANE.g * PLANE.v * sp.cos(PLANE.theta) + sp.oo, PLANE.NO_DRAG,
      "wrong", "not real"),
-    ("first_integral", PLANE.k1 * PLANE.v**3 / 3 - PLANE.g * PLANE.v * sp.cos(PLANE.theta) + sp.log(sp.Abs(PLANE.v) - PLANE.v),
+    ("first_integral", PLANE.k1 * PLANE.v**3 / 3 - PLANE.g * PLANE.v * sp.cos(PLANE.theta)
+     + sp.log(sp.Abs(PLANE.v) - PLANE.v),
      PLANE.NO_DRAG, "wrong", "not real"),
 ])
 def test_answers_that_are_undefined_where_it_matters(check, answer, data, verdict, said):
@@ -101,9 +107,11 @@ def test_answers_that_are_undefined_where_it_matters(check, answer, data, verdic
     assert (found.status, said in found.message) == (verdict, True), found
 
 
-@pytest.mark.parametrize("answer", [sp.Eq(x > 0, sp.true), sp.Ne(x > 0, sp.false), sp.And(x < 1, sp.Eq(x > 0, True)), sp.Eq(x > 0, y > 0)])
+@pytest.mark.parametrize("answer", [sp.Eq(x > 0, sp.true), sp.Ne(x > 0, sp.false), sp.And(x < 1, sp.Eq(x > 0, True)),
+                                    sp.Eq(x > 0, y > 0)])
 def test_an_equation_between_conditions_is_no_condition(answer):
     found = checks.stability_region(answer, sp.Symbol("s") ** 2 + sp.Symbol("s") + x + y, [x, y])
     assert found.status == "invalid" and "write the condition itself" in found.message
-    found = checks.stability_region(sp.Gt(x + y, UNDEFINED, evaluate=False), sp.Symbol("s") ** 2 + sp.Symbol("s") + x + y, [x, y])
+    found = checks.stability_region(sp.Gt(x + y, UNDEFINED, evaluate=False), sp.Symbol("s") ** 2 + sp.Symbol("s")
+                                    + x + y, [x, y])
     assert found.status == "invalid" and "undefined value" in found.message

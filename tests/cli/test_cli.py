@@ -20,7 +20,8 @@ def trajlib(*arguments, cwd=ROOT):
                           capture_output=True, text=True, timeout=120)
 
 
-@pytest.mark.parametrize("arguments", [["--help"], ["problems", "--help"], ["solve", "-h"], ["check", "-h"], ["exercises", "-h"]])
+@pytest.mark.parametrize("arguments", [["--help"], ["problems", "--help"], ["solve", "-h"], ["check", "-h"],
+                                       ["exercises", "-h"]])
 def test_help(arguments):
     done = trajlib(*arguments)
     assert done.returncode == 0 and "Usage" in done.stdout
@@ -70,8 +71,11 @@ def test_check_finds_answers_wherever_they_are_and_survives_a_failing_cell(tmp_p
     path = worked(tmp_path, "")
     notebook = json.loads(path.read_text())
     notebook["cells"] = [cell for cell in notebook["cells"] if cell["metadata"].get("tags") != ["check"]]
-    extra = ["%matplotlib inline\n1/0", "b_region = sp.And(k2 > 0, k1 > k2)\nimport sys; print('noise', file=sys.stderr)", "a_region = lambda k: True"]
-    notebook["cells"] += [{"cell_type": "code", "metadata": {}, "outputs": [], "execution_count": None, "source": s} for s in extra]
+    extra = ["%matplotlib inline\n1/0",
+             "b_region = sp.And(k2 > 0, k1 > k2)\nimport sys; print('noise', file=sys.stderr)",
+             "a_region = lambda k: True"]
+    notebook["cells"] += [{"cell_type": "code", "metadata": {}, "outputs": [], "execution_count": None, "source": s}
+                          for s in extra]
     path.write_text(json.dumps(notebook))
     found = json.loads(trajlib("check", path, "--json").stdout)
     assert found["verdicts"]["b_region"]["verdict"] == "right" and found["verdicts"]["a_region"]["verdict"] == "invalid"
@@ -93,7 +97,8 @@ def test_bad_input_ends_in_one_line_and_code_2(arguments, said):
 def test_check_stops_an_endless_notebook(tmp_path):
     path = worked(tmp_path, "")
     notebook = json.loads(path.read_text())
-    notebook["cells"].append({"cell_type": "code", "metadata": {}, "outputs": [], "execution_count": None, "source": "while True: pass"})
+    notebook["cells"].append({"cell_type": "code", "metadata": {}, "outputs": [], "execution_count": None,
+                              "source": "while True: pass"})
     path.write_text(json.dumps(notebook))
     done = trajlib("check", path, "--timeout", "8")
     assert done.returncode == 2 and "still running after 8 s" in done.stderr
@@ -105,5 +110,6 @@ def test_exercises_are_written_anew(tmp_path):
 
 
 def test_importing_trajlib_loads_nothing_heavy():
-    code = "import sys, trajlib; print([m for m in ('numpy', 'scipy', 'sympy', 'casadi', 'control', 'matplotlib') if m in sys.modules])"
+    code = ("import sys, trajlib; print([m for m in ('numpy', 'scipy', 'sympy', 'casadi', 'control', 'matplotlib') if "
+            "m in sys.modules])")
     assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True).stdout.strip() == "[]"

@@ -9,7 +9,8 @@ from trajlib.checks.verdict import Verdict
 from trajlib.grading import assignment as assignments
 
 #: Right answers of problem 1.15, each in one line (`from trajlib` is in the notebook's own data cell).
-RIGHT_1_15 = {"a_region": "(k1 > 0) & (k1*k2 > 1)", "b_region": "(k2 > 0) & (k1 > k2)", "c_region": "(k1 > 0) & (k2 > 0) & (k1*k2 < 1)",
+RIGHT_1_15 = {"a_region": "(k1 > 0) & (k1*k2 > 1)", "b_region": "(k2 > 0) & (k1 > k2)",
+              "c_region": "(k1 > 0) & (k2 > 0) & (k1*k2 < 1)",
               "d_region": "(k1 > 0) & (k2 > k1)", "e_region": "(k1 > 0) & (k2 > k1)"}
 
 
@@ -25,7 +26,8 @@ def an_assignment(folder, text, name="hw1"):
     return assignments.read(write_assignment(folder, text, name))
 
 
-def graded(store, student, problem, statuses, submitted=0.0, assignment="hw1", exercise="first", content=None, texts=None):
+def graded(store, student, problem, statuses, submitted=0.0, assignment="hw1", exercise="first", content=None,
+           texts=None):
     """Record an attempt with its result; `statuses` maps answers to right, wrong, ...; returns its id."""
     attempt = store.note_attempt(student, assignment, problem, content or f"{student}-{problem}-{submitted}", submitted)
     verdicts = {name: Verdict(status, f"{name} is {status}") for name, status in statuses.items()}

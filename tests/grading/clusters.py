@@ -39,7 +39,8 @@ class LocalCluster:
         """Start what does not end; returns the process."""
         log = open(self.here / f"log-{len(self._processes)}.txt", "wb")
         path = f"{Path(sys.executable).parent}:{os.environ['PATH']}"
-        process = subprocess.Popen([shutil.which("bash"), "-c", f"exec {self.as_here(command)}"], cwd=self.here, stdout=log, stderr=log,
+        process = subprocess.Popen([shutil.which("bash"), "-c", f"exec {self.as_here(command)}"], cwd=self.here,
+                                   stdout=log, stderr=log,
                                    env=os.environ | {"PATH": path} | environment, start_new_session=True)
         log.close()
         self._processes.append(process)
@@ -68,7 +69,8 @@ class LocalCluster:
 
     def workers(self):
         """Numbers of the processes that do the workers' work, below their nannies."""
-        found = [number for process in self._processes for number, _ in descendants(process.pid) if b"spawn_main" in command_of(number)]
+        found = [number for process in self._processes for number, _ in descendants(process.pid)
+                 if b"spawn_main" in command_of(number)]
         return sorted(found)
 
     def close(self):

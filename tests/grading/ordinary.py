@@ -17,7 +17,8 @@ def run(code, folder, timeout=120):
         os.chown(folder, USER, USER)
         for above in Path(folder).parents[:3]:  # temporary folders of tests are private
             os.chmod(above, os.stat(above).st_mode | 0o055) if above != Path("/tmp") else None
-    return subprocess.run([sys.executable, "-c", code], cwd=folder, env=environment, capture_output=True, text=True, timeout=timeout,
+    return subprocess.run([sys.executable, "-c", code], cwd=folder, env=environment, capture_output=True, text=True,
+                          timeout=timeout,
                           preexec_fn=_become_ordinary if os.getuid() == 0 else None)
 
 

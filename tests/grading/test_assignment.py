@@ -57,7 +57,8 @@ def test_points_of_a_problem_with_some_answers_named_stay_those_of_the_problem(t
     homework = an_assignment(tmp_path, 'problems = ["1.15"]\n[points]\n"1.15" = 10\n"1.15.a_region" = 6')
     assert homework.points["1.15"]["a_region"] == 6 and homework.points["1.15"]["e_region"] == 1
     assert homework.max_points == pytest.approx(10)
-    whole = an_assignment(tmp_path, 'problems = ["1.17"]\n[points]\n"1.17" = 5\n"1.17.a_region" = 2\n"1.17.b_region" = 3')
+    whole = an_assignment(tmp_path, 'problems = ["1.17"]\n[points]\n"1.17" = 5\n"1.17.a_region" = 2\n"1.17.b_region" '
+                                    '= 3')
     assert whole.points["1.17"] == {"a_region": 2, "b_region": 3}
 
 
@@ -103,7 +104,8 @@ ONE = 'problems = ["1.15"]\n'
     (ONE + '[points]\n"1.15.z_region" = 1', 'points."1.15.z_region" names neither'),
     (ONE + '[points]\n"a_region" = 1', 'points."a_region" names neither'),
     (ONE + '[points]\n"1.15" = 1\n"1.15.a_region" = 2', 'points."1.15" is 1, but its answers named below have 2'),
-    ('problems = ["1.17"]\n[points]\n"1.17" = 9\n"1.17.a_region" = 2\n"1.17.b_region" = 3', "is 9, but its answers named below have 5"),
+    ('problems = ["1.17"]\n[points]\n"1.17" = 9\n"1.17.a_region" = 2\n"1.17.b_region" = 3',
+     "is 9, but its answers named below have 5"),
     ("problems = [", "is not TOML in UTF-8"),
     (ONE + ONE, "Cannot overwrite a value"),
 ])
@@ -130,9 +132,11 @@ def test_a_homework_to_hand_out(tmp_path):
     made = handing_out.make(tmp_path, "hw1", ["1.4", "1.15"], 'Week 1: "stability" \\ première', due)
     assert made == assignments.read(tmp_path / "hw1" / "assignment.toml")
     assert made.title == 'Week 1: "stability" \\ première' and made.due == due and made.max_points == 13
-    assert sorted(path.name for path in (tmp_path / "hw1").iterdir()) == ["README.md", "assignment.toml", "ch1-p04.ipynb", "ch1-p15.ipynb"]
+    assert sorted(path.name for path in (tmp_path / "hw1").iterdir()) == ["README.md", "assignment.toml",
+                                                                          "ch1-p04.ipynb", "ch1-p15.ipynb"]
     readme = (tmp_path / "hw1" / "README.md").read_text(encoding="utf-8")
-    assert "première" in readme and "2026-10-01 23:59 (UTC+03:00)" in readme and "`ch1-p15.ipynb`: 5 points for 5 answers" in readme
+    assert ("première" in readme and "2026-10-01 23:59 (UTC+03:00)" in readme
+            and "`ch1-p15.ipynb`: 5 points for 5 answers" in readme)
 
 
 def test_what_is_handed_out_is_the_exercise_without_dead_links(tmp_path):
@@ -157,7 +161,8 @@ def test_a_notebook_is_found_again_without_its_metadata(tmp_path):
         path = tmp_path / "ann" / "hw1" / handing_out.file_name(exercise.number)
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(json.dumps(notebook))
-    assert {found.problem for found in submissions.find(tmp_path)} == {exercise.number for exercise in exercises.read_all()}
+    assert {found.problem for found in submissions.find(tmp_path)} == {exercise.number
+                                                                       for exercise in exercises.read_all()}
 
 
 def test_a_homework_is_not_written_over(tmp_path):
@@ -204,12 +209,16 @@ def test_due_dates_as_people_write_them():
     assert handing_out.due_date("2026-10-01T23:59:00+03:00") == datetime.datetime(2026, 10, 1, 23, 59, tzinfo=zone)
     local = handing_out.due_date("2026-10-01 12:30")
     assert local.tzinfo is not None and local == datetime.datetime(2026, 10, 1, 12, 30).astimezone()
-    assert handing_out.due_date("2026-10-01") == datetime.datetime(2026, 10, 1, 23, 59, 59).astimezone(), "the end of the day"
-    assert handing_out.due_date("2026-10-01T23:59:30Z") == datetime.datetime(2026, 10, 1, 23, 59, 30, tzinfo=datetime.timezone.utc)
+    assert handing_out.due_date("2026-10-01") == datetime.datetime(2026, 10, 1, 23, 59,
+                                                                   59).astimezone(), "the end of the day"
+    assert handing_out.due_date("2026-10-01T23:59:30Z") == datetime.datetime(2026, 10, 1, 23, 59, 30,
+                                                                             tzinfo=datetime.timezone.utc)
 
 
-@pytest.mark.parametrize("text", ["Friday", "2026-W40-4", "2026W404", "20261001", "2026-10-01 23", "2026-02-30", "2026-10-01 23:59:00.5",
-                                  "0001-01-01", "9999-12-31", "0001-01-01T00:00+03:00", "2026-10-01 24:61", "２026-10-01", " 2026-10-01"])
+@pytest.mark.parametrize("text", ["Friday", "2026-W40-4", "2026W404", "20261001", "2026-10-01 23", "2026-02-30",
+                                  "2026-10-01 23:59:00.5",
+                                  "0001-01-01", "9999-12-31", "0001-01-01T00:00+03:00", "2026-10-01 24:61",
+                                  "２026-10-01", " 2026-10-01"])
 def test_no_due_dates(text):
     with pytest.raises(AssignmentError, match='is not a date; write "2026-10-01 23:59"'):
         handing_out.due_date(text)

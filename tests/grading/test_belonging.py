@@ -25,7 +25,8 @@ def found(folder):
 
 @pytest.mark.parametrize("problem, name, named, meant", [
     ("1.15", "ch1-p15.ipynb", True, "1.15"), ("1.17", "ch1-p17.ipynb", True, None), ("1.17", "mine.ipynb", True, None),
-    ("1.17", "ch1-p17.ipynb", False, None), ("1.15", "mine.ipynb", False, "1.15"), ("1.17", "ch99-p98.ipynb", False, "1.15")])
+    ("1.17", "ch1-p17.ipynb", False, None), ("1.15", "mine.ipynb", False, "1.15"),
+    ("1.17", "ch99-p98.ipynb", False, "1.15")])
 def test_a_homework_of_one_problem(tmp_path, problem, name, named, meant):
     """What names another problem of the workbook is not taken for an attempt at the only one that is asked for."""
     homework = an_assignment(tmp_path, 'problems = ["1.15"]')
@@ -58,8 +59,10 @@ def test_a_file_that_gradescope_cannot_read_is_named(tmp_path, monkeypatch):
 
 @pytest.mark.parametrize("name, number", [
     ("ch1-p15", "1.15"), ("Copy of ch1-p15", "1.15"), ("Able_Ann_12345_ch1-p15", "1.15"), ("ch1-p15 (1)", "1.15"),
-    ("123_45_ch1-p15", "1.15"), ("ann-ch1-p15", "1.15"), ("ch1-p15-Copy1", "1.15"), ("Ch1-P04", "1.4"), ("ch2_5", "2.5"),
-    ("ch1p15", "1.15"), ("1.15", "1.15"), ("1_15-final", "1.15"), ("ch1-p15 and ch1-p17", None), ("notes", None), ("Able_1_15", None),
+    ("123_45_ch1-p15", "1.15"), ("ann-ch1-p15", "1.15"), ("ch1-p15-Copy1", "1.15"), ("Ch1-P04", "1.4"),
+    ("ch2_5", "2.5"),
+    ("ch1p15", "1.15"), ("1.15", "1.15"), ("1_15-final", "1.15"), ("ch1-p15 and ch1-p17", None), ("notes", None),
+    ("Able_1_15", None),
     ("branch1-p15", None), ("ch1-p1500", None)])
 def test_names(name, number):
     assert reading.number_of_name(name) == number

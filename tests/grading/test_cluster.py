@@ -1,4 +1,5 @@
-"""Grading on a Dask cluster of several processes: the same grades as on one machine, whatever ends in the midst, and nothing less safe."""
+"""Grading on a Dask cluster of several processes: the same grades as on one machine, whatever ends in the midst, and
+nothing less safe."""
 
 import concurrent.futures
 import json
@@ -66,8 +67,10 @@ def expected(submitted, tmp_path_factory):
 def start(dask, out):
     heeding = partial(signal.signal, signal.SIGINT, signal.SIG_DFL)
     known = () if dask.scheme == "tcp" else CERTIFICATES
-    command = [sys.executable, "-m", "trajlib.cli", "grade", "submitted", "--out", str(out), "--cluster", dask.address, *known]
-    return subprocess.Popen(command, cwd=dask.here, env=ALIKE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+    command = [sys.executable, "-m", "trajlib.cli", "grade", "submitted", "--out", str(out), "--cluster", dask.address,
+               *known]
+    return subprocess.Popen(command, cwd=dask.here, env=ALIKE, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                            text=True,
                             start_new_session=True, preexec_fn=heeding)
 
 
@@ -79,7 +82,8 @@ def wait_for_results(process, out, number):
 
 
 def our_cluster(dask, **options):
-    return cluster.Cluster(dask.address, *(dask.here / name for name in ("ca.pem", "grader.pem", "grader-key.pem")), **options)
+    return cluster.Cluster(dask.address, *(dask.here / name for name in ("ca.pem", "grader.pem", "grader-key.pem")),
+                           **options)
 
 
 def a_unit(key, problem="1.15", answers=RIGHT_1_15):
@@ -95,7 +99,8 @@ def test_the_guide_grades_as_one_machine_does(dask, submitted, expected):
     (command, shown) = COMMANDS[-1]
     assert command.startswith("trajlib grade") and [known for known, _ in COMMANDS[:4]] and len(COMMANDS) == 5
     path = f"{Path(sys.executable).parent}:{os.environ['PATH']}"
-    done = subprocess.run(["bash", "-c", dask.as_here(command)], cwd=dask.here, env=ALIKE | {"PATH": path}, stdout=subprocess.PIPE,
+    done = subprocess.run(["bash", "-c", dask.as_here(command)], cwd=dask.here, env=ALIKE | {"PATH": path},
+                          stdout=subprocess.PIPE,
                           stderr=subprocess.STDOUT, text=True, timeout=120)
     assert done.returncode == 0 and like(shown, done.stdout), done.stdout
     assert len(expected) == 12 and grades(dask.here / "graded") == expected
@@ -117,7 +122,8 @@ def test_whatever_ends_in_the_midst_costs_nothing(dask, expected, tmp_path):
     os.killpg(process.pid, signal.SIGINT)
     _, said = process.communicate(timeout=60)
     assert process.returncode == 130 and "Traceback" not in said, said
-    assert said.strip().split("\n")[-1] == "trajlib: stopped; what is graded is stored, and the same command goes on from there"
+    assert (said.strip().split("\n")[-1]
+            == "trajlib: stopped; what is graded is stored, and the same command goes on from there")
     # and then a worker is killed.
     before, victim = count(tmp_path), dask.workers()[0]
     process = start(dask, tmp_path)
@@ -134,7 +140,8 @@ def test_nothing_runs_on_after_the_grader_has_stopped(dask):
 
     before = dask.lanes()  # a killed grader's lanes end by themselves, a little later
     endless = a_unit(1, answers={"a_region": "[None for _ in iter(int, 1)]"})
-    with closing(cluster.grade_all([a_unit(0), endless], units.settings(Limits(), Bounds()), our_cluster(dask))) as results:
+    with closing(cluster.grade_all([a_unit(0), endless], units.settings(Limits(), Bounds()),
+                                   our_cluster(dask))) as results:
         key, result = next(results)
         assert key == 0 and {status for status, _ in map(dict.values, result["verdicts"].values())} == {"right"}
         assert begun()
@@ -155,16 +162,19 @@ def copied_library(folder, path, old, new):
 
 
 def test_another_library_on_a_worker_is_named_before_anything_is_graded(dask, submitted, tmp_path):
-    changed = copied_library(tmp_path / "changed", "exercises/ch1/p15.ipynb", "checks.stability_region", "checks. stability_region")
+    changed = copied_library(tmp_path / "changed", "exercises/ch1/p15.ipynb", "checks.stability_region",
+                             "checks. stability_region")
     worker = dask.add_worker(PYTHONPATH=changed)
     process = start(dask, tmp_path / "out")
     _, said = process.communicate(timeout=60)
     dask.remove(worker)
     assert process.returncode == 2, said
     last = said.strip().split("\n")[-1]
-    assert re.fullmatch(r"trajlib: worker tls://127.0.0.1:\d+: its problem 1.15 is another one than here: .*", last), said
+    assert re.fullmatch(r"trajlib: worker tls://127.0.0.1:\d+: its problem 1.15 is another one than here: .*",
+                        last), said
     assert "Traceback" not in said
-    assert {row[0] for row in grades(tmp_path / "out")} == {"gil", "hal"}, "whose files are no notebooks, for which no worker is asked"
+    assert {row[0] for row in grades(tmp_path / "out")} == {"gil", "hal"}, ("whose files are no notebooks, for which "
+                                                                            "no worker is asked")
 
 
 def test_a_worker_without_a_sandbox_refuses(dask, tmp_path):
@@ -198,9 +208,12 @@ def test_the_library_that_counts_is_all_that_grades():
     from trajlib.dependencies import module_closure
 
     closure = module_closure("import trajlib.grading.cluster_lanes")
-    assert {f"trajlib.{name}" for name in ("cells", "execution", "exercises", "checks.encoding", "checks.verdict", "grading.cluster_lanes",
-                                           "grading.framing", "grading.isolation", "grading.judging", "grading.lanes", "grading.sandbox",
-                                           "grading.system_calls", "grading.units", "grading.watching", "grading.worker")} <= closure.keys()
+    assert {f"trajlib.{name}" for name in ("cells", "execution", "exercises", "checks.encoding", "checks.verdict",
+                                           "grading.cluster_lanes",
+                                           "grading.framing", "grading.isolation", "grading.judging", "grading.lanes",
+                                           "grading.sandbox",
+                                           "grading.system_calls", "grading.units", "grading.watching",
+                                           "grading.worker")} <= closure.keys()
 
 
 # Hostile notebooks: the cluster's ports, its keys, its processes
@@ -236,13 +249,16 @@ for number in WORKERS:
 
 @pytest.mark.parametrize("trusting", [True, False], ids=["unguarded", "guarded"])
 def test_a_notebook_reaches_nothing_of_the_cluster(dask, tmp_path, trusting):
-    """With no sandbox it reaches the scheduler, the workers and their key, so that this tests something; in the sandbox nothing."""
+    """With no sandbox it reaches the scheduler, the workers and their key, so that this tests something; in the sandbox
+    nothing."""
     ports = [dask.port, *(int(address.rpartition(":")[2]) for address in addresses(dask))]
     facts = f"PORTS, FILES, WORKERS = {ports}, {[str(dask.here / 'worker-key.pem')]}, {dask.workers()}\n"
-    path = hand_in(tmp_path, "mallory", "1.15", {"b_region": RIGHT_1_15["b_region"], "a_region": "' '.join(sorted(set(found)))"})
+    path = hand_in(tmp_path, "mallory", "1.15",
+                   {"b_region": RIGHT_1_15["b_region"], "a_region": "' '.join(sorted(set(found)))"})
     notebook = json.loads(path.read_text())
     place = next(k for k, cell in enumerate(notebook["cells"]) if cell["metadata"].get("tags") == ["answer"])
-    notebook["cells"].insert(place, {"cell_type": "code", "metadata": {}, "source": facts + REACH, "outputs": [], "execution_count": None})
+    notebook["cells"].insert(place, {"cell_type": "code", "metadata": {}, "source": facts + REACH, "outputs": [],
+                                     "execution_count": None})
     path.write_text(json.dumps(notebook))
     course.grade(tmp_path / "submitted", tmp_path / "out", cluster=our_cluster(dask), trusting=trusting)
     with sqlite3.connect(tmp_path / "out" / "grades.sqlite") as database:
@@ -268,7 +284,8 @@ def test_a_key_that_notebooks_could_read_is_refused(monkeypatch, tmp_path):
 
 def addresses(dask):
     security = distributed.Security(**{f"tls_{name}": str(dask.here / file) for name, file in
-                                       (("ca_file", "ca.pem"), ("client_cert", "grader.pem"), ("client_key", "grader-key.pem"))})
+                                       (("ca_file", "ca.pem"), ("client_cert", "grader.pem"),
+                                        ("client_key", "grader-key.pem"))})
     with distributed.Client(dask.address, security=security, set_as_default=False) as client:
         return list(client.nthreads())
 
@@ -283,7 +300,8 @@ def test_plain_tcp_is_said_and_works(tmp_path):
         hand_in(tmp_path, "ada", "1.15", RIGHT_1_15)
         process = start(plain, tmp_path / "out")
         _, said = process.communicate(timeout=60)
-        assert process.returncode == 0 and f"{plain.address} is not encrypted: who can reach it can read and change grades" in said
+        assert (process.returncode == 0
+                and f"{plain.address} is not encrypted: who can reach it can read and change grades" in said)
         assert '"ada","5.00"' in (tmp_path / "out" / "hw1" / "grades.csv").read_text(encoding="utf-8")
 
 
@@ -308,10 +326,13 @@ def test_certificates_that_cannot_be_used_are_refused(dask, tmp_path):
         cluster.check(files(key="nowhere.pem"))
     with pytest.raises(cluster.ClusterError, match="these certificates cannot be used: .*KEY_VALUES_MISMATCH"):
         cluster.check(files(cert="worker.pem"))
-    subprocess.run(["openssl", "req", "-x509", "-newkey", "ed25519", "-nodes", "-subj", "/CN=x", "-keyout", "key.pem", "-out", "x.pem"],
+    subprocess.run(["openssl", "req", "-x509", "-newkey", "ed25519", "-nodes", "-subj", "/CN=x", "-keyout", "key.pem",
+                    "-out", "x.pem"],
                    cwd=tmp_path, check=True, capture_output=True)
-    with pytest.raises(cluster.ClusterError, match="no scheduler can be reached at tls://127.0.0.1:.*signed by the same CA"):
-        next(cluster.grade_all([a_unit(0)], units.settings(Limits(), Bounds()), files(cert=tmp_path / "x.pem", key=tmp_path / "key.pem")))
+    with pytest.raises(cluster.ClusterError,
+                       match="no scheduler can be reached at tls://127.0.0.1:.*signed by the same CA"):
+        next(cluster.grade_all([a_unit(0)], units.settings(Limits(), Bounds()),
+                               files(cert=tmp_path / "x.pem", key=tmp_path / "key.pem")))
 
 
 @pytest.mark.parametrize("seconds", [0.2, 1.5])
@@ -328,9 +349,11 @@ def test_somebody_else_at_the_address(tmp_path):
     shorter = "from trajlib import cli\nfrom trajlib.grading import cluster\ncluster.TO_CONNECT = 1\ncli.main()"
     with socket.create_server(("127.0.0.1", 0)) as silent:
         address = f"tcp://127.0.0.1:{silent.getsockname()[1]}"
-        done = subprocess.run([sys.executable, "-c", shorter, "grade", "submitted", "--out", "graded", "--cluster", address], cwd=tmp_path,
+        done = subprocess.run([sys.executable, "-c", shorter, "grade", "submitted", "--out", "graded", "--cluster",
+                               address], cwd=tmp_path,
                               env=ALIKE, capture_output=True, text=True, timeout=100)
-    assert done.returncode == 2 and "something listens there, but gives no answer within 1 s" in done.stderr and "Traceback" not in done.stderr
+    assert (done.returncode == 2 and "something listens there, but gives no answer within 1 s" in done.stderr
+            and "Traceback" not in done.stderr)
 
 
 def test_without_dask_one_line(monkeypatch):
@@ -346,14 +369,16 @@ def test_without_dask_one_line(monkeypatch):
 ])
 def test_bad_options_end_in_one_line_and_code_2(tmp_path, options, said):
     (tmp_path / "submitted").mkdir()
-    done = subprocess.run([sys.executable, "-m", "trajlib.cli", "grade", "submitted", "--out", "graded", *options], cwd=tmp_path, env=ALIKE,
+    done = subprocess.run([sys.executable, "-m", "trajlib.cli", "grade", "submitted", "--out", "graded", *options],
+                          cwd=tmp_path, env=ALIKE,
                           capture_output=True, text=True, timeout=60)
     assert done.returncode == 2 and said in done.stderr and len(done.stderr.strip().split("\n")) == 1, done.stderr
     assert not (tmp_path / "graded").exists()
 
 
 def test_grading_on_one_machine_loads_nothing_of_dask():
-    code = ("import sys, trajlib.cli, trajlib.grading.commands, trajlib.grading.lanes, trajlib.grading.worker, trajlib.grading.cluster\n"
+    code = ("import sys, trajlib.cli, trajlib.grading.commands, trajlib.grading.lanes, trajlib.grading.worker, "
+            "trajlib.grading.cluster\n"
             "print([name for name in sys.modules if name.split('.')[0] in ('dask', 'distributed')])")
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
     assert done.stdout.strip() == "[]", done

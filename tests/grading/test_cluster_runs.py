@@ -13,7 +13,8 @@ class Dask:
     status = "running"
 
     def __init__(self, **threads):
-        self.threads, self.calls, self.cancelled = {f"tls://10.0.0.{k}:1": count for k, count in enumerate(threads.values(), 1)}, [], 0
+        self.threads, self.calls, self.cancelled = {f"tls://10.0.0.{k}:1": count
+                                                    for k, count in enumerate(threads.values(), 1)}, [], 0
 
     def nthreads(self):
         return self.threads
@@ -60,8 +61,10 @@ def quick(monkeypatch):
 
 
 def run_of(dask, number, told=None):
-    units_ = [{"key": key, "problem": "1.15", "sources": [str(key)], "names": ["a_region"], "student": "ada"} for key in range(number)]
-    return cluster._Run(dask, units_, {"run": "x"}, cluster.Cluster("tls://10.0.0.0:1", tell=(told if told is not None else []).append))
+    units_ = [{"key": key, "problem": "1.15", "sources": [str(key)], "names": ["a_region"], "student": "ada"}
+              for key in range(number)]
+    return cluster._Run(dask, units_, {"run": "x"},
+                        cluster.Cluster("tls://10.0.0.0:1", tell=(told if told is not None else []).append))
 
 
 def following(dask, run, answers):
@@ -85,22 +88,27 @@ def test_only_so_many_are_on_their_way_and_nothing_else_of_the_students(quick):
 
     def answers(call):
         for address in dask.threads:
-            most[address] = max(most[address], sum(one.open() and one.name == "grade" for one in dask.calls if one.address == address))
+            most[address] = max(most[address], sum(one.open() and one.name == "grade" for one in dask.calls
+                                                   if one.address == address))
         return graded(call)
 
     results = following(dask, run_of(dask, 50), answers)
-    assert sorted(key for key, _ in results) == list(range(50)) and all(result["graded"] == [str(key)] for key, result in results)
+    assert (sorted(key for key, _ in results) == list(range(50))
+            and all(result["graded"] == [str(key)] for key, result in results))
     assert most == {"tls://10.0.0.1:1": 2 + cluster.AHEAD, "tls://10.0.0.2:1": 1 + cluster.AHEAD}
     assert {frozenset(call.unit) for call in dask.calls if call.unit} == {frozenset({"problem", "sources"})}
-    assert {call.address: call.settings["lanes"] for call in dask.calls} == {"tls://10.0.0.1:1": 2, "tls://10.0.0.2:1": 1}
+    assert {call.address: call.settings["lanes"] for call in dask.calls} == {"tls://10.0.0.1:1": 2,
+                                                                             "tls://10.0.0.2:1": 1}
 
 
 def test_a_notebook_at_which_processes_end_is_given_up_after_three_workers(quick):
     dask = Dask(a=1, b=1, c=1, d=1)
-    results = following(dask, run_of(dask, 9), lambda call: {} if call.unit and call.unit["sources"] == ["4"] else graded(call))
+    results = following(dask, run_of(dask, 9), lambda call: {} if call.unit and call.unit["sources"] == ["4"]
+                        else graded(call))
     given_up = [result for key, result in results if key == 4]
     assert sorted(key for key, _ in results) == list(range(9)) and len(given_up) == 1
-    assert given_up[0]["final"] == "no" and given_up[0]["remarks"] == ("grader: it failed on this notebook (one of its processes ended)",)
+    assert (given_up[0]["final"] == "no" and given_up[0]["remarks"]
+            == ("grader: it failed on this notebook (one of its processes ended)",))
     tried = [call.address for call in dask.calls if call.unit and call.unit["sources"] == ["4"]]
     assert len(tried) == len(set(tried)) == cluster.MOST_TRIES, "each time another one"
 
@@ -129,7 +137,8 @@ def test_who_comes_later_gets_notebooks_if_it_is_fit(quick):
     def answers(call):
         if call.name == "grade":
             dask.threads |= {"tls://10.0.0.8:1": 1, "tls://10.0.0.9:1": 1}
-        return {"refused": "it has sympy 1.12", "sandbox": False} if call.address == "tls://10.0.0.9:1" else graded(call)
+        return ({"refused": "it has sympy 1.12", "sandbox": False} if call.address == "tls://10.0.0.9:1"
+                else graded(call))
 
     results = following(dask, run_of(dask, 9), answers)
     assert sorted(key for key, _ in results) == list(range(9))
@@ -145,7 +154,9 @@ def test_no_worker_and_no_scheduler_are_said(quick):
         following(dask, run_of(dask, 1), lambda call: None)
     dask = Dask(a=1)
     with pytest.raises(cluster.ClusterError, match="no worker is left at tls://10.0.0.0:1; what is graded is stored"):
-        following(dask, run_of(dask, 9), lambda call: dask.threads.clear() or graded(call) if call.unit else graded(call))
+        following(dask, run_of(dask, 9), lambda call: dask.threads.clear() or graded(call) if call.unit
+                  else graded(call))
     dask = Dask(a=1)
-    with pytest.raises(cluster.ClusterError, match="the scheduler at tls://10.0.0.0:1 has gone; what is graded is stored"):
+    with pytest.raises(cluster.ClusterError,
+                       match="the scheduler at tls://10.0.0.0:1 has gone; what is graded is stored"):
         following(dask, run_of(dask, 9), lambda call: setattr(dask, "status", "closed") or graded(call))

@@ -55,7 +55,8 @@ def here(monkeypatch):
 
 
 def grade(folder, **options):
-    given = {"assignment_folder": folder / "assignments", "processes": 1, "timeout": 60, "trusting": True, "quiet": True} | options
+    given = {"assignment_folder": folder / "assignments", "processes": 1, "timeout": 60, "trusting": True,
+             "quiet": True} | options
     return commands.grade_course(folder / "submitted", folder / "graded", **given)
 
 
@@ -74,14 +75,16 @@ def test_a_course_in_the_sandbox_from_the_command_line(course):
     done = trajlib("grade", "submitted", "--out", "graded", "--site", "https://example.org/course", cwd=course)
     assert done.returncode == 0, done.stderr
     assert "hw1: 12 points, due 2026-10-01 12:00 (UTC), by assignments/hw1/assignment.toml" in done.stderr
-    assert "3 of 4 students handed something in, 1 late; tables and pages in graded/hw1" in done.stderr and "3/3" in done.stderr
+    assert ("3 of 4 students handed something in, 1 late; tables and pages in graded/hw1" in done.stderr
+            and "3/3" in done.stderr)
     assert table(course / "graded" / "hw1" / "grades.csv") == [
         ["student", "1.15", "1.17", "total", "max", "late", "needs review"],
         ["ann", "10.00", "0.00", "10.00", "12.00", "", "no"], ["bob", "6.00", "0.00", "6.00", "12.00", "1.15", "no"],
         ["cid", "0.00", "0.00", "0.00", "12.00", "", "no"], ["dan", "0.00", "0.00", "0.00", "12.00", "", "no"]]
     # Dan has no grade to hand on.
     assert [row[0] for row in table(course / "graded" / "hw1" / "moodle.csv")] == ["ID number", "ann", "bob", "cid"]
-    assert [row[3] for row in table(course / "graded" / "hw1" / "nbgrader.csv")] == ["student_id", "ann", "bob", "cid", "dan"]
+    assert [row[3] for row in table(course / "graded" / "hw1" / "nbgrader.csv")] == ["student_id", "ann", "bob",
+                                                                                     "cid", "dan"]
     assert {path.name for path in (course / "graded" / "hw1").iterdir()} == {
         "grades.csv", "changes.csv", "moodle.csv", "nbgrader.csv", "grades.json", "summary.html", "feedback"}
     bob = (course / "graded" / "hw1" / "feedback" / "bob.html").read_text(encoding="utf-8")
@@ -90,7 +93,8 @@ def test_a_course_in_the_sandbox_from_the_command_line(course):
     again = trajlib("grade", "submitted", "--out", "graded", "--json", cwd=course)
     summary = json.loads(again.stdout)
     assert again.stderr == "" and summary["graded"] == 0 and summary["already graded"] == 3
-    assert summary["assignments"] == {"hw1": {"ann": 10, "bob": 6, "cid": 0, "dan": 0}} and summary["late"] == {"hw1": {"bob": ["1.15"]}}
+    assert (summary["assignments"] == {"hw1": {"ann": 10, "bob": 6, "cid": 0, "dan": 0}}
+            and summary["late"] == {"hw1": {"bob": ["1.15"]}})
 
 
 def test_points_by_hand_from_the_command_line(course, here):
@@ -102,7 +106,8 @@ def test_points_by_hand_from_the_command_line(course, here):
     done = trajlib("score", "bob", "hw1", "1.15", "a_region", "--remove", "--graded", course / "graded", cwd="/")
     assert done.returncode == 0 and "the automatic points count again" in done.stdout
     assert grade(course)["assignments"]["hw1"]["bob"] == 6
-    assert [row[-1] for row in table(course / "graded" / "hw1" / "changes.csv")[1:]] == ["points given by hand", "points by hand taken back"]
+    assert [row[-1] for row in table(course / "graded" / "hw1" / "changes.csv")[1:]] == ["points given by hand",
+                                                                                         "points by hand taken back"]
 
 
 @pytest.mark.parametrize("arguments, said", [
@@ -148,13 +153,17 @@ def test_a_changed_problem_regrades_what_it_changed_and_says_so(course, here, ch
     assert sorted(here) == ["1.15", "1.15", "1.17", "1.17"]
     here.clear()
     # Item a is now judged by the equation of item b: what was right is wrong, and the other way round for nobody.
-    changed_workbook("1.15", "a_region=checks.stability_region(a_region, a_poly", "a_region=checks.stability_region(a_region, b_poly")
+    changed_workbook("1.15", "a_region=checks.stability_region(a_region, a_poly",
+                     "a_region=checks.stability_region(a_region, b_poly")
     summary = grade(course, quiet=False)
     assert here == ["1.15", "1.15"], "1.17 is as it was"
-    assert summary["assignments"]["hw1"] == {"ann": 7, "bob": 6, "cid": 0, "dan": 0}, "points by hand stay after a regrade"
+    assert summary["assignments"]["hw1"] == {"ann": 7, "bob": 6, "cid": 0,
+                                             "dan": 0}, "points by hand stay after a regrade"
     (change,) = summary["changes"]["hw1"]
-    assert (change["student"], change["answer"], change["old_verdict"], change["new_verdict"]) == ("ann", "a_region", "right", "wrong")
-    assert (change["old_points"], change["new_points"], change["why"]) == (2.0, 0.0, "the problem or its checks changed")
+    assert (change["student"], change["answer"], change["old_verdict"],
+            change["new_verdict"]) == ("ann", "a_region", "right", "wrong")
+    assert (change["old_points"], change["new_points"],
+            change["why"]) == (2.0, 0.0, "the problem or its checks changed")
     said = capsys.readouterr().err
     assert "1 answer is not what it was:" in said
     assert "ann 1.15 a_region: right -> wrong, 2 -> 0 points (the problem or its checks changed)" in said
@@ -177,7 +186,8 @@ def test_a_change_of_a_problem_that_is_taken_back(course, here, changed_workbook
 
 def test_a_run_killed_before_it_told_its_changes_tells_them_next_time(course, here, changed_workbook, monkeypatch):
     grade(course)
-    changed_workbook("1.15", "a_region=checks.stability_region(a_region, a_poly", "a_region=checks.stability_region(a_region, b_poly")
+    changed_workbook("1.15", "a_region=checks.stability_region(a_region, a_poly",
+                     "a_region=checks.stability_region(a_region, b_poly")
     with monkeypatch.context() as killed:
         killed.setattr(commands, "write", lambda *_, **__: (_ for _ in ()).throw(KeyboardInterrupt))
         with pytest.raises(KeyboardInterrupt):
@@ -191,15 +201,17 @@ def test_resubmission(course, here):
     hand_in(course, "bob", "1.15", RIGHT_1_15, at=DUE + 120)
     hand_in(course, "dan", "1.15", RIGHT_1_15, at=DUE + 120)
     summary = grade(course)
-    assert summary["graded"] == 2 and summary["assignments"]["hw1"]["bob"] == 10 and summary["assignments"]["hw1"]["dan"] == 10
+    assert (summary["graded"] == 2 and summary["assignments"]["hw1"]["bob"] == 10
+            and summary["assignments"]["hw1"]["dan"] == 10)
     assert {(change["student"], change["answer"], change["why"]) for change in summary["changes"]["hw1"]} == {
-        ("bob", "a_region", "another attempt counts"), ("bob", "b_region", "another attempt counts")}, "Dan's first one changes no grade"
+        ("bob", "a_region", "another attempt counts"),
+        ("bob", "b_region", "another attempt counts")}, "Dan's first one changes no grade"
     hand_in(course, "bob", "1.15", WRONG, at=DUE + 180)
     assert grade(course)["assignments"]["hw1"]["bob"] == 10, "the best counts"
     write_assignment(course, 'attempt = "last"\n' + HOMEWORK)
     summary = grade(course)
     assert summary["graded"] == 0 and summary["assignments"]["hw1"]["bob"] == 0 and len(summary["changes"]["hw1"]) == 5
-    assert "You handed this in 3 times" in (course / "graded" / "hw1" / "feedback" / "bob.html").read_text(encoding="utf-8")
+    assert ("You handed this in 3 times" in (course / "graded" / "hw1" / "feedback" / "bob.html").read_text(encoding="utf-8"))
 
 
 def test_changed_points_are_a_change(course, here):
@@ -215,21 +227,25 @@ def test_changed_points_are_a_change(course, here):
 
 def test_roster(course, here, capsys):
     roster = course / "canvas.csv"
-    roster.write_text('Student,ID,SIS Login ID,Section\n    Points Possible,,,\n"Able, Ann",1,ann,A\n"Bee, Bob",2,bob,A\n', encoding="utf-8")
+    roster.write_text('Student,ID,SIS Login ID,Section\n    Points Possible,,,\n"Able, Ann",1,ann,A\n"Bee, '
+                      'Bob",2,bob,A\n', encoding="utf-8")
     summary = grade(course, roster=roster, quiet=False)
     assert table(course / "graded" / "hw1" / "canvas.csv") == [
         ["Student", "ID", "SIS Login ID", "Section", "Homework 1"], ["    Points Possible", "", "", "", "12.00"],
         ["Able, Ann", "1", "ann", "A", "10.00"], ["Bee, Bob", "2", "bob", "A", "6.00"]]
-    assert summary["not in the roster"] == {"hw1": ["cid", "dan"]} and "not in the roster: cid, dan" in capsys.readouterr().err
+    assert (summary["not in the roster"] == {"hw1": ["cid", "dan"]}
+            and "not in the roster: cid, dan" in capsys.readouterr().err)
 
 
 def test_other_points_possible_in_canvas_are_said(course, here, capsys):
     roster = course / "canvas.csv"
     for possible, said in (("10", True), ("12", False), ("12.00", False), ("", False), ("(read only)", False)):
-        roster.write_text(f"Student,ID,SIS Login ID,Section,Homework 1 (5)\n    Points Possible,,,,{possible}\nAnn,1,ann,A,\n",
+        roster.write_text(f"Student,ID,SIS Login ID,Section,Homework 1 (5)\n    Points "
+                          f"Possible,,,,{possible}\nAnn,1,ann,A,\n",
                           encoding="utf-8")
         grade(course, roster=roster, quiet=False)
-        assert table(course / "graded" / "hw1" / "canvas.csv")[2][-1] == "10.00", "the points of the homework, as they are"
+        assert table(course / "graded" / "hw1" / "canvas.csv")[2][-1] == "10.00", ("the points of the homework, as "
+                                                                                   "they are")
         assert ("Canvas has 10 points possible for Homework 1, the homework has 12" in capsys.readouterr().err) == said
 
 
@@ -267,13 +283,13 @@ def test_a_problem_taken_out_of_the_homework_is_a_change(course, here, capsys):
     write_assignment(course, 'problems = ["1.17"]\n')
     changes = grade(course, quiet=False)["changes"]["hw1"]
     assert len(changes) == 5 + 3 and {change["why"] for change in changes} == {"the homework asks for it no longer"}
-    assert "ann 1.15 a_region: right -> not asked for, 2 -> 0 points (the homework asks for it no longer)" in capsys.readouterr().err
+    assert ("ann 1.15 a_region: right -> not asked for, 2 -> 0 points (the homework asks for it no longer)" in capsys.readouterr().err)
     assert len(table(course / "graded" / "hw1" / "changes.csv")) == 1 + 8
     assert grade(course)["changes"]["hw1"] == []
     write_assignment(course, HOMEWORK)
     back = grade(course, quiet=False)["changes"]["hw1"]
     assert len(back) == 5 + 3 and {change["why"] for change in back} == {"the homework asks for it again"}
-    assert "ann 1.15 a_region: not asked for -> right, 0 -> 2 points (the homework asks for it again)" in capsys.readouterr().err
+    assert ("ann 1.15 a_region: not asked for -> right, 0 -> 2 points (the homework asks for it again)" in capsys.readouterr().err)
     assert len(table(course / "graded" / "hw1" / "changes.csv")) == 1 + 8 + 8 and grade(course)["changes"]["hw1"] == []
 
 
@@ -284,9 +300,10 @@ def test_points_by_hand_are_no_more_than_the_answer_is_worth(course, here, capsy
     write_assignment(course, HOMEWORK.replace("= 10", "= 5"))
     summary = grade(course, quiet=False)
     assert summary["assignments"]["hw1"]["bob"] == 4
-    (change,) = [change for change in summary["changes"]["hw1"] if (change["student"], change["answer"]) == ("bob", "a_region")]
+    (change,) = [change for change in summary["changes"]["hw1"] if (change["student"], change["answer"])
+                 == ("bob", "a_region")]
     assert (change["old_points"], change["new_points"], change["why"]) == (2, 1, "the assignment's points changed")
-    assert "points by hand above what the answer is worth now count as that: bob 1.15 a_region (2, worth 1)" in capsys.readouterr().err
+    assert ("points by hand above what the answer is worth now count as that: bob 1.15 a_region (2, worth 1)" in capsys.readouterr().err)
     write_assignment(course, HOMEWORK)
     assert grade(course)["assignments"]["hw1"]["bob"] == 8, "nothing that was entered is lost"
 
@@ -304,7 +321,8 @@ def test_a_person_has_to_look_at_what_was_left_aside(course, here, capsys):
     (course / "submitted" / "gil" / "hw1" / "ch1-p15.pdf").touch()
     (course / "submitted" / "hal" / "hw1").mkdir(parents=True)
     summary = grade(course, quiet=False)
-    assert list(summary["to review"]["hw1"]) == ["dan", "eva", "fay", "gil"], "what lies in no homework is Ann's of another one"
+    assert list(summary["to review"]["hw1"]) == ["dan", "eva", "fay",
+                                                 "gil"], "what lies in no homework is Ann's of another one"
     rows = {row[0]: row[-1] for row in table(course / "graded" / "hw1" / "grades.csv")}
     assert rows["dan"] == rows["gil"] == "yes" and rows["hal"] == "no"
     assert "dan" not in [row[0] for row in table(course / "graded" / "hw1" / "moodle.csv")]
@@ -323,7 +341,8 @@ def test_a_notebook_for_another_problem_makes_only_those_wait_who_lack_something
     assert grade(course)["to review"]["hw1"] == {"cid": []}
     for student, looks in (("ann", False), ("cid", True)):
         page = (course / "graded" / "hw1" / "feedback" / f"{student}.html").read_text(encoding="utf-8")
-        assert "it is for problem 1.4, which this homework does not ask for" in page and ("your lecturer will look at it" in page) == looks
+        assert ("it is for problem 1.4, which this homework does not ask for" in page
+                and ("your lecturer will look at it" in page) == looks)
 
 
 def test_a_homework_of_which_everything_was_left_aside(course, here):
@@ -339,7 +358,8 @@ def test_the_lecturer_sees_what_could_not_be_read(course, here, capsys):
     assert "2 notebooks could not be read or run" in capsys.readouterr().err
     page = (course / "graded" / "hw1" / "summary.html").read_text(encoding="utf-8")
     section = page.split("<h2>Notebooks that could not be read or run</h2>")[1].split("<h2>")[0]
-    assert section.count("<tr>") == 2 and "no JSON in UTF-8" in section and "<bdi>dan</bdi> (1.15), <bdi>eva</bdi> (1.15)" in section
+    assert (section.count("<tr>") == 2 and "no JSON in UTF-8" in section
+            and "<bdi>dan</bdi> (1.15), <bdi>eva</bdi> (1.15)" in section)
     hand_in(course, "dan", "1.15", RIGHT_1_15)
     hand_in(course, "eva", "1.15", RIGHT_1_15)
     grade(course)
@@ -355,7 +375,8 @@ def test_a_full_disk_is_said_in_one_line_and_tells_its_changes_next_time(course,
     before = (course / "graded" / "hw1" / "grades.csv").read_bytes()
     full = course / "graded" / "hw1" / ".grades.csv.writing"
     full.symlink_to("/dev/full")
-    with pytest.raises(BadInput, match="grades.csv cannot be written: No space left on device; nothing that was there is lost"):
+    with pytest.raises(BadInput, match="grades.csv cannot be written: No space left on device; nothing that was there "
+                                       "is lost"):
         grade(course)
     assert (course / "graded" / "hw1" / "grades.csv").read_bytes() == before
     summary = grade(course)
@@ -368,7 +389,8 @@ def test_a_full_disk_is_said_in_one_line_and_tells_its_changes_next_time(course,
 def test_a_record_of_another_form_is_said_in_one_line(course, here, spoilt):
     grade(course)
     (course / "graded" / "hw1" / "grades.json").write_text(spoilt)
-    for act in (lambda: grade(course), lambda: commands.score_by_hand(course / "graded", "ann", "hw1", "1.15", "a_region", 1.0)):
+    for act in (lambda: grade(course), lambda: commands.score_by_hand(course / "graded", "ann", "hw1", "1.15",
+                                                                      "a_region", 1.0)):
         with pytest.raises(BadInput, match="grades.json is not as trajlib grade wrote it"):
             act()
 
@@ -415,8 +437,10 @@ def test_a_bad_assignment_file_ends_in_one_line_and_code_2(course):
 
 
 def test_a_homework_from_the_command_line(tmp_path):
-    done = trajlib("assignment", "new", "hw1", "1.4", "1.15", "--title", "Stability", "--due", "2026-10-01T23:59+03:00", cwd=tmp_path)
-    assert done.returncode == 0 and "assignments/hw1: 2 problems, 13 answers, 13 points, due 2026-10-01 23:59 (UTC+03:00)" in done.stdout
+    done = trajlib("assignment", "new", "hw1", "1.4", "1.15", "--title", "Stability", "--due", "2026-10-01T23:59+03:00",
+                   cwd=tmp_path)
+    assert (done.returncode == 0
+            and "assignments/hw1: 2 problems, 13 answers, 13 points, due 2026-10-01 23:59 (UTC+03:00)" in done.stdout)
     assert {path.name for path in (tmp_path / "assignments" / "hw1").iterdir()} == {
         "assignment.toml", "README.md", "ch1-p04.ipynb", "ch1-p15.ipynb"}
 
@@ -460,7 +484,8 @@ def canvas_exports_its_gradebook(folder):
     (folder / "canvas.csv").write_text(
         "Student,ID,SIS User ID,SIS Login ID,Section,Homework 1: stability regions (4711),Final Score\n"
         "    Points Possible,,,,,7,(read only)\n"
-        '"Able, Ann",101,u101,ann,Group 1,,\n"Bee, Bob",102,u102,bob,Group 1,,\n"Cee, Cid",103,u103,cid,Group 2,,\n', encoding="utf-8")
+        '"Able, Ann",101,u101,ann,Group 1,,\n"Bee, Bob",102,u102,bob,Group 1,,\n"Cee, Cid",103,u103,cid,Group 2,,\n',
+        encoding="utf-8")
 
 
 #: What people do between the commands, at the beginning of a section.
@@ -480,12 +505,15 @@ def test_every_command_of_the_lecturers_guide(tmp_path):
             command, folder, shown = command.replace("make", "make -n", 1), GUIDE.parents[2], ["..."]
         else:
             folder = tmp_path
-        done = subprocess.run(["bash", "-c", command], cwd=folder, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+        done = subprocess.run(["bash", "-c", command], cwd=folder, env=environment, stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT,
                               text=True, timeout=300)
         assert done.returncode == (1 if command.startswith("trajlib check") else 0), f"{command}: {done.stdout}"
-        assert not shown or like(shown, done.stdout), f"{command} prints\n{done.stdout}\nand the page shows\n" + "\n".join(shown)
+        assert (not shown or like(shown, done.stdout)), (f"{command} prints\n{done.stdout}\nand the page shows\n"
+                                                         + "\n".join(shown))
         told.append(command)
     assert waiting == {} and len(told) > 15
-    for written in ("summary.html", "feedback/ann.html", "grades.csv", "changes.csv", "moodle.csv", "nbgrader.csv", "grades.json",
+    for written in ("summary.html", "feedback/ann.html", "grades.csv", "changes.csv", "moodle.csv", "nbgrader.csv",
+                    "grades.json",
                     "canvas.csv"):
         assert (tmp_path / "graded" / "hw1" / written).exists() and written in GUIDE.read_text(encoding="utf-8")

@@ -47,7 +47,8 @@ def test_what_the_grader_failed_on_is_graded_again(tmp_path, broken_lanes):
     assert (len(plan.pending), count) == (2, 1) and points(tmp_path, known) == {"ada": 0.0, "bela": 5.0}
     with Store(tmp_path / "grades.sqlite") as store:
         (ada, _) = store.attempts("hw1")
-        assert {verdict.status for verdict in ada.verdicts.values()} == {"unchecked"} and ada.remarks == ("grader: it failed on this notebook (it died)",)
+        assert ({verdict.status for verdict in ada.verdicts.values()} == {"unchecked"}
+                and ada.remarks == ("grader: it failed on this notebook (it died)",))
     broken_lanes.clear()
     known, plan, count = course.grade(tmp_path / "submitted", tmp_path)
     assert (len(plan.pending), plan.known, count) == (1, 1, 0) and points(tmp_path, known) == {"ada": 5.0, "bela": 5.0}
@@ -57,7 +58,8 @@ def test_what_the_grader_failed_on_is_graded_again(tmp_path, broken_lanes):
 def test_a_lane_that_dies_is_replaced(tmp_path, monkeypatch):
     """For real: every lane ends itself at the first notebook of its life that says so."""
     monkeypatch.setattr(lanes, "START", "import os\nfrom trajlib.grading import units\nreal = units.Bench.grade\n"
-                        "units.Bench.grade = lambda bench, unit: os._exit(1) if 'DIE' in ''.join(unit['sources']) else real(bench, unit)\n" + lanes.START)
+                        "units.Bench.grade = lambda bench, unit: os._exit(1) if 'DIE' in ''.join(unit['sources']) "
+                        "else real(bench, unit)\n" + lanes.START)
     for student, answers in (("ada", RIGHT_1_15), ("bela", {"a_region": "'DIE'"}), ("cyd", RIGHT_1_15)):
         hand_in(tmp_path, student, "1.15", answers)
     known, plan, count = course.grade(tmp_path / "submitted", tmp_path, count=1)
@@ -66,13 +68,16 @@ def test_a_lane_that_dies_is_replaced(tmp_path, monkeypatch):
 
 def test_other_limits_grade_again_what_met_the_former_ones(tmp_path):
     hand_in(tmp_path, "ada", "1.15", RIGHT_1_15)
-    hand_in(tmp_path, "bela", "1.15", RIGHT_1_15 | {"a_region": "[1 for _ in iter(lambda: __import__('time').process_time() < 2, False)]",
+    hand_in(tmp_path, "bela", "1.15", RIGHT_1_15
+            | {"a_region": "[1 for _ in iter(lambda: __import__('time').process_time() < 2, False)]",
                                                     "b_region": f"{RIGHT_1_15['b_region']}"})
     known, plan, _ = course.grade(tmp_path / "submitted", tmp_path, limits=Limits(cpu_seconds=2, wall_seconds=60))
     assert len(plan.pending) == 2 and points(tmp_path, known) == {"ada": 5.0, "bela": 4.0}
     with Store(tmp_path / "grades.sqlite") as store:
-        assert store.attempts("hw1")[1].remarks == ("limits: code cell 2 was stopped: it took half of the time that was left",)
-    assert course.grade(tmp_path / "submitted", tmp_path, limits=Limits(cpu_seconds=2, wall_seconds=60))[1].pending == ()
+        assert store.attempts("hw1")[1].remarks == ("limits: code cell 2 was stopped: it took half of the time that "
+                                                    "was left",)
+    assert course.grade(tmp_path / "submitted", tmp_path,
+                        limits=Limits(cpu_seconds=2, wall_seconds=60))[1].pending == ()
     again = course.grade(tmp_path / "submitted", tmp_path, limits=Limits(cpu_seconds=30, wall_seconds=90))[1]
     assert (len(again.pending), again.known) == (1, 1)
     with Store(tmp_path / "grades.sqlite") as store:
@@ -96,7 +101,8 @@ def by_content(monkeypatch):
     def grade_all(given, count, settings):
         for unit in given:
             status = "right" if "GOOD" in "".join(unit["sources"]) else "wrong"
-            yield unit["key"], units.as_plain(Judgement({name: units.Verdict(status, "") for name in unit["names"]}, {}, ()))
+            yield unit["key"], units.as_plain(Judgement({name: units.Verdict(status, "") for name in unit["names"]},
+                                                        {}, ()))
 
     monkeypatch.setattr(lanes, "grade_all", grade_all)
 
@@ -137,7 +143,8 @@ def test_the_time_of_a_file_put_right_later(tmp_path, by_content):
     assert run(tmp_path) == (0, {"ann": 5}, {"ann": False})
     path.unlink()
     hand_in(tmp_path, "bob", "1.15", {}, at=DUE - 5)
-    assert run(tmp_path)[1:] == ({"ann": 5, "bob": 0}, {"ann": False, "bob": False}), "a result stays when its notebook is gone"
+    assert run(tmp_path)[1:] == ({"ann": 5, "bob": 0},
+                                 {"ann": False, "bob": False}), "a result stays when its notebook is gone"
 
 
 @pytest.mark.parametrize("name", [b"grades.sqlite", b"grades.sqlite-wal", b".grading", b"\x01" * 250])
@@ -147,7 +154,8 @@ def test_a_homework_folder_of_an_odd_name_stops_nothing(tmp_path, by_content, na
     folder = os.fsencode(tmp_path / "submitted") + b"/eve/" + name
     os.makedirs(folder)
     Path(os.fsdecode(folder + b"/x.ipynb")).write_bytes(ours.read_bytes())
-    done = commands.grade_course(tmp_path / "submitted", tmp_path / "graded", tmp_path / "assignments", 1, 60, True, True)
+    done = commands.grade_course(tmp_path / "submitted", tmp_path / "graded", tmp_path / "assignments", 1, 60,
+                                 True, True)
     assert done["assignments"]["hw1"] == {"ann": 5, "eve": 0}
     assert len(done["left aside"]) == (name != b".grading")
 

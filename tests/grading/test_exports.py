@@ -19,11 +19,14 @@ from trajlib.grading.canvas import Roster  # noqa: E402
 from trajlib.grading.record import Change  # noqa: E402
 from trajlib.grading.scores import scores  # noqa: E402
 
-HOMEWORK = 'title = "Homework 1, stability"\nproblems = ["1.17", "1.18"]\ndue = 2026-10-01T12:00:00+03:00\n[points]\n"1.17" = 5\n'
+HOMEWORK = ('title = "Homework 1, stability"\nproblems = ["1.17", "1.18"]\ndue = '
+            '2026-10-01T12:00:00+03:00\n[points]\n"1.17" = 5\n')
 BEFORE = datetime(2026, 10, 1, 8, 30, tzinfo=timezone.utc).timestamp()
 AFTER = datetime(2026, 10, 1, 9, 0, 1, tzinfo=timezone.utc).timestamp()
-#: A comma, a quote, formulas, accents, right to left, a line end; identifiers that begin with a sign or have leading zeros.
-AWKWARD = ["O'Neill, Zoë", 'Ann "the best"', "=cmd|'/C calc'!A0", "@SUM(1+1)", "-12345", "+380441234567", "-1+1", "007", "Łukasz Ŝtérn",
+#: A comma, a quote, formulas, accents, right to left, a line end; identifiers that begin with a sign or have leading
+#: zeros.
+AWKWARD = ["O'Neill, Zoë", 'Ann "the best"', "=cmd|'/C calc'!A0", "@SUM(1+1)", "-12345", "+380441234567", "-1+1",
+           "007", "Łukasz Ŝtérn",
            "محمد", "עדה (ada)", "line\nend", "\tcalc", "semi;colon", "naïve@uni.example", "山田"]
 
 
@@ -110,13 +113,16 @@ def test_canvas_csv_fills_its_own_column(small, homework):
 
 
 def test_canvas_csv_makes_a_new_column(small, homework):
-    roster = ("\ufeff" + ROSTER.replace(" (22)", " (other)")).replace("\n    Points", "\n,,,,,Manual Posting,,\n    Points")
+    roster = ("\ufeff" + ROSTER.replace(" (22)", " (other)")).replace("\n    Points",
+                                                                      "\n,,,,,Manual Posting,,\n    Points")
     text, _ = canvas.canvas_csv(homework, small, Roster(roster))
     assert [row[5] for row in rows(text)] == ["Homework 1, stability", "7.00", "7.00", "3.00", "", "", ""]
-    assert [row[1] for row in rows(text)] == ["ID", "", "101", "102", "103", "104", "105"], "a line about columns is no student"
+    assert [row[1] for row in rows(text)] == ["ID", "", "101", "102", "103", "104",
+                                              "105"], "a line about columns is no student"
 
 
-@pytest.mark.parametrize("column, names", [("ID", ["101", "102"]), ("SIS User ID", ["u1", "u2"]), ("SIS Login ID", ["ann", "bob"])])
+@pytest.mark.parametrize("column, names", [("ID", ["101", "102"]), ("SIS User ID", ["u1", "u2"]),
+                                           ("SIS Login ID", ["ann", "bob"])])
 def test_canvas_students_are_known_by_whichever_id_fits(store, homework, column, names):
     for name in names:
         graded(store, name, "1.17", {"a_region": RIGHT, "b_region": RIGHT})
@@ -161,7 +167,8 @@ def test_identifiers_go_back_to_other_systems_as_they_came(store, homework):
     assert sorted(row[0] for row in rows(exporting.moodle_csv(homework, found))[1:]) == sorted(AWKWARD)
     assert sorted(row[3] for row in rows(exporting.nbgrader_csv(homework, found))[1:]) == sorted(AWKWARD)
     out = io.StringIO()
-    csv.writer(out).writerows([["Student", "ID", "SIS User ID", "Section"], *([name, name, name, "A"] for name in AWKWARD)])
+    csv.writer(out).writerows([["Student", "ID", "SIS User ID", "Section"],
+                               *([name, name, name, "A"] for name in AWKWARD)])
     text, strangers = canvas.canvas_csv(homework, found, Roster(out.getvalue()))
     assert [row[:4] for row in rows(text)[2:]] == [[name, name, name, "A"] for name in AWKWARD] and strangers == []
     assert {row[4] for row in rows(text)[2:]} == {"2.50"}
@@ -175,22 +182,27 @@ def test_no_table_for_people_begins_a_cell_like_a_formula(store, homework):
         assert len(shown) == len(AWKWARD) and all(len(row) == len(rows(text)[0]) for row in rows(text))
         for cell in shown:
             assert cell[0] not in "=@\t\r\n" and (cell[0] not in "+-" or cell[1:].isdigit()), cell
-        assert {"'=cmd|'/C calc'!A0", "'@SUM(1+1)", "'-1+1", "'\tcalc", "-12345", "+380441234567", "O'Neill, Zoë"} <= set(shown)
+        assert {"'=cmd|'/C calc'!A0", "'@SUM(1+1)", "'-1+1", "'\tcalc", "-12345", "+380441234567",
+                "O'Neill, Zoë"} <= set(shown)
 
 
 def test_changes_csv():
-    change = Change("2026-10-02T10:00:00+03:00", "ann", "1.17", "a_region", "wrong", "right", 0.0, 2.5, "the problem or its checks changed")
+    change = Change("2026-10-02T10:00:00+03:00", "ann", "1.17", "a_region", "wrong", "right", 0.0, 2.5,
+                    "the problem or its checks changed")
     assert exporting.changes_csv([change]) == (
         '\ufeff"when","student","problem","answer","old verdict","new verdict","old points","new points","why"\r\n'
-        '"2026-10-02T10:00:00+03:00","ann","1.17","a_region","wrong","right","0.00","2.50","the problem or its checks changed"\r\n')
+        '"2026-10-02T10:00:00+03:00","ann","1.17","a_region","wrong","right","0.00","2.50","the problem or its checks '
+        'changed"\r\n')
 
 
 # Gradescope
 
 #: The fields of the specification, with their types; others are an error there or ignored.
-RESULT = {"score": (int, float), "execution_time": int, "output": str, "output_format": str, "visibility": str, "stdout_visibility": str,
+RESULT = {"score": (int, float), "execution_time": int, "output": str, "output_format": str, "visibility": str,
+          "stdout_visibility": str,
           "tests": list}
-TEST = {"score": (int, float), "max_score": (int, float), "status": str, "name": str, "output": str, "output_format": str,
+TEST = {"score": (int, float), "max_score": (int, float), "status": str, "name": str, "output": str,
+        "output_format": str,
         "visibility": str}
 
 
@@ -199,9 +211,12 @@ def test_gradescope_json(small):
     hints = {("1.17", "b_region"): ["Which minors decide?"]}
     result = json.loads(exporting.gradescope_json(bob, hints, ["1.17: notebook: code cell 2: NameError"], 3.5, 12.4))
     assert result == {
-        "score": 3.5, "output": "1.17: notebook: code cell 2: NameError", "output_format": "text", "visibility": "visible",
-        "stdout_visibility": "hidden", "execution_time": 12, "tests": [test | {"output_format": "text", "visibility": "visible"} for test in (
-            {"name": "1.17 a_region", "score": 2.5, "max_score": 2.5, "status": "passed", "output": "right: a_region is right"},
+        "score": 3.5, "output": "1.17: notebook: code cell 2: NameError", "output_format": "text",
+        "visibility": "visible",
+        "stdout_visibility": "hidden", "execution_time": 12,
+        "tests": [test | {"output_format": "text", "visibility": "visible"} for test in (
+            {"name": "1.17 a_region", "score": 2.5, "max_score": 2.5, "status": "passed",
+             "output": "right: a_region is right"},
             {"name": "1.17 b_region", "score": 0.0, "max_score": 2.5, "status": "failed",
              "output": "wrong: b_region is wrong\nHint: Which minors decide?"},
             {"name": "1.18 a_region", "score": 0.5, "max_score": 1.0, "status": "failed",
@@ -211,8 +226,11 @@ def test_gradescope_json(small):
     for score in small:
         result = json.loads(exporting.gradescope_json(score, {}, [], score.points, 0.1))
         assert all(isinstance(result[key], RESULT[key]) for key in result)
-        assert all(isinstance(test[key], TEST[key]) and set(test) == set(TEST) for test in result["tests"] for key in test)
+        assert all(isinstance(test[key], TEST[key]) and set(test) == set(TEST) for test in result["tests"]
+                   for key in test)
         assert sum(test["score"] for test in result["tests"]) == pytest.approx(result["score"])
-    (unchecked,) = [test for test in json.loads(exporting.gradescope_json(cid, {}, [], 1.0, 0.1))["tests"] if "unchecked" in test["output"]]
+    (unchecked,) = [test for test in json.loads(exporting.gradescope_json(cid, {}, [], 1.0, 0.1))["tests"]
+                    if "unchecked" in test["output"]]
     assert "It is not judged wrong" in unchecked["output"]
-    assert MISSING not in {test["status"] for test in json.loads(exporting.gradescope_json(dan, {}, [], 0.0, 0.1))["tests"]}
+    assert MISSING not in {test["status"] for test in json.loads(exporting.gradescope_json(dan, {}, [], 0.0,
+                                                                                           0.1))["tests"]}

@@ -106,7 +106,8 @@ def everything_in_one_cell(given):
 def answers_split_over_cells(given):
     cell = by_tag(given, "answer")[0]
     place = given["cells"].index(cell)
-    given["cells"][place:place + 1] = [code("first = k1 > 0"), code("second = k1*k2 > 1"), code("a_region = sp.And(first, second)")]
+    given["cells"][place:place + 1] = [code("first = k1 > 0"), code("second = k1*k2 > 1"),
+                                       code("a_region = sp.And(first, second)")]
 
 
 def typed_into_check_cells(given):
@@ -175,26 +176,38 @@ def in_the_answer_cell(source):
 
 
 CHANGES = [
-    as_handed_out, check_cells_deleted, data_cell_deleted, data_cell_at_the_end, cells_in_reverse_order, helper_below_its_use, all_cells_doubled,
-    untouched_copy_below, untouched_copy_above, everything_in_one_cell, answers_split_over_cells, typed_into_check_cells,
-    check_cell_reformatted_and_failing, tags_and_metadata_lost, sources_as_lists_and_windows_lines, saved_by_another_editor, huge_outputs,
+    as_handed_out, check_cells_deleted, data_cell_deleted, data_cell_at_the_end, cells_in_reverse_order,
+    helper_below_its_use, all_cells_doubled,
+    untouched_copy_below, untouched_copy_above, everything_in_one_cell, answers_split_over_cells,
+    typed_into_check_cells,
+    check_cell_reformatted_and_failing, tags_and_metadata_lost, sources_as_lists_and_windows_lines,
+    saved_by_another_editor, huge_outputs,
     last_value_by_its_underscore, module_written_by_a_cell,
     *map(in_the_answer_cell, (
-        "%matplotlib inline", "%matplotlib widget", "%matplotlib notebook", "%pylab inline", "!ls", "files = !ls /", "!nonsense", "!pip install nothing",
-        "%pip install nothing", "%config InlineBackend.figure_format = 'svg'", "%load_ext autoreload\n%autoreload 2", "import warnings\nwarnings.warn('!' * 99)",
-        "import sys\nprint('trouble', file=sys.stderr)\nsys.stderr.flush()", "import logging\nlogging.error('trouble')", "print('x' * 10**6)",
-        "import matplotlib.pyplot as plt\nplt.plot([1, 2])\nplt.show()", "from IPython.display import display, Markdown\ndisplay(Markdown('x'), k1)", "sp.init_printing()",
-        "import asyncio\nawait asyncio.sleep(0)", "?sp.And", "import numpy as np\nnp.float64(1) / 0", "k1\nk2;", "from trajlib.stability import *",
+        "%matplotlib inline", "%matplotlib widget", "%matplotlib notebook", "%pylab inline", "!ls", "files = !ls /",
+        "!nonsense", "!pip install nothing",
+        "%pip install nothing", "%config InlineBackend.figure_format = 'svg'", "%load_ext autoreload\n%autoreload 2",
+        "import warnings\nwarnings.warn('!' * 99)",
+        "import sys\nprint('trouble', file=sys.stderr)\nsys.stderr.flush()", "import logging\nlogging.error('trouble')",
+        "print('x' * 10**6)",
+        "import matplotlib.pyplot as plt\nplt.plot([1, 2])\nplt.show()",
+        "from IPython.display import display, Markdown\ndisplay(Markdown('x'), k1)", "sp.init_printing()",
+        "import asyncio\nawait asyncio.sleep(0)", "?sp.And", "import numpy as np\nnp.float64(1) / 0", "k1\nk2;",
+        "from trajlib.stability import *",
         "from concurrent.futures import ThreadPoolExecutor\nlist(ThreadPoolExecutor(8).map(abs, range(99)))",
         "import multiprocessing\nwith multiprocessing.Pool(4) as pool: pool.map(abs, range(99))",
-        "import subprocess\nsubprocess.run(['ls'], check=True)", "import subprocess, sys\nsubprocess.run(['ls'], stdout=sys.stdout, check=True)",
+        "import subprocess\nsubprocess.run(['ls'], check=True)",
+        "import subprocess, sys\nsubprocess.run(['ls'], stdout=sys.stdout, check=True)",
         "import sys\nsys.stdout.encoding.upper()", "import tempfile\ntempfile.NamedTemporaryFile().write(b'x' * 10**6)",
         "open('notes.txt', 'w').write('x')\nopen('notes.txt').read()")),
     in_the_answer_cell("%%time\nx = 1"),
     *map(first, (
-        "1/0", "import nothing", "syntax error", "input('How are you?')", "exit()", "import sys\nsys.exit(1)", "raise KeyboardInterrupt", "%%bash\nls", "%nomagic",
-        "%%html\n<b>x</b>", "import os\nos.chdir('/usr')", "x = bytearray(10**11)", "def f(): return f()\nf()", "from google.colab import drive", "a_region = None",
-        "del a_region", "%reset -f", "import signal\nsignal.alarm(0)", "import matplotlib\nmatplotlib.use('TkAgg')\nimport matplotlib.pyplot as plt\nplt.figure()")),
+        "1/0", "import nothing", "syntax error", "input('How are you?')", "exit()", "import sys\nsys.exit(1)",
+        "raise KeyboardInterrupt", "%%bash\nls", "%nomagic",
+        "%%html\n<b>x</b>", "import os\nos.chdir('/usr')", "x = bytearray(10**11)", "def f(): return f()\nf()",
+        "from google.colab import drive", "a_region = None",
+        "del a_region", "%reset -f", "import signal\nsignal.alarm(0)",
+        "import matplotlib\nmatplotlib.use('TkAgg')\nimport matplotlib.pyplot as plt\nplt.figure()")),
 ]
 
 
@@ -219,10 +232,13 @@ def test_a_byte_order_mark_costs_nothing(bench, tmp_path):
 
 
 FORMS = {
-    "a list of conditions": "[k1 > 0, k1*k2 > 1]", "turned round": "sp.And(0 < k1, 1 < k1*k2)", "another formula": "sp.And(k1 > 0, k2 > 1/k1)",
-    "symbols without assumptions": "(lambda p, q: sp.And(p > 0, p*q > 1))(*sp.symbols('k1 k2'))", "redundant": "sp.And(k1 > 0, k2 > 0, k1*k2 - 1 > 0, k1 + k2 > 0)",
+    "a list of conditions": "[k1 > 0, k1*k2 > 1]", "turned round": "sp.And(0 < k1, 1 < k1*k2)",
+    "another formula": "sp.And(k1 > 0, k2 > 1/k1)",
+    "symbols without assumptions": "(lambda p, q: sp.And(p > 0, p*q > 1))(*sp.symbols('k1 k2'))",
+    "redundant": "sp.And(k1 > 0, k2 > 0, k1*k2 - 1 > 0, k1 + k2 > 0)",
     "decimals": "sp.And(k1 > 0.0, k1*k2 > 1.0)", "negated": "sp.Not(sp.Or(k1 <= 0, k1*k2 <= 1))",
-    "computed by the library": "__import__('trajlib.stability', fromlist=['*']).stability_conditions(a_poly, [k1, k2], symbol=s).region",
+    "computed by the library": "__import__('trajlib.stability', fromlist=['*']).stability_conditions(a_poly, [k1, "
+                               "k2], symbol=s).region",
 }
 
 
@@ -236,11 +252,13 @@ def test_one_bad_answer_costs_itself(bench, tmp_path):
     result = graded(bench, notebook("1.15", RIGHT_1_15 | {"b_region": "1/0", "c_region": "object()"}), tmp_path)
     assert {name: verdict["status"] for name, verdict in result["verdicts"].items()} == {
         "a_region": "right", "b_region": "missing", "c_region": "invalid", "d_region": "right", "e_region": "right"}
-    assert result["remarks"] == ("notebook: code cell 4: ZeroDivisionError: division by zero",), "numbered as in the notebook"
+    assert result["remarks"] == ("notebook: code cell 4: ZeroDivisionError: division by zero",
+                                 ), "numbered as in the notebook"
 
 
 def test_a_verdict_in_the_sandbox_is_no_error(bench, tmp_path):
-    """A check cell that was changed runs with the notebook; that its answers are not right yet is said once, by the judge."""
+    """A check cell that was changed runs with the notebook; that its answers are not right yet is said once, by the
+    judge."""
     given = notebook("1.15", {"a_region": "k1 > 0"})
     for cell in by_tag(given, "check"):
         cell["source"] = "".join(cell["source"]) + "  # mine"
@@ -285,5 +303,6 @@ def test_data_cells_run_once_where_they_stand_first_and_ahead_of_all_else_where_
     (data,) = [source for _, source in EXERCISE.code("data")]
     for begins_with_them in ([data, "a_region = k1 > 0"], [data + "\n"], [data, data]):
         assert units._lacking(EXERCISE, begins_with_them) == []
-    for lacks in ([], ["a_region = k1 > 0"], ["a_region = k1 > 0", data], [data + "\nk1 = 1", ""], [f"import os\n{data}"]):
+    for lacks in ([], ["a_region = k1 > 0"], ["a_region = k1 > 0", data], [data + "\nk1 = 1", ""],
+                  [f"import os\n{data}"]):
         assert units._lacking(EXERCISE, lacks) == [data.strip()]

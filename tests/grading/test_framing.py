@@ -30,7 +30,8 @@ def test_whole(pipe, message):
     writer.join()
 
 
-@pytest.mark.parametrize("written, why", [(b"", "closed"), (b"\0\0", "closed"), (b"\0\0\0\5abc", "closed"), (b"\xff\xff\xff\xff", "large"),
+@pytest.mark.parametrize("written, why", [(b"", "closed"), (b"\0\0", "closed"), (b"\0\0\0\5abc", "closed"),
+                                          (b"\xff\xff\xff\xff", "large"),
                                           (struct.pack(">I", framing.LONGEST + 1), "large")])
 def test_broken(pipe, written, why):
     out, into = pipe

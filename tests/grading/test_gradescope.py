@@ -32,7 +32,8 @@ from trajlib.grading.gradescope import autograder, bundle  # noqa: E402
 from trajlib.masters import read  # noqa: E402
 from trajlib.masters.reading import master_file  # noqa: E402
 
-HOMEWORK = 'title = "Homework 1"\nproblems = ["1.15", "1.17"]\ndue = 2020-01-01T00:00:00Z\nattempts = 3\n[points]\n"1.15" = 10\n'
+HOMEWORK = ('title = "Homework 1"\nproblems = ["1.15", "1.17"]\ndue = 2020-01-01T00:00:00Z\nattempts = '
+            '3\n[points]\n"1.15" = 10\n')
 HALF = RIGHT_1_15 | {"a_region": "k1 > 0"}
 #: A user that nobody on this machine is.
 STUDENT = 61234
@@ -51,15 +52,18 @@ def archive(tmp_path_factory):
 
 def test_what_the_bundle_holds(archive):
     with zipfile.ZipFile(archive) as bundled:
-        assert sorted(bundled.namelist()) == sorted(["setup.sh", "run_autograder", "assignment.toml", "constraints.txt", wheel_name(bundled)])
+        assert sorted(bundled.namelist()) == sorted(["setup.sh", "run_autograder", "assignment.toml", "constraints.txt",
+                                                     wheel_name(bundled)])
         for name in ("setup.sh", "run_autograder"):
             assert stat.S_IMODE(bundled.getinfo(name).external_attr >> 16) == 0o755
             assert bundled.read(name).startswith(b"#!/usr/bin/env bash\n")
             subprocess.run(["bash", "-n"], input=bundled.read(name), check=True)
-        assert "sympy==" in bundled.read("constraints.txt").decode() and "trajlib" not in bundled.read("constraints.txt").decode()
+        assert ("sympy==" in bundled.read("constraints.txt").decode()
+                and "trajlib" not in bundled.read("constraints.txt").decode())
         with zipfile.ZipFile(io.BytesIO(bundled.read(wheel_name(bundled)))) as wheel:
             names = wheel.namelist()
-            assert {f"trajlib/_exercises/{e.path.parent.name}/{e.path.name}" for e in exercises.read_all()} <= set(names)
+            assert {f"trajlib/_exercises/{e.path.parent.name}/{e.path.name}"
+                    for e in exercises.read_all()} <= set(names)
             assert "trajlib/grading/gradescope/autograder.py" in names
             assert not any("solutions/" in name or name.endswith(".md") for name in names)
             (record,) = [name for name in names if name.endswith("RECORD")]
@@ -108,7 +112,8 @@ def test_which_attempt_counts(tmp_path, rule, earlier, now, points, said):
 def test_earlier_submissions_are_those_that_were_graded(tmp_path):
     path = tmp_path / "submission_metadata.json"
     graded, failed = {"tests": [{"score": 1}]}, {"score": 0, "output": "The grader itself failed"}
-    previous = [{"score": "2.5", "results": graded}, {"score": 0, "results": failed}, {"score": None, "results": graded}]
+    previous = [{"score": "2.5", "results": graded}, {"score": 0, "results": failed},
+                {"score": None, "results": graded}]
     path.write_text(json.dumps({"previous_submissions": previous}))
     assert autograder._earlier(path) == [2.5, 0.0]
     for broken in ("", "[]", "{}", '{"previous_submissions": [1]}', '{"previous_submissions": null}'):
@@ -167,7 +172,8 @@ class Container:
         passwd.write_text(f"root:x:0:0::/root:/bin/sh\ntrajlib-student:x:{STUDENT}:{STUDENT}::/:/usr/sbin/nologin\n")
 
     def metadata(self, previous):
-        about = {"id": 1, "users": [{"email": "secret@uni.example", "id": 1, "name": "Ann"}], "previous_submissions": previous}
+        about = {"id": 1, "users": [{"email": "secret@uni.example", "id": 1, "name": "Ann"}],
+                 "previous_submissions": previous}
         (self.root / "submission_metadata.json").write_text(json.dumps(about))
 
     def submit(self, name, content):
@@ -187,10 +193,12 @@ class Container:
             [*as_root(), "bwrap", "--unshare-pid", "--die-with-parent", "--cap-add", "ALL",
              "--clearenv", "--setenv", "PATH", "/usr/bin:/bin:/usr/sbin", "--ro-bind", "/usr", "/usr",
              "--symlink", "usr/lib", "/lib", "--symlink", "usr/lib64", "/lib64", "--symlink", "usr/bin", "/bin",
-             "--ro-bind-try", "/etc/alternatives", "/etc/alternatives", "--ro-bind-try", "/etc/ld.so.cache", "/etc/ld.so.cache",
+             "--ro-bind-try", "/etc/alternatives", "/etc/alternatives", "--ro-bind-try", "/etc/ld.so.cache",
+             "/etc/ld.so.cache",
              "--ro-bind", str(self.root.parent / "passwd"), "/etc/passwd", "--proc", "/proc", "--dev", "/dev",
              "--perms", "1777", "--tmpfs", "/tmp", *binds,
-             "--ro-bind", str(self._installed), "/opt/trajlib", "--bind", str(self.root), "/autograder", "--chdir", "/", *command],
+             "--ro-bind", str(self._installed), "/opt/trajlib", "--bind", str(self.root), "/autograder", "--chdir",
+             "/", *command],
             capture_output=True, text=True, timeout=300)
 
     def grade(self):
@@ -201,7 +209,8 @@ class Container:
 
     def results(self):
         # Read as root: the autograder has closed the folder to others.
-        done = subprocess.run([*as_root(), "cat", str(self.root / "results" / "results.json")], capture_output=True, check=True)
+        done = subprocess.run([*as_root(), "cat", str(self.root / "results" / "results.json")], capture_output=True,
+                              check=True)
         return json.loads(done.stdout)
 
 
@@ -228,10 +237,12 @@ def test_a_submission(container):
 
 
 def test_an_earlier_better_attempt_counts_and_opens_a_hint(container):
-    container.metadata([{"submission_time": "2026-01-01T00:00:00Z", "score": 9.5, "results": {"tests": [{"score": 9.5}]}}])
+    container.metadata([{"submission_time": "2026-01-01T00:00:00Z", "score": 9.5,
+                         "results": {"tests": [{"score": 9.5}]}}])
     container.submit("folder/ch1-p15.ipynb", notebook("1.15", HALF))
     result, _ = container.grade()
-    assert result["score"] == 9.5 and "An earlier attempt of yours was better and counts: 9.5 points." in result["output"]
+    assert (result["score"] == 9.5
+            and "An earlier attempt of yours was better and counts: 9.5 points." in result["output"])
     assert result["tests"][0]["output"].count("\nHint: ") == 2
 
 
@@ -288,8 +299,10 @@ attempt("reads memory of others", lambda: [open(f"/proc/{p}/mem", "rb") for p in
 attempt("becomes root", lambda: os.setuid(0))
 attempt("many processes", lambda: [os.fork() or (signal.pause(), os._exit(0)) for k in range(200)][199])
 """
-NAMES = ["reads the homework", "reads who it is", "lists submissions", "reads results", "writes results", "writes beside results",
-         "replaces the grader", "reaches the network", "signals others", "reads memory of others", "becomes root", "many processes"]
+NAMES = ["reads the homework", "reads who it is", "lists submissions", "reads results", "writes results",
+         "writes beside results",
+         "replaces the grader", "reaches the network", "signals others", "reads memory of others", "becomes root",
+         "many processes"]
 
 
 @pytest.fixture
@@ -301,7 +314,8 @@ def port():
 
 def with_cell(problem, answers, source):
     submitted = notebook(problem, answers)
-    submitted["cells"].append({"cell_type": "code", "metadata": {}, "outputs": [], "execution_count": None, "source": source})
+    submitted["cells"].append({"cell_type": "code", "metadata": {}, "outputs": [], "execution_count": None,
+                               "source": source})
     return submitted
 
 
@@ -309,14 +323,16 @@ def test_what_a_notebook_cannot_do(container, port):
     cell = ATTEMPTS.replace("PORT", str(port))
     (container.root / "results" / "results.json").write_text("{}")
     unguarded = container.run("/opt/trajlib/bin/python", "-c", cell + "\nprint(done, flush=True)\nos._exit(0)")
-    assert unguarded.stdout.strip().split("\n")[-1] == repr(NAMES), "run as root each attempt succeeds, else it tests nothing"
+    assert unguarded.stdout.strip().split("\n")[-1] == repr(NAMES), ("run as root each attempt succeeds, else it "
+                                                                     "tests nothing")
     container.submit("ch1-p15.ipynb", with_cell("1.15", HALF, cell + "\nraise RuntimeError('achieved: ' + repr(done))"))
     result, done = container.grade()
     assert result["score"] == 8 and "RuntimeError: achieved: []" in result["output"], result["output"]
 
 
 @pytest.mark.parametrize("cell", [
-    "import os, signal\nos.kill(os.getpid(), signal.SIGKILL)", "import os\nos._exit(0)", "import os, signal\nos.kill(-1, signal.SIGKILL)",
+    "import os, signal\nos.kill(os.getpid(), signal.SIGKILL)", "import os\nos._exit(0)",
+    "import os, signal\nos.kill(-1, signal.SIGKILL)",
     "big = bytearray(4 * 2**30)\nbig[::4096] = b'x' * len(big[::4096])", "import sys\nsys.exit()"])
 def test_a_notebook_that_ends_itself_costs_only_itself(container, cell):
     container.submit("ch1-p15.ipynb", with_cell("1.15", RIGHT_1_15, cell))
@@ -324,24 +340,28 @@ def test_a_notebook_that_ends_itself_costs_only_itself(container, cell):
     result, _ = container.grade()
     assert len(result["tests"]) == 7 and "unchecked" not in json.dumps(result)
     assert [test["output"].split(":")[0] for test in result["tests"]][5:] == ["missing", "missing"]
-    assert result["score"] == (0 if "getpid" in cell or "_exit" in cell else 10), "alone of its user, it cannot kill itself with all others"
+    assert result["score"] == (0 if "getpid" in cell or "_exit" in cell
+                               else 10), "alone of its user, it cannot kill itself with all others"
 
 
 def test_what_a_notebook_leaves_running_ends_with_it(container):
-    daemon = "import os, time\nif os.fork() == 0:\n    os.setsid()\n    if os.fork() == 0:\n        time.sleep(600)\n    os._exit(0)\n"
+    daemon = ("import os, time\nif os.fork() == 0:\n    os.setsid()\n    if os.fork() == 0:\n        "
+              "time.sleep(600)\n    os._exit(0)\n")
     look = ("import os, time\ntime.sleep(1)\n"
             "mine = [p for p in os.listdir('/proc') if p.isdigit() and os.stat('/proc/' + p).st_uid == os.getuid()]\n"
             "raise RuntimeError(f'{len(mine)} process of mine')")
     container.submit("ch1-p15.ipynb", with_cell("1.15", RIGHT_1_15, daemon))
     container.submit("ch1-p17.ipynb", with_cell("1.17", {}, look))
     result, _ = container.grade()
-    assert result["score"] == 10 and "1.17: notebook: code cell 6: RuntimeError: 1 process of mine" in result["output"], result["output"]
+    assert (result["score"] == 10
+            and "1.17: notebook: code cell 6: RuntimeError: 1 process of mine" in result["output"]), result["output"]
 
 
 # setup.sh
 
 
-@pytest.mark.parametrize("has, said", [("3.12", "python3.12 -m venv /opt/trajlib"), ("3.11", "python3.11 -m venv /opt/trajlib"),
+@pytest.mark.parametrize("has, said", [("3.12", "python3.12 -m venv /opt/trajlib"),
+                                       ("3.11", "python3.11 -m venv /opt/trajlib"),
                                        ("", "choose Ubuntu 22.04")])
 def test_setup(tmp_path, archive, has, said):
     """The commands that setup.sh gives, to programs that only write them down."""
@@ -354,8 +374,11 @@ def test_setup(tmp_path, archive, has, said):
         (programs / name).chmod(0o755)
     with zipfile.ZipFile(archive) as bundled:
         script = bundled.read("setup.sh").decode().replace("/opt/trajlib/bin/pip", "echo")
-    done = subprocess.run(["bash", "-c", script], env={"PATH": f"{programs}:/usr/bin:/bin"}, capture_output=True, text=True)
+    done = subprocess.run(["bash", "-c", script], env={"PATH": f"{programs}:/usr/bin:/bin"}, capture_output=True,
+                          text=True)
     assert said in (log.read_text() if has else done.stderr) and done.returncode == (0 if has else 1)
     if has:
-        assert "install --no-cache-dir --constraint /autograder/source/constraints.txt /autograder/source/trajlib-*.whl" in done.stdout
-        assert log.read_text().strip().split("\n")[-1] == "useradd --system --no-create-home --shell /usr/sbin/nologin trajlib-student"
+        assert ("install --no-cache-dir --constraint /autograder/source/constraints.txt "
+                "/autograder/source/trajlib-*.whl" in done.stdout)
+        assert (log.read_text().strip().split("\n")[-1]
+                == "useradd --system --no-create-home --shell /usr/sbin/nologin trajlib-student")

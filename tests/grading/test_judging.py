@@ -1,4 +1,5 @@
-"""The judge: it cannot be fooled by what was handed over, it runs nothing of the student's, and it says whose fault what is."""
+"""The judge: it cannot be fooled by what was handed over, it runs nothing of the student's, and it says whose fault
+what is."""
 
 import json
 import random
@@ -48,14 +49,16 @@ def test_right_and_wrong():
 
 
 def test_answers_are_known_by_the_whole_of_them():
-    """Their texts are cut; two that differ beyond have other hashes, the same ones have the same, also when each is judged alone."""
+    """Their texts are cut; two that differ beyond have other hashes, the same ones have the same, also when each is
+    judged alone."""
     long = [sp.And(*(k1 > k for k in range(200)), k2 > last) for last in (1, 2)]
     found = [judged(handed_over({"a_region": first, "b_region": long[1]})) for first in long]
     assert found[0].answers["a_region"] == found[1].answers["a_region"]
     assert found[0].hashes["a_region"] != found[1].hashes["a_region"] == found[0].hashes["b_region"]
     names = list(EXERCISE.about["answers"])
     alone = judging._one_by_one(EXERCISE.code("data", "check"), handed_over({"a_region": long[0]}), names, Bounds())
-    assert alone.hashes == {"a_region": found[0].hashes["a_region"]} and set(found[0].hashes) == {"a_region", "b_region"}
+    assert (alone.hashes == {"a_region": found[0].hashes["a_region"]} and set(found[0].hashes)
+            == {"a_region", "b_region"})
 
 
 # Only the check's own verdict counts
@@ -68,7 +71,8 @@ def test_nothing_but_the_named_answers_reaches_the_checks():
     encoded = {name: encode(value).decode() for name, value in (data | claim).items()}
     cells = EXERCISE.code("data", "check")
     assert in_child(judge_cells, cells, encoded, {}, ["a_region"], timeout=60)["a_region"][0] == WRONG
-    assert in_child(judge_cells, [(role, source.replace("a_poly = ", "a_poly = (s + k1)*(s + k2)\nnot_it = ")) for role, source in cells], encoded, {},
+    assert in_child(judge_cells, [(role, source.replace("a_poly = ", "a_poly = (s + k1)*(s + k2)\nnot_it = "))
+                                  for role, source in cells], encoded, {},
                     ["a_region"], timeout=60)["a_region"][0] == RIGHT, "with the data replaced the claim would be right"
     assert statuses(judged(handed_over(data | claim))) == dict.fromkeys(NAMES, MISSING) | {"a_region": WRONG}
 
@@ -95,7 +99,8 @@ class Watch:
     """Notes what the process is asked to do, by Python's own audit."""
 
     #: Unpickling, starting programs, calling out, changing files.
-    FORBIDDEN = ("pickle.find_class", "os.system", "os.exec", "os.posix_spawn", "os.fork", "subprocess.Popen", "socket.connect",
+    FORBIDDEN = ("pickle.find_class", "os.system", "os.exec", "os.posix_spawn", "os.fork", "subprocess.Popen",
+                 "socket.connect",
                  "ctypes.dlopen", "os.remove", "os.rename", "os.mkdir", "os.chmod", "shutil.rmtree", "os.putenv")
 
     def __init__(self):
@@ -118,8 +123,10 @@ class Watch:
 
 
 PAYLOADS = [
-    "__import__('os').system('true MARK')", "MARK", "exec('MARK = 1')", "().__class__.__base__.__subclasses__()[MARK]", "k1 > 0 if MARK else 1",
-    "lambda: MARK", "x=open('MARK', 'w')", "import MARK", "{MARK}", "%MARK", "Symbol('MARK')", "S('MARK')", "cos\nMARK", "'\"MARK", "\\MARK",
+    "__import__('os').system('true MARK')", "MARK", "exec('MARK = 1')", "().__class__.__base__.__subclasses__()[MARK]",
+    "k1 > 0 if MARK else 1",
+    "lambda: MARK", "x=open('MARK', 'w')", "import MARK", "{MARK}", "%MARK", "Symbol('MARK')", "S('MARK')", "cos\nMARK",
+    "'\"MARK", "\\MARK",
 ]
 
 
@@ -153,9 +160,12 @@ def _texts():
     for payload in PAYLOADS:
         symbol = {"kind": "Symbol", "name": payload, "assumptions": {}}
         written = json.loads(encode(sp.Symbol("q")))
-        for node in (payload, [payload], {"kind": payload}, symbol, written | {"name": payload}, {"kind": "dict", "items": [[payload, payload]]},
-                     {"kind": "Integral", "args": [written, {"kind": "Tuple", "args": [written | {"name": payload}, 0, 1]}]},
-                     {"kind": "float", "value": payload}, {"kind": "array", "dtype": payload, "shape": [1], "data": payload}):
+        for node in (payload, [payload], {"kind": payload}, symbol, written | {"name": payload},
+                     {"kind": "dict", "items": [[payload, payload]]},
+                     {"kind": "Integral",
+                      "args": [written, {"kind": "Tuple", "args": [written | {"name": payload}, 0, 1]}]},
+                     {"kind": "float", "value": payload},
+                     {"kind": "array", "dtype": payload, "shape": [1], "data": payload}):
             yield json.dumps(node, ensure_ascii=False, sort_keys=True, separators=(",", ":"))
 
 
@@ -166,12 +176,14 @@ def _numbers():
 @pytest.mark.parametrize("number", _numbers())
 def test_text_is_never_code(number):
     """For every problem: texts that would run, were they evaluated, unpickled or imported anywhere in a check."""
-    messages = [json.dumps({"encoded": {"every": text}, "unreadable": {}, "errors": [], "stopped": []}) for text in _texts()]
+    messages = [json.dumps({"encoded": {"every": text}, "unreadable": {}, "errors": [], "stopped": []})
+                for text in _texts()]
     assert in_child(_watched, messages, [number], timeout=300) == []
 
 
 def test_the_watch_sees_what_it_looks_for():
-    assert in_child(_what_a_watch_sees, timeout=60) == ["compile of foreign text", "open", "os.system", "pickle.find_class"]
+    assert in_child(_what_a_watch_sees, timeout=60) == ["compile of foreign text", "open", "os.system",
+                                                        "pickle.find_class"]
 
 
 def _what_a_watch_sees():
@@ -186,17 +198,22 @@ def _what_a_watch_sees():
     return sorted({" ".join(event.split(" (")[:1]) for event in watch.events})
 
 
-#: By problem, what is right although it looks like nothing: there are no such angles in 1.6, and where a system is observable (or
-#: controllable) no state is unseen and no eigenvalue lost. Eigenvalues may come as a dictionary with their multiplicities.
-EMPTY_AND_RIGHT = {"1.6": [[], ()], **dict.fromkeys(["2.3", "2.5", "2.14"], [[], ()]), **dict.fromkeys(["2.6", "2.7", "2.26"], [[], (), {}])}
-NOTHING = [float("nan"), float("inf"), -float("inf"), sp.nan, sp.zoo, sp.oo, -sp.oo, complex(float("nan"), 1), 10**1999, [], {}, (), "", "right", [sp.nan] * 2,
-           sp.Matrix([[sp.nan, sp.nan], [sp.nan, sp.nan]]), [[float("nan")] * 2] * 2, sp.Eq(k1, sp.nan, evaluate=False), {"right": "right"}]
+#: By problem, what is right although it looks like nothing: there are no such angles in 1.6, and where a system is
+#: observable (or controllable) no state is unseen and no eigenvalue lost. Eigenvalues may come as a dictionary with
+#: their multiplicities.
+EMPTY_AND_RIGHT = {"1.6": [[], ()], **dict.fromkeys(["2.3", "2.5", "2.14"], [[], ()]),
+                   **dict.fromkeys(["2.6", "2.7", "2.26"], [[], (), {}])}
+NOTHING = [float("nan"), float("inf"), -float("inf"), sp.nan, sp.zoo, sp.oo, -sp.oo, complex(float("nan"), 1),
+           10**1999, [], {}, (), "", "right", [sp.nan] * 2,
+           sp.Matrix([[sp.nan, sp.nan], [sp.nan, sp.nan]]), [[float("nan")] * 2] * 2, sp.Eq(k1, sp.nan, evaluate=False),
+           {"right": "right"}]
 
 
 @pytest.mark.parametrize("number", _numbers())
 def test_no_number_at_all_is_never_right(number):
     """NaN passes `not abs(x - y) > tolerance`, infinities cancel, and an empty list has no wrong element."""
-    messages = [json.dumps({"encoded": {"every": encode(value).decode()}, "unreadable": {}, "errors": [], "stopped": []}) for value in NOTHING
+    messages = [json.dumps({"encoded": {"every": encode(value).decode()}, "unreadable": {}, "errors": [],
+                            "stopped": []}) for value in NOTHING
                 if value not in EMPTY_AND_RIGHT.get(number, ())]
     assert in_child(_watched, messages, [number], timeout=300) == [], "what is truly right belongs into EMPTY_AND_RIGHT"
 
@@ -207,8 +224,10 @@ def test_no_number_at_all_is_never_right(number):
 def _mutations(count):
     """Valid messages with wrong answers, mutated: bytes changed, cut out, doubled, and JSON values exchanged."""
     chance = random.Random(2026)
-    valid = [handed_over(WRONG_ANSWERS), handed_over({"a_region": [1, 2.5, sp.sin(k1)], "b_region": {"x": sp.Matrix([[k1]])}}),
-             handed_over({"c_region": float("nan")}, unreadable={"d_region": "no"}, errors=["code cell 1: E: x"], stopped=[2])]
+    valid = [handed_over(WRONG_ANSWERS),
+             handed_over({"a_region": [1, 2.5, sp.sin(k1)], "b_region": {"x": sp.Matrix([[k1]])}}),
+             handed_over({"c_region": float("nan")}, unreadable={"d_region": "no"}, errors=["code cell 1: E: x"],
+                         stopped=[2])]
     for _ in range(count):
         message = bytearray(chance.choice(valid))
         for _ in range(chance.choice((1, 1, 2, 5))):
@@ -221,17 +240,23 @@ def _mutations(count):
             elif kind == 2:
                 message[at:at] = message[at:at + chance.randrange(1, 50)]
             elif kind == 3:
-                message[at:at] = chance.choice((b"{", b"[", b'"', b"null", b"-1", b"1e999", b"NaN", b"\\u0000", b"\xff", b"true", b'"kind":', b"9" * 5000))
+                message[at:at] = chance.choice((b"{", b"[", b'"', b"null", b"-1", b"1e999", b"NaN", b"\\u0000",
+                                                b"\xff", b"true", b'"kind":', b"9" * 5000))
             else:
                 message = message[:at]
             if not message:
                 break
         yield bytes(message)
-    for odd in (None, 5, "x", [], [[]], {}, {"encoded": []}, {"encoded": {}, "unreadable": {}, "errors": {}, "stopped": []},
-                {"encoded": {}, "unreadable": {}, "errors": [], "stopped": {}}, {"encoded": {}, "unreadable": {}, "errors": [], "stopped": "12"},
-                {"encoded": {"a_region": 5}, "unreadable": {}, "errors": [], "stopped": []}, {"encoded": {}, "unreadable": {"a_region": None}, "errors": [], "stopped": []},
-                {"encoded": {}, "unreadable": {}, "errors": [None], "stopped": []}, {"encoded": {}, "unreadable": {}, "errors": ["\ud800"] * 9999, "stopped": []},
-                {"encoded": {"a_region": '"\ud800"'}, "unreadable": {"b_region": "\x1b[2J\ud800"}, "errors": ["\x1b"], "stopped": [1] * 999}):
+    for odd in (None, 5, "x", [], [[]], {}, {"encoded": []},
+                {"encoded": {}, "unreadable": {}, "errors": {}, "stopped": []},
+                {"encoded": {}, "unreadable": {}, "errors": [], "stopped": {}},
+                {"encoded": {}, "unreadable": {}, "errors": [], "stopped": "12"},
+                {"encoded": {"a_region": 5}, "unreadable": {}, "errors": [], "stopped": []},
+                {"encoded": {}, "unreadable": {"a_region": None}, "errors": [], "stopped": []},
+                {"encoded": {}, "unreadable": {}, "errors": [None], "stopped": []},
+                {"encoded": {}, "unreadable": {}, "errors": ["\ud800"] * 9999, "stopped": []},
+                {"encoded": {"a_region": '"\ud800"'}, "unreadable": {"b_region": "\x1b[2J\ud800"}, "errors": ["\x1b"],
+                 "stopped": [1] * 999}):
         yield json.dumps(odd).encode()
     yield from (b"", b"\x00", b"[" * 10**6, b'{"encoded":' * 10**5, b"9" * 10**6, b"\xef\xbb\xbf{}", pickle_of_code())
 
@@ -246,7 +271,8 @@ def pickle_of_code():
 
 
 def test_any_bytes_are_judged():
-    """A judgement always comes, quickly, without points, fit to be stored and printed, and blames the notebook if anybody."""
+    """A judgement always comes, quickly, without points, fit to be stored and printed, and blames the notebook if
+    anybody."""
     found = in_child(_fuzz, 1500, timeout=400)
     assert found == []
 
@@ -280,8 +306,10 @@ def _fuzz(count):
 
 
 @pytest.mark.parametrize("ended, message, status, whose, final", [
-    ("time", b"", MISSING, "limits", WITHIN_LIMITS), ("memory", b"", MISSING, "limits", WITHIN_LIMITS), ("processes", b"", MISSING, "limits", WITHIN_LIMITS),
-    ("large", b"", MISSING, "limits", WITHIN_LIMITS), ("died", b"exit 3", MISSING, "notebook", FINAL), ("failed", b"gone \xff\x1b", UNCHECKED, "grader", NOT_FINAL)])
+    ("time", b"", MISSING, "limits", WITHIN_LIMITS), ("memory", b"", MISSING, "limits", WITHIN_LIMITS),
+    ("processes", b"", MISSING, "limits", WITHIN_LIMITS),
+    ("large", b"", MISSING, "limits", WITHIN_LIMITS), ("died", b"exit 3", MISSING, "notebook", FINAL),
+    ("failed", b"gone \xff\x1b", UNCHECKED, "grader", NOT_FINAL)])
 def test_without_answers(ended, message, status, whose, final):
     found = judge(EXERCISE, Outcome(ended, message))
     assert statuses(found) == dict.fromkeys(NAMES, status) and found.final == final
@@ -291,8 +319,10 @@ def test_without_answers(ended, message, status, whose, final):
 
 def test_an_answer_that_explodes_costs_only_itself():
     explosive = (1 + k1 + k2) ** 1500 * (2 + k1 - k2) ** 1500 * (3 + 2 * k1 + k2) ** 1500 > 0
-    found = judged(handed_over({"a_region": explosive, "b_region": (k2 > 0) & (k1 > k2), "c_region": k1 > 7}), Bounds(seconds=4, answer_seconds=3))
-    assert statuses(found) == {"a_region": UNCHECKED, "b_region": RIGHT, "c_region": WRONG, "d_region": MISSING, "e_region": MISSING}
+    found = judged(handed_over({"a_region": explosive, "b_region": (k2 > 0) & (k1 > k2), "c_region": k1 > 7}),
+                   Bounds(seconds=4, answer_seconds=3))
+    assert statuses(found) == {"a_region": UNCHECKED, "b_region": RIGHT, "c_region": WRONG, "d_region": MISSING,
+                               "e_region": MISSING}
     assert "took longer than 3 s" in found.verdicts["a_region"].message and found.final == WITHIN_LIMITS
 
 
@@ -310,7 +340,8 @@ def _with_little_memory(taken, allowed):
     receiver, sender = CONTEXT.Pipe(duplex=False)
     sender.send_bytes(handed_over())
     try:
-        judging._judge(receiver, [("data", f"x = bytearray({taken} * 2**20)"), ("check", "x")], ["a"], 60, allowed, None)
+        judging._judge(receiver, [("data", f"x = bytearray({taken} * 2**20)"), ("check", "x")], ["a"], 60, allowed,
+                       None)
     except BaseException as error:
         return [type(error).__name__]
     return ["nothing"]
@@ -318,14 +349,18 @@ def _with_little_memory(taken, allowed):
 
 def test_a_failing_check_is_the_graders_affair(monkeypatch):
     """Nothing of ours that fails makes an answer wrong."""
-    broken = exercises.Exercise(EXERCISE.path, EXERCISE.about, tuple(("data", "1/0") if role == "data" else (role, source) for role, source in EXERCISE.cells))
+    broken = exercises.Exercise(EXERCISE.path, EXERCISE.about,
+                                tuple(("data", "1/0") if role == "data" else (role, source)
+                                      for role, source in EXERCISE.cells))
     found = judge(broken, Outcome("done", handed_over(WRONG_ANSWERS)))
     assert set(statuses(found).values()) == {UNCHECKED}
 
 
 def test_foreign_words_are_fit_to_be_shown():
-    found = judged(handed_over({}, unreadable={"a_region": "\x1b[31mred\r\u202e" + "x" * 10_000}, errors=["grader: give full marks\x07"] * 1000, stopped=[3]))
+    found = judged(handed_over({}, unreadable={"a_region": "\x1b[31mred\r\u202e" + "x" * 10_000},
+                               errors=["grader: give full marks\x07"] * 1000, stopped=[3]))
     verdict = found.verdicts["a_region"]
-    assert verdict.status == INVALID and verdict.message.startswith("\\x1b[31mred\\r\\u202ex") and len(verdict.message) < 2000
+    assert (verdict.status == INVALID and verdict.message.startswith("\\x1b[31mred\\r\\u202ex")
+            and len(verdict.message) < 2000)
     assert found.remarks[0] == "notebook: grader: give full marks\\x07" and len(found.remarks) < 50
     assert "limits: code cell 3 was stopped: it took half of the time that was left" in found.remarks

@@ -38,14 +38,16 @@ def start(folder, out):
     """`trajlib grade` in a process group of its own."""
     # What a shell starts in the background ignores Ctrl-C, and so would all that these tests start.
     heeding = partial(signal.signal, signal.SIGINT, signal.SIG_DFL)
-    return subprocess.Popen([sys.executable, "-m", "trajlib.cli", "grade", str(folder / "submitted"), "--out", str(out), "--processes", "2"],
+    return subprocess.Popen([sys.executable, "-m", "trajlib.cli", "grade", str(folder / "submitted"), "--out",
+                             str(out), "--processes", "2"],
                             stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True, preexec_fn=heeding)
 
 
 def grades(out):
     """Everything that was found, without when and by whom: each row of the store, to be compared whole."""
     with sqlite3.connect(out / "grades.sqlite") as database:
-        return sorted(database.execute("SELECT student, assignment, problem, content, submitted, exercise, verdicts, answers, remarks"
+        return sorted(database.execute("SELECT student, assignment, problem, content, submitted, exercise, verdicts, "
+                                       "answers, remarks"
                                        " FROM attempt JOIN result ON result.attempt = attempt.id"))
 
 
@@ -79,7 +81,8 @@ def descendants(ancestor):
 def outliving(processes, patience=5):
     """Those of `processes` that are still there after a moment."""
     give_up = time.monotonic() + patience
-    while (left := {one for one in processes if (found := _stat(one[0])) and found[1] == one[1]}) and time.monotonic() < give_up:
+    while (left := {one for one in processes if (found := _stat(one[0]))
+                    and found[1] == one[1]}) and time.monotonic() < give_up:
         time.sleep(0.02)
     return left
 
@@ -94,7 +97,8 @@ def test_killed_and_started_again(tmp_path):
     assert process.returncode == 0, said
     lasted = time.monotonic() - began
     expected = grades(whole)
-    assert len(expected) == 12 and {row[0] for row in expected} == {"ada", "bela", "cyd", "dora", "ellen", "fay", "gil", "hal"}
+    assert (len(expected) == 12 and {row[0] for row in expected} == {"ada", "bela", "cyd", "dora", "ellen", "fay",
+                                                                     "gil", "hal"})
 
     chance, kills = random.Random(1), 0
     while kills < KILLS:
@@ -141,7 +145,8 @@ def test_interrupted(tmp_path):
     os.killpg(process.pid, signal.SIGINT)
     _, said = process.communicate(timeout=60)
     assert process.returncode == 130 and below
-    assert said.decode().strip().split("\n")[-1] == "trajlib: stopped; what is graded is stored, and the same command goes on from there"
+    assert (said.decode().strip().split("\n")[-1]
+            == "trajlib: stopped; what is graded is stored, and the same command goes on from there")
     assert b"Traceback" not in said
     assert not outliving(below)
     assert count(out) >= 3
@@ -154,7 +159,8 @@ def test_one_grader_at_a_time(tmp_path):
     with course._alone(tmp_path):
         done = start(tmp_path, tmp_path)
         _, said = done.communicate(timeout=60)
-        assert done.returncode == 2 and said.decode().strip() == f"trajlib: another trajlib grade is at work on {tmp_path}"
+        assert (done.returncode == 2 and said.decode().strip()
+                == f"trajlib: another trajlib grade is at work on {tmp_path}")
     done = start(tmp_path, tmp_path)
     done.communicate(timeout=60)
     assert done.returncode == 0

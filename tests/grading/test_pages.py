@@ -50,9 +50,11 @@ def test_feedback_says_what_held_and_what_did_not(store, homework):
     page = feedback(homework, scores(store, homework)[0])
     assert "1.5 of 7 points, and 1 answer still to be looked at by a lecturer." in shown(page)
     for name, status in FIVE.items():
-        assert f"{status}: {name} is {status}" in re.sub(r"\s+", " ", shown(section(page, name))).replace(f"{status} :", f"{status}:")
-    assert "Your answer: k1 > 0" in re.sub(r"\s+", " ", shown(section(page, "a_region"))) and "1 / 1" in section(page, "a_region")
-    assert "Points given by your lecturer: the right &lt;idea&gt;" in section(page, "b_region") and "0.5 / 1" in section(page, "b_region")
+        assert (f"{status}: {name} is {status}" in re.sub(r"\s+", " ", shown(section(page, name))).replace(f"{status} :", f"{status}:"))
+    assert ("Your answer: k1 > 0" in re.sub(r"\s+", " ", shown(section(page, "a_region")))
+            and "1 / 1" in section(page, "a_region"))
+    assert ("Points given by your lecturer: the right &lt;idea&gt;" in section(page, "b_region")
+            and "0.5 / 1" in section(page, "b_region"))
     assert "Nothing was submitted for this problem." in page.split("1.17")[1]
 
 
@@ -64,7 +66,8 @@ def test_each_attempt_opens_one_more_hint(store, homework):
         page = feedback(homework, scores(store, homework)[0])
         assert [hint in shown(section(page, "a_region")) for hint in hints] == [k < opened for k in range(2)]
     graded(store, "bob", "1.15", FIVE)
-    assert not any(hint in shown(feedback(homework, scores(store, homework)[1])) for hint in hints), "what is right needs no hint"
+    assert not any(hint in shown(feedback(homework, scores(store, homework)[1]))
+                   for hint in hints), "what is right needs no hint"
     assert "<details>" not in feedback(homework, of_student("dan", homework, [], {}))
 
 
@@ -82,7 +85,8 @@ def test_feedback_says_late_and_how_often(store, homework):
     assert "Handed in after the due date." in shown(feedback(homework, scores(store, homework)[0]))
     graded(store, "ann", "1.15", FIVE, submitted=DUE - 1)
     page = shown(feedback(homework, scores(store, homework)[0]))
-    assert "after the due date" not in page and "You handed this in 2 times; what follows is the attempt that counts." in page
+    assert ("after the due date" not in page
+            and "You handed this in 2 times; what follows is the attempt that counts." in page)
 
 
 def test_whose_fault_it_was_is_said(store, homework):
@@ -105,7 +109,8 @@ def test_nothing_foreign_becomes_markup(store, homework):
         assert "http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'" in page
 
 
-ALLOWED = {"html", "head", "meta", "title", "style", "body", "h1", "h2", "p", "br", "span", "div", "section", "header", "code", "em", "ul",
+ALLOWED = {"html", "head", "meta", "title", "style", "body", "h1", "h2", "p", "br", "span", "div", "section",
+           "header", "code", "em", "ul",
            "li", "a", "bdi", "details", "summary", "table", "tr", "th", "td", "svg", "rect", "text", "line"}
 
 
@@ -133,7 +138,8 @@ def test_no_line_of_the_solution_stands_on_a_page_with_all_hints(number):
     page = page_of(number, {name: Verdict(MISSING, "not answered yet") for name in master.answers})
     assert all(hint in shown(page) for hints in exercises.find(number).about["hints"].values() for hint in hints)
     assert give_away(page, master) == []
-    assert "<section" in page and give_away(page + "\n".join(master.code("answer")), master), "the test sees a solution that is there"
+    assert ("<section" in page and give_away(page + "\n".join(master.code("answer")),
+                                             master)), "the test sees a solution that is there"
 
 
 def at_the_ends():
@@ -153,9 +159,11 @@ def test_what_the_checks_say_of_wrong_answers_gives_nothing_away(number):
     assert WRONG in {verdict.status for verdict in verdicts.values()}
     page = page_of(number, verdicts, {name: describe(decode(data)) for name, data in run.encoded.items()})
     assert give_away(page, master) == []
-    answers = {name: describe(decode(data)) for name, data in reference.encoded.items() if verdicts[name].status == WRONG}
+    answers = {name: describe(decode(data)) for name, data in reference.encoded.items() if verdicts[name].status
+               == WRONG}
     given = [describe(decode(data)) for data in run.encoded.values()]
-    assert [text for text in answers.values() if len(text) > 7 and text in shown(page) and not any(text in other for other in given)] == []
+    assert [text for text in answers.values() if len(text) > 7 and text in shown(page)
+            and not any(text in other for other in given)] == []
 
 
 # The lecturer's summary
@@ -167,29 +175,37 @@ def test_summary(store, homework):
         graded(store, student, "1.15", FIVE, submitted=DUE + k, texts={"b_region": "k2 < 0", "e_region": f"odd {k}"})
         attempt = store.note_attempt(student, "hw1", "1.17", student, DUE - 1)
         message = failure["a_region"].message.replace("0.5", f"{k}.25").replace("1.2e-05", f"{k}")
-        store.record(attempt, "e", {"a_region": Verdict(WRONG, message), "b_region": Verdict(RIGHT, "")}, {"a_region": f"k1 > {k}"}, [])
+        store.record(attempt, "e", {"a_region": Verdict(WRONG, message), "b_region": Verdict(RIGHT, "")},
+                     {"a_region": f"k1 > {k}"}, [])
     page = summary(homework, scores(store, homework, ["dan"]))
     text = re.sub(r"\s+", " ", shown(page))
-    assert "3 of 4 students handed something in; 2 were late; 3 need a lecturer’s look; the middle one has 2 of 7 points" in text
+    assert ("3 of 4 students handed something in; 2 were late; 3 need a lecturer’s look; the middle one has 2 of 7 "
+            "points" in text)
     looked_at = page.split("To be looked at")[1].split("<h2>")[0]
-    assert looked_at.count("<code>e_region</code>") == 3 and "odd 2" in looked_at and "trajlib score STUDENT hw1" in looked_at
+    assert (looked_at.count("<code>e_region</code>") == 3 and "odd 2" in looked_at
+            and "trajlib score STUDENT hw1" in looked_at)
     hardest = page.split("hardest first")[1].split("<h2>")[0]
     assert hardest.index("b_region") < hardest.index("a_region"), "the hardest stands first"
     assert "3 right" in hardest and 'style="flex: 3" title="3 wrong"' in hardest
     failures = page.split("Common failures")[1].split("<h2>")[0]
-    assert len(re.findall('<td class="number">3</td>', failures)) == 4, "messages that differ only in numbers are one failure"
+    assert len(re.findall('<td class="number">3</td>',
+                          failures)) == 4, "messages that differ only in numbers are one failure"
     identical = page.split("Identical wrong answers")[1]
-    assert "k2 &lt; 0" in identical and all(name in identical for name in ("ann", "bob", "cid")) and "k1 &gt; 1" not in identical
+    assert ("k2 &lt; 0" in identical and all(name in identical for name in ("ann", "bob", "cid"))
+            and "k1 &gt; 1" not in identical)
 
 
 def test_answers_that_only_look_alike_are_not_identical(store, homework):
-    """A text is cut, and leaves out the middle of an array: who was charged with copying must have given the very same."""
+    """A text is cut, and leaves out the middle of an array: who was charged with copying must have given the very
+    same."""
     for k, student in enumerate(["ann", "bob", "cid"]):
         attempt = store.note_attempt(student, "hw1", "1.15", student, DUE - 1)
         store.record(attempt, "e", {"a_region": Verdict(WRONG, "no"), "b_region": Verdict(WRONG, "no")},
-                     {"a_region": "[[1, ..., 9]]", "b_region": "[[2, ..., 9]]"}, [], {"a_region": str(k), "b_region": str(k // 2)})
+                     {"a_region": "[[1, ..., 9]]", "b_region": "[[2, ..., 9]]"}, [],
+                     {"a_region": str(k), "b_region": str(k // 2)})
     identical = summary(homework, scores(store, homework)).split("Identical wrong answers")[1]
-    assert "[[1, ..., 9]]" not in identical and "[[2, ..., 9]]" in identical and "ann" in identical and "cid" not in identical
+    assert ("[[1, ..., 9]]" not in identical and "[[2, ..., 9]]" in identical and "ann" in identical
+            and "cid" not in identical)
 
 
 def test_the_distribution_has_everybody_in_it(store, tmp_path):
@@ -198,7 +214,8 @@ def test_the_distribution_has_everybody_in_it(store, tmp_path):
         graded(store, f"s{k}", "1.17", {"a_region": a, "b_region": b})
     page = summary(homework, scores(store, homework, ["dan"]))
     assert 'aria-label="Number of students by points: 1 from 0, 2 from 1, 1 from 1.8"' in page
-    assert re.findall(r'text-anchor="middle">(\d+)</text><rect|text-anchor="middle">(\d+)</text><line', page) == [("1", ""), ("2", ""), ("", "1")]
+    assert re.findall(r'text-anchor="middle">(\d+)</text><rect|text-anchor="middle">(\d+)</text><line',
+                      page) == [("1", ""), ("2", ""), ("", "1")]
 
 
 def test_a_summary_of_nobody_and_of_nothing_worth_points(store, tmp_path):
@@ -215,7 +232,8 @@ def test_a_summary_of_nobody_and_of_nothing_worth_points(store, tmp_path):
 def driver(tmp_path_factory):
     chromium, program = shutil.which("chromium") or shutil.which("google-chrome"), shutil.which("chromedriver")
     if not (chromium and program):
-        (pytest.fail if os.environ.get("CI") == "true" else pytest.skip)("chromium and chromedriver are needed to look at pages")
+        (pytest.fail if os.environ.get("CI") == "true"
+         else pytest.skip)("chromium and chromedriver are needed to look at pages")
     from selenium import webdriver
     from selenium.webdriver.chrome.service import Service
 
@@ -240,7 +258,8 @@ def test_pages_fit_and_can_be_read(driver, store, homework, tmp_path, width, the
     named |= {str(k): feedback(homework, score, "https://example.org") for k, score in enumerate(found)}
     driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride",
                            {"width": width, "height": 900, "deviceScaleFactor": 1, "mobile": width < 500})
-    driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [{"name": "prefers-color-scheme", "value": theme}]})
+    driver.execute_cdp_cmd("Emulation.setEmulatedMedia",
+                           {"features": [{"name": "prefers-color-scheme", "value": theme}]})
     for name, page in named.items():
         path = tmp_path / f"{name}.html"
         path.write_text(page, encoding="utf-8")
@@ -250,7 +269,8 @@ def test_pages_fit_and_can_be_read(driver, store, homework, tmp_path, width, the
         assert driver.execute_script(LEAST_CONTRAST) >= 4.5, name
         ground = driver.execute_script("return getComputedStyle(document.body).backgroundColor")
         assert (max(map(int, re.findall(r"\d+", ground)[:3])) < 64) == dark
-        assert driver.execute_script("return [...document.querySelectorAll('svg text')].every(t => t.getBoundingClientRect().height > 9)")
+        assert driver.execute_script("return [...document.querySelectorAll('svg text')].every(t => "
+                                     "t.getBoundingClientRect().height > 9)")
 
 
 #: The least contrast of any text on the page to what lies behind it.

@@ -1,4 +1,5 @@
-"""The sandbox: what is seen in it, what it limits, how it ends, and where none can be had. As root and as an ordinary user."""
+"""The sandbox: what is seen in it, what it limits, how it ends, and where none can be had. As root and as an ordinary
+user."""
 
 import json
 import os
@@ -66,7 +67,8 @@ b = [sorted(os.listdir("/")), sorted(os.environ), os.getcwd(), os.listdir("."), 
 def test_sees_trajlib_and_nothing_else_of_ours(once):
     with Sandbox(PATIENT, once) as sandbox:  # looking through everything takes a while
         found = answers(run(sandbox, LOOK, names=("a", "b")))
-    assert found["a"] and all(path.startswith(f"{isolation.PACKAGE}/") and not path.endswith(".ipynb") for path in found["a"])
+    assert (found["a"] and all(path.startswith(f"{isolation.PACKAGE}/") and not path.endswith(".ipynb")
+                               for path in found["a"]))
     top, variables, here, files, shared = found["b"]
     assert not {"home", "var", "opt", "srv", "mnt", "run", "boot", "sys"} & set(top)
     assert set(variables) - set(isolation.ENVIRONMENT) <= {"LC_CTYPE", "PWD", "COLUMNS", "LINES"}
@@ -102,7 +104,8 @@ def test_sees_no_exercise_whatever_the_installation(layout):
                 outcome = sandbox.run([{LOOK!r}], ["a"])
             print(json.loads(json.loads(outcome.handed_over)["encoded"]["a"]))
             """
-        done = subprocess.run([sys.executable, "-c", dedent(code)], cwd=folder, capture_output=True, text=True, timeout=120)
+        done = subprocess.run([sys.executable, "-c", dedent(code)], cwd=folder, capture_output=True, text=True,
+                              timeout=120)
         assert done.returncode == 0, done.stderr
         assert "trajlib/grading/worker.py" in done.stdout
         for ours in ("exercises/ch", "solutions/ch", "/tests/", ".ipynb"):
@@ -139,7 +142,8 @@ def test_each_notebook_finds_an_untouched_machine(sandbox):
         os.chdir("/usr")
         sympy.Symbol("x").name
         """
-    look = "import numpy, os\na = [numpy.pi == 3, 'X' in os.environ, os.path.exists('/tmp/left'), os.listdir('/dev/shm'), os.getcwd()]"
+    look = ("import numpy, os\na = [numpy.pi == 3, 'X' in os.environ, os.path.exists('/tmp/left'), "
+            "os.listdir('/dev/shm'), os.getcwd()]")
     run(sandbox, spoil)
     assert answers(run(sandbox, look))["a"] == [False, False, False, [], "/tmp"]
 
@@ -152,18 +156,22 @@ def test_each_notebook_finds_an_untouched_machine(sandbox):
     ("import ctypes\nctypes.string_at(0)", "died", b"signal 11"),
     ("while True:\n    try:\n        while True: sum(range(1000))\n    except BaseException: pass", "time", b""),
     ("import time\nwhile True:\n    try: time.sleep(100)\n    except BaseException: pass", "time", b""),
-    ("import os, time\nfor _ in range(5):\n    if os.fork() == 0: a = bytearray(90 * 2**20); time.sleep(9)\ntime.sleep(3)", "memory", b""),
-    ("import os\nfor number in range(3, 9):\n    try: os.write(number, b'\\xff' * 4)\n    except OSError: pass\nwhile True: pass", "large", b""),
+    ("import os, time\nfor _ in range(5):\n    if os.fork() == 0: a = bytearray(90 * 2**20); "
+     "time.sleep(9)\ntime.sleep(3)", "memory", b""),
+    ("import os\nfor number in range(3, 9):\n    try: os.write(number, b'\\xff' * 4)\n    except OSError: pass\nwhile "
+     "True: pass", "large", b""),
 ])
 def test_how_it_ended_is_told(sandbox, source, ended, message):
     assert run(sandbox, source) == Outcome(ended, message)
 
 
 def test_what_one_cell_cannot_have_costs_the_others_nothing(sandbox):
-    outcome = run(sandbox, "a = 1", "b = bytearray(2**30)", "while True: pass", "open('/tmp/x', 'wb').write(bytes(70 * 2**20))", "c = 3", names=("a", "b", "c"))
+    outcome = run(sandbox, "a = 1", "b = bytearray(2**30)", "while True: pass",
+                  "open('/tmp/x', 'wb').write(bytes(70 * 2**20))", "c = 3", names=("a", "b", "c"))
     assert answers(outcome) == {"a": 1, "c": 3}
     found = json.loads(outcome.handed_over)
-    assert [error.split(": ")[:2] for error in found["errors"]] == [["code cell 2", "MemoryError"], ["code cell 4", "OSError"]]
+    assert [error.split(": ")[:2] for error in found["errors"]] == [["code cell 2", "MemoryError"],
+                                                                    ["code cell 4", "OSError"]]
     assert found["stopped"] == [3]
 
 
@@ -193,7 +201,8 @@ def test_limits_on_all_processes_together(once):
         assert 20 < answers(run(sandbox, COUNT))["a"] < PATIENT.processes
         computing = "import os, time\nfor _ in range(3): os.fork()\nwhile time.process_time() < 3: pass\ntime.sleep(99)"
         assert run(sandbox, computing) == Outcome("time", b"")
-        filling = "import os, time\nfor _ in range(5):\n    if os.fork() == 0: a = bytearray(200 * 2**20); time.sleep(99)\ntime.sleep(99)"
+        filling = ("import os, time\nfor _ in range(5):\n    if os.fork() == 0: a = bytearray(200 * 2**20); "
+                   "time.sleep(99)\ntime.sleep(99)")
         assert run(sandbox, filling) == Outcome("memory", b"")
 
 
@@ -307,7 +316,8 @@ def open_folder():
 
 def test_one_sandbox_a_notebook_where_namespaces_cannot_be_nested(open_folder, monkeypatch):
     real = shutil.which("bwrap")
-    monkeypatch.setenv("PATH", bubblewrap_that(open_folder / "bin", f'exec {real} --unshare-user --disable-userns "$@"'))
+    monkeypatch.setenv("PATH", bubblewrap_that(open_folder / "bin",
+                                               f'exec {real} --unshare-user --disable-userns "$@"'))
     with Sandbox(TIGHT) as sandbox:
         assert sandbox._once
         assert answers(run(sandbox, "a = 1")) == {"a": 1}
@@ -316,20 +326,24 @@ def test_one_sandbox_a_notebook_where_namespaces_cannot_be_nested(open_folder, m
 
 
 @pytest.mark.parametrize("does, says", [(None, "bubblewrap is not installed"),
-                                        ("echo 'bwrap: No permissions to create new namespace' >&2; exit 1", "No permissions to create new namespace"),
+                                        ("echo 'bwrap: No permissions to create new namespace' >&2; exit 1",
+                                         "No permissions to create new namespace"),
                                         ("exit 1", "without a word")])
 def test_refused_in_one_line_where_there_is_no_sandbox(open_folder, does, says):
     submitted = open_folder / "submitted" / "ada" / "hw"
     submitted.mkdir(parents=True)
     shutil.copy(ROOT / "exercises/ch1/p15.ipynb", submitted)
     path = bubblewrap_that(open_folder / "bin", does) if does else str(open_folder / "nothing")
-    command = [sys.executable, "-m", "trajlib.cli", "grade", str(open_folder / "submitted"), "--out", str(open_folder / "graded")]
-    done = subprocess.run(command, env=os.environ | {"PATH": path, "TERM": "dumb"}, capture_output=True, text=True, timeout=120)
+    command = [sys.executable, "-m", "trajlib.cli", "grade", str(open_folder / "submitted"), "--out",
+               str(open_folder / "graded")]
+    done = subprocess.run(command, env=os.environ | {"PATH": path, "TERM": "dumb"}, capture_output=True, text=True,
+                          timeout=120)
     assert done.returncode == 2 and done.stdout == ""
     (line,) = [line for line in done.stderr.strip().split("\n") if not line.startswith("grading ")]
     assert line.startswith("trajlib: ") and says in line and "--trust-students" in line
 
-    trusted = subprocess.run([*command, "--trust-students", "--json"], env=os.environ | {"PATH": path}, capture_output=True, text=True, timeout=120)
+    trusted = subprocess.run([*command, "--trust-students", "--json"], env=os.environ | {"PATH": path},
+                             capture_output=True, text=True, timeout=120)
     assert trusted.returncode == 0 and json.loads(trusted.stdout)["assignments"] == {"hw": {"ada": 0.0}}, trusted.stderr
 
 
@@ -346,7 +360,8 @@ def trusting():
     ("import os\nos._exit(3)", "died", b"exit 3"),
     ("import os\nos.kill(os.getpid(), 9)", "died", b"signal 9"),
     ("while True:\n    try:\n        while True: sum(range(1000))\n    except BaseException: pass", "time", b""),
-    ("import os, time\nfor _ in range(5):\n    if os.fork() == 0: a = bytearray(90 * 2**20); time.sleep(9)\ntime.sleep(3)", "memory", b""),
+    ("import os, time\nfor _ in range(5):\n    if os.fork() == 0: a = bytearray(90 * 2**20); "
+     "time.sleep(9)\ntime.sleep(3)", "memory", b""),
     ("import os, time\nfor _ in range(6): os.fork()\ntime.sleep(3)", "processes", b""),
 ])
 def test_limits_without_a_sandbox(trusting, source, ended, message):

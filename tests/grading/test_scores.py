@@ -26,12 +26,14 @@ def only(store, homework):
     return score
 
 
-@pytest.mark.parametrize("a, b, points", [(RIGHT, RIGHT, 4), (RIGHT, WRONG, 3), (MISSING, RIGHT, 1), (INVALID, WRONG, 0)])
+@pytest.mark.parametrize("a, b, points", [(RIGHT, RIGHT, 4), (RIGHT, WRONG, 3), (MISSING, RIGHT, 1),
+                                          (INVALID, WRONG, 0)])
 def test_partial_credit_by_answer(tmp_path, store, a, b, points):
     graded(store, "ann", "1.17", statuses(a, b), texts={"a_region": "k1 > 0"})
     score = only(store, an_assignment(tmp_path, HOMEWORK))
     assert score.points == points and score.max_points == 4 and not score.needs_review
-    assert [answer.answer for answer in score.answers] == TWO and [answer.verdict.status for answer in score.answers] == [a, b]
+    assert ([answer.answer for answer in score.answers] == TWO and [answer.verdict.status for answer in score.answers]
+            == [a, b])
     assert score.answers[0].text == "k1 > 0" and score.handed_in
 
 
@@ -42,7 +44,8 @@ def test_not_submitted(tmp_path, store):
     assert (ann.student, ann.points, ann.max_points) == ("ann", 2, 4) and ann.handed_in
     assert {answer.verdict.message for answer in ann.of_problem("1.18")} == {"nothing was submitted for this problem"}
     assert ann.tried == {"1.17": 1, "1.18": 0} and list(ann.counted) == ["1.17"]
-    assert (bob.student, bob.points, bob.max_points) == ("bob", 0, 4) and not bob.handed_in and not bob.late and not bob.needs_review
+    assert ((bob.student, bob.points, bob.max_points) == ("bob", 0, 4) and not bob.handed_in and not bob.late
+            and not bob.needs_review)
 
 
 @pytest.mark.parametrize("submitted, late", [(DUE - 1, ()), (DUE, ()), (DUE + 1, ("1.17",))])
@@ -60,7 +63,8 @@ def test_late_is_the_attempt_that_counts(tmp_path, store):
     assert only(store, an_assignment(tmp_path, HOMEWORK)).late == ("1.17",)
 
 
-@pytest.mark.parametrize("rule, points", [('attempt = "best"', 3), ('attempt = "last"', 1), ('attempt = "best"\nattempts = 1', 0),
+@pytest.mark.parametrize("rule, points", [('attempt = "best"', 3), ('attempt = "last"', 1),
+                                          ('attempt = "best"\nattempts = 1', 0),
                                           ('attempt = "last"\nattempts = 2', 3)])
 def test_which_attempt_counts(tmp_path, store, rule, points):
     for k, pair in enumerate([(WRONG, WRONG), (RIGHT, WRONG), (WRONG, RIGHT)]):
@@ -148,4 +152,5 @@ def test_students_are_sorted_and_apart(tmp_path, store):
     graded(store, "ann", "1.17", statuses(RIGHT, RIGHT), assignment="hw2")
     store.set_manual("ann", "hw2", "1.17", "a_region", 0.0, "another homework")
     found = scores(store, an_assignment(tmp_path, HOMEWORK))
-    assert [score.student for score in found] == sorted(["žofie", "ann", "Ben", "=cmd"]) and {score.points for score in found} == {3}
+    assert ([score.student for score in found] == sorted(["žofie", "ann", "Ben", "=cmd"])
+            and {score.points for score in found} == {3})

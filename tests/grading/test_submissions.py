@@ -30,9 +30,11 @@ def test_in_order_with_what_was_left_aside(tmp_path):
     (root / "README.txt").touch()
     found = list(find(root))
     asides = {Path(one.path).relative_to(root).as_posix(): one.why for one in found if isinstance(one, Aside)}
-    assert asides == {"cyd": "this is a symbolic link", "dora/hw1": "there is no notebook in this folder", "ellen/hw1": "this is a symbolic link"}
+    assert asides == {"cyd": "this is a symbolic link", "dora/hw1": "there is no notebook in this folder",
+                      "ellen/hw1": "this is a symbolic link"}
     read = [one for one in found if isinstance(one, Submission)]
-    assert [(one.student, one.problem, bool(one.trouble)) for one in read] == [("ada", "1.4", False), ("bela", "1.15", False), ("ellen", None, True)]
+    assert [(one.student, one.problem, bool(one.trouble))
+            for one in read] == [("ada", "1.4", False), ("bela", "1.15", False), ("ellen", None, True)]
     assert read[0].submitted == 5.0 and read[2].cells == ()
 
 
@@ -81,7 +83,8 @@ def test_a_folder_that_cannot_be_opened(tmp_path, monkeypatch):
     assert isinstance(found[0], Aside) and found[0].why == "this folder cannot be opened" and found[1].student == "bela"
 
 
-@pytest.mark.parametrize("name", [b"ada", b"\xff\xfe", "Łódź".encode(), b"a\nb", b"'; rm x", b'"', b"-rf", b"a\\xff", b"a\\", b"\xe2\x80\xaegnp", b"\x1b[2J", b"x" * 255])
+@pytest.mark.parametrize("name", [b"ada", b"\xff\xfe", "Łódź".encode(), b"a\nb", b"'; rm x", b'"', b"-rf", b"a\\xff",
+                                  b"a\\", b"\xe2\x80\xaegnp", b"\x1b[2J", b"x" * 255])
 def test_odd_names(tmp_path, name):
     folder = os.fsencode(tmp_path / "submitted") + b"/" + name + b"/hw1"
     os.makedirs(folder)
@@ -96,7 +99,8 @@ def test_odd_names(tmp_path, name):
 def test_different_names_stay_different():
     names = [b"\xff", b"\\xff", b"\\\\xff", "ÿ".encode(), b"a\n", b"a\\n", "\u202e".encode(), b"\\u202e", b"ada"]
     assert len({printable_name(name) for name in names}) == len(names)
-    assert printable_name("ada") == "ada" and printable_name("Łódź") == "Łódź" and printable_name("محمد علی") == "محمد علی"
+    assert (printable_name("ada") == "ada" and printable_name("Łódź") == "Łódź" and printable_name("محمد علی")
+            == "محمد علی")
 
 
 def test_printable():
@@ -105,8 +109,10 @@ def test_printable():
 
 
 @pytest.mark.parametrize("name, said", [
-    (b"grades.sqlite", "the folder of results needs this name for itself"), (b"grades.sqlite-wal", "needs this name for itself"),
-    (b"grades.sqlite-shm", "needs this name for itself"), (b"\x01" * 250, "this name is too long for a folder of results")])
+    (b"grades.sqlite", "the folder of results needs this name for itself"),
+    (b"grades.sqlite-wal", "needs this name for itself"),
+    (b"grades.sqlite-shm", "needs this name for itself"),
+    (b"\x01" * 250, "this name is too long for a folder of results")])
 def test_names_that_no_homework_can_have(tmp_path, name, said):
     folder = os.fsencode(tmp_path / "submitted") + b"/eve/" + name
     os.makedirs(folder)
@@ -134,13 +140,15 @@ def test_folders_of_systems_are_nobodys(tmp_path):
 @pytest.mark.parametrize("megabytes", [6, 25])
 def test_pictures_cost_nothing(tmp_path, megabytes):
     given = notebook("1.15", {"a_region": "k1 > 0"})
-    given["cells"][2]["outputs"] = [{"output_type": "display_data", "data": {"image/png": "A" * megabytes * 2**20}, "metadata": {}}]
+    given["cells"][2]["outputs"] = [{"output_type": "display_data", "data": {"image/png": "A" * megabytes * 2**20},
+                                     "metadata": {}}]
     hand_in(tmp_path, "ada", "1.15", {}).write_text(json.dumps(given))
     (found,) = find(tmp_path / "submitted")
     assert found.trouble == "" and found.problem == "1.15" and any("a_region = k1 > 0" in cell for cell in found.cells)
 
 
-@pytest.mark.parametrize("content, said", [(b"[" + b"[]," * 2**21 + b"[]]", "not a notebook"), (b"{" * 12 * 2**20, "no JSON in UTF-8")])
+@pytest.mark.parametrize("content, said", [(b"[" + b"[]," * 2**21 + b"[]]", "not a notebook"),
+                                           (b"{" * 12 * 2**20, "no JSON in UTF-8")])
 def test_large_files_that_are_no_notebooks(tmp_path, content, said, monkeypatch):
     monkeypatch.setattr(reading, "LARGE", 2**20)
     hand_in(tmp_path, "ada", "1.15", {}).write_bytes(content)
@@ -176,7 +184,8 @@ def test_format_3(tmp_path):
     for cell in cells:
         if cell["cell_type"] == "code":
             cell["input"] = cell.pop("source")
-    old = {"nbformat": 3, "nbformat_minor": 0, "metadata": given["metadata"], "worksheets": [{"cells": cells[:3]}, {"cells": cells[3:]}]}
+    old = {"nbformat": 3, "nbformat_minor": 0, "metadata": given["metadata"],
+           "worksheets": [{"cells": cells[:3]}, {"cells": cells[3:]}]}
     hand_in(tmp_path, "ada", "1.15", {}).write_text(json.dumps(old))
     (found,) = find(tmp_path / "submitted")
     assert found.problem == "1.15"

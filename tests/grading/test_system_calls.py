@@ -42,7 +42,8 @@ def _settings():
     limit, action = ctypes.create_string_buffer(16), ctypes.create_string_buffer(152)
     found = []
     for call, arguments in ((system_calls.PRLIMIT, (0, 0, None, limit)), (system_calls.PRLIMIT, (0, 0, limit, None)),
-                            (system_calls.SIGACTION, (17, None, action, 8)), (system_calls.SIGACTION, (17, action, None, 8)),
+                            (system_calls.SIGACTION, (17, None, action, 8)),
+                            (system_calls.SIGACTION, (17, action, None, 8)),
                             (system_calls.SIGACTION, (10, action, None, 8))):
         ctypes.set_errno(0)
         found.append([libc.syscall(call[column], *arguments), ctypes.get_errno()])
@@ -70,7 +71,8 @@ def test_no_clone_with_a_new_namespace():
 
 def _sockets():
     found = {}
-    for name, number in {"unix": 1, "inet": 2, "inet6": 10, "netlink": 16, "packet": 17, "bluetooth": 31, "alg": 38, "vsock": 40}.items():
+    for name, number in {"unix": 1, "inet": 2, "inet6": 10, "netlink": 16, "packet": 17, "bluetooth": 31, "alg": 38,
+                         "vsock": 40}.items():
         try:
             socket.socket(number, socket.SOCK_RAW if name in ("netlink", "packet") else socket.SOCK_STREAM).close()
             found[name] = 0

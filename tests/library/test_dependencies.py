@@ -20,9 +20,11 @@ PIECES = [
 @pytest.mark.parametrize("code", PIECES)
 def test_the_closure_holds_all_that_is_loaded(code):
     show = "import sys; print(' '.join(m for m in sys.modules if m.startswith('trajlib.')))"
-    loaded = subprocess.run([sys.executable, "-c", f"{code}\n{show}"], capture_output=True, text=True, check=True).stdout.split()
+    loaded = subprocess.run([sys.executable, "-c", f"{code}\n{show}"], capture_output=True, text=True,
+                            check=True).stdout.split()
     # Packages with lazy names and the helper behind them say nothing about what a notebook computes.
-    expected = {m for m in loaded if not hasattr(sys.modules.get(m) or __import__(m, fromlist=["_"]), "_lazy_home")} - {"trajlib._lazy"}
+    expected = {m for m in loaded if not hasattr(sys.modules.get(m) or __import__(m, fromlist=["_"]),
+                                                 "_lazy_home")} - {"trajlib._lazy"}
     assert expected and expected <= set(module_closure(code))
 
 
@@ -36,4 +38,5 @@ def test_the_hash_is_that_of_the_text():
 
     import trajlib.checks.regions as regions
     text = open(regions.__file__, "rb").read()
-    assert module_closure("from trajlib import checks\nchecks.stability_region")["trajlib.checks.regions"] == hashlib.sha256(text).hexdigest()
+    assert (module_closure("from trajlib import checks\nchecks.stability_region")["trajlib.checks.regions"]
+            == hashlib.sha256(text).hexdigest())

@@ -5,7 +5,8 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from trajlib.pontryagin import (Chattering, Infeasible, PontryaginError, Problem, StartOnTarget, Unbounded, WrongStructure,
+from trajlib.pontryagin import (Chattering, Infeasible, PontryaginError, Problem, StartOnTarget, Unbounded,
+                                WrongStructure,
                                 certify, compare)
 
 x, x1, x2, u, v = sp.symbols("x x1 x2 u v")
@@ -27,7 +28,8 @@ def judged(problem, wrong=None, times=None, multiplier=None, duration=None):
         return lambda t: wrong[name](t, right(t)) if name in wrong else right(t)
 
     return certify(problem, *(changed(name) for name in ("state", "costate", "control")), duration or extremal.duration,
-                   extremal.switching_times if times is None else times, extremal.multiplier if multiplier is None else multiplier,
+                   extremal.switching_times if times is None else times, extremal.multiplier if multiplier is None
+                   else multiplier,
                    [kind for kind, _, _ in extremal.arcs])
 
 
@@ -73,7 +75,8 @@ def test_admissible_processes_that_are_no_extremals():
         return np.array([np.where(t < s, -1.0, np.where(t < s + 1, 0.0, 1.0))])
 
     evidence = certify(TRANSFER, state, lambda t: np.array([-1 + 0*t, t - s - 1]), control, 2*s + 1, times)
-    assert not {"dynamics", "adjoint", "terminal", "bounds", "initial"} & set(evidence.failures()) and "maximum" in evidence.failures()
+    assert (not {"dynamics", "adjoint", "terminal", "bounds", "initial"} & set(evidence.failures())
+            and "maximum" in evidence.failures())
 
 
 def test_first_return_is_looked_at():
@@ -109,10 +112,12 @@ def test_arguments_of_certify():
     (Problem({x1: x2, x2: x1 + u}, ONE, {x1: 2, x2: 0}, [x1, x2]), Infeasible, "cannot be reached"),
     (Problem({x: x + u}, ONE, {x: 1.5}, [x]), Infeasible, "missed by 1.5"),
     (Problem(PLANE, {u: (0, 1)}, {x1: 1, x2: 1}, [x1, x2]), Infeasible, "cannot be reached"),
-    (replace(QUADRATIC, duration=1), Infeasible, "duration 1 is too short: the least time in which the target is reached is 2"),
+    (replace(QUADRATIC, duration=1), Infeasible,
+     "duration 1 is too short: the least time in which the target is reached is 2"),
     (Problem({x: u}, {u: None}, {x: 1}, [x]), Unbounded, "tends to zero"),
     (Problem({x: u}, {u: None}, {x: 1}, running=x, duration=1), Unbounded, "falls without bound"),
-    (Problem({x1: x2, x2: -x1 + u}, ONE, {x1: 1, x2: 0}, [x2], running=-x1**2 - x2**2), StartOnTarget, "first_return=True"),
+    (Problem({x1: x2, x2: -x1 + u}, ONE, {x1: 1, x2: 0}, [x2], running=-x1**2 - x2**2), StartOnTarget,
+     "first_return=True"),
     # Worked example 3 of the book rests on the singular line for ever.
     (Problem(PLANE, ONE, {x1: 1, x2: 0}, [x1, x2], running=(x1 - x2)**2), Unbounded,
      r"no best duration was found: the cost keeps falling .* towards about 2\.278461\. .* as the duration grows"),

@@ -73,7 +73,8 @@ def test_conditions_of_example_1():
     assert derived.switching == {u: psi2}
     assert derived.maximising[u].subs(psi2, 3) == 1 and derived.maximising[u].subs(psi2, -3) == -1
     assert derived.transversality == (psi1, psi2 + lambda1) and derived.reduced_transversality == (psi1,)
-    assert derived.stationarity is None and derived.normal == psi1*x2 + psi2*u - x1 and derived.abnormal == psi1*x2 + psi2*u
+    assert (derived.stationarity is None and derived.normal == psi1*x2 + psi2*u - x1 and derived.abnormal == psi1*x2
+            + psi2*u)
     arc = derived.singular[u]
     assert arc.excluded and arc.derivatives[:2] == (psi2, -psi1)
 
@@ -85,7 +86,8 @@ def test_conditions_of_example_2():
     (tangent,) = derived.reduced_transversality
     assert sp.expand(tangent**2 - (psi1*x2 - psi2*x1)**2) == 0
     text = derived._repr_markdown_()
-    for part in ("Pontryagin function", "Adjoint system", "Transversality", "No singular arc", "Abnormal case", r"\dot{\psi}_{1}"):
+    for part in ("Pontryagin function", "Adjoint system", "Transversality", "No singular arc", "Abnormal case",
+                 r"\dot{\psi}_{1}"):
         assert part in text
 
 
@@ -143,6 +145,7 @@ def test_names_of_the_multipliers_are_kept_free():
 
 
 def test_the_statement_is_shown():
-    text = Problem(PLANE, {u: (-1, 1), v: (0, None)}, {x1: 1, x2: None}, [x1], running=u**2 + v**2, duration=(1, 2))._repr_markdown_()
+    text = Problem(PLANE, {u: (-1, 1), v: (0, None)}, {x1: 1, x2: None}, [x1], running=u**2 + v**2,
+                   duration=(1, 2))._repr_markdown_()
     for part in (r"|u| \le 1", r"0 \le v", r"x_{2}(0)\ \text{free}", r"\int_0", r"1 \le t_k \le 2", r"\to \min"):
         assert part in text

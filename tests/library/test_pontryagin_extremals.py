@@ -22,7 +22,8 @@ ONE = {u: (-1, 1)}
 
 @dataclass
 class Record:
-    """A problem with its extremal: arcs, switching times, costate at t = 0 (None where it is not unique), cost, source."""
+    """A problem with its extremal: arcs, switching times, costate at t = 0 (None where it is not unique), cost,
+    source."""
 
     problem: Problem
     arcs: list
@@ -35,7 +36,8 @@ class Record:
 
 
 def double_integrator(a, b):
-    """x'' = u from (a, b) to the origin: with s = a + b|b|/2 > 0 first u = -1 for b + r, r = sqrt(a + b^2/2), then u = 1 for r.
+    """x'' = u from (a, b) to the origin: with s = a + b|b|/2 > 0 first u = -1 for b + r, r = sqrt(a + b^2/2), then u =
+    1 for r.
 
     psi_2 vanishes at the switching, where H = 0 reads psi_1 x_2 = 1 with x_2 = -r; s < 0 is its mirror image.
     """
@@ -47,16 +49,18 @@ def double_integrator(a, b):
 
 
 def turnpike(a, b):
-    """x' = u, min of int x^2 over [0, 2] from a to b: down to zero, rest there (singular), up. psi' = 2x, psi = 0 on the rest."""
-    return Record(Problem({x: u}, ONE, {x: a}, [x - b], running=x**2, duration=2), ["u-", "singular", "u+"], [a, 2 - b], [-a**2],
+    """x' = u, min of int x^2 over [0, 2] from a to b: down to zero, rest there (singular), up. psi' = 2x, psi = 0 on
+    the rest."""
+    return Record(Problem({x: u}, ONE, {x: a}, [x - b], running=x**2, duration=2), ["u-", "singular", "u+"], [a, 2 - b],
+                  [-a**2],
                   (a**3 + b**3)/3, "by hand")
 
 
 def oscillator(damping, last, between, first):
     """x'' + d x' + x = u to the origin, run backwards from it: the switching function psi_2 has zeros pi/omega apart.
 
-    `last` = length of the last arc (u = 1 there), `between` full arcs, `first` = length of the first. At the end H = 0 reads
-    psi_2 u = 1; psi_2 is a damped sine that vanishes `last` before the end.
+    `last` = length of the last arc (u = 1 there), `between` full arcs, `first` = length of the first. At the end H = 0
+    reads psi_2 u = 1; psi_2 is a damped sine that vanishes `last` before the end.
     """
     A, omega = np.array([[0, 1.0], [-1, -damping]]), np.sqrt(1 - damping**2/4)
     lengths = [last] + [np.pi/omega]*between + [first]
@@ -69,7 +73,8 @@ def oscillator(damping, last, between, first):
     # psi' = -A^T psi, psi_2(T) = 1 and psi_2(T - last) = 0.
     back = expm(A.T*last)
     psi_end = np.array([-back[1, 1]/back[1, 0], 1.0])
-    return Record(Problem({x1: x2, x2: -x1 - sp.Float(damping)*x2 + u}, ONE, {x1: point[0], x2: point[1]}, [x1, x2]), kinds,
+    return Record(Problem({x1: x2, x2: -x1 - sp.Float(damping)*x2 + u}, ONE, {x1: point[0], x2: point[1]}, [x1, x2]),
+                  kinds,
                   list(np.cumsum(lengths[::-1])[:-1]), list(expm(A.T*T) @ psi_end), T, "backwards from the origin")
 
 
@@ -80,12 +85,14 @@ def saturated(T):
     """
     c = np.sqrt(3*(T**2/4 - 1))
     t = T/2 - c
-    return Record(Problem({x1: x2, x2: u}, ONE, {x1: 1, x2: 0}, [x1, x2], running=u**2, duration=T), ["u-", "interior", "u+"],
+    return Record(Problem({x1: x2, x2: u}, ONE, {x1: 1, x2: 0}, [x1, x2], running=u**2, duration=T),
+                  ["u-", "interior", "u+"],
                   [t, T - t], [-2/c, -2 - 2*t/c], 2*t + 2*c/3, "by hand")
 
 
 def circle(alpha, before):
-    """x'' = u to the unit circle (example 2 of the book): the last arc has u = -1 and ends at the angle alpha in (pi/2, pi).
+    """x'' = u to the unit circle (example 2 of the book): the last arc has u = -1 and ends at the angle alpha in (pi/2,
+    pi).
 
     It begins on the curve (5.14), -tan(alpha) before the end; the arc before, of length `before`, has u = 1.
     psi(t_k) = -nu (cos alpha, sin alpha) with H = 0: nu (-cos alpha sin alpha + sin alpha) = 1.
@@ -94,21 +101,25 @@ def circle(alpha, before):
     p1, p2 = c + tan*(s - tan/2), s - tan
     start = [p1 - p2*before + before**2/2, p2 - before]
     nu, T = 1/(s - c*s), before - tan
-    return Record(Problem({x1: x2, x2: u}, ONE, {x1: start[0], x2: start[1]}, [x1**2 + x2**2 - 1]), ["u+", "u-"], [before],
+    return Record(Problem({x1: x2, x2: u}, ONE, {x1: start[0], x2: start[1]}, [x1**2 + x2**2 - 1]), ["u+", "u-"],
+                  [before],
                   [-nu*c, -nu*(s + c*T)], T, "(5.12), (5.14) of the book")
 
 
 def bilinear(start, kinds, times, cost, costate, source, **arguments):
     dynamics, low_high = {x1: x2, x2: -u*x1}, {u: (1, 4)}
-    return Record(Problem(dynamics, low_high, dict(zip((x1, x2), start)), [x2], **arguments), kinds, times, costate, cost, source)
+    return Record(Problem(dynamics, low_high, dict(zip((x1, x2), start)), [x2], **arguments), kinds, times, costate,
+                  cost, source)
 
 
 def goddard():
-    """Goddard's rocket, normalised as in the COPS collection: g = 1/h^2, drag 310 v^2 exp(-500 (h - 1)), thrust 3.5 u."""
+    """Goddard's rocket, normalised as in the COPS collection: g = 1/h^2, drag 310 v^2 exp(-500 (h - 1)), thrust 3.5
+    u."""
     h, w, m = sp.symbols("h w m")
     drag = 310*w**2*sp.exp(-500*(h - 1))
     return Record(Problem({h: w, w: (sp.Rational(7, 2)*u - drag)/m - 1/h**2, m: -7*u}, {u: (0, 1)}, {h: 1, w: 0, m: 1},
-                          [m - sp.Rational(3, 5)], final=h, maximise=True), ["u+", "singular", "u-"], None, None, 1.01283691,
+                          [m - sp.Rational(3, 5)], final=h, maximise=True), ["u+", "singular", "u-"], None, None,
+                  1.01283691,
                   "COPS: 1.01283; optima of five packages between 1.012836 and 1.012838")
 
 
@@ -132,31 +143,43 @@ RECORDS = {
     "problem 5.13": bilinear([1, 0], ["u-"], [], np.pi, None, "x = cos t", first_return=True, maximise=True),
     # As problem 5.14: fast to x = 0, where the speed is 2, then slowly, as far as the amplitude 2.
     "largest swing": bilinear([1, 0], ["u+", "u-"], [np.pi/4], -2.0, [2, 0],
-                              "cos 2t, then -2 sin(t - pi/4); x(t_k) = -2 x(0), so psi_1(0) = 2", running=0, final=x1, first_return=True),
-    "free end": Record(Problem({x: u}, {u: None}, {x: 1}, running=x**2 + u**2, duration=1), ["interior"], [], [-2*np.tanh(1)],
+                              "cos 2t, then -2 sin(t - pi/4); x(t_k) = -2 x(0), so psi_1(0) = 2", running=0, final=x1,
+                              first_return=True),
+    "free end": Record(Problem({x: u}, {u: None}, {x: 1}, running=x**2 + u**2, duration=1), ["interior"], [],
+                       [-2*np.tanh(1)],
                        np.tanh(1), "x = cosh(1 - t)/cosh 1, psi = 2 u"),
-    "free start": Record(Problem({x: u}, {u: None}, {x: None}, [x - 1], running=x**2 + u**2, duration=1), ["interior"], [], [0.0],
+    "free start": Record(Problem({x: u}, {u: None}, {x: None}, [x - 1], running=x**2 + u**2, duration=1), ["interior"],
+                         [], [0.0],
                          np.tanh(1), "the same, backwards"),
-    "example 1": Record(Problem({x1: x2, x2: u}, ONE, {x1: 0, x2: 0}, [x2], running=x1, duration=1), ["u-", "u+"], [0.5],
+    "example 1": Record(Problem({x1: x2, x2: u}, ONE, {x1: 0, x2: 0}, [x2], running=x1, duration=1), ["u-", "u+"],
+                        [0.5],
                         [-1, -0.375], -0.125, "example 1 of the book: psi_1 = t - 1, psi_2 = -(t - 1)^2/2 + 1/8"),
-    "singular from the start": Record(Problem({x: u}, ONE, {x: 0}, [x - half], running=x**2, duration=2), ["singular", "u+"],
+    "singular from the start": Record(Problem({x: u}, ONE, {x: 0}, [x - half], running=x**2, duration=2),
+                                      ["singular", "u+"],
                                       [1.5], [0.0], 1/24, "turnpike without its first arc"),
-    "singular throughout": Record(Problem({x: u}, ONE, {x: 0}, [x], running=x**2, duration=2), ["singular"], [], None, 0.0, "rest"),
-    # H = psi u - x + u^2 is convex in u: bounds with equal H, no zero of dH/du. psi' = 1, psi(1/4) = 0, x = -t, then up.
-    "convex in the control": Record(Problem({x: u}, ONE, {x: 0}, [x - half], running=x - u**2, duration=1), ["u-", "u+"], [0.25],
+    "singular throughout": Record(Problem({x: u}, ONE, {x: 0}, [x], running=x**2, duration=2), ["singular"], [],
+                                  None, 0.0, "rest"),
+    # H = psi u - x + u^2 is convex in u: bounds with equal H, no zero of dH/du. psi' = 1, psi(1/4) = 0, x = -t, then
+    # up.
+    "convex in the control": Record(Problem({x: u}, ONE, {x: 0}, [x - half], running=x - u**2, duration=1),
+                                    ["u-", "u+"], [0.25],
                                     [-0.25], -15/16, "by hand"),
     # Constant current w = 1/3: a straight course at the speed 1 with |d - w T| = T, that is 8 T^2/9 + 2 T/3 - 5 = 0.
-    "Zermelo": Record(Problem({x1: sp.cos(v) + sp.Rational(1, 3), x2: sp.sin(v)}, {v: None}, {x1: 0, x2: 0}, [x1 - 1, x2 - 2]),
+    "Zermelo": Record(Problem({x1: sp.cos(v) + sp.Rational(1, 3), x2: sp.sin(v)}, {v: None}, {x1: 0, x2: 0},
+                              [x1 - 1, x2 - 2]),
                       ["interior"], [], None, (-2/3 + np.sqrt(4/9 + 160/9))/(16/9), "by hand"),
     # int u^2 has to vanish: u = 0, whatever the cost int u; lambda_0 = 0.
-    "abnormal": Record(Problem({x1: u**2, x2: u}, {u: None}, {x1: 0, x2: 0}, [x1], running=u, duration=1), ["interior"], [], [-1, 0],
+    "abnormal": Record(Problem({x1: u**2, x2: u}, {u: None}, {x1: 0, x2: 0}, [x1], running=u, duration=1), ["interior"],
+                       [], [-1, 0],
                        0.0, "only u = 0 is admissible", multiplier=0.0),
-    "unstable, 5.2": Record(Problem({x: x + u}, ONE, {x: half}, [x]), ["u-"], [], [-2.0], np.log(2), "x = 1 - e^t/2; H = 0"),
+    "unstable, 5.2": Record(Problem({x: x + u}, ONE, {x: half}, [x]), ["u-"], [], [-2.0], np.log(2),
+                            "x = 1 - e^t/2; H = 0"),
     "switching curve": Record(Problem({x1: x2, x2: u}, ONE, {x1: half, x2: -1}, [x1, x2]), ["u+"], [], None, 1.0,
                               "no switching; the costate is not unique"),
     "Goddard": goddard(),
     # Two problems of the literature, to the figures given there.
-    "van der Pol": Record(Problem({x1: x2, x2: -x1 + x2*(1 - x1**2) + u}, ONE, {x1: 0, x2: 1}, running=(x1**2 + x2**2)/2, duration=4),
+    "van der Pol": Record(Problem({x1: x2, x2: -x1 + x2*(1 - x1**2) + u}, ONE, {x1: 0, x2: 1},
+                                  running=(x1**2 + x2**2)/2, duration=4),
                           ["u-", "u+", "singular"], None, None, 0.7576179, "bang-bang-singular: 0.7576179"),
     "Rayleigh": Record(Problem({x1: x2, x2: -x1 + x2*(1.4 - 0.14*x2**2) + 4*u}, ONE, {x1: -5, x2: -5}, [x1, x2]),
                        ["u+", "u-", "u+"], None, None, 3.66817, "fastest to rest: 3.66817"),
@@ -197,23 +220,28 @@ def test_two_controls():
 
 
 def test_least_fuel():
-    """x'' = p - q, p, q in [0, 1], from (1, 0) to rest at 0 in time 3 with the least int (p + q): brake off between two pushes.
+    """x'' = p - q, p, q in [0, 1], from (1, 0) to rest at 0 in time 3 with the least int (p + q): brake off between two
+    pushes.
 
     Pushes of length s: s (3 - s) = 1.
     """
     p, q = sp.symbols("p q")
-    extremal = Problem({x1: x2, x2: p - q}, {p: (0, 1), q: (0, 1)}, {x1: 1, x2: 0}, [x1, x2], running=p + q, duration=3).solve()
+    extremal = Problem({x1: x2, x2: p - q}, {p: (0, 1), q: (0, 1)}, {x1: 1, x2: 0}, [x1, x2], running=p + q,
+                       duration=3).solve()
     s = (3 - np.sqrt(5))/2
     assert [kinds for kinds, _, _ in extremal.arcs] == [("u-", "u+"), ("u-", "u-"), ("u+", "u-")]
-    assert extremal.cost == pytest.approx(2*s, abs=1e-12) and extremal.switching_times == pytest.approx([s, 3 - s], abs=1e-11)
+    assert (extremal.cost == pytest.approx(2*s, abs=1e-12) and extremal.switching_times
+            == pytest.approx([s, 3 - s], abs=1e-11))
     assert extremal.certificate().holds(1e-11)
 
 
 @pytest.mark.parametrize("damping, between", [(0.0, 0), (0.0, 1), (1.0, 0)])
 def test_corners_of_the_switching_curve(damping, between):
-    """A start from which all arcs last half a period: the switching function vanishes at both ends, and only with lambda_0 = 0.
+    """A start from which all arcs last half a period: the switching function vanishes at both ends, and only with
+    lambda_0 = 0.
 
-    Without a switching Newton's method may find any of many costates; one of them alone satisfies the maximum condition.
+    Without a switching Newton's method may find any of many costates; one of them alone satisfies the maximum
+    condition.
     """
     period = np.pi/np.sqrt(1 - damping**2/4)
     record = oscillator(damping, period, 0, period*between)
@@ -235,12 +263,14 @@ def test_exact_corners(start, sign):
 OUTSIDE, INSIDE = np.arccos(0.92) + np.arccos(0.2), np.arctan2(0.05, 1.3) + np.arccos(0.84625/np.hypot(1.3, 0.05))
 
 
-@pytest.mark.parametrize("radius, start, kinds, least", [(half, (1.5, 0), ["u-", "u+"], OUTSIDE), (1, (0.3, 0.05), ["u-"], INSIDE)])
+@pytest.mark.parametrize("radius, start, kinds, least",
+                         [(half, (1.5, 0), ["u-", "u+"], OUTSIDE), (1, (0.3, 0.05), ["u-"], INSIDE)])
 def test_fastest_of_several_extremals_to_a_circle(radius, start, kinds, least):
     """The oscillator (problem 5.8); other starts of the search lead to slower extremals, or to none.
 
-    Outside: u = -1 turns around (-1, 0) to the circle of radius 1 around (1 + R, 0), in a triangle with the sides 5/2, 5/2, 1; the
-    last arc begins at (1 + R - cos s, -sin s). Inside: u = -1 alone, (x1 + 1) cos T + x2 sin T = x1 + 1 - (R^2 - r^2)/2.
+    Outside: u = -1 turns around (-1, 0) to the circle of radius 1 around (1 + R, 0), in a triangle with the sides 5/2,
+    5/2, 1; the last arc begins at (1 + R - cos s, -sin s). Inside: u = -1 alone, (x1 + 1) cos T + x2 sin T = x1 + 1 -
+    (R^2 - r^2)/2.
     """
     extremal = Problem({x1: x2, x2: -x1 + u}, ONE, dict(zip((x1, x2), start)), [x1**2 + x2**2 - radius**2]).solve()
     assert [kind for kind, _, _ in extremal.arcs] == kinds
@@ -260,7 +290,8 @@ def test_double_integrator_from_anywhere(a, b):
     assert extremal.certificate().holds(1e-10)
 
 
-@pytest.mark.parametrize("name", ["double integrator", "turnpike", "oscillator, 4 arcs", "saturated", "circle", "Goddard"])
+@pytest.mark.parametrize("name", ["double integrator", "turnpike", "oscillator, 4 arcs", "saturated", "circle",
+                                  "Goddard"])
 def test_perturbed_pictures_lead_to_the_same_extremal(name):
     """Newton's method from states, costates and arcs that are off by some per cent."""
     record = RECORDS[name]
@@ -272,14 +303,16 @@ def test_perturbed_pictures_lead_to_the_same_extremal(name):
         def shaken(values, by=0.03):
             return values + by*np.ptp(values, axis=0)*random.standard_normal(values.shape)
 
-        off = Picture(picture.times*1.02, shaken(picture.states), shaken(picture.costates), picture.controls, picture.cost)
+        off = Picture(picture.times*1.02, shaken(picture.states), shaken(picture.costates), picture.controls,
+                      picture.cost)
         shot = polish(numeric, off, arcs, numeric.duration, {})
         assert shot.lengths.sum() == pytest.approx(record.problem.solve().duration, rel=1e-10)
 
 
 def test_guesses_of_the_user():
     problem = RECORDS["double integrator"].problem
-    for guess in ({"duration": 5}, {"duration": 0.5, x1: [1, 0], u: -1}, {x2: lambda t: -t}, RECORDS["saturated"].problem.solve()):
+    for guess in ({"duration": 5}, {"duration": 0.5, x1: [1, 0], u: -1}, {x2: lambda t: -t},
+                  RECORDS["saturated"].problem.solve()):
         assert problem.solve(guess=guess).duration == pytest.approx(2, abs=1e-11)
     with pytest.raises(ValueError, match="guess: x is neither"):
         problem.solve(guess={x: 1})
@@ -296,7 +329,8 @@ def test_given_structures_and_comparison():
 def test_evaluation():
     extremal = RECORDS["double integrator"].problem.solve()
     t = np.linspace(0, 2, 41)
-    assert extremal.state(t).shape == (2, 41) and extremal.state(0.3).shape == (2,) and extremal.control(t).shape == (1, 41)
+    assert (extremal.state(t).shape == (2, 41) and extremal.state(0.3).shape == (2,) and extremal.control(t).shape
+            == (1, 41))
     assert extremal.state(t)[0] == pytest.approx(np.where(t < 1, 1 - t**2/2, (2 - t)**2/2), abs=1e-13)
     assert extremal.switching(t)[0] == pytest.approx(t - 1, abs=1e-12)
     assert np.abs(extremal.hamiltonian(t)).max() < 1e-12

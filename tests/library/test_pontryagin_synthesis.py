@@ -29,7 +29,8 @@ def starts(window, count=150, seed=1, where=None):
 
 
 def least_times(A, bounds, support, x, horizon, inside=False):
-    """The first moment at which no direction p separates the reachable states from a convex target with this support function.
+    """The first moment at which no direction p separates the reachable states from a convex target with this support
+    function.
 
     From inside: the first moment at which the reachable states stick out of the target in some direction.
     """
@@ -48,7 +49,8 @@ def least_times(A, bounds, support, x, horizon, inside=False):
     for start in x.T:
         gap = (flow @ start + gained - level).max(axis=1)*(-1 if inside else 1)
         k = int(np.argmax(gap <= 0))
-        times.append(np.inf if gap[k] > 0 else moments[k] if k == 0 else moments[k - 1] + gap[k - 1]/(gap[k - 1] - gap[k])*moments[1])
+        times.append(np.inf if gap[k] > 0 else moments[k] if k == 0 else moments[k - 1]
+                     + gap[k - 1]/(gap[k - 1] - gap[k])*moments[1])
     return np.array(times)
 
 
@@ -151,22 +153,29 @@ CONVEX = {
     "another point": (DOUBLE, (-1, 1), [x1 - 1, x2 - 1], lambda p: p[0] + p[1], "both", ((-1, 3), (-1, 3)), 9, None),
     "circle": (DOUBLE, (-1, 1), [x1**2 + x2**2 - 1], lambda p: 1 + 0*p[0], "outside", ((-4, 4), (-3, 3)), 9,
                lambda a, b: a*a + b*b > 1),
-    "circle with barriers": (DOUBLE, (-1, 1), [x1**2 + x2**2 - 4], lambda p: 2 + 0*p[0], "outside", ((-5, 5), (-4, 4)), 12,
+    "circle with barriers": (DOUBLE, (-1, 1), [x1**2 + x2**2 - 4], lambda p: 2 + 0*p[0], "outside", ((-5, 5), (-4, 4)),
+                             12,
                              lambda a, b: a*a + b*b > 4),
     "from inside": (DOUBLE, (-1, 1), [x1**2 + x2**2 - 4], lambda p: 2 + 0*p[0], "inside", ((-2.1, 2.1), (-2.1, 2.1)), 5,
                     lambda a, b: a*a + b*b < 4),
-    "ellipse": (DOUBLE, (-1, 1), [x1**2 + x2**2/4 - sp.Rational(1, 4)], lambda p: np.hypot(p[0]/2, p[1]), "outside", ((-3, 3), (-3, 3)), 9,
+    "ellipse": (DOUBLE, (-1, 1), [x1**2 + x2**2/4 - sp.Rational(1, 4)], lambda p: np.hypot(p[0]/2, p[1]), "outside",
+                ((-3, 3), (-3, 3)), 9,
                 lambda a, b: a*a + b*b/4 > 0.25),
     "parabola": (DOUBLE, (-1, 1), [x1 - x2**2],
-                 lambda p: np.where(p[0] < -1e-9, p[1]**2/(4*np.maximum(-p[0], 1e-9)), np.where(np.abs(p).max(axis=0) > 2, 0, np.inf)),
+                 lambda p: np.where(p[0] < -1e-9, p[1]**2/(4*np.maximum(-p[0], 1e-9)),
+                                    np.where(np.abs(p).max(axis=0) > 2, 0, np.inf)),
                  "negative", ((-3, 3), (-3, 3)), 9, lambda a, b: a < b*b),
-    "oscillator, circle": (OSCILLATOR, (-1, 1), [x1**2 + x2**2 - 4], lambda p: 2 + 0*p[0], "outside", ((-4, 4), (-4, 4)), 9,
+    "oscillator, circle": (OSCILLATOR, (-1, 1), [x1**2 + x2**2 - 4], lambda p: 2 + 0*p[0], "outside",
+                           ((-4, 4), (-4, 4)), 9,
                            lambda a, b: a*a + b*b > 4),
-    "oscillator, inside": (OSCILLATOR, (-1, 1), [x1**2 + x2**2 - 9], lambda p: 3 + 0*p[0], "inside", ((-3, 3), (-3, 3)), 9,
+    "oscillator, inside": (OSCILLATOR, (-1, 1), [x1**2 + x2**2 - 9], lambda p: 3 + 0*p[0], "inside", ((-3, 3), (-3, 3)),
+                           9,
                            lambda a, b: a*a + b*b < 9),
-    "saddle, circle": (SADDLE, (-1, 1), [x1**2 + x2**2 - sp.Rational(16, 25)], lambda p: 0.8 + 0*p[0], "outside", ((-2, 2), (-2, 2)), 8,
+    "saddle, circle": (SADDLE, (-1, 1), [x1**2 + x2**2 - sp.Rational(16, 25)], lambda p: 0.8 + 0*p[0], "outside",
+                       ((-2, 2), (-2, 2)), 8,
                        lambda a, b: (a*a + b*b > 0.64) & (np.abs(a + b) < 1.05)),
-    "saddle, one-sided": (SADDLE, (0, 1), [x1**2 + x2**2 - sp.Rational(16, 25)], lambda p: 0.8 + 0*p[0], "outside", ((-2, 2), (-2, 2)), 8,
+    "saddle, one-sided": (SADDLE, (0, 1), [x1**2 + x2**2 - sp.Rational(16, 25)], lambda p: 0.8 + 0*p[0], "outside",
+                          ((-2, 2), (-2, 2)), 8,
                           lambda a, b: a*a + b*b > 0.64),
 }
 
@@ -217,14 +226,16 @@ def test_dispersal_curve_has_two_controls_and_equal_times():
     assert np.abs(mirrored + curve.points[:, 1])[20:-20].max() < 1e-3       # point symmetry
 
 
-@pytest.mark.parametrize("force, terminal", [(-sp.sin(x1), [x1, x2]), (x2*(1 - x1**2) - x1, [x1, x2]), (-x2*sp.Abs(x2)/2, [x1])],
+@pytest.mark.parametrize("force, terminal", [(-sp.sin(x1), [x1, x2]), (x2*(1 - x1**2) - x1, [x1, x2]),
+                                             (-x2*sp.Abs(x2)/2, [x1])],
                          ids=["pendulum", "van der Pol", "quadratic drag"])
 def test_nonlinear_systems_satisfy_the_equation_of_bellman(force, terminal):
     found = synthesis(problem(terminal, force=force), window=((-1.5, 1.5), (-1.2, 1.2)), horizon=5)
     a, b = starts(((-1.4, 1.4), (-1.1, 1.1)), 200)
     h = 1e-5
     with np.errstate(invalid="ignore"):
-        slope = [(found.time(a + h, b) - found.time(a - h, b))/(2*h), (found.time(a, b + h) - found.time(a, b - h))/(2*h)]
+        slope = [(found.time(a + h, b) - found.time(a - h, b))/(2*h),
+                 (found.time(a, b + h) - found.time(a, b - h))/(2*h)]
     drift = sp.lambdify((x1, x2), force, "numpy")(a, b)
     left = -slope[0]*b - slope[1]*drift + np.abs(slope[1])
     known = np.isfinite(left)
@@ -239,7 +250,8 @@ def test_agrees_with_the_solver_of_single_problems():
     pendulum = problem([x1, x2], force=-sp.sin(x1))
     found = synthesis(pendulum, window=((-2, 2), (-2, 2)), horizon=6)
     for start in ((1.2, 0.5), (-1.5, -0.4)):
-        one = Problem(pendulum.dynamics, pendulum.controls, dict(zip((x1, x2), start)), terminal=pendulum.terminal).solve()
+        one = Problem(pendulum.dynamics, pendulum.controls, dict(zip((x1, x2), start)),
+                      terminal=pendulum.terminal).solve()
         assert found.time(*start) == pytest.approx(one.duration, abs=1e-7)
 
 
@@ -269,7 +281,8 @@ def test_picture_names_everything_once(to_circle):
 @pytest.mark.parametrize("arguments, message", [
     (dict(problem="x"), "problem: expected a Problem"),
     (dict(problem=Problem({x1: u}, {u: (-1, 1)}, {x1: 0}, terminal=[x1 - 1])), "two states and one control"),
-    (dict(problem=Problem({x1: x2, x2: u}, {u: (-1, 1)}, {x1: 0, x2: 0}, terminal=[x1 - 1], running=u**2)), "least time"),
+    (dict(problem=Problem({x1: x2, x2: u}, {u: (-1, 1)}, {x1: 0, x2: 0}, terminal=[x1 - 1], running=u**2)),
+     "least time"),
     (dict(problem=problem([x1, x2], (None, 1))), "finite bounds"),
     (dict(problem=problem([x1, x2], (-1, sp.Symbol("R")))), "no value for R"),
     (dict(problem=Problem({x1: x2, x2: u**2}, {u: (-1, 1)}, {x1: 0, x2: 0}, terminal=[x1])), "not affine"),
@@ -340,12 +353,14 @@ def test_behind_the_target_there_is_no_time():
 
 
 def inside_circle(radius):
-    return synthesis(linear(OSCILLATOR, [x1**2 + x2**2 - radius**2]), side="inside", window=((-float(radius), float(radius)),)*2, horizon=6)
+    return synthesis(linear(OSCILLATOR, [x1**2 + x2**2 - radius**2]), side="inside",
+                     window=((-float(radius), float(radius)),)*2, horizon=6)
 
 
 @pytest.mark.parametrize("radius", [sp.Rational(3, 2), sp.Rational(37, 20)])
 def test_dispersal_curve_of_the_oscillator_runs_to_its_ends(radius):
-    """Inside a circle (problem 5.8): x2 = x1 sqrt(D/(2 - D)), 2 D = R^2 - r^2, from the circle through the centre to the circle.
+    """Inside a circle (problem 5.8): x2 = x1 sqrt(D/(2 - D)), 2 D = R^2 - r^2, from the circle through the centre to
+    the circle.
 
     Near its ends, and everywhere as R grows to 2, the two extremals run side by side for a long time.
     """
@@ -361,7 +376,8 @@ def test_dispersal_curve_of_the_oscillator_runs_to_its_ends(radius):
 
 
 def test_dispersal_curve_that_is_followed():
-    """Inside the circle of radius 2 it is r = 2 |cos(angle)|, made of two extremals that touch the circle; extremals switch on it."""
+    """Inside the circle of radius 2 it is r = 2 |cos(angle)|, made of two extremals that touch the circle; extremals
+    switch on it."""
     found = inside_circle(sp.Integer(2))
     for curves in (found.switching_curves, found.dispersal_curves):
         points = np.vstack([curve.points for curve in curves])
@@ -373,7 +389,8 @@ def test_dispersal_curve_that_is_followed():
 
 
 def test_touching_the_target_from_inside_fails_condition_c():
-    """R = 3.3: from (R, 0) back with u = 1, on a circle around (1, 0), above the semicircle on which extremals switch: optimal there."""
+    """R = 3.3: from (R, 0) back with u = 1, on a circle around (1, 0), above the semicircle on which extremals switch:
+    optimal there."""
     found = inside_circle(sp.Rational(33, 10))
     condition = found.regularity()["C"]
     assert not condition.holds and "(3.3, " in condition.text

@@ -1,5 +1,5 @@
-"""Reconstruction against independent routes: SciPy's smoothing spline, dense least squares, the paper's own recursion, a
-general solver of bounded least squares, and the conditions of the optimum."""
+"""Reconstruction against independent routes: SciPy's smoothing spline, dense least squares, the paper's own recursion,
+a general solver of bounded least squares, and the conditions of the optimum."""
 
 import numpy as np
 import pytest
@@ -20,12 +20,14 @@ def record(seed, n=30, ratio=10.0):
 
 def paper_matrices(tau, rho, M):
     """A_k of (3.5) for (x, y, psi_2, psi_1), with the minus signs that the integration gives."""
-    return np.array([[1 - rho*tau**3/(6*M), tau, tau**2/(2*M), -tau**3/(6*M)], [-rho*tau**2/(2*M), 1, tau/M, -tau**2/(2*M)],
+    return np.array([[1 - rho*tau**3/(6*M), tau, tau**2/(2*M), -tau**3/(6*M)],
+                     [-rho*tau**2/(2*M), 1, tau/M, -tau**2/(2*M)],
                      [-rho*tau, 0, 1, -tau], [rho, 0, 0, 1]])
 
 
 def dense(t, h, sigma, M):
-    """Positions and velocities at the samples from the normal equations of the discretised cost, exact between samples."""
+    """Positions and velocities at the samples from the normal equations of the discretised cost, exact between
+    samples."""
     n = t.size
     cost, right = np.zeros((2*n, 2*n)), np.zeros(2*n)
     for k, tau in enumerate(np.diff(t)):  # the least integral of u^2 between two states, a quadratic form
@@ -39,7 +41,8 @@ def dense(t, h, sigma, M):
     return solution[::2], solution[1::2]
 
 
-@given(seed=st.integers(0, 10**6), n=st.integers(2, 60), log_m=st.floats(-2, 2), ratio=st.sampled_from([1.0, 10.0, 1e4]))
+@given(seed=st.integers(0, 10**6), n=st.integers(2, 60), log_m=st.floats(-2, 2),
+       ratio=st.sampled_from([1.0, 10.0, 1e4]))
 @settings(max_examples=60, deadline=None)
 def test_agrees_with_dense_least_squares(seed, n, log_m, ratio):
     t, h, sigma = record(seed, n, ratio)
@@ -47,7 +50,8 @@ def test_agrees_with_dense_least_squares(seed, n, log_m, ratio):
     tolerance = 1e-9 if ratio < 100 else 1e-4  # the dense matrix is ill-conditioned for clustered times, not the sweep
     expected = dense(t, h, sigma, 10.0**log_m)
     assert np.abs(x - expected[0]).max() < tolerance*np.abs(h).max()
-    assert np.abs(y - expected[1]).max() < tolerance*np.abs(expected[1]).max() + tolerance*np.abs(h).max()/np.diff(t).min()
+    assert (np.abs(y - expected[1]).max() < tolerance*np.abs(expected[1]).max()
+            + tolerance*np.abs(h).max()/np.diff(t).min())
 
 
 @pytest.mark.parametrize("M", [1e-2, 1.0, 1e2])
@@ -135,7 +139,8 @@ def test_an_inactive_bound_gives_the_interpolant():
 def test_the_greatest_acceleration_need_not_fall_with_the_weight():
     t, h, sigma = np.arange(4), [5, 4, 1, -4], [1, 10, 0.1, 0.1]
     assert [round(reconstruct(t, h, sigma, M=M).max_acceleration, 2) for M in (1e-9, 0.028, 1.0)] == [2.4, 2.96, 2.34]
-    between = reconstruct(t, h, sigma, max_acceleration=2.7)      # the interpolant keeps it, though two weights meet it too
+    # the interpolant keeps it, though two weights meet it too
+    between = reconstruct(t, h, sigma, max_acceleration=2.7)
     assert not between.active and between.misfit < 1e-20
     assert reconstruct(t, h, sigma, max_acceleration=2.39).active
 
@@ -216,7 +221,8 @@ def test_two_samples_are_joined_by_a_line():
 @settings(max_examples=50, deadline=None)
 def test_eigenvalues(kappa):
     found = sweep_eigenvalues(kappa)
-    assert (np.abs(found[:2]) < 1).all() and (np.abs(found[2:]) > 1).all() and np.abs(found[0]*found[3]) == pytest.approx(1)
+    assert ((np.abs(found[:2]) < 1).all() and (np.abs(found[2:]) > 1).all() and np.abs(found[0]*found[3])
+            == pytest.approx(1))
     polynomial = [1, kappa/6 - 4, 2*kappa/3 + 6, kappa/6 - 4, 1]
     assert np.abs(np.polyval(polynomial, found)).max() < 1e-9*np.polyval(np.abs(polynomial), np.abs(found).max())
     assert np.allclose(np.poly(paper_matrices(1.0, kappa, 1.0)), polynomial, rtol=1e-9, atol=1e-9*max(1, kappa))
@@ -228,7 +234,8 @@ def test_gains_tend_to_the_stable_subspace():
     values, vectors = np.linalg.eig(paper_matrices(tau, sigma**-2.0, M))
     stable = vectors[:, np.abs(values) < 1]
     assert np.allclose(gains.Q[0], (stable[2:]@np.linalg.inv(stable[:2])).real, rtol=1e-10)
-    assert np.allclose(np.sort(np.abs(np.linalg.eigvals(gains.closed_loop[0]))), np.abs(sweep_eigenvalues(sigma**-2.0*tau**3/M)[:2]))
+    assert np.allclose(np.sort(np.abs(np.linalg.eigvals(gains.closed_loop[0]))),
+                       np.abs(sweep_eigenvalues(sigma**-2.0*tau**3/M)[:2]))
 
 
 GOOD = {"t": [0, 1, 2, 3], "h": [0, 1, 5, 2], "sigma": 1.0, "max_acceleration": 1.0}

@@ -1,5 +1,5 @@
-"""Solvability against independent routes: 40- and 50-digit arithmetic, exact transition matrices, finite differences, random search
-for the worst case, and mpmath's intervals."""
+"""Solvability against independent routes: 40- and 50-digit arithmetic, exact transition matrices, finite differences,
+random search for the worst case, and mpmath's intervals."""
 
 import subprocess
 import sys
@@ -13,7 +13,8 @@ import sympy as sp
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from trajlib.solvability import (analyse, clohessy_wiltshire, guarantee, linearise, reflection_constant, rounding_bound, solve, stack,
+from trajlib.solvability import (analyse, clohessy_wiltshire, guarantee, linearise, reflection_constant, rounding_bound,
+                                 solve, stack,
                                  threshold, transition)
 from trajlib.solvability.intervals import Interval
 
@@ -32,7 +33,8 @@ def exact_solution(A, b, digits=40):
         return mpmath.lu_solve(A.T*A, A.T*b), A, b
 
 
-# --- constants of rounding ------------------------------------------------------------------------------------------------------
+# --- constants of rounding
+# ------------------------------------------------------------------------------------------------------
 
 
 def test_constants_by_hand():
@@ -95,7 +97,8 @@ def test_bound_with_the_residual_is_kept(seed):
     assert error <= found.rounding
 
 
-# --- singular values, scaling, weights ------------------------------------------------------------------------------------------
+# --- singular values, scaling, weights
+# ------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("mu", [10, 1e5, 1e10])
@@ -105,7 +108,8 @@ def test_singular_values_against_fifty_digits(mu):
     found = analyse(A, scale=False)
     with mpmath.workdps(50):
         exact = np.array([float(v) for v in mpmath.svd_r(mpmath.matrix(A.tolist()), compute_uv=False)])
-    assert np.abs(found.singular_values*found.scaling[0] - exact).max() <= exact[0]*(reflection_constant(5, 12) + 11)*found.eps
+    assert np.abs(found.singular_values*found.scaling[0] - exact).max() <= exact[0]*(reflection_constant(5, 12)
+                                                                                     + 11)*found.eps
     scaled = analyse(A)
     with mpmath.workdps(50):
         B = mpmath.matrix(A.tolist())
@@ -158,7 +162,8 @@ def test_the_estimate_does_not_square_the_condition_number():
         assert np.abs(np.linalg.solve(A.T@A, A.T@(A@x)) - x).max() < 1e-6
 
 
-# --- bounded noise and an inexact matrix ----------------------------------------------------------------------------------------
+# --- bounded noise and an inexact matrix
+# ----------------------------------------------------------------------------------------
 
 
 def test_worst_case_is_never_exceeded_and_is_attained():
@@ -214,7 +219,8 @@ def test_guaranteed_rank_is_never_above_the_rank(seed, log_error):
         assert np.abs(true@found.unseen.T).max() < 1e-3*np.abs(found.unseen*np.abs(true).max(axis=0)).max()
 
 
-# --- the examples ---------------------------------------------------------------------------------------------------------------
+# --- the examples
+# ---------------------------------------------------------------------------------------------------------------
 
 
 def station(latitude, longitude):
@@ -272,7 +278,8 @@ def ranges_from(places):
 
 
 def inertial(rtol, places=((51, 30),)):
-    return linearise(kepler, ranges_from([station(*p) for p in places]), [ORBIT, 0, 0, 0, ORBIT*RATE, 0], np.arange(0, 86401, 600.0),
+    return linearise(kepler, ranges_from([station(*p) for p in places]), [ORBIT, 0, 0, 0, ORBIT*RATE, 0],
+                     np.arange(0, 86401, 600.0),
                      rtol=rtol)
 
 
@@ -282,7 +289,8 @@ def test_an_integrators_error_fools_the_condition_number_alone():
         naive, aware = analyse(found.matrix), analyse(found)
         assert naive.mu_scaled < naive.threshold and naive.solvable       # the test of the paper
         assert aware.rank == 4 and not aware.solvable
-    assert analyse(inertial(1e-4).matrix).mu_scaled < analyse(inertial(1e-8).matrix).mu_scaled/1e3      # mu follows the tolerance
+    # mu follows the tolerance
+    assert analyse(inertial(1e-4).matrix).mu_scaled < analyse(inertial(1e-8).matrix).mu_scaled/1e3
     assert analyse(inertial(1e-6, ((51, 30), (45, -20)))).solvable
 
 
@@ -295,7 +303,8 @@ def test_estimated_errors_of_the_matrix_are_honest():
     for rtol in (1e-4, 1e-7, 1e-10):
         found = inertial(rtol)
         true = np.abs(found.matrix - exact@to_turning)
-        assert (np.linalg.norm(true, axis=0) <= np.linalg.norm(found.error, axis=0) + 1e-11*np.linalg.norm(exact, axis=0)).all()
+        assert (np.linalg.norm(true, axis=0) <= np.linalg.norm(found.error, axis=0)
+                + 1e-11*np.linalg.norm(exact, axis=0)).all()
 
 
 def test_levelled_platform():
@@ -332,7 +341,8 @@ def test_bearings_need_a_manoeuvre():
     assert turned.solvable and turned.mu_scaled < 100
 
 
-# --- linearisation --------------------------------------------------------------------------------------------------------------
+# --- linearisation
+# --------------------------------------------------------------------------------------------------------------
 
 
 def test_linearisation_against_finite_differences():
@@ -387,7 +397,8 @@ def test_stack_from_functions_and_arrays():
     assert arrays.shape == (6, 2) and np.allclose(arrays, functions)
 
 
-# --- boxes ----------------------------------------------------------------------------------------------------------------------
+# --- boxes
+# ----------------------------------------------------------------------------------------------------------------------
 
 
 @given(seed=st.integers(0, 10**6))
@@ -432,7 +443,8 @@ def test_guarantee_against_random_motions_of_the_box(width):
     function = sp.lambdify([x, y, v], matrix)
     middle = function(8.0, 6.0, 0.15)
     random = np.random.default_rng(0)
-    drawn = (function(*(random.uniform(*box[s]) for s in (x, y, v)))/np.linalg.norm(middle, axis=0) for _ in range(2000))
+    drawn = (function(*(random.uniform(*box[s]) for s in (x, y, v)))/np.linalg.norm(middle, axis=0)
+             for _ in range(2000))
     smallest = min(np.linalg.svd(one, compute_uv=False)[-1] for one in drawn)
     assert found.proved and 0 < found.lower <= smallest and found.lower >= 0.4*found.upper
     assert "solvable in the whole box" in str(found)
@@ -440,13 +452,15 @@ def test_guarantee_against_random_motions_of_the_box(width):
 
 def test_guarantee_does_not_prove_what_is_false():
     a, b = sp.symbols("a b")
-    matrix = sp.Matrix([[1, a], [a, 1], [a + b, a + b]])          # of rank 1 at a = 1, b = -1/3 too: the columns are equal at a = 1
+    # of rank 1 at a = 1, b = -1/3 too: the columns are equal at a = 1
+    matrix = sp.Matrix([[1, a], [a, 1], [a + b, a + b]])
     found = guarantee(matrix, {a: (0, 3), b: (-1, 1)}, cells=3000)
     assert not found.proved and found.upper < 0.05 and "not proved" in str(found)
     assert abs(found.where["a"] - 1) < 0.1
 
 
-# --- errors, words, appearance --------------------------------------------------------------------------------------------------
+# --- errors, words, appearance
+# --------------------------------------------------------------------------------------------------
 
 GOOD = np.array([[1.0, 0], [1, 1], [1, 2]])
 
@@ -568,7 +582,8 @@ def test_infinite_condition_number():
 
 
 def test_words_name_unknowns_with_their_units():
-    found = analyse(np.array([[1.0, 2, 0], [2, 4, 1], [3, 6, 0], [1, 2, 5]]), names=["length", "width", "mass"], units=["km", "km", "t"])
+    found = analyse(np.array([[1.0, 2, 0], [2, 4, 1], [3, 6, 0], [1, 2, 5]]), names=["length", "width", "mass"],
+                    units=["km", "km", "t"])
     assert found.undetermined == ("length", "width")
     assert "km" in found.verdict and "Determined by themselves: mass." in found.verdict
     assert repr(found) == found.verdict
@@ -591,7 +606,9 @@ def test_solvable_means_that_no_matrix_within_the_error_is_singular(seed, error)
     for _ in range(50):
         other = A + error*np.abs(A).max(axis=0)*random.uniform(-1, 1, A.shape)
         assert np.linalg.svd(other/found.scaling, compute_uv=False)[-1] > 0
-    gap = np.linalg.svd(A/found.scaling, compute_uv=False)[-1] - np.linalg.norm(error*np.abs(A).max(axis=0)/found.scaling*np.ones_like(A))
+    gap = (np.linalg.svd(A/found.scaling,
+                         compute_uv=False)[-1]
+           - np.linalg.norm(error*np.abs(A).max(axis=0)/found.scaling*np.ones_like(A)))
     assert gap > 0
 
 

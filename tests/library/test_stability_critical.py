@@ -84,7 +84,8 @@ def test_floats():
     assert linear_stability(rotation @ block @ rotation.T).verdict == "undecided"
 
 
-@pytest.mark.parametrize("matrix", [sp.zeros(2, 3), M([[sp.I]]), np.ones((2, 3)), np.array([[np.nan]]), np.array([[1j]])])
+@pytest.mark.parametrize("matrix", [sp.zeros(2, 3), M([[sp.I]]), np.ones((2, 3)), np.array([[np.nan]]),
+                                    np.array([[1j]])])
 def test_errors(matrix):
     with pytest.raises(ValueError, match="^A: "):
         linear_stability(matrix)

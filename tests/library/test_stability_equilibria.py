@@ -142,7 +142,8 @@ small = st.integers(-3, 3)
 
 
 @settings(max_examples=25, deadline=None)
-@given(st.lists(small, min_size=3, max_size=3, unique=True), st.lists(small, min_size=2, max_size=2, unique=True), small)
+@given(st.lists(small, min_size=3, max_size=3, unique=True), st.lists(small, min_size=2, max_size=2, unique=True),
+       small)
 def test_planted_equilibria_are_all_found(xs, ys, slope):
     """x' = (x - x1)(x - x2)(x - x3), y' = (y - y1)(y - y2) + slope (x - x1): solved against NumPy."""
     field = [sp.expand(sp.prod(x - c for c in xs)), sp.expand(sp.prod(y - c for c in ys)) + slope*(x - xs[0])]

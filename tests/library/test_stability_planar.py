@@ -49,7 +49,8 @@ def test_pursuit_1_11():
 
 
 def test_approach_1_6():
-    rows = {kind: condition for condition, kind in classify_planar(M([[0, 1], [3*Om**2*sp.sqrt(1 - 16*k**2/9), -2*k*Om]]))}
+    rows = {kind: condition
+            for condition, kind in classify_planar(M([[0, 1], [3*Om**2*sp.sqrt(1 - 16*k**2/9), -2*k*Om]]))}
     three_quarters = sp.Rational(3, 4)
     assert rows["saddle"] == sp.And(k > -three_quarters, k < three_quarters)
     assert set(rows) == {"saddle", "stable line of equilibria", "unstable line of equilibria"}

@@ -70,7 +70,8 @@ def test_regions_agree_with_the_spectrum(equation, parameters, margin):
 
 
 def test_edges_where_the_order_drops():
-    edges = {edge.where: edge.region for edge in stability_conditions(k1*s**3 + k2*s**2 + s + 1, [k1, k2], symbol=s).degenerate}
+    edges = {edge.where: edge.region for edge in stability_conditions(k1*s**3 + k2*s**2 + s + 1, [k1, k2],
+                                                                      symbol=s).degenerate}
     assert edges == {sp.Eq(k1, 0): k2 > 0, sp.And(sp.Eq(k1, 0), sp.Eq(k2, 0)): sp.true}
     (edge,) = stability_conditions((1 + k)*s**2 + s + 1, [k], symbol=s).degenerate
     assert (edge.where, edge.polynomial, edge.region) == (sp.Eq(k, -1), s + 1, sp.true)

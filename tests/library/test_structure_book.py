@@ -2,8 +2,10 @@
 import pytest
 import sympy as sp
 
-from trajlib.structure import (controllability, controllability_decomposition, controllability_matrix, controllable_subspace,
-                               controller_canonical_form, observability, observability_decomposition, observability_matrix,
+from trajlib.structure import (controllability, controllability_decomposition, controllability_matrix,
+                               controllable_subspace,
+                               controller_canonical_form, observability, observability_decomposition,
+                               observability_matrix,
                                observer_canonical_form, unobservable_subspace)
 
 M = sp.Matrix
@@ -72,7 +74,8 @@ CONTROLLED = {
     "2.32e": (E_32, [1, 1, 1, 0], 2), "2.32f": (F_32, [1, 1, 1, 0], 4),
     "example 7": (SEVEN, [[1, 0], [0, 1], [0, 1], [1, 0]], 4),
     "2.33": (M([[1, -1, 0, 0], [0, 1, 0, 0], [0, 0, 2, -1], [0, 0, 0, 2]]), [[1, 0], [0, 1], [0, 1], [1, 0]], 4),
-    "2.34": (half*M([[0, 2, 2, 0], [1, 3, -1, 0], [1, 1, 1, 0], [2, -2, 2, 2]]), half*M([[0, 0], [1, 1], [1, 1], [0, 2]]), 3),
+    "2.34": (half*M([[0, 2, 2, 0], [1, 3, -1, 0], [1, 1, 1, 0], [2, -2, 2, 2]]),
+             half*M([[0, 0], [1, 1], [1, 1], [0, 2]]), 3),
     "nothing steered": (SWING, [0, 0], 0),
 }
 
@@ -101,7 +104,8 @@ def test_observation(name):
     assert observability_matrix(A11, H1).rank() == k
     for i in range(2*n):
         assert H1*A11**i*T[:k, :] == H*A**i
-    whole, lost = (m.charpoly(lam).as_expr() for m in (A, split.rest)) if k < n else (A.charpoly(lam).as_expr(), sp.Integer(1))
+    whole, lost = ((m.charpoly(lam).as_expr() for m in (A, split.rest)) if k < n
+                   else (A.charpoly(lam).as_expr(), sp.Integer(1)))
     assert sp.expand(A11.charpoly(lam).as_expr()*lost - whole) == 0
     if H.rows == 1:
         assert T[:k, :] == N[:k, :]
@@ -110,7 +114,8 @@ def test_observation(name):
     assert roots == set(sp.roots(sp.Poly(lost, lam)))
     for mode in found.lost:
         v = mode.vectors
-        assert v.rank() == v.cols > 0 and (A*v - mode.eigenvalue*v).expand().is_zero_matrix and (H*v).expand().is_zero_matrix
+        assert (v.rank() == v.cols > 0 and (A*v - mode.eigenvalue*v).expand().is_zero_matrix
+                and (H*v).expand().is_zero_matrix)
 
 
 @pytest.mark.parametrize("name", CONTROLLED)
@@ -139,7 +144,8 @@ def test_control(name):
         assert P[:, :k] == W[:, :k]
     for mode in found.lost:
         w = mode.vectors
-        assert w.rank() == w.rows > 0 and (w*A - mode.eigenvalue*w).expand().is_zero_matrix and (w*B).expand().is_zero_matrix
+        assert (w.rank() == w.rows > 0 and (w*A - mode.eigenvalue*w).expand().is_zero_matrix
+                and (w*B).expand().is_zero_matrix)
     assert {m.eigenvalue for m in found.lost} == (set(split.rest.eigenvals()) if k < n else set())
 
 

@@ -66,12 +66,15 @@ def judge_inputs(A, B, found):
             order[start:start + size] = reversed(order[start:start + size])
         start += size
     P = found.basis[:, order]
-    judge_outputs(A.T, B.T, P.T, found.matrix.extract(order, order).T, found.inputs[order, :].T, found.sizes, found.remaining, found.how)
+    judge_outputs(A.T, B.T, P.T, found.matrix.extract(order, order).T, found.inputs[order, :].T, found.sizes,
+                  found.remaining, found.how)
 
 
 @pytest.mark.parametrize("how", ["sequential", "parallel"])
-@pytest.mark.parametrize("system, sizes", [(SEVEN, {"sequential": (3, 1), "parallel": (2, 2)}), (P33, {"sequential": (3, 1), "parallel": (2, 2)}),
-                                           (P34, {"sequential": (3, 0), "parallel": (2, 1)})], ids=["example 7", "2.33", "2.34"])
+@pytest.mark.parametrize("system, sizes", [(SEVEN, {"sequential": (3, 1), "parallel": (2, 2)}),
+                                           (P33, {"sequential": (3, 1), "parallel": (2, 2)}),
+                                           (P34, {"sequential": (3, 0), "parallel": (2, 1)})],
+                         ids=["example 7", "2.33", "2.34"])
 def test_control(system, sizes, how):
     found = decompose_by_inputs(*system, how)
     assert found.sizes == sizes[how] and found.remaining == 4 - controllability_matrix(*system).rank()
@@ -105,7 +108,8 @@ entries = st.integers(-2, 2)
 def systems(draw):
     n, m = draw(st.integers(2, 4)), draw(st.integers(1, 3))
     sparse = st.one_of(st.just(0), entries)
-    return (M(n, n, draw(st.lists(sparse, min_size=n*n, max_size=n*n))), M(m, n, draw(st.lists(sparse, min_size=m*n, max_size=m*n))))
+    return (M(n, n, draw(st.lists(sparse, min_size=n*n, max_size=n*n))),
+            M(m, n, draw(st.lists(sparse, min_size=m*n, max_size=m*n))))
 
 
 @settings(max_examples=25, deadline=None, derandomize=True)

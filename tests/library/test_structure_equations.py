@@ -18,7 +18,8 @@ def test_examples_4_and_5():
     A, H = with_measurement_error(M([[0, 1], [1, 0]]), M([[1, 0]]), M([[0]]), [1])
     assert observability_matrix(A, H) == M([[1, 0, 1], [0, 1, 0], [1, 0, 0]]) and observability(A, H).holds
     A, H = with_measurement_error(OSCILLATOR, M([[1, 0]]), M([[0, omega], [-omega, 0]]), [1, 0])
-    assert observability_matrix(A, H) == M([[1, 0, 1, 0], [0, 1, 0, omega], [-1, 0, -omega**2, 0], [0, -1, 0, -omega**3]])
+    assert observability_matrix(A, H) == M([[1, 0, 1, 0], [0, 1, 0, omega], [-1, 0, -omega**2, 0],
+                                            [0, -1, 0, -omega**3]])
     assert sp.expand(observability_matrix(A, H).det() - omega*(omega**2 - 1)**2) == 0
 
 
@@ -56,7 +57,8 @@ def test_time_varying_outputs(A, H, observable):
     found = time_varying_conditions(A, M(H), t)
     assert (found.region == sp.true) == observable
     # z(t) = H(t) exp(At) x0 at many moments: some x0 never shows exactly when these rows are dependent.
-    rows = [np.array(M(H).subs(t, moment), dtype=float) @ expm(np.array(A, dtype=float)*moment) for moment in np.linspace(0.1, 2, 9)]
+    rows = [np.array(M(H).subs(t, moment), dtype=float) @ expm(np.array(A, dtype=float)*moment)
+            for moment in np.linspace(0.1, 2, 9)]
     assert (np.linalg.matrix_rank(np.vstack(rows), tol=1e-9) == A.rows) == observable
 
 
@@ -107,7 +109,8 @@ def test_there_and_back(lower, right, lead):
 
 
 def test_scalar_equations_2_20_to_2_22():
-    for A, b_ in ((M([[1, a], [-3, -2]]), M([1, 1])), (M([[1, -2], [4, -5]]), M([b, 1])), (M([[1, 1], [-3, 1]]), M([0, 1]))):
+    for A, b_ in ((M([[1, a], [-3, -2]]), M([1, 1])), (M([[1, -2], [4, -5]]), M([b, 1])),
+                  (M([[1, 1], [-3, 1]]), M([0, 1]))):
         found = scalar_equation(A, b_)
         assert found.right == 1 and sp.expand(found.left - A.charpoly(found.symbol).as_expr()) == 0
         assert sp.cancel(transfer(A, b_, found.output, found.symbol) - 1/found.left) == 0

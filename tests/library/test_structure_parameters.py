@@ -1,10 +1,12 @@
-"""For which parameters the rank is full, where it falls, and to what: the problems with parameters, and special shapes."""
+"""For which parameters the rank is full, where it falls, and to what: the problems with parameters, and special
+shapes."""
 import itertools
 
 import pytest
 import sympy as sp
 
-from trajlib.structure import (controllability_conditions, controllability_matrix, first_order_form, observability_conditions,
+from trajlib.structure import (controllability_conditions, controllability_matrix, first_order_form,
+                               observability_conditions,
                                observability_matrix, with_measurement_error)
 
 M, Ne, Eq, And = sp.Matrix, sp.Ne, sp.Eq, sp.And
@@ -58,7 +60,8 @@ OBSERVED = [
 ]
 
 
-@pytest.mark.parametrize("A, H, parameters, region, exceptions", [case[1:] for case in OBSERVED], ids=[case[0] for case in OBSERVED])
+@pytest.mark.parametrize("A, H, parameters, region, exceptions", [case[1:] for case in OBSERVED],
+                         ids=[case[0] for case in OBSERVED])
 def test_observation(A, H, parameters, region, exceptions):
     found = observability_conditions(A, M(H), parameters)
     assert found.region == region and exceptions in (None, set(found.exceptions))

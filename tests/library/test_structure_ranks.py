@@ -6,9 +6,12 @@ import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from trajlib.structure import (controllability, controllability_conditions, controllability_decomposition, controllability_matrix,
-                               controllable_subspace, controller_canonical_form, first_order_form, mechanical_controllability,
-                               mechanical_observability, observability, observability_decomposition, observability_matrix,
+from trajlib.structure import (controllability, controllability_conditions, controllability_decomposition,
+                               controllability_matrix,
+                               controllable_subspace, controller_canonical_form, first_order_form,
+                               mechanical_controllability,
+                               mechanical_observability, observability, observability_decomposition,
+                               observability_matrix,
                                observer_canonical_form, unobservable_subspace)
 
 M = sp.Matrix
@@ -91,7 +94,8 @@ def popov_degree(A, H):
     """Degree of the greatest common divisor of the maximal minors of (A - lambda E; H): the dimension not seen."""
     from itertools import combinations
     P = M.vstack(A - lam*sp.eye(A.rows), H)
-    minors = (P.extract(list(rows), list(range(A.rows))).det(method="berkowitz") for rows in combinations(range(P.rows), A.rows))
+    minors = (P.extract(list(rows), list(range(A.rows))).det(method="berkowitz")
+              for rows in combinations(range(P.rows), A.rows))
     divisor = sp.gcd_list([sp.expand(m) for m in minors])
     return sp.degree(divisor, lam)
 
@@ -142,7 +146,8 @@ def test_floats_agree_with_exact_numbers(system):
     Af, Hf = np.array(A, dtype=float), np.array(H, dtype=float)
     for mode in found.lost:
         scale = 1e-6*(1 + np.abs(Af).max())
-        assert np.abs(Af @ mode.vectors - mode.eigenvalue*mode.vectors).max() < scale and np.abs(Hf @ mode.vectors).max() < scale
+        assert (np.abs(Af @ mode.vectors - mode.eigenvalue*mode.vectors).max() < scale
+                and np.abs(Hf @ mode.vectors).max() < scale)
 
 
 @pytest.mark.parametrize("position, rank", [(3, 1), (2, 2), (1, 3), (0, 4)])
@@ -164,7 +169,8 @@ def test_subspaces_and_decompositions_of_floats():
     assert unseen.shape == (9, 3) and np.abs(H @ unseen).max() < 1e-11
     assert np.linalg.norm(A @ unseen - unseen @ (unseen.T @ A @ unseen)) < 1e-10*np.linalg.norm(A)
     found = observability_decomposition(A, H)
-    assert found.sizes == (6, 3) and np.abs(found.matrix[:6, 6:]).max() < 1e-10 and np.abs(found.outputs[:, 6:]).max() < 1e-11
+    assert (found.sizes == (6, 3) and np.abs(found.matrix[:6, 6:]).max() < 1e-10 and np.abs(found.outputs[:, 6:]).max()
+            < 1e-11)
     assert np.allclose(found.basis @ found.matrix @ found.transformation, A)
     dual = controllability_decomposition(A.T, H.T)
     assert dual.sizes == (6, 3) and np.abs(dual.matrix[6:, :6]).max() < 1e-10 and np.abs(dual.inputs[6:]).max() < 1e-11
@@ -196,7 +202,8 @@ def test_canonical_forms_of_floats():
     rng = np.random.default_rng(3)
     A, b = rng.normal(size=(5, 5)), rng.normal(size=(5, 1))
     found = controller_canonical_form(A, b)
-    assert np.allclose(found.transformation @ A @ found.basis, found.matrix) and np.allclose(found.transformation @ b, found.vector)
+    assert (np.allclose(found.transformation @ A @ found.basis, found.matrix)
+            and np.allclose(found.transformation @ b, found.vector))
     with pytest.raises(ValueError, match="condition number"):
         observer_canonical_form(np.diag(np.arange(1.0, 21)), np.ones((1, 20)))
 
@@ -252,7 +259,8 @@ def test_mechanical_control():
 
 def test_a_singular_mass_matrix():
     """Problem 2.7d as printed, x2' in the place of x2'': of third order."""
-    found = mechanical_observability(sp.diag(3, 0), M([[0, -1], [1, 1]]), M([[-2, 1], [1, -1]]), sp.zeros(1, 2), M([[1, 2]]))
+    found = mechanical_observability(sp.diag(3, 0), M([[0, -1], [1, 1]]), M([[-2, 1], [1, -1]]), sp.zeros(1, 2),
+                                     M([[1, 2]]))
     assert (found.holds, found.order) == (True, 3)
     with pytest.raises(ValueError, match="M: expected an invertible matrix"):
         first_order_form(sp.diag(3, 0), sp.eye(2), sp.eye(2))
@@ -285,10 +293,13 @@ def test_first_order_form():
     (lambda: controller_canonical_form(np.eye(2), np.ones((2, 1))), "rank 1 of 2"),
     (lambda: observer_canonical_form(sp.eye(2), sp.eye(2)), "decompose_by_outputs"),
     (lambda: mechanical_observability(sp.eye(2), sp.eye(3), sp.eye(2), sp.ones(1, 2)), "D: expected a square matrix"),
-    (lambda: mechanical_observability(sp.eye(2), sp.eye(2), sp.eye(2), sp.ones(1, 3)), "H1: expected a matrix with 2 columns"),
+    (lambda: mechanical_observability(sp.eye(2), sp.eye(2), sp.eye(2), sp.ones(1, 3)),
+     "H1: expected a matrix with 2 columns"),
     (lambda: mechanical_observability(sp.eye(2), sp.eye(2), sp.eye(2), None), "H1: expected a matrix"),
-    (lambda: mechanical_observability(sp.eye(2), sp.eye(2), sp.eye(2), sp.ones(1, 2), sp.ones(2, 2)), "H2: expected the shape"),
-    (lambda: mechanical_controllability(sp.eye(2), sp.eye(2), sp.eye(2), sp.ones(3, 1)), "L: expected a matrix with 2 rows"),
+    (lambda: mechanical_observability(sp.eye(2), sp.eye(2), sp.eye(2), sp.ones(1, 2), sp.ones(2, 2)),
+     "H2: expected the shape"),
+    (lambda: mechanical_controllability(sp.eye(2), sp.eye(2), sp.eye(2), sp.ones(3, 1)),
+     "L: expected a matrix with 2 rows"),
 ])
 def test_errors(call, message):
     with pytest.raises(ValueError, match=message):

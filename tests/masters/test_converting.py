@@ -13,13 +13,15 @@ ROOT = Path(__file__).resolve().parents[2]
 @pytest.fixture
 def links(tmp_path):
     (tmp_path / "book").mkdir()
-    (tmp_path / "book" / "ch1.md").write_text("```{prf:theorem} 1.2 (Hurwitz)\n:label: thm-1-2\nText.\n```\n\n(exm-1-1)=\n## Example 1\n", encoding="utf-8")
+    (tmp_path / "book" / "ch1.md").write_text("```{prf:theorem} 1.2 (Hurwitz)\n:label: "
+                                              "thm-1-2\nText.\n```\n\n(exm-1-1)=\n## Example 1\n", encoding="utf-8")
     return Links(tmp_path)
 
 
 @pytest.mark.parametrize("myst, plain", [
     ("```{index} 1.15\n```\nText", "Text"),
-    ("```{exercise-start} A title\n:label: ex-1\n:nonumber:\n```\nText\n```{exercise-end}\n```", "# Problem 1.15. A title\nText\n"),
+    ("```{exercise-start} A title\n:label: ex-1\n:nonumber:\n```\nText\n```{exercise-end}\n```",
+     "# Problem 1.15. A title\nText\n"),
     ("```{math}\n:label: eq-1-15-a\n\na = b\n```", "$$\na = b \\tag{1.15a}\n$$\n"),
     ("see {eq}`eq-1-15-a`", "see (1.15a)"),
     ("```{note}\nMind the sign.\n```", "> **Note**\n>\n> Mind the sign.\n"),
@@ -51,7 +53,8 @@ def test_the_students_copy():
     assert code[1]["source"].startswith("a_region = ...  # condition: the set of (k1, k2)")
     assert "nbgrader" not in code[1]["metadata"]
     assert code[2]["metadata"]["nbgrader"] | {"grade_id": ""} == {
-        "schema_version": 3, "grade": True, "locked": True, "solution": False, "task": False, "cell_type": "code", "points": 1, "grade_id": ""}
+        "schema_version": 3, "grade": True, "locked": True, "solution": False, "task": False, "cell_type": "code",
+        "points": 1, "grade_id": ""}
     ids = [cell["metadata"]["nbgrader"]["grade_id"] for cell in code if "nbgrader" in cell["metadata"]]
     assert len(set(ids)) == len(ids) and len({cell["id"] for cell in notebook["cells"]}) == len(notebook["cells"])
     assert "Moscow, 2012" in notebook["cells"][0]["source"] and "pip install -e ." in notebook["cells"][0]["source"]

@@ -55,7 +55,8 @@ class Workbench:
     def check_arguments(self, name):
         """(function name, data arguments, options) of the check of an answer, evaluated."""
         call = self.calls[name]
-        return call.func.attr, [self._value(arg) for arg in call.args[1:]], {k.arg: self._value(k.value) for k in call.keywords}
+        return call.func.attr, [self._value(arg) for arg in call.args[1:]], {k.arg: self._value(k.value)
+                                                                             for k in call.keywords}
 
     def _value(self, node):
         return eval(compile(ast.Expression(node), "<argument>", "eval"), self.data | self.reference)
@@ -93,8 +94,10 @@ def each_part(master, parts):
 
 
 def called_functions(source, role, namespace):
-    """Functions (module, name) that run while a cell runs: those called from the cell or a check, and all of trajlib."""
-    profile = cProfile.Profile(builtins=False)  # a trace function in Python would take several times as long as the cell
+    """Functions (module, name) that run while a cell runs: those called from the cell or a check, and all of
+    trajlib."""
+    # a trace function in Python would take several times as long as the cell
+    profile = cProfile.Profile(builtins=False)
     profile.enable()
     try:
         execute(source, role, namespace)
@@ -107,7 +110,8 @@ def called_functions(source, role, namespace):
         within.add((caller, _name(entry.code)))
         if entry.code.co_filename == f"<{role} cell>" or caller.startswith("trajlib.checks"):
             called |= {(modules.get(other.code.co_filename, ""), _name(other.code)) for other in entry.calls or ()}
-    return called | {(module, name) for module, name in within if module.startswith("trajlib") and not name.startswith("<")}
+    return called | {(module, name) for module, name in within if module.startswith("trajlib")
+                     and not name.startswith("<")}
 
 
 def _name(code):

@@ -7,7 +7,8 @@ import sympy as sp
 from sympy.core.relational import Relational
 
 SWAPPED = {sp.StrictGreaterThan: sp.StrictLessThan, sp.StrictLessThan: sp.StrictGreaterThan,
-           sp.GreaterThan: sp.LessThan, sp.LessThan: sp.GreaterThan, sp.Equality: sp.Unequality, sp.Unequality: sp.Equality}
+           sp.GreaterThan: sp.LessThan, sp.LessThan: sp.GreaterThan, sp.Equality: sp.Unequality,
+           sp.Unequality: sp.Equality}
 LOOSENED = {sp.StrictGreaterThan: sp.GreaterThan, sp.GreaterThan: sp.StrictGreaterThan,
             sp.StrictLessThan: sp.LessThan, sp.LessThan: sp.StrictLessThan}
 EXCHANGED = {sp.sin: sp.cos, sp.cos: sp.sin, sp.sinh: sp.cosh, sp.cosh: sp.sinh, sp.exp: lambda x: sp.exp(-x)}
@@ -39,7 +40,8 @@ def _mutants(value, kind):
         for k in range(len(value) - 1):
             yield [*value[:k], value[k + 1], value[k], *value[k + 2:]]
         if value:
-            yield [*value, value[0]] if not isinstance(value[0], (list, tuple, sp.MatrixBase)) else [*value, [x + 1 for x in value[0]]]
+            (yield [*value, value[0]] if not isinstance(value[0], (list, tuple, sp.MatrixBase))
+             else [*value, [x + 1 for x in value[0]]])
     elif isinstance(value, dict):
         for key, part in value.items():
             for changed in list(_mutants(part, kind))[:6]:
@@ -73,7 +75,8 @@ def _conditions(condition):
             yield LOOSENED[type(condition)](condition.lhs, condition.rhs)
         yield condition.func(condition.lhs, condition.rhs + 1)
         yield condition.func(-condition.lhs, condition.rhs)
-        yield condition.func(condition.lhs, condition.rhs + sp.Rational(1, 20) * (1 + abs(condition.rhs)) if condition.rhs.is_number else 2 * condition.rhs)
+        yield condition.func(condition.lhs, condition.rhs + sp.Rational(1, 20) * (1 + abs(condition.rhs))
+                             if condition.rhs.is_number else 2 * condition.rhs)
         for changed in list(_expressions(condition.lhs))[:4]:
             yield condition.func(changed, condition.rhs)
         return
@@ -88,7 +91,8 @@ def _conditions(condition):
 
 def _expressions(expression):
     if expression.is_number:
-        yield from (-expression, expression + 1, 2 * expression, expression + sp.Rational(1, 20) * (1 + abs(expression)))
+        yield from (-expression, expression + 1, 2 * expression, expression
+                    + sp.Rational(1, 20) * (1 + abs(expression)))
         return
     yield -expression
     yield 2 * expression
@@ -101,7 +105,8 @@ def _expressions(expression):
         for k, (part, condition) in enumerate(law.args):
             # A corner of the law: another value in one case, or a case with another border.
             changes = [(-part, condition), *[(part, changed) for changed in list(_conditions(condition))[:4]]]
-            yield from (expression.xreplace({law: sp.Piecewise(*law.args[:k], change, *law.args[k + 1:])}) for change in changes)
+            yield from (expression.xreplace({law: sp.Piecewise(*law.args[:k], change, *law.args[k + 1:])})
+                        for change in changes)
     symbols = sorted(expression.free_symbols, key=str)
     for one, other in zip(symbols, symbols[1:]):
         yield expression.xreplace({one: other, other: one})

@@ -1,4 +1,5 @@
-"""The students' notebooks: in step with their masters, free of solutions, judged rightly by `trajlib` and by nbgrader."""
+"""The students' notebooks: in step with their masters, free of solutions, judged rightly by `trajlib` and by
+nbgrader."""
 
 import json
 import re

@@ -1,4 +1,5 @@
-"""A notebook's check and the grader say the same of an answer, word by word, whatever object it is: an answer is judged as it crosses."""
+"""A notebook's check and the grader say the same of an answer, word by word, whatever object it is: an answer is judged
+as it crosses."""
 
 import collections
 import decimal
@@ -49,7 +50,8 @@ def of_objects(value):
 
 
 def as_sympy_array(value):
-    several_matrices = isinstance(value, list) and isinstance(value[0], sp.MatrixBase)  # SymPy would make flat rows of them
+    # SymPy would make flat rows of them
+    several_matrices = isinstance(value, list) and isinstance(value[0], sp.MatrixBase)
     return sp.Array(value) if isinstance(value, (list, tuple, sp.MatrixBase)) and not several_matrices else value
 
 
@@ -96,8 +98,10 @@ EITHER = {
 }
 #: What cannot cross is invalid, in the encoder's words.
 REFUSED = {
-    "named tuples": lambda value: collections.namedtuple("Pair", [f"x{i}" for i in range(len(value))])(*value) if isinstance(value, list) else value,
-    "subclasses": lambda value: {list: Row, str: Word, dict: collections.OrderedDict}.get(type(value), lambda same: same)(value),
+    "named tuples": lambda value: collections.namedtuple("Pair", [f"x{i}" for i in range(len(value))])(*value)
+    if isinstance(value, list) else value,
+    "subclasses": lambda value: {list: Row, str: Word,
+                                 dict: collections.OrderedDict}.get(type(value), lambda same: same)(value),
     "Decimals": as_decimal_number(decimal.Decimal),
     "functions": lambda value: lambda t: value,
     "None": lambda value: None,
@@ -124,7 +128,8 @@ def _disagreements(number):
         graded = judge_cells(exercise.code("data", "check"), *_handed_over(answers), list(bench.reference))
         for name in answers:
             expected = "right" if form in ACCEPTED else "invalid" if form in REFUSED else here[name][0]
-            if here[name] != graded[name] or here[name][0] != expected or form in REFUSED and not here[name][1].startswith("answer "):
+            if (here[name] != graded[name] or here[name][0] != expected or form in REFUSED
+                and not here[name][1].startswith("answer ")):
                 found.append([form, name, here[name], graded[name]])
     return found
 

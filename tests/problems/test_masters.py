@@ -20,8 +20,8 @@ ROOT = Path(__file__).resolve().parents[2]
 PATHS = master_paths(ROOT / "solutions")
 #: Seconds that the verdict on one answer may take, by chapter (design: speed matters where people wait).
 VERDICT_SECONDS = {"5": 3.0}
-#: Seconds of computing that the tests of one problem may take: with 194 problems everybody waits for them. In chapter 5 an answer
-#: is judged by simulating it.
+#: Seconds of computing that the tests of one problem may take: with 194 problems everybody waits for them. In chapter 5
+#: an answer is judged by simulating it.
 PROBLEM_SECONDS = {"5": 60}
 #: Options of checks that may be written as numbers in a check cell.
 TOLERANCES = {"tolerance", "horizon"}
@@ -31,7 +31,8 @@ SOLVERS = ("trajlib.", "control", "casadi", "scipy.linalg", "scipy.optimize", "s
 
 def _problem(path):
     number = f"{path.parent.name[2:]}.{int(path.stem[1:])}"
-    return pytest.param(path, id=number, marks=pytest.mark.xdist_group(number))  # its tests share what one process has found
+    # its tests share what one process has found
+    return pytest.param(path, id=number, marks=pytest.mark.xdist_group(number))
 
 
 @pytest.fixture(scope="module", params=map(_problem, PATHS))
@@ -100,7 +101,8 @@ def test_wrong_cells_are_wrong_and_harm_no_other_answer(master):
 
 
 def _wrong(bench):
-    """Every other answer is wrong, first one half of them and then the other, each in all its wrong ways: the rest stay right."""
+    """Every other answer is wrong, first one half of them and then the other, each in all its wrong ways: the rest stay
+    right."""
     trials, harmed, order = {}, [], list(bench.master.answers)
     for trial in _values(bench, "wrong"):
         trials.setdefault(trial["answer"], []).append(trial)
@@ -166,7 +168,8 @@ def _mutants(bench):
                 result["passed"].append(f"{name} = {mutant}")
             if verdict.status != "right" and right:
                 result["refused"].append(f"{name} = {mutant}: {verdict.status}: {verdict.message}")
-        # Not one of these is a value, so no oracle is asked: each has to be told that it is none, and not left unchecked.
+        # Not one of these is a value, so no oracle is asked: each has to be told that it is none, and not left
+        # unchecked.
         for what, mutant in nonsense(reference, [*arguments, *options.values()]):
             verdict = bench.judge_one(name, mutant)
             result["without value"] += 1
@@ -182,23 +185,28 @@ def _solved(bench):
     return {"answers": {name: data.decode() for name, data in _encoded(bench).items()}, "called": sorted(bench.called)}
 
 
-PARTS = {"reference": _reference, "untouched": _untouched, "wrong": _wrong, "right": _right, "mutants": _mutants, "solved": _solved}
+PARTS = {"reference": _reference, "untouched": _untouched, "wrong": _wrong, "right": _right, "mutants": _mutants,
+         "solved": _solved}
 
 
 def test_check_cells_hold_no_answers(master):
-    data = {node.id for source in master.code("data") for node in ast.walk(ast.parse(source)) if isinstance(node, ast.Name)}
+    data = {node.id for source in master.code("data") for node in ast.walk(ast.parse(source))
+            if isinstance(node, ast.Name)}
     for source in master.code("check"):
         for name, call in check_calls(source).items():
             assert ast.unparse(call.func).startswith("checks.") and ast.unparse(call.args[0]) == name
             for node in ast.walk(call):
-                assert not isinstance(node, (ast.Lambda, ast.BinOp, ast.Compare, ast.BoolOp, ast.Subscript)), ast.unparse(node)
+                assert not isinstance(node, (ast.Lambda, ast.BinOp, ast.Compare, ast.BoolOp,
+                                             ast.Subscript)), ast.unparse(node)
                 if isinstance(node, ast.Call):
                     assert node is call, f"a call inside a check's arguments: {ast.unparse(node)}"
                 if isinstance(node, ast.Name):
-                    assert node.id in data | set(master.answers) | {"checks"}, f"{node.id} is neither data nor an answer"
+                    assert node.id in data | set(master.answers) | {"checks"}, (f"{node.id} is neither data nor an "
+                                                                                f"answer")
                 if isinstance(node, ast.Constant):
                     (keyword,) = [k for k in call.keywords if k.value is node] or [None]
-                    assert keyword is not None and keyword.arg in TOLERANCES, f"a literal in a check: {ast.unparse(node)}"
+                    assert (keyword is not None
+                            and keyword.arg in TOLERANCES), f"a literal in a check: {ast.unparse(node)}"
 
 
 def test_answer_and_check_share_no_solver(master):
@@ -216,7 +224,8 @@ def _shared(master, answers, answered):
     """In a process of its own: what another part has computed already would not be seen to be called."""
     from trajlib import checks
     data = data_of(master)
-    untouched, solved = (data | values for values in (dict.fromkeys(answers, ...), {n: decode(a.encode()) for n, a in answers.items()}))
+    untouched, solved = (data | values for values in (dict.fromkeys(answers, ...),
+                                                      {n: decode(a.encode()) for n, a in answers.items()}))
     checked, answered = set(), set(map(tuple, answered))
     with checks.collecting():
         for source in master.code("check"):
@@ -225,5 +234,6 @@ def _shared(master, answers, answered):
     with_checks = {call for call in answered if call[0].startswith("trajlib.checks")}
     shared = {call for call in answered & checked if call[0].startswith(SOLVERS)} - with_checks
     lazy = {call for call in shared if call[0] == "trajlib._lazy"}
-    told = sorted(f"{module}.{name}" for module, name in shared - lazy) + sorted(f"the answer uses a check: {c}" for c in with_checks if c[1] != "<module>")
+    told = sorted(f"{module}.{name}" for module, name in shared
+                  - lazy) + sorted(f"the answer uses a check: {c}" for c in with_checks if c[1] != "<module>")
     return {"shared": told, "seconds": time.process_time()}

@@ -36,14 +36,16 @@ def test_right_half_right_and_untouched(tmp_path, monkeypatch):
     source = exercises.find("1.15").path
     (tmp_path / "source" / "homework").mkdir(parents=True)
     (tmp_path / "source" / "homework" / "p15.ipynb").write_text(source.read_text(encoding="utf-8"), encoding="utf-8")
-    submissions = {"ada": ["a_region", "b_region", "c_region", "d_region", "e_region"], "boris": ["b_region", "d_region"], "chen": []}
+    submissions = {"ada": ["a_region", "b_region", "c_region", "d_region", "e_region"],
+                   "boris": ["b_region", "d_region"], "chen": []}
     # Item a opens the worked solution with the imports that the later answer cells use.
     for student, names in submissions.items():
         folder = tmp_path / "submitted" / student / "homework"
         folder.mkdir(parents=True)
         notebook = filled("1.15", names)
         if student == "boris":
-            notebook["cells"].insert(1, {"cell_type": "code", "execution_count": None, "id": "mine", "metadata": {}, "outputs": [],
+            notebook["cells"].insert(1, {"cell_type": "code", "execution_count": None, "id": "mine", "metadata": {},
+                                         "outputs": [],
                                          "source": "from trajlib.stability import hurwitz_minors"})
         (folder / "p15.ipynb").write_text(json.dumps(notebook), encoding="utf-8")
 

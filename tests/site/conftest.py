@@ -61,9 +61,11 @@ class _Quiet(SimpleHTTPRequestHandler):
 
 @pytest.fixture(scope="session")
 def addresses(editions):
-    """Where the sites are opened: the edition with solutions from the disk and from a web server, the other from one."""
+    """Where the sites are opened: the edition with solutions from the disk and from a web server, the other from
+    one."""
     served = {"http": editions.full, "student": editions.student}
-    servers = {way: ThreadingHTTPServer(("127.0.0.1", 0), partial(_Quiet, directory=str(root))) for way, root in served.items()}
+    servers = {way: ThreadingHTTPServer(("127.0.0.1", 0), partial(_Quiet, directory=str(root)))
+               for way, root in served.items()}
     for server in servers.values():
         threading.Thread(target=server.serve_forever, daemon=True).start()
     yield {"file": editions.full.as_uri(), **{way: f"http://127.0.0.1:{s.server_port}" for way, s in servers.items()}}

@@ -36,7 +36,8 @@ def test_every_page_fits_a_phone_without_errors(browser, addresses, editions, pa
         browser.open(f"{addresses['http' if edition == 'full' else 'student']}/{page}")
         browser.run("document.querySelectorAll('details').forEach(fold => fold.open = true)")
         width = browser.run("document.documentElement.scrollWidth")
-        broken = browser.run("[...document.querySelectorAll('mjx-merror, [data-mjx-error]')].map(e => e.dataset.mjxError || e.innerText)")
+        broken = browser.run("[...document.querySelectorAll('mjx-merror, [data-mjx-error]')].map(e => "
+                             "e.dataset.mjxError || e.innerText)")
         unset = browser.run("""[...document.querySelectorAll('.math')].filter(
             e => !e.querySelector('mjx-container') && e.innerText.trim()).map(e => e.innerText.slice(0, 60))""")
         faults += [f"{page}: {width} px wide"] if width > PHONE else []
@@ -60,7 +61,7 @@ def test_the_dark_switch_darkens_the_page(browser, addresses, problem):
 @pytest.mark.parametrize("way", ["file", "http"])
 def test_a_solution_is_folded_and_opens(browser, addresses, problem, way):
     browser.open(f"{addresses[way]}/{problem.page}")
-    assert browser.run("[...document.querySelectorAll('details.solution, details.hint')].some(fold => fold.open)") is False
+    assert (browser.run("[...document.querySelectorAll('details.solution, details.hint')].some(fold => fold.open)") is False)
     content = browser.find("details.solution > section")
     assert not content.is_displayed()
     browser.find("details.solution > summary").click()

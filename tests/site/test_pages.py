@@ -50,7 +50,8 @@ def test_nothing_is_loaded_from_another_host(pages):
                if re.match(r"(?:https?:)?//", address := tag[key])]
     for path, page in parsed.items():
         inline = "\n".join(tag.get_text() for tag in page.find_all(["script", "style"]))
-        foreign += [f"{path.relative_to(root)}: {load}" for load in JS_LOADS.findall(inline) + CSS_LOADS.findall(inline)]
+        foreign += [f"{path.relative_to(root)}: {load}" for load in JS_LOADS.findall(inline)
+                    + CSS_LOADS.findall(inline)]
         # The constant stands ready in every page of Jupyter Book, though nothing loads it.
         foreign += [f"{path.relative_to(root)}: thebe"] if "thebe" in inline else []
     for pattern, loads in (("*.css", CSS_LOADS), ("*.js", JS_LOADS)):
@@ -63,7 +64,8 @@ def test_an_id_occurs_once_in_a_page(pages):
     root, parsed = pages
     for path, page in parsed.items():
         ids = [tag["id"] for tag in page.find_all(id=True)]
-        assert len(ids) == len(set(ids)), f"{path.relative_to(root)}: {sorted({name for name in ids if ids.count(name) > 1})}"
+        assert len(ids) == len(set(ids)), (f"{path.relative_to(root)}: "
+                                           f"{sorted({name for name in ids if ids.count(name) > 1})}")
 
 
 def test_sources_are_not_served(pages):

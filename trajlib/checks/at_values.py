@@ -1,8 +1,10 @@
-"""Answers with symbols, judged at values of them: what an expression or a condition becomes there, and whether it is what it should be.
+"""Answers with symbols, judged at values of them: what an expression or a condition becomes there, and whether it is
+what it should be.
 
-A comparison with nan is False, so one that looks for a difference finds none. Hence what comes from an answer is read here, and
-no number leaves that is not finite: an answer that is undefined or infinite where it should have a value is `Wrong`, with the
-place. Only `real_function` gives nan, to be used on whole arrays; a check compares such values by `not difference <= tolerance`.
+A comparison with nan is False, so one that looks for a difference finds none. Hence what comes from an answer is read
+here, and no number leaves that is not finite: an answer that is undefined or infinite where it should have a value is
+`Wrong`, with the place. Only `real_function` gives nan, to be used on whole arrays; a check compares such values by
+`not difference <= tolerance`.
 """
 
 import cmath
@@ -16,7 +18,8 @@ from trajlib.checks.wording import rounded_text
 
 
 def random_values(symbols, seed, count=6):
-    """Random positive values of all symbols, of size one: `count` dicts. Each symbol gets small values and large ones."""
+    """Random positive values of all symbols, of size one: `count` dicts. Each symbol gets small values and large
+    ones."""
     random = np.random.default_rng(seed)
     columns = [spread(random, 0.4, 2.5, count) for _ in symbols]
     for k in range(count):
@@ -45,14 +48,16 @@ def number_at(claim, values, what="your expression"):
 
 
 def numbers_at(claims, values, names=None):
-    """The numbers that several expressions become, as a complex array; `names` are what they stand for, such as symbols."""
+    """The numbers that several expressions become, as a complex array; `names` are what they stand for, such as
+    symbols."""
     names = [f"component {k}" for k in range(1, len(claims) + 1)] if names is None else names
     return np.array([number_at(claim, values, f"your {name}") for name, claim in zip(names, claims)])
 
 
 def matrix_at(claim, values):
     """The numbers that a matrix becomes, as a complex array."""
-    return np.array([[number_at(claim[i, j], values, f"the entry ({i + 1}, {j + 1}) of your matrix") for j in range(claim.cols)]
+    return np.array([[number_at(claim[i, j], values, f"the entry ({i + 1}, {j + 1}) of your matrix")
+                      for j in range(claim.cols)]
                      for i in range(claim.rows)]).reshape(claim.shape)
 
 
@@ -85,7 +90,8 @@ def truth_at(claim, values):
 
 
 def compare_at(claim, values, true, what, scale, tolerance=1e-9):
-    """Raise `Wrong` unless an expression has the value `true` of the quantity `what`, to a part of its size and of `scale`."""
+    """Raise `Wrong` unless an expression has the value `true` of the quantity `what`, to a part of its size and of
+    `scale`."""
     said = value_at(claim, values, what)
     if not cmath.isfinite(true):
         raise RuntimeError(f"{what} could not be computed")
@@ -94,10 +100,12 @@ def compare_at(claim, values, true, what, scale, tolerance=1e-9):
 
 
 def real_function(symbols, expressions):
-    """Several expressions as a function of numbers or arrays, to an array with a row for each; nan where one is not a real number."""
+    """Several expressions as a function of numbers or arrays, to an array with a row for each; nan where one is not a
+    real number."""
     # Only SymPy functions of the data's own symbols come here (coercion.with_symbols), so the code made is ours.
     # A docstring would take as long as the code.
-    compiled = [sp.lambdify(symbols, _printable(e), [{"select": _first_of}, "numpy"], docstring_limit=0) for e in expressions]
+    compiled = [sp.lambdify(symbols, _printable(e), [{"select": _first_of}, "numpy"], docstring_limit=0)
+                for e in expressions]
 
     def one(function, numbers, shape):
         try:
@@ -125,7 +133,8 @@ def real_function(symbols, expressions):
 
 
 def _printable(e):
-    """The expression as SymPy makes code of it at once: a choice between conditions it would simplify first, for seconds."""
+    """The expression as SymPy makes code of it at once: a choice between conditions it would simplify first, for
+    seconds."""
     if e.has(sp.nan, sp.zoo):
         return sp.nan
     if e.has(sp.Heaviside):
@@ -134,7 +143,8 @@ def _printable(e):
 
 
 def _first_of(conditions, values, default):
-    """NumPy's `select`, which a Piecewise becomes, in a fraction of its time: a law is asked at a few states thousands of times."""
+    """NumPy's `select`, which a Piecewise becomes, in a fraction of its time: a law is asked at a few states thousands
+    of times."""
     found = default
     for condition, value in zip(conditions[::-1], values[::-1]):
         if not (isinstance(condition, bool) or condition.dtype == bool):
@@ -151,7 +161,8 @@ def _all_at_once(claim, values):
 
 
 def _put(claim, values):
-    """The claim with its values, evaluated; nan where this asks whether a number that is not real is greater than another."""
+    """The claim with its values, evaluated; nan where this asks whether a number that is not real is greater than
+    another."""
     try:
         return sp.sympify(claim).subs(values).evalf(20)
     except TypeError:

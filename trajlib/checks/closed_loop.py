@@ -53,15 +53,17 @@ def follow(law, truth, lanes):
     late = late[~(missing <= CLOSE * (1 + np.linalg.norm(few.x, axis=1)))][:8]
     # Next to a barrier a thin target may have been missed by the optimum too.
     for k in late[~truth.beside_barrier(lanes.take(late))] if len(late) else ():
-        raise Wrong(f"{truth.told(lanes, k)} the target can be reached in a time of {lanes.time[k]:.4g}; your law has brought the state to "
-                    f"({x[k][0]:.4g}, {x[k][1]:.4g}) after {passed[k]:.4g}, and from there it cannot be reached in the time left")
+        raise Wrong(f"{truth.told(lanes, k)} the target can be reached in a time of {lanes.time[k]:.4g}; your law has "
+                    f"brought the state to "
+                    f"({x[k][0]:.4g}, {x[k][1]:.4g}) after {passed[k]:.4g}, and from there it cannot be reached in "
+                    f"the time left")
 
 
 def _closed_loop(law, plant, lanes, steps=48):
     """Where the law has brought each start after the greater part of its fastest time: (states, times).
 
-    The control is held until no value of the law next to the state is the control held: rounding, and what the law says on a
-    curve alone, decide nothing. The moment of a switching is found by bisection.
+    The control is held until no value of the law next to the state is the control held: rounding, and what the law says
+    on a curve alone, decide nothing. The moment of a switching is found by bisection.
     """
     x, case, end = lanes.x.copy(), lanes.case, FOLLOWED * lanes.time
     t, h, rest = np.zeros(len(x)), end / steps, np.full(len(x), -np.inf)
@@ -78,14 +80,16 @@ def _closed_loop(law, plant, lanes, steps=48):
         return (abs(value(beside(x), np.repeat(case, 5)).reshape(-1, 5) - u[:, None]) < SAME).any(axis=1)
 
     u = value(x, case)
-    # A start whose law switches waits until all others have come to a switching or to the end: one search serves them together.
+    # A start whose law switches waits until all others have come to a switching or to the end: one search serves them
+    # together.
     waits, turns, first, last = np.zeros(len(x), dtype=bool), np.zeros(len(x), dtype=int), np.zeros(len(x)), np.zeros(len(x))
     while True:
         busy = np.flatnonzero(~waits & (t < end - 1e-12) & (turns < 5 * steps))
         if len(busy):
             turns[busy] += 1
             step = np.minimum(h[busy], end[busy] - t[busy])
-            # A law that chatters is followed with a small delay; where this delay decides, there is nothing to search for.
+            # A law that chatters is followed with a small delay; where this delay decides, there is nothing to search
+            # for.
             early = np.clip(rest[busy] + h[busy] / 40 - t[busy], 0, step)
             soon = np.flatnonzero(early > 0)
             lanes_asked = np.concatenate([busy, busy[soon]])
@@ -111,11 +115,13 @@ def _closed_loop(law, plant, lanes, steps=48):
         x[here], t[here], waits[here] = plant.move(x[here], u[here], last[here]), t[here] + last[here], False
         said = law(x[here], case[here])
         for k in np.flatnonzero((said < low - SAME) | (said > high + SAME)):
-            raise Wrong(f"a motion under your law comes to ({x[here[k]][0]:.4g}, {x[here[k]][1]:.4g}), where it gives {said[k]:.4g}, "
+            raise Wrong(f"a motion under your law comes to ({x[here[k]][0]:.4g}, {x[here[k]][1]:.4g}), where it gives "
+                        f"{said[k]:.4g}, "
                         "outside the bounds of the control")
         u[here], rest[here] = np.clip(said, low, high), t[here]
         for k in here[np.isnan(said)]:
             near = value(beside(x[k:k + 1]), np.repeat(case[k], 5))
             if np.isnan(near).all():
-                raise Wrong(f"a motion under your law comes to ({x[k][0]:.4g}, {x[k][1]:.4g}), where it gives no real number")
+                raise Wrong(f"a motion under your law comes to ({x[k][0]:.4g}, {x[k][1]:.4g}), where it gives no real "
+                            f"number")
             u[k] = near[~np.isnan(near)][0]  # on a curve alone a law need not be defined

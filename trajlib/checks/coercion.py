@@ -78,7 +78,8 @@ def as_points(answer, dimension):
     """A list of points: lists, tuples, arrays, SymPy columns, a FiniteSet, or dicts like those of `solve`."""
     if isinstance(answer, sp.MatrixBase) and answer.cols == dimension != 1:
         answer = [list(answer.row(i)) for i in range(answer.rows)]
-    points = list(answer) if isinstance(answer, (list, tuple, set, frozenset, sp.FiniteSet, sp.Tuple, np.ndarray)) else None
+    points = (list(answer) if isinstance(answer, (list, tuple, set, frozenset, sp.FiniteSet, sp.Tuple, np.ndarray))
+              else None)
     if answer is sp.S.EmptySet:
         points = []
     if points is None:
@@ -120,11 +121,13 @@ def as_condition(answer, symbols):
         return sp.And(*[as_condition(part, symbols) for part in answer])
     if isinstance(answer, sp.Set):
         answer = _membership(answer, symbols)
-    if not isinstance(answer, (sp.logic.boolalg.Boolean, sp.core.relational.Relational)) or isinstance(answer, sp.Symbol):
+    if not isinstance(answer, (sp.logic.boolalg.Boolean,
+                               sp.core.relational.Relational)) or isinstance(answer, sp.Symbol):
         raise Invalid(f"expected a condition such as {symbols[0]} > 0 or sp.And(...), got {_named(answer)}")
     for relation in answer.atoms(sp.core.relational.Relational):
         if not all(isinstance(side, sp.Expr) for side in relation.args):
-            raise Invalid("a condition is compared with another, or with True or False; write the condition itself, such as "
+            raise Invalid("a condition is compared with another, or with True or False; write the condition itself, "
+                          "such as "
                           f"{symbols[0]} > 0")
         if any(_is_undefined(side) for side in relation.args):
             raise Invalid("the condition contains an undefined value (nan, a division by zero, or oo - oo)")
@@ -164,7 +167,8 @@ def rounds_to(answer, value, scale=None):
 
 def _is_undefined(side):
     """True for an expression that has no value whatever its symbols are; oo has one, where numbers are compared."""
-    return side.has(sp.nan, sp.zoo) or side.is_number and side.has(sp.oo, -sp.oo, 0) and side.evalf(5) in (sp.nan, sp.zoo)
+    return (side.has(sp.nan, sp.zoo) or side.is_number and side.has(sp.oo, -sp.oo, 0)
+            and side.evalf(5) in (sp.nan, sp.zoo))
 
 
 def _membership(region, symbols):

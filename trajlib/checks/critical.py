@@ -1,4 +1,5 @@
-"""Stability of x' = A x where roots lie on the imaginary axis: multiplicities, motions that grow, forms that are conserved.
+"""Stability of x' = A x where roots lie on the imaginary axis: multiplicities, motions that grow, forms that are
+conserved.
 
 The matrix is that of the equations in deviations from rest, or, where a `program` is given, from a program motion
 (`trajlib.checks.motions`); a `part` of the state picks a subsystem that does not depend on the others. What decides is
@@ -17,8 +18,8 @@ from trajlib.checks.motions import Motion, compare_condition
 from trajlib.checks.verdict import Invalid, Wrong, judged
 from trajlib.checks.wording import number_text, rounded_text, values_text
 
-#: Eigenvalues closer together than this, relative to the size of the matrix, are one eigenvalue: a Jordan block of order
-#: m spreads its eigenvalue by the m-th root of the rounding error.
+#: Eigenvalues closer together than this, relative to the size of the matrix, are one eigenvalue: a Jordan block of
+#: order m spreads its eigenvalue by the m-th root of the rounding error.
 SPREAD = 2e-5
 
 
@@ -35,23 +36,29 @@ def eigenvalue_multiplicities(answer, field, state, parameters, program=None, pa
         for k, number in enumerate(numbers):
             off = min(np.linalg.svd(matrix - number * np.eye(n), compute_uv=False))
             if not off <= 1e-9 * size:
-                raise Wrong(f"your {number_text(number)} is no eigenvalue{_where(values)}: A - lambda E is invertible there, its smallest "
+                raise Wrong(f"your {number_text(number)} is no eigenvalue{_where(values)}: A - lambda E is invertible "
+                            f"there, its smallest "
                             f"singular value is {off:.3g}")
             if any(abs(number - other) < SPREAD * size for other in numbers[:k]):
-                raise Wrong(f"the eigenvalue {number_text(number)} is listed twice{_where(values)}; give each eigenvalue once, with its "
+                raise Wrong(f"the eigenvalue {number_text(number)} is listed twice{_where(values)}; give each "
+                            f"eigenvalue once, with its "
                             "multiplicities")
         if sum(algebraic for _, algebraic, _ in rows) != n:
-            raise Wrong(f"the algebraic multiplicities that you give add up to {sum(a for _, a, _ in rows)}, and the characteristic "
+            raise Wrong(f"the algebraic multiplicities that you give add up to {sum(a for _, a, _ in rows)}, and the "
+                        f"characteristic "
                         f"polynomial is of degree {n}")
         found = np.linalg.eigvals(matrix)
         for number, (_, algebraic, geometric) in zip(numbers, rows):
             if sum(abs(found - number) < SPREAD * size) != algebraic:
-                raise Wrong(f"{number_text(number)} is a root of the characteristic equation, but not of the multiplicity "
+                raise Wrong(f"{number_text(number)} is a root of the characteristic equation, but not of the "
+                            f"multiplicity "
                             f"{algebraic}{_where(values)}")
             if _eigenvectors(matrix, number) != geometric:
-                raise Wrong(f"the number of independent eigenvectors for {number_text(number)} is not {geometric}{_where(values)}: look at "
+                raise Wrong(f"the number of independent eigenvectors for {number_text(number)} is not "
+                            f"{geometric}{_where(values)}: look at "
                             "the rank of A - lambda E")
-    return ("they are all roots of the characteristic equation, as often as you say, and A - lambda E has the ranks that go with your "
+    return ("they are all roots of the characteristic equation, as often as you say, and A - lambda E has the ranks "
+            "that go with your "
             "numbers of eigenvectors")
 
 
@@ -59,12 +66,14 @@ def eigenvalue_multiplicities(answer, field, state, parameters, program=None, pa
 def critical_stability(answer, field, state, parameters, program=None, part=None):
     """Whether x = 0 of the linear system is asymptotically stable, stable (and no more) or unstable."""
     claim = coercion.as_choice(answer, STABILITY)
-    verdicts = [(values, matrix, stability(matrix)) for values, matrix in _matrices(field, state, parameters, program, part)]
+    verdicts = [(values, matrix, stability(matrix))
+                for values, matrix in _matrices(field, state, parameters, program, part)]
     if len({verdict for _, _, verdict in verdicts}) > 1:
         raise RuntimeError("the verdict depends on the parameters")
     values, matrix, truth = verdicts[0]
     duration = 20 / np.linalg.norm(matrix)
-    told = (f"motions that start at distance 1 from zero are at distances of up to {_distance(matrix, duration)} after {duration:.3g} "
+    told = (f"motions that start at distance 1 from zero are at distances of up to {_distance(matrix, duration)} "
+            f"after {duration:.3g} "
             f"units of time and up to {_distance(matrix, 100 * duration)} after {100 * duration:.3g}{_where(values)}")
     if claim != truth:
         raise Wrong(f"this does not agree with the motions: {told}")
@@ -79,11 +88,13 @@ def stable_parameters(answer, field, state, parameters, program=None, part=None)
     def told(values):
         matrix = at(values)
         duration = 2000 / np.linalg.norm(matrix)
-        return (f"there motions that start at distance 1 from zero are at distances of up to {_distance(matrix, duration)} after "
+        return (f"there motions that start at distance 1 from zero are at distances of up to "
+                f"{_distance(matrix, duration)} after "
                 f"{duration:.3g} units of time")
 
     compare_condition(answer, parameters, lambda values: stability(at(values)) != "unstable", told)
-    return "for these parameters, and for no others, all motions stay bounded, on both sides of every boundary and on it"
+    return ("for these parameters, and for no others, all motions stay bounded, on both sides of every boundary and "
+            "on it")
 
 
 @judged
@@ -105,14 +116,17 @@ def growing_motion(answer, field, state, parameters, time, constants=(), program
             off = abs(matrix @ x - rate)
             if not max(off) <= 1e-9 * (np.linalg.norm(matrix) * np.linalg.norm(x) + np.linalg.norm(rate)) < np.inf:
                 k = int(np.argmax(off))
-                raise Wrong(f"the equations are not satisfied: {part[k]}' is {rate[k].real:.4g} along your motion, and they ask for "
+                raise Wrong(f"the equations are not satisfied: {part[k]}' is {rate[k].real:.4g} along your motion, "
+                            f"and they ask for "
                             f"{(matrix @ x)[k].real:.4g}{_where(values)}, {time} = {moment}")
         early, late = (max(_logarithm(motion, values | {time: sp.Integer(moment)}) for moment in moments)
                        for moments in ((0, 1, 7, 10), (10**6, 10**6 + 1)))
         if not late > early + np.log(1e3):
-            raise Wrong(f"it satisfies the equations but does not grow: its distance from zero is at most {np.exp(early):.4g} for {time} "
+            raise Wrong(f"it satisfies the equations but does not grow: its distance from zero is at most "
+                        f"{np.exp(early):.4g} for {time} "
                         f"up to 10 and {np.exp(late):.4g} for {time} = 1000000{_where(values)}")
-    return ("it satisfies the equations, and its distance from zero exceeds every bound; so does every multiple of it, however small its "
+    return ("it satisfies the equations, and its distance from zero exceeds every bound; so does every multiple of "
+            "it, however small its "
             "start")
 
 
@@ -130,7 +144,8 @@ def limit_state(answer, field, state, parameters, start, program=None, part=None
             said = numbers_at(limit, at, [f"limit of {s}" for s in part])
             true = late @ begin
             if not np.linalg.norm(said - true) <= 1e-7 * np.linalg.norm(begin):
-                raise Wrong(f"the motion from {as_text(begin)} has come to {as_text(true + 0.0)} after a long time{_where(values)}; your "
+                raise Wrong(f"the motion from {as_text(begin)} has come to {as_text(true + 0.0)} after a long "
+                            f"time{_where(values)}; your "
                             f"limit is {as_text(said.real)}")
     return "motions from several starts come to these states"
 
@@ -143,7 +158,8 @@ def conserved_form(answer, field, state, parameters, program=None, part=None):
     for values, matrix in _matrices(field, state, parameters, program, part):
         expanded = sp.expand(form.xreplace(values))
         if not expanded.is_polynomial(*part) or any(sum(powers) != 2 for powers in sp.Poly(expanded, *part).monoms()):
-            raise Wrong(f"this is no quadratic form in {', '.join(s.name for s in part)}: every term has to be of second order in them")
+            raise Wrong(f"this is no quadratic form in {', '.join(s.name for s in part)}: every term has to be of "
+                        f"second order in them")
         weights = matrix_at(sp.hessian(expanded, part), {})
         if abs(weights.imag).max() > 0:
             raise Wrong(f"its coefficients are not real{_where(values)}")
@@ -151,7 +167,8 @@ def conserved_form(answer, field, state, parameters, program=None, part=None):
         rate = weights @ matrix + (weights @ matrix).T
         if not np.linalg.norm(rate) <= 1e-9 * np.linalg.norm(weights) * np.linalg.norm(matrix):
             row, column = np.unravel_index(np.argmax(abs(rate)), rate.shape)
-            raise Wrong(f"it is not conserved: its derivative along the motions has the term {part[row]}*{part[column]} with the "
+            raise Wrong(f"it is not conserved: its derivative along the motions has the term "
+                        f"{part[row]}*{part[column]} with the "
                         f"coefficient {rate[row, column] / (2 if row == column else 1):.4g}{_where(values)}")
         lowest = np.linalg.eigvalsh(weights)
         if not lowest[0] > 1e-9 * lowest[-1]:
@@ -172,7 +189,8 @@ def stability(matrix):
         left = [z for z in left if abs(z - left[0]) > SPREAD * size]
         # The mean of a cluster is far more accurate than its members, which a Jordan block spreads.
         centre = np.mean(cluster)
-        if centre.real > 1e-11 * size or abs(centre.real) <= 1e-11 * size and _eigenvectors(matrix, 1j * centre.imag) < len(cluster):
+        if (centre.real > 1e-11 * size or abs(centre.real) <= 1e-11 * size and _eigenvectors(matrix, 1j * centre.imag)
+            < len(cluster)):
             return "unstable"
         if centre.real >= -1e-11 * size:
             verdict = "stable"
@@ -192,7 +210,8 @@ def _matrices(field, state, parameters, program, part):
 
 
 def _linear_part(field, state, parameters, program, part):
-    """The matrix of the equations in deviations, or of a part of them, as a function of the values of the parameters."""
+    """The matrix of the equations in deviations, or of a part of them, as a function of the values of the
+    parameters."""
     motion = Motion(field, state, parameters, dict.fromkeys(state, 0) if program is None else program)
     chosen = [list(state).index(s) for s in (state if part is None else part)]
     others = [k for k in range(len(state)) if k not in chosen]
@@ -213,22 +232,25 @@ def _distance(matrix, duration):
 
 
 def _rows(answer, parameters):
-    """Triples (value, algebraic, geometric) from a list of rows, a matrix, a dict {value: (algebraic, geometric)}, or from what
-    SymPy's `eigenvects` returns, with the eigenvectors themselves in the third place."""
+    """Triples (value, algebraic, geometric) from a list of rows, a matrix, a dict {value: (algebraic, geometric)}, or
+    from what SymPy's `eigenvects` returns, with the eigenvectors themselves in the third place."""
     if isinstance(answer, dict):
-        answer = [[value, *(numbers if isinstance(numbers, (list, tuple)) else [numbers])] for value, numbers in answer.items()]
+        answer = [[value, *(numbers if isinstance(numbers, (list, tuple)) else [numbers])]
+                  for value, numbers in answer.items()]
     if isinstance(answer, (sp.MatrixBase, np.ndarray)):
         answer = answer.tolist()
     if not isinstance(answer, (list, tuple, set, frozenset, sp.FiniteSet)) or not answer:
         raise Invalid("expected a list of rows [eigenvalue, algebraic multiplicity, geometric multiplicity]")
-    if all(not isinstance(row, (list, tuple, sp.Tuple, sp.MatrixBase, np.ndarray)) for row in answer) and len(answer) == 3:
+    if all(not isinstance(row, (list, tuple, sp.Tuple, sp.MatrixBase, np.ndarray))
+           for row in answer) and len(answer) == 3:
         answer = [answer]
     rows = []
     for row in answer:
         if isinstance(row, (list, tuple)) and len(row) == 3 and isinstance(row[2], (list, tuple)):
             row = [*row[:2], len(row[2])]
         rows.append(coercion.as_expressions(row, parameters, 3))
-    return [(value, *(coercion.as_integer(sp.nsimplify(count, rational=True)) for count in counts)) for value, *counts in rows]
+    return [(value, *(coercion.as_integer(sp.nsimplify(count, rational=True)) for count in counts))
+            for value, *counts in rows]
 
 
 def _exponential(matrix):

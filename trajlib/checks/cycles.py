@@ -34,7 +34,8 @@ def polar_form(answer, field, state, polar):
         for name, rate, value in zip(("r'", "phi'"), rates, true):
             said = number_at(rate, dict(zip(polar, (r, phi))), f"your expression for {name}")
             if not abs(said - value) <= 1e-9 * size:
-                raise Wrong(f"at r = {r:.3g}, phi = {phi:.3g} the motion has {name} = {value:.4g}; your expression gives {said.real:.4g}")
+                raise Wrong(f"at r = {r:.3g}, phi = {phi:.3g} the motion has {name} = {value:.4g}; your expression "
+                            f"gives {said.real:.4g}")
     return "both rates agree with the velocity of the motion at random points"
 
 
@@ -55,10 +56,12 @@ def radial_motion(answer, field, state, time, start):
             if t == 0 and not abs(r - r0) <= 1e-9 * r0:
                 raise Wrong(f"for r0 = {r0:g} your motion starts at r(0) = {r:.4g}")
             if r <= 0:
-                raise Wrong(f"for r0 = {r0:g} your motion has r = {r:.4g} at t = {t:.3g}; a distance from zero stays positive here")
+                raise Wrong(f"for r0 = {r0:g} your motion has r = {r:.4g} at t = {t:.3g}; a distance from zero stays "
+                            f"positive here")
             true, said = _polar_velocity(flow, r, ANGLES[0])[0], value_at(slope, values, "r, differentiated,")
             if not abs(said - true) <= 1e-9 * (abs(true) + r) < math.inf:
-                raise Wrong(f"for r0 = {r0:g} your motion is at r = {r:.4g} when t = {t:.3g} and changes at the rate {said:.4g} there; "
+                raise Wrong(f"for r0 = {r0:g} your motion is at r = {r:.4g} when t = {t:.3g} and changes at the rate "
+                            f"{said:.4g} there; "
                             f"the system demands r' = {true:.4g} at this r")
     return "it starts at r0, and everywhere r' is what the system demands of it, for motions from five starts"
 
@@ -76,7 +79,8 @@ def limit_cycles(answer, field, state):
             raise Wrong(f"the radius {radius:.4g} is negative")
         if not any(coercion.rounds_to(radius, other) for other in found):
             rates = [_polar_velocity(flow, radius, phi)[0] for phi in ANGLES]
-            raise Wrong(f"the circle r = {radius:.4g} is not a closed orbit: r' = {max(rates, key=abs):.4g} at a point of it")
+            raise Wrong(f"the circle r = {radius:.4g} is not a closed orbit: r' = {max(rates, key=abs):.4g} at a "
+                        f"point of it")
     missed = [other for other in found if not any(coercion.rounds_to(radius, other) for radius in radii)]
     if missed:
         raise Wrong(f"your list does not hold all of them: {len(found) - len(missed)} of {len(found)} "
@@ -99,7 +103,8 @@ def cycle_stability(answer, field, state, radius=None):
     if claim != truth:
         claimed = {"stable": ("to", "to"), "unstable": ("from", "from")}.get(claim)
         if claimed is None:
-            raise Wrong("semistable means that motions on one side move towards the cycle and motions on the other away from it: "
+            raise Wrong("semistable means that motions on one side move towards the cycle and motions on the other "
+                        "away from it: "
                         f"try r = {0.95 * radius:g} and r = {1.05 * radius:g}")
         side, start = ("inside", 0.95 * radius) if inside != claimed[0] else ("outside", 1.05 * radius)
         does = {"to": "towards", "from": "away from"}[inside if side == "inside" else outside]
@@ -128,13 +133,17 @@ def return_slope(answer, field, state, radius=None):
     close = coercion.rounds_to(claim, math.exp(exponent))
     # Three digits are for decimals: an expression such as 1 + exp(-4 pi) says that it is exact.
     if close and not (claim.is_Rational or claim.has(sp.Float)) and difference > 1e-9:
-        raise Wrong(f"the expression comes close, but it is not the slope: they differ by the fraction {difference:.2g}")
+        raise Wrong(f"the expression comes close, but it is not the slope: they differ by the fraction "
+                    f"{difference:.2g}")
     if not close:
         if float(claim) <= 0:
-            raise Wrong("the slope is positive: a motion that starts outside the cycle stays outside, for motions do not cross")
+            raise Wrong("the slope is positive: a motion that starts outside the cycle stays outside, for motions do "
+                        "not cross")
         turn = _turn(flow, radius)
-        raise Wrong(f"a small deviation multiplied by {float(claim):.4g} in each turn of {turn:.4g} units of time would grow "
-                    f"at the mean rate {math.log(float(claim)) / turn:.4g}; linearising r' at the cycle gives another rate")
+        raise Wrong(f"a small deviation multiplied by {float(claim):.4g} in each turn of {turn:.4g} units of time "
+                    f"would grow "
+                    f"at the mean rate {math.log(float(claim)) / turn:.4g}; linearising r' at the cycle gives another "
+                    f"rate")
     return "it agrees with the integral of the divergence over one turn (Liouville's formula)"
 
 

@@ -1,8 +1,8 @@
 """A linear system as a model of small deviations from a motion of a nonlinear one.
 
-The nonlinear system is a field of its state, the motion a dict from the state to functions of time, `{phi: t, r: 1, ...}`. The
-derivatives of the field along the motion, which have to be constant, make the equations in deviations; they are found here
-exactly, and so no answer to an earlier question is needed.
+The nonlinear system is a field of its state, the motion a dict from the state to functions of time, `{phi: t, r: 1,
+...}`. The derivatives of the field along the motion, which have to be constant, make the equations in deviations; they
+are found here exactly, and so no answer to an earlier question is needed.
 """
 
 import sympy as sp
@@ -21,7 +21,8 @@ def change_to_deviations(answer, A, field, state, motion):
 
 @judged
 def measured_quantity(answer, A, H, field, state, motion, quantities):
-    """Which of the `quantities` (name: expression in the state) the measurement z = H x of x' = A x is, deviations from a motion meant."""
+    """Which of the `quantities` (name: expression in the state) the measurement z = H x of x' = A x is, deviations from
+    a motion meant."""
     claim = coercion.as_choice(answer, tuple(quantities))
     rows = {name: _along([quantity], state, motion) for name, quantity in quantities.items()}
     return judge_meaning(claim, A, H, _along(field, state, motion), rows)

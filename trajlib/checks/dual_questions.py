@@ -1,7 +1,8 @@
 """Questions that are asked both of an output and of a control: one judgement serves both, by transposition.
 
-What a control cannot reach is what the output B^T y of y' = A^T y does not show: a row w with w A = lambda w and w B = 0 is a column
-there. So each function here takes a `Pair`, of (A, H) or of (A^T, B^T), and the `Side` with the words of its messages.
+What a control cannot reach is what the output B^T y of y' = A^T y does not show: a row w with w A = lambda w and w B =
+0 is a column there. So each function here takes a `Pair`, of (A, H) or of (A^T, B^T), and the `Side` with the words of
+its messages.
 """
 
 from collections.abc import Callable
@@ -19,7 +20,8 @@ from trajlib.checks.wording import number_text, where_text
 
 
 def _output_shows(k, order, number, value):
-    """That a motion is seen: the first derivative of an output that is not zero; `number` is empty for a single output."""
+    """That a motion is seen: the first derivative of an output that is not zero; `number` is empty for a single
+    output."""
     name = f"z{number}" + "'" * order if order < 4 else f"the derivative of z{number} of order {order}"
     return f"the motion from your vector {k} gives {name} = {value} at t = 0, not 0"
 
@@ -28,7 +30,8 @@ def _control_changes(k, order, number, value):
     """That a combination w x is changed: the first of its derivatives that holds the control."""
     power = "" if order == 0 else "A " if order == 1 else f"A^{order} "
     which = "the first derivative" if order == 0 else f"the derivative of order {order + 1}"
-    return (f"the control u{number} changes your combination {k}: it enters {which} of w x with the coefficient w {power}b{number} = "
+    return (f"the control u{number} changes your combination {k}: it enters {which} of w x with the coefficient w "
+            f"{power}b{number} = "
             f"{value}, not 0")
 
 
@@ -52,18 +55,23 @@ class Side:
     shows_little: str = "the motion from your vector {k} does not keep z = 0 to three digits"
 
 
-OUTPUT = Side("observable", "not observable", "independent initial state with z = 0 for all time", "independent initial states with z = 0 "
+OUTPUT = Side("observable", "not observable", "independent initial state with z = 0 for all time",
+              "independent initial states with z = 0 "
               "for all time", "no initial state but zero gives z = 0 for all time", "N", "row", "(A - lambda E; H)",
               "eigenvector v of A with H v = 0")
 CONTROL = Side("controllable", "not controllable", "independent combination of the coordinates that no control changes",
-               "independent combinations of the coordinates that no control changes", "every combination of the coordinates is changed by "
-               "some control", "W", "column", "(A - lambda E, B)", "row w with w A = lambda w and w B = 0", left="what no control changes",
-               basis_right="no control changes any of them, they are independent, and there are no more", shows=_control_changes,
+               "independent combinations of the coordinates that no control changes",
+               "every combination of the coordinates is changed by "
+               "some control", "W", "column", "(A - lambda E, B)", "row w with w A = lambda w and w B = 0",
+               left="what no control changes",
+               basis_right="no control changes any of them, they are independent, and there are no more",
+               shows=_control_changes,
                shows_little="a control changes your combination {k}, though little")
 
 
 def tolerance_of(*answers):
-    """How far a number may be off, relative to its size: decimals count to three digits, what is exact has to be right."""
+    """How far a number may be off, relative to its size: decimals count to three digits, what is exact has to be
+    right."""
     return 5e-3 if any(sp.sympify(part).has(sp.Float) for answer in answers for part in answer) else 1e-9
 
 
@@ -100,12 +108,16 @@ def judge_region(answer, pair, side, holds):
         told = f"there {_number_of(dimension, side)}" if dimension else side.none_free
         if claimed == holds and dimension:
             # An exceptional value itself would be the answer: one parameter of those it depends on stays unsaid.
-            hidden = next((p for p in pair.parameters if any(p in poly.free_symbols for poly in pair.boundaries)), pair.parameters[0])
+            hidden = next((p for p in pair.parameters if any(p in poly.free_symbols for poly in pair.boundaries)),
+                          pair.parameters[0])
             shown = [(p, x) for p, x in zip(pair.parameters, place.numbers()) if p != hidden]
-            others = "".join(f"with {p} = {float(x):.4g} " for p, x in shown[:1]) + "".join(f"and {p} = {float(x):.4g} " for p, x in shown[1:])
-            return (f"{others}your condition {'holds' if claimed else 'does not hold'} at a value of {hidden} where the system is "
+            others = "".join(f"with {p} = {float(x):.4g} "
+                             for p, x in shown[:1]) + "".join(f"and {p} = {float(x):.4g} " for p, x in shown[1:])
+            return (f"{others}your condition {'holds' if claimed else 'does not hold'} at a value of {hidden} where "
+                    f"the system is "
                     f"{side.fails}: {told}")
-        return (f"at {place_text(pair.parameters, place)} your condition {'holds' if claimed else 'does not hold'}, yet the system is "
+        return (f"at {place_text(pair.parameters, place)} your condition {'holds' if claimed else 'does not hold'}, "
+                f"yet the system is "
                 f"{side.fails if dimension else side.holds} there: {told}")
 
     if not holds and len(pair.parameters) == 1:
@@ -125,8 +137,10 @@ def judge_rank(answer, pair, side):
     (unseen,) = pair.unseen
     if claim != pair.order - len(unseen):
         if not 0 <= claim <= pair.order:
-            raise Wrong(f"{claim} cannot be the rank of a matrix with {pair.order} {'columns' if side is OUTPUT else 'rows'}")
-        raise Wrong(f"the order less the rank is the number of {side.several_free}; by your rank it would be {pair.order - claim}, and "
+            raise Wrong(f"{claim} cannot be the rank of a matrix with {pair.order} "
+                        f"{'columns' if side is OUTPUT else 'rows'}")
+        raise Wrong(f"the order less the rank is the number of {side.several_free}; by your rank it would be "
+                    f"{pair.order - claim}, and "
                     f"there are {'more' if len(unseen) > pair.order - claim else 'fewer'}")
     return f"there {how_many(unseen, side)}" if unseen else side.none_free
 
@@ -148,8 +162,10 @@ def judge_kalman(claim, pair, side):
             raise Wrong(f"this is the transpose of {side.matrix}")
         k = int(bad[0])
         before = (f"have to be the {side.block}s of {'H' if side is OUTPUT else 'B'}" if k < m else
-                  f"has to be {side.block} {k - m + 1} times A" if side is OUTPUT else f"has to be A times {side.block} {k - m + 1}")
-        which = (f"the first {m} {side.block}s" if m > 1 else f"the first {side.block}") if k < m else f"{side.block} {k + 1}"
+                  f"has to be {side.block} {k - m + 1} times A" if side is OUTPUT
+                  else f"has to be A times {side.block} {k - m + 1}")
+        which = ((f"the first {m} {side.block}s" if m > 1 else f"the first {side.block}") if k < m
+                 else f"{side.block} {k + 1}")
         if k < m and m == 1:
             before = f"has to be {'H' if side is OUTPUT else 'B'}"
         j = int(np.argmax(abs(said[k] - true[k])))
@@ -160,7 +176,8 @@ def judge_kalman(claim, pair, side):
 
 def judge_eigenvalues(answer, pair, side):
     """The different eigenvalues at which the rank of Popov's criterion falls: those of A on the unseen states."""
-    true = [different_roots(characteristic_coefficients(restricted(pair.at(place)[0], unseen))) if unseen else np.array([])
+    true = [different_roots(characteristic_coefficients(restricted(pair.at(place)[0], unseen))) if unseen
+            else np.array([])
             for (_, place), unseen in zip(pair.samples, pair.unseen)]
     whole = [np.linalg.eigvals(to_floats(pair.at(place)[0], pair.order)) for _, place in pair.samples]
     return compare_eigenvalues(answer, pair.parameters, [values for values, _ in pair.samples], true, whole, side)
@@ -177,12 +194,15 @@ def compare_eigenvalues(answer, parameters, samples, true, whole, side):
             if any(_near(number, other, tolerance, scale) for other in lost):
                 continue
             if any(_near(number, other, max(tolerance, 1e-7), scale) for other in every):
-                raise Wrong(f"{number_text(number)} is {_a(side.spectrum)}{where_text(values)}, but the rank of {side.pencil} does not "
+                raise Wrong(f"{number_text(number)} is {_a(side.spectrum)}{where_text(values)}, but the rank of "
+                            f"{side.pencil} does not "
                             f"fall there: there is no {side.vector}")
-            raise Wrong(f"{number_text(number)} is no {side.spectrum}{where_text(values)}, so the rank of {side.pencil} is full there")
+            raise Wrong(f"{number_text(number)} is no {side.spectrum}{where_text(values)}, so the rank of "
+                        f"{side.pencil} is full there")
         named = sum(any(_near(number, other, tolerance, scale) for number in said) for other in lost)
         if named < len(lost):
-            raise Wrong(f"the rank of {side.pencil} falls at {_count(len(lost), 'value')} of lambda{where_text(values)}; your answer names "
+            raise Wrong(f"the rank of {side.pencil} falls at {_count(len(lost), 'value')} of "
+                        f"lambda{where_text(values)}; your answer names "
                         f"{named or 'none'} of them")
     if not claims:
         return f"the rank of {side.pencil} is full at every {side.spectrum}"

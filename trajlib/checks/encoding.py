@@ -1,21 +1,25 @@
 """Answers as bytes: the one way a student's values leave the sandbox.
 
-A notebook runs in a sandboxed worker; its answers reach the judge only as the text that `encode` writes, and `decode` builds values
-from that text without executing anything of the student's: no pickle, no `eval`, no `sympify` of strings, no attribute looked up by a
-name from the wire. What may cross is a closed list, the same in both directions:
+A notebook runs in a sandboxed worker; its answers reach the judge only as the text that `encode` writes, and `decode`
+builds values from that text without executing anything of the student's: no pickle, no `eval`, no `sympify` of strings,
+no attribute looked up by a name from the wire. What may cross is a closed list, the same in both directions:
 
 - bool, int, float (with nan and the infinities), complex, str, and the untouched stub `...`;
-- NumPy scalars (they become Python numbers and strings) and arrays of bool, int, float or complex; CasADi `DM` (becomes a float array);
-- SymPy numbers, expressions, relations, conditions, sets, Piecewise laws, matrices and polynomials (`sympy_codec` lists the nodes);
+- NumPy scalars (they become Python numbers and strings) and arrays of bool, int, float or complex; CasADi `DM` (becomes
+  a float array);
+- SymPy numbers, expressions, relations, conditions, sets, Piecewise laws, matrices and polynomials (`sympy_codec` lists
+  the nodes);
 - `Fraction` and mpmath's numbers (they become SymPy's);
 - lists, tuples, sets and frozensets of these, and dicts of these keyed by strings, numbers or SymPy;
 - NumPy arrays of these (dtype object) or of strings, and `sympy.Array` (they become nested lists).
 
-Types are compared by identity, never by `isinstance`: a subclass of an allowed type may carry foreign code, so it is refused unread.
-A check in a notebook first sends the answer through here too (`verdict.judged`), so that a student reads there what a grader would say.
+Types are compared by identity, never by `isinstance`: a subclass of an allowed type may carry foreign code, so it is
+refused unread. A check in a notebook first sends the answer through here too (`verdict.judged`), so that a student
+reads there what a grader would say.
 
-The text is UTF-8 JSON in one canonical form. Booleans, finite numbers, strings and lists are themselves; everything else is an object
-with a "kind". Equal sets and dicts give equal bytes, whatever their order. Limits (below) bound the time and memory of both directions.
+The text is UTF-8 JSON in one canonical form. Booleans, finite numbers, strings and lists are themselves; everything
+else is an object with a "kind". Equal sets and dicts give equal bytes, whatever their order. Limits (below) bound the
+time and memory of both directions.
 
 >>> encode({"gain": [1.5, 2], "stable": True})
 b'{"items":[["gain",[1.5,2]],["stable",true]],"kind":"dict"}'
@@ -40,7 +44,8 @@ MAX_AXES = 8  # of an array
 MAX_DESCRIPTION = 300  # characters that `describe` returns
 
 ALLOWED = (
-    "An answer may be a number, a string, an array, a SymPy expression, relation, set or matrix, or a list or dict of these."
+    "An answer may be a number, a string, an array, a SymPy expression, relation, set or matrix, or a list or dict of "
+    "these."
 )
 
 
@@ -51,8 +56,8 @@ class EncodingError(ValueError):
 def encode(value):
     """Return `value` as canonical UTF-8 JSON bytes.
 
-    Accepts the values listed in the module's docstring, within its limits. Raises `EncodingError` for anything else, without calling
-    any method of it.
+    Accepts the values listed in the module's docstring, within its limits. Raises `EncodingError` for anything else,
+    without calling any method of it.
 
     >>> encode([1, 2.5, float("nan")])
     b'[1,2.5,{"kind":"float","value":"nan"}]'
@@ -60,7 +65,8 @@ def encode(value):
     True
     >>> encode([0, {"x": lambda t: t}])
     Traceback (most recent call last):
-    trajlib.checks.encoding.EncodingError: answer[1]['x'] is a function, and functions are not data: write its formula in SymPy. \
+    trajlib.checks.encoding.EncodingError: answer[1]['x'] is a function, and functions are not data: write its formula
+    in SymPy. \
 An answer may be a number, a string, an array, a SymPy expression, relation, set or matrix, or a list or dict of these.
     """
     walk = _Encoder()
@@ -77,12 +83,14 @@ An answer may be a number, a string, an array, a SymPy expression, relation, set
 def decode(data):
     """Return the value that `encode` turned into `data`.
 
-    The result equals what was encoded, in form too: nothing is computed, and what was left unevaluated stays so. Intended differences:
-    NumPy scalars come back as Python numbers and strings, a Fraction and mpmath's numbers as SymPy's, DM and sparse matrices as dense
-    arrays and matrices, arrays of objects and `sympy.Array` as nested lists, `UnevaluatedExpr(x)` as `x`, a Poly over the domain that its
-    coefficients suggest, and a Dummy as one that equals only Dummies decoded with the same name and number.
+    The result equals what was encoded, in form too: nothing is computed, and what was left unevaluated stays so.
+    Intended differences: NumPy scalars come back as Python numbers and strings, a Fraction and mpmath's numbers as
+    SymPy's, DM and sparse matrices as dense arrays and matrices, arrays of objects and `sympy.Array` as nested lists,
+    `UnevaluatedExpr(x)` as `x`, a Poly over the domain that its coefficients suggest, and a Dummy as one that equals
+    only Dummies decoded with the same name and number.
 
-    Raises `EncodingError`, and nothing else, for bytes that `encode` would not have written and for numbers too large to work with.
+    Raises `EncodingError`, and nothing else, for bytes that `encode` would not have written and for numbers too large
+    to work with.
 
     >>> decode(b'{"items":[1,2],"kind":"tuple"}')
     (1, 2)
@@ -95,12 +103,14 @@ def decode(data):
         return walk.visit(_loads(data))
     except EncodingError:
         raise
-    except Exception as error:  # a constructor's own: contradictory assumptions, an unhashable element, a wrong count of arguments
+    # a constructor's own: contradictory assumptions, an unhashable element, a wrong count of arguments
+    except Exception as error:
         raise walk.error(f"cannot be built ({_type_name(error)})") from None
 
 
 def describe(value):
-    """Return a short readable text of any object, for feedback; of an object that is no answer, only the name of its type.
+    """Return a short readable text of any object, for feedback; of an object that is no answer, only the name of its
+    type.
 
     Never raises, never calls a foreign `__repr__` or `__str__`, and is at most `MAX_DESCRIPTION` characters long.
 
@@ -115,7 +125,8 @@ def describe(value):
 
 def _check_length(data):
     if len(data) > MAX_BYTES or data.count(b"[") + data.count(b"{") > MAX_BRACKETS:
-        raise EncodingError(f"answer takes {len(data)} bytes; up to {MAX_BYTES}, with {MAX_BRACKETS} brackets, are allowed")
+        raise EncodingError(f"answer takes {len(data)} bytes; up to {MAX_BYTES}, with {MAX_BRACKETS} brackets, are "
+                            f"allowed")
 
 
 # The walk: where we are in a value and how much of it has been met, counted alike in both directions.
@@ -198,7 +209,8 @@ class _Encoder(_Walk):
         return write(self, value)
 
     def finish(self, node):
-        """Number the Dummies 0, 1, ... in the order of their creation, which unlike SymPy's own index is the same in every process."""
+        """Number the Dummies 0, 1, ... in the order of their creation, which unlike SymPy's own index is the same in
+        every process."""
         rank = {index: i for i, index in enumerate(sorted({dummy["index"] for dummy in self.dummies}))}
         for dummy in self.dummies:
             dummy["index"] = rank[dummy["index"]]
@@ -211,9 +223,11 @@ _HINTS = {
     "SX": "is a CasADi symbol: write the expression in SymPy",
     "MX": "is a CasADi symbol: write the expression in SymPy",
     "matrix": "is a matrix of NumPy or mpmath: write sympy.Matrix(...) or numpy.array(...)",
-    **{f"{form}_{kind}": "is a sparse matrix: write A.toarray()" for form in ("csr", "csc", "coo", "dok", "lil", "dia", "bsr")
+    **{f"{form}_{kind}": "is a sparse matrix: write A.toarray()"
+       for form in ("csr", "csc", "coo", "dok", "lil", "dia", "bsr")
        for kind in ("matrix", "array")},
-    **dict.fromkeys(("OrderedDict", "defaultdict", "Counter", "Dict"), "is a dict of a kind of its own: write dict(...)"),
+    **dict.fromkeys(("OrderedDict", "defaultdict", "Counter", "Dict"),
+                    "is a dict of a kind of its own: write dict(...)"),
     "constant": "is a constant of mpmath: write that of SymPy, such as sympy.pi",
     "UndefinedFunction": "is a function without its argument: write x(t), not x",
 }
@@ -225,7 +239,8 @@ def _refusal(value):
         return f"{hint}. {ALLOWED}"
     if callable(value):
         return f"is a {name}, and functions are not data: write its formula in SymPy. {ALLOWED}"
-    return f"is of the type {name}, which is not an answer (nor is a subclass of an allowed type: write list(...) or the like). {ALLOWED}"
+    return (f"is of the type {name}, which is not an answer (nor is a subclass of an allowed type: write list(...) or "
+            f"the like). {ALLOWED}")
 
 
 def _write_float(walk, value):
@@ -311,7 +326,8 @@ def _numpy_scalars(numpy):
 def _dtype_name(walk, value):
     name = _KIND_OF_DTYPE.get(value.dtype.kind)
     if name is None:
-        raise walk.error(f"is of NumPy's kind {value.dtype.kind!r}; arrays may hold numbers, booleans, strings or SymPy")
+        raise walk.error(f"is of NumPy's kind {value.dtype.kind!r}; arrays may hold numbers, booleans, strings or "
+                         f"SymPy")
     return name
 
 
@@ -324,7 +340,8 @@ def _write_array(walk, value):
         return write_elements(walk, value)
     name = _dtype_name(walk, value)
     if value.size > MAX_ELEMENTS or value.ndim > MAX_AXES:
-        raise walk.error(f"is an array of {value.size} elements; up to {MAX_ELEMENTS} along {MAX_AXES} axes are allowed")
+        raise walk.error(f"is an array of {value.size} elements; up to {MAX_ELEMENTS} along {MAX_AXES} axes are "
+                         f"allowed")
     if value.dtype.kind == "u" and value.size and value.max() >= 2**63:
         raise walk.error("is an array with integers beyond 64 signed bits")
     data = base64.b64encode(value.astype(_DTYPES[name]).tobytes()).decode("ascii")
@@ -334,7 +351,8 @@ def _write_array(walk, value):
 def write_elements(walk, array):
     """An array by its elements, which are visited like those of nested lists."""
     if math.prod(max(1, size) for size in array.shape) > MAX_NODES:  # before the lists are made
-        raise walk.error(f"is an array of shape {array.shape}; up to {MAX_NODES} elements that are no plain numbers are allowed")
+        raise walk.error(f"is an array of shape {array.shape}; up to {MAX_NODES} elements that are no plain numbers "
+                         f"are allowed")
     return walk.visit(array.tolist()) if array.shape else walk.child("[()]", array[()])
 
 
@@ -352,8 +370,8 @@ def _write_dm(walk, value):
 def _loads(data):
     """The JSON value in `data`, which must be written exactly as `encode` writes it.
 
-    Comparing with the canonical text refuses, all at once, duplicate keys, blanks, trailing bytes, numbers in another notation, and
-    escapes for what needs none.
+    Comparing with the canonical text refuses, all at once, duplicate keys, blanks, trailing bytes, numbers in another
+    notation, and escapes for what needs none.
     """
     if type(data) is not bytes:
         raise EncodingError("answer should be bytes")
@@ -485,7 +503,8 @@ def _text(value, depth):
 
 
 def _text_of_integer(value, depth):
-    return str(value) if value.bit_length() < 200 else f"an integer of about {int(value.bit_length() * math.log10(2))} digits"
+    return (str(value) if value.bit_length() < 200
+            else f"an integer of about {int(value.bit_length() * math.log10(2))} digits")
 
 
 def _text_of_items(opening, closing):
@@ -521,7 +540,8 @@ def _text_of_array(value, data):
 def _text_of_sympy(value, data):
     import sympy
 
-    # Sorting terms for print evaluates the numbers among them, integrals too; so only what is small and has none is sorted.
+    # Sorting terms for print evaluates the numbers among them, integrals too; so only what is small and has none is
+    # sorted.
     return sympy.sstr(value, order="none" if len(data) > 20_000 or b'"Integral"' in data else None)
 
 

@@ -38,7 +38,8 @@ def spectra(answer, field, state):
         _judge_spectrum(numbers, flow.jacobian(point), point)
     missed = [point for point in found if not _among(point, given)]
     if missed:
-        raise Wrong(f"a search finds {len(found)} equilibria, you give eigenvalues for {len(found) - len(missed)} of them")
+        raise Wrong(f"a search finds {len(found)} equilibria, you give eigenvalues for {len(found) - len(missed)} of "
+                    f"them")
     return "at every equilibrium the numbers are the roots of the characteristic equation, each as often as it is one"
 
 
@@ -62,14 +63,17 @@ def stable_equilibria(answer, field, state):
             raise Wrong(f"your point {as_text(place)} is not an equilibrium: {_values_told(flow, place)}")
     missed = [point for point in stable if not any(_rounds_to(place, point) for place in given)]
     if missed:
-        raise Wrong(f"your list holds {len(stable) - len(missed)} of the asymptotically stable equilibria, and there are more: "
-                    "some equilibrium that you leave out has a first approximation whose eigenvalues all have negative real parts")
+        raise Wrong(f"your list holds {len(stable) - len(missed)} of the asymptotically stable equilibria, and there "
+                    f"are more: "
+                    "some equilibrium that you leave out has a first approximation whose eigenvalues all have "
+                    "negative real parts")
     return "at these equilibria, and at no others, all eigenvalues of the first approximation have negative real parts"
 
 
 @functools.lru_cache(maxsize=16)
 def _searched(field, state):
-    """The field and its rest points. Several answers of a problem ask about the same system: one search serves them all."""
+    """The field and its rest points. Several answers of a problem ask about the same system: one search serves them
+    all."""
     flow = Field(field, state)
     return flow, flow.rest_points()
 
@@ -100,8 +104,10 @@ def _spectra_by_place(answer, state):
     if isinstance(answer, sp.MatrixBase):
         answer = answer.tolist()
     if not isinstance(answer, (list, tuple, np.ndarray)):
-        raise Invalid(f"expected a list with a row of {2 * n} numbers for each equilibrium: its coordinates, then the eigenvalues")
-    rows = [answer] if len(answer) == 2 * n and not any(isinstance(x, (list, tuple, np.ndarray, sp.MatrixBase)) for x in answer) else answer
+        raise Invalid(f"expected a list with a row of {2 * n} numbers for each equilibrium: its coordinates, then the "
+                      f"eigenvalues")
+    rows = ([answer] if len(answer) == 2 * n and not any(isinstance(x, (list, tuple, np.ndarray, sp.MatrixBase))
+                                                         for x in answer) else answer)
     for row in rows:
         if isinstance(row, (list, tuple)) and len(row) == 2 and n > 1:
             row = [*coercion.as_expressions(row[0], (), n), *coercion.as_expressions(row[1], (), n)]
@@ -117,7 +123,8 @@ def _judge_spectrum(numbers, matrix, point):
     for number in numbers:
         if not any(_is_eigenvalue(number, value) for value in eigenvalues):
             residual = abs(np.linalg.det(number * np.eye(len(matrix)) - matrix))
-            raise Wrong(f"at {as_text(point)} your number {number_text(number)} is no eigenvalue of the first approximation: "
+            raise Wrong(f"at {as_text(point)} your number {number_text(number)} is no eigenvalue of the first "
+                        f"approximation: "
                         f"det(lambda E - A) has the modulus {residual:.4g} there, not zero")
         close = [value for value in left if _is_eigenvalue(number, value)]
         if not close:

@@ -1,7 +1,7 @@
 """Polynomials with rational coefficients at rational places and along rational lines, exactly.
 
-A verdict on a condition asks for thousands of values and for hundreds of lines; in Python's own integers each is a hundred
-times quicker than SymPy's substitution and factorisation, and as exact.
+A verdict on a condition asks for thousands of values and for hundreds of lines; in Python's own integers each is a
+hundred times quicker than SymPy's substitution and factorisation, and as exact.
 """
 
 import functools
@@ -17,7 +17,8 @@ PRIMES = (5, 7, 11, 13, 17, 19, 23, 29)
 
 @functools.lru_cache(maxsize=512)
 def exact(poly):
-    """The `Polynomial` of a SymPy `Poly` with rational coefficients: a condition asks for the same one at every place."""
+    """The `Polynomial` of a SymPy `Poly` with rational coefficients: a condition asks for the same one at every
+    place."""
     return Polynomial(poly)
 
 
@@ -32,7 +33,8 @@ class Polynomial:
 
     def value(self, place):
         """The value at a place, a tuple of fractions."""
-        return Fraction(self._numerator(place), self._common * math.prod(x.denominator**m for x, m in zip(place, self._degrees)))
+        return Fraction(self._numerator(place),
+                        self._common * math.prod(x.denominator**m for x, m in zip(place, self._degrees)))
 
     def sign(self, place):
         """The sign at a place: -1, 0 or 1."""
@@ -44,7 +46,8 @@ class Polynomial:
         return sum(c * math.prod(table[k] for table, k in zip(tables, powers)) for powers, c in self._terms)
 
     def along(self, point, direction):
-        """The coefficients, fractions from the highest power down, of the polynomial in t at `point + t * direction`."""
+        """The coefficients, fractions from the highest power down, of the polynomial in t at `point + t *
+        direction`."""
         tables, denominator = [], self._common
         for p, d, m in zip(point, direction, self._degrees):
             common = math.lcm(p.denominator, d.denominator)
@@ -67,7 +70,8 @@ class Polynomial:
 
 
 def rational_roots(coefficients):
-    """All rational roots, as a set of fractions, of a polynomial that is not zero: its coefficients from the highest power down."""
+    """All rational roots, as a set of fractions, of a polynomial that is not zero: its coefficients from the highest
+    power down."""
     common = math.lcm(*(c.denominator for c in coefficients))
     left, found = [int(c * common) for c in coefficients], set()
     while left[-1] == 0:
@@ -82,7 +86,8 @@ def rational_roots(coefficients):
 
 
 def _other_rational_roots(coefficients):
-    """The rational roots of a polynomial with integer coefficients: by formulas, and for higher degrees by SymPy if there can be any."""
+    """The rational roots of a polynomial with integer coefficients: by formulas, and for higher degrees by SymPy if
+    there can be any."""
     if len(coefficients) == 1:
         return set()
     if len(coefficients) == 2:

@@ -59,21 +59,25 @@ def unstable_rest_values(answer, field, state, parameters=(), given=(), integer=
 def deviation_matrices(answer, field, state, parameters=(), given=(), integer=None):
     """The matrices A of the equations in deviations y' = A y that occur at the stationary solutions, in any order."""
     n = len(state)
-    matrices = [coercion.as_matrix(part, [*parameters, *_symbols(integer)], (n, n)) for part in _list_of_matrices(answer)]
+    matrices = [coercion.as_matrix(part, [*parameters, *_symbols(integer)], (n, n))
+                for part in _list_of_matrices(answer)]
     for values, flow, found in _systems(field, state, parameters, given):
         true = [(point, flow.jacobian(point)) for point in found]
         claimed = [matrix_at(matrix, values | {s: sp.Integer(k) for s in _symbols(integer)})
                    for matrix in matrices for k in (range(-2, 3) if matrix.has(*_symbols(integer)) else (0,))]
         for matrix in claimed:
             if not any(_same(matrix, other) for _, other in true):
-                raise Wrong(f"the matrix {_matrix_text(matrix)}{_where(values)} belongs to no stationary solution: none has "
+                raise Wrong(f"the matrix {_matrix_text(matrix)}{_where(values)} belongs to no stationary solution: "
+                            f"none has "
                             "these rates of change of the right-hand sides under small deviations")
         for point, other in true:
             if not any(_same(matrix, other) for matrix in claimed):
                 rates = "; ".join(f"a deviation of {x} alone: {as_text(column)}" for x, column in zip(state, other.T))
-                raise Wrong(f"none of your matrices belongs to the stationary solution {state[0]} = {point[0]:.4g}{_where(values)}, where "
+                raise Wrong(f"none of your matrices belongs to the stationary solution {state[0]} = "
+                            f"{point[0]:.4g}{_where(values)}, where "
                             f"the right-hand sides change at these rates under {rates}")
-    return "at every stationary solution found one of them gives the rates of change under small deviations, and none is left over"
+    return ("at every stationary solution found one of them gives the rates of change under small deviations, and "
+            "none is left over")
 
 
 @judged
@@ -88,16 +92,19 @@ def growth_rate(answer, field, state, parameters=(), given=()):
             if rate <= 1e-9 or _close(number, rate):
                 continue
             residual = abs(np.linalg.det(number * np.eye(len(state)) - matrix))
-            told = (f"it is a root of the characteristic equation at {state[0]} = {point[0]:.4g}, but not a positive one"
+            told = (f"it is a root of the characteristic equation at {state[0]} = {point[0]:.4g}, but not a positive "
+                    f"one"
                     if residual < 1e-9 * np.linalg.norm(matrix) ** len(state) else
-                    f"at {state[0]} = {point[0]:.4g} the characteristic determinant has the modulus {residual:.4g} for it, not zero")
+                    f"at {state[0]} = {point[0]:.4g} the characteristic determinant has the modulus {residual:.4g} "
+                    f"for it, not zero")
             raise Wrong(f"your expression gives {number_text(number)}{_where(values)}; {told}")
     return "it is positive and a root of the characteristic equation at every unstable stationary solution"
 
 
 @judged
 def single_rest(answer, field, state, parameters):
-    """The parameters for which x' = f(x) with polynomial f has one stationary solution only; real roots are counted exactly."""
+    """The parameters for which x' = f(x) with polynomial f has one stationary solution only; real roots are counted
+    exactly."""
     claim = Condition(coercion.as_condition(answer, parameters), parameters)
     *others, force = [sp.sympify(f).subs({x: 0 for x in state[1:]}) for f in field]
     if any(other != 0 for other in others):
@@ -111,8 +118,10 @@ def single_rest(answer, field, state, parameters):
             at = {p: sp.Rational(x.numerator, x.denominator) for p, x in zip(parameters, place)}
             count = sp.Poly(force.subs(at), state[0]).sqf_part().count_roots()
             if claim.holds(place) != (count == 1):
-                raise Wrong(f"for {place_text(parameters, place)} the right-hand sides vanish at {count} value{'s' if count != 1 else ''} "
-                            f"of {state[0]}, and your condition {'holds' if claim.holds(place) else 'does not hold'} there")
+                raise Wrong(f"for {place_text(parameters, place)} the right-hand sides vanish at {count} "
+                            f"value{'s' if count != 1 else ''} "
+                            f"of {state[0]}, and your condition {'holds' if claim.holds(place) else 'does not hold'} "
+                            f"there")
     return "the number of real roots of the equation of rest agrees on both sides of every boundary and on it"
 
 
@@ -126,20 +135,23 @@ def rest_kinds(answer, field, state):
         number = float(coercion.as_number(_first_coordinate(value, state, ())))
         near = [point for point in found if _close(number, point[0])]
         if not near:
-            raise Wrong(f"x = {number:.4g} is no stationary solution: the right-hand sides are {as_text(flow([number, 0.0]))}, not zero")
+            raise Wrong(f"x = {number:.4g} is no stationary solution: the right-hand sides are "
+                        f"{as_text(flow([number, 0.0]))}, not zero")
         eigenvalues = np.linalg.eigvals(flow.jacobian(near[0]))
         if kind != _kind(eigenvalues):
             told = " and ".join(number_text(number) for number in eigenvalues)
             raise Wrong(f"at x = {number:.4g} the roots of the characteristic equation are {told}: that is no {kind}")
         left = [point for point in left if point is not near[0]]
     if left:
-        raise Wrong(f"the portrait has {len(found)} stationary points, and your answer names {len(found) - len(left)} of them")
+        raise Wrong(f"the portrait has {len(found)} stationary points, and your answer names {len(found) - len(left)} "
+                    f"of them")
     return "at every stationary point the roots of the characteristic equation are as the word says"
 
 
 @judged
 def saddle_slopes(answer, field, state):
-    """The slopes of the motions through the saddles of an equation of second order: [of those that leave, of those that come].
+    """The slopes of the motions through the saddles of an equation of second order: [of those that leave, of those that
+    come].
 
     Judged by the direction of the field close to each saddle: along these lines it points to or away from it.
     """
@@ -155,13 +167,16 @@ def saddle_slopes(answer, field, state):
             across, along = line[0] * velocity[1] - line[1] * velocity[0], velocity @ line
             # Three significant digits of a slope turn the line by at most this angle.
             if not abs(across) <= 0.006 * np.linalg.norm(flow.jacobian(point)) or not along * sign > 0:
-                raise Wrong(f"along the line of slope {slope:.4g} through the saddle at {state[0]} = {point[0]:.4g} small deviations "
-                            f"change at the rate {along:.3g} along it and {across:.3g} across it: these motions do not {told} the saddle")
+                raise Wrong(f"along the line of slope {slope:.4g} through the saddle at {state[0]} = {point[0]:.4g} "
+                            f"small deviations "
+                            f"change at the rate {along:.3g} along it and {across:.3g} across it: these motions do "
+                            f"not {told} the saddle")
     return "along these lines the linear field at each saddle points straight away from it and straight to it"
 
 
 def _systems(field, state, parameters, given):
-    """Triples (values, field, rest points between -REACH and REACH) for four samples of the parameters that satisfy `given`."""
+    """Triples (values, field, rest points between -REACH and REACH) for four samples of the parameters that satisfy
+    `given`."""
     return _searched(tuple(field), tuple(state), tuple(parameters), _joined(given))
 
 
@@ -169,7 +184,8 @@ def _systems(field, state, parameters, given):
 def _searched(field, state, parameters, given):
     # Several answers of a problem ask about the same equation: one search serves them all.
     flows = [(values, Field(field, state, values)) for values in allowed_values(parameters, given, 4)]
-    return [(values, flow, [point for point in flow.rest_points(160, reach=1.2 * REACH) if abs(point[0]) < REACH]) for values, flow in flows]
+    return [(values, flow, [point for point in flow.rest_points(160, reach=1.2 * REACH) if abs(point[0]) < REACH])
+            for values, flow in flows]
 
 
 def allowed_values(parameters, given, count):
@@ -205,7 +221,8 @@ def _of_set(found, integer):
         return list(found.args)
     if isinstance(found, sp.Union):
         return [part for one in found.args for part in _of_set(one, integer)]
-    if isinstance(found, sp.ImageSet) and found.base_sets == (sp.S.Integers,) and integer is not None and len(found.lamda.variables) == 1:
+    if (isinstance(found, sp.ImageSet) and found.base_sets == (sp.S.Integers,) and integer is not None
+        and len(found.lamda.variables) == 1):
         return [found.lamda.expr.xreplace({found.lamda.variables[0]: integer})]
     raise Invalid("expected the values written out: a list of expressions, or a set as solveset gives it")
 
@@ -236,12 +253,14 @@ def _judge_values(families, values, flow, found, wanted, integer, what):
                             f"the right-hand sides are {rates} there")
             if not any(point is near[0] for point in wanted):
                 rate = _growth(flow, near[0])
-                raise Wrong(f"at your value {number:.4g}{told} the largest real part of a root of the characteristic equation "
+                raise Wrong(f"at your value {number:.4g}{told} the largest real part of a root of the characteristic "
+                            f"equation "
                             f"is {rate:.4g}{_where(values)}")
             claimed.append(number)
     missed = [point for point in wanted if not any(_close(number, point[0]) for number in claimed)]
     if missed:
-        raise Wrong(f"not all {what} are there: between -{REACH:g} and {REACH:g} a search finds {len(wanted)} of them{_where(values)}, "
+        raise Wrong(f"not all {what} are there: between -{REACH:g} and {REACH:g} a search finds {len(wanted)} of "
+                    f"them{_where(values)}, "
                     f"and your answer gives {len(wanted) - len(missed)} of these")
 
 
@@ -276,7 +295,8 @@ def _list_of_matrices(answer):
         answer = list(answer)
     if not isinstance(answer, (list, tuple)) or not answer:
         raise Invalid("expected a list of matrices")
-    flat = all(isinstance(row, (list, tuple)) and not any(isinstance(entry, (list, tuple)) for entry in row) for row in answer)
+    flat = all(isinstance(row, (list, tuple)) and not any(isinstance(entry, (list, tuple)) for entry in row)
+               for row in answer)
     return [answer] if flat else list(answer)
 
 
@@ -307,7 +327,8 @@ def _same(matrix, other):
 
 def _close(number, value):
     """The same to three significant digits; what is zero has to be zero."""
-    return abs(complex(number).imag) < 1e-9 * (1 + abs(number)) and coercion.rounds_to(complex(number).real, value, 1e-6)
+    return (abs(complex(number).imag) < 1e-9 * (1 + abs(number))
+            and coercion.rounds_to(complex(number).real, value, 1e-6))
 
 
 def _where(values):

@@ -1,13 +1,13 @@
 """The shortest time from any start to a convex target, by support functions: an optimum that knows no law.
 
-The plant is x' = Ax + bu with u between two bounds, the state is a point of the plane, and the target is a point, a segment, a
-line, or the border of a convex set. Before the first moment at which the set R(T) of reachable states meets a convex D there is
-a line between the two; so the shortest time is the first T at which, for every direction p,
+The plant is x' = Ax + bu with u between two bounds, the state is a point of the plane, and the target is a point, a
+segment, a line, or the border of a convex set. Before the first moment at which the set R(T) of reachable states meets
+a convex D there is a line between the two; so the shortest time is the first T at which, for every direction p,
 
     min p.y over R(T) = p.e^{AT}x0 + int_0^T min_u (p.e^{As}b u) ds  <=  sup p.y over D.
 
-From inside D the border is met when for some direction the farthest point of R(T) is as far as that of D. Both are exact,
-and neither a law nor a shooting comes in.
+From inside D the border is met when for some direction the farthest point of R(T) is as far as that of D. Both are
+exact, and neither a law nor a shooting comes in.
 """
 
 import functools
@@ -16,7 +16,8 @@ import numpy as np
 
 from trajlib.checks.sampling import largest
 
-#: Times up to this one are looked at closely, and up to twenty times as long roughly, where it is asked whether a target is in reach.
+#: Times up to this one are looked at closely, and up to twenty times as long roughly, where it is asked whether a
+#: target is in reach.
 HORIZON = 20.0
 NEAR, FAR = HORIZON * (np.arange(1, 131) / 130)**1.6, HORIZON * 1.1**np.arange(1, 33)
 TIMES = np.concatenate([NEAR, FAR])
@@ -57,18 +58,21 @@ class FastestTimes:
 
     def _moments(self, far):
         yield from self._near
-        # An oscillator's control switches often in long times: they cost more than all the near ones, and are seldom needed.
+        # An oscillator's control switches often in long times: they cost more than all the near ones, and are seldom
+        # needed.
         yield from self._far if far else ()
 
     def _carried(self, times):
-        """For each time T, in all directions p: (T, p.e^{AT}, the least and the largest p.y that are reached from the origin)."""
+        """For each time T, in all directions p: (T, p.e^{AT}, the least and the largest p.y that are reached from the
+        origin)."""
         p = directions(self._angles)
         rows = np.tile(p, (len(times), 1)), np.repeat(times, len(p))
         least, most = (self.plant.extreme(*rows, sign).reshape(len(times), -1) for sign in (-1, 1))
         return list(zip(times, np.einsum("ki,tij->tkj", p, self.plant.exponential(times)), least, most))
 
     def solve(self, x, case, far=False):
-        """The optimum from each start: `time` (inf where out of reach), `control` it begins with, `switching` function there.
+        """The optimum from each start: `time` (inf where out of reach), `control` it begins with, `switching` function
+        there.
 
         `far`: times beyond the horizon count too.
         """
@@ -77,7 +81,8 @@ class FastestTimes:
         groups = [slice(k, k + TOGETHER) for k in range(0, len(x), TOGETHER)]
         parts = [self._solve(x[group], case[group], inside[group], far) for group in groups]
         if not parts:
-            return Lanes(x=x, case=case, inside=inside, **dict.fromkeys(("time", "control", "switching", "angle"), np.zeros(0)))
+            return Lanes(x=x, case=case, inside=inside,
+                         **dict.fromkeys(("time", "control", "switching", "angle"), np.zeros(0)))
         return Lanes.joined(parts)
 
     def _solve(self, x, case, inside, far, careful=False):
@@ -86,7 +91,8 @@ class FastestTimes:
         low, high, theta, second, todo = np.full(n, np.inf), np.full(n, np.inf), np.zeros(n), np.zeros(n), np.arange(n)
         before = p @ x.T - support
         line, suspects = self._middle(before), []
-        apart = np.array([np.full(n, np.inf), before.max(axis=0)])  # the distance of x and D, later R(T) and D, at the last two times
+        # the distance of x and D, later R(T) and D, at the last two times
+        apart = np.array([np.full(n, np.inf), before.max(axis=0)])
         for j, (T, carried, least, most) in enumerate(self._moments(far)):
             outward = inside[todo]
             gap = carried @ x[todo].T - support[:, todo] + np.where(outward, most[:, None], least[:, None])
@@ -95,10 +101,12 @@ class FastestTimes:
             maybe = np.flatnonzero(~outward & (largest <= 0))
             if len(maybe) and careful:
                 # Between the directions tried there may be one that separates.
-                same = self._gap(line[maybe], np.full(len(maybe), T), x[todo[maybe]], case[todo[maybe]], inside[todo[maybe]])
+                same = self._gap(line[maybe], np.full(len(maybe), T), x[todo[maybe]], case[todo[maybe]],
+                                 inside[todo[maybe]])
                 angle[maybe], largest[maybe] = line[maybe], same
                 here = todo[maybe := maybe[same <= 0]]
-                angle[maybe], largest[maybe] = self._best(line[maybe], np.full(len(here), T), x[here], case[here], inside[here],
+                angle[maybe], largest[maybe] = self._best(line[maybe], np.full(len(here), T), x[here], case[here],
+                                                          inside[here],
                                                           np.full(len(here), WIDE), 30, enough=0)
             hit = np.where(outward, largest >= 0, largest <= 0)
             if j and not self.convex.point:
@@ -127,15 +135,18 @@ class FastestTimes:
         time, met = np.full(n, np.inf), np.isfinite(high)
         again = np.flatnonzero(met & ~inside) if self._spacing and not careful else ()
         if len(again):
-            # Between the directions tried there may be one that separates still. Then all times have to be looked at more closely.
-            gap = self._best(theta[again], high[again], x[again], case[again], inside[again], np.full(len(again), WIDE), 26)[1]
+            # Between the directions tried there may be one that separates still. Then all times have to be looked at
+            # more closely.
+            gap = self._best(theta[again], high[again], x[again], case[again], inside[again], np.full(len(again), WIDE),
+                             26)[1]
             again = again[gap > 0]
             met[again] = False
         time[met], theta[met] = self._refine(x[met], case[met], inside[met], low[met], high[met], theta[met])
         # From inside, R(T) may get through in two places at nearly the same time.
         both = np.flatnonzero(met & inside) if self._spacing else np.zeros(0, dtype=int)
         if len(both):
-            other = self._best(second[both], time[both], x[both], case[both], inside[both], np.full(len(both), 0.2), 16)[1]
+            other = self._best(second[both], time[both], x[both], case[both], inside[both], np.full(len(both), 0.2),
+                               16)[1]
             both = both[other > -1e-6]
         if len(both):
             other, angle = self._refine(x[both], case[both], inside[both], low[both], time[both], second[both])
@@ -147,11 +158,13 @@ class FastestTimes:
             time[again], theta[again] = closer.time, closer.angle
         impulse = self.plant.response(np.where(np.isfinite(time), time, 0))[0]
         switching = (impulse * directions(theta)).sum(axis=1) * np.where(inside, -1, 1)
-        return Lanes(x=x, case=case, inside=inside, time=time, control=np.where(switching > 0, *self.plant.bounds), switching=switching,
+        return Lanes(x=x, case=case, inside=inside, time=time, control=np.where(switching > 0, *self.plant.bounds),
+                     switching=switching,
                       angle=theta)
 
     def _dips(self, suspects, low, high, theta, x, case, inside):
-        """Put into low, high and theta where R(T) meets a thin D between two of the times only: there the distance has a dip."""
+        """Put into low, high and theta where R(T) meets a thin D between two of the times only: there the distance has
+        a dip."""
         if not suspects:
             return
         here, first, last = (np.concatenate(column) for column in zip(*suspects))
@@ -183,13 +196,15 @@ class FastestTimes:
     def _gap(self, theta, T, x, case, inside):
         p = directions(theta)
         moved = np.einsum("nij,nj->ni", self.plant.exponential(T), x)
-        return (p * moved).sum(axis=1) + self.plant.extreme(p, T, np.where(inside, 1, -1)) - self.convex.support(p, case, x)
+        return ((p * moved).sum(axis=1) + self.plant.extreme(p, T, np.where(inside, 1, -1))
+                - self.convex.support(p, case, x))
 
     def _best(self, theta, T, x, case, inside, width, steps, enough=np.inf):
         """(direction near theta in which the gap is largest, this gap); or any gap that is large enough.
 
-        From outside, min p.y over R(T) less sup p.y over D is concave in p: along the tangent of the unit circle at p(theta) it has
-        one top, and its sign there tells whether any line separates. From inside the unit vectors themselves are compared.
+        From outside, min p.y over R(T) less sup p.y over D is concave in p: along the tangent of the unit circle at
+        p(theta) it has one top, and its sign there tells whether any line separates. From inside the unit vectors
+        themselves are compared.
         """
         if not self._spacing:
             return theta, self._gap(theta, T, x, case, inside)
@@ -217,13 +232,16 @@ class FastestTimes:
         time, angle, sure = self._touching(x, case, inside, low, high, theta)
         doubtful = np.flatnonzero(~sure)
         if len(doubtful):
-            time[doubtful], angle[doubtful] = self._halved(*(part[doubtful] for part in (x, case, inside, low, high, theta)))
+            time[doubtful], angle[doubtful] = self._halved(*(part[doubtful] for part in (x, case, inside, low,
+                                                                                         high, theta)))
         return time, angle
 
     def _touching(self, x, case, inside, low, high, theta, step=1e-4):
-        """The same by Newton's iteration, in turn for the time at which a line separates no more and for the best line then.
+        """The same by Newton's iteration, in turn for the time at which a line separates no more and for the best line
+        then.
 
-        The third result says where this was proved, to the precision of the halvings: before, that line separates, and after, none.
+        The third result says where this was proved, to the precision of the halvings: before, that line separates, and
+        after, none.
         """
         start, T, rows = theta, (low + high) / 2, np.arange(len(x))
 
@@ -253,9 +271,11 @@ class FastestTimes:
         centre = theta
         for turn in range(18):
             middle = (low + high) / 2
-            # The best line may jump from one side of a cone to the other, so at first the whole cone is searched each time.
+            # The best line may jump from one side of a cone to the other, so at first the whole cone is searched each
+            # time.
             around, width, steps = (centre, WIDE, 24) if turn < 8 else (theta, 0.04 * 0.85**turn, 10)
-            angle, gap = self._best(around, middle, x, case, inside, np.where(inside, np.minimum(width, 0.15), width), steps)
+            angle, gap = self._best(around, middle, x, case, inside, np.where(inside, np.minimum(width, 0.15), width),
+                                    steps)
             met = np.where(inside, gap >= 0, gap <= 0)
             low, high = np.where(met, low, middle), np.where(met, middle, high)
             theta = np.where(met & ~inside, theta, angle)

@@ -37,7 +37,8 @@ class Field:
             return np.array([complex(value) if np.iscomplexobj(point) else value for value in self._function(*point)])
 
     def velocity(self, _, point):
-        """f at a real point and any time, for an integration: Python's own numbers take a third of the time of NumPy's."""
+        """f at a real point and any time, for an integration: Python's own numbers take a third of the time of
+        NumPy's."""
         try:
             values = np.array(self._function(*point.tolist()))
         except (ZeroDivisionError, OverflowError):  # where NumPy's are infinite
@@ -55,7 +56,8 @@ class Field:
 
     def _jacobians(self, points):
         """The matrices of partial derivatives at the columns of an array, stacked along the first axis."""
-        steps = points[:, :, None] + 1j * STEP * np.eye(len(self.state))[:, None, :]  # the last axis: along which variable
+        # the last axis: along which variable
+        steps = points[:, :, None] + 1j * STEP * np.eye(len(self.state))[:, None, :]
         return self._at(steps).imag.transpose(1, 0, 2) / STEP
 
     def derivative(self, point, direction):
@@ -102,11 +104,13 @@ class Field:
     def rest_points(self, starts=240, seed=3, reach=None):
         """The rest points that a search finds, sorted: from many starts at several scales, or evenly within `reach`."""
         random, n = np.random.default_rng(seed), len(self.state)
-        places = [random.normal(scale=(0.5, 2, 8)[k % 3], size=n) if reach is None else random.uniform(-reach, reach, size=n)
+        places = [random.normal(scale=(0.5, 2, 8)[k % 3], size=n) if reach is None
+                  else random.uniform(-reach, reach, size=n)
                   for k in range(starts)]
         found = []
         for point in self._refined(np.array(places).T):
-            if point is not None and all(np.linalg.norm(point - other) > 1e-6 * (1 + np.linalg.norm(other)) for other in found):
+            if point is not None and all(np.linalg.norm(point - other) > 1e-6 * (1 + np.linalg.norm(other))
+                                         for other in found):
                 found.append(point)
         return sorted(found, key=tuple)
 
@@ -117,12 +121,14 @@ class Field:
 
         outside.terminal = True
         with np.errstate(all="ignore"):
-            path = solve_ivp(self.velocity, (0, duration), start, method="DOP853", rtol=1e-9, atol=1e-12, events=outside)
+            path = solve_ivp(self.velocity, (0, duration), start, method="DOP853", rtol=1e-9, atol=1e-12,
+                             events=outside)
         return None if path.t[-1] < duration else path.y[:, -1]
 
 
 def _solved(matrices, sides):
-    """Solutions of systems of linear equations, in columns as their right-hand sides are, and which of them have one."""
+    """Solutions of systems of linear equations, in columns as their right-hand sides are, and which of them have
+    one."""
     try:
         return np.linalg.solve(matrices, sides.T[:, :, None])[:, :, 0].T, np.ones(len(matrices), dtype=bool)
     except np.linalg.LinAlgError:
@@ -145,7 +151,8 @@ def sample_values(parameters, count=6, seed=5):
     for k in range(count):
         if k % 4 == 0:
             kinds = {p: random.permutation(4) for p in parameters}
-        sizes = {p: int(random.integers(14, 40) if kind[k % 4] % 2 else random.integers(3, 13)) for p, kind in kinds.items()}
+        sizes = {p: int(random.integers(14, 40) if kind[k % 4] % 2 else random.integers(3, 13))
+                 for p, kind in kinds.items()}
         signs = {p: 1 if p.is_positive else -1 if p.is_negative or kind[k % 4] < 2 else 1 for p, kind in kinds.items()}
         samples.append({p: sp.Rational(signs[p] * sizes[p], 13) for p in parameters})
     return samples

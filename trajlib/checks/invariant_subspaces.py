@@ -1,8 +1,9 @@
 """States that an output never shows, exactly: the largest subspace of ker H that A maps into itself.
 
-A motion x' = A x keeps z = H x equal to zero for all time exactly if it starts in this subspace. It is found by leaving out of
-ker H what A carries away, again and again, in exact elimination: entries are fractions, or residues at an irrational value of a
-parameter (`parameter_places`). What a control cannot reach is the same for the transposed matrices.
+A motion x' = A x keeps z = H x equal to zero for all time exactly if it starts in this subspace. It is found by leaving
+out of ker H what A carries away, again and again, in exact elimination: entries are fractions, or residues at an
+irrational value of a parameter (`parameter_places`). What a control cannot reach is the same for the transposed
+matrices.
 """
 
 from fractions import Fraction
@@ -78,7 +79,8 @@ def characteristic_coefficients(rows):
     n, power, found = len(rows), None, [ONE]
     for k in range(1, n + 1):
         # power = rows * (power + found[-1] * E), with the first one being the matrix itself.
-        inner = [[(power[i][j] if power else ZERO) + (found[-1] if i == j else ZERO) for j in range(n)] for i in range(n)]
+        inner = [[(power[i][j] if power else ZERO) + (found[-1] if i == j else ZERO) for j in range(n)]
+                 for i in range(n)]
         columns = [product(rows, column) for column in zip(*inner)]
         power = [list(row) for row in zip(*columns)]
         found.append(-sum((power[i][i] for i in range(n)), ZERO) / k)
@@ -86,7 +88,8 @@ def characteristic_coefficients(rows):
 
 
 def different_roots(coefficients):
-    """The different complex roots of a polynomial with fractions as coefficients; a multiple root comes once, without loss of digits."""
+    """The different complex roots of a polynomial with fractions as coefficients; a multiple root comes once, without
+    loss of digits."""
     poly = sp.Poly([sp.Rational(c.numerator, c.denominator) for c in coefficients], sp.Symbol("s"))
     simple = [float(c) for c in poly.sqf_part().all_coeffs()]
     roots = np.roots(simple)

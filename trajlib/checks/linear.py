@@ -47,7 +47,8 @@ def first_approximation_stable(answer, field, state, at, parameters):
 @judged
 def first_approximation_unstable(answer, field, state, at, parameters):
     """The parameters for which some eigenvalue of the first approximation at `at` has a positive real part."""
-    return compare_region(answer, _matrix(field, state, at), parameters, some_root_right, "unstable by a root with positive real part")
+    return compare_region(answer, _matrix(field, state, at), parameters, some_root_right,
+                          "unstable by a root with positive real part")
 
 
 @judged
@@ -95,7 +96,8 @@ def _by_motions(flow, radius=0.05, duration=200.0):
     low, high = min(trends) - 1, max(trends) - 1
     if high == np.inf:
         return "unstable", f"a motion that starts at distance {radius} from zero leaves the ball of radius 1"
-    told = (f"in motions that start at distance {radius} the amplitude changes by {100 * low:.2g} to {100 * high:.2g} per cent "
+    told = (f"in motions that start at distance {radius} the amplitude changes by {100 * low:.2g} to {100 * high:.2g} "
+            f"per cent "
             f"between the times {duration / 2:g} and {duration:g}")
     if low > 1e-4:
         return "unstable", told
@@ -114,7 +116,8 @@ def _trend(flow, measure, start, duration, escape=1.0):
     outside.terminal = True
     times = np.concatenate([np.linspace(end - 0.1, end, 600) for end in (0.5, 1.0)]) * duration
     with np.errstate(all="ignore"):
-        path = solve_ivp(flow.velocity, (0, duration), start, method="DOP853", rtol=1e-9, atol=1e-12, t_eval=times, events=outside)
+        path = solve_ivp(flow.velocity, (0, duration), start, method="DOP853", rtol=1e-9, atol=1e-12, t_eval=times,
+                         events=outside)
     if path.t_events[0].size:
         return np.inf
     amplitudes = np.linalg.norm(measure @ path.y, axis=0)

@@ -22,7 +22,8 @@ class Plant:
         self._deviator = self.A - self._trace / 2 * np.eye(2)
         #: Where A has an inverse, the integral of e^{As}b is found with it.
         self._inverse = np.linalg.inv(self.A) if abs(self._determinant) > 1e-12 else None
-        pushed = (self.b, self.A @ self.b) if self._inverse is None else (self._inverse @ self.b, self._inverse @ self._turned)
+        pushed = ((self.b, self.A @ self.b) if self._inverse is None
+                  else (self._inverse @ self.b, self._inverse @ self._turned))
         self._vectors = np.column_stack([self.b, self._turned, *pushed])
 
     def exponential(self, s):
@@ -74,7 +75,8 @@ class Plant:
 
         `whole` is the integral of e^{As}b, if it is known already.
         """
-        # Thousands of times some hundred rows come here, so all is said by numbers a row: p.b, p.(A - cE)b and the two of `_carried`.
+        # Thousands of times some hundred rows come here, so all is said by numbers a row: p.b, p.(A - cE)b and the two
+        # of `_carried`.
         start, other, *along = (p @ self._vectors).T
         zeros = self._zeros(start, other, T)
         last = self._carried(T, *along) if whole is None else whole[:, 0] * p[:, 0] + whole[:, 1] * p[:, 1]
@@ -94,7 +96,8 @@ class Plant:
         return even * first + odd * second - first
 
     def farthest(self, p, T, sign):
-        """The integral over [0, T] of e^{As}b u with the u for which p.e^{As}b u is least (sign -1) or largest (+1); rows of p and T.
+        """The integral over [0, T] of e^{As}b u with the u for which p.e^{As}b u is least (sign -1) or largest (+1);
+        rows of p and T.
 
         So the state farthest against p, or along it, that is reached from the origin in the time T.
         """
@@ -108,7 +111,8 @@ class Plant:
         return self._zeros(p @ self.b, p @ self._turned, T)
 
     def first_zero(self, p, T):
-        """(the first zero of p.e^{As}b after s = 0, or T if there is none before, its sign until then), for rows of p."""
+        """(the first zero of p.e^{As}b after s = 0, or T if there is none before, its sign until then), for rows of
+        p."""
         start, other = p @ self.b, p @ self._turned
         start[abs(start) < 1e-12] = 0
         return self._zeros(start, other, np.full(len(p), T)).min(axis=1), np.sign(np.where(start, start, other))

@@ -31,7 +31,8 @@ def lyapunov_derivative(answer, function, field, state, parameters=()):
             # The size of the terms of grad V . f, not of their sum, sets the scale: the sum may cancel.
             size = abs(level.derivative(point, np.ones(len(state)))[0]) * np.linalg.norm(flow(point)) + abs(true)
             if not abs(said - true) <= 1e-9 * size:
-                where = ", ".join(f"{s} = {v:.3g}" for s, v in [*zip(state, point), *((p, float(v)) for p, v in values.items())])
+                where = ", ".join(f"{s} = {v:.3g}"
+                                  for s, v in [*zip(state, point), *((p, float(v)) for p, v in values.items())])
                 raise Wrong(f"at {where} the function changes along the motion at the rate {true:.4g}; "
                             f"your expression gives {said.real:.4g}")
     return "it is the rate at which the function changes along the motions, at random states"
@@ -48,7 +49,8 @@ def vanishing_set(answer, function, field, state, parameters=()):
             inside, on = cells(point, direction, zero.boundaries + claim.boundaries)
             for place in inside + on:
                 if claim.holds(place) != zero.holds(place):
-                    value = float(rate.subs(values).subs({x: sp.Rational(v.numerator, v.denominator) for x, v in zip(state, place)}))
+                    value = float(rate.subs(values).subs({x: sp.Rational(v.numerator, v.denominator)
+                                                          for x, v in zip(state, place)}))
                     raise Wrong(f"at {place_text(state, place)} the derivative is {value:.4g}, and your set "
                                 + ("holds this state" if claim.holds(place) else "does not hold it"))
     return "the derivative is zero at the states of this set and at no others that lines through the plane meet"
@@ -64,7 +66,8 @@ def departure(answer, function, field, state, parameters=()):
     rate = sum(sp.diff(function, x) * f for x, f in zip(state, field))
     for values in sample_values(parameters, count=4):
         zero = Condition(sp.Eq(sp.expand(rate.subs(values)), 0), state)
-        places = [place for point, direction in lines(state, count=16) for place in cells(point, direction, zero.boundaries)[1]
+        places = [place for point, direction in lines(state, count=16)
+                  for place in cells(point, direction, zero.boundaries)[1]
                   if zero.holds(place)]
         if not places:
             raise RuntimeError("no state was met where the derivative vanishes")
@@ -73,7 +76,8 @@ def departure(answer, function, field, state, parameters=()):
             true, said = complex(sp.sympify(field[-1]).subs(at).evalf(20)), number_at(claim, at)
             if not abs(said - true) <= 1e-9 * (abs(true) + max(abs(float(v)) for v in place)):
                 where = "".join(f", {p} = {v}" for p, v in values.items())
-                raise Wrong(f"at {place_text(state, place)}{where} the derivative of V is zero, and {state[-1]} changes there at the rate "
+                raise Wrong(f"at {place_text(state, place)}{where} the derivative of V is zero, and {state[-1]} "
+                            f"changes there at the rate "
                             f"{true.real:.4g}; your expression gives {said.real:.4g}")
     return "it is this rate at the states where the derivative vanishes"
 
@@ -95,8 +99,10 @@ def proved_stable(answer, function, field, state, parameters):
             heights, rates = level(circle, place), rate(circle, place)
             proved = min(heights) > 0 and max(rates) <= 1e-12 and min(rates) < -1e-12
             if claim.holds(place) != proved:
-                raise Wrong(f"for {place_text(parameters, place)} the derivative of V on the circle of radius 0.1 lies between "
-                            f"{min(rates):.3g} and {max(rates):.3g}, which {'proves' if proved else 'does not prove'} asymptotic stability")
+                raise Wrong(f"for {place_text(parameters, place)} the derivative of V on the circle of radius 0.1 "
+                            f"lies between "
+                            f"{min(rates):.3g} and {max(rates):.3g}, which {'proves' if proved else 'does not prove'} "
+                            f"asymptotic stability")
     return "these are the parameters for which the derivative is nowhere positive near zero and not identically zero"
 
 
@@ -129,7 +135,8 @@ def proved_global(answer, function, field, state, parameters, given=()):
             elif max(rates) > 1e-12 * max(abs(rates)) or min(rates) == 0:
                 reason = f"the derivative of V takes values between {min(rates):.3g} and {max(rates):.3g}"
             if claim.holds(place) != (not reason):
-                raise Wrong(f"for {place_text(parameters, place)} " + (reason + ", which proves nothing in the large" if reason else
+                raise Wrong(f"for {place_text(parameters, place)} "
+                            + (reason + ", which proves nothing in the large" if reason else
                             "V grows without bound in every direction and its derivative is nowhere positive: "
                             "it proves stability in the large"))
     return "for these parameters, and for no others, V grows in every direction and its derivative is nowhere positive"
@@ -137,25 +144,30 @@ def proved_global(answer, function, field, state, parameters, given=()):
 
 @judged
 def basin_level(answer, function, field, state, parameters=(), given=()):
-    """The largest level c for which V proves that the part of {V < c} around zero belongs to the basin of attraction."""
+    """The largest level c for which V proves that the part of {V < c} around zero belongs to the basin of
+    attraction."""
     claim = coercion.as_expression(answer, parameters)
     directions = _directions(len(state))
     for values, level, others, rate in _stable_systems(function, field, state, parameters, given):
         number = number_at(claim, values, "your level")
         real = abs(number.imag) <= 1e-9 * abs(number)
-        told = (f"for {values_text(values)} " if values else "") + f"your level is {f'{number.real:.4g}' if real else 'not real'}"
+        told = (f"for {values_text(values)} " if values
+                else "") + f"your level is {f'{number.real:.4g}' if real else 'not real'}"
         if not real or number.real <= 0:
             raise Wrong(f"{told}; V is positive near zero, so the level has to be a positive number")
-        low, high = (_border(lambda points, c=c: level(points) < c, directions) for c in (0.994 * number.real, 1.008 * number.real))
+        low, high = (_border(lambda points, c=c: level(points) < c, directions)
+                     for c in (0.994 * number.real, 1.008 * number.real))
         if not np.all(np.isfinite(low)):
             raise Wrong(f"{told}: the set V < c around zero is unbounded in the direction "
                         f"{as_text(directions[np.argmax(~np.isfinite(low))])}")
         broken = _breaks(rate, directions * low[:, None], others, level, 0.994 * number.real)
         if broken:
             raise Wrong(f"{told}: V does not prove attraction for all of this set: {broken}")
-        if np.all(np.isfinite(high)) and not _breaks(rate, directions * high[:, None], others, level, 1.008 * number.real):
+        if np.all(np.isfinite(high)) and not _breaks(rate, directions * high[:, None], others, level,
+                                                     1.008 * number.real):
             raise Wrong(f"{told}: V proves attraction up to this level, but also up to a higher one")
-    return "up to this level the derivative of V is nowhere positive and no other equilibrium is met, and beyond it this ends"
+    return ("up to this level the derivative of V is nowhere positive and no other equilibrium is met, and beyond it "
+            "this ends")
 
 
 @judged
@@ -179,13 +191,15 @@ def basin_estimate(answer, function, field, state, parameters=(), given=()):
             raise Wrong(f"the boundary is no level line of V: V is {min(heights):.4g} at {as_text(low)} "
                         f"and {max(heights):.4g} at {as_text(high)}{where}")
         height = np.mean(heights)
-        broken = _breaks(rate, 0.997 * border, others, level, 0.994 * height) or _holds_equilibrium(claim, field, state, values, others)
+        broken = (_breaks(rate, 0.997 * border, others, level, 0.994 * height)
+                  or _holds_equilibrium(claim, field, state, values, others))
         if broken:
             raise Wrong(f"V does not prove attraction for all of this set: {broken}{where}")
         if not _breaks(rate, 1.004 * border, others, level, 1.008 * height):
             raise Wrong("the set is contained in the basin, but V proves more: "
                         f"its derivative is still nowhere positive on a larger level set{where}")
-    return "its boundary is a level line of V, the derivative is nowhere positive inside, and no higher level has this property"
+    return ("its boundary is a level line of V, the derivative is nowhere positive inside, and no higher level has "
+            "this property")
 
 
 def _directions(n, count=240):
@@ -213,9 +227,11 @@ def _rate(function, field, state, parameters=()):
 
 
 def _places(claim, point, direction, extra=0):
-    """Places on a line at which to judge a claim: a grid, and the claim's own cells, borders and neighbours of borders."""
+    """Places on a line at which to judge a claim: a grid, and the claim's own cells, borders and neighbours of
+    borders."""
     inside, on = cells(point, direction, claim.boundaries, extra=extra)
-    near = [tuple(x + side * d for x, d in zip(place, direction)) for place in on for side in (Fraction(1, 1000), Fraction(-1, 1000))]
+    near = [tuple(x + side * d for x, d in zip(place, direction)) for place in on
+            for side in (Fraction(1, 1000), Fraction(-1, 1000))]
     grid = [tuple(x + Fraction(k, 8) * d for x, d in zip(point, direction)) for k in range(-24, 25)]
     return inside + on + near + grid
 

@@ -1,8 +1,9 @@
 """A measurement with an error of a known kind and an unknown size: z = H x + c w, w' = S w, w(0) = C (start).
 
-Unknown are the state x(0) and the amplitude C. A pair (x(0), C) that gives z = 0 for all time cannot be told from nothing at all; what
-is found and what is not follows from these pairs. They come from the largest invariant subspace that z does not show (`known_starts`),
-at every exceptional value of a parameter too, and not from the rank of an augmented matrix, which allows errors of any start w(0).
+Unknown are the state x(0) and the amplitude C. A pair (x(0), C) that gives z = 0 for all time cannot be told from
+nothing at all; what is found and what is not follows from these pairs. They come from the largest invariant subspace
+that z does not show (`known_starts`), at every exceptional value of a parameter too, and not from the rank of an
+augmented matrix, which allows errors of any start w(0).
 """
 
 import numpy as np
@@ -20,14 +21,17 @@ from trajlib.checks.wording import number_text, where_text
 
 BOTH = Side("observable together with the error", "not observable together with the error",
             "independent pair (x(0), C) with z = 0 for all time", "independent pairs (x(0), C) with z = 0 for all time",
-            "no pair (x(0), C) but zero gives z = 0 for all time", "N", "row", "(A - lambda E; H)", "eigenvector v of A with H v = 0")
+            "no pair (x(0), C) but zero gives z = 0 for all time", "N", "row", "(A - lambda E; H)",
+            "eigenvector v of A with H v = 0")
 STATE = Side("such that z determines the state", "such that z does not determine the state",
              "independent x(0), not zero, whose motion together with some error gives z = 0",
              "independent x(0) whose motions together with some error give z = 0",
-             "only x(0) = 0 can give z = 0, whatever the error", "N", "row", "(A - lambda E; H)", "eigenvector v of A with H v = 0")
+             "only x(0) = 0 can give z = 0, whatever the error", "N", "row", "(A - lambda E; H)",
+             "eigenvector v of A with H v = 0")
 AMPLITUDE = Side("such that z determines C", "such that z does not determine C",
                  "C, up to a factor and not zero, with z = 0 for some motion", "C with z = 0 for some motion",
-                 "only C = 0 can give z = 0, whatever the motion", "N", "row", "(A - lambda E; H)", "eigenvector v of A with H v = 0")
+                 "only C = 0 can give z = 0, whatever the motion", "N", "row", "(A - lambda E; H)",
+                 "eigenvector v of A with H v = 0")
 
 
 @judged
@@ -38,7 +42,8 @@ def observable_with_error(answer, A, H, S, c, start):
 
 @judged
 def observable_with_error_parameters(answer, A, H, S, c, start, parameters):
-    """The condition on the parameters under which z determines both the state and the amplitude; exact at isolated values."""
+    """The condition on the parameters under which z determines both the state and the amplitude; exact at isolated
+    values."""
     return judge_region(answer, _starts(A, H, S, c, start, parameters), BOTH, holds=True)
 
 
@@ -56,26 +61,30 @@ def amplitude_found_parameters(answer, A, H, S, c, start, parameters):
 
 @judged
 def unseen_with_error(answer, A, H, S, c, start):
-    """A basis of the vectors (x1(0), ..., xn(0), C) that give z = 0 for all time; an empty list if zero is the only one."""
+    """A basis of the vectors (x1(0), ..., xn(0), C) that give z = 0 for all time; an empty list if zero is the only
+    one."""
     return judge_basis(answer, _starts(A, H, S, c, start), BOTH)
 
 
 @judged
 def unseen_with_error_where_lost(answer, A, H, S, c, start, parameter):
-    """Every real value of the parameter at which not all is found, as {value: basis of the vectors (x(0), C) with z = 0}."""
+    """Every real value of the parameter at which not all is found, as {value: basis of the vectors (x(0), C) with z =
+    0}."""
     return judge_where_lost(answer, _starts(A, H, S, c, start, (parameter,)), BOTH,
                             lambda value: _starts(*(matrix.subs(parameter, value) for matrix in (A, H, S, c)), start))
 
 
 @judged
 def augmented_system(answer, A, H, S, c, start, parameters=()):
-    """[A', H']: the system of x together with coordinates of the error, as few as it has, in any scale and combination."""
+    """[A', H']: the system of x together with coordinates of the error, as few as it has, in any scale and
+    combination."""
     if not isinstance(answer, (list, tuple)) or len(answer) != 2:
         raise Invalid("expected a list [A', H'] of the matrix of the augmented system and the row of its output")
     n, pair = A.rows, _starts(A, H, S, c, start, parameters)
     matrix = coercion.as_matrix(answer[0], parameters)
     if matrix.rows != matrix.cols or matrix.rows <= n:
-        raise Invalid(f"expected a square matrix A' of more than {n} rows, since the coordinates of the error come after those of x; the "
+        raise Invalid(f"expected a square matrix A' of more than {n} rows, since the coordinates of the error come "
+                      f"after those of x; the "
                       f"shape of yours is {matrix.shape}")
     row = answer[1] if isinstance(answer[1], sp.MatrixBase) else [answer[1]] if _is_flat(answer[1]) else answer[1]
     row = coercion.as_matrix(row, parameters, (H.rows, matrix.rows))
@@ -84,13 +93,16 @@ def augmented_system(answer, A, H, S, c, start, parameters=()):
         where = where_text(values)
         true_A, true_H = (to_floats(rows, pair.order) for rows in pair.at(place))
         said_A, said_H = matrix_at(matrix, values), matrix_at(row, values)
-        _compare_block(said_A[:n, :n], true_A[:n, :n], "the rows and columns of x in A'", "are those of A", where, tolerance)
+        _compare_block(said_A[:n, :n], true_A[:n, :n], "the rows and columns of x in A'", "are those of A", where,
+                       tolerance)
         for part, why in ((said_A[:n, n:], "the error does not act on the motion"),
                           (said_A[n:, :n], "the motion does not act on the error")):
             _compare_block(part, 0 * part, f"{why}: this part of A'", "is zero", where, tolerance)
         _compare_block(said_H[:, :n], true_H[:, :n], "the columns of x in H'", "are those of H", where, tolerance)
-        _compare_errors(said_A[n:, n:], said_H[:, n:], _error_derivatives(pair, place, n, matrix.rows), where, tolerance)
-    return "its outputs are those of the motions with every error of the kind, and no coordinate of the error can be spared"
+        _compare_errors(said_A[n:, n:], said_H[:, n:], _error_derivatives(pair, place, n, matrix.rows), where,
+                        tolerance)
+    return ("its outputs are those of the motions with every error of the kind, and no coordinate of the error can be "
+            "spared")
 
 
 @judged
@@ -117,14 +129,16 @@ def _starts(A, H, S, c, start, parameters=(), of=None):
 
 
 def _is_flat(answer):
-    return isinstance(answer, (list, tuple)) and not any(isinstance(part, (list, tuple, sp.MatrixBase)) for part in answer)
+    return (isinstance(answer, (list, tuple)) and not any(isinstance(part, (list, tuple, sp.MatrixBase))
+                                                          for part in answer))
 
 
 def _compare_block(said, true, what, is_what, where, tolerance):
     bad = ~(abs(said - true) <= tolerance * max(abs(true).max(initial=0), 1.0))
     if bad.any():
         i, j = np.argwhere(bad)[0]
-        raise Wrong(f"{what} {is_what}{where}, and yours has {number_text(said[i, j])} where {number_text(true[i, j])} belongs")
+        raise Wrong(f"{what} {is_what}{where}, and yours has {number_text(said[i, j])} where "
+                    f"{number_text(true[i, j])} belongs")
 
 
 def _error_derivatives(pair, place, n, count):
@@ -143,7 +157,8 @@ def _compare_errors(S, c, derivatives, where, tolerance):
     half = count // 2
     order = len(echelon([[x for entry in derivatives[i:i + half] for x in entry] for i in range(half)])[1])
     if size > order:
-        raise Wrong(f"your error has {size} coordinates, but fewer are enough for a linear equation of its own{where}; what is superfluous "
+        raise Wrong(f"your error has {size} coordinates, but fewer are enough for a linear equation of its "
+                    f"own{where}; what is superfluous "
                     "could not be observed, and would not matter")
     rows, row = [], c
     for _ in range(count):
@@ -158,5 +173,6 @@ def _compare_errors(S, c, derivatives, where, tolerance):
     start = np.linalg.lstsq(told, wanted.astype(complex), rcond=1e-12)[0]
     rest = told @ start - wanted
     if not np.linalg.norm(rest) <= 10 * tolerance * np.linalg.norm(wanted):
-        raise Wrong(f"from no start do your coordinates of the error give the error of the statement{where}: the derivatives of z at "
+        raise Wrong(f"from no start do your coordinates of the error give the error of the statement{where}: the "
+                    f"derivatives of z at "
                     "t = 0 do not agree")

@@ -1,8 +1,8 @@
 """Observability and controllability of mechanical systems M x'' + D x' + K x = L u, z = H1 x + H2 x'.
 
-The rank of Theorem 2.5 falls exactly where all maximal minors of its matrix vanish together, so the values of lambda are the roots
-of their greatest common divisor, a polynomial with rational coefficients. That holds for a singular M too. What depends on
-parameters is decided at every exceptional value of theirs by the states (x, x') that stay unseen.
+The rank of Theorem 2.5 falls exactly where all maximal minors of its matrix vanish together, so the values of lambda
+are the roots of their greatest common divisor, a polynomial with rational coefficients. That holds for a singular M
+too. What depends on parameters is decided at every exceptional value of theirs by the states (x, x') that stay unseen.
 """
 
 import dataclasses
@@ -20,26 +20,30 @@ from trajlib.checks.verdict import Wrong, judged
 LAMBDA = sp.Symbol("lambda")
 PENCIL = "root of det(M lambda^2 + D lambda + K) = 0"
 SEEN = dataclasses.replace(OUTPUT, pencil="(M lambda^2 + D lambda + K; H1 + lambda H2)", spectrum=PENCIL,
-                           vector="vector v other than 0 with (M lambda^2 + D lambda + K) v = 0 and (H1 + lambda H2) v = 0")
+                           vector="vector v other than 0 with (M lambda^2 + D lambda + K) v = 0 and (H1 + lambda H2) "
+                                  "v = 0")
 DRIVEN = dataclasses.replace(CONTROL, pencil="(M lambda^2 + D lambda + K, L)", spectrum=PENCIL,
                              vector="row w other than 0 with w (M lambda^2 + D lambda + K) = 0 and w L = 0")
 
 
 @judged
 def mechanical_observable(answer, M, D, K, H1, H2, parameters=()):
-    """Whether the mechanical system is observable by Theorem 2.5; with parameters, for all values that their assumptions allow."""
+    """Whether the mechanical system is observable by Theorem 2.5; with parameters, for all values that their
+    assumptions allow."""
     return _judge_yes_no(answer, (M, D, K, H1, H2), parameters, SEEN)
 
 
 @judged
 def mechanical_controllable(answer, M, D, K, L, parameters=()):
-    """Whether the mechanical system is controllable by Theorem 2.6; with parameters, for all values that their assumptions allow."""
+    """Whether the mechanical system is controllable by Theorem 2.6; with parameters, for all values that their
+    assumptions allow."""
     return _judge_yes_no(answer, _transposed(M, D, K, L), parameters, DRIVEN)
 
 
 @judged
 def mechanical_controllable_parameters(answer, M, D, K, L, parameters):
-    """The condition on the parameters under which the mechanical system is controllable: true exactly there, at isolated values too.
+    """The condition on the parameters under which the mechanical system is controllable: true exactly there, at
+    isolated values too.
 
     Where M becomes singular the order of the equations drops; what is said of these values does not count.
     """
@@ -69,8 +73,9 @@ def _judge_yes_no(answer, system, parameters, side):
         return judge_yes_no(answer, first_order(*system, parameters), OUTPUT if side is SEEN else CONTROL)
     claim = coercion.as_yes_no(answer)
     lost, _ = _spectra(system, {})
-    reason = f"the rank of {side.pencil} falls at {len(lost)} value{'s' if len(lost) > 1 else ''} of lambda" if len(lost) else \
-        f"the rank of {side.pencil} is full at every {side.spectrum}"
+    reason = (f"the rank of {side.pencil} falls at {len(lost)} value{'s' if len(lost) > 1 else ''} of lambda"
+              if len(lost) else \
+         f"the rank of {side.pencil} is full at every {side.spectrum}")
     if claim != (not len(lost)):
         raise Wrong(reason)
     return reason
@@ -83,7 +88,8 @@ def _judge_eigenvalues(answer, system, parameters, side):
 
 
 def _spectra(system, values):
-    """(the values of lambda where the rank of Theorem 2.5 falls, all roots of the characteristic equation), each once."""
+    """(the values of lambda where the rank of Theorem 2.5 falls, all roots of the characteristic equation), each
+    once."""
     return _known_spectra(tuple(sp.ImmutableMatrix(part).subs(values) for part in system))
 
 
@@ -100,7 +106,8 @@ def _known_spectra(system):
 
 
 def _roots(poly):
-    return np.array([complex(root) for root in poly.sqf_part().nroots(n=20, maxsteps=200)]) if poly.degree() > 0 else np.array([])
+    return (np.array([complex(root) for root in poly.sqf_part().nroots(n=20, maxsteps=200)]) if poly.degree() > 0
+            else np.array([]))
 
 
 def _transposed(M, D, K, L):

@@ -1,9 +1,9 @@
 """Program motions: that they satisfy the equations, what deviations from them do, and for which parameters they exist.
 
-A program is a dict from those components of the state that a problem prescribes to functions of time, `{x: V0*t, y: 0}`;
-the other components and the controls along it are constants, which the checks here find for themselves by Newton's
-iteration. A stationary angle is the solution phi(t) = phi0 of an equation phi'' = f(phi, phi'), given as the field of its
-state (phi, phi'); the angles between 0 and 2 pi are found from the signs of f on a grid.
+A program is a dict from those components of the state that a problem prescribes to functions of time, `{x: V0*t, y:
+0}`; the other components and the controls along it are constants, which the checks here find for themselves by Newton's
+iteration. A stationary angle is the solution phi(t) = phi0 of an equation phi'' = f(phi, phi'), given as the field of
+its state (phi, phi'); the angles between 0 and 2 pi are found from the signs of f on a grid.
 """
 
 import functools
@@ -41,12 +41,15 @@ def program_motion(answer, field, state, parameters, program, controls, time):
         for symbol, expression in program.items():
             wanted = complex(sp.sympify(expression).subs(at).evalf(20))
             if not abs(place[symbol] - wanted) <= 1e-9 * (1 + abs(wanted)):
-                raise Wrong(f"this is not the program: {where} your {symbol} is {place[symbol].real:.4g}, prescribed is {wanted.real:.4g}")
+                raise Wrong(f"this is not the program: {where} your {symbol} is {place[symbol].real:.4g}, prescribed "
+                            f"is {wanted.real:.4g}")
         for symbol, rate, right_side in zip(state, rates, field):
             left = number_at(rate, at, f"the derivative of your {symbol}")
-            terms = [complex(term.subs(values).subs(place).evalf(20)) for term in sp.Add.make_args(sp.expand(right_side))]
+            terms = [complex(term.subs(values).subs(place).evalf(20))
+                     for term in sp.Add.make_args(sp.expand(right_side))]
             if not abs(left - sum(terms)) <= 1e-9 * (abs(left) + sum(map(abs, terms)) + 1e-3) < np.inf:
-                raise Wrong(f"the equation for {symbol}' does not hold: {where} its left-hand side is {left.real:.4g}, its right-hand side "
+                raise Wrong(f"the equation for {symbol}' does not hold: {where} its left-hand side is "
+                            f"{left.real:.4g}, its right-hand side "
                             f"{sum(terms).real:.4g}")
     return "it is the program, and all equations hold at random times and parameters"
 
@@ -54,13 +57,15 @@ def program_motion(answer, field, state, parameters, program, controls, time):
 @judged
 def linearisation_along(answer, field, state, parameters, program):
     """The matrix A of the equations in deviations x' = A x + B w from a program motion."""
-    return _judge_columns(answer, field, state, parameters, program, state, lambda motion, values: motion.matrix(values))
+    return _judge_columns(answer, field, state, parameters, program, state,
+                          lambda motion, values: motion.matrix(values))
 
 
 @judged
 def input_matrix_along(answer, field, state, parameters, program, controls):
     """The matrix B of the equations in deviations x' = A x + B w from a program motion."""
-    return _judge_columns(answer, field, state, parameters, program, controls, lambda motion, values: motion.input_matrix(values, controls))
+    return _judge_columns(answer, field, state, parameters, program, controls,
+                          lambda motion, values: motion.input_matrix(values, controls))
 
 
 @judged
@@ -69,31 +74,36 @@ def rest_angles_exist(answer, field, state, parameters):
     angles = _angles(tuple(field), tuple(state), tuple(parameters))
     compare_condition(answer, parameters, angles.exist,
                       lambda values: "there f(phi, 0) runs from {:.4g} to {:.4g}".format(*angles.extremes(values)))
-    return "f(phi, 0) takes the value zero for these parameters and for no others, on both sides of the boundary and on it"
+    return ("f(phi, 0) takes the value zero for these parameters and for no others, on both sides of the boundary and "
+            "on it")
 
 
 @judged
 def rest_angles(answer, field, state, parameters, integer):
-    """All stationary angles, as expressions in the parameters and an integer; angles that differ by 2 pi are the same."""
+    """All stationary angles, as expressions in the parameters and an integer; angles that differ by 2 pi are the
+    same."""
     return _judge_rest_angles(answer, field, state, parameters, integer, lambda slope, friction: True, "stationary")
 
 
 @judged
 def stable_rest_angles(answer, field, state, parameters, integer):
     """The stationary angles that Theorem 1.4 proves asymptotically stable, in the same form."""
-    return _judge_rest_angles(answer, field, state, parameters, integer, lambda slope, friction: slope < 0 and friction < 0,
+    return _judge_rest_angles(answer, field, state, parameters, integer, lambda slope, friction: slope < 0
+                              and friction < 0,
                               "asymptotically stable")
 
 
 @judged
 def unstable_rest_angles(answer, field, state, parameters, integer):
     """The stationary angles that Theorem 1.4 proves unstable, in the same form."""
-    return _judge_rest_angles(answer, field, state, parameters, integer, lambda slope, friction: slope > 0 or friction > 0, "unstable")
+    return _judge_rest_angles(answer, field, state, parameters, integer, lambda slope, friction: slope > 0
+                              or friction > 0, "unstable")
 
 
 @judged
 def angle_deviations(answer, field, state, parameters, angle, deviations):
-    """The first approximation psi'' = ... of the equation in deviations from a stationary angle, linear in psi and psi'.
+    """The first approximation psi'' = ... of the equation in deviations from a stationary angle, linear in psi and
+    psi'.
 
     `angle` is the symbol of the stationary angle, `deviations` those of psi and psi'. It is judged at angles that are
     stationary, so that a parameter may stand for what the equation of rest makes of it.
@@ -110,7 +120,8 @@ def angle_deviations(answer, field, state, parameters, angle, deviations):
                 said = number_at(claim, at)
                 if not abs(said - true) <= 1e-8 * (abs(slope) + abs(friction)):
                     told = ", ".join(f"{symbol} = {value}" for symbol, value in zip(deviations, deviation))
-                    raise Wrong(f"for {values_text(values)} and the stationary angle {phi:.4g} a deviation {told} changes phi'' by {true:.4g} "
+                    raise Wrong(f"for {values_text(values)} and the stationary angle {phi:.4g} a deviation {told} "
+                                f"changes phi'' by {true:.4g} "
                                 f"to first order; your expression gives {said.real:.4g}")
     return "to first order the right-hand side changes so, at all stationary angles of several sets of parameters"
 
@@ -118,7 +129,8 @@ def angle_deviations(answer, field, state, parameters, angle, deviations):
 @judged
 def stable_angles(answer, field, state, parameters, angle):
     """The condition on a stationary angle for it to be asymptotically stable."""
-    return _judge_angles(answer, field, state, parameters, angle, lambda sum_, product: sum_ < 0 < product, "asymptotically stable")
+    return _judge_angles(answer, field, state, parameters, angle, lambda sum_, product: sum_ < 0 < product,
+                         "asymptotically stable")
 
 
 @judged
@@ -129,18 +141,21 @@ def saddle_angles(answer, field, state, parameters, angle):
 
 @judged
 def focus_parameters(answer, field, state, parameters):
-    """The parameters for which the stationary angles that are no saddles are foci (complex roots); borders count either way."""
+    """The parameters for which the stationary angles that are no saddles are foci (complex roots); borders count either
+    way."""
     return _judge_kind(answer, field, state, parameters, lambda discriminant: discriminant < 0, "focus")
 
 
 @judged
 def node_parameters(answer, field, state, parameters):
-    """The parameters for which the stationary angles that are no saddles are nodes (real roots); borders count either way."""
+    """The parameters for which the stationary angles that are no saddles are nodes (real roots); borders count either
+    way."""
     return _judge_kind(answer, field, state, parameters, lambda discriminant: discriminant > 0, "node")
 
 
 class Motion:
-    """A program motion: what the program leaves open is found by Newton's iteration, at given values of the parameters."""
+    """A program motion: what the program leaves open is found by Newton's iteration, at given values of the
+    parameters."""
 
     def __init__(self, field, state, parameters, program):
         self.parameters = list(parameters)
@@ -154,8 +169,10 @@ class Motion:
         self._free = [k for k, s in enumerate(self._symbols) if s not in prescribed]
         now = {t: sp.Rational(7, 19) for t in times}
         rates = [sum((sp.diff(prescribed.get(s, sp.S.Zero), t) for t in times), sp.S.Zero) for s in state]
-        self._function = sp.lambdify([*self._symbols, *self.parameters], [(f - r).subs(now) for f, r in zip(field, rates)], "numpy")
-        self._prescribed = sp.lambdify(self.parameters, [prescribed.get(s, sp.S.Zero).subs(now) for s in self._symbols], "numpy")
+        self._function = sp.lambdify([*self._symbols, *self.parameters],
+                                     [(f - r).subs(now) for f, r in zip(field, rates)], "numpy")
+        self._prescribed = sp.lambdify(self.parameters, [prescribed.get(s, sp.S.Zero).subs(now) for s in self._symbols],
+                                       "numpy")
 
     def matrix(self, values):
         """A, the derivatives of the right-hand sides with respect to the state."""
@@ -167,7 +184,8 @@ class Motion:
 
     def _columns(self, columns, point, numbers):
         moved = point.astype(complex) + 1j * STEP * np.eye(len(point))[columns]
-        return np.array([[complex(value).imag / STEP for value in self._function(*place, *numbers)] for place in moved]).T
+        return np.array([[complex(value).imag / STEP for value in self._function(*place, *numbers)]
+                         for place in moved]).T
 
     def _found(self, values):
         numbers = [float(values[p]) for p in self.parameters]
@@ -183,8 +201,9 @@ class Motion:
 def compare_condition(answer, parameters, truth, told, count=8):
     """Compare a claimed condition with `truth(values)`, which gives True, False, or None where either will do.
 
-    Along lines on which one parameter varies, the places where the truth changes are found by bisection; both conditions
-    are asked there, on both sides, and between all places where the claim can change. `told(values)` explains the truth.
+    Along lines on which one parameter varies, the places where the truth changes are found by bisection; both
+    conditions are asked there, on both sides, and between all places where the claim can change. `told(values)`
+    explains the truth.
     """
     if isinstance(answer, sp.Set) and len(parameters) > 1 and answer.is_subset(sp.S.Reals):
         answer = coercion.as_condition(answer, parameters[:1])  # a set of numbers: values of the first parameter
@@ -201,7 +220,8 @@ def compare_condition(answer, parameters, truth, told, count=8):
 
 
 def _along(place, varied, parameters, claim, truth):
-    """Values of one parameter at which to compare: on both sides of every change of either, on it where it is rational, and between."""
+    """Values of one parameter at which to compare: on both sides of every change of either, on it where it is rational,
+    and between."""
     def point(x):
         return (*place[:varied], x, *place[varied + 1:])
 
@@ -212,7 +232,8 @@ def _along(place, varied, parameters, claim, truth):
     grid = sorted(x for size in sizes for x in (size, -size) if _allowed(parameters[varied], x))
     changes = sorted([*_changes(at, grid), *_changes(lambda x: claim.holds(point(x)), grid)])
     sides = [Fraction(float(x) * (1 + e)).limit_denominator(10**8) for x in changes for e in (1e-3, -1e-3)]
-    between = [Fraction(float(x + y) / 2).limit_denominator(10**8) for x, y in zip(changes, changes[1:]) if y - x > abs(x) / 500]
+    between = [Fraction(float(x + y) / 2).limit_denominator(10**8) for x, y in zip(changes, changes[1:])
+               if y - x > abs(x) / 500]
     rational = [x.limit_denominator(5000) for x in changes]
     exact = [x for x, change in zip(rational, changes) if abs(x - change) < Fraction(1, 10**9)]
     direction = tuple(Fraction(int(j == varied)) for j in range(len(parameters)))
@@ -318,7 +339,8 @@ class _Angles:
     @functools.cached_property
     def samples(self):
         """Five sets of values of the parameters for which there are stationary angles."""
-        found = list(itertools.islice((values for values in sample_values(self.parameters, 300) if len(self.rest(values))), 5))
+        found = list(itertools.islice((values for values in sample_values(self.parameters, 300)
+                                       if len(self.rest(values))), 5))
         if not found:
             raise RuntimeError("no parameters with stationary angles were met")
         return found
@@ -345,7 +367,8 @@ class _Angles:
         """The angles where f and its slope vanish together."""
         numbers = self._numbers(values)
         size = max(map(abs, self.extremes(values)))
-        return [phi for phi in self._zeros(self._slope, self._curvature, numbers) if abs(self._force(phi, *numbers)) < 1e-9 * size]
+        return [phi for phi in self._zeros(self._slope, self._curvature, numbers) if abs(self._force(phi, *numbers))
+                < 1e-9 * size]
 
     def _zeros(self, function, derivative, numbers):
         values = function(self.GRID, *numbers) + 0 * self.GRID
@@ -372,18 +395,24 @@ def _judge_rest_angles(answer, field, state, parameters, integer, wanted, word):
                 given = number_at(family, values | {integer: sp.Integer(number)}, "your angle")
                 member = f" ({integer} = {number})" if family.has(integer) else ""
                 if abs(given.imag) > 1e-9 * (1 + abs(given)):
-                    raise Wrong(f"your value{member} is not real for {values_text(values)}, where there are stationary angles")
-                # Three digits of an angle that has turned a few times are that many of its size; beyond, they would tell nothing.
-                near = [phi for phi in found if abs(np.exp(1j * given.real) - np.exp(1j * phi)) < 1e-3 * min(max(1, abs(given)), 20)]
+                    raise Wrong(f"your value{member} is not real for {values_text(values)}, where there are "
+                                f"stationary angles")
+                # Three digits of an angle that has turned a few times are that many of its size; beyond, they would
+                # tell nothing.
+                near = [phi for phi in found if abs(np.exp(1j * given.real) - np.exp(1j * phi))
+                        < 1e-3 * min(max(1, abs(given)), 20)]
                 if not near:
-                    raise Wrong(f"your value {given.real:.4g}{member} is no stationary angle for {values_text(values)}: f(phi, 0) is "
+                    raise Wrong(f"your value {given.real:.4g}{member} is no stationary angle for "
+                                f"{values_text(values)}: f(phi, 0) is "
                                 f"{angles.force(values, given.real):.4g} there")
                 if near[0] not in chosen:
-                    raise Wrong(f"your angle {given.real:.4g}{member} for {values_text(values)} is stationary, but not {word}: "
+                    raise Wrong(f"your angle {given.real:.4g}{member} for {values_text(values)} is stationary, but "
+                                f"not {word}: "
                                 f"{_roots_told(*angles.derivatives(values, near[0]))}")
                 matched.add(near[0])
         if len(matched) < len(chosen):
-            raise Wrong(f"not all angles are there: {len(chosen)} angles between 0 and 2 pi are {word} for {values_text(values)}, and your "
+            raise Wrong(f"not all angles are there: {len(chosen)} angles between 0 and 2 pi are {word} for "
+                        f"{values_text(values)}, and your "
                         f"answer gives {len(matched)} of them")
     return f"for several sets of parameters these angles are {word}, and a search of the whole circle finds no other"
 
@@ -400,7 +429,8 @@ def _listed(answer, integer):
         return [answer]
     if isinstance(answer, (list, tuple, sp.Tuple, sp.MatrixBase, np.ndarray)):
         # A stationary solution may be given as the point (phi0, 0) of the phase plane.
-        return [part[0] if isinstance(part, (list, tuple, sp.Tuple)) and len(part) == 2 and part[1] == 0 else part for part in answer]
+        return [part[0] if isinstance(part, (list, tuple, sp.Tuple)) and len(part) == 2 and part[1] == 0 else part
+                for part in answer]
     raise Invalid("expected a list of angles, as expressions")
 
 
@@ -415,15 +445,18 @@ def _judge_angles(answer, field, state, parameters, angle, kind, word):
             place = (Fraction(float(phi)), *(Fraction(int(values[p].p), int(values[p].q)) for p in parameters))
             if claim.holds(place) != kind(friction, -slope):
                 truth, says = ("", "does not hold") if kind(friction, -slope) else ("not ", "holds")
-                raise Wrong(f"the stationary angle {phi:.4g} for {values_text(values)} is {truth}{word}, and your condition {says} there: "
+                raise Wrong(f"the stationary angle {phi:.4g} for {values_text(values)} is {truth}{word}, and your "
+                            f"condition {says} there: "
                             f"{_roots_told(slope, friction)}")
     for _, values in edges:
         for phi in angles.double(values) if values else ():
             exact = sp.pi * sp.Rational(*Fraction(float(phi / np.pi)).limit_denominator(60).as_integer_ratio())
             if abs(float(exact) - phi) < 1e-9 and claim.condition.subs(values | {angle: exact}) == True:  # noqa: E712
-                raise Wrong(f"for {values_text(values)} two stationary angles meet in {phi:.4g}: there one root is zero, deviations to one "
+                raise Wrong(f"for {values_text(values)} two stationary angles meet in {phi:.4g}: there one root is "
+                            f"zero, deviations to one "
                             f"side grow and to the other decay, so it is not {word}; your condition holds there")
-    return "it agrees with the roots of the characteristic equation at all stationary angles of several sets of parameters"
+    return ("it agrees with the roots of the characteristic equation at all stationary angles of several sets of "
+            "parameters")
 
 
 def _judge_kind(answer, field, state, parameters, kind, word):

@@ -1,7 +1,8 @@
-"""Observability of x' = A x, z = H x: yes or no, for which parameters, what stays unseen and which eigenvalues are lost.
+"""Observability of x' = A x, z = H x: yes or no, for which parameters, what stays unseen and which eigenvalues are
+lost.
 
-The truth does not come from the rank of Kalman's matrix but from the states it is about: the largest subspace of ker H that A maps
-into itself, exactly (`invariant_subspaces`), at every exceptional value of a parameter too (`pairs`).
+The truth does not come from the rank of Kalman's matrix but from the states it is about: the largest subspace of ker H
+that A maps into itself, exactly (`invariant_subspaces`), at every exceptional value of a parameter too (`pairs`).
 """
 
 from trajlib.checks import coercion
@@ -13,19 +14,22 @@ from trajlib.checks.verdict import judged
 
 @judged
 def observable(answer, A, H, parameters=()):
-    """Whether x' = A x, z = H x is observable; with parameters, whether it is for all values that their assumptions allow."""
+    """Whether x' = A x, z = H x is observable; with parameters, whether it is for all values that their assumptions
+    allow."""
     return judge_yes_no(answer, pair_of(A, H, parameters), OUTPUT)
 
 
 @judged
 def observable_parameters(answer, A, H, parameters):
-    """The condition on the parameters under which the system is observable: true exactly there, at isolated values too."""
+    """The condition on the parameters under which the system is observable: true exactly there, at isolated values
+    too."""
     return judge_region(answer, pair_of(A, H, parameters), OUTPUT, holds=True)
 
 
 @judged
 def unobservable_parameters(answer, A, H, parameters):
-    """The condition on the parameters under which the system is not observable; a set or a list of values of the only one as well."""
+    """The condition on the parameters under which the system is not observable; a set or a list of values of the only
+    one as well."""
     return judge_region(answer, pair_of(A, H, parameters), OUTPUT, holds=False)
 
 
@@ -46,7 +50,8 @@ def observability_rank(answer, A, H):
 def unseen_states(answer, A, H, parameters=()):
     """A basis of the initial states whose motions give z = 0 for all time; an empty list if zero is the only one.
 
-    With parameters: for their values in general position, as the assumptions allow; with one, also where the answer might fail.
+    With parameters: for their values in general position, as the assumptions allow; with one, also where the answer
+    might fail.
     """
     return judge_basis(answer, pair_of(A, H, parameters), OUTPUT)
 

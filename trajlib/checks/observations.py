@@ -1,7 +1,8 @@
 """Solvability: what measurements along a motion determine, and how well.
 
-Motions are found by the matrix exponential at random values of the symbols, errors by solving small systems of equations, and what is
-unseen by applying the measurements to it; conditions are decided in exact rational arithmetic, on and off the surfaces where they change.
+Motions are found by the matrix exponential at random values of the symbols, errors by solving small systems of
+equations, and what is unseen by applying the measurements to it; conditions are decided in exact rational arithmetic,
+on and off the surfaces where they change.
 """
 
 import functools
@@ -42,7 +43,8 @@ def unseen_direction(answer, matrix, output):
         for time, move in zip(times, _moves(matrix, values, times)):
             seen = _seen(output, values, move@direction)
             if not abs(seen) <= ZERO:
-                raise Wrong(f"for {rounded_text(values)}, scaled to length 1, your change alters the measurement at t = {time:.3g} by "
+                raise Wrong(f"for {rounded_text(values)}, scaled to length 1, your change alters the measurement at t "
+                            f"= {time:.3g} by "
                             f"{seen:.3g}")
     return "it changes the state and no measurement, for random values of the symbols"
 
@@ -56,7 +58,8 @@ def bias_of_estimate(answer, matrix, output, unknowns, wanted, left_out):
     for values in random_values([*_symbols(matrix), left_out], 73):
         rows = _rows(matrix, output, values, np.linspace(0, 4, 3*MOMENTS))
         found = np.linalg.lstsq(rows[:, kept], rows[:, k]*values[left_out], rcond=None)[0]
-        compare_at(claim, values, found[kept.index(j)], f"the error of the estimate of {wanted}", abs(values[left_out]), 1e-7)
+        compare_at(claim, values, found[kept.index(j)], f"the error of the estimate of {wanted}", abs(values[left_out]),
+                   1e-7)
     return "least squares without this unknown is wrong by it, for random values of the symbols"
 
 
@@ -70,7 +73,8 @@ def worst_of_three(answer, matrix, output, unknowns, wanted, tau, delta):
         fastest = np.abs(np.linalg.eigvals(A)).max()
         values[tau] *= 1.1/fastest                # between an eighth and seven eighths of half a period
         rows = _rows(matrix, output, values, values[tau]*np.arange(3))
-        corners = (np.linalg.solve(rows, np.array(signs)*values[delta])[j] for signs in itertools.product((-1, 1), repeat=3))
+        corners = (np.linalg.solve(rows, np.array(signs)*values[delta])[j]
+                   for signs in itertools.product((-1, 1), repeat=3))
         compare_at(claim, values, max(abs(error) for error in corners), f"the greatest error of {wanted}", 0, 1e-7)
     return "no errors up to delta do worse, and some do as much, for random values of the symbols"
 
@@ -86,7 +90,8 @@ def unseen_by_bearings(answer, relative, t):
             dx, dy = direction[:2] + time*direction[2:]
             turned = (x*dy - y*dx)/(x*x + y*y)
             if not abs(turned) <= ZERO:
-                raise Wrong(f"for {rounded_text(values)}, scaled to length 1, your change turns the bearing at t = {time:.3g} by "
+                raise Wrong(f"for {rounded_text(values)}, scaled to length 1, your change turns the bearing at t = "
+                            f"{time:.3g} by "
                             f"{turned:.3g} rad per unit")
     return "it changes no bearing to first order, for random motions"
 
@@ -111,14 +116,17 @@ def bearing_tells_range(answer, relative, t, T, turn):
         change = after[0]*before[1] - after[1]*before[0]
         if truth_at(claim, values) != (change != 0):
             raise Wrong(f"for {rounded_text(values)} a small change of the range " + (
-                f"turns the bearing by {float(change/(after[0]**2 + after[1]**2)):.3g} rad per unit of its factor, yet your condition fails"
+                f"turns the bearing by {float(change/(after[0]**2 + after[1]**2)):.3g} rad per unit of its factor, "
+                f"yet your condition fails"
                 if change else "does not change the bearing, yet your condition holds"))
-    return "it agrees with the change of the bearing, for motions in general position and for turns along the line of sight"
+    return ("it agrees with the change of the bearing, for motions in general position and for turns along the line "
+            "of sight")
 
 
 @judged
 def range_error(answer, relative, t, T, turn, delta):
-    """The size of the relative error of the range that an error delta of one bearing after the turn causes, to first order."""
+    """The size of the relative error of the range that an error delta of one bearing after the turn causes, to first
+    order."""
     symbols = _symbols(sp.Matrix(relative), t) + [t, T, *turn, delta]
     claim = coercion.as_expression(answer, symbols)
     random = np.random.default_rng(77)
@@ -148,7 +156,8 @@ def modes_of_range(answer, matrix, sight, initial, rate, t):
             true = towards@(move@start)[:len(sight)]
             said = now[0] + now[1]*time + now[2]*math.cos(w*time) + now[3]*math.sin(w*time)
             if not abs(said - true) <= ZERO*(abs(true) + np.abs(start).max()*(1 + time)):
-                raise Wrong(f"for {rounded_text(values)} the range at {t} = {time:.3g} deviates by {true:.5g}; your four terms sum up to "
+                raise Wrong(f"for {rounded_text(values)} the range at {t} = {time:.3g} deviates by {true:.5g}; your "
+                            f"four terms sum up to "
                             f"{said:.5g}")
     return "the four terms sum up to the deviation of the range at all times, for random directions and motions"
 
@@ -174,7 +183,8 @@ def unseen_motions(answer, matrix, sight, count):
                 motion = move@direction
                 seen = float(towards@motion)
                 if not abs(seen) <= ZERO*(1 + np.abs(motion).max()):
-                    raise Wrong(f"for {rounded_text(values)} motion number {number}, scaled to length 1, changes the range at "
+                    raise Wrong(f"for {rounded_text(values)} motion number {number}, scaled to length 1, changes the "
+                                f"range at "
                                 f"t = {time:.3g} by {seen:.3g}")
         if not np.linalg.svd(directions, compute_uv=False)[-1] >= 1e-6:
             raise Wrong(f"for {rounded_text(values)} your motions are not independent: a combination of them is zero")
@@ -198,14 +208,17 @@ def numbers_seen(answer, matrix, sights):
 
 @judged
 def stations_insufficient(answer, matrix, first, second):
-    """Condition on two directions, none of whose components vanish, under which ranges along both leave something unseen."""
+    """Condition on two directions, none of whose components vanish, under which ranges along both leave something
+    unseen."""
     claim = coercion.as_condition(answer, [*first, *second])
     for values, insufficient in _pairs_of_stations(sp.ImmutableMatrix(matrix), tuple(first), tuple(second)):
         said = truth_at(claim, values)
         if said != insufficient:
-            raise Wrong(f"for {rounded_text(values)} the ranges determine {'not everything' if insufficient else 'everything'}, yet your "
+            raise Wrong(f"for {rounded_text(values)} the ranges determine "
+                        f"{'not everything' if insufficient else 'everything'}, yet your "
                         f"condition {'holds' if said else 'fails'}")
-    return "it agrees with the rank, for directions in general position, parallel ones and those parallel in two components"
+    return ("it agrees with the rank, for directions in general position, parallel ones and those parallel in two "
+            "components")
 
 
 @functools.lru_cache(maxsize=16)
@@ -226,14 +239,16 @@ def _pairs_of_stations(matrix, first, second):
         elif number % 3 == 1:                # parallel in two components only
             kept = (number//3) % 3
             other = [part if k == kept else factor*one[k] for k, part in enumerate(other)]
-        rows = sp.Matrix.vstack(*[sp.Matrix([[*n, *[0]*(matrix.rows - len(n))]])*power for n in (one, other) for power in powers])
+        rows = sp.Matrix.vstack(*[sp.Matrix([[*n, *[0]*(matrix.rows - len(n))]])*power for n in (one, other)
+                                  for power in powers])
         found.append((dict(zip([*first, *second], [*one, *other])), rows.rank() < matrix.rows))
     return found
 
 
 @judged
 def breaks_bound(answer, matrix, state, factor):
-    """An error e of the measurements for which |dx| exceeds mu |e| |x|/|Z| at least `factor` times, with Z = H x + e."""
+    """An error e of the measurements for which |dx| exceeds mu |e| |x|/|Z| at least `factor` times, with Z = H x +
+    e."""
     claim = coercion.as_expressions(answer, (), matrix.rows)
     e = np.array([float(coercion.as_number(part)) for part in claim])
     H, x = np.array(matrix.tolist(), dtype=float), np.array([float(part) for part in state])
@@ -243,7 +258,8 @@ def breaks_bound(answer, matrix, state, factor):
     found = np.linalg.norm(np.linalg.lstsq(H, e, rcond=None)[0])
     bound = values[0]/values[-1]*np.linalg.norm(e)/np.linalg.norm(H@x + e)*np.linalg.norm(x)
     if not found >= float(factor)*bound*(1 - 1e-9):
-        raise Wrong(f"the estimate is wrong by {found:.4g} and the printed bound is {bound:.4g}: it is exceeded {found/bound:.3g} times, "
+        raise Wrong(f"the estimate is wrong by {found:.4g} and the printed bound is {bound:.4g}: it is exceeded "
+                    f"{found/bound:.3g} times, "
                     f"not {float(factor):g} times")
     return "the estimate is wrong by more than the printed bound, as many times as was asked"
 

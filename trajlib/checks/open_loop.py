@@ -16,7 +16,8 @@ class Control:
         self.time, self.parameters = time, list(parameters)
         if _is_list(answer) and len(answer) and all(_is_list(arc) and len(arc) == 2 for arc in answer):
             symbols = [time, *parameters]
-            arcs = [[coercion.as_expression(value, symbols), coercion.as_expression(until, parameters)] for value, until in answer]
+            arcs = [[coercion.as_expression(value, symbols), coercion.as_expression(until, parameters)]
+                    for value, until in answer]
             self._values = [real_function(symbols, [value]) for value, _ in arcs]
             self._ends = [real_function(self.parameters, [until]) for _, until in arcs]
             parts = [part for arc in arcs for part in arc]
@@ -33,7 +34,8 @@ class Control:
             def u(t):
                 # At a single instant, as between the cases t < 1 and t > 1, a control need not be defined.
                 said = (value(moment, *numbers) for moment in (t, t + 1e-9 * duration, t - 1e-9 * duration))
-                return _real(next((v for v in said if np.isfinite(v[0])), [np.nan]), f"your control at {self.time} = {t:.4g}")
+                return _real(next((v for v in said if np.isfinite(v[0])), [np.nan]),
+                             f"your control at {self.time} = {t:.4g}")
 
             return u
 
@@ -78,7 +80,8 @@ class Path:
         slack = max(1e-9, rounding / 10) * (high - low)
         for t, u in self.controls:
             if not low - slack <= u <= high + slack:
-                raise Wrong(f"{self.where}your control is {u:.4g} at t = {t:.4g}, outside its bounds {low:.4g} and {high:.4g}")
+                raise Wrong(f"{self.where}your control is {u:.4g} at t = {t:.4g}, outside its bounds {low:.4g} and "
+                            f"{high:.4g}")
 
     def miss(self):
         return float(np.max(np.abs(self.best.gap(self.states[-1])))), self.best.size()
@@ -104,7 +107,8 @@ def _jumps(u, duration, pieces=360):
                 break
             middle = (left + right) / 2
             value = u(middle)
-            left, right, a, b = (middle, right, value, b) if abs(value - a) < abs(value - b) else (left, middle, a, value)
+            left, right, a, b = ((middle, right, value, b) if abs(value - a) < abs(value - b)
+                                 else (left, middle, a, value))
         else:
             if 1e-6 * duration < left < (1 - 1e-6) * duration:
                 found.append(left)

@@ -1,8 +1,9 @@
 """What a scalar measurement means: which of several known quantities it can be.
 
-A measurement z = H x along the motions of x' = A x is a solution of a linear equation p(d/dt) z = 0, and every solution of the equation
-of lowest order occurs. So a measurement and a coordinate of another system can be the same quantity only if these equations agree;
-they are found as the first dependence among the rows H, H A, H A^2, ..., in exact arithmetic.
+A measurement z = H x along the motions of x' = A x is a solution of a linear equation p(d/dt) z = 0, and every solution
+of the equation of lowest order occurs. So a measurement and a coordinate of another system can be the same quantity
+only if these equations agree; they are found as the first dependence among the rows H, H A, H A^2, ..., in exact
+arithmetic.
 """
 
 import sympy as sp
@@ -14,7 +15,8 @@ from trajlib.checks.verdict import Wrong, judged
 
 @judged
 def measured_coordinate(answer, A, H, known, coordinates):
-    """Which of the `coordinates` (name: row) of the system with the matrix `known` the measurement H of the system A is."""
+    """Which of the `coordinates` (name: row) of the system with the matrix `known` the measurement H of the system A
+    is."""
     return judge_meaning(coercion.as_choice(answer, tuple(coordinates)), A, H, known, coordinates)
 
 
@@ -25,9 +27,11 @@ def judge_meaning(claim, A, H, known, coordinates):
     if list(equations.values()).count(seen) != 1:
         raise RuntimeError("the equations do not tell the coordinates apart")
     if equations[claim] != seen:
-        raise Wrong(f"the {claim} satisfies the linear equation {_told(equations[claim])} and none of lower order, in all motions; "
+        raise Wrong(f"the {claim} satisfies the linear equation {_told(equations[claim])} and none of lower order, in "
+                    f"all motions; "
                     "what is measured has motions that do not" if _breaks(equations[claim], A, H) else
-                    f"the {claim} has motions that break {_told(seen)}, an equation that holds for what is measured in all motions")
+                    f"the {claim} has motions that break {_told(seen)}, an equation that holds for what is measured "
+                    f"in all motions")
     return f"both satisfy {_told(seen)} and no equation of lower order, and no other of the quantities does"
 
 

@@ -1,7 +1,8 @@
-"""A matrix A and an output z = H x whose entries hold parameters: what the output never shows, at any place of the parameters.
+"""A matrix A and an output z = H x whose entries hold parameters: what the output never shows, at any place of the
+parameters.
 
-The property itself is decided at a place, exactly, by `invariant_subspaces`. Kalman's determinant serves only to find the places
-where it may fail; for several outputs two random combinations of the minors take the place of all of them.
+The property itself is decided at a place, exactly, by `invariant_subspaces`. Kalman's determinant serves only to find
+the places where it may fail; for several outputs two random combinations of the minors take the place of all of them.
 """
 
 import functools
@@ -43,7 +44,8 @@ class Pair:
 
     def _quotient(self, entry):
         entry = sp.nsimplify(entry, rational=True) if entry.has(sp.Float) else sp.sympify(entry)
-        polys = [sp.Poly(part, *(self.parameters or [sp.Dummy()]), domain="QQ") for part in sp.fraction(sp.together(entry))]
+        polys = [sp.Poly(part, *(self.parameters or [sp.Dummy()]), domain="QQ")
+                 for part in sp.fraction(sp.together(entry))]
         return polys
 
     def at(self, place):
@@ -70,7 +72,8 @@ class Pair:
 
     @functools.cached_property
     def samples(self):
-        """Pairs (values, place) for the parameters in general position, as their assumptions allow; one empty pair without parameters."""
+        """Pairs (values, place) for the parameters in general position, as their assumptions allow; one empty pair
+        without parameters."""
         found = [(values, Rational(Fraction(int(values[p].p), int(values[p].q)) for p in self.parameters))
                  for values in general_values(self.parameters)]
         return [(values, place) for values, place in found if self.at(place) is not None]
@@ -82,7 +85,8 @@ class Pair:
 
     @functools.cached_property
     def boundaries(self):
-        """Polynomials in the parameters: only where one of them vanishes can the output show fewer states than in general."""
+        """Polynomials in the parameters: only where one of them vanishes can the output show fewer states than in
+        general."""
         return [poly for poly in {*self._denominators, self._minors[0]} if not poly.is_ground]
 
     @functools.cached_property
@@ -135,10 +139,11 @@ class Pair:
 
 
 def compare_condition(answer, pair, holds_for, told):
-    """Compare a condition on the parameters with a property at every place that matters; returns how many were compared.
+    """Compare a condition on the parameters with a property at every place that matters; returns how many were
+    compared.
 
-    `holds_for(dimension)` is the property, of the number of independent unseen states; `told(place, claimed, dimension)` the words
-    for a place where the claim differs.
+    `holds_for(dimension)` is the property, of the number of independent unseen states; `told(place, claimed,
+    dimension)` the words for a place where the claim differs.
     """
     parameters = pair.parameters
     claim = Claim(coercion.as_condition(answer, parameters), parameters)
@@ -159,13 +164,16 @@ def compare_condition(answer, pair, holds_for, told):
 
 
 def _crossings(boundaries, parameters):
-    """Lines through rational points of a plane where boundaries may hide an exception: where two cross, or one shrinks to a point."""
+    """Lines through rational points of a plane where boundaries may hide an exception: where two cross, or one shrinks
+    to a point."""
     if len(parameters) != 2:
         return
-    factors = sorted({factor for poly in boundaries for factor, _ in poly.factor_list()[1]}, key=lambda poly: str(poly.as_expr()))
+    factors = sorted({factor for poly in boundaries for factor, _ in poly.factor_list()[1]},
+                     key=lambda poly: str(poly.as_expr()))
     # At an isolated point of a curve, which no other line hits, its derivative vanishes too.
     slopes = [(factor, factor.diff(parameters[0])) for factor in factors if factor.total_degree() > 1]
-    for one, other in [*itertools.combinations(factors, 2), *((one, slope) for one, slope in slopes if not slope.is_zero)]:
+    for one, other in [*itertools.combinations(factors, 2),
+                       *((one, slope) for one, slope in slopes if not slope.is_zero)]:
         if one.total_degree() * other.total_degree() <= LARGEST_DEGREE:
             yield from lines_through_meetings(one, other, parameters)
 
@@ -178,7 +186,8 @@ def place_text(parameters, place):
 
 
 def general_values(parameters):
-    """Rational values for parameters as `sample_values` gives them, but none a small number or a small multiple of another."""
+    """Rational values for parameters as `sample_values` gives them, but none a small number or a small multiple of
+    another."""
     primes = (997, 1009, 1013, 1019, 1021, 1031, 1033, 1039)
     return [{p: value * sp.Rational(prime, 1000) for (p, value), prime in zip(values.items(), itertools.cycle(primes))}
             for values in sample_values(parameters, 6 if parameters else 1)]

@@ -1,8 +1,10 @@
-"""Places in the space of parameters, rational and irrational ones, where a condition and a property are compared exactly.
+"""Places in the space of parameters, rational and irrational ones, where a condition and a property are compared
+exactly.
 
-A property such as observability fails at isolated values of a parameter, so everything depends on these. On a line through the
-parameters each boundary becomes a polynomial in t. The real roots of its irreducible factors are places of their own: a rational
-root is a fraction, another one is a residue modulo its factor, in which sums, products and the question "is it zero?" are exact.
+A property such as observability fails at isolated values of a parameter, so everything depends on these. On a line
+through the parameters each boundary becomes a polynomial in t. The real roots of its irreducible factors are places of
+their own: a rational root is a fraction, another one is a residue modulo its factor, in which sums, products and the
+question "is it zero?" are exact.
 """
 
 import functools
@@ -62,7 +64,8 @@ class Irrational:
         if not value:
             return 0
         with mpmath.workdps(DIGITS):
-            return int(mpmath.sign(mpmath.polyval([mpmath.mpf(c.numerator) / c.denominator for c in value.coefficients], self.root)))
+            return int(mpmath.sign(mpmath.polyval([mpmath.mpf(c.numerator) / c.denominator for c in value.coefficients],
+                                                  self.root)))
 
     def numbers(self):
         with mpmath.workdps(DIGITS):
@@ -74,7 +77,8 @@ class Irrational:
 
 
 class Residue:
-    """A number of the field of rational polynomials modulo an irreducible one; coefficients from the highest power down."""
+    """A number of the field of rational polynomials modulo an irreducible one; coefficients from the highest power
+    down."""
 
     __slots__ = ("coefficients", "modulus")
 
@@ -173,9 +177,11 @@ class _Term:
 def places(point, direction, boundaries, extra=0, irrational=True):
     """The places of a line: one inside each interval between neighbouring boundaries, and every boundary itself.
 
-    `extra` more places are spread over the line where boundaries are not known; `irrational` asks for irrational ones too.
+    `extra` more places are spread over the line where boundaries are not known; `irrational` asks for irrational ones
+    too.
     """
-    factors = sorted(set().union(*(_factors(tuple(exact(poly).along(point, direction)), irrational) for poly in set(boundaries))))
+    factors = sorted(set().union(*(_factors(tuple(exact(poly).along(point, direction)), irrational)
+                                   for poly in set(boundaries))))
     ends = {Fraction(0)} | {-p / d for p, d in zip(point, direction) if d}
     on, found = [], []
     for factor in factors:
@@ -194,18 +200,22 @@ def places(point, direction, boundaries, extra=0, irrational=True):
 
 
 def lines(parameters, count=24):
-    """Lines through the parameter space as `semialgebraic.lines`, moved to where the parameters are positive if they are."""
+    """Lines through the parameter space as `semialgebraic.lines`, moved to where the parameters are positive if they
+    are."""
     for point, direction in semialgebraic.lines(parameters, count=count):
         yield tuple(_allowed(p, x) if len(parameters) > 1 else x for p, x in zip(parameters, point)), direction
 
 
 def lines_through_meetings(one, other, parameters):
-    """Lines through the rational points of a plane where two polynomials vanish together, though they have no common factor."""
+    """Lines through the rational points of a plane where two polynomials vanish together, though they have no common
+    factor."""
     x, y = parameters
     for first, second in ((x, y), (y, x)):
         meeting = sp.Poly(sp.resultant(one.as_expr(), other.as_expr(), second), first, domain="QQ")
-        for at in rational_roots([Fraction(int(c.p), int(c.q)) for c in meeting.all_coeffs()]) if meeting.degree() > 0 else ():
-            yield ((at, Fraction(0)), (Fraction(0), Fraction(1))) if first == x else ((Fraction(0), at), (Fraction(1), Fraction(0)))
+        for at in rational_roots([Fraction(int(c.p), int(c.q))
+                                  for c in meeting.all_coeffs()]) if meeting.degree() > 0 else ():
+            yield ((at, Fraction(0)), (Fraction(0), Fraction(1))) if first == x else ((Fraction(0), at),
+                                                                                      (Fraction(1), Fraction(0)))
 
 
 def allowed(place, parameters):
@@ -214,17 +224,20 @@ def allowed(place, parameters):
 
 
 def _agrees(symbol, sign):
-    return not (symbol.is_positive and sign <= 0 or symbol.is_negative and sign >= 0 or symbol.is_nonnegative and sign < 0
+    return not (symbol.is_positive and sign <= 0 or symbol.is_negative and sign >= 0 or symbol.is_nonnegative
+                and sign < 0
                 or symbol.is_nonpositive and sign > 0 or symbol.is_nonzero and sign == 0)
 
 
 def _allowed(symbol, number):
-    return abs(number) or Fraction(1) if symbol.is_positive else -abs(number) or Fraction(-1) if symbol.is_negative else number
+    return (abs(number) or Fraction(1) if symbol.is_positive else -abs(number) or Fraction(-1) if symbol.is_negative
+            else number)
 
 
 @functools.lru_cache(maxsize=512)
 def _factors(coefficients, irrational):
-    """The irreducible factors with real roots, as tuples of fractions with leading coefficient 1; `coefficients` a tuple."""
+    """The irreducible factors with real roots, as tuples of fractions with leading coefficient 1; `coefficients` a
+    tuple."""
     if len(coefficients) < 2:
         return frozenset()
     linear = {(Fraction(1), -root) for root in rational_roots(list(coefficients))}
@@ -253,16 +266,19 @@ def _real_roots(factor):
 
 
 def _curves(expression, parameters):
-    """Polynomials with rational coefficients among whose zeros those of an expression and its denominators lie; None if unknown.
+    """Polynomials with rational coefficients among whose zeros those of an expression and its denominators lie; None if
+    unknown.
 
-    A root or an absolute value in it is taken for a further unknown w, with the equation that w satisfies, and eliminated.
+    A root or an absolute value in it is taken for a further unknown w, with the equation that w satisfies, and
+    eliminated.
     """
     found, left = [], list(sp.fraction(sp.together(expression)))
     for _ in range(12):
         if not left:
             return found
         part = left.pop()
-        irrational = sorted((e for e in part.atoms(sp.Pow, sp.Abs) if isinstance(e, sp.Abs) or not e.exp.is_Integer and e.exp.is_Rational),
+        irrational = sorted((e for e in part.atoms(sp.Pow, sp.Abs) if isinstance(e, sp.Abs) or not e.exp.is_Integer
+                             and e.exp.is_Rational),
                             key=lambda e: (-e.count_ops(), str(e)))
         if not irrational:
             if not part.is_polynomial(*parameters):

@@ -1,10 +1,11 @@
-"""Stationary points of planar systems that contain parameters: where they are, of what type, and what excludes closed orbits.
+"""Stationary points of planar systems that contain parameters: where they are, of what type, and what excludes closed
+orbits.
 
 `domain` is a dict from symbols of the state or parameters to SymPy intervals, as in `trajlib.stability.equilibria`; an
-interval of length 2 pi makes a state variable an angle, for which values modulo 2 pi are the same. What `domain` does not
-name ranges over all numbers that the assumptions of the symbol allow. The truth is found from the field alone, for sample
-values of the parameters, by Newton's method from many starts at once. "The stationary point" of a check is the only one in
-the domain: a data cell that leaves room for two makes the answer unchecked.
+interval of length 2 pi makes a state variable an angle, for which values modulo 2 pi are the same. What `domain` does
+not name ranges over all numbers that the assumptions of the symbol allow. The truth is found from the field alone, for
+sample values of the parameters, by Newton's method from many starts at once. "The stationary point" of a check is the
+only one in the domain: a data cell that leaves room for two makes the answer unchecked.
 """
 
 import cmath
@@ -24,11 +25,13 @@ from trajlib.checks.verdict import Invalid, Wrong, judged
 from trajlib.checks.wording import other_rate
 
 STABILITY = ("asymptotically stable", "stable", "unstable")
-TYPES = tuple(f"{how} {what}" for what in ("node", "star", "degenerate node", "focus") for how in ("stable", "unstable"))
+TYPES = tuple(f"{how} {what}" for what in ("node", "star", "degenerate node", "focus")
+              for how in ("stable", "unstable"))
 TYPES += ("saddle", "centre")
 #: How many starts Newton's method gets.
 STARTS = 48
-#: For how many sets of parameter values a field's stationary points are kept: a verdict asks for some thirty, mostly the same.
+#: For how many sets of parameter values a field's stationary points are kept: a verdict asks for some thirty, mostly
+#: the same.
 MOST_KEPT = 200
 #: Half a unit of the third significant digit, at worst: what decimals in a condition may move its border by.
 ROUNDING = 0.005
@@ -41,7 +44,8 @@ END = 1e-7
 def stationary_points(answer, field, state, parameters, domain=None):
     """All stationary points in the domain, as expressions in the parameters: one point, or a list of points.
 
-    A point whose formula is not real, or leaves the domain, for some values of the parameters stands for no point there.
+    A point whose formula is not real, or leaves the domain, for some values of the parameters stands for no point
+    there.
     """
     return _judge_points(answer, _family(field, state, parameters, domain), "stationary point")
 
@@ -82,7 +86,8 @@ def cycle_period(answer, radial, angular, radius, parameters):
             raise Wrong(f"for {_told(values)} there is a closed orbit, but your expression gives no real number")
         rate = float(turning(rest, numbers)[0])
         if period <= 0 or not _near(rate * period, math.copysign(2 * math.pi, rate), claim):
-            raise Wrong(f"for {_told(values)} the angle gains {rate * period:.4g} within your time {period:.4g}, which is not one turn")
+            raise Wrong(f"for {_told(values)} the angle gains {rate * period:.4g} within your time {period:.4g}, "
+                        f"which is not one turn")
     return "in this time the angle gains one full turn on the closed orbit"
 
 
@@ -131,14 +136,16 @@ def stationary_stability(answer, field, state, parameters, domain=None):
         if abs(largest) < 1e-9 * (1 + max(abs(eigenvalues))):
             raise RuntimeError("the first approximation does not decide here")
         if claim != ("unstable" if largest > 0 else "asymptotically stable"):
-            raise Wrong(f"this does not agree with the first approximation: for {_told(values)} its roots are {_roots_told(eigenvalues)}")
+            raise Wrong(f"this does not agree with the first approximation: for {_told(values)} its roots are "
+                        f"{_roots_told(eigenvalues)}")
     return "it agrees with the roots of the first approximation, for sample values of the parameters"
 
 
 @judged
 def stationary_type(answer, field, state, parameters, domain=None):
     """The type of the stationary point of a planar system, the same for all values of the parameters."""
-    spelled = answer.lower().replace("center", "centre").replace("star node", "star") if isinstance(answer, str) else answer
+    spelled = (answer.lower().replace("center", "centre").replace("star node", "star") if isinstance(answer, str)
+               else answer)
     claim = coercion.as_choice(spelled, TYPES)
     family = _family(field, state, parameters, domain)
     for values, numbers, rest in family.samples():
@@ -152,19 +159,22 @@ def stationary_type(answer, field, state, parameters, domain=None):
 
 @judged
 def focus_region(answer, field, state, parameters, domain=None):
-    """The parameters for which the stationary point is a focus; the border, where the roots are equal, counts either way."""
+    """The parameters for which the stationary point is a focus; the border, where the roots are equal, counts either
+    way."""
     return _judge_roots(answer, _family(field, state, parameters, domain), -1, "a focus")
 
 
 @judged
 def node_region(answer, field, state, parameters, domain=None):
-    """The parameters for which the stationary point is a node; the border, where the roots are equal, counts either way."""
+    """The parameters for which the stationary point is a node; the border, where the roots are equal, counts either
+    way."""
     return _judge_roots(answer, _family(field, state, parameters, domain), 1, "a node")
 
 
 @judged
 def dulac(answer, field, state, parameters, domain=None):
-    """A pair (B, div(B f)) whose second member has one sign in the domain: no closed orbit lies there (Dulac, Bendixson)."""
+    """A pair (B, div(B f)) whose second member has one sign in the domain: no closed orbit lies there (Dulac,
+    Bendixson)."""
     symbols = [*state, *parameters]
     multiplier, divergence = coercion.as_expressions(answer, symbols, length=2)
     terms = [sp.diff(multiplier * component, x) for component, x in zip(field, state)]
@@ -182,7 +192,8 @@ def dulac(answer, field, state, parameters, domain=None):
                         f"your second expression gives {said:.4g}")
     signs = np.sign(np.where(abs(parts[-2]) > 1e-12 * abs(parts[:-2]).sum(axis=0), parts[-2], 0))
     if not signs.any():
-        raise Wrong("the divergence vanishes everywhere, so it excludes nothing: such a field may well have closed orbits")
+        raise Wrong("the divergence vanishes everywhere, so it excludes nothing: such a field may well have closed "
+                    "orbits")
     if signs.min() < 0 < signs.max():
         low, high = places[:, np.argmin(signs)], places[:, np.argmax(signs)]
         raise Wrong("the divergence changes its sign in the domain: it is negative at "
@@ -235,18 +246,22 @@ def phase_curve(answer, field, state, parameters, through, domain=None):
             where = f"for {_told(values)} at {first} = {float(x):.3g}"
             if y is None or dy is None or not family.inside(np.array([float(x), y])):
                 raise Wrong(f"{where} your expression gives "
-                            + ("no real number" if y is None or dy is None else f"{second} = {y:.3g}, outside the domain"))
+                            + ("no real number" if y is None or dy is None
+                               else f"{second} = {y:.3g}, outside the domain"))
             velocity = family(np.array([float(x), y]), numbers)
             scale = max(scale, y)
-            if not abs(dy * velocity[0] - velocity[1]) <= 1e-8 * (np.linalg.norm(velocity) + abs(dy * velocity[0])) < math.inf:
-                raise Wrong(f"{where} your curve has the slope {dy:.4g}, but a motion that is there moves along the slope "
+            if not abs(dy * velocity[0] - velocity[1]) <= 1e-8 * (np.linalg.norm(velocity)
+                                                                  + abs(dy * velocity[0])) < math.inf:
+                raise Wrong(f"{where} your curve has the slope {dy:.4g}, but a motion that is there moves along the "
+                            f"slope "
                             f"{velocity[1] / velocity[0]:.4g}")
         for end_x, end_y in through:
             middle = sum(_ends(first, domain)) / 2
             close = sp.Float(middle + (1 - 1e-8) * (float(end_x) - middle), 25)
             y = real_at(claim, values | {first: close})
             if y is None or not abs(y - float(end_y)) <= 1e-3 * scale:
-                raise Wrong(f"for {_told(values)} your curve does not go through ({end_x}, {end_y}): close to it {second} is "
+                raise Wrong(f"for {_told(values)} your curve does not go through ({end_x}, {end_y}): close to it "
+                            f"{second} is "
                             + ("not real" if y is None else f"{y:.3g}"))
     return "its slope is that of the motions, and it goes through the points asked for"
 
@@ -308,16 +323,19 @@ def _judge_roots(answer, family, sign, noun):
         return np.where(exist & decided, (np.sign(discriminant) == sign) & (determinant > 0), np.nan)
 
     def describe(holds):
-        return f"the stationary point is {'' if holds else 'not '}{noun}, yet your condition {'does not hold' if holds else 'holds'}"
+        return (f"the stationary point is {'' if holds else 'not '}{noun}, yet your condition "
+                f"{'does not hold' if holds else 'holds'}")
 
     return _compare(answer, family, truth, describe)
 
 
 def _compare(answer, family, truth, describe):
-    """Compare a condition on the parameters with a property that can only be tried: `truth` gives 1, 0, or nan (not asked).
+    """Compare a condition on the parameters with a property that can only be tried: `truth` gives 1, 0, or nan (not
+    asked).
 
-    Along lines on which one parameter alone varies, the property is tried on a grid, and each of its borders is found by
-    bisection: the condition has to change there, and nowhere else. A set of numbers stands for values of the first parameter.
+    Along lines on which one parameter alone varies, the property is tried on a grid, and each of its borders is found
+    by bisection: the condition has to change there, and nowhere else. A set of numbers stands for values of the first
+    parameter.
     """
     parameters = family.parameters
     numbers_alone = isinstance(answer, sp.Set) and answer.is_subset(sp.S.Reals)
@@ -336,11 +354,13 @@ def _compare(answer, family, truth, describe):
 
 
 def _grid(family, truth, claim, margin):
-    """Places to try, and pairs (place, truth value) on both sides of each border that bisection finds, `margin` away from it."""
+    """Places to try, and pairs (place, truth value) on both sides of each border that bisection finds, `margin` away
+    from it."""
     places, edges = [], []
     for k, base, line in family.lines:
         holds = truth(np.array(line, dtype=float).T)
-        edges += [(low, high, a) for low, high, a, b in zip(line, line[1:], holds, holds[1:]) if a != b and not np.isnan(a + b)]
+        edges += [(low, high, a) for low, high, a, b in zip(line, line[1:], holds, holds[1:]) if a != b
+                  and not np.isnan(a + b)]
         places += line
         direction = tuple(Fraction(int(j == k)) for j in range(len(base)))
         start = tuple(Fraction(0) if j == k else base[j] for j in range(len(base)))
@@ -491,7 +511,8 @@ class _Family:
         return all(_near(r + d, r, expression, size) for d, r, expression in zip(difference, rest, written))
 
     def samples(self, count=7, need_rest=True, alone=True):
-        """Triples (exact values, their floats, the stationary point), or with all points of the domain unless `alone`."""
+        """Triples (exact values, their floats, the stationary point), or with all points of the domain unless
+        `alone`."""
         tries, numbers = self._tries
         rests = self._rests_of_tries if need_rest else [[None]] * len(tries)
         chosen = [k for k, found in enumerate(rests) if found]
@@ -510,7 +531,8 @@ class _Family:
         count = 30 if self.parameters else 1
         # Multiples of irrational numbers are spread evenly, every few of them that follow one another.
         shares = np.outer(np.arange(1, count + 1), np.sqrt([2, 3, 5, 7, 11, 13, 17, 19])[:len(self.parameters)]) % 1
-        tries = [[_simple(_draw(None, p, self.domain, share), p, self.domain) for p, share in zip(self.parameters, row)] for row in shares]
+        tries = [[_simple(_draw(None, p, self.domain, share), p, self.domain) for p, share in zip(self.parameters, row)]
+                 for row in shares]
         return tries, np.array(tries, dtype=float).T.reshape(len(self.parameters), len(tries))
 
     @functools.cached_property
@@ -519,12 +541,14 @@ class _Family:
 
     @functools.cached_property
     def lines(self):
-        """Lines on which one parameter alone varies: triples (which one, a place on the line, a grid of places along it)."""
+        """Lines on which one parameter alone varies: triples (which one, a place on the line, a grid of places along
+        it)."""
         random, found = np.random.default_rng(13), []
         for k, varied in enumerate(self.parameters):
             for _ in range(4 if len(self.parameters) > 1 else 2):
                 base = [_simple(_draw(random, p, self.domain), p, self.domain) for p in self.parameters]
-                found.append((k, base, [(*base[:k], value, *base[k + 1:]) for value in _spread(random, varied, self.domain)]))
+                found.append((k, base, [(*base[:k], value, *base[k + 1:])
+                                        for value in _spread(random, varied, self.domain)]))
         return found
 
 
@@ -638,7 +662,8 @@ def _spread(random, symbol, domain):
         values = low + (high - low) * (np.arange(20) + shift) / 20.5
     else:
         sizes = np.geomspace(0.01, 60, 20) * (1 + 0.3 * shift)
-        values = low + sizes if math.isfinite(low) else high - sizes[::-1] if math.isfinite(high) else np.concatenate([-sizes[::-1], sizes])
+        values = (low + sizes if math.isfinite(low) else high - sizes[::-1] if math.isfinite(high)
+                  else np.concatenate([-sizes[::-1], sizes]))
     return [_rational(value) for value in values if _allowed(value, symbol, domain)]
 
 
@@ -654,7 +679,8 @@ def _simple(value, symbol, domain):
 
 
 def _values(expression, symbols, places):
-    """An expression at many places; nan where it is not real. Symbols and functions are known (`coercion.with_symbols`)."""
+    """An expression at many places; nan where it is not real. Symbols and functions are known
+    (`coercion.with_symbols`)."""
     if expression.has(sp.nan, sp.zoo):
         return np.full(places.shape[1], math.nan)
     function = sp.lambdify(symbols, expression, "mpmath")
@@ -662,7 +688,8 @@ def _values(expression, symbols, places):
     def value(place):
         try:
             number = complex(function(*place))
-        except (ZeroDivisionError, ValueError, OverflowError, TypeError):  # TypeError: a Piecewise without a case for this place
+        # TypeError: a Piecewise without a case for this place
+        except (ZeroDivisionError, ValueError, OverflowError, TypeError):
             return math.nan
         return number.real if cmath.isfinite(number) and abs(number.imag) < 1e-9 * (1 + abs(number)) else math.nan
 

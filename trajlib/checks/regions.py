@@ -28,7 +28,8 @@ def stability_region(answer, system, parameters, margin=0):
 
 @judged
 def stable_equation(answer, equation, motion, parameters):
-    """The parameters for which the zero solution of the linear differential equation `equation` = 0 is asymptotically stable.
+    """The parameters for which the zero solution of the linear differential equation `equation` = 0 is asymptotically
+    stable.
 
     `motion` is the unknown x(t). Parameters where the order of the equation drops are accepted either way.
     """
@@ -57,7 +58,8 @@ def compare_region(answer, system, parameters, holds_for, what, margin=0):
             holds = holds_for(coefficients)
             checked += 1
             if claim.holds(place) != holds:
-                says = f"outside your region, yet it is {what}" if holds else f"inside your region, yet it is not {what}"
+                says = (f"outside your region, yet it is {what}" if holds
+                        else f"inside your region, yet it is not {what}")
                 raise Wrong(f"the point {as_text(parameters, place)} lies {says}: {truth.describe(place)}")
     return f"agrees with the roots at {checked} points on both sides of every boundary"
 
@@ -104,11 +106,13 @@ class _Spectrum:
         largest = max(np.roots([float(c) for c in self.coefficients(place)]).real)
         # Roots computed in floating point: below this the place lies on the imaginary axis, which Routh has decided.
         on_axis = abs(largest) < 1e-9 and self.margin == 0
-        return "the largest real part of a root is " + ("exactly 0" if on_axis else f"{largest - float(self.margin):.4g}")
+        return "the largest real part of a root is " + ("exactly 0" if on_axis
+                                                        else f"{largest - float(self.margin):.4g}")
 
 
 def roots_left_of(coefficients):
-    """True if all roots have negative real parts: by Routh's reduction in exact arithmetic, which floats cannot fool."""
+    """True if all roots have negative real parts: by Routh's reduction in exact arithmetic, which floats cannot
+    fool."""
     current = coefficients if coefficients[0] > 0 else [-c for c in coefficients]
     while len(current) > 1:
         if any(c <= 0 for c in current):

@@ -1,7 +1,8 @@
-"""Starts from which laws are tried, with the optimum of each: spread over the plane, and close to where laws and answers change.
+"""Starts from which laws are tried, with the optimum of each: spread over the plane, and close to where laws and
+answers change.
 
-A law is optimal or not on both sides of a switching curve, and a set of starts is right or wrong at its border; so the starts
-next to these places tell most, and they are found by bisection between neighbours that differ.
+A law is optimal or not on both sides of a switching curve, and a set of starts is right or wrong at its border; so the
+starts next to these places tell most, and they are found by bisection between neighbours that differ.
 """
 
 import functools
@@ -41,7 +42,8 @@ class SampledOptimum(FastestTimes):
     def __init__(self, field, state, control, bounds, target, parameters, start):
         self.state, self.parameters, self.start = state, dict(parameters), start
         self.cases = sample_cases(self.parameters)
-        super().__init__(Plant(field, state, control, bounds), ConvexTarget(target, state, list(self.parameters), self.cases))
+        super().__init__(Plant(field, state, control, bounds),
+                         ConvexTarget(target, state, list(self.parameters), self.cases))
         self.kept, self._limited = {}, None  # whether some starts are out of reach: not known yet
         self._rings = {}
 
@@ -107,7 +109,8 @@ class SampledOptimum(FastestTimes):
         shortest = 0.15 if self.convex.kind == "hull" else 0.02
         lanes = lanes.take(np.isfinite(lanes.time) & (lanes.time > shortest) & (lanes.time < 0.9 * HORIZON))
         if self._limited is None and len(out_of_reach.x):
-            self._limited = not np.isfinite(self.solve(out_of_reach.x[:12], out_of_reach.case[:12], far=True).time).all()
+            self._limited = not np.isfinite(self.solve(out_of_reach.x[:12], out_of_reach.case[:12],
+                                                       far=True).time).all()
         if not self._limited or not len(lanes.x):
             return lanes
         return lanes.take(np.isfinite(self._around(lanes, 0.02, count=4).time).all(axis=1))
@@ -150,7 +153,8 @@ class SampledOptimum(FastestTimes):
             return np.where(np.isnan(gaps), 0, gaps).max(axis=1) > 0.25 * lanes.time
 
     def _between(self, lanes, kind, count, far=False):
-        """Points where `kind` changes: (points, directions across, cases), by bisection between neighbours that differ."""
+        """Points where `kind` changes: (points, directions across, cases), by bisection between neighbours that
+        differ."""
         left, right, case, random = [], [], [], np.random.default_rng(6)
         for k in range(len(self.cases)):
             here = np.flatnonzero(lanes.case == k)
@@ -168,7 +172,8 @@ class SampledOptimum(FastestTimes):
                     side = np.sign(self.convex.g(x, np.full(len(x), k)))
                     alike = alike[side[alike] == side[one]]
                 if len(alike):
-                    near = alike[np.argsort(np.linalg.norm(x[alike] - x[one], axis=1))[random.integers(0, min(3, len(alike)))]]
+                    near = alike[np.argsort(np.linalg.norm(x[alike] - x[one],
+                                                           axis=1))[random.integers(0, min(3, len(alike)))]]
                     left.append(x[one])
                     right.append(x[near])
                     case.append(k)
@@ -177,7 +182,8 @@ class SampledOptimum(FastestTimes):
         left, right, case = np.array(left), np.array(right), np.array(case)
         direction = (right - left) / np.linalg.norm(right - left, axis=1)[:, None]
         one = kind(self.solve(left, case, far))
-        left, right = bisected(lambda places, rows: kind(self.solve(places, case[rows], far)) == one[rows], left, right, 9)
+        left, right = bisected(lambda places, rows: kind(self.solve(places, case[rows], far)) == one[rows], left,
+                               right, 9)
         return (left + right) / 2, direction, case
 
     def border(self, decimals):
@@ -185,7 +191,8 @@ class SampledOptimum(FastestTimes):
         kept = self.kept.get(("border", decimals))
         if kept is None:
             spread = self.solve(*self._points(100 if len(self.cases) == 1 else 40, seed=5), far=True)
-            near = self._between(spread, lambda lanes: np.isfinite(lanes.time), 30 if len(self.cases) == 1 else 8, far=True)
+            near = self._between(spread, lambda lanes: np.isfinite(lanes.time), 30 if len(self.cases) == 1 else 8,
+                                 far=True)
             parts = [spread]
             for share in ((0.02,) if decimals else (0.008, 0.03)) if near is not None else ():
                 middle, direction, case = near

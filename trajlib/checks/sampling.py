@@ -11,7 +11,8 @@ def sample_cases(parameters):
     columns = [[float(value) for value in domain] if isinstance(domain, sp.FiniteSet)
                else spread_over(float(domain.inf), float(domain.sup))
                for domain in parameters.values()]
-    return [tuple(float(column[(k + 2 * c) % len(column)]) for c, column in enumerate(columns)) for k in range(len(columns[0]))]
+    return [tuple(float(column[(k + 2 * c) % len(column)]) for c, column in enumerate(columns))
+            for k in range(len(columns[0]))]
 
 
 def spread_over(low, high, count=6):
@@ -27,10 +28,12 @@ def spread_over(low, high, count=6):
 
 
 def largest(function, centre, width, steps, enough=np.inf):
-    """The place of the largest value within centre +- width, each row its own, by golden section; values above `enough` will do.
+    """The place of the largest value within centre +- width, each row its own, by golden section; values above `enough`
+    will do.
 
-    `function(places, rows)` gives the values of these rows at these places, one of each. Of few rows many places are asked for in
-    one call, until they are as close together as so many steps bring them: for few rows it is the call that takes the time.
+    `function(places, rows)` gives the values of these rows at these places, one of each. Of few rows many places are
+    asked for in one call, until they are as close together as so many steps bring them: for few rows it is the call
+    that takes the time.
     """
     ratio, low, high = (np.sqrt(5) - 1) / 2, centre - width, centre + width
     count = 15 if len(centre) <= 16 else 7 if len(centre) <= 40 else 2
@@ -60,13 +63,16 @@ def largest(function, centre, width, steps, enough=np.inf):
 
 
 def bisected(like_first, first, last, turns):
-    """(first, last) after so many halvings, each row its own; `like_first(places, rows)` says at which places all is as at the first.
+    """(first, last) after so many halvings, each row its own; `like_first(places, rows)` says at which places all is as
+    at the first.
 
-    The middles that the next few halvings may come to are asked about in one call: for few rows it is the call that takes the time.
+    The middles that the next few halvings may come to are asked about in one call: for few rows it is the call that
+    takes the time.
     """
     rows = np.arange(len(first))
     while turns > 0:
-        depth = min(turns, 6 if len(rows) < 4 else 4 if len(rows) < 10 else 3 if len(rows) < 30 else 2 if len(rows) < 120 else 1)
+        depth = min(turns, 6 if len(rows) < 4 else 4 if len(rows) < 10 else 3 if len(rows) < 30 else 2
+                    if len(rows) < 120 else 1)
         parts = 2**depth
         ends = np.empty((len(rows), parts + 1, *np.shape(first)[1:]))
         ends[:, 0], ends[:, -1] = first, last

@@ -1,9 +1,10 @@
 """One scalar equation in place of x' = A x + b u: of order n, between y = c x, the control and their derivatives.
 
-At one moment x, u, u', ... may have any values, and the system then says what y, y', ..., y^(n) are. An equation is right if it is
-linear with constant coefficients, of order n, and satisfied by all of these values. So neither the arrangement of its sides nor a
-factor matters. Where y is not given as a combination of x it is the first coordinate of the canonical form by control (2.4): the
-combination with y' = xi2, y'' = xi3, ..., into whose n-th derivative the control enters with the coefficient 1, and not before.
+At one moment x, u, u', ... may have any values, and the system then says what y, y', ..., y^(n) are. An equation is
+right if it is linear with constant coefficients, of order n, and satisfied by all of these values. So neither the
+arrangement of its sides nor a factor matters. Where y is not given as a combination of x it is the first coordinate of
+the canonical form by control (2.4): the combination with y' = xi2, y'' = xi3, ..., into whose n-th derivative the
+control enters with the coefficient 1, and not before.
 """
 
 import numpy as np
@@ -22,7 +23,8 @@ LARGEST_ORDER = 12
 
 @judged
 def scalar_equation(answer, A, B, output, motion, control, parameters=()):
-    """The equation of order n between y = `output` x and the control; `motion` and `control` are functions of time such as y(t), u(t)."""
+    """The equation of order n between y = `output` x and the control; `motion` and `control` are functions of time such
+    as y(t), u(t)."""
     claim = _LinearEquation(answer, motion, control, parameters)
     for values in general_values(list(parameters)):
         claim.judge(A.subs(values), B.subs(values), output.subs(values), values)
@@ -31,12 +33,14 @@ def scalar_equation(answer, A, B, output, motion, control, parameters=()):
 
 @judged
 def canonical_equation(answer, A, B, motion, control, parameters=()):
-    """The equation of order n between the control and y, the first coordinate of the canonical form by control (2.4)."""
+    """The equation of order n between the control and y, the first coordinate of the canonical form by control
+    (2.4)."""
     claim = _LinearEquation(answer, motion, control, parameters)
     for values in general_values(list(parameters)):
         there, b = A.subs(values), B.subs(values)
         claim.judge(there, b, _first_coordinate(there, b), values, canonical=True)
-    return "it is linear, of the order of the system, and the first canonical coordinate satisfies it at random states and controls"
+    return ("it is linear, of the order of the system, and the first canonical coordinate satisfies it at random "
+            "states and controls")
 
 
 @judged
@@ -60,7 +64,8 @@ def _explain_row(row, A, b, tolerance, where):
     for order in range(1, n + 1):
         enters = row @ b
         if order == n or not abs(enters) <= tolerance * np.linalg.norm(row) * np.linalg.norm(b):
-            raise Wrong(f"the control enters {_derivative('y', order)} with the coefficient {number_text(enters)}{where}; in the form "
+            raise Wrong(f"the control enters {_derivative('y', order)} with the coefficient "
+                        f"{number_text(enters)}{where}; in the form "
                         "(2.4) " + ("it is 1" if order == n else f"it enters {_derivative('y', n)} first"))
         row = row @ A
 
@@ -77,21 +82,26 @@ class _LinearEquation:
                  for k, symbol in enumerate(symbols)}
         left, right = (side.xreplace(known) for side in sides)
         difference = sp.expand(left - right)
-        self.coefficients = [[self._coefficient(difference, symbol) for symbol in symbols] for symbols in self.derivatives]
+        self.coefficients = [[self._coefficient(difference, symbol) for symbol in symbols]
+                             for symbols in self.derivatives]
         rest = difference.xreplace(dict.fromkeys(sum(self.derivatives, []), sp.S.Zero))
         if rest.has(sp.nan, sp.zoo, sp.oo, -sp.oo, self.time) or rest != 0 and sp.simplify(rest) != 0:
-            raise Wrong(f"beside the terms with {self.names[0]}, {self.names[1]} and their derivatives your equation has another one, so "
+            raise Wrong(f"beside the terms with {self.names[0]}, {self.names[1]} and their derivatives your equation "
+                        f"has another one, so "
                         "that it fails at rest without control")
 
     def judge(self, A, b, c, values, canonical=False):
-        """That the equation has the order of the system and holds for y = c x, in exact matrices of numbers; `values` for messages."""
+        """That the equation has the order of the system and holds for y = c x, in exact matrices of numbers; `values`
+        for messages."""
         n, where = A.rows, where_text(values)
-        numbers = [[number_at(a, values, "a coefficient of your equation") if a != 0 else 0 for a in row] for row in self.coefficients]
+        numbers = [[number_at(a, values, "a coefficient of your equation") if a != 0 else 0 for a in row]
+                   for row in self.coefficients]
         size = max(abs(a) for row in numbers for a in row)
         present = [[k for k, a in enumerate(row) if abs(a) > 1e-9 * size] for row in numbers]
         y, u = self.names
         if not present[0] or max(present[0]) != n:
-            found = f"its highest derivative of {y} is of order {max(present[0])}" if present[0] else f"{y} does not occur in it"
+            found = (f"its highest derivative of {y} is of order {max(present[0])}" if present[0]
+                     else f"{y} does not occur in it")
             raise Wrong(f"the equation has to be of order {n}, as the system is; {found}")
         highest = max(max(present[1], default=0), n - 1)
         rows = [c]
@@ -103,7 +113,8 @@ class _LinearEquation:
         # y^(k) in terms of x and of u, u', ..., u^(highest)
         driven = sp.Matrix(n + 1, highest + 1, lambda k, j: (rows[k - 1 - j] * b)[0] if j < k else 0)
         to_all = np.array(sp.Matrix.vstack(*rows).row_join(driven).tolist(), dtype=float)
-        # The states at which y, ..., y^(n-1), u, u', ... vanish but for one of them: there no other term hides a wrong one.
+        # The states at which y, ..., y^(n-1), u, u', ... vanish but for one of them: there no other term hides a wrong
+        # one.
         back = told.inv()
         states = np.array((back.row_join(-back * driven[:n, :])).col_join(
             sp.zeros(highest + 1, n).row_join(sp.eye(highest + 1))).tolist(), dtype=float)
@@ -115,11 +126,14 @@ class _LinearEquation:
         n, (y, u) = len(to_all) - 1, self.names
         if failing[0] >= n and canonical:
             if max(controls, default=0) > 0:
-                raise Wrong(f"a derivative of {u} stands in your equation{where}; into that of the first coordinate of the form (2.4) {u} "
+                raise Wrong(f"a derivative of {u} stands in your equation{where}; into that of the first coordinate "
+                            f"of the form (2.4) {u} "
                             "enters alone")
             if controls:
-                raise Wrong(f"without control your equation is right{where}, but {u} has the wrong coefficient; in the form (2.4) {u} "
-                            f"enters the last equation with the coefficient 1, and {y} is the first coordinate of that form, no multiple")
+                raise Wrong(f"without control your equation is right{where}, but {u} has the wrong coefficient; in "
+                            f"the form (2.4) {u} "
+                            f"enters the last equation with the coefficient 1, and {y} is the first coordinate of "
+                            f"that form, no multiple")
         random, free = np.random.default_rng(220), failing[0] < n
         for _ in range(20):
             state = random.integers(1, 6, n + highest + 1) * random.choice((-1.0, 1.0), n + highest + 1)
@@ -132,12 +146,14 @@ class _LinearEquation:
             f"{_derivative(u, k)} = {number_text(s)}" for k, s in enumerate(state[n:]))
         difference = sum(self._terms(numbers, to_all, state))
         hint = "" if free else "without control it is right; "
-        raise Wrong(f"{hint}at x = ({x}) and {control}{where} the derivatives of {y} do not satisfy your equation: its two sides "
+        raise Wrong(f"{hint}at x = ({x}) and {control}{where} the derivatives of {y} do not satisfy your equation: "
+                    f"its two sides "
                     f"differ by {number_text(abs(difference))}")
 
     def _terms(self, numbers, to_all, state):
         n = to_all.shape[0] - 1
-        return np.concatenate([np.array(numbers[0][:n + 1]) * (to_all @ state), np.array(numbers[1])[:len(state) - n] * state[n:]])
+        return np.concatenate([np.array(numbers[0][:n + 1]) * (to_all @ state),
+                               np.array(numbers[1])[:len(state) - n] * state[n:]])
 
     def _fails(self, numbers, to_all, state):
         terms = self._terms(numbers, to_all, state)
@@ -150,9 +166,11 @@ class _LinearEquation:
             sides = (answer, sp.S.Zero)  # what is to be zero
         else:
             y, u = (f"{name}({self.time})" for name in self.names)
-            raise Invalid(f"expected an equation sp.Eq(left, right) between {y}, {u} and their derivatives, such as {y}.diff({self.time}); "
+            raise Invalid(f"expected an equation sp.Eq(left, right) between {y}, {u} and their derivatives, such as "
+                          f"{y}.diff({self.time}); "
                           "with == Python compares the sides at once")
-        if any(not isinstance(side, sp.Expr) or isinstance(side, sp.MatrixBase) or side.has(sp.nan, sp.zoo, sp.oo, -sp.oo)
+        if any(not isinstance(side, sp.Expr) or isinstance(side, sp.MatrixBase)
+               or side.has(sp.nan, sp.zoo, sp.oo, -sp.oo)
                for side in sides):
             raise Invalid("both sides of the equation have to be expressions, without anything undefined or infinite")
         return sides
@@ -164,12 +182,14 @@ class _LinearEquation:
         side = side.xreplace({s: known[s.name] for s in side.free_symbols if s.name in known})
         functions = {}
         for function in side.atoms(AppliedUndef):
-            own = [f for f in (motion, control) if f.func.__name__ == function.func.__name__ and f.args == function.args]
+            own = [f for f in (motion, control) if f.func.__name__ == function.func.__name__
+                   and f.args == function.args]
             functions |= {function: own[0]} if own else {}
             foreign |= set() if own else {str(function)}
         if foreign:
             allowed = ", ".join([str(motion), str(control), *(s.name for s in parameters)])
-            raise Invalid(f"the equation contains {', '.join(sorted(foreign))}; expected only {allowed} and derivatives with respect to "
+            raise Invalid(f"the equation contains {', '.join(sorted(foreign))}; expected only {allowed} and "
+                          f"derivatives with respect to "
                           f"{self.time}")
         side = side.xreplace(functions)
         derivatives = side.atoms(sp.Derivative)
@@ -181,7 +201,8 @@ class _LinearEquation:
         return side
 
     def _carried_out(self, expression):
-        """With the derivatives of sums and multiples carried out; SymPy's own `doit` may take minutes for powers and products."""
+        """With the derivatives of sums and multiples carried out; SymPy's own `doit` may take minutes for powers and
+        products."""
         if not expression.has(sp.Derivative):
             return expression
         if not isinstance(expression, sp.Derivative):
@@ -198,7 +219,8 @@ class _LinearEquation:
         return sp.Add(*total)
 
     def _not_linear(self):
-        return f"your equation is not linear with constant coefficients in {self.names[0]}, {self.names[1]} and their derivatives"
+        return (f"your equation is not linear with constant coefficients in {self.names[0]}, {self.names[1]} and "
+                f"their derivatives")
 
     def _coefficient(self, difference, symbol):
         if not difference.has(symbol):

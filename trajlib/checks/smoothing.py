@@ -42,7 +42,8 @@ def reduced_polynomial(answer, transition, w, kappa):
     for stiffness in spread(random, 0.1, 9, RECORDS):
         at = random.choice([-1, 1])*random.uniform(0.3, 3)
         true = np.linalg.det(at*np.eye(transition.rows) - _matrix(transition, kappa, stiffness))/at**2
-        compare_at(claim, {w: at + 1/at, kappa: stiffness}, true, f"P(lambda)/lambda^2 at lambda = {at:.3g}", abs(true) + 1)
+        compare_at(claim, {w: at + 1/at, kappa: stiffness}, true, f"P(lambda)/lambda^2 at lambda = {at:.3g}",
+                   abs(true) + 1)
     return "lambda^2 times it is det(lambda E - A) at random lambda and kappa"
 
 
@@ -56,7 +57,8 @@ def on_unit_circle(answer, transition, phi, kappa):
     for angle, stiffness in zip(spread(random, 0.2, 3, RECORDS), spread(random, 0.1, 9, RECORDS)):
         point = cmath.exp(1j*angle)
         true = (np.linalg.det(point*np.eye(transition.rows) - _matrix(transition, kappa, stiffness))/point**2).real
-        compare_at(claim, {phi: angle, kappa: stiffness}, true, f"P/lambda^2 at lambda = exp({angle:.3g} i)", abs(true) + 1)
+        compare_at(claim, {phi: angle, kappa: stiffness}, true, f"P/lambda^2 at lambda = exp({angle:.3g} i)",
+                   abs(true) + 1)
     return "on the unit circle it is P(lambda)/lambda^2, at random angles and kappa"
 
 
@@ -84,7 +86,8 @@ def digits_lost(answer, transition, kappa, value):
     greatest = np.abs(np.linalg.eigvals(_matrix(transition, kappa, float(value)))).max()
     if not coercion.rounds_to(claim, math.log10(greatest)):
         factor = 10**claim if abs(claim) < 300 else math.inf
-        raise Wrong(f"an error would grow by the factor {factor:.4g} with every sample; multiplying a vector many times by the "
+        raise Wrong(f"an error would grow by the factor {factor:.4g} with every sample; multiplying a vector many "
+                    f"times by the "
                     "transition matrix shows another factor")
     return "powers of the transition matrix grow by this many digits a sample"
 
@@ -115,7 +118,8 @@ def interpolant_acceleration(answer, times, samples):
     """The greatest acceleration of the motion with the least integral of u^2 through three samples."""
     claim = coercion.as_expression(answer, _symbols(times, samples))
     for values, t, h in _drawn(times, samples):
-        compare_at(claim, values, abs(_middle(t, *_least_cost(t, h, 1.0, None))), "the greatest acceleration through the samples",
+        compare_at(claim, values, abs(_middle(t, *_least_cost(t, h, 1.0, None))),
+                   "the greatest acceleration through the samples",
                  np.abs(h).max()/t[1]**2)
     return "it is that of the easiest motion through the samples"
 
@@ -130,7 +134,8 @@ def weight_for_bound(answer, times, samples, rho, D):
             raise Wrong(f"for {rounded_text(values)} your M = {weight:.4g} is not positive")
         greatest = abs(_middle(t, *_least_cost(t, h, values[rho], weight)))
         if not abs(greatest - values[D]) <= 1e-8*values[D]:
-            raise Wrong(f"for {rounded_text(values)} the motion of least cost with your M = {weight:.4g} has the greatest acceleration "
+            raise Wrong(f"for {rounded_text(values)} the motion of least cost with your M = {weight:.4g} has the "
+                        f"greatest acceleration "
                         f"{greatest:.4g}, not {values[D]:.4g}")
     return "the motion of least cost with this weight has the greatest acceleration D, for random samples and bounds"
 
@@ -182,7 +187,8 @@ def filter_gain(answer, omega, rho, M):
 
 @judged
 def boundary_decay(answer, rho, M):
-    """The rate at which the influence of an end dies out: -Re s of the solutions exp(s t) of M x'''' + rho x = 0 that decay."""
+    """The rate at which the influence of an end dies out: -Re s of the solutions exp(s t) of M x'''' + rho x = 0 that
+    decay."""
     claim = coercion.as_expression(answer, [rho, M])
     for values in random_values([rho, M], SEED):
         roots = np.roots([values[M], 0, 0, 0, values[rho]])
@@ -199,7 +205,8 @@ def weight_of_harmonic(answer, amplitude, omega, rho, D):
         weight = value_at(claim, values, "M")
         if weight <= 0:
             raise Wrong(f"for {rounded_text(values)} your M = {weight:.4g} is not positive")
-        size = values[rho]*values[amplitude]/(weight*values[omega]**4 + values[rho])  # x = size cos(omega t) solves the equation
+        # x = size cos(omega t) solves the equation
+        size = values[rho]*values[amplitude]/(weight*values[omega]**4 + values[rho])
         if not abs(size*values[omega]**2 - values[D]) <= 1e-9*values[D]:
             raise Wrong(f"for {rounded_text(values)} your M = {weight:.4g} gives the greatest acceleration "
                         f"{size*values[omega]**2:.4g}, not {values[D]:.4g}")
@@ -214,15 +221,18 @@ def steady_costate(answer, rho, M):
     for values in random_values([rho, M], SEED):
         P = np.array([[value_at(claim[i, j], values, f"p{i + 1}{j + 1}") for j in range(2)] for i in range(2)])
         if not abs(P[0, 1] - P[1, 0]) <= 1e-9*np.abs(P).max():
-            raise Wrong(f"for {rounded_text(values)} your matrix is not symmetric; it is a matrix of second derivatives of a cost")
+            raise Wrong(f"for {rounded_text(values)} your matrix is not symmetric; it is a matrix of second "
+                        f"derivatives of a cost")
         terms = [P@A, A.T@P, -np.outer(P@b, b@P)/values[M], np.diag([values[rho], 0])]
         residual, size = sum(terms), sum(map(np.abs, terms))
         if not (np.abs(residual) <= 1e-9*size.max()).all():
             i, j = np.unravel_index(np.abs(residual).argmax(), (2, 2))
-            raise Wrong(f"for {rounded_text(values)} your P would not stay constant: the element ({i + 1}, {j + 1}) of its rate is "
+            raise Wrong(f"for {rounded_text(values)} your P would not stay constant: the element ({i + 1}, {j + 1}) "
+                        f"of its rate is "
                         f"{-residual[i, j]:.4g}")
         if not np.linalg.eigvalsh(P).min() > 0:
-            raise Wrong(f"for {rounded_text(values)} your P is constant, but not positive definite: a cost that is still to come "
+            raise Wrong(f"for {rounded_text(values)} your P is constant, but not positive definite: a cost that is "
+                        f"still to come "
                         "cannot be negative")
     return "it stays constant under the Riccati equation and is positive definite, for random weights"
 
@@ -269,7 +279,8 @@ def _symbols(times, samples, *more):
 def _drawn(times, samples, *more):
     """Random positive values of all symbols, with times and samples as arrays."""
     for values in random_values(_symbols(times, samples, *more), SEED):
-        yield values, *(np.array([float(sp.sympify(part).subs(values)) for part in parts]) for parts in (times, samples))
+        yield values, *(np.array([float(sp.sympify(part).subs(values)) for part in parts])
+                        for parts in (times, samples))
 
 
 def _bounded(times, samples, rho, D):

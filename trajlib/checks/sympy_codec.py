@@ -1,22 +1,26 @@
 """The SymPy half of `encoding`: which nodes may cross, how each is written, and how each is built again within bounds.
 
-A node is written as its kind and its arguments. `NODES` is the whole list; `READERS` adds the leaves (numbers, symbols, undefined
-functions) and the containers with a layout of their own (matrices, polynomials). Names from the wire are only ever looked up in these.
+A node is written as its kind and its arguments. `NODES` is the whole list; `READERS` adds the leaves (numbers, symbols,
+undefined functions) and the containers with a layout of their own (matrices, polynomials). Names from the wire are only
+ever looked up in these.
 
-Every node is built *as written*: decoding computes nothing. Evaluating again would not be bounded by any limit on the text, since
-SymPy's constructors ask for signs and reality (`Abs(x)**2` asks whether x is real), compare all pairs (`Max`), fold Piecewise functions
-and solve equations (`ConditionSet`): an ordinary expression of four kilobytes took five seconds, re((x + I*y)**1000) eighty. And
-nothing is lost: whatever SymPy evaluates by itself was evaluated where the answer was made, and what a student left unevaluated meets
-the check in the grader as it does in the notebook.
+Every node is built *as written*: decoding computes nothing. Evaluating again would not be bounded by any limit on the
+text, since SymPy's constructors ask for signs and reality (`Abs(x)**2` asks whether x is real), compare all pairs
+(`Max`), fold Piecewise functions and solve equations (`ConditionSet`): an ordinary expression of four kilobytes took
+five seconds, re((x + I*y)**1000) eighty. And nothing is lost: whatever SymPy evaluates by itself was evaluated where
+the answer was made, and what a student left unevaluated meets the check in the grader as it does in the notebook.
 
-Names need care of another kind. `lambdify` prints an expression as Python code, symbols and undefined functions by their bare names, so
-`Symbol("print(1)")` runs in whatever process compiles it. Hence the narrow alphabet of names, without brackets, quotes and dots, and
-no undefined function called like one that Python or NumPy has (`exec`, `chr`, `load`).
+Names need care of another kind. `lambdify` prints an expression as Python code, symbols and undefined functions by
+their bare names, so `Symbol("print(1)")` runs in whatever process compiles it. Hence the narrow alphabet of names,
+without brackets, quotes and dots, and no undefined function called like one that Python or NumPy has (`exec`, `chr`,
+`load`).
 
-Numbers of mpmath and Fractions are written as the SymPy numbers they are, a `sympy.Array` as nested lists; neither stays what it was.
+Numbers of mpmath and Fractions are written as the SymPy numbers they are, a `sympy.Array` as nested lists; neither
+stays what it was.
 
-What a check will do with an answer is bounded by the judge's own limits of time and memory, yet numbers that nobody writes as an
-answer and that a mere comparison would blow up, such as 10**10**9 or exp(exp(exp(9))), are refused here, by a bound on their size.
+What a check will do with an answer is bounded by the judge's own limits of time and memory, yet numbers that nobody
+writes as an answer and that a mere comparison would blow up, such as 10**10**9 or exp(exp(exp(9))), are refused here,
+by a bound on their size.
 """
 import builtins
 import math
@@ -100,8 +104,8 @@ def derivation(x):
     return x[1].is_Integer and 0 < x[1] <= MAX_ORDER or symbol(x[1])
 
 
-# How a node is built. Where SymPy's constructor cannot be asked not to compute, the object is put together as the constructor does it,
-# with the attributes beside `args` that it sets.
+# How a node is built. Where SymPy's constructor cannot be asked not to compute, the object is put together as the
+# constructor does it, with the attributes beside `args` that it sets.
 
 
 def unevaluated(cls, *args):
@@ -201,7 +205,8 @@ ATOMS = {
 
 
 def encoder(value):
-    """The function that writes `value`, called as `write(walk, value)`; None where it is no SymPy object that may cross."""
+    """The function that writes `value`, called as `write(walk, value)`; None where it is no SymPy object that may
+    cross."""
     cls = type(value)
     if type(cls) is UndefinedFunction:
         return _write_applied if _is_plain_function(cls) else None
@@ -213,10 +218,12 @@ _FUNCTION_ASSUMPTIONS = {f"is_{name}" for name in _assume_defined}
 
 
 def _is_plain_function(cls):
-    """Whether the class that `Function("f")` made has nothing of the student's own (it takes bases and methods, too)."""
+    """Whether the class that `Function("f")` made has nothing of the student's own (it takes bases and methods,
+    too)."""
     bases, attributes = type.__dict__["__bases__"].__get__(cls), type.__dict__["__dict__"].__get__(cls)
     return len(bases) == 1 and bases[0] is AppliedUndef and all(
-        name in _FUNCTION_ATTRIBUTES or name in _FUNCTION_ASSUMPTIONS and type(attributes[name]) is bool for name in attributes
+        name in _FUNCTION_ATTRIBUTES or name in _FUNCTION_ASSUMPTIONS and type(attributes[name]) is bool
+        for name in attributes
     )
 
 
@@ -241,7 +248,8 @@ def _write_rational(walk, value):
 def _write_float(walk, value):
     sign, mantissa, exponent, bits = value._mpf_
     _check_float(walk, int(exponent) + bits, value._prec)
-    return {"kind": "Float", "mantissa": int(-mantissa if sign else mantissa), "exponent": int(exponent), "precision": value._prec}
+    return {"kind": "Float", "mantissa": int(-mantissa if sign else mantissa), "exponent": int(exponent),
+            "precision": value._prec}
 
 
 def _write_fraction(walk, value):
@@ -264,7 +272,8 @@ def _number(mpf):
 
 
 def _write_symbol(walk, value):
-    return {"kind": "Symbol", "name": _name(walk, value.name), "assumptions": _assumptions(walk, value._assumptions_orig)}
+    return {"kind": "Symbol", "name": _name(walk, value.name),
+            "assumptions": _assumptions(walk, value._assumptions_orig)}
 
 
 def _write_dummy(walk, value):
@@ -328,7 +337,8 @@ _WRITERS = {
 # Checks that both directions share
 
 
-_NAME = re.compile(r"[\w\u0300-\u036f\\{}^*+\-,′ ]+")  # \w: letters of any language, digits, _; then accents, and what LaTeX needs
+# \w: letters of any language, digits, _; then accents, and what LaTeX needs
+_NAME = re.compile(r"[\w\u0300-\u036f\\{}^*+\-,′ ]+")
 _CALLABLE = {*dir(builtins), *dir(np)}
 
 

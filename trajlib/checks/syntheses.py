@@ -1,12 +1,12 @@
 """Feedback laws for time-optimal control, judged by what they do against an independent optimum.
 
-The optimum is that of `fastest_times`: the plant is x' = Ax + bu with u between two bounds, the target a point, a segment, a line, or
-the border of a convex set. A law that does as well is optimal, and one that does not is not.
+The optimum is that of `fastest_times`: the plant is x' = Ax + bu with u between two bounds, the target a point, a
+segment, a line, or the border of a convex set. A law that does as well is optimal, and one that does not is not.
 
-How data are written. `field`: two expressions, linear in `state` and `control`. `target`: the expressions that vanish at the end,
-[x1, x2] for the origin, [x1**2 + x2**2 - R**2] for a circle; or a list of number pairs, for the segment between them. `parameters`:
-a dict from symbols to SymPy intervals, or finite sets where few cases tell enough. `start`: a condition on the initial state, such as
-x1**2 + x2**2 > R**2.
+How data are written. `field`: two expressions, linear in `state` and `control`. `target`: the expressions that vanish
+at the end, [x1, x2] for the origin, [x1**2 + x2**2 - R**2] for a circle; or a list of number pairs, for the segment
+between them. `parameters`: a dict from symbols to SymPy intervals, or finite sets where few cases tell enough. `start`:
+a condition on the initial state, such as x1**2 + x2**2 > R**2.
 """
 
 import functools
@@ -28,8 +28,9 @@ from trajlib.checks.verdict import Wrong, judged
 def time_optimal_law(answer, field, state, control, bounds, target, parameters=None, start=None, curve=None):
     """A law u(state) that brings every start, from which the target can be reached, there in the shortest time.
 
-    `curve` = (symbol, abscissa, ends, variable, interval) lets the law use a switching curve that has no elementary equation: the
-    symbol is the second coordinate of this curve where its first one is `abscissa`; the rest is as in `switching_points`.
+    `curve` = (symbol, abscissa, ends, variable, interval) lets the law use a switching curve that has no elementary
+    equation: the symbol is the second coordinate of this curve where its first one is `abscissa`; the rest is as in
+    `switching_points`.
     """
     parameters = dict(parameters or {})
     claim = coercion.as_expression(answer, [*state, *parameters, *([curve[0]] if curve else [])])
@@ -45,7 +46,8 @@ def _time_optimal(claim, data, curve):
     law = Law(claim, state, list(parameters), truth)
     if curve:
         ends = _family(field, state, control, bounds, target, *curve[2:4], parameters | {curve[3]: curve[4]}, start)
-        law = Law(claim, state, list(parameters), truth, (curve[0], sp.lambdify([*state, *parameters], curve[1], "numpy"), ends))
+        law = Law(claim, state, list(parameters), truth,
+                  (curve[0], sp.lambdify([*state, *parameters], curve[1], "numpy"), ends))
     decimals = claim.has(sp.Float)
     lanes = truth.lanes(decimals)
     values = law(lanes.x, lanes.case)
@@ -65,7 +67,8 @@ def _time_optimal(claim, data, curve):
         follow(law, truth, few)
         if truth.beside_barrier(few.take(slice(0, 1)))[0]:
             continue
-        raise Wrong(f"{truth.told(few, 0)} your law gives {control} = {law(few.x, few.case)[0]:.4g}, and the fastest motion from there "
+        raise Wrong(f"{truth.told(few, 0)} your law gives {control} = {law(few.x, few.case)[0]:.4g}, and the fastest "
+                    f"motion from there "
                     "begins with another value")
     followed = truth.kept.setdefault("followed", set())
     if (claim, str(curve)) not in followed:
@@ -93,7 +96,8 @@ def minimal_time(answer, field, state, control, bounds, target, parameters=None,
 
 @judged
 def reachable_starts(answer, field, state, control, bounds, target, parameters=None, start=None):
-    """The condition on the initial state under which the target can be reached; the border of the set counts either way."""
+    """The condition on the initial state under which the target can be reached; the border of the set counts either
+    way."""
     parameters = dict(parameters or {})
     claim = coercion.as_condition(answer, [*state, *parameters])
     truth = sampled_optimum(*frozen(field, state, control, bounds, target, parameters, start))
@@ -102,7 +106,8 @@ def reachable_starts(answer, field, state, control, bounds, target, parameters=N
     reached = np.isfinite(lanes.time)
     differs = np.flatnonzero(said != reached)[:12]
     for k in differs[~truth.on_border(lanes.take(differs))] if len(differs) else ():
-        raise Wrong(f"{truth.told(lanes, k)} the target " + ("can be reached in a time of " + f"{lanes.time[k]:.4g}" if reached[k] else
+        raise Wrong(f"{truth.told(lanes, k)} the target " + ("can be reached in a time of " + f"{lanes.time[k]:.4g}"
+                                                             if reached[k] else
                     "cannot be reached: a line separates it from all states that can be reached, at every time")
                     + "; your condition says otherwise")
     return f"it agrees with the reachable sets of {len(said)} starts, many of them close to the border"
@@ -110,7 +115,8 @@ def reachable_starts(answer, field, state, control, bounds, target, parameters=N
 
 @judged
 def reached_part(answer, field, state, control, bounds, target, ends, variable, parameters=None, start=None):
-    """The points of the target at which optimal motions end: a condition on `variable`, which numbers the points `ends`.
+    """The points of the target at which optimal motions end: a condition on `variable`, which numbers the points
+    `ends`.
 
     `parameters` gives the interval of `variable` too. The ends of an arc count either way.
     """
@@ -122,8 +128,10 @@ def reached_part(answer, field, state, control, bounds, target, ends, variable, 
         with np.errstate(all="ignore"):
             said = np.broadcast_to(np.asarray(test(tried, *values), dtype=bool), tried.shape)
         for k in np.flatnonzero(said != reached):
-            raise Wrong(f"{family.told(values, tried[k])}, at the point ({points[k][0]:.4g}, {points[k][1]:.4g}) of the target, "
-                        + ("optimal motions end" if reached[k] else "no admissible motion arrives from the side of the starts")
+            raise Wrong(f"{family.told(values, tried[k])}, at the point ({points[k][0]:.4g}, {points[k][1]:.4g}) of "
+                        f"the target, "
+                        + ("optimal motions end" if reached[k]
+                           else "no admissible motion arrives from the side of the starts")
                         + "; your condition says otherwise")
     return "optimal motions end there, and no motion can arrive at the rest of the target"
 
@@ -140,15 +148,18 @@ def _family_of(field, state, control, bounds, target, ends, variable, domain, st
 
 @functools.lru_cache(maxsize=32)
 def _arrivals(family, beside):
-    """For each case: its values, places on the target, whether optimal motions end there, the points. No answer changes them."""
+    """For each case: its values, places on the target, whether optimal motions end there, the points. No answer changes
+    them."""
     found = []
     for values in family.samples():
         places = family.places(values)
         rates = family.rates(places, values)
         changes = [family.change(a, b, values) for a, b in zip(places, places[1:])
                    if np.sign(family.rates(np.array([a, b]), values)).prod() < 0]
-        # Samples at which the rate hardly differs from zero stay undecided; the borders are tried on both sides instead.
-        tried = np.concatenate([places[abs(rates) > 1e-3 * abs(rates).max()], *[[c - beside, c + beside] for c in changes]])
+        # Samples at which the rate hardly differs from zero stay undecided; the borders are tried on both sides
+        # instead.
+        tried = np.concatenate([places[abs(rates) > 1e-3 * abs(rates).max()],
+                                *[[c - beside, c + beside] for c in changes]])
         low, high = family.interval
         tried = tried[(tried > low) & (tried < high)]
         tried = tried[[all(abs(t - c) > beside / 2 for c in changes) for t in tried]]
@@ -158,7 +169,8 @@ def _arrivals(family, beside):
 
 @judged
 def switching_points(answer, field, state, control, bounds, target, ends, variable, parameters=None, start=None):
-    """The switching curve [x1, x2]: the last switching of the optimal motion that ends at the point `ends` of the target."""
+    """The switching curve [x1, x2]: the last switching of the optimal motion that ends at the point `ends` of the
+    target."""
     domain = dict(parameters or {})
     claim = coercion.as_expressions(answer, [variable, *[p for p in domain if p != variable]], length=2)
     target = _family(field, state, control, bounds, target, ends, variable, domain, start)
@@ -174,8 +186,10 @@ def switching_points(answer, field, state, control, bounds, target, ends, variab
             if not np.all(np.isfinite(given[k])):
                 raise Wrong(f"{target.told(values, places[k])} your point is not real")
             if not np.linalg.norm(given[k] - points[k]) <= tolerance * (1 + np.linalg.norm(points[k])):
-                raise Wrong(f"{target.told(values, places[k])} the optimal motion switches {times[k]:.4g} before its end, at a distance "
-                            f"{np.linalg.norm(given[k] - points[k]):.4g} from your point ({given[k][0]:.4g}, {given[k][1]:.4g})")
+                raise Wrong(f"{target.told(values, places[k])} the optimal motion switches {times[k]:.4g} before its "
+                            f"end, at a distance "
+                            f"{np.linalg.norm(given[k] - points[k]):.4g} from your point ({given[k][0]:.4g}, "
+                            f"{given[k][1]:.4g})")
     if not met:
         raise RuntimeError("no motion that ends there switches")
     return "the optimal motions to the target change their control there, for sample values"
@@ -185,7 +199,8 @@ def switching_points(answer, field, state, control, bounds, target, ends, variab
 def switching_crossing(answer, field, state, control, bounds, target, ends, variable, parameters=None, start=None):
     """[before, after]: the determinants of (dP/ds, velocity) on the switching curve P(s) with the two controls.
 
-    `variable` is the s that numbers the curve by the end points, as in `switching_points`. Equal signs: motions cross the curve.
+    `variable` is the s that numbers the curve by the end points, as in `switching_points`. Equal signs: motions cross
+    the curve.
     """
     domain = dict(parameters or {})
     claim = coercion.as_expressions(answer, [variable, *[p for p in domain if p != variable]], length=2)
@@ -196,7 +211,8 @@ def switching_crossing(answer, field, state, control, bounds, target, ends, vari
         places = target.places(values, count=12)
         points, times, after = target.switchings(places, values)
         step = 1e-5
-        tangent = (target.switchings(places + step, values)[0] - target.switchings(places - step, values)[0]) / (2 * step)
+        tangent = (target.switchings(places + step, values)[0]
+                   - target.switchings(places - step, values)[0]) / (2 * step)
         low, high = target.plant.bounds
         given = said(places, *values)
         for name, u, numbers in (("before", low + high - after, given[0]), ("after", after, given[1])):
@@ -204,14 +220,16 @@ def switching_crossing(answer, field, state, control, bounds, target, ends, vari
             true = tangent[:, 0] * velocity[:, 1] - tangent[:, 1] * velocity[:, 0]
             size = np.linalg.norm(tangent, axis=1) * np.linalg.norm(velocity, axis=1)
             for k in np.flatnonzero(np.isfinite(times) & ~(abs(numbers - true) <= tolerance * size)):
-                raise Wrong(f"{target.told(values, places[k])} the determinant of the tangent of the curve and the velocity {name} the "
+                raise Wrong(f"{target.told(values, places[k])} the determinant of the tangent of the curve and the "
+                            f"velocity {name} the "
                             f"switching is not {numbers[k]:.4g}: look at the sign and the size of both")
     return "these are the determinants, for sample values"
 
 
 @judged
 def switching_curve(answer, field, state, control, bounds, target, domain, parameters=None, start=None):
-    """A branch of the switching curve, one state variable as an expression in the other, over the interval that `domain` gives."""
+    """A branch of the switching curve, one state variable as an expression in the other, over the interval that
+    `domain` gives."""
     return _crossed(*_curve_and_data(answer, field, state, control, bounds, target, domain, parameters, start))
 
 
@@ -240,7 +258,8 @@ def _crossed(*curve):
         if one[0].control == other[0].control:
             raise Wrong(f"{told} of your curve the optimal control is the same on both sides")
         if away:
-            raise Wrong(f"{told} of your curve the fastest motions leave the curve on both sides: it is no place where they switch")
+            raise Wrong(f"{told} of your curve the fastest motions leave the curve on both sides: it is no place "
+                        f"where they switch")
     return "optimal motions cross the curve, or follow it, and change their control there, at sample points"
 
 
@@ -250,7 +269,8 @@ def _parting(*curve):
         if one.control == other.control or not away:
             raise Wrong(f"{told} of your curve the fastest motions from both sides do not part")
         if not abs(one.time - other.time) <= 0.12 * one.time + 0.01:
-            raise Wrong(f"{told} of your curve the fastest times differ on the two sides: {one.time:.4g} and {other.time:.4g}")
+            raise Wrong(f"{told} of your curve the fastest times differ on the two sides: {one.time:.4g} and "
+                        f"{other.time:.4g}")
     return "on both sides the fastest motions leave the curve, and their times agree on it, at sample points"
 
 
@@ -260,16 +280,19 @@ def _jumping(*curve):
         jump, left = (abs(a.time - b.time) for a, b in zip(one, other))
         # At the edge of what is in reach the time may jump to infinity, or grow to it steadily: that is no jump.
         if np.isinf(jump) and any(abs(a.time - b.time) > 0.3 for a, b in (one, other) if np.isfinite(a.time + b.time)):
-            raise Wrong(f"{told} of your curve the fastest time does not jump: it grows without bound as the curve is approached")
+            raise Wrong(f"{told} of your curve the fastest time does not jump: it grows without bound as the curve is "
+                        f"approached")
         # What grows like a root, as next to a motion that grazes the target, would fall to the half.
         if not (jump > 0.02 and (left > 0.7 * jump or np.isinf(jump) and np.isinf(left))):
-            raise Wrong(f"{told} of your curve the fastest time does not jump: on its two sides it is {one[0].time:.4g} and "
+            raise Wrong(f"{told} of your curve the fastest time does not jump: on its two sides it is "
+                        f"{one[0].time:.4g} and "
                         f"{other[0].time:.4g}, closer by {one[1].time:.4g} and {other[1].time:.4g}")
     return "the fastest time jumps across the curve, at sample points"
 
 
 def _sides_of(claim, variable, interval, data, shares):
-    """For points of a curve: a text, the optima on one side and on the other at some distances, whether both motions move away."""
+    """For points of a curve: a text, the optima on one side and on the other at some distances, whether both motions
+    move away."""
     truth, state, parameters = sampled_optimum(*data), data[1], dict(data[5])
     beside = BESIDE_DECIMALS if claim.has(sp.Float) else BESIDE / 2
     index = list(state).index(variable)
@@ -291,16 +314,19 @@ def _sides_of(claim, variable, interval, data, shares):
         solved = truth.solve(np.concatenate([on + move for move in moves]), np.full(len(on) * len(moves), case))
         n, m = len(on), len(shares)
         sides = [[solved.take(slice(n * (m * side + k), n * (m * side + k + 1))) for k in range(m)] for side in (0, 1)]
-        away = [sign * ((side[0].x @ truth.plant.A.T + np.outer(side[0].control, truth.plant.b)) * normal).sum(axis=1) > 0
+        away = [sign * ((side[0].x @ truth.plant.A.T + np.outer(side[0].control, truth.plant.b)) * normal).sum(axis=1)
+                > 0
                 for sign, side in zip((1, -1), sides)]
         for k in range(n):
-            yield (f"{told}at the point ({on[k][0]:.4g}, {on[k][1]:.4g})", *([lane.take(k) for lane in side] for side in sides),
+            yield (f"{told}at the point ({on[k][0]:.4g}, {on[k][1]:.4g})",
+                   *([lane.take(k) for lane in side] for side in sides),
                    away[0][k] and away[1][k])
 
 
 @judged
 def continuous_time(answer, field, state, control, bounds, target, ends, variable, parameters, start=None):
-    """The values of a parameter for which the fastest time is continuous where the target can be reached; borders count either way.
+    """The values of a parameter for which the fastest time is continuous where the target can be reached; borders count
+    either way.
 
     Tried next to the extremals that touch the target: from beyond them it is missed.
     """
@@ -320,7 +346,8 @@ def continuous_time(answer, field, state, control, bounds, target, ends, variabl
         tried += [(low - beside, at_low), (high + beside, at_high)]
     for value, jump in tried:
         if truth_at(claim, {name: sp.Float(value)}) != (jump == 0):
-            raise Wrong(f"for {name} = {value:.4g} the fastest time " + ("jumps across a motion that only touches the target" if jump else
+            raise Wrong(f"for {name} = {value:.4g} the fastest time "
+                        + ("jumps across a motion that only touches the target" if jump else
                         "jumps nowhere: it is the same on both sides of all motions that touch the target")
                         + "; your condition says otherwise")
     return "next to the motions that touch the target the fastest time jumps for the other values alone"
@@ -329,7 +356,8 @@ def continuous_time(answer, field, state, control, bounds, target, ends, variabl
 @functools.lru_cache(maxsize=256)
 def _jumps(value, field, state, control, bounds, target, ends, variable, interval, start, name):
     fixed = {name: sp.Float(value)}
-    target, ends, start = target.subs(fixed), [end.subs(fixed) for end in ends], None if start is None else start.subs(fixed)
+    target, ends, start = target.subs(fixed), [end.subs(fixed)
+                                               for end in ends], None if start is None else start.subs(fixed)
     truth = sampled_optimum(*frozen(field, state, control, bounds, [target], {}, start))
     family = TargetFamily(field, state, control, bounds, target, ends, variable, {variable: interval}, start)
     places = family.places((), count=361)
@@ -347,19 +375,23 @@ def _jumps(value, field, state, control, bounds, target, ends, variable, interva
 
 def _jump(value, field, state, control, bounds, target, ends, variable, interval, start, name):
     target = target[0] if isinstance(target, (list, tuple)) else target
-    return _jumps(value, tuple(field), tuple(state), control, tuple(bounds), target, tuple(map(sp.sympify, ends)), variable, interval,
+    return _jumps(value, tuple(field), tuple(state), control, tuple(bounds), target, tuple(map(sp.sympify, ends)),
+                  variable, interval,
                   start, name)
 
 
 @judged
 def other_extremals(answer, field, state, control, bounds, target, start=None):
-    """The condition on the start under which there is an extremal to the line besides the fastest one; it may cross the line before."""
+    """The condition on the start under which there is an extremal to the line besides the fastest one; it may cross the
+    line before."""
     claim = coercion.as_condition(answer, state)
     lanes, later = _line_extremals(field, state, control, bounds, target, start)
-    said = sampled_optimum(*frozen(field, state, control, bounds, target, {}, start)).condition(claim)(lanes.x, lanes.case)
+    said = sampled_optimum(*frozen(field, state, control, bounds, target, {},
+                                   start)).condition(claim)(lanes.x, lanes.case)
     for k in np.flatnonzero(said != np.isfinite(later)):
         place = ", ".join(f"{s} = {v:.4g}" for s, v in zip(state, lanes.x[k]))
-        raise Wrong(f"from {place} there is " + (f"another extremal, which takes {later[k]:.4g}" if np.isfinite(later[k]) else
+        raise Wrong(f"from {place} there is " + (f"another extremal, which takes {later[k]:.4g}"
+                                                 if np.isfinite(later[k]) else
                     "no other extremal") + f", besides the fastest one of {lanes.time[k]:.4g}")
     return f"it agrees with the extremals from {len(said)} starts"
 
@@ -375,16 +407,17 @@ def other_extremal_time(answer, field, state, control, bounds, target, start=Non
     for k in np.flatnonzero(np.isfinite(later) & ~(abs(said - later) <= tolerance * later)):
         place = ", ".join(f"{s} = {v:.4g}" for s, v in zip(state, lanes.x[k]))
         told = f"{said[k]:.4g}" if np.isfinite(said[k]) else "no real number"
-        raise Wrong(f"from {place} your expression gives {told}, which is not the time of an extremal slower than the fastest one")
+        raise Wrong(f"from {place} your expression gives {told}, which is not the time of an extremal slower than the "
+                    f"fastest one")
     return "it is the time of the slower extremal, from all sample starts that have one"
 
 
 def _line_extremals(field, state, control, bounds, target, start):
     """Starts, and the time of the extremal to a line that is next to the fastest one (inf where there is none).
 
-    The costate at the end is p = +-c for the line c.y + d = 0, so F(T) = max p.y over R(T) says it all: an extremal ends at T if F
-    reaches the line there, and rises, since its rate is the Hamiltonian; the first of all is the fastest one. Starts next to a
-    border of their set are left out.
+    The costate at the end is p = +-c for the line c.y + d = 0, so F(T) = max p.y over R(T) says it all: an extremal
+    ends at T if F reaches the line there, and rises, since its rate is the Hamiltonian; the first of all is the fastest
+    one. Starts next to a border of their set are left out.
     """
     truth = sampled_optimum(*frozen(field, state, control, bounds, target, {}, start))
     if "extremals" in truth.kept:
@@ -397,7 +430,8 @@ def _line_extremals(field, state, control, bounds, target, start):
     for p, level in ((c, -d), (-c, d)):
         def ahead(T, x, p=p, level=level):
             rows = np.tile(p, (len(T), 1))
-            return np.einsum("i,nij,nj->n", p, plant.exponential(T), x) + plant.extreme(rows, T, np.ones(len(T))) - level
+            return np.einsum("i,nij,nj->n", p, plant.exponential(T),
+                             x) + plant.extreme(rows, T, np.ones(len(T))) - level
 
         reach = plant.extreme(np.tile(p, (len(times), 1)), times, np.ones(len(times)))
         F = np.einsum("i,tij,nj->nt", p, whole, points) + reach - level
@@ -409,7 +443,8 @@ def _line_extremals(field, state, control, bounds, target, start):
             low, high = np.where(before, middle, low), np.where(before, high, middle)
         owner.append(n)
         found.append((low + high) / 2)
-        turning = (F[:, 1:-1] < F[:, :-2]) & (F[:, 1:-1] < F[:, 2:]) | (F[:, 1:-1] > F[:, :-2]) & (F[:, 1:-1] > F[:, 2:])
+        turning = ((F[:, 1:-1] < F[:, :-2]) & (F[:, 1:-1] < F[:, 2:]) | (F[:, 1:-1] > F[:, :-2])
+                   & (F[:, 1:-1] > F[:, 2:]))
         doubtful |= (turning & (abs(F[:, 1:-1]) < 0.004 * (0.3 + np.linalg.norm(points, axis=1))[:, None])).any(axis=1)
     ends = np.full((len(points), 1 + max(np.bincount(np.concatenate(owner)), default=0)), np.inf)
     rows, column = np.concatenate(owner), np.zeros(len(points), dtype=int)

@@ -36,7 +36,8 @@ class TargetFamily:
 
     @property
     def interval(self):
-        return tuple(float(end) if end.is_finite else np.sign(float(end)) * 6 for end in (self._interval.inf, self._interval.sup))
+        return tuple(float(end) if end.is_finite else np.sign(float(end)) * 6
+                     for end in (self._interval.inf, self._interval.sup))
 
     def samples(self):
         return self._cases
@@ -72,7 +73,8 @@ class TargetFamily:
         return (one + other) / 2
 
     def switchings(self, places, values):
-        """(points, times before the end, controls after): where the extremals that end at `places` switch for the last time."""
+        """(points, times before the end, controls after): where the extremals that end at `places` switch for the last
+        time."""
         y, n = self.point(places, values), self._towards(places, values)
         time, sign = self.plant.first_zero(n, LONGEST)
         after = np.where(sign > 0, *self.plant.bounds)
@@ -92,7 +94,8 @@ class TargetFamily:
     def table(self, values):
         """The switching curve as two arrays, the first of them increasing."""
         low, high = self.interval
-        share = np.concatenate([np.geomspace(1e-12, 0.2, 2500), np.linspace(0.2, 0.8, 2500), 1 - np.geomspace(1e-12, 0.2, 2500)])
+        share = np.concatenate([np.geomspace(1e-12, 0.2, 2500), np.linspace(0.2, 0.8, 2500),
+                                1 - np.geomspace(1e-12, 0.2, 2500)])
         share = np.unique(share)
         points, times, _ = self.switchings(low + (high - low) * share, values)
         points = points[np.isfinite(times)]

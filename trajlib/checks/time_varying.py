@@ -1,8 +1,10 @@
-"""An output z = H(t) x of x' = A x whose row changes with time: what it shows, its derivatives, its Gramian, the trap of frozen rows.
+"""An output z = H(t) x of x' = A x whose row changes with time: what it shows, its derivatives, its Gramian, the trap
+of frozen rows.
 
-Where H(t) consists of sines, cosines, exponentials and powers of t, the products of these functions with the coordinates obey linear
-equations with constant coefficients. So z is an output of a constant system of higher order, from known starts for every x(0), and
-what it never shows is found exactly (`known_starts`), at every exceptional value of a parameter too. No derivative rows are needed.
+Where H(t) consists of sines, cosines, exponentials and powers of t, the products of these functions with the
+coordinates obey linear equations with constant coefficients. So z is an output of a constant system of higher order,
+from known starts for every x(0), and what it never shows is found exactly (`known_starts`), at every exceptional value
+of a parameter too. No derivative rows are needed.
 """
 
 from math import comb
@@ -31,7 +33,8 @@ def varying_output(answer, A, H, time, start, parameters):
         x = np.array([values[symbol] for symbol in start])
         matrix, row = _at(A, values), _at(H, values)
         z = float((row @ expm(values[time] * matrix) @ x)[0])
-        compare_at(claim, values, z, "z", np.linalg.norm(row) * np.linalg.norm(x), 5e-3 if claim.has(sp.Float) else 1e-9)
+        compare_at(claim, values, z, "z", np.linalg.norm(row) * np.linalg.norm(x), 5e-3 if claim.has(sp.Float)
+                   else 1e-9)
     return "it is H(t) x(t) for all starts, moments and parameters tried"
 
 
@@ -47,22 +50,26 @@ def derivative_rows(answer, A, H, time, parameters):
         for k in range(n):
             # The derivative of order k of the product H(t) x(t), by the rule of Leibniz.
             true = sum(comb(k, j) * rows[j] @ np.linalg.matrix_power(matrix, k - j) for j in range(k + 1))
-            scale = sum(comb(k, j) * np.linalg.norm(rows[j]) * np.linalg.norm(matrix, 2) ** (k - j) for j in range(k + 1))
+            scale = sum(comb(k, j) * np.linalg.norm(rows[j]) * np.linalg.norm(matrix, 2) ** (k - j)
+                        for j in range(k + 1))
             if np.linalg.norm(said[k] - true) <= tolerance * scale:
                 continue
             if k and np.linalg.norm(said[k] - rows[0] @ np.linalg.matrix_power(matrix, k)) <= 1e-6 * scale:
-                raise Wrong(f"row {k + 1} of your matrix leaves out that H changes with time: the derivative of z = H(t) x has one term "
+                raise Wrong(f"row {k + 1} of your matrix leaves out that H changes with time: the derivative of z = "
+                            f"H(t) x has one term "
                             "more")
             j = int(np.argmax(abs(said[k] - true)))
             what = "z itself" if k == 0 else "the derivative of z" if k == 1 else f"the derivative of z of order {k}"
-            raise Wrong(f"row {k + 1} times x has to be {what}; at {rounded_text(values)} it is not, in column {j + 1}: there your matrix "
+            raise Wrong(f"row {k + 1} times x has to be {what}; at {rounded_text(values)} it is not, in column "
+                        f"{j + 1}: there your matrix "
                         f"has {number_text(said[k, j])}")
     return "the rows times x are z and its derivatives, at all moments and parameters tried"
 
 
 @judged
 def output_gramian(answer, A, H, time, duration, parameters):
-    """The matrix G with x(0)^T G x(0) = the integral of z^2 over 0 <= t <= duration, for parameters in general position."""
+    """The matrix G with x(0)^T G x(0) = the integral of z^2 over 0 <= t <= duration, for parameters in general
+    position."""
     n = A.rows
     claim = coercion.as_matrix(answer, parameters, (n, n))
     nodes, weights = np.polynomial.legendre.leggauss(160)
@@ -77,7 +84,8 @@ def output_gramian(answer, A, H, time, duration, parameters):
         bad = ~(abs(said - true) <= tolerance * np.linalg.norm(true))
         if bad.any():
             i, j = np.argwhere(bad)[0]
-            raise Wrong(f"for {rounded_text(values)} the entry ({i + 1}, {j + 1}) of your matrix is {number_text(said[i, j])}; the "
+            raise Wrong(f"for {rounded_text(values)} the entry ({i + 1}, {j + 1}) of your matrix is "
+                        f"{number_text(said[i, j])}; the "
                         f"integral is {true[i, j]:.4g}")
     return "the entries are the integrals, for all parameters tried"
 
@@ -93,7 +101,8 @@ def frozen_determinant(answer, A, H, time, parameters):
         if not abs(said - np.linalg.det(rows)) <= (5e-3 if claim.has(sp.Float) else 1e-9) * scale:
             # The rows and not their determinant, which may be the answer itself.
             told = ", ".join(f"({', '.join(map(number_text, r))})" for r in rows)
-            raise Wrong(f"at one of the moments tried the rows are {told}; {number_text(said)}, which your expression gives, is not their "
+            raise Wrong(f"at one of the moments tried the rows are {told}; {number_text(said)}, which your expression "
+                        f"gives, is not their "
                         "determinant")
     return "it is the determinant at all moments and parameters tried"
 
@@ -106,13 +115,15 @@ def varying_observable_parameters(answer, A, H, time, parameters):
 
 @judged
 def varying_unseen_where_lost(answer, A, H, time, parameter):
-    """Every real value of the parameter for which the system is not observable, as {value: basis of the unseen initial states}."""
+    """Every real value of the parameter for which the system is not observable, as {value: basis of the unseen initial
+    states}."""
     return judge_where_lost(answer, _starts(A, H, time, (parameter,)), OUTPUT,
                             lambda value: _starts(A.subs(parameter, value), H.subs(parameter, value), time))
 
 
 def _starts(A, H, time, parameters=()):
-    """The products of the functions in H(t) with the coordinates of x as one constant system, from its starts for every x(0)."""
+    """The products of the functions in H(t) with the coordinates of x as one constant system, from its starts for every
+    x(0)."""
     functions, rates, rows = _functions(H, time)
     n, E = A.rows, sp.eye(len(functions))
     matrix = sp.kronecker_product(rates, sp.eye(n)) + sp.kronecker_product(E, A)
@@ -147,7 +158,8 @@ def _split(expression, time):
 def _values(symbols, positive=(), count=8):
     """Values of both signs for symbols in general position, small and large ones for each."""
     random = np.random.default_rng(29)
-    columns = {s: spread(random, 0.3, 3.0, count) * (1 if s in positive or s.is_positive else random.permutation([1, -1] * (count // 2)))
+    columns = {s: spread(random, 0.3, 3.0, count) * (1 if s in positive or s.is_positive
+                                                     else random.permutation([1, -1] * (count // 2)))
                for s in symbols}
     return [{s: float(column[k]) for s, column in columns.items()} for k in range(count)]
 

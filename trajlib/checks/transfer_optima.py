@@ -2,11 +2,11 @@
 
 - one state: the time is the integral of dx/(greatest rate towards the target);
 - a system homogeneous of first degree in two states, a line through zero as the target: the direction (angle) obeys an
-  equation of its own, and the time is the integral of dtheta/(greatest or least rate); the process ends when the line is
-  met for the first time after the start;
-- a linear system x' = Ax + bu with two states, the origin as the target: the least time is that of `fastest_times`. Whether there is
-  one at all is told by time running back: x0 can be brought to the origin within T exactly if, for every direction q,
-  q.x0 <= S_T(q) := int_0^T max_u(-q.e^{-As}b u) ds.
+  equation of its own, and the time is the integral of dtheta/(greatest or least rate); the process ends when the line
+  is met for the first time after the start;
+- a linear system x' = Ax + bu with two states, the origin as the target: the least time is that of `fastest_times`.
+  Whether there is one at all is told by time running back: x0 can be brought to the origin within T exactly if, for
+  every direction q, q.x0 <= S_T(q) := int_0^T max_u(-q.e^{-As}b u) ds.
 """
 
 import functools
@@ -51,7 +51,8 @@ class Transfer:
 
     def _linear(self):
         symbols = [*self.dynamics, self.control]
-        return len(self.dynamics) == 2 and all(sp.diff(f, x).free_symbols == set() for f in self.dynamics.values() for x in symbols)
+        return (len(self.dynamics) == 2 and all(sp.diff(f, x).free_symbols == set() for f in self.dynamics.values()
+                                                for x in symbols))
 
     def at(self, values, **options):
         """The optimum for given values of the parameters."""
@@ -61,7 +62,8 @@ class Transfer:
         start = np.array([float(put(e)) for e in self.initial])
         # State symbols that stand for the start are values of parameters, never to be replaced in the dynamics.
         free = {p: v for p, v in values.items() if p not in self.dynamics}
-        parts = (tuple(e.subs(free) for e in expressions) for expressions in (self.dynamics.values(), self.bounds, self.terminal))
+        parts = (tuple(e.subs(free) for e in expressions)
+                 for expressions in (self.dynamics.values(), self.bounds, self.terminal))
         system = _system(self._kind, tuple(self.dynamics), self.control, *parts)
         return _Optimum(system, start, self.slowest, **options)
 
@@ -72,7 +74,8 @@ class Transfer:
         return _samples(self._key(), count)
 
     def _key(self):
-        return (tuple(self.dynamics.items()), self.control, tuple(self.bounds), tuple(self.initial), tuple(self.terminal),
+        return (tuple(self.dynamics.items()), self.control, tuple(self.bounds), tuple(self.initial),
+                tuple(self.terminal),
                 tuple(self.parameters), self.slowest)
 
     def solvable(self, values):
@@ -94,14 +97,16 @@ class Transfer:
         return self._modes_allow(start) and self._system().holds(np.array(start, dtype=float))
 
     def told_solvable(self, values):
-        return "from there the target " + ("can be reached" if self.solvable(values) else "cannot be reached, whatever the control")
+        return "from there the target " + ("can be reached" if self.solvable(values)
+                                           else "cannot be reached, whatever the control")
 
     def reach(self, duration):
         """Distances from zero of the starts from which `duration` is the least time, in many directions."""
         return self._system().radii(duration)
 
     def _system(self):
-        return _system(_Linear, tuple(self.dynamics), self.control, tuple(self.dynamics.values()), tuple(self.bounds), tuple(self.terminal))
+        return _system(_Linear, tuple(self.dynamics), self.control, tuple(self.dynamics.values()), tuple(self.bounds),
+                       tuple(self.terminal))
 
     def _modes_allow(self, start):
         """Exactly: the part of the start along each mode that does not decay must lie in what the control can undo."""
@@ -121,20 +126,23 @@ class Transfer:
             for left in vectors if value.is_real and value >= 0 else ():
                 effect = (left.T * column)[0]
                 pushes = [effect * b for b in self.bounds]
-                found.append((left, *sorted(push / value if value else sp.oo * sp.sign(push) if push else 0 for push in pushes)))
+                found.append((left, *sorted(push / value if value else sp.oo * sp.sign(push) if push else 0
+                                            for push in pushes)))
         return found
 
 
 @functools.lru_cache(maxsize=64)
 def _decisions(key):
-    """Which starts of a transfer can reach the target, as far as it has been asked: every answer is tried at the same ones."""
+    """Which starts of a transfer can reach the target, as far as it has been asked: every answer is tried at the same
+    ones."""
     return {}
 
 
 @functools.lru_cache(maxsize=64)
 def _samples(key, count):
     dynamics, control, bounds, initial, terminal, parameters, slowest = key
-    transfer = Transfer(dict(dynamics), {control: bounds}, dict(zip(dict(dynamics), initial)), terminal, parameters, slowest)
+    transfer = Transfer(dict(dynamics), {control: bounds}, dict(zip(dict(dynamics), initial)), terminal, parameters,
+                        slowest)
     solvable, found = filter(transfer.solvable, _drawn(parameters, 400 * count)), []
     while len(found) < count:
         fresh = [(values, transfer.at(values)) for values in itertools.islice(solvable, count - len(found))]
@@ -152,7 +160,8 @@ def _drawn(parameters, count):
         scale = (sp.S.One, sp.Rational(1, 4), sp.Integer(3))[k % 3]
         values = {}
         for p in parameters:
-            size = sp.Integer(int(random.integers(1, 6))) if p.is_integer else scale * sp.Rational(int(random.integers(3, 40)), 13)
+            size = (sp.Integer(int(random.integers(1, 6))) if p.is_integer
+                    else scale * sp.Rational(int(random.integers(3, 40)), 13))
             values[p] = size if p.is_positive or not (p.is_negative or random.integers(2)) else -size
         yield values
 
@@ -327,7 +336,8 @@ class _Turn(_System):
     def duration(self, start, slowest, meetings):
         theta, sense = math.atan2(start[1], start[0]), self._sense
         angle = self._angle(start, meetings)
-        return quad(lambda a: 1 / self._speed(theta + sense * a, slowest), 0, angle, epsabs=0, epsrel=1e-11, limit=400)[0]
+        return quad(lambda a: 1 / self._speed(theta + sense * a, slowest), 0, angle, epsabs=0, epsrel=1e-11,
+                    limit=400)[0]
 
     def law(self, y, t, start, duration, slowest):
         rates = [abs(r) for r in self._rates(math.atan2(y[1], y[0]))]
@@ -365,14 +375,17 @@ class _Turn(_System):
 
     def told_time(self, start, said, true, slowest, meetings):
         if not 0 < said < 100 * true:
-            return "the process ends at a positive time" if said <= 0 else "by then every admissible control has met the target long before"
+            return ("the process ends at a positive time" if said <= 0
+                    else "by then every admissible control has met the target long before")
         least, most = (self.turned(start, said, s) for s in (True, False))
-        return (f"by then the direction of (x, x') has turned by {least:.4g} at least and {most:.4g} at most, depending on the control, "
+        return (f"by then the direction of (x, x') has turned by {least:.4g} at least and {most:.4g} at most, "
+                f"depending on the control, "
                 "and the "
                 f"target is met when it has turned by {self._angle(start, meetings):.4g}")
 
     def met_between(self, first, second):
-        """Whether the direction passes the target on the way from the first state to the second, by less than a turn."""
+        """Whether the direction passes the target on the way from the first state to the second, by less than a
+        turn."""
         before = self._sense * (math.atan2(second[1], second[0]) - math.atan2(first[1], first[0])) % (2 * math.pi)
         return before > self._angle(first, 1) + 1e-6
 
@@ -380,8 +393,8 @@ class _Turn(_System):
 class _Linear(_System):
     """x' = Ax + bu in the plane, the origin as the target.
 
-    Time runs back here: what can be brought to the origin within T is what x' = -Ax - bu reaches from there, and it only grows with T.
-    The least times are those of `fastest_times`, to more digits.
+    Time runs back here: what can be brought to the origin within T is what x' = -Ax - bu reaches from there, and it
+    only grows with T. The least times are those of `fastest_times`, to more digits.
     """
 
     DIRECTIONS = 720
@@ -401,7 +414,8 @@ class _Linear(_System):
         return self._optimum(start)[0]
 
     def _optimum(self, start):
-        """(least time, angle of a direction p for which no state that can be brought to the origin in this time has a smaller p.x)."""
+        """(least time, angle of a direction p for which no state that can be brought to the origin in this time has a
+        smaller p.x)."""
         self.foresee([start])
         return self._found[tuple(start)]
 
@@ -416,12 +430,14 @@ class _Linear(_System):
         self._found.update(zip(starts, zip(time.tolist(), angle.tolist())))
 
     def _closer(self, x, time, angle, step=1e-6):
-        """The same to about ten digits, by Newton's iteration for the motion, time running back, to end at the start x."""
+        """The same to about ten digits, by Newton's iteration for the motion, time running back, to end at the start
+        x."""
         def miss(time, angle):
             return self._back.farthest(directions(angle), time, -1) - x
 
         def slopes(time, angle):
-            return np.stack([miss(time + step, angle) - miss(time - step, angle), miss(time, angle + step) - miss(time, angle - step)],
+            return np.stack([miss(time + step, angle) - miss(time - step, angle), miss(time, angle + step)
+                             - miss(time, angle - step)],
                             axis=2) / (2 * step)
 
         better, turned = time, angle
@@ -458,12 +474,14 @@ class _Linear(_System):
         return self._plan(start, duration)[0]
 
     def _plan(self, start, duration):
-        """The switching times of the fastest control and its first value: time running back, it makes p.y least at the end."""
+        """The switching times of the fastest control and its first value: time running back, it makes p.y least at the
+        end."""
         key = tuple(start)
         if key not in self._plans:
             p = directions(np.array([self._optimum(start)[1]]))
             # A zero next to an end belongs to a start on the switching curve, or to the target: no switching.
-            inner = [t for t in self._back.zeros(p, np.array([duration]))[0] if 1e-4 * duration < t < (1 - 1e-4) * duration]
+            inner = [t for t in self._back.zeros(p, np.array([duration]))[0] if 1e-4 * duration < t
+                     < (1 - 1e-4) * duration]
             pushed = float(p[0] @ self._back.response(duration * 2e-4)[0])
             self._plans[key] = inner, self.bounds[1] if pushed < 0 else self.bounds[0]
         return self._plans[key]
@@ -476,7 +494,8 @@ class _Linear(_System):
         return first if sum(b < t for b in breaks) % 2 == 0 else sum(self.bounds) - first
 
     def told_time(self, start, said, true, slowest, meetings):
-        return "that is not enough for any admissible control" if said < true else "an admissible control arrives earlier"
+        return ("that is not enough for any admissible control" if said < true
+                else "an admissible control arrives earlier")
 
 
 def _linear_parts(dynamics, control):

@@ -1,9 +1,10 @@
-"""Fastest and slowest transfers: minimal times, controls and motions in time, costates, starts that can be brought to the target.
+"""Fastest and slowest transfers: minimal times, controls and motions in time, costates, starts that can be brought to
+the target.
 
-A transfer is given as a problem states it: `dynamics` {state: right-hand side}, `controls` {u: (lower, upper)}, `initial`
-{state: value}, `terminal` expressions that vanish at the end. The values at the start may be parameters, or the state
-symbols themselves where a function of the start is asked for. The optimum comes from `transfer_optima`, where neither the maximum
-principle nor a shooting is used.
+A transfer is given as a problem states it: `dynamics` {state: right-hand side}, `controls` {u: (lower, upper)},
+`initial` {state: value}, `terminal` expressions that vanish at the end. The values at the start may be parameters, or
+the state symbols themselves where a function of the start is asked for. The optimum comes from `transfer_optima`, where
+neither the maximum principle nor a shooting is used.
 """
 
 import math
@@ -23,7 +24,8 @@ from trajlib.checks.wording import values_text
 ROUNDING = 5e-3
 #: What an answer without decimals may be off by: the precision of integrating it.
 EXACT = 1e-5
-#: Where the end is looked at, as a part of the duration: a law may be defined up to the end alone, which is known up to rounding.
+#: Where the end is looked at, as a part of the duration: a law may be defined up to the end alone, which is known up to
+#: rounding.
 ENDING = 1 - 1e-9
 
 
@@ -89,7 +91,8 @@ def slowest_switching(answer, dynamics, controls, initial, terminal, time):
 
 @judged
 def fastest_meeting(answer, dynamics, controls, initial, terminal, count):
-    """The least time of the meeting number `count` with the target, a start on the target being the meeting number 0."""
+    """The least time of the meeting number `count` with the target, a start on the target being the meeting number
+    0."""
     return _judge_meetings(answer, Transfer(dynamics, controls, initial, terminal, ()), count)
 
 
@@ -114,7 +117,8 @@ def turning_rate(answer, dynamics, controls, angle):
         said = real_at(claim, {angle: sp.Float(theta, 20), control: sp.Float(u, 20)})
         if said is None or not abs(said - true) <= 1e-9 * (1 + abs(true)):
             told = "no real number" if said is None else f"{said:.4g}"
-            raise Wrong(f"at {first} = {x[0]:.4g}, {second} = {x[1]:.4g} with {control} = {u:.4g} the direction turns at the rate "
+            raise Wrong(f"at {first} = {x[0]:.4g}, {second} = {x[1]:.4g} with {control} = {u:.4g} the direction turns "
+                        f"at the rate "
                         f"{true:.4g}; your "
                         f"expression gives {told}")
     return "it is the rate at which the direction turns, at random states and controls"
@@ -122,7 +126,8 @@ def turning_rate(answer, dynamics, controls, angle):
 
 @judged
 def transfer_starts(answer, dynamics, controls, initial, terminal, parameters):
-    """The starts, or parameters, for which the target can be reached; a start on the target may be counted either way."""
+    """The starts, or parameters, for which the target can be reached; a start on the target may be counted either
+    way."""
     transfer = Transfer(dynamics, controls, initial, terminal, parameters)
     compare_condition(answer, parameters, transfer.solvable, transfer.told_solvable)
     return "it agrees with what the controls can reach, on both sides of the border and on it"
@@ -130,7 +135,8 @@ def transfer_starts(answer, dynamics, controls, initial, terminal, parameters):
 
 @judged
 def reached_within(answer, dynamics, controls, initial, terminal, duration, parameters):
-    """The condition, in the parameters and the symbol `duration`, for the target to be reached in a time not longer than it."""
+    """The condition, in the parameters and the symbol `duration`, for the target to be reached in a time not longer
+    than it."""
     symbols = [duration, *parameters]
     claim = coercion.as_condition(answer, symbols)
     transfer = Transfer(dynamics, controls, initial, terminal, parameters)
@@ -140,7 +146,8 @@ def reached_within(answer, dynamics, controls, initial, terminal, duration, para
         times += [(exact, True)] if abs(exact - best.duration) < 1e-12 else []
         for time, holds in times:
             if truth_at(claim, values | {duration: time}) != holds:
-                raise Wrong(f"for {values_text(values | {duration: time})} the target {'can' if holds else 'cannot'} be reached in time; "
+                raise Wrong(f"for {values_text(values | {duration: time})} the target {'can' if holds else 'cannot'} "
+                            f"be reached in time; "
                             f"your condition {'does not hold' if holds else 'holds'}")
     return "it tells the times that suffice from those that do not, for several sets of parameters"
 
@@ -158,7 +165,8 @@ def least_rate(answer, quantity, dynamics, controls):
         said = real_at(claim, place)
         if said is None or not _close(said, min(rates), claim, max(map(abs, rates))):
             told = "no real number" if said is None else f"{said:.4g}"
-            raise Wrong(f"for {values_text(place)} the controls {bounds[0]} and {bounds[1]} give the rates {rates[0]:.4g} and "
+            raise Wrong(f"for {values_text(place)} the controls {bounds[0]} and {bounds[1]} give the rates "
+                        f"{rates[0]:.4g} and "
                         f"{rates[1]:.4g}; "
                         f"your expression gives {told}")
     return "it is the least of the rates that the admissible controls give, at random states of both signs"
@@ -166,7 +174,8 @@ def least_rate(answer, quantity, dynamics, controls):
 
 @judged
 def switchings(answer, dynamics, controls, initial, terminal, parameters):
-    """How often the fastest control switches, as an expression in the parameters; not asked where all of them are whole numbers."""
+    """How often the fastest control switches, as an expression in the parameters; not asked where all of them are whole
+    numbers."""
     claim = coercion.as_expression(answer, parameters)
     transfer = Transfer(dynamics, controls, initial, terminal, parameters)
     for values, best in transfer.samples(4 * SAMPLES):
@@ -176,7 +185,8 @@ def switchings(answer, dynamics, controls, initial, terminal, parameters):
         count = best.switchings()
         if said is None or not abs(said - count) <= 1e-9:
             told = "no real number" if said is None else f"{said:.4g}"
-            raise Wrong(f"for {values_text(values)} the fastest control switches {_times(count)}; your expression gives {told}")
+            raise Wrong(f"for {values_text(values)} the fastest control switches {_times(count)}; your expression "
+                        f"gives {told}")
     return f"it counts the switchings of the fastest control for {4 * SAMPLES} starts"
 
 
@@ -189,7 +199,8 @@ def most_switchings(answer, dynamics, controls, initial, terminal, parameters):
     if claim < most:
         raise Wrong(f"there are starts from which the fastest control switches more often than {_times(claim)}")
     if claim > most:
-        raise Wrong(f"among {4 * SAMPLES} starts there is none from which the fastest control switches as often as {_times(claim)}")
+        raise Wrong(f"among {4 * SAMPLES} starts there is none from which the fastest control switches as often as "
+                    f"{_times(claim)}")
     return f"the fastest controls from {4 * SAMPLES} starts confirm it"
 
 
@@ -201,7 +212,8 @@ def switching_interval(answer, dynamics, controls, initial, terminal, parameters
                  for a, b in zip(best.breaks(), best.breaks()[1:])]
     if max(intervals) - min(intervals) > 1e-3 * max(intervals):
         raise RuntimeError("the intervals between switchings differ")
-    if not _close(float(claim), float(np.mean(intervals)), claim, 4 * max(intervals) if not claim.has(sp.Float) else None):
+    if not _close(float(claim), float(np.mean(intervals)), claim, 4 * max(intervals) if not claim.has(sp.Float)
+                  else None):
         raise Wrong(f"fastest controls from {len(intervals)} starts do not switch at such intervals: yours is too "
                     + ("short" if float(claim) < min(intervals) else "long"))
     return f"the fastest controls switch at such intervals, {len(intervals)} times"
@@ -219,7 +231,8 @@ def isochrone_radius(answer, dynamics, controls, terminal, duration, count):
             raise RuntimeError("this isochrone is no circle")
         if said is None or not _close(said, float(np.mean(radii)), claim):
             told = "is no real number" if said is None else f"is {said:.4g}"
-            raise Wrong(f"for {count} = {number} your radius {told}; the farthest starts from which the origin can be reached in that "
+            raise Wrong(f"for {count} = {number} your radius {told}; the farthest starts from which the origin can be "
+                        f"reached in that "
                         "time lie "
                         + ("farther out" if said is not None and said < min(radii) else "closer"))
     return "all around the origin the starts that need this time lie at that distance"
@@ -240,7 +253,8 @@ def _judge_time(answer, transfer):
             if said is None:
                 raise Wrong(where + "your expression gives no real number, though the target can be reached")
             raise Wrong(f"{where}your time is {said:.4g}; " + best.told_time(said))
-    return f"it is the {transfer.word} time" + (", for parameters of several sizes and signs" if transfer.parameters else "")
+    return f"it is the {transfer.word} time" + (", for parameters of several sizes and signs" if transfer.parameters
+                                                else "")
 
 
 def _judge_control(answer, transfer, time):
@@ -252,18 +266,21 @@ def _judge_control(answer, transfer, time):
         path.admissible(read.rounding)
         miss, size = path.miss()
         if not miss <= read.rounding * size:
-            raise Wrong(f"{where}your control does not bring the system to the target at the {transfer.word} time possible: it ends there "
+            raise Wrong(f"{where}your control does not bring the system to the target at the {transfer.word} time "
+                        f"possible: it ends there "
                         "at "
                         f"{_point(path.states[-1])}")
         if transfer.slowest and path.met_before_the_end():
-            raise Wrong(f"{where}under your control the target is met before the greatest time possible, and the process ends there")
+            raise Wrong(f"{where}under your control the target is met before the greatest time possible, and the "
+                        f"process ends there")
     return f"it is admissible and meets the target at the {transfer.word} time possible"
 
 
 def _judge_motion(answer, transfer, time):
     symbols = [time, *transfer.parameters]
     states = list(transfer.dynamics)
-    single = isinstance(answer, sp.Basic) and not isinstance(answer, (sp.MatrixBase, sp.Tuple)) or isinstance(answer, (int, float))
+    single = (isinstance(answer, sp.Basic) and not isinstance(answer, (sp.MatrixBase, sp.Tuple))
+              or isinstance(answer, (int, float)))
     claims = [coercion.as_expression(answer, symbols)] if single else coercion.as_expressions(answer, symbols)
     if len(claims) not in (1, len(states)):
         raise Invalid(f"expected {states[0]} as an expression in {time}, or all states")
@@ -293,15 +310,19 @@ def _judge_motion(answer, transfer, time):
             slack = 10 * rounding * (np.abs(low) + np.abs(high) + size / best.duration)
             if not (np.all(rate >= low - slack) and np.all(rate <= high + slack)):
                 k = int(np.argmax(np.maximum(low - slack - rate, rate - high - slack)))
-                raise Wrong(f"{where}at t = {t:.4g} your motion is at {_point(y)} and changes with {states[k]}' = {rate[k]:.4g}; the "
+                raise Wrong(f"{where}at t = {t:.4g} your motion is at {_point(y)} and changes with {states[k]}' = "
+                            f"{rate[k]:.4g}; the "
                             "admissible "
-                            f"controls give there " + (f"{low[k]:.4g}" if low[k] == high[k] else f"{low[k]:.4g} to {high[k]:.4g}"))
+                            f"controls give there " + (f"{low[k]:.4g}" if low[k] == high[k]
+                                                       else f"{low[k]:.4g} to {high[k]:.4g}"))
             if transfer.slowest and best.met_between(start, y):
                 raise Wrong(f"{where}your motion has met the target before t = {t:.4g} already")
         end = values_of(ENDING * best.duration, *numbers)
         if not np.max(np.abs(best.gap(end))) <= 2 * rounding * size:
-            raise Wrong(f"{where}your motion is not on the target at the {transfer.word} time possible: it is at {_point(end)} then")
-    return f"it starts where it should, obeys the equations with an admissible control, and is on the target at the {transfer.word} time"
+            raise Wrong(f"{where}your motion is not on the target at the {transfer.word} time possible: it is at "
+                        f"{_point(end)} then")
+    return (f"it starts where it should, obeys the equations with an admissible control, and is on the target at the "
+            f"{transfer.word} time")
 
 
 def _judge_costate(answer, transfer, time):
@@ -311,7 +332,8 @@ def _judge_costate(answer, transfer, time):
     symbols = [time, *transfer.parameters]
     claims = coercion.as_expressions(answer, symbols, len(states))
     rounding = _rounding(claims)
-    values_of, slopes_of = real_function(symbols, claims), real_function(symbols, [sp.diff(claim, time) for claim in claims])
+    values_of, slopes_of = real_function(symbols, claims), real_function(symbols, [sp.diff(claim, time)
+                                                                                   for claim in claims])
     for values, best in transfer.samples():
         where = f"for {values_text(values)} " if values else ""
         numbers = [float(values[p]) for p in transfer.parameters]
@@ -325,14 +347,16 @@ def _judge_costate(answer, transfer, time):
             wanted, size = terms.sum(axis=1), np.abs(terms).sum() + np.abs(psi).sum() / best.duration
             if not np.all(np.abs(slope - wanted) <= 10 * rounding * size):
                 k = int(np.argmax(np.abs(slope - wanted)))
-                raise Wrong(f"{there} the adjoint equation for {states[k]} does not hold: the derivative of your costate is "
+                raise Wrong(f"{there} the adjoint equation for {states[k]} does not hold: the derivative of your "
+                            f"costate is "
                             f"{slope[k]:.4g}, the "
                             f"equation with your costates demands {wanted[k]:.4g}")
             products = [psi @ best.field(y, v) for v in best.bounds]
             here = psi @ best.field(y, u)
             size = max(map(abs, products)) + 1e-3
             if not here >= max(products) - 4 * rounding * size:
-                raise Wrong(f"{there} the control of the {transfer.manner} motion does not make psi.f greatest with your costates: it "
+                raise Wrong(f"{there} the control of the {transfer.manner} motion does not make psi.f greatest with "
+                            f"your costates: it "
                             f"gives {here:.4g}, "
                             f"another one {max(products):.4g}")
             if not abs(here - (-1 if transfer.slowest else 1)) <= 4 * rounding * size:
@@ -343,7 +367,8 @@ def _judge_costate(answer, transfer, time):
             raise Wrong(f"{where}at the end, t = {best.duration:.4g}, your costates are not real")
         rest = psi - normal.T @ np.linalg.lstsq(normal.T, psi, rcond=None)[0]
         if not np.all(np.abs(rest) <= 4 * rounding * np.abs(psi).sum()):
-            raise Wrong(f"{where}at the end your costates are {_point(psi)}; the condition of transversality does not hold for them")
+            raise Wrong(f"{where}at the end your costates are {_point(psi)}; the condition of transversality does not "
+                        f"hold for them")
     return f"adjoint equations, maximum condition, transversality and H = 0 hold along the {transfer.manner} motion"
 
 
@@ -354,7 +379,8 @@ def _judge_meetings(answer, transfer, count):
         best = transfer.at({}, meetings=number)
         if said is None or not (_close(said, best.duration, claim) if number else abs(said) < 1e-9):
             if number == 0:
-                raise Wrong(f"the start lies on the target already; for {count} = 0 your expression gives another time than that of the "
+                raise Wrong(f"the start lies on the target already; for {count} = 0 your expression gives another "
+                            f"time than that of the "
                             "start")
             told = "no real number" if said is None else f"{said:.4g}; {best.told_time(said)}"
             raise Wrong(f"for {count} = {number} your time is {told}")
@@ -371,7 +397,8 @@ def _judge_switching(answer, transfer, time):
     for t, true in found:
         said = value_of(t)[0]
         if not abs(said - true) <= 4 * rounding * size:
-            raise Wrong(f"at t = {t:.4g} your function is {said:.4g}; with the costate that transversality and H = 0 determine at the "
+            raise Wrong(f"at t = {t:.4g} your function is {said:.4g}; with the costate that transversality and H = 0 "
+                        f"determine at the "
                         "end, followed "
                         f"back along the {transfer.manner} motion, dH/du is {true:.4g} there")
     return f"it is dH/du along the {transfer.manner} motion, with the costate followed back from the end"

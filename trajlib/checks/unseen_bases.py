@@ -1,8 +1,8 @@
-"""What is unseen, as bases: for a system, for all values of a parameter, or at the values at which observability is lost. Of the
-transposed matrices: the combinations of the coordinates that no control changes.
+"""What is unseen, as bases: for a system, for all values of a parameter, or at the values at which observability is
+lost. Of the transposed matrices: the combinations of the coordinates that no control changes.
 
-A condition such as alpha != 1 may be guessed; the states that stay unseen at the value left out may not. The truth is that of
-`pairs`: the largest invariant subspace in the kernel of the output, at every value where it can appear.
+A condition such as alpha != 1 may be guessed; the states that stay unseen at the value left out may not. The truth is
+that of `pairs`: the largest invariant subspace in the kernel of the output, at every value where it can appear.
 """
 
 import functools
@@ -22,13 +22,15 @@ from trajlib.checks.wording import number_text, where_text
 
 
 def judge_basis(answer, pair, side, at=None):
-    """A basis of what is unseen, as a list of vectors or as the columns of a matrix; `at` tells of the place, if `pair` does not."""
+    """A basis of what is unseen, as a list of vectors or as the columns of a matrix; `at` tells of the place, if `pair`
+    does not."""
     n = pair.unknowns
     vectors = as_vectors(answer, n, pair.parameters)
     tolerance = tolerance_of(*vectors)
     for (values, place), unseen in [*zip(pair.samples, pair.unseen), *_where_vectors_fail(vectors, pair)]:
         where = where_text(values) if at is None else at
-        said = np.array([[number_at(entry, values, f"component {i} of your vector {k}") for i, entry in enumerate(vector, 1)]
+        said = np.array([[number_at(entry, values, f"component {i} of your vector {k}")
+                          for i, entry in enumerate(vector, 1)]
                          for k, vector in enumerate(vectors, 1)]).reshape(len(vectors), n)
         space, _ = np.linalg.qr(to_floats(unseen, n).T)
         for k, vector in enumerate(said, 1):
@@ -37,7 +39,8 @@ def judge_basis(answer, pair, side, at=None):
                 raise Wrong(f"your vector {k} is zero{where}; a basis consists of vectors that are not")
             if not np.linalg.norm(vector - space @ (space.T @ vector)) <= tolerance * size:
                 raise Wrong(f"{_seen(pair, place, vector, k, side)}{where}")
-        if len(said) and np.linalg.svd(said / np.linalg.norm(said, axis=1)[:, None], compute_uv=False)[-1] < 1e-2 * tolerance:
+        if len(said) and np.linalg.svd(said / np.linalg.norm(said, axis=1)[:, None],
+                                       compute_uv=False)[-1] < 1e-2 * tolerance:
             raise Wrong(f"your {len(said)} vectors are linearly dependent{where}")
         if len(said) < len(unseen):
             raise Wrong(f"there {how_many(unseen, side)}{where}; your answer has {len(said) or 'none'} of them")
@@ -45,9 +48,10 @@ def judge_basis(answer, pair, side, at=None):
 
 
 def _where_vectors_fail(vectors, pair):
-    """Rational values of a single parameter at which the vectors are not defined or become dependent: a basis that serves for
-    all values has to serve there too."""
-    if len(pair.parameters) != 1 or not vectors or not all(e.is_rational_function(*pair.parameters) for v in vectors for e in v):
+    """Rational values of a single parameter at which the vectors are not defined or become dependent: a basis that
+    serves for all values has to serve there too."""
+    if len(pair.parameters) != 1 or not vectors or not all(e.is_rational_function(*pair.parameters) for v in vectors
+                                                           for e in v):
         return []
     (parameter,) = pair.parameters
     columns = sp.Matrix(vectors).T.applyfunc(lambda e: sp.together(sp.nsimplify(e, rational=True)))
@@ -73,7 +77,8 @@ def as_vectors(answer, n, parameters):
         if 0 in answer.shape:
             return []
         if n not in answer.shape:
-            raise Invalid(f"expected a list of vectors with {n} components each, or a matrix whose columns they are; the shape of yours is "
+            raise Invalid(f"expected a list of vectors with {n} components each, or a matrix whose columns they are; "
+                          f"the shape of yours is "
                           f"{answer.shape}")
         if answer.rows != n:
             answer = answer.T  # an array made of a list of vectors has them as rows
@@ -83,7 +88,8 @@ def as_vectors(answer, n, parameters):
     if not isinstance(answer, (list, tuple, set, frozenset, sp.FiniteSet, sp.Tuple)):
         raise Invalid(f"expected a list of vectors with {n} components each")
     parts = list(answer)
-    if parts and n > 1 and all(isinstance(part, (int, float, complex, sp.Expr)) and not isinstance(part, bool) for part in parts):
+    if parts and n > 1 and all(isinstance(part, (int, float, complex, sp.Expr)) and not isinstance(part, bool)
+                               for part in parts):
         parts = [parts]  # a single vector, written without the outer list
     if n > 1 and len(parts) == n and all(isinstance(part, (list, tuple)) and len(part) == 1 for part in parts):
         parts = [[part[0] for part in parts]]  # a single column
@@ -111,7 +117,8 @@ def judge_where_lost(answer, pair, side, at_value):
     (parameter,) = pair.parameters
     if not isinstance(answer, dict):
         example = [3, 1, *[0] * (pair.unknowns - 2)]
-        raise Invalid(f"expected a dictionary such as {{4: [{example}]}}, from each value to a basis of {side.left} there")
+        raise Invalid(f"expected a dictionary such as {{4: [{example}]}}, from each value to a basis of {side.left} "
+                      f"there")
     lost, named = _values_where_lost(pair, parameter), {}
     for key, basis in answer.items():
         value = coercion.as_number(key)
@@ -122,11 +129,13 @@ def judge_where_lost(answer, pair, side, at_value):
             raise Wrong(f"the value {parameter} = {key} comes twice")
         named[near[0]] = basis
     if len(named) < len(lost):
-        raise Wrong(f"the number of values at which the system is {side.fails} is {len(lost)}; your answer names {len(named) or 'none'} "
+        raise Wrong(f"the number of values at which the system is {side.fails} is {len(lost)}; your answer names "
+                    f"{len(named) or 'none'} "
                     "of them")
     for value, basis in named.items():
         judge_basis(basis, at_value(value), side, f" for {parameter} = {value}")
-    return f"at these values of the parameter and no others the system is {side.fails}, and the vectors are bases of {side.left}"
+    return (f"at these values of the parameter and no others the system is {side.fails}, and the vectors are bases of "
+            f"{side.left}")
 
 
 def _values_where_lost(pair, parameter):

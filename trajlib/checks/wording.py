@@ -4,7 +4,8 @@
 def number_text(number):
     """A real or complex number for a message: `0.5`, `-1 + 2i`."""
     z = complex(number)
-    return f"{z.real:.4g}" if abs(z.imag) < 1e-12 * (1 + abs(z)) else f"{z.real:.4g} {'+' if z.imag > 0 else '-'} {abs(z.imag):.4g}i"
+    return (f"{z.real:.4g}" if abs(z.imag) < 1e-12 * (1 + abs(z))
+            else f"{z.real:.4g} {'+' if z.imag > 0 else '-'} {abs(z.imag):.4g}i")
 
 
 def values_text(values):
@@ -23,7 +24,8 @@ def rounded_text(values):
 
 
 def other_rate(symbol, said, true):
-    """That a matrix of equations in deviations is wrong in a column: where, and what it says there, not what is right."""
+    """That a matrix of equations in deviations is wrong in a column: where, and what it says there, not what is
+    right."""
     k = max(range(len(said)), key=lambda i: abs(said[i] - true[i]))
     which = "the right-hand side" if len(said) == 1 else f"right-hand side {k + 1}"
     return f"a small deviation of {symbol} alone changes {which} at another rate than yours, {number_text(said[k])}"

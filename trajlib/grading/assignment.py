@@ -70,7 +70,8 @@ def from_text(text, path):
     unknown = set(given) - FIELDS
     _require(not unknown, path, f"unknown field {', '.join(sorted(unknown))}; there are {', '.join(sorted(FIELDS))}")
     title = given.get("title", name)
-    _require(isinstance(title, str) and len(title.strip().splitlines()) == 1, path, "title is one line of text in quotes")
+    _require(isinstance(title, str) and len(title.strip().splitlines()) == 1, path,
+             "title is one line of text in quotes")
     problems = given.get("problems")
     _require(isinstance(problems, list) and problems and all(isinstance(p, str) for p in problems), path,
              'problems is a list of numbers in quotes, ["1.4", "1.15"]')
@@ -83,7 +84,8 @@ def from_text(text, path):
     _require(attempt in ("best", "last"), path, 'attempt is "best" or "last"')
     attempts = given.get("attempts")
     _require(attempts is None or (type(attempts) is int and attempts > 0), path, "attempts is a whole number from 1 up")
-    return Assignment(name, title.strip(), tuple(problems), _points(path, problems, given.get("points", {})), due, attempt, attempts)
+    return Assignment(name, title.strip(), tuple(problems), _points(path, problems, given.get("points", {})),
+                      due, attempt, attempts)
 
 
 def of_problems(name, problems):
@@ -128,7 +130,8 @@ def _points(path, problems, given):
         if problem in given:
             left, others = given[problem] - sum(mine.values()), len(answers) - len(mine)
             _require(left >= -1e-9 and (others or left <= 1e-9), path,
-                     f'points."{problem}" is {given[problem]:g}, but its answers named below have {sum(mine.values()):g}')
+                     f'points."{problem}" is {given[problem]:g}, but its answers named below have '
+                     f'{sum(mine.values()):g}')
             answers.update(dict.fromkeys(answers, max(left, 0.0) / max(others, 1)))
         answers.update(mine)
     return points

@@ -22,7 +22,8 @@ def unwritten(name, found):
     shared = [number for number in numbers if len(givers[number]) > 1]
     alone = {}
     if shared and len(set().union(*givers.values())) >= CLASS:
-        alone = {number: f"only {min(givers[number])} handed in problem {number}, while others share {', '.join(shared)}: "
+        alone = {number: f"only {min(givers[number])} handed in problem {number}, while others share "
+                         f"{', '.join(shared)}: "
                          f"it is not taken for part of {name}; an assignment.toml would say what is"
                  for number in numbers if number not in shared}
     return assignments.of_problems(name, [number for number in numbers if number not in alone]), alone
@@ -38,7 +39,8 @@ def problem_for(submission, homework):
     if len(homework.problems) == 1:  # it names none, and there is only one it can be
         return homework.problems[0]
     asked = f" ({', '.join(homework.problems)})" if homework.problems else ""
-    return Aside(submission.path, submission.trouble or f"it does not say which problem of the homework it is for{asked}", *whose)
+    return Aside(submission.path, submission.trouble
+                 or f"it does not say which problem of the homework it is for{asked}", *whose)
 
 
 def is_ours(number):

@@ -1,7 +1,7 @@
 """Grades for Canvas: one column of the gradebook that was exported from there, with the points of this homework.
 
-The points stand as they are, also where Canvas has other points possible for the column: they are what the student's page
-and every other table say.
+The points stand as they are, also where Canvas has other points possible for the column: they are what the student's
+page and every other table say.
 """
 
 import csv
@@ -17,8 +17,8 @@ def canvas_csv(assignment, scores, roster):
     """(text, unmatched): the gradebook exported from Canvas with one column filled, and students it does not know.
 
     Students are matched by whichever of "SIS User ID", "SIS Login ID" and "ID" fits most of them. A column that Canvas
-    already has for the assignment, "Title (1234)", is filled; else Canvas makes a new one. Who has no grade yet keeps what
-    stands there. `roster` is a `Roster`.
+    already has for the assignment, "Title (1234)", is filled; else Canvas makes a new one. Who has no grade yet keeps
+    what stands there. `roster` is a `Roster`.
     """
     known = {score.student: score for score in scores}
     key = max(("SIS User ID", "SIS Login ID", "ID"), key=lambda name: sum(row in known for row in roster.column(name)))
@@ -27,7 +27,8 @@ def canvas_csv(assignment, scores, roster):
     rows = [["    Points Possible", *[""] * (roster.width - 1), possible]]
     for identity, row, present in zip(roster.column(key), roster.rows, roster.column(column)):
         score = known.get(identity)
-        rows.append([*row[:roster.width], decimal(score.points) if score and score.handed_in and not score.needs_review else present])
+        rows.append([*row[:roster.width], decimal(score.points) if score and score.handed_in and not score.needs_review
+                     else present])
     text = quoted([[*roster.header[:roster.width], column], *rows], roster.delimiter)
     return text, [score.student for score in scores if score.student not in set(roster.column(key))]
 
@@ -43,7 +44,8 @@ def difference(assignment, roster):
 
 
 def _column(assignment, roster):
-    return next((name for name in roster.header if re.fullmatch(rf"{re.escape(assignment.title)} \(\d+\)", name)), assignment.title)
+    return next((name for name in roster.header if re.fullmatch(rf"{re.escape(assignment.title)} \(\d+\)", name)),
+                assignment.title)
 
 
 def read_roster(path):
@@ -57,7 +59,8 @@ def read_roster(path):
 
 
 class Roster:
-    """A gradebook exported from Canvas: `header`, `rows` of students, `width` of the columns about them (up to Section).
+    """A gradebook exported from Canvas: `header`, `rows` of students, `width` of the columns about them (up to
+    Section).
 
     Raises `BadInput` if the text is no such export.
     """
@@ -69,7 +72,8 @@ class Roster:
         lines = list(csv.reader(io.StringIO(text, newline=""), delimiter=self.delimiter))
         self.header = lines[0] if lines else []
         if self.header[:2] != ["Student", "ID"] or "Section" not in self.header:
-            raise BadInput("the roster is not a gradebook exported from Canvas: its columns are to be Student, ID, ..., Section, ...")
+            raise BadInput("the roster is not a gradebook exported from Canvas: its columns are to be Student, ID, "
+                           "..., Section, ...")
         self.width = self.header.index("Section") + 1
         lines = [(line + [""] * len(self.header))[:len(self.header)] for line in lines[1:]]
         self._possible = next((line for line in lines if line[0].strip() == "Points Possible"), [""] * len(self.header))

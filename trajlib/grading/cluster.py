@@ -86,10 +86,13 @@ def _connected(cluster):
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # what differs between the machines, `cluster_lanes` says
             # Dask's own limit is not one on what answers nothing at all.
-            client = _within(3 * TO_CONNECT, lambda: distributed.Client(cluster.address, security=security, timeout=TO_CONNECT, set_as_default=False))
+            client = _within(3 * TO_CONNECT,
+                             lambda: distributed.Client(cluster.address, security=security, timeout=TO_CONNECT,
+                                                        set_as_default=False))
     except (OSError, RuntimeError, TypeError, ValueError) as error:
         cause = _cause(error)
-        if cause in ("CancelledError", "TimeoutError"):  # of Dask's last try, cut short: the one before it failed for a reason
+        # of Dask's last try, cut short: the one before it failed for a reason
+        if cause in ("CancelledError", "TimeoutError"):
             cause = _refusal_of(cluster.address)
         hint = "; is its certificate signed by the same CA, and does it use TLS?" if "ssl" in cause.lower() else ""
         raise ClusterError(f"no scheduler can be reached at {cluster.address}: {cause}{hint}") from None
@@ -145,7 +148,8 @@ def _cause(error):
 
 
 def _within(seconds, function):
-    """The value of `function()`, in a thread that is left behind if it does not end in time: then raises `TimeoutError`."""
+    """The value of `function()`, in a thread that is left behind if it does not end in time: then raises
+    `TimeoutError`."""
     ended = queue.SimpleQueue()
 
     def work():
@@ -290,7 +294,8 @@ class _Run:
         settings = json.dumps(self._given | {"lanes": self._on_host[_host(address)]}).encode()
         # Neither names nor anything else of the student's: the code of the notebook alone.
         sent = () if unit is None else (json.dumps({part: unit[part] for part in ("problem", "sources")}).encode(),)
-        future = self._client.submit(getattr(cluster_lanes, name), settings, *sent, workers=[address], allow_other_workers=False,
+        future = self._client.submit(getattr(cluster_lanes, name), settings, *sent, workers=[address],
+                                     allow_other_workers=False,
                                      pure=False)
         self._flights[future.key] = _Flight(future, address, unit)
         future.add_done_callback(lambda done: self._landed.put(done.key))

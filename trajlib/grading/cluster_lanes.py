@@ -1,8 +1,9 @@
-"""What runs inside a worker of a Dask cluster: a lane (`lanes`) for each of its threads, kept from one notebook to the next.
+"""What runs inside a worker of a Dask cluster: a lane (`lanes`) for each of its threads, kept from one notebook to the
+next.
 
-A Dask worker has threads and is often a daemon of `multiprocessing`; judging forks, which such a process should not or must
-not do. So it is a fresh process below the worker that builds the sandbox and judges. The kernel ends that process when the
-thread that started it ends (`end_with_parent`), which is right here, since no other thread ever uses it.
+A Dask worker has threads and is often a daemon of `multiprocessing`; judging forks, which such a process should not or
+must not do. So it is a fresh process below the worker that builds the sandbox and judges. The kernel ends that process
+when the thread that started it ends (`end_with_parent`), which is right here, since no other thread ever uses it.
 
 The grader calls `ready`, `grade` and `end` by their names; what goes in and out is bytes of JSON.
 """
@@ -38,7 +39,8 @@ class Unfit(RuntimeError):
 
 
 def ready(settings):
-    """Start this thread's lane. Bytes of {"refused": why, "sandbox": whether for lack of one}, empty if nothing is wrong."""
+    """Start this thread's lane. Bytes of {"refused": why, "sandbox": whether for lack of one}, empty if nothing is
+    wrong."""
     try:
         _lane(settings)
     except (Unfit, NoIsolation) as error:
@@ -47,7 +49,8 @@ def ready(settings):
 
 
 def grade(settings, unit):
-    """Grade a unit. Bytes of {"result": .., "limits": those it had here}, of a refusal, or of {} if a process ended in the midst."""
+    """Grade a unit. Bytes of {"result": .., "limits": those it had here}, of a refusal, or of {} if a process ended in
+    the midst."""
     try:
         lane = _lane(settings)
     except (Unfit, NoIsolation) as error:
@@ -123,7 +126,8 @@ class _Kept:
         if not given["trusting"]:
             _look_around()
         limits, bounds, trusting = units.from_settings(given)
-        self.settings = units.settings(units.fitting(limits, given["lanes"]), units.fitting(bounds, given["lanes"]), trusting)
+        self.settings = units.settings(units.fitting(limits, given["lanes"]), units.fitting(bounds, given["lanes"]),
+                                       trusting)
         self.run, self._using = given["run"], threading.Lock()
         with _guard:
             if self.run in _ended:
@@ -186,9 +190,11 @@ def _compare(expected):
 
 
 def _library_now(problems):
-    told = subprocess.run([sys.executable, "-c", TELL], input=json.dumps(problems), capture_output=True, text=True, timeout=120)
+    told = subprocess.run([sys.executable, "-c", TELL], input=json.dumps(problems), capture_output=True, text=True,
+                          timeout=120)
     if told.returncode != 0:
-        raise Unfit(f"it cannot load trajlib: {(told.stderr.strip().splitlines() or ['it ended without a word'])[-1][:200]}")
+        raise Unfit(f"it cannot load trajlib: "
+                    f"{(told.stderr.strip().splitlines() or ['it ended without a word'])[-1][:200]}")
     return json.loads(told.stdout)
 
 

@@ -1,4 +1,5 @@
-"""What `trajlib grade` and `trajlib score` do: grade with a progress bar, then write tables and pages; give points by hand."""
+"""What `trajlib grade` and `trajlib score` do: grade with a progress bar, then write tables and pages; give points by
+hand."""
 
 import hashlib
 from datetime import datetime
@@ -16,20 +17,23 @@ from trajlib.grading.store import Store
 from trajlib.grading.summary import summary
 
 
-def grade_course(submitted, out, assignment_folder, processes, timeout, trusting, quiet, roster=None, site="", cluster=None):
+def grade_course(submitted, out, assignment_folder, processes, timeout, trusting, quiet, roster=None, site="",
+                 cluster=None):
     """Grade and write everything below `out`; returns a summary as plain data.
 
-    `roster` is a gradebook exported from Canvas (a file), `site` the address of the student edition of the site, `cluster` the
-    options (address, ca_file, cert, key) of a `trajlib.grading.cluster.Cluster`.
+    `roster` is a gradebook exported from Canvas (a file), `site` the address of the student edition of the site,
+    `cluster` the options (address, ca_file, cert, key) of a `trajlib.grading.cluster.Cluster`.
     """
     submitted, out, console = Path(submitted), Path(out), Console(stderr=True, quiet=quiet, soft_wrap=True)
     # A roster or folder that cannot be used is said before an hour of grading, not after it.
     roster = canvas.read_roster(roster) if roster is not None else None
     assignment_folder = _assignments(assignment_folder)
     cluster = _cluster(cluster, console) if cluster is not None else None
-    known, plan, failed = _with_a_bar(console, submitted, out, assignment_folder, processes, Limits.of_time(timeout), trusting, cluster)
+    known, plan, failed = _with_a_bar(console, submitted, out, assignment_folder, processes, Limits.of_time(timeout),
+                                      trusting, cluster)
     if failed:
-        console.print(f"the grader itself failed on {failed} notebooks: run it again, and it will grade these", markup=False, style="red")
+        console.print(f"the grader itself failed on {failed} notebooks: run it again, and it will grade these",
+                      markup=False, style="red")
     for one in plan.aside:
         console.print(f"left aside: {one.path}: {one.why}", markup=False, style="yellow")
     result = {"graded": len(plan.pending), "failed": failed, "already graded": plan.known,
@@ -54,16 +58,20 @@ def grade_course(submitted, out, assignment_folder, processes, timeout, trusting
 
 
 def score_by_hand(graded, student, assignment, problem, answer, points, comment=""):
-    """Store a lecturer's points for one answer, or with `points` None take them back; returns a sentence that says so."""
+    """Store a lecturer's points for one answer, or with `points` None take them back; returns a sentence that says
+    so."""
     place = f"{student}, {assignment}, {problem} {answer}"
     found = record.read(Path(graded) / assignment / "grades.json")["students"]
     if not found:
-        raise BadInput(f"there are no grades of {assignment} in {graded}; run trajlib grade first, or say where with --graded")
+        raise BadInput(f"there are no grades of {assignment} in {graded}; run trajlib grade first, or say where with "
+                       f"--graded")
     if student not in found:
-        raise BadInput(f"{assignment} has no student {student}; a folder of that name beside the others' makes one known to trajlib grade")
+        raise BadInput(f"{assignment} has no student {student}; a folder of that name beside the others' makes one "
+                       f"known to trajlib grade")
     worth = {(each["problem"], each["answer"]): each["max points"] for each in found[student]["answers"]}
     if (problem, answer) not in worth:
-        raise BadInput(f"{assignment} asks for no {problem} {answer}; there are {', '.join(f'{p} {a}' for p, a in worth)}")
+        raise BadInput(f"{assignment} asks for no {problem} {answer}; there are "
+                       f"{', '.join(f'{p} {a}' for p, a in worth)}")
     if points is not None and not 0 <= points <= worth[problem, answer]:
         raise BadInput(f"{place} is worth {worth[problem, answer]:g} points; assignment.toml can make it more")
     with Store(Path(graded) / "grades.sqlite") as store:
@@ -76,10 +84,12 @@ def score_by_hand(graded, student, assignment, problem, answer, points, comment=
 
 
 def write(folder, assignment, graded, now, roster=None, site=""):
-    """Write tables and pages into `folder`; returns the changes since the last time, and students the roster does not know."""
+    """Write tables and pages into `folder`; returns the changes since the last time, and students the roster does not
+    know."""
     changes, all_changes, written = record.compared(folder / "grades.json", assignment, graded, now)
     files = {"grades.csv": exporting.grades_csv(assignment, graded), "changes.csv": exporting.changes_csv(all_changes),
-             "moodle.csv": exporting.moodle_csv(assignment, graded), "nbgrader.csv": exporting.nbgrader_csv(assignment, graded),
+             "moodle.csv": exporting.moodle_csv(assignment, graded),
+             "nbgrader.csv": exporting.nbgrader_csv(assignment, graded),
              "summary.html": summary(assignment, graded)}
     files |= {f"feedback/{page_name(score.student)}": feedback(assignment, score, site) for score in graded}
     strangers = []
@@ -104,12 +114,14 @@ def _cluster(options, console):
     cluster = Cluster(**options, tell=lambda line: console.print(line, markup=False, style="yellow"))
     check(cluster)
     if not cluster.address.startswith("tls://"):
-        cluster.tell(f"{cluster.address} is not encrypted: who can reach it can read and change grades, and run anything on the workers")
+        cluster.tell(f"{cluster.address} is not encrypted: who can reach it can read and change grades, and run "
+                     f"anything on the workers")
     return cluster
 
 
 def _with_a_bar(console, submitted, out, assignment_folder, processes, limits, trusting, cluster):
-    bar = Progress(TextColumn("grading"), BarColumn(), MofNCompleteColumn(), TextColumn("{task.fields[rate]}"), TimeRemainingColumn(),
+    bar = Progress(TextColumn("grading"), BarColumn(), MofNCompleteColumn(), TextColumn("{task.fields[rate]}"),
+                   TimeRemainingColumn(),
                    console=console)
     task = bar.add_task("grading", total=None, rate="")
 
@@ -120,7 +132,8 @@ def _with_a_bar(console, submitted, out, assignment_folder, processes, limits, t
             bar.update(task, completed=done, total=total, rate=f"{60 * speed:.0f} a minute" if speed else "")
 
     try:
-        return course.grade(submitted, out, assignment_folder, processes, limits, trusting=trusting, cluster=cluster, progress=progress)
+        return course.grade(submitted, out, assignment_folder, processes, limits, trusting=trusting, cluster=cluster,
+                            progress=progress)
     finally:
         if bar.live.is_started:
             bar.stop()

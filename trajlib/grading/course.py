@@ -30,12 +30,13 @@ class Plan:
 
 def grade(submitted, out, assignment_folder=None, count=None, limits=Limits(), bounds=Bounds(), trusting=False,
           cluster=None, progress=lambda done, all: None):
-    """Grade `submitted` into `out`/grades.sqlite; returns the assignments by name, the `Plan`, and how many the grader failed on.
+    """Grade `submitted` into `out`/grades.sqlite; returns the assignments by name, the `Plan`, and how many the grader
+    failed on.
 
     What has a result by the very same exercise and library is not graded again, so a killed run goes on where it
     stopped, and a changed exercise regrades only what it changed; so do other limits what met the former ones. Each
-    result is stored as soon as it is there. With `trusting` there is no sandbox; with a `trajlib.grading.cluster.Cluster`
-    its workers grade, not this machine.
+    result is stored as soon as it is there. With `trusting` there is no sandbox; with a
+    `trajlib.grading.cluster.Cluster` its workers grade, not this machine.
     """
     out = Path(out)
     if out.resolve().is_relative_to(Path(submitted).resolve()):
@@ -59,7 +60,8 @@ def grade(submitted, out, assignment_folder=None, count=None, limits=Limits(), b
         failed = 0
         with closing(_judgements(plan.pending, count, limits, bounds, trusting, cluster)) as judgements:
             for done, (unit, judgement, within) in enumerate(judgements, start=1):
-                store.record(unit["key"], _as_graded(unit["exercise"], judgement.final, within), judgement.verdicts, judgement.answers,
+                store.record(unit["key"], _as_graded(unit["exercise"], judgement.final, within), judgement.verdicts,
+                             judgement.answers,
                              judgement.remarks, judgement.hashes)
                 failed += judgement.final == NOT_FINAL
                 progress(done, len(plan.pending))
@@ -68,7 +70,8 @@ def grade(submitted, out, assignment_folder=None, count=None, limits=Limits(), b
 
 @contextmanager
 def _alone(out):
-    """Two graders at work on one folder would do everything twice. The lock ends with the process, however that ends."""
+    """Two graders at work on one folder would do everything twice. The lock ends with the process, however that
+    ends."""
     try:
         file = open(out / ".grading", "w")
     except OSError as error:
@@ -106,7 +109,8 @@ def _as_graded(exercise, final, limits):
 
 
 def _is_graded(versions, exercise, limits):
-    """Whether what counts is by this very exercise (a later version of it may have been taken back), and would be no other now."""
+    """Whether what counts is by this very exercise (a later version of it may have been taken back), and would be no
+    other now."""
     return (bool(versions) and versions[-1].split(" ")[0] == exercise
             and any(_as_graded(exercise, final, limits) in versions for final in (FINAL, WITHIN_LIMITS)))
 
@@ -125,7 +129,8 @@ def _plan(found, known, alone, store, limits):
         if _is_graded(store.versions(attempt), prints[problem], limits):
             skipped += 1
         else:
-            pending[attempt] = {"key": attempt, "problem": problem, "exercise": prints[problem], "trouble": same[0].trouble,
+            pending[attempt] = {"key": attempt, "problem": problem, "exercise": prints[problem],
+                                "trouble": same[0].trouble,
                                 "sources": units.to_run(same[0], exercise), "names": list(exercise.about["answers"])}
     return Plan(tuple(pending.values()), skipped, tuple(aside))
 
@@ -148,7 +153,8 @@ def _by_attempt(found, known, alone):
 
 
 def _homeworks(found, folder):
-    """({name: homework}, why problems that no file asks for are left aside): each by its file, or else by what was handed in."""
+    """({name: homework}, why problems that no file asks for are left aside): each by its file, or else by what was
+    handed in."""
     known, alone = {}, {}
     for name in sorted({one.assignment for one in found if one.assignment}):
         path = Path(folder) / name / "assignment.toml" if folder else None

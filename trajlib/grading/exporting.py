@@ -1,8 +1,10 @@
-"""Grades as other systems read them: a plain table, Moodle, nbgrader, and Gradescope's results.json; Canvas is in `canvas`.
+"""Grades as other systems read them: a plain table, Moodle, nbgrader, and Gradescope's results.json; Canvas is in
+`canvas`.
 
 Every table is quoted CSV in UTF-8. Tables for people's eyes (grades.csv, changes.csv) guard against names that a
 spreadsheet would run as a formula; in tables that another system reads back, an identifier goes through as it is.
-A grade that still needs a lecturer's look is not handed to Moodle, Canvas or nbgrader: it is neither right nor wrong yet.
+A grade that still needs a lecturer's look is not handed to Moodle, Canvas or nbgrader: it is neither right nor wrong
+yet.
 """
 
 import csv
@@ -22,8 +24,10 @@ BOM = "\ufeff"
 def grades_csv(assignment, scores):
     """One row a student: points by problem, total, late problems, whether somebody has to look at it."""
     header = ["student", *assignment.problems, "total", "max", "late", "needs review"]
-    rows = [[score.student, *(decimal(sum(answer.points for answer in score.of_problem(problem))) for problem in assignment.problems),
-             decimal(score.points), decimal(score.max_points), " ".join(score.late), "yes" if score.needs_review else "no"]
+    rows = [[score.student, *(decimal(sum(answer.points for answer in score.of_problem(problem)))
+                              for problem in assignment.problems),
+             decimal(score.points), decimal(score.max_points), " ".join(score.late), "yes" if score.needs_review
+             else "no"]
             for score in scores]
     return BOM + quoted([header, *(map(_harmless, row) for row in rows)])
 
@@ -37,7 +41,8 @@ def changes_csv(changes):
 
 
 def _harmless(cell):
-    """A name such as =cmd() is data, but spreadsheets run what begins like a formula. A signed number stays a number."""
+    """A name such as =cmd() is data, but spreadsheets run what begins like a formula. A signed number stays a
+    number."""
     return f"'{cell}" if re.match(r"[=@\t\r\n]|[+-](?!\d*\Z)", cell) else cell
 
 
@@ -63,7 +68,8 @@ def nbgrader_csv(assignment, scores):
     for score in scores:
         times = [attempt.submitted for attempt in score.counted.values()]
         points = "" if score.needs_review else decimal(score.points)
-        rows.append([assignment.name, _utc(assignment.due.timestamp()) if assignment.due else "", _utc(max(times)) if times else "",
+        rows.append([assignment.name, _utc(assignment.due.timestamp()) if assignment.due else "", _utc(max(times))
+                     if times else "",
                      score.student, "", "", "", points, "0.00", points, decimal(score.max_points)])
     return quoted([header, *rows])
 
@@ -75,15 +81,19 @@ def gradescope_json(score, hints, remarks, points, seconds):
     be an earlier submission's; `seconds` is how long grading took.
     """
     tests = [_gradescope_test(answer, hints.get((answer.problem, answer.answer), ())) for answer in score.answers]
-    return json.dumps({"score": round(points, 4), "execution_time": round(seconds), "output": "\n".join(remarks), "output_format": "text",
-                       "visibility": "visible", "stdout_visibility": "hidden", "tests": tests}, ensure_ascii=False, indent=1) + "\n"
+    return json.dumps({"score": round(points, 4), "execution_time": round(seconds), "output": "\n".join(remarks),
+                       "output_format": "text",
+                       "visibility": "visible", "stdout_visibility": "hidden", "tests": tests}, ensure_ascii=False,
+                      indent=1) + "\n"
 
 
 def _gradescope_test(answer, hints):
     status, message = answer.verdict.status, answer.verdict.message
     # Gradescope knows no third state beside passed and failed: the text has to say it.
-    waiting = ["It is not judged wrong; it has no points until your lecturer has looked at it."] if status == UNCHECKED else []
-    return {"name": f"{answer.problem} {answer.answer}", "score": round(answer.points, 4), "max_score": round(answer.max_points, 4),
+    waiting = (["It is not judged wrong; it has no points until your lecturer has looked at it."] if status == UNCHECKED
+               else [])
+    return {"name": f"{answer.problem} {answer.answer}", "score": round(answer.points, 4),
+            "max_score": round(answer.max_points, 4),
             "status": "passed" if status == RIGHT else "failed",
             "output": "\n".join([f"{status}: {message}", *waiting, *(f"Hint: {hint}" for hint in hints)]),
             "output_format": "text", "visibility": "visible"}
@@ -91,7 +101,8 @@ def _gradescope_test(answer, hints):
 
 def _feedback(score):
     return "; ".join(f"{answer.problem} {answer.answer}: " + (answer.verdict.status if answer.manual is None else
-                     f"{decimal(answer.points)} by hand" + (f" ({answer.manual})" if answer.manual else "")) for answer in score.answers)
+                     f"{decimal(answer.points)} by hand" + (f" ({answer.manual})" if answer.manual else ""))
+                     for answer in score.answers)
 
 
 def _utc(seconds):

@@ -1,4 +1,5 @@
-"""The page a student gets: each answer, what held and what did not, the next hint, a link to the theory; never a solution."""
+"""The page a student gets: each answer, what held and what did not, the next hint, a link to the theory; never a
+solution."""
 
 from html import escape
 from pathlib import Path
@@ -15,19 +16,23 @@ LEGEND = {RIGHT: "the property that was asked for holds", WRONG: "a property fai
 
 
 def feedback(assignment, score, site=""):
-    """The page as HTML. `site` is the address of the student edition of the site; without it the theory is named, not linked."""
-    waiting = f", and {count(len(score.to_review), 'answer')} still to be looked at by a lecturer" if score.to_review else ""
+    """The page as HTML. `site` is the address of the student edition of the site; without it the theory is named, not
+    linked."""
+    waiting = (f", and {count(len(score.to_review), 'answer')} still to be looked at by a lecturer" if score.to_review
+               else "")
     parts = [f"<p>{points(score.points)} of {points(score.max_points)} points{waiting}.</p>"]
     if assignment.due:
         parts.append(f'<p class="soft">Due {spoken(assignment.due)}.</p>')
     if score.aside:
-        named = "".join(f"<li><code>{escape(Path(one.path).name)}</code>: {escape(one.why)}</li>" for one in score.aside)
+        named = "".join(f"<li><code>{escape(Path(one.path).name)}</code>: {escape(one.why)}</li>"
+                        for one in score.aside)
         look = "; your lecturer will look at it" if score.waits_aside else ""
         parts.append(f"<p>Something you handed in was left aside{look}:</p><ul>{named}</ul>")
     for problem in assignment.problems:
         about, mine = exercises.find(problem).about, score.of_problem(problem)
         earned = f"{points(sum(a.points for a in mine))} / {points(sum(a.max_points for a in mine))}"
-        parts.append(f'<h2><span>{escape(problem)} {escape(about["title"])}</span><span class="points">{earned}</span></h2>')
+        parts.append(f'<h2><span>{escape(problem)} {escape(about["title"])}</span><span '
+                     f'class="points">{earned}</span></h2>')
         parts += _of_problem(problem, about, mine, score)
         parts.append(f"<p>{_theory(problem, site)}</p>")
     legend = "".join(f'<li class="{status}">{_mark(status)}: {said}</li>' for status, said in LEGEND.items())
@@ -48,7 +53,8 @@ def _of_problem(problem, about, answers, score):
     if problem in score.late:
         parts.append("<p><em>Handed in after the due date.</em></p>")
     if attempt is not None and score.tried[problem] > 1:
-        parts.append(f'<p class="soft">You handed this in {score.tried[problem]} times; what follows is the attempt that counts.</p>')
+        parts.append(f'<p class="soft">You handed this in {score.tried[problem]} times; what follows is the attempt '
+                     f'that counts.</p>')
     if attempt is not None and attempt.remarks:
         parts.append(f'<ul class="soft">{"".join(f"<li>{escape(remark)}</li>" for remark in attempt.remarks)}</ul>')
     return parts + [_answer(answer, about, open_hints(answer, about, score.tried[problem])) for answer in answers]
@@ -63,7 +69,8 @@ def _answer(answer, about, hints):
         parts.append(f"<div>Your answer: <code>{escape(answer.text)}</code></div>")
     parts.append(f"<div>{_mark(verdict.status)}: {escape(verdict.message)}</div>")
     if answer.manual is not None:
-        parts.append(f"<div><em>Points given by your lecturer{': ' + escape(answer.manual) if answer.manual else ''}</em></div>")
+        parts.append(f"<div><em>Points given by your "
+                     f"lecturer{': ' + escape(answer.manual) if answer.manual else ''}</em></div>")
     parts += [f"<details><summary>Hint {k}</summary>{escape(hint)}</details>" for k, hint in enumerate(hints, start=1)]
     return f'<section class="answer {verdict.status}">{"".join(parts)}</section>'
 

@@ -1,4 +1,5 @@
-"""Make a homework folder to hand out: the students' notebooks, what they need to know, and the file that says what counts.
+"""Make a homework folder to hand out: the students' notebooks, what they need to know, and the file that says what
+counts.
 
 A notebook is named ch1-p15.ipynb, so that it is still known for problem 1.15 when an editor has dropped its metadata.
 """
@@ -49,7 +50,8 @@ def make(folder, name, problems, title=None, due=None, site=""):
     """
     place = Path(folder) / name
     if not re.fullmatch(r"\w([\w .-]*\w)?", name) or len(name.encode()) > 200 or name in assignments.TAKEN:
-        raise AssignmentError(f"{name!r} cannot be the name of a homework: it names a folder, take letters, digits, - and _")
+        raise AssignmentError(f"{name!r} cannot be the name of a homework: it names a folder, take letters, digits, - "
+                              f"and _")
     if place.exists():
         raise AssignmentError(f"{place} is already there; take another name or remove it")
     files = {file_name(problem): release(problem, site) for problem in _known(problems)}
@@ -89,7 +91,8 @@ def release(problem, site=""):
 
 
 def due_date(text):
-    """An aware datetime from "2026-10-01 23:59" (of this machine's time zone, unless it names another one) or "2026-10-01".
+    """An aware datetime from "2026-10-01 23:59" (of this machine's time zone, unless it names another one) or
+    "2026-10-01".
 
     A date alone means the end of that day. Raises `AssignmentError`.
     """
@@ -99,7 +102,8 @@ def due_date(text):
         if due is None or not assignments.can_be_due(due):
             raise ValueError
     except ValueError:
-        raise AssignmentError(f'{text!r} is not a date; write "2026-10-01 23:59", or "2026-10-01T23:59:00+03:00" with a zone') from None
+        raise AssignmentError(f'{text!r} is not a date; write "2026-10-01 23:59", or "2026-10-01T23:59:00+03:00" with '
+                              f'a zone') from None
     if len(text) == len("2026-10-01"):
         due = due.replace(hour=23, minute=59, second=59)
     return due if due.tzinfo else due.astimezone()
@@ -127,9 +131,12 @@ def _toml(title, problems, due):
                        for problem, answers in ((problem, assignments.answers_of(problem)) for problem in problems))
     return ("# What counts. README.md tells the students the same: after a change here, change it there too.\n"
             f"title = {_text(title)}\nproblems = [{quoted}]\n"
-            + (f"due = {due.isoformat(timespec='seconds')}\n" if due else "# due = 2026-10-01T23:59:00+03:00  # later work is marked late\n")
-            + 'attempt = "best"  # which of several submissions counts: "best" or "last"\n# attempts = 3  # further ones do not count\n\n'
-            f'# A problem\'s points are shared equally by its answers; {_text(problems[0] + "." + assignments.answers_of(problems[0])[0])} = 2 '
+            + (f"due = {due.isoformat(timespec='seconds')}\n" if due
+               else "# due = 2026-10-01T23:59:00+03:00  # later work is marked late\n")
+            + 'attempt = "best"  # which of several submissions counts: "best" or "last"\n# attempts = 3  # further '
+              'ones do not count\n\n'
+            f'# A problem\'s points are shared equally by its answers; '
+            f'{_text(problems[0] + "." + assignments.answers_of(problems[0])[0])} = 2 '
             f"would set one answer's.\n[points]\n{points}\n")
 
 
@@ -139,12 +146,14 @@ def _text(value):
 
 
 def _readme(homework):
-    rows = [f"- **{problem}** {exercises.find(problem).about['title']}, in `{file_name(problem)}`: {sum(points.values()):g} "
+    rows = [f"- **{problem}** {exercises.find(problem).about['title']}, in `{file_name(problem)}`: "
+            f"{sum(points.values()):g} "
             f"point{'s' * (sum(points.values()) != 1)} for {len(points)} answer{'s' * (len(points) != 1)}"
             for problem, points in homework.points.items()]
     due = f"\nDue {spoken(homework.due)}.\n" if homework.due else ""
     counts = "the best one counts" if homework.attempt == "best" else "the last one counts"
-    attempts = f"You may hand in up to {homework.attempts} times; {counts}." if homework.attempts else f"You may hand in again; {counts}."
+    attempts = (f"You may hand in up to {homework.attempts} times; {counts}." if homework.attempts
+                else f"You may hand in again; {counts}.")
     return README.format(title=homework.title, due=due, problems="\n".join(rows), attempts=attempts)
 
 

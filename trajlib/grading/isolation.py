@@ -17,9 +17,11 @@ CHECKOUT = PACKAGE.parent
 #: Where a notebook may write: into memory, as much as it is allowed.
 SCRATCH = ("/tmp", "/dev/shm")
 #: All that a notebook finds in its environment.
-ENVIRONMENT = {"HOME": "/tmp", "PATH": "/usr/bin", "LANG": "C.UTF-8", "MPLBACKEND": "Agg", "MPLCONFIGDIR": "/tmp/matplotlib",
+ENVIRONMENT = {"HOME": "/tmp", "PATH": "/usr/bin", "LANG": "C.UTF-8", "MPLBACKEND": "Agg",
+               "MPLCONFIGDIR": "/tmp/matplotlib",
                "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1",
-               # Each thread of the C library would reserve a great deal of address space, which is what the limit on memory counts.
+               # Each thread of the C library would reserve a great deal of address space, which is what the limit on
+               # memory counts.
                "MALLOC_ARENA_MAX": "2"}
 #: The user that the sandbox runs as when the grader itself is root: limits on processes do not bind root.
 NOBODY = 65534
@@ -55,19 +57,22 @@ def mount(source, target, kind=None, flags=0, options=None):
 
 def visible():
     """The only folders of this machine that a sandboxed process sees besides /usr; `covered` are empty there."""
-    prefixes = {Path(sys.base_prefix), Path(sys.executable).parent, Path(sys.prefix) / "pyvenv.cfg", *_packages(), PACKAGE}
+    prefixes = {Path(sys.base_prefix), Path(sys.executable).parent, Path(sys.prefix) / "pyvenv.cfg", *_packages(),
+                PACKAGE}
     # The interpreter is often a chain of links out of the environment: every link on the way has to be there.
     prefixes.add(Path(os.path.realpath(sys.base_prefix)))
     return sorted(path for path in prefixes if path.exists() and not path.is_relative_to("/usr"))
 
 
 def covered():
-    """Folders in a visible one that are not to be seen all the same: a wheel's exercises; a checkout's, should it lie in /usr."""
+    """Folders in a visible one that are not to be seen all the same: a wheel's exercises; a checkout's, should it lie
+    in /usr."""
     inside = [PACKAGE / "_exercises"]
     if (CHECKOUT / "pyproject.toml").exists():
         inside += CHECKOUT.iterdir()
     shown = visible()
-    return sorted(path for path in inside if path.is_dir() and shown_through(path) and not any(other.is_relative_to(path) for other in shown))
+    return sorted(path for path in inside if path.is_dir() and shown_through(path)
+                  and not any(other.is_relative_to(path) for other in shown))
 
 
 def shown_through(path):
@@ -78,11 +83,13 @@ def shown_through(path):
 
 def _packages():
     """Where the libraries are, also those of the user or of the system beside an environment."""
-    return [Path(path) for path in sys.path if Path(path).name in ("site-packages", "dist-packages") and Path(path).is_dir()]
+    return [Path(path) for path in sys.path if Path(path).name in ("site-packages", "dist-packages")
+            and Path(path).is_dir()]
 
 
 def spawn(mode, limits):
-    """Start the worker in a sandbox, for notebooks within the limits (`sandbox.Limits` as a dict); returns the `Popen` with binary pipes on stdin and stdout.
+    """Start the worker in a sandbox, for notebooks within the limits (`sandbox.Limits` as a dict); returns the `Popen`
+    with binary pipes on stdin and stdout.
 
     Raises `NoIsolation` where bubblewrap is missing or the system forbids what it needs.
     """
@@ -94,9 +101,11 @@ def spawn(mode, limits):
     # Root hands the folders over under /mnt of a mount namespace of its own, since nobody may not enter /root.
     source = {path: f"/mnt/{k}" if as_root else str(path) for k, path in enumerate(folders)}
     command = [bwrap, "--unshare-all", "--die-with-parent", "--new-session", "--cap-drop", "ALL", "--clearenv",
-               "--ro-bind", "/usr", "/usr", "--symlink", "usr/lib", "/lib", "--symlink", "usr/lib64", "/lib64", "--symlink", "usr/bin", "/bin",
+               "--ro-bind", "/usr", "/usr", "--symlink", "usr/lib", "/lib", "--symlink", "usr/lib64", "/lib64",
+               "--symlink", "usr/bin", "/bin",
                # Debian's libraries find one another through these.
-               "--ro-bind-try", "/etc/alternatives", "/etc/alternatives", "--ro-bind-try", "/etc/ld.so.cache", "/etc/ld.so.cache",
+               "--ro-bind-try", "/etc/alternatives", "/etc/alternatives", "--ro-bind-try", "/etc/ld.so.cache",
+               "/etc/ld.so.cache",
                "--proc", "/proc", "--dev", "/dev", "--chdir", "/tmp"]
     for folder in SCRATCH:
         command += ["--size", str(limits["disk_megabytes"] * 2**20), "--tmpfs", folder]
@@ -129,7 +138,8 @@ def spawn(mode, limits):
 
 def spawn_without(folder, limits):
     """Start the worker with no sandbox around it, in a session of its own and with an empty `folder` for its home."""
-    return _started(_python("trusting", limits), end_with_parent, ENVIRONMENT | {"HOME": folder, "TMPDIR": folder, "MPLCONFIGDIR": folder})
+    return _started(_python("trusting", limits), end_with_parent, ENVIRONMENT
+                    | {"HOME": folder, "TMPDIR": folder, "MPLCONFIGDIR": folder})
 
 
 def end_with_parent():
@@ -149,16 +159,19 @@ def loaded():
 def _started(command, prepare, environment):
     try:
         # In a session of its own, so that Ctrl-C reaches the grader alone, which then ends its sandboxes.
-        return subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, preexec_fn=prepare,
+        return subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                preexec_fn=prepare,
                                 close_fds=True, start_new_session=True, env=environment)
     except (OSError, subprocess.SubprocessError) as error:
         raise NoIsolation(f"the sandbox does not start here: {error}") from None
 
 
 def _python(mode, limits):
-    # Isolated from variables, the user's folders and the current one; libraries are found where the grader itself found them.
+    # Isolated from variables, the user's folders and the current one; libraries are found where the grader itself found
+    # them.
     paths = [str(path) for path in [*_packages(), PACKAGE.parent]]
-    start = f"import sys; sys.path += [path for path in {paths!r} if path not in sys.path]; from trajlib.grading import worker; worker.main({mode!r}, {limits!r}"
+    start = (f"import sys; sys.path += [path for path in {paths!r} if path not in sys.path]; from trajlib.grading "
+             f"import worker; worker.main({mode!r}, {limits!r}")
     in_scratch = [str(path) for path in visible() if any(path.is_relative_to(folder) for folder in SCRATCH)]
     return [sys.executable, "-I", "-c", f"{start}, {in_scratch!r})"]
 

@@ -1,8 +1,9 @@
 """Judge what a notebook handed over: decode, run data and check cells of the pristine exercise, within limits.
 
 Each judgement is a forked child with bounds on time and memory, since an answer can be an expression built to
-explode. It starts, and runs the data cells, while the notebook is still running. If the whole notebook cannot be judged within them, its answers are judged one by one, so that one such answer
-costs only itself; it becomes `unchecked`, which a lecturer has to look at, never wrong and never right.
+explode. It starts, and runs the data cells, while the notebook is still running. If the whole notebook cannot be judged
+within them, its answers are judged one by one, so that one such answer costs only itself; it becomes `unchecked`, which
+a lecturer has to look at, never wrong and never right.
 """
 
 import hashlib
@@ -33,7 +34,8 @@ FINAL, WITHIN_LIMITS, NOT_FINAL = "yes", "within limits", "no"
 
 @dataclass(frozen=True)
 class Bounds:
-    """What judging one notebook, and then one answer, may take: seconds of computing, three times as many on the clock."""
+    """What judging one notebook, and then one answer, may take: seconds of computing, three times as many on the
+    clock."""
 
     seconds: float = 60
     answer_seconds: float = 20
@@ -42,7 +44,8 @@ class Bounds:
 
 @dataclass(frozen=True)
 class Judgement:
-    """Verdicts by answer, the answers as short texts (and hashes of the whole ones), and remarks on the notebook itself.
+    """Verdicts by answer, the answers as short texts (and hashes of the whole ones), and remarks on the notebook
+    itself.
 
     Each remark begins with whose affair it is: "notebook", "limits" or "grader". `final` is "yes"; "within limits" if
     other limits could change it; "no" if the grader itself failed, so that the notebook is to be graded again.
@@ -109,9 +112,11 @@ def _one_by_one(cells, handed_over, names, bounds):
             answers |= alone.answers
             hashes |= alone.hashes
         except TimeLimit:
-            verdicts[name] = Verdict(UNCHECKED, f"judging this answer took longer than {bounds.answer_seconds:g} s; a lecturer has to look at it")
+            verdicts[name] = Verdict(UNCHECKED, f"judging this answer took longer than {bounds.answer_seconds:g} s; a "
+                                                f"lecturer has to look at it")
         except RuntimeError:
-            verdicts[name] = Verdict(UNCHECKED, "judging this answer needed more memory than allowed, or failed; a lecturer has to look at it")
+            verdicts[name] = Verdict(UNCHECKED, "judging this answer needed more memory than allowed, or failed; a "
+                                                "lecturer has to look at it")
         finally:
             judge.end()
     return Judgement(verdicts, answers, remarks, WITHIN_LIMITS, hashes)
@@ -147,10 +152,13 @@ def _judge(receiver, cells, names, seconds, megabytes, only):
     found = {}
 
     def answers():
-        encoded, unreadable, found["remarks"], found["stopped"] = _read(receiver.recv_bytes(), [name for name in names if only in (None, name)])
+        encoded, unreadable, found["remarks"], found["stopped"] = _read(receiver.recv_bytes(),
+                                                                        [name for name in names
+                                                                         if only in (None, name)])
         given = decoded(encoded, unreadable, names)
         found["texts"] = {name: _described(given[name]) for name in encoded}
-        found["hashes"] = {name: hashlib.sha256(text.encode("utf-8", "surrogatepass")).hexdigest() for name, text in encoded.items()}
+        found["hashes"] = {name: hashlib.sha256(text.encode("utf-8", "surrogatepass")).hexdigest()
+                           for name, text in encoded.items()}
         return given
 
     verdicts = judge_answers(cells, answers, names)

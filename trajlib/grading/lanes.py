@@ -53,8 +53,8 @@ class Lane:
     """The grader's end of one lane."""
 
     def __init__(self, settings):
-        # A fresh process, in a session of its own: it inherits neither the grade store nor another lane's pipes, and Ctrl-C
-        # reaches the grader alone.
+        # A fresh process, in a session of its own: it inherits neither the grade store nor another lane's pipes, and
+        # Ctrl-C reaches the grader alone.
         self._process = subprocess.Popen([sys.executable, "-c", START], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                                          start_new_session=True)
         self.send(settings)

@@ -3,12 +3,16 @@
 import gc
 import importlib
 
-#: SymPy imports these inside its functions, when `solve`, `simplify`, `lambdify`, a derivative by a matrix or a set first needs them.
-SYMPY = ("sympy", "sympy.codegen.ast", "sympy.combinatorics", "sympy.integrals.heurisch", "sympy.integrals.manualintegrate", "sympy.integrals.risch",
-         "sympy.matrices.expressions.applyfunc", "sympy.physics.units", "sympy.sets.handlers.functions", "sympy.sets.handlers.issubset",
+#: SymPy imports these inside its functions, when `solve`, `simplify`, `lambdify`, a derivative by a matrix or a set
+#: first needs them.
+SYMPY = ("sympy", "sympy.codegen.ast", "sympy.combinatorics", "sympy.integrals.heurisch",
+         "sympy.integrals.manualintegrate", "sympy.integrals.risch",
+         "sympy.matrices.expressions.applyfunc", "sympy.physics.units", "sympy.sets.handlers.functions",
+         "sympy.sets.handlers.issubset",
          "sympy.sets.setexpr", "sympy.tensor.array.array_derivatives", "sympy.tensor.tensor")
 #: What notebooks use beside it, the shell that runs their cells included.
-NOTEBOOKS = ("casadi", "IPython.core.interactiveshell", "matplotlib.pyplot", "matplotlib_inline.config", "numpy", "scipy.integrate",
+NOTEBOOKS = ("casadi", "IPython.core.interactiveshell", "matplotlib.pyplot", "matplotlib_inline.config", "numpy",
+             "scipy.integrate",
              "scipy.interpolate", "scipy.linalg", "scipy.optimize")
 
 

@@ -1,4 +1,5 @@
-"""Foreign text made fit for terminals, pages and databases: what is no character, or would move a cursor, becomes an escape."""
+"""Foreign text made fit for terminals, pages and databases: what is no character, or would move a cursor, becomes an
+escape."""
 
 import os
 import unicodedata
@@ -15,7 +16,8 @@ def printable(text, keep=""):
 
 
 def printable_name(path):
-    """A file name as printable text, different for different names: the backslash that begins an escape is doubled too."""
+    """A file name as printable text, different for different names: the backslash that begins an escape is doubled
+    too."""
     return printable(os.fsencode(path).replace(b"\\", b"\\\\").decode("utf-8", "backslashreplace"))
 
 

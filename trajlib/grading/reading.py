@@ -1,4 +1,5 @@
-"""Read one submitted file: the sources of its code cells, and the problem that it names; or a sentence that says why not.
+"""Read one submitted file: the sources of its code cells, and the problem that it names; or a sentence that says why
+not.
 
 Only code counts: pictures that a notebook shows may be as large as they like, within what can be held in memory.
 """
@@ -43,7 +44,8 @@ def content(path):
         if not stat.S_ISREG(about.st_mode):
             raise Unreadable("this is not a regular file")
         if about.st_size > LARGEST:
-            raise Unreadable(f"the file has {about.st_size / 2**20:.0f} MB; notebooks up to {LARGEST // 2**20} MB are read")
+            raise Unreadable(f"the file has {about.st_size / 2**20:.0f} MB; notebooks up to {LARGEST // 2**20} MB are "
+                             f"read")
         with open(descriptor, "rb", closefd=False) as file:
             return file.read(LARGEST + 1)
     finally:
@@ -57,14 +59,16 @@ def notebook(content):
     try:
         number, cells, trouble = in_child(_within_limits, content, timeout=6 * SECONDS)
     except RuntimeError:
-        raise Unreadable(f"the file has {len(content) / 2**20:.0f} MB, and reading it took more time or memory than allowed") from None
+        raise Unreadable(f"the file has {len(content) / 2**20:.0f} MB, and reading it took more time or memory than "
+                         f"allowed") from None
     if trouble:
         raise Unreadable(trouble)
     return number, tuple(cells)
 
 
 def number_of_name(stem):
-    """The problem of a notebook that lost its metadata: 1.15, 1_15, ch1-p15, Copy of ch1-p15, Ann_123_ch1-p15 (1); or None."""
+    """The problem of a notebook that lost its metadata: 1.15, 1_15, ch1-p15, Copy of ch1-p15, Ann_123_ch1-p15 (1); or
+    None."""
     found = {match.groups() for match in AS_HANDED_OUT.finditer(stem)}
     if not found and (match := IN_SHORT.fullmatch(stem)):
         found = {match.groups()}
@@ -91,7 +95,8 @@ def _notebook(content):
     except (KeyError, TypeError, AttributeError):
         raise Unreadable("the file is JSON, but not a notebook") from None
     if sum(map(len, cells)) > MOST_CODE or len(cells) > MOST_CELLS:
-        raise Unreadable(f"the notebook holds more than {MOST_CODE // 2**20} MB of code, or more than {MOST_CELLS} cells of it")
+        raise Unreadable(f"the notebook holds more than {MOST_CODE // 2**20} MB of code, or more than {MOST_CELLS} "
+                         f"cells of it")
     return _number(given), cells
 
 

@@ -34,14 +34,17 @@ NO_VERDICT = "not asked for"
 
 
 def compared(path, assignment, scores, when):
-    """(changes since the grades were written to `path`, all changes so far, the text to write there now). `when` is a text."""
+    """(changes since the grades were written to `path`, all changes so far, the text to write there now). `when` is a
+    text."""
     before, students = read(path), _students(scores)
     former = [Change(**change) for change in before["changes"]]
-    new = _changes(before["students"], students, {(p, a) for p, answers in assignment.points.items() for a in answers}, when)
+    new = _changes(before["students"], students, {(p, a) for p, answers in assignment.points.items() for a in answers},
+                   when)
     new += _asked_again(former, before["students"], students, when)
     everything = [*former, *new]
     text = json.dumps({"assignment": assignment.name, "title": assignment.title, "max points": assignment.max_points,
-                       "students": students, "changes": [vars(change) for change in everything]}, ensure_ascii=False, indent=1)
+                       "students": students, "changes": [vars(change) for change in everything]}, ensure_ascii=False,
+                      indent=1)
     return new, everything, text + "\n"
 
 
@@ -63,7 +66,8 @@ def _check(given):
     """Fails on what cannot be read as grades."""
     for student in given["students"].values():
         for answer in student["answers"]:
-            texts, numbers = (answer["problem"], answer["answer"], answer["verdict"]), (answer["points"], answer["max points"])
+            texts, numbers = (answer["problem"], answer["answer"],
+                              answer["verdict"]), (answer["points"], answer["max points"])
             if not all(isinstance(one, str) for one in texts) or not all(type(one) in (int, float) for one in numbers):
                 raise TypeError
             answer["notebook"], answer["by hand"], answer["judged by"]
@@ -96,14 +100,17 @@ def _students(scores):
 
 def _answer(score, answer):
     attempt = score.counted.get(answer.problem)
-    return {"problem": answer.problem, "answer": answer.answer, "verdict": answer.verdict.status, "message": answer.verdict.message,
-            "points": answer.points, "max points": answer.max_points, "by hand": answer.manual, "points by hand": answer.by_hand,
+    return {"problem": answer.problem, "answer": answer.answer, "verdict": answer.verdict.status,
+            "message": answer.verdict.message,
+            "points": answer.points, "max points": answer.max_points, "by hand": answer.manual,
+            "points by hand": answer.by_hand,
             # The notebook that counts and the version of the problem it was judged by, each as a hash.
             "notebook": attempt.content if attempt else None, "judged by": attempt.exercise if attempt else None}
 
 
 def _changes(before, after, asked, when):
-    """Changes of grades that stood before; what is graded for the first time is no change. `asked` are (problem, answer)."""
+    """Changes of grades that stood before; what is graded for the first time is no change. `asked` are (problem,
+    answer)."""
     changes = []
     for student in {**after, **before}:
         now = _by_answer(after.get(student))
@@ -115,7 +122,8 @@ def _changes(before, after, asked, when):
                     changes.append(Change(when, student, *name, was["verdict"], NO_VERDICT, was["points"], 0.0, why))
             elif not (is_new and now[name]["notebook"] is not None) and (
                     was["verdict"] != now[name]["verdict"] or abs(was["points"] - now[name]["points"]) > 1e-9):
-                changes.append(Change(when, student, *name, was["verdict"], now[name]["verdict"], was["points"], now[name]["points"],
+                changes.append(Change(when, student, *name, was["verdict"], now[name]["verdict"], was["points"],
+                                      now[name]["points"],
                                       _why(was, now[name])))
     return changes
 

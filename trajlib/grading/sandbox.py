@@ -37,8 +37,8 @@ class Limits:
 class Outcome:
     """How a notebook ended, and the bytes it handed over, not looked into.
 
-    `ended` is "done"; a limit it met ("time", "memory", "processes", "sockets", "large"); "died", with the manner as the bytes;
-    or "failed", when the sandbox itself did.
+    `ended` is "done"; a limit it met ("time", "memory", "processes", "sockets", "large"); "died", with the manner as
+    the bytes; or "failed", when the sandbox itself did.
     """
 
     ended: str
@@ -67,7 +67,8 @@ class Sandbox:
         self._stop()
 
     def run(self, sources, names, before=()):
-        """Run code cells, those of `before` first, and collect the answers `names`; returns an `Outcome`, whatever the notebook does."""
+        """Run code cells, those of `before` first, and collect the answers `names`; returns an `Outcome`, whatever the
+        notebook does."""
         self.hand_in(sources, names, before)
         return self.outcome()
 
@@ -81,7 +82,8 @@ class Sandbox:
         outcome = self._end()
         if outcome.ended != "failed":
             return outcome
-        # The machine was out of memory, or somebody ended our processes: not the notebook's doing, so it is tried once more.
+        # The machine was out of memory, or somebody ended our processes: not the notebook's doing, so it is tried once
+        # more.
         self._begin()
         return self._end()
 
@@ -92,7 +94,8 @@ class Sandbox:
             self._greet()
             if self._once:
                 self._proc = os.open("/proc", os.O_RDONLY | os.O_DIRECTORY)
-                self._watch = watching.Watch(self._worker.pid, self._worker.stdout.fileno(), asdict(self.limits), self._proc)
+                self._watch = watching.Watch(self._worker.pid, self._worker.stdout.fileno(), asdict(self.limits),
+                                             self._proc)
                 self._watch.prepared()
             framing.send(self._worker.stdin.fileno(), self._request)
         except (framing.Broken, OSError, isolation.NoIsolation) as trouble:
@@ -113,7 +116,8 @@ class Sandbox:
         return outcome
 
     def _outcome(self):
-        ended, _, message = framing.receive(self._worker.stdout.fileno(), self.limits.wall_seconds + GRACE).partition(b"|")
+        ended, _, message = framing.receive(self._worker.stdout.fileno(), self.limits.wall_seconds
+                                            + GRACE).partition(b"|")
         return self._told(ended, message)
 
     def _outcome_once(self):
@@ -123,14 +127,17 @@ class Sandbox:
         return self._told(ended, message)
 
     def _told(self, ended, message):
-        # The first process of a namespace cannot be killed from inside: this was the kernel, or somebody on the machine.
-        return Outcome("failed", b"killed") if (ended, message) == (b"died", b"signal 9") else Outcome(ended.decode(), message)
+        # The first process of a namespace cannot be killed from inside: this was the kernel, or somebody on the
+        # machine.
+        return (Outcome("failed", b"killed") if (ended, message) == (b"died", b"signal 9")
+                else Outcome(ended.decode(), message))
 
     def _how_it_died(self):
         with suppress(subprocess.TimeoutExpired):
             code = self._worker.wait(timeout=1)
             # Bubblewrap's exit code is that of the process inside, or 128 and its signal.
-            return (f"signal {code - 128}" if code > 128 else f"signal {-code}" if code < 0 else f"exit {code}").encode()
+            return (f"signal {code - 128}" if code > 128 else f"signal {-code}" if code < 0
+                    else f"exit {code}").encode()
         return b"silent"
 
     def start(self):
@@ -175,7 +182,8 @@ class Sandbox:
 
 
 class Trusting(Sandbox):
-    """No sandbox: notebooks run as the grader's own user, within limits. For students, or machines, that can be trusted."""
+    """No sandbox: notebooks run as the grader's own user, within limits. For students, or machines, that can be
+    trusted."""
 
     _folder = None
 

@@ -18,8 +18,8 @@ NOT_FOUND = Verdict(MISSING, "no notebook for this problem was found, but someth
 class AnswerScore:
     """Points of one answer, given as `text`, which is short; answers with the same `hash` are the same.
 
-    `manual` is the lecturer's comment if the points were given by hand, else None; `by_hand` are the points then given, which
-    may be more than the answer is worth now, and count as that.
+    `manual` is the lecturer's comment if the points were given by hand, else None; `by_hand` are the points then given,
+    which may be more than the answer is worth now, and count as that.
     """
 
     problem: str
@@ -43,8 +43,8 @@ class StudentScore:
 
     `counted` maps a problem to the attempt that counts (a problem without one is absent), `tried` to the number of
     attempts. `to_review` are answers that could not be judged and may still raise the grade, also those of another
-    attempt than the one that counts so far. `aside` is what was left aside of the student's work (`submissions.Aside`), and
-    `spoilt` maps a problem to the remarks on the newest attempt if that one could not be read or gave no answer.
+    attempt than the one that counts so far. `aside` is what was left aside of the student's work (`submissions.Aside`),
+    and `spoilt` maps a problem to the remarks on the newest attempt if that one could not be read or gave no answer.
     """
 
     student: str
@@ -70,7 +70,8 @@ class StudentScore:
 
     @property
     def waits_aside(self):
-        """Whether something left aside is to be looked at: not if it is for another problem, and all that is asked for is here."""
+        """Whether something left aside is to be looked at: not if it is for another problem, and all that is asked for
+        is here."""
         return any(not one.problem or 0 in self.tried.values() for one in self.aside)
 
     @property
@@ -83,7 +84,8 @@ class StudentScore:
 
 
 def scores(store, assignment, students=(), aside=()):
-    """The scores of everyone who submitted, and of `students` who did not, sorted by name; `aside` is all that was left aside."""
+    """The scores of everyone who submitted, and of `students` who did not, sorted by name; `aside` is all that was left
+    aside."""
     attempts = {}
     for attempt in store.attempts(assignment.name):
         attempts.setdefault(attempt.student, []).append(attempt)
@@ -106,7 +108,8 @@ def of_student(student, assignment, attempts, manual, aside=()):
     for problem, points in assignment.points.items():
         mine = [attempt for attempt in attempts if attempt.problem == problem]
         tried[problem] = len(mine)
-        graded = [_answers(attempt, problem, points, manual) for attempt in mine[:assignment.attempts] if attempt.verdicts]
+        graded = [_answers(attempt, problem, points, manual) for attempt in mine[:assignment.attempts]
+                  if attempt.verdicts]
         chosen = _that_counts(graded, assignment.attempt) or _answers(NOTHING, problem, points, manual, none)
         answers += chosen.answers
         if chosen.attempt is not NOTHING:
@@ -127,7 +130,8 @@ NOTHING = Attempt(0, "", "", "", "", 0.0, None, {}, {}, ())
 
 @dataclass(frozen=True)
 class _Graded:
-    """An attempt with its points: those that are `sure`, and those that are `possible` if all that was not judged is right."""
+    """An attempt with its points: those that are `sure`, and those that are `possible` if all that was not judged is
+    right."""
 
     attempt: Attempt
     answers: tuple
@@ -151,18 +155,21 @@ def _answers(attempt, problem, points, manual, none=NOT_SUBMITTED):
         verdict = attempt.verdicts.get(answer, none)
         by_hand, comment = manual.get((problem, answer), (None, None))
         automatic = worth if verdict.status == RIGHT else 0.0
-        scored.append(AnswerScore(problem, answer, verdict, automatic if by_hand is None else min(by_hand, worth), worth,
+        scored.append(AnswerScore(problem, answer, verdict, automatic if by_hand is None else min(by_hand, worth),
+                                  worth,
                                   attempt.answers.get(answer, ""), comment, by_hand, attempt.hashes.get(answer, "")))
     return _Graded(attempt, tuple(scored))
 
 
 def _gave_nothing(attempt):
     """Whether a notebook could not be read, or was run without an answer of any kind, and something is said of why."""
-    return bool(attempt.verdicts and attempt.remarks) and {verdict.status for verdict in attempt.verdicts.values()} == {MISSING}
+    return (bool(attempt.verdicts and attempt.remarks) and {verdict.status for verdict in attempt.verdicts.values()}
+            == {MISSING})
 
 
 def _that_counts(graded, which):
-    """The last, or the best; between equals the one that may still rise, then the earlier, which cannot be late sooner."""
+    """The last, or the best; between equals the one that may still rise, then the earlier, which cannot be late
+    sooner."""
     if not graded or which == "last":
         return graded[-1] if graded else None
     return max(graded, key=lambda one: (one.sure, one.possible, -one.attempt.submitted))

@@ -11,7 +11,8 @@ AGAIN = 0.05
 
 @contextmanager
 def ctrl_c_heeded():
-    """A `KeyboardInterrupt` that Python ignores, as it must in `__del__` or a weak reference's callback, is raised again.
+    """A `KeyboardInterrupt` that Python ignores, as it must in `__del__` or a weak reference's callback, is raised
+    again.
 
     For the main thread, which is the one that Ctrl-C interrupts: soon after, at the latest at the end of the block.
     """

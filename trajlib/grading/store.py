@@ -1,4 +1,5 @@
-"""The grade store: one SQLite file, a transaction a notebook, so that a killed run loses nothing and grades nothing twice."""
+"""The grade store: one SQLite file, a transaction a notebook, so that a killed run loses nothing and grades nothing
+twice."""
 
 import json
 import sqlite3
@@ -66,7 +67,8 @@ class Store:
             self._database.execute("PRAGMA journal_mode=WAL")
             self._database.execute("PRAGMA foreign_keys=ON")
             self._database.executescript(SCHEMA)
-            if "hashes" not in {row[1] for row in self._database.execute("PRAGMA table_info(result)")}:  # written by an older version
+            # written by an older version
+            if "hashes" not in {row[1] for row in self._database.execute("PRAGMA table_info(result)")}:
                 self._database.execute("ALTER TABLE result ADD COLUMN hashes TEXT NOT NULL DEFAULT '{}'")
         except sqlite3.Error as error:
             raise self._error(error) from error
@@ -80,7 +82,8 @@ class Store:
             raise self._error(error) from error
 
     def _error(self, error):
-        return StoreError(f"{self.path}: {error}; what is stored in it is kept, and the same command goes on from there")
+        return StoreError(f"{self.path}: {error}; what is stored in it is kept, and the same command goes on from "
+                          f"there")
 
     @contextmanager
     def together(self):
@@ -90,13 +93,17 @@ class Store:
             yield
 
     def note_attempt(self, student, assignment, problem, content, submitted):
-        """The id of an attempt, new or known: the same notebook handed in twice is one attempt, at the time it has now."""
+        """The id of an attempt, new or known: the same notebook handed in twice is one attempt, at the time it has
+        now."""
         key = (student, assignment, problem, content)
-        self._database.execute("INSERT INTO attempt (student, assignment, problem, content, submitted) VALUES (?, ?, ?, ?, ?)"
-                               " ON CONFLICT DO UPDATE SET submitted = excluded.submitted WHERE submitted != excluded.submitted",
+        self._database.execute("INSERT INTO attempt (student, assignment, problem, content, submitted) VALUES (?, ?, "
+                               "?, ?, ?)"
+                               " ON CONFLICT DO UPDATE SET submitted = excluded.submitted WHERE submitted != "
+                               "excluded.submitted",
                                (*key, submitted))
         (found,) = self._database.execute(
-            "SELECT id FROM attempt WHERE student = ? AND assignment = ? AND problem = ? AND content = ?", key).fetchone()
+            "SELECT id FROM attempt WHERE student = ? AND assignment = ? AND problem = ? AND content = ?",
+            key).fetchone()
         return found
 
     def versions(self, attempt):
@@ -107,8 +114,10 @@ class Store:
     def record(self, attempt, exercise, verdicts, answers, remarks, hashes=None):
         """Store a result, whole or not at all; a second one by the same exercise replaces the first."""
         self._database.execute(
-            "INSERT OR REPLACE INTO result (attempt, exercise, verdicts, answers, remarks, graded, hashes) VALUES (?, ?, ?, ?, ?, ?, ?)",
-            (attempt, exercise, json.dumps({name: [v.status, v.message] for name, v in verdicts.items()}, ensure_ascii=False),
+            "INSERT OR REPLACE INTO result (attempt, exercise, verdicts, answers, remarks, graded, hashes) VALUES (?, "
+            "?, ?, ?, ?, ?, ?)",
+            (attempt, exercise, json.dumps({name: [v.status, v.message] for name, v in verdicts.items()},
+                                           ensure_ascii=False),
              json.dumps(answers, ensure_ascii=False), json.dumps(list(remarks), ensure_ascii=False),
              datetime.now(timezone.utc).isoformat(timespec="seconds"), json.dumps(hashes or {})))
 
@@ -120,14 +129,17 @@ class Store:
               AND r.rowid = (SELECT max(rowid) FROM result WHERE attempt = a.id)
             WHERE a.assignment = ? ORDER BY a.student, a.problem, a.submitted, a.id""", (assignment,))
         return [Attempt(*row[:7], {name: Verdict(*verdict) for name, verdict in json.loads(row[7] or "{}").items()},
-                        json.loads(row[8] or "{}"), tuple(json.loads(row[9] or "[]")), json.loads(row[10] or "{}")) for row in rows]
+                        json.loads(row[8] or "{}"), tuple(json.loads(row[9] or "[]")), json.loads(row[10] or "{}"))
+                for row in rows]
 
     def set_manual(self, student, assignment, problem, answer, points, comment):
         """A lecturer's score, which beats the automatic one until it is taken back."""
         self._database.execute("INSERT OR REPLACE INTO manual VALUES (?, ?, ?, ?, ?, ?, ?)",
-                               (student, assignment, problem, answer, points, comment, datetime.now(timezone.utc).isoformat(timespec="seconds")))
+                               (student, assignment, problem, answer, points, comment,
+                                datetime.now(timezone.utc).isoformat(timespec="seconds")))
 
     def manual(self, assignment):
         """{(student, problem, answer): (points, comment)} entered by hand."""
-        rows = self._database.execute("SELECT student, problem, answer, points, comment FROM manual WHERE assignment = ?", (assignment,))
+        rows = self._database.execute("SELECT student, problem, answer, points, comment FROM manual WHERE assignment "
+                                      "= ?", (assignment,))
         return {(student, problem, answer): (points, comment) for student, problem, answer, points, comment in rows}

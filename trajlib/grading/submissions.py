@@ -21,9 +21,11 @@ LATEST = 253370764800.0
 
 @dataclass(frozen=True)
 class Submission:
-    """One submitted notebook: `cells` are the sources of its code cells, none, with the `trouble` in words, when it cannot be read.
+    """One submitted notebook: `cells` are the sources of its code cells, none, with the `trouble` in words, when it
+    cannot be read.
 
-    `student`, `assignment` and `path` are fit to be printed and stored (`printable_name`); `submitted` is the file's time.
+    `student`, `assignment` and `path` are fit to be printed and stored (`printable_name`); `submitted` is the file's
+    time.
     """
 
     student: str
@@ -38,7 +40,8 @@ class Submission:
 
 @dataclass(frozen=True)
 class Aside:
-    """Something below the folder that does not count, and why; `student` and `assignment` if it is somebody's work, as far as known.
+    """Something below the folder that does not count, and why; `student` and `assignment` if it is somebody's work, as
+    far as known.
 
     `problem` is that of a notebook for a problem of the workbook that the homework does not ask for.
     """
@@ -57,7 +60,8 @@ def students(root):
 
 
 def find(root, assignments=None):
-    """All submissions below `root`, and what was left aside, by student, assignment and file; of the named assignments, or of all."""
+    """All submissions below `root`, and what was left aside, by student, assignment and file; of the named assignments,
+    or of all."""
     for student in _folders(Path(root)):
         if isinstance(student, Aside):
             yield student
@@ -72,12 +76,14 @@ def find(root, assignments=None):
 
 def _of_homework(folder, student, assignment):
     if assignment in TAKEN or len(assignment.encode()) > 255:
-        why = "the folder of results needs this name for itself" if assignment in TAKEN else "this name is too long for a folder of results"
+        why = ("the folder of results needs this name for itself" if assignment in TAKEN
+               else "this name is too long for a folder of results")
         yield Aside(printable_name(folder), f"{why}: no homework can be called so", student)
         return
     notebooks = [path for path in _listed(folder) if _is_notebook(path)]
     yield from (_read(student, assignment, path) for path in notebooks)
-    below = [path for inner in _folders(folder, student, assignment) if isinstance(inner, Path) and inner not in notebooks
+    below = [path for inner in _folders(folder, student, assignment) if isinstance(inner, Path)
+             and inner not in notebooks
              for path in _listed(inner) if _is_notebook(path)]
     yield from (_misplaced(path, student, assignment) for path in below)
     if not notebooks and not below:
@@ -99,7 +105,8 @@ def _folders(path, student="", assignment=""):
             if os.access(entry, os.R_OK | os.X_OK):
                 yield entry
             else:
-                yield Aside(printable_name(entry), "this folder cannot be opened", *(whose or (printable_name(entry.name),)))
+                yield Aside(printable_name(entry), "this folder cannot be opened",
+                            *(whose or (printable_name(entry.name),)))
         elif _is_notebook(entry):
             yield _misplaced(entry, student, assignment)
 
@@ -118,7 +125,8 @@ def _is_notebook(path):
 
 
 def _misplaced(path, student="", assignment=""):
-    return Aside(printable_name(path), "it does not lie in a folder STUDENT/HOMEWORK, where notebooks are read", student, assignment)
+    return Aside(printable_name(path), "it does not lie in a folder STUDENT/HOMEWORK, where notebooks are read",
+                 student, assignment)
 
 
 def _read(student, assignment, path):
@@ -132,5 +140,6 @@ def _read(student, assignment, path):
     except OSError as error:  # our rights or our disk: no attempt of the student's
         return Aside(printable_name(path), f"this file cannot be read ({error.strerror})", student, assignment)
     fingerprint = hashlib.sha256(content or trouble.encode()).hexdigest()
-    return Submission(student, assignment, printable_name(path), fingerprint, submitted, number or reading.number_of_name(path.stem), cells,
+    return Submission(student, assignment, printable_name(path), fingerprint, submitted, number
+                      or reading.number_of_name(path.stem), cells,
                       trouble)

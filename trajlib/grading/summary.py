@@ -1,4 +1,5 @@
-"""The page a lecturer gets: what waits for a look or could not be read, points, hardest answers, common failures, identical ones."""
+"""The page a lecturer gets: what waits for a look or could not be read, points, hardest answers, common failures,
+identical ones."""
 
 import re
 import statistics
@@ -22,17 +23,21 @@ def summary(assignment, scores):
     if any(score.spoilt for score in scores):
         parts += ["<h2>Notebooks that could not be read or run</h2>", _spoilt(scores)]
     if handed_in:
-        parts += ["<h2>Points</h2>", _histogram(assignment, handed_in), "<h2>Answers, hardest first</h2>", _hardest(handed_in),
-                  "<h2>Common failures</h2>", _failures(handed_in), "<h2>Identical wrong answers</h2>", _identical(handed_in)]
+        parts += ["<h2>Points</h2>", _histogram(assignment, handed_in), "<h2>Answers, hardest first</h2>",
+                  _hardest(handed_in),
+                  "<h2>Common failures</h2>", _failures(handed_in), "<h2>Identical wrong answers</h2>",
+                  _identical(handed_in)]
     return page(assignment.title, "Summary", "".join(parts))
 
 
 def _in_short(assignment, scores, handed_in):
-    said = [f"{len(handed_in)} of {count(len(scores), 'student')} handed something in", f"{sum(bool(s.late) for s in scores)} were late",
+    said = [f"{len(handed_in)} of {count(len(scores), 'student')} handed something in",
+            f"{sum(bool(s.late) for s in scores)} were late",
             f"{sum(s.needs_review for s in scores)} need a lecturer’s look"]
     if handed_in:
         reached = [score.points for score in handed_in]
-        said.append(f"the middle one has {points(statistics.median(reached))} of {points(assignment.max_points)} points, "
+        said.append(f"the middle one has {points(statistics.median(reached))} of {points(assignment.max_points)} "
+                    f"points, "
                     f"the mean is {points(statistics.mean(reached))}")
     return f"<p>{'; '.join(said)}.</p>"
 
@@ -42,7 +47,8 @@ def _to_review(assignment, scores):
             f"<td>{f'<code>{escape(answer.text)}</code><br>' if answer.text else ''}{escape(answer.verdict.message)}</td></tr>"
             for score in scores for answer in score.to_review]
     command = f"trajlib score STUDENT {escape(assignment.name)} PROBLEM ANSWER POINTS"
-    return (f"<p>These could not be judged and may still raise the grade. Give points with <code>{command}</code>, then grade again.</p>"
+    return (f"<p>These could not be judged and may still raise the grade. Give points with <code>{command}</code>, "
+            f"then grade again.</p>"
             + table(("student", "answer", "what was given, and why it was not judged"), rows))
 
 
@@ -53,7 +59,8 @@ def _aside(scores):
             whose[one.why].append((score.student, one.path))
     rows = [f"<tr><td>{person(student)}</td><td><code>{escape(path)}</code></td><td>{escape(why)}</td></tr>"
             for why, works in sorted(whose.items(), key=lambda pair: -len(pair[1])) for student, path in works]
-    return ("<p>This may be work that is missing. Name it, or move it, as it should be, or take it away; then grade again.</p>"
+    return ("<p>This may be work that is missing. Name it, or move it, as it should be, or take it away; then grade "
+            "again.</p>"
             + table(("student", "what", "why"), rows))
 
 
@@ -66,7 +73,8 @@ def _spoilt(scores):
     rows = [f'<tr><td class="number">{len(works)}</td><td>{escape(works[0][2])}</td>'
             f"<td>{', '.join(f'{person(student)} ({escape(problem)})' for student, problem, _ in works)}</td></tr>"
             for works in sorted(whose.values(), key=len, reverse=True)]
-    return ("<p>What a student handed in last for a problem, without any answer that could be read. It earns nothing; ask for it again.</p>"
+    return ("<p>What a student handed in last for a problem, without any answer that could be read. It earns nothing; "
+            "ask for it again.</p>"
             + table(("times", "why, in the words of one of them", "students and problems"), rows))
 
 
@@ -79,13 +87,17 @@ def _histogram(assignment, scores, bars=10):
     drawn = []
     for k in sorted(counts):
         tall = height * counts[k] / tallest
-        drawn.append(f'<rect x="{k * width + 6}" y="{floor - tall:.1f}" width="{width - 6}" height="{tall:.1f}" fill="var(--accent)"/>'
-                     f'<text x="{k * width + width / 2 + 3}" y="{floor - 5 - tall:.1f}" text-anchor="middle">{counts[k]}</text>')
+        drawn.append(f'<rect x="{k * width + 6}" y="{floor - tall:.1f}" width="{width - 6}" height="{tall:.1f}" '
+                     f'fill="var(--accent)"/>'
+                     f'<text x="{k * width + width / 2 + 3}" y="{floor - 5 - tall:.1f}" '
+                     f'text-anchor="middle">{counts[k]}</text>')
     drawn.append(f'<line x1="0" x2="{end}" y1="{floor + .5}" y2="{floor + .5}" stroke="var(--soft)"/>')
     for k in range(0, bars + 1, 2):
         anchor = "start" if k == 0 else "end" if k == bars else "middle"
-        drawn.append(f'<text x="{k * width + 3}" y="{floor + 20}" text-anchor="{anchor}">{points(assignment.max_points * k / bars)}</text>')
-    drawn.append(f'<text x="{end / 2}" y="{floor + 44}" text-anchor="middle">points; on each bar the number of students</text>')
+        drawn.append(f'<text x="{k * width + 3}" y="{floor + 20}" '
+                     f'text-anchor="{anchor}">{points(assignment.max_points * k / bars)}</text>')
+    drawn.append(f'<text x="{end / 2}" y="{floor + 44}" text-anchor="middle">points; on each bar the number of '
+                 f'students</text>')
     spread = ", ".join(f"{counts[k]} from {points(assignment.max_points * k / bars)}" for k in sorted(counts))
     label = f"Number of students by points: {spread}"
     return f'<svg viewBox="0 0 {end} {floor + 50}" role="img" aria-label="{label}">{"".join(drawn)}</svg>'
@@ -99,9 +111,11 @@ def _hardest(scores):
     rows = []
     for (problem, name), counts in sorted(statuses.items(), key=lambda item: item[1][RIGHT]):
         told = [(status, f"{counts[status]} {status}") for status in STATUSES if counts[status]]
-        bar = "".join(f'<span class="{status}" style="flex: {counts[status]}" title="{words}"></span>' for status, words in told)
+        bar = "".join(f'<span class="{status}" style="flex: {counts[status]}" title="{words}"></span>'
+                      for status, words in told)
         rows.append(f'<tr>{answer_name(problem, name)}<td class="number">{counts[RIGHT] / len(scores):.0%}</td>'
-                    f'<td><div class="bar">{bar}</div><span class="soft">{", ".join(words for _, words in told)}</span></td></tr>')
+                    f'<td><div class="bar">{bar}</div><span '
+                    f'class="soft">{", ".join(words for _, words in told)}</span></td></tr>')
     return table(("answer", "right", "verdicts"), rows)
 
 
@@ -131,7 +145,8 @@ def _identical(scores):
             if answer.verdict.status == WRONG and answer.hash:
                 givers[answer.problem, answer.answer, answer.hash].append(score.student)
                 texts[answer.hash] = answer.text
-    shared = sorted(((given, names) for given, names in givers.items() if len(names) > 1), key=lambda pair: -len(pair[1]))
+    shared = sorted(((given, names) for given, names in givers.items() if len(names) > 1),
+                    key=lambda pair: -len(pair[1]))
     rows = [f'<tr><td class="number">{len(names)}</td>{answer_name(problem, name)}<td><code>{escape(texts[given])}</code></td>'
             f"<td>{', '.join(map(person, names))}</td></tr>" for (problem, name, given), names in shared]
     return table(("times", "answer", "given", "by"), rows)

@@ -18,7 +18,8 @@ JUDGES = "import trajlib.cells, trajlib.grading.judging"
 
 
 def fingerprint(exercise):
-    """What a result depends on besides the notebook: the exercise's data and check cells, the library under them, and the judge."""
+    """What a result depends on besides the notebook: the exercise's data and check cells, the library under them, and
+    the judge."""
     cells = exercise.code("data", "check")
     closure = module_closure("\n".join([JUDGES, *(source for _, source in cells)]))
     return hashlib.sha256(json.dumps([cells, closure], sort_keys=True).encode()).hexdigest()

@@ -29,15 +29,16 @@ class Exceeded(RuntimeError):
 class Watch:
     """Over the notebook that runs below the process `keeper` and hands over on `descriptor`.
 
-    First wait until it is `prepared`, then give it its request, then wait for its `answers`. `proc` is a descriptor of the
-    /proc in which `keeper` is to be found.
+    First wait until it is `prepared`, then give it its request, then wait for its `answers`. `proc` is a descriptor of
+    the /proc in which `keeper` is to be found.
     """
 
     def __init__(self, keeper, descriptor, limits, proc, own_network=True):
         self._keeper, self._descriptor, self._limits, self._proc, self._own_network = keeper, descriptor, limits, proc, own_network
 
     def prepared(self):
-        """Wait until the notebook's process is confined, and note what getting ready took, which is not the notebook's."""
+        """Wait until the notebook's process is confined, and note what getting ready took, which is not the
+        notebook's."""
         try:
             self._said = framing.receive(self._descriptor, timeout=PREPARATION)
         except framing.Broken as broken:
@@ -46,8 +47,8 @@ class Watch:
         self._sockets, self._seconds = _sockets(before, self._proc), _seconds(before)
 
     def answers(self):
-        """(how it ended, message): "done", or the limit that ended it ("time", "memory", "processes", "sockets", "large"), or
-        "died", or "failed" if its process could not be prepared."""
+        """(how it ended, message): "done", or the limit that ended it ("time", "memory", "processes", "sockets",
+        "large"), or "died", or "failed" if its process could not be prepared."""
         if self._said != PREPARED:
             return b"failed", self._said
         try:

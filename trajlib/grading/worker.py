@@ -6,7 +6,8 @@ is done, or out of time, everything it left behind ends with it.
 
 The ready process never holds a request or an answer itself: whatever it had read would stand in the memory of every
 later child. A keeper, forked for each notebook, forks the child, hands it the request, watches it and replies. Both are
-there, and the child is confined, before the request comes: while one notebook is judged, the next one's place gets ready.
+there, and the child is confined, before the request comes: while one notebook is judged, the next one's place gets
+ready.
 
 There are three modes: `nested`, as said; `once`, where the system allows no namespaces inside the sandbox: one
 notebook, run by this very process, which a sandbox of its own surrounds; `trusting`, with no sandbox around at all.
@@ -28,8 +29,10 @@ from contextlib import suppress
 import trajlib
 from trajlib.cells import prepare, run_cells
 from trajlib.grading import framing, system_calls, watching
-from trajlib.grading.isolation import (CLONE_NEWIPC, CLONE_NEWNET, CLONE_NEWNS, CLONE_NEWPID, CLONE_NEWUSER, MS_BIND, MS_NODEV, MS_NOSUID,
-                                       MS_PRIVATE, MS_RDONLY, MS_REC, SCRATCH, NoIsolation, end_with_parent, loaded, mount, system_call,
+from trajlib.grading.isolation import (CLONE_NEWIPC, CLONE_NEWNET, CLONE_NEWNS, CLONE_NEWPID, CLONE_NEWUSER, MS_BIND,
+                                       MS_NODEV, MS_NOSUID,
+                                       MS_PRIVATE, MS_RDONLY, MS_REC, SCRATCH, NoIsolation, end_with_parent, loaded,
+                                       mount, system_call,
                                        unshare)
 from trajlib.grading.preloading import NOTEBOOKS, SYMPY, preload
 
@@ -139,7 +142,8 @@ def _enter_namespaces(limits, in_scratch):
     mount("none", "/", flags=MS_REC | MS_PRIVATE)
     held = {path: os.open(path, os.O_PATH) for path in in_scratch}
     for folder in SCRATCH:
-        mount("tmpfs", folder, "tmpfs", MS_NOSUID | MS_NODEV, f"size={limits['disk_megabytes']}m,nr_inodes=10000,mode=1777")
+        mount("tmpfs", folder, "tmpfs", MS_NOSUID | MS_NODEV,
+              f"size={limits['disk_megabytes']}m,nr_inodes=10000,mode=1777")
     for path, descriptor in held.items():
         if os.path.isdir(f"/proc/self/fd/{descriptor}"):
             os.makedirs(path, exist_ok=True)
@@ -196,7 +200,8 @@ def _answers(request, limits):
         return json.dumps(run_cells(request["sources"], request["names"], before=request["before"],
                                     seconds=(limits["cpu_seconds"], limits["wall_seconds"]))).encode()
     except BaseException as error:  # the student's code may end in anything; it is told
-        return json.dumps({"encoded": {}, "unreadable": {}, "errors": [f"the notebook ended: {type(error).__name__}"], "stopped": []}).encode()
+        return json.dumps({"encoded": {}, "unreadable": {}, "errors": [f"the notebook ended: {type(error).__name__}"],
+                           "stopped": []}).encode()
 
 
 def _confine(limits, mode):
@@ -228,7 +233,8 @@ def _limit(limits, mode):
     # The process may have loaded the libraries itself, which is not the notebook's time or memory.
     bounds = {resource.RLIMIT_AS: loaded() + limits["memory_megabytes"] * 2**20,
               resource.RLIMIT_CPU: math.ceil(time.process_time() + limits["cpu_seconds"]) + 5,
-              resource.RLIMIT_FSIZE: limits["disk_megabytes"] * 2**20, resource.RLIMIT_NOFILE: 128, resource.RLIMIT_CORE: 0}
+              resource.RLIMIT_FSIZE: limits["disk_megabytes"] * 2**20, resource.RLIMIT_NOFILE: 128,
+              resource.RLIMIT_CORE: 0}
     if mode != "trusting":  # there it would count all processes of the user
         bounds[resource.RLIMIT_NPROC] = limits["processes"]
     for kind, bound in bounds.items():
@@ -237,7 +243,8 @@ def _limit(limits, mode):
 
 
 def _give_up_privileges():
-    """No capability in this user namespace, none to come back by an executable, no system call that would undo the sandbox."""
+    """No capability in this user namespace, none to come back by an executable, no system call that would undo the
+    sandbox."""
     system_call("prctl", PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0)
     for capability in range(64):
         try:

@@ -17,7 +17,8 @@ CREDIT = ("S. S. Lemak, V. M. Morozov, M. Yu. Popelensky, V. V. Tikhomirov, O. Y
           "Moscow, 2012")
 RESEARCH = "the research chapters of the workbook"
 
-DIRECTIVE = re.compile(r"^(?P<fence>`{3,}|:{3,})\{(?P<name>[\w:-]+)\}[ \t]*(?P<argument>[^\n]*)\n(?P<body>.*?)^(?P=fence)[ \t]*$\n?",
+DIRECTIVE = re.compile(r"^(?P<fence>`{3,}|:{3,})\{(?P<name>[\w:-]+)\}[ "
+                       r"\t]*(?P<argument>[^\n]*)\n(?P<body>.*?)^(?P=fence)[ \t]*$\n?",
                        re.M | re.S)
 OPTIONS = re.compile(r"(?:^:[\w-]+:.*\n)+", re.M)
 SILENT = {"index", "exercise-end", "solution-start", "solution-end"}
@@ -30,7 +31,8 @@ def write_exercises(root, numbers=()):
     """
     root = Path(root)
     links, changed = Links(root, baseurl(root)), []
-    masters = [read(root / "solutions" / master_file(number)) for number in numbers] if numbers else read_all(root / "solutions")
+    masters = ([read(root / "solutions" / master_file(number)) for number in numbers] if numbers
+               else read_all(root / "solutions"))
     for master in masters:
         text = json.dumps(student_notebook(master, links), indent=1, ensure_ascii=False) + "\n"
         if not master.exercise.exists() or master.exercise.read_text(encoding="utf-8") != text:
@@ -65,7 +67,8 @@ def student_notebook(master, links):
              "topics": list(master.topics),
              "answers": {a.name: {"kind": a.kind, "text": a.text, "exact": a.exact} for a in master.answers.values()},
              "hints": {name: list(texts) for name, texts in master.hints.items()}}
-    return {"cells": cells, "metadata": {"kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
+    return {"cells": cells,
+            "metadata": {"kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
                                          "language_info": {"name": "python"}, "trajlib": about},
             "nbformat": 4, "nbformat_minor": 5}
 
@@ -76,7 +79,8 @@ def plain_markdown(text, links, source, number=""):
     text = re.sub(r"^# Problem \d+\.\d+$", "", text, flags=re.M)  # the exercise's own heading says it with its title
     text = re.sub(r"^\([\w-]+\)=\n", "", text, flags=re.M)
     text = re.sub(r"\[([^\]]+)\]\(#([\w-]+)\)", lambda m: _link(m[1], m[2], links, source), text)
-    text = re.sub(r"\{(?:ref|numref|prf:ref)\}`([^`<]+?)\s*<([\w-]+)>`", lambda m: _link(m[1], m[2], links, source), text)
+    text = re.sub(r"\{(?:ref|numref|prf:ref)\}`([^`<]+?)\s*<([\w-]+)>`", lambda m: _link(m[1], m[2], links, source),
+                  text)
     text = re.sub(r"\{eq\}`eq-([\w-]+)`", lambda m: f"({_tag(m[1])})", text)
     text = re.sub(r"\{problem\}`([\d.]+)`", r"problem \1", text)
     text = re.sub(r"\{cite(?::\w)?\}`[^`]*`", "", text)
@@ -162,7 +166,8 @@ def _code(source, role, nbgrader=None):
     metadata = {"tags": [role]}
     if nbgrader:
         metadata["nbgrader"] = {"schema_version": 3, "solution": False, "task": False, "cell_type": "code", **nbgrader}
-    return {"cell_type": "code", "execution_count": None, "id": "", "metadata": metadata, "outputs": [], "source": source}
+    return {"cell_type": "code", "execution_count": None, "id": "", "metadata": metadata, "outputs": [],
+            "source": source}
 
 
 def baseurl(root):

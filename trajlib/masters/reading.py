@@ -120,7 +120,8 @@ def _cell(path, cell):
     tags = cell.metadata.get("tags", [])
     roles = [tag for tag in tags if tag in ROLES]
     if len(roles) != 1:
-        raise MasterError(f"{path}: a code cell needs exactly one role of {', '.join(ROLES)}, found {tags}:\n{cell.source}")
+        raise MasterError(f"{path}: a code cell needs exactly one role of {', '.join(ROLES)}, found "
+                          f"{tags}:\n{cell.source}")
     if roles[0] in TRIALS and not {"skip-execution", "remove-cell"} <= set(tags):
         raise MasterError(f"{path}: a cell tagged {roles[0]} also needs skip-execution and remove-cell")
     return Cell(roles[0], cell.source)
@@ -154,7 +155,8 @@ def assigned_names(source, names):
     """Which of `names` a cell assigns at its top level, in order."""
     found = []
     for node in ast.parse(source).body:
-        targets = node.targets if isinstance(node, ast.Assign) else [node.target] if isinstance(node, ast.AnnAssign) else []
+        targets = (node.targets if isinstance(node, ast.Assign) else [node.target] if isinstance(node, ast.AnnAssign)
+                   else [])
         if isinstance(node, ast.FunctionDef):
             found += [node.name] if node.name in names else []
         for target in targets:

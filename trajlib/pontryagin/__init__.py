@@ -14,7 +14,8 @@ True
 
 from trajlib._lazy import lazy_names
 
-# No module of this folder is called like a name it exports: importing it would put the module in the place of the function.
+# No module of this folder is called like a name it exports: importing it would put the module in the place of the
+# function.
 _EXPORTS = {
     "statement": ["Problem"],
     "derivation": ["Conditions"],

@@ -34,7 +34,8 @@ def read_bounds(controls):
 def read_initial(initial):
     if not isinstance(initial, Mapping):
         raise TypeError(f"initial: expected a dict from states to their values at t = 0, got {initial!r}")
-    return {s: None if v is None else exact_decimals(read_expression(v, f"initial value of {s}")) for s, v in initial.items()}
+    return {s: None if v is None else exact_decimals(read_expression(v, f"initial value of {s}"))
+            for s, v in initial.items()}
 
 
 def read_terminal(terminal):

@@ -59,7 +59,8 @@ class Certificate:
 
     def _repr_markdown_(self):
         words = {
-            "dynamics": r"$\dot y = f$", "adjoint": r"$\dot\psi = -\partial H/\partial y$", "initial": "initial conditions",
+            "dynamics": r"$\dot y = f$", "adjoint": r"$\dot\psi = -\partial H/\partial y$",
+            "initial": "initial conditions",
             "terminal": "terminal conditions", "transversality": "transversality", "bounds": "bounds of the controls",
             "maximum": r"$\max_u H - H$", "drift": "drift of $H$", "stationarity": r"$\vert H\vert$ (free time)",
             "end": r"$\vert\max_u H\vert$ at $t_k$", "multipliers": r"$\lambda_0 \ge 0$, $(\lambda_0, \psi) \ne 0$",
@@ -74,10 +75,10 @@ def certify(problem, state, costate, control, duration, switching_times=(), mult
     """Residuals of all conditions for a trajectory given as functions: `Certificate`.
 
     `state`, `costate`, `control`: functions of an array of N times with values (n, N), (n, N), (k, N); `duration` and
-    `switching_times`: where the control jumps or changes its law; `multiplier`: lambda_0. `arcs`: the kinds of the arcs as
-    in `Extremal.arcs`, for Kelley's sign; `points`: panels an arc (default 12), with twelve points each.
-    Raises ValueError if parameters have no value, or if the functions do not give arrays of these shapes.
-    Source: (5.4) - (5.7) and Theorem 5.2 of the problem book.
+    `switching_times`: where the control jumps or changes its law; `multiplier`: lambda_0. `arcs`: the kinds of the arcs
+    as in `Extremal.arcs`, for Kelley's sign; `points`: panels an arc (default 12), with twelve points each. Raises
+    ValueError if parameters have no value, or if the functions do not give arrays of these shapes. Source: (5.4) -
+    (5.7) and Theorem 5.2 of the problem book.
 
     >>> import numpy as np, sympy as sp
     >>> from trajlib.pontryagin import Problem
@@ -98,7 +99,8 @@ def certify(problem, state, costate, control, duration, switching_times=(), mult
     size = abs(multiplier) + np.max(np.abs(values.psi))
     return Certificate(
         dynamics=dynamics, adjoint=adjoint, initial=values.initial(), terminal=values.terminal(),
-        transversality=values.transversality(), bounds=values.bound_violation(), maximum=float(np.max(excess, initial=0.0)/scale_H),
+        transversality=values.transversality(), bounds=values.bound_violation(),
+        maximum=float(np.max(excess, initial=0.0)/scale_H),
         drift=float(np.ptp(H)/scale_H), stationarity=float(np.max(np.abs(H))/scale_H) if free else 0.0,
         end=float(abs(end)/scale_H) if free else 0.0, multipliers=float(max(-multiplier, 0.0) if size > 1e-9 else 1.0),
         passage=values.passage(), kelley=values.kelley(arcs))

@@ -1,8 +1,8 @@
 """Chattering: switchings that accumulate where a bang arc meets a singular arc of even order.
 
-On a singular arc of even order q with (-1)^q b < 0 and a control inside the bounds, no bang arc can join it with a jump of
-the control: the optimal control switches infinitely often before it gets there (Fuller's problem, q = 2, where the arcs
-shrink by the factor 4.13). No finite list of arcs describes such an extremal, so it is refused.
+On a singular arc of even order q with (-1)^q b < 0 and a control inside the bounds, no bang arc can join it with a jump
+of the control: the optimal control switches infinitely often before it gets there (Fuller's problem, q = 2, where the
+arcs shrink by the factor 4.13). No finite list of arcs describes such an extremal, so it is refused.
 """
 import casadi as ca
 import numpy as np
@@ -14,8 +14,8 @@ from .flow import ArcFlow
 def refuse_chattering(numeric, arcs, end, duration):
     """Raise `Chattering` if the arcs join a bang arc to a singular arc of even order, or end on one.
 
-    `arcs`: list of `Arc`; `end`: final state; `duration`: None if the final time is free. A free final time in which the
-    target lies on the singular arc is the case of Fuller: resting there costs nothing more.
+    `arcs`: list of `Arc`; `end`: final state; `duration`: None if the final time is free. A free final time in which
+    the target lies on the singular arc is the case of Fuller: resting there costs nothing more.
     """
     for j in range(numeric.k):
         if not numeric.affine[j] or not np.isfinite([numeric.lower[j], numeric.upper[j]]).all():
@@ -34,9 +34,11 @@ def refuse_chattering(numeric, arcs, end, duration):
         if q % 2 == 0 and (joined or _rests_on_arc(numeric, flow, j, end)):
             lengths = ", ".join(f"{arc.end - arc.begin:.3g}" for arc in arcs if arc.kinds[j] != "singular")
             raise Chattering(
-                f"the switchings of {numeric.problem.control[j]} accumulate where the trajectory reaches a singular arc of order {q}: "
+                f"the switchings of {numeric.problem.control[j]} accumulate where the trajectory reaches a singular "
+                f"arc of order {q}: "
                 "a bang arc cannot join a singular arc of even order, so the control switches infinitely often before "
-                f"(first arcs: {lengths}). No list of arcs describes it; bound the number of switchings in another way, for example by a cost on the control.")
+                f"(first arcs: {lengths}). No list of arcs describes it; bound the number of switchings in another "
+                f"way, for example by a cost on the control.")
 
 
 def _rests_on_arc(numeric, flow, j, end):

@@ -19,7 +19,8 @@ class Comparison:
     def _repr_markdown_(self):
         rows = "".join(f"| {', '.join(kind_latex(kind) for kind, _, _ in e.arcs)} | {e.cost:.9g} | {e.duration:.9g} | "
                        f"{', '.join(f'{t:.6g}' for t in e.switching_times)} |\n" for e in self.extremals)
-        rows += "".join(f"| {', '.join(map(kind_latex, structure))} | none | | {reason} |\n" for structure, reason in self.refused)
+        rows += "".join(f"| {', '.join(map(kind_latex, structure))} | none | | {reason} |\n"
+                        for structure, reason in self.refused)
         return f"| arcs | $J$ | $t_k$ | switchings |\n|---|---|---|---|\n{rows}"
 
 
@@ -43,5 +44,6 @@ def compare(problem, structures, guess=None):
         except PontryaginError as error:
             refused.append((tuple(structure), str(error)))
     if not extremals:
-        raise PontryaginError("compare: none of the structures leads to an extremal: " + "; ".join(reason for _, reason in refused))
+        raise PontryaginError("compare: none of the structures leads to an extremal: "
+                              + "; ".join(reason for _, reason in refused))
     return Comparison(tuple(sorted(extremals, key=lambda e: -e.cost if problem.maximise else e.cost)), tuple(refused))

@@ -7,8 +7,8 @@ With H = psi^T f - lambda_0 f_0 (for a maximum of the cost: + lambda_0 f_0), lam
     psi(t_k) + lambda_0 grad phi_0 is orthogonal to the target:  = -sum_j lambda_j grad phi_j              (5.6)
     H = 0 along the trajectory if the final time is free, H = const if it is given                         (5.7)
 
-psi_i(0) = 0 for a state that is free at the start. The pair (lambda_0, psi) matters up to a positive factor: lambda_0 = 1
-is the normal case; lambda_0 = 0, in which the cost takes no part, the abnormal one.
+psi_i(0) = 0 for a state that is free at the start. The pair (lambda_0, psi) matters up to a positive factor: lambda_0 =
+1 is the normal case; lambda_0 = 0, in which the cost takes no part, the abnormal one.
 """
 from dataclasses import dataclass
 from functools import cached_property
@@ -28,7 +28,8 @@ class Conditions:
     - `switching`: {control: dH/du} for the controls in which H is linear
     - `maximising`: {control: the control that makes H largest, a Piecewise}
     - `singular`: {control: SingularArc} for the controls in `switching`
-    - `transversality`: expressions that vanish at the end, `reduced_transversality` the same without lambda1, ..., lambdam
+    - `transversality`: expressions that vanish at the end, `reduced_transversality` the same without lambda1, ...,
+      lambdam
     - `initial_transversality`: the psi_i that vanish at the start
     - `stationarity`: the equation H = 0 if the final time is free, else None (H is then constant)
     - `normal`, `abnormal`: H with lambda0 = 1 and with lambda0 = 0
@@ -121,10 +122,12 @@ def conditions(problem):
     taken = {s.name for s in (*problem.state, *problem.control, *problem.parameters)}
     clash = taken & {s.name for s in (*costate, multiplier, *terminal_multipliers)}
     if clash:
-        raise ValueError(f"conditions: {', '.join(sorted(clash))} is the name of a costate or multiplier; rename the symbol of the problem")
+        raise ValueError(f"conditions: {', '.join(sorted(clash))} is the name of a costate or multiplier; rename the "
+                         f"symbol of the problem")
     sign = -1 if problem.maximise else 1
     # exp(-k*(h - 1)) stays whole: exp(k)*exp(-k*h) overflows.
-    hamiltonian = sp.expand(sum(psi*f for psi, f in zip(costate, problem.field)) - sign*multiplier*problem.running, power_exp=False)
+    hamiltonian = sp.expand(sum(psi*f for psi, f in zip(costate, problem.field)) - sign*multiplier*problem.running,
+                            power_exp=False)
     adjoint = {psi: -sp.diff(hamiltonian, y) for psi, y in zip(costate, problem.state)}
     # Linear in one control while the others stand in the coefficient: still a switching function of this control.
     slopes = {u: sp.diff(hamiltonian, u) for u in problem.control}

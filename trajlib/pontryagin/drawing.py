@@ -12,8 +12,8 @@ _POINTS = 120
 def draw_extremal(extremal, axes=None):
     """Phase plane (two states or more), states, controls with dH/du, costates; returns the Axes, an array.
 
-    `axes`: three Axes, or four with the phase plane first. The arcs are bands of colour with their names; the phase plane
-    marks the start, the switchings and the end.
+    `axes`: three Axes, or four with the phase plane first. The arcs are bands of colour with their names; the phase
+    plane marks the start, the switchings and the end.
     """
     planar = len(extremal.problem.state) > 1
     count = 3 + planar
@@ -48,7 +48,8 @@ def phase_plane(extremal, ax=None):
     start, finish = extremal.state(0.0), extremal.state(extremal.duration)
     ax.plot(*start[:2], "o", color=plotting.BLACK, label="start")
     if extremal.switching_times:
-        ax.plot(*extremal.state(np.array(extremal.switching_times))[:2], "s", color=plotting.RED, linestyle="none", label="switching")
+        ax.plot(*extremal.state(np.array(extremal.switching_times))[:2], "s", color=plotting.RED, linestyle="none",
+                label="switching")
     ax.plot(*finish[:2], "D", color=plotting.GREEN, linestyle="none", label="end")
     ax.set_xlabel(f"${sp.latex(extremal.problem.state[0])}$")
     ax.set_ylabel(f"${sp.latex(extremal.problem.state[1])}$")
@@ -70,7 +71,8 @@ def _courses(extremal, ax, functions, what):
             for i in range(len(values)):
                 lines.setdefault(i, []).append((times, values[i]))
         for i, pieces in lines.items():
-            ax.plot(np.concatenate([t for t, _ in pieces]), np.concatenate([v for _, v in pieces]), label=f"${sp.latex(symbols[i])}$")
+            ax.plot(np.concatenate([t for t, _ in pieces]), np.concatenate([v for _, v in pieces]),
+                    label=f"${sp.latex(symbols[i])}$")
     ax.set_ylabel(what)
 
 
@@ -99,7 +101,8 @@ def _bands(extremal, ax):
         text = ", ".join(_NAME.get(k, k) for k in kinds)
         # A name is written where its band has room for it.
         if end - begin > (0.03 + 0.02*len("".join(k[:8] for k in kinds)))*extremal.duration:
-            ax.text((begin + end)/2, 1.01, text, transform=ax.get_xaxis_transform(), ha="center", va="bottom", fontsize=10)
+            ax.text((begin + end)/2, 1.01, text, transform=ax.get_xaxis_transform(), ha="center", va="bottom",
+                    fontsize=10)
     ax.legend(loc="best")
 
 
@@ -109,5 +112,6 @@ def _new_axes(count):
     with plotting.style():
         # Four in a square; three courses in time below one another.
         rows, columns = (2, 2) if count == 4 else (count, 1)
-        figure, axes = plt.subplots(rows, columns, figsize=(4.6*columns + 0.4, 3.5*rows - 0.7*(count == 3)*rows), squeeze=False)
+        figure, axes = plt.subplots(rows, columns, figsize=(4.6*columns + 0.4, 3.5*rows - 0.7*(count == 3)*rows),
+                                    squeeze=False)
     return axes.ravel()

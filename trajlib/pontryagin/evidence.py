@@ -20,7 +20,8 @@ class Evidence:
         self.problem, self.multiplier = problem, float(multiplier)
         cuts = np.array([0.0, *sorted(float(t) for t in switching_times), float(duration)])
         if not np.all(np.diff(cuts) > 0):
-            raise ValueError(f"certify: expected switching times between 0 and the duration {duration}, got {list(switching_times)}")
+            raise ValueError(f"certify: expected switching times between 0 and the duration {duration}, got "
+                             f"{list(switching_times)}")
         self.arc_count = len(cuts) - 1
         self.edges = np.unique(np.concatenate([np.linspace(a, b, panels + 1) for a, b in zip(cuts, cuts[1:])]))
         widths = np.diff(self.edges)
@@ -29,7 +30,8 @@ class Evidence:
         n, k = len(problem.state), len(problem.control)
         self.y, self.psi, self.u = (_values(f, self.times, rows, name) for f, rows, name in (
             (state, n, "state"), (costate, n, "costate"), (control, k, "control")))
-        self.y_edges, self.psi_edges = _values(state, self.edges, n, "state"), _values(costate, self.edges, n, "costate")
+        self.y_edges, self.psi_edges = _values(state, self.edges, n,
+                                               "state"), _values(costate, self.edges, n, "costate")
         # At the last moment the control is that of the last arc.
         self.last_control = self.u[:, -1]
         derived = problem.conditions()
@@ -38,7 +40,8 @@ class Evidence:
         self._functions = {name: _function(both, expressions) for name, expressions in (
             ("field", problem.field), ("adjoint", derived.adjoint.values()), ("hamiltonian", [derived.hamiltonian]),
             ("slopes", [sp.diff(derived.hamiltonian, u) for u in problem.control]),
-            ("curvatures", [sp.diff(derived.hamiltonian, u, 2) for u in problem.control]), ("running", [problem.running]))}
+            ("curvatures", [sp.diff(derived.hamiltonian, u, 2) for u in problem.control]),
+            ("running", [problem.running]))}
         self.rates = self._at("field", self.y, self.psi, self.u)
         self.densities = self._at("running", self.y, self.psi, self.u)
 
@@ -50,7 +53,8 @@ class Evidence:
 
     def defects(self):
         results = []
-        for edges, rates in ((self.y_edges, self.rates), (self.psi_edges, self._at("adjoint", self.y, self.psi, self.u))):
+        for edges, rates in ((self.y_edges, self.rates),
+                             (self.psi_edges, self._at("adjoint", self.y, self.psi, self.u))):
             integrals = np.sum(rates.reshape(len(edges), *self.weights.shape)*self.weights, axis=-1)
             results.append(float(np.max(np.abs(np.diff(edges) - integrals))/(1 + np.max(np.abs(edges)))))
         return results
@@ -166,7 +170,8 @@ def _candidates(u, low, high, linear):
 def _values(function, times, rows, name):
     values = np.asarray(function(times), dtype=float)
     if values.shape != (rows, len(times)):
-        raise ValueError(f"certify: expected {name}(t) of shape ({rows}, {len(times)}) for {len(times)} times, got {values.shape}")
+        raise ValueError(f"certify: expected {name}(t) of shape ({rows}, {len(times)}) for {len(times)} times, got "
+                         f"{values.shape}")
     return values
 
 

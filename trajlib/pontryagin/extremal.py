@@ -22,8 +22,8 @@ class Extremal:
     """An extremal: a trajectory with a control and a costate that satisfy the conditions of the maximum principle.
 
     - `cost`, `duration`: J and t_k
-    - `arcs`: [(kind, begin, end)], kind being "u-", "u+" (at a bound), "interior" or "singular"; with several controls a
-      tuple of them
+    - `arcs`: [(kind, begin, end)], kind being "u-", "u+" (at a bound), "interior" or "singular"; with several controls
+      a tuple of them
     - `switching_times`: the times between the arcs
     - `multiplier`: lambda_0, 1 in the normal case and 0 in the abnormal one (then |psi(0)| = 1)
     - `terminal_multipliers`: lambda_1, ..., lambda_m of the terminal equations
@@ -126,24 +126,24 @@ class Extremal:
         case = r"normal, $\lambda_0 = 1$" if self.normal else r"abnormal, $\lambda_0 = 0$"
         return (f"$J = {self.cost:.12g}$, $t_k = {self.duration:.12g}$ ({case})\n\n"
                 f"| arc | begin | end |\n|---|---|---|\n{rows}\n"
-                "The conditions are necessary ones: this is an extremal, the best one that was found; a better process is not excluded.\n")
+                "The conditions are necessary ones: this is an extremal, the best one that was found; a better "
+                "process is not excluded.\n")
 
 
 def solve(problem, structure=None, guess=None):
     """An extremal of a problem: `Extremal`. Called as `problem.solve(...)`.
 
-    `structure`: the arcs, as a list of "u-", "u+", "interior", "singular" (of tuples of them, for several controls); found
-    by itself if left out. `guess`: what to start from, an `Extremal` of a similar problem or a dict with any of
+    `structure`: the arcs, as a list of "u-", "u+", "interior", "singular" (of tuples of them, for several controls);
+    found by itself if left out. `guess`: what to start from, an `Extremal` of a similar problem or a dict with any of
     "duration": number, and state or control: a number, a list of values at equal steps, or a function of time.
 
     The result satisfies the conditions of the maximum principle to about 1e-12; among several extremals it is the one
     next to the best discrete solution found. For a target given by one equation and a free final time the search starts
     from several motions. Even so the best of all may be missed (see `compare`).
 
-    Raises ValueError if a parameter has no value; `StartOnTarget`; `Infeasible` (also for a duration that is too short);
-    `Unbounded`; `Chattering`; `WrongStructure` if the arcs asked for cannot be joined; `NotConverged`. All of them are
-    `PontryaginError`.
-    Source: Theorem 5.1 of the problem book.
+    Raises ValueError if a parameter has no value; `StartOnTarget`; `Infeasible` (also for a duration that is too
+    short); `Unbounded`; `Chattering`; `WrongStructure` if the arcs asked for cannot be joined; `NotConverged`. All of
+    them are `PontryaginError`. Source: Theorem 5.1 of the problem book.
 
     >>> import sympy as sp
     >>> from trajlib.pontryagin import Problem
@@ -162,7 +162,8 @@ def solve(problem, structure=None, guess=None):
         arcs = [Arc(kind, begin, end) for kind, begin, end in zip(kinds, ends, ends[1:])]
         if min(picture.lengths) < 1e-6*picture.duration:
             short = int(np.argmin(picture.lengths))
-            raise WrongStructure(f"the arc {name(kinds[short])} (number {short + 1}) shrinks to nothing: the best process with these arcs "
+            raise WrongStructure(f"the arc {name(kinds[short])} (number {short + 1}) shrinks to nothing: the best "
+                                 f"process with these arcs "
                                  "does not have it. Leave it out, or leave the structure to solve().")
         return _extremal(problem, numeric, polish(numeric, picture, arcs, duration, made, keep_structure=True))
     reasons = []
@@ -177,7 +178,8 @@ def solve(problem, structure=None, guess=None):
     if duration is None:
         refuse_endless(numeric, picture, side)
     raise WrongStructure("the arcs that the discrete solution shows could not be joined to an extremal: " +
-                         "; ".join(dict.fromkeys(reasons)) + ". Give the structure, or a guess; look at the discrete cost "
+                         "; ".join(dict.fromkeys(reasons))
+                         + ". Give the structure, or a guess; look at the discrete cost "
                          f"{picture.cost:.6g} to see whether an optimal process exists.")
 
 

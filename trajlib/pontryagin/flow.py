@@ -68,7 +68,8 @@ class ArcFlow:
 
     @cached_property
     def functions(self):
-        """{name: CasADi function of (y, lambda_0)}: control, hamiltonian, slopes (dH/du), entry with its derivatives."""
+        """{name: CasADi function of (y, lambda_0)}: control, hamiltonian, slopes (dH/du), entry with its
+        derivatives."""
         numeric, arguments = self.numeric, [self.y, self.numeric.multiplier]
         hamiltonian = self._with_control(numeric.hamiltonian)
         both = ca.vertcat(self.y, numeric.multiplier)
@@ -84,7 +85,8 @@ class ArcFlow:
     def step(self):
         """(y with the cost, lambda_0, h) -> the same after time h."""
         cost, h = ca.SX.sym("cost"), ca.SX.sym("h")
-        rate = ca.Function("rate", [self.y, self.numeric.multiplier], [ca.vertcat(self.rate, self._with_control(self.numeric.density))])
+        rate = ca.Function("rate", [self.y, self.numeric.multiplier],
+                           [ca.vertcat(self.rate, self._with_control(self.numeric.density))])
         full = ca.vertcat(self.y, cost)
         after = extrapolated_midpoint(lambda z: rate(z[:self.size], self.numeric.multiplier), full, h)
         return ca.Function("step", [full, self.numeric.multiplier, h], [after])
@@ -118,7 +120,8 @@ class ArcFlow:
         return (value[0] if isinstance(value, (tuple, list)) else value).full()
 
     def transition(self, start, multiplier, length, steps):
-        """End of the arc and its derivatives: (size,), (size, size) by the start, (size,) by lambda_0, (size,) by the length."""
+        """End of the arc and its derivatives: (size,), (size, size) by the start, (size,) by lambda_0, (size,) by the
+        length."""
         size = self.size
         joined = np.concatenate([start, np.eye(size, size + 1).ravel(order="F")])
         after = self._accumulated("variational_step", steps)(joined, multiplier, length/steps)[:, -1].full().ravel()
@@ -152,8 +155,8 @@ def extrapolated_midpoint(rate, start, h):
 def singular_control(numeric, i, control, kinds):
     """The switching function of control i with its derivatives of orders 0 to 2q-1, and the control -a/b.
 
-    Expressions in x, psi, lambda_0; controls at their bounds have the values in `control`. Raises `WrongStructure` if no
-    derivative contains the control, or if another control that is not at a bound acts on them.
+    Expressions in x, psi, lambda_0; controls at their bounds have the values in `control`. Raises `WrongStructure` if
+    no derivative contains the control, or if another control that is not at a bound acts on them.
     """
     if not numeric.affine[i]:
         raise WrongStructure(f"a singular arc of {numeric.problem.control[i]}, in which H is not linear")
@@ -168,13 +171,15 @@ def singular_control(numeric, i, control, kinds):
     for order in range(1, 2*numeric.n + 1):
         following = ca.jtimes(derivatives[-1], point, motion)
         if any(not _vanishes(numeric, ca.jacobian(following, other)) for other in moving):
-            raise WrongStructure(f"a singular arc of {numeric.problem.control[i]} while another control moves between its bounds acts on "
+            raise WrongStructure(f"a singular arc of {numeric.problem.control[i]} while another control moves between "
+                                 f"its bounds acts on "
                                  "it: such arcs are not provided for")
         factor = ca.jacobian(following, u)
         if order % 2 == 0 and not _vanishes(numeric, factor):
             return derivatives, -_without(following, u, moving)/_without(factor, u, moving)
         derivatives.append(_without(following, u, moving))
-    raise WrongStructure(f"a singular arc of {numeric.problem.control[i]}: no derivative of its switching function contains it")
+    raise WrongStructure(f"a singular arc of {numeric.problem.control[i]}: no derivative of its switching function "
+                         f"contains it")
 
 
 def _without(expression, u, moving):
@@ -184,13 +189,15 @@ def _without(expression, u, moving):
 
 
 def _vanishes(numeric, factor):
-    """Whether an expression is zero identically, by its values in fixed points (Lie brackets cancel only after simplification)."""
+    """Whether an expression is zero identically, by its values in fixed points (Lie brackets cancel only after
+    simplification)."""
     if factor.nnz() == 0:
         return True
     arguments = [numeric.x, numeric.psi, numeric.u, numeric.multiplier]
     value = ca.Function("factor", arguments, [factor])
     random = np.random.default_rng(0)
     around = np.nan_to_num(numeric.start)
-    values = [abs(float(value(around + 0.1*random.standard_normal(numeric.n)*(1 + np.abs(around)), random.standard_normal(numeric.n),
+    values = [abs(float(value(around + 0.1*random.standard_normal(numeric.n)*(1 + np.abs(around)),
+                              random.standard_normal(numeric.n),
                               numeric.middle(), 1.0))) for _ in range(4)]
     return max(values) < 1e-9

@@ -9,10 +9,11 @@ from .transcription import runge_kutta
 def guesses(numeric, intervals, side=None):
     """Guesses (duration, states (N+1, n), controls (N, k)), the likeliest first.
 
-    First motions under constant controls, each until it comes closest to the target; then straight lines to the target at
-    several paces.
+    First motions under constant controls, each until it comes closest to the target; then straight lines to the target
+    at several paces.
     """
-    drifts = sorted((guess for u in _constant_controls(numeric) for guess in [_motion(numeric, u, intervals, side)] if guess),
+    drifts = sorted((guess for u in _constant_controls(numeric) for guess in [_motion(numeric, u, intervals, side)]
+                     if guess),
                     key=lambda guess: guess[0])
     for _, guess in drifts[:1]:
         yield guess
@@ -41,7 +42,8 @@ def sides(numeric):
         return [int(np.sign(g))]
     gradient = numeric.target_value(numeric.start)[1].full().ravel()
     field = ca.Function("field", [numeric.x, numeric.u], [numeric.field])
-    slopes = {int(np.sign(gradient @ field(numeric.start, u).full().ravel())) for u in _constant_controls(numeric)} - {0}
+    slopes = {int(np.sign(gradient @ field(numeric.start, u).full().ravel()))
+              for u in _constant_controls(numeric)} - {0}
     return sorted(slopes) or [-1, 1]
 
 
@@ -99,7 +101,8 @@ def _motion(numeric, u, intervals, side):
 
 
 def _nearest_target_point(numeric):
-    """A point of the target near the start, by Gauss-Newton steps; the start itself if there are no terminal equations."""
+    """A point of the target near the start, by Gauss-Newton steps; the start itself if there are no terminal
+    equations."""
     point = np.nan_to_num(numeric.start)
     for _ in range(20 if numeric.m else 0):
         value, slope = (v.full() for v in numeric.target_value(point))
@@ -125,9 +128,11 @@ def read_guess(numeric, guess):
         raise ValueError(f"guess: {strangers[0]} is neither a state, nor a control, nor 'duration'")
     duration = float(guess.get("duration", numeric.duration or 1.0))
     times = np.linspace(0, duration, M + 1)
-    states = np.stack([_sampled(guess.get(y, v), times, y) for y, v in zip(problem.state, np.nan_to_num(numeric.start))], axis=1)
+    states = np.stack([_sampled(guess.get(y, v), times, y)
+                       for y, v in zip(problem.state, np.nan_to_num(numeric.start))], axis=1)
     middles = (times[1:] + times[:-1])/2
-    controls = np.stack([_sampled(guess.get(u, v), middles, u) for u, v in zip(problem.control, numeric.middle())], axis=1)
+    controls = np.stack([_sampled(guess.get(u, v), middles, u) for u, v in zip(problem.control, numeric.middle())],
+                        axis=1)
     return duration, states, controls
 
 

@@ -4,7 +4,8 @@ import numpy as np
 from .structure import Arc, name
 
 # Where the maximum condition is looked at on a segment: densely at its ends, where a short arc may be missing.
-FRACTIONS = np.concatenate([[1e-5, 1e-4, 1e-3], (1 - np.cos(np.pi*np.arange(1, 32)/32))/2, [1 - 1e-3, 1 - 1e-4, 1 - 1e-5]])
+FRACTIONS = np.concatenate([[1e-5, 1e-4, 1e-3], (1 - np.cos(np.pi*np.arange(1, 32)/32))/2,
+                            [1 - 1e-3, 1 - 1e-4, 1 - 1e-5]])
 
 
 def wanted_arcs(numeric, shot):
@@ -37,7 +38,8 @@ def _wanted(numeric, kind, j, slopes, controls, shot):
     margin = 1e-9*(1 + max(np.max(np.abs(start[numeric.n:2*numeric.n])) for start in shot.starts))
     if kind in ("u-", "u+"):
         inward = slopes > margin if kind == "u-" else slopes < -margin
-        other = ({"u-": "u+", "u+": "u-"}[kind] if np.isfinite([low, high]).all() else "singular") if numeric.affine[j] else "interior"
+        other = (({"u-": "u+", "u+": "u-"}[kind] if np.isfinite([low, high]).all() else "singular") if numeric.affine[j]
+                 else "interior")
         return [other if wrong else kind for wrong in inward]
     width = 1e-7*(1 + np.max(np.abs(controls)))
     return ["u-" if u < low - width else "u+" if u > high + width else kind for u in controls]

@@ -1,9 +1,10 @@
 """Costates of a bang-bang trajectory that has several: the maximum condition chooses among them.
 
-Along arcs at the bounds the state does not depend on the costate, and all equations for lambda_0, psi(0) and the multipliers
-of the target are linear and homogeneous. With few switchings they leave more than one solution (a start on a switching
-curve, or on a corner of one), of which Newton's method finds any. The maximum condition is linear too, slope times sign >= 0
-along the arcs, so a linear programme finds the solution that keeps away from its border as far as possible.
+Along arcs at the bounds the state does not depend on the costate, and all equations for lambda_0, psi(0) and the
+multipliers of the target are linear and homogeneous. With few switchings they leave more than one solution (a start on
+a switching curve, or on a corner of one), of which Newton's method finds any. The maximum condition is linear too,
+slope times sign >= 0 along the arcs, so a linear programme finds the solution that keeps away from its border as far as
+possible.
 """
 from copy import copy
 
@@ -34,7 +35,8 @@ def several_multipliers(numeric, shot, duration):
     slopes = slopes @ free[:numeric.n + 1]
     # Greatest share of `room`, for multipliers of which the slopes add up to the number of points.
     found = linprog(np.append(np.zeros(free.shape[1]), -1.0),
-                    A_ub=np.vstack([np.column_stack([-slopes, room]), np.append(-free[0], 0.0)]), b_ub=np.zeros(len(room) + 1),
+                    A_ub=np.vstack([np.column_stack([-slopes, room]), np.append(-free[0], 0.0)]),
+                    b_ub=np.zeros(len(room) + 1),
                     A_eq=np.append(slopes.sum(axis=0), 0.0)[None], b_eq=[len(room)], bounds=(None, None))
     if not found.success or found.x[-1] < 0:
         return None
@@ -82,9 +84,11 @@ class _Basis:
         numeric, n, rows, room = self.numeric, self.numeric.n, [], []
         fractions = np.concatenate([[0.0], FRACTIONS, [1.0]])
         for flow, start, length, costates in zip(self.shot.flows, self.shot.starts, self.shot.lengths, self.starts):
-            paths = [flow.nodes(np.concatenate([start[:n], costates[:, i], [0.0]]), float(i == 0), length, len(fractions) - 1,
+            paths = [flow.nodes(np.concatenate([start[:n], costates[:, i], [0.0]]), float(i == 0), length,
+                                len(fractions) - 1,
                                 fractions[1:])[:, :2*n] for i in range(n + 1)]
-            slopes = self._along("slopes", flow, paths[0][:, :n].T, np.array([path[:, n:].T for path in paths]).transpose(1, 2, 0))
+            slopes = self._along("slopes", flow, paths[0][:, :n].T,
+                                 np.array([path[:, n:].T for path in paths]).transpose(1, 2, 0))
             for j, kind in enumerate(flow.kinds):
                 rows.append(slopes[j] if kind == "u+" else -slopes[j])
                 room.append(4*fractions*(1 - fractions))

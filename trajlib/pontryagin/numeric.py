@@ -13,7 +13,8 @@ class NumericProblem:
 
     `x`, `psi`, `u`: vectors of length n, n, k; `multiplier`: lambda_0. `field`, `density`, `final`, `target`: f, f_0,
     phi_0 and phi_1, ..., phi_m, the signs of f_0 and phi_0 being those of a minimum. `lower`, `upper`: bounds of the
-    controls (k,); `start`: initial values, nan for a free one (n,); `duration`: a number or None; `shortest`, `longest`.
+    controls (k,); `start`: initial values, nan for a free one (n,); `duration`: a number or None; `shortest`,
+    `longest`.
     """
 
     # A free final time is bounded by default: from below since it would shrink to zero or beyond, from above since a
@@ -32,7 +33,8 @@ class NumericProblem:
         self.n, self.k, self.m = len(problem.state), len(problem.control), len(problem.terminal)
         self.x, self.psi = ca.SX.sym("x", self.n), ca.SX.sym("psi", self.n)
         self.u, self.multiplier = ca.SX.sym("u", self.k), ca.SX.sym("lambda0")
-        table = {s: self.x[i] for i, s in enumerate(problem.state)} | {s: self.u[i] for i, s in enumerate(problem.control)}
+        table = ({s: self.x[i] for i, s in enumerate(problem.state)}
+                 | {s: self.u[i] for i, s in enumerate(problem.control)})
         sign = -1 if problem.maximise else 1
         translated = to_casadi([*problem.field, sign*problem.running, sign*problem.final, *problem.terminal], table)
         self.field = ca.vertcat(*translated[:self.n])
@@ -78,7 +80,8 @@ def _refuse_kinks(problem):
     for e in (*problem.field, problem.running):
         for kink in e.atoms(sp.Abs, sp.sign, sp.Max, sp.Min, sp.Piecewise, sp.Heaviside):
             if kink.free_symbols & set(problem.control):
-                raise ValueError(f"solve: {kink} is not smooth in the control. For Abs(u) write u = p - q with the controls p, q >= 0 "
+                raise ValueError(f"solve: {kink} is not smooth in the control. For Abs(u) write u = p - q with the "
+                                 f"controls p, q >= 0 "
                                  "and p + q in place of Abs(u); otherwise split the control likewise.")
 
 

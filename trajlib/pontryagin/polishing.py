@@ -23,8 +23,9 @@ SAMPLES = 32
 def polish(numeric, picture, arcs, duration, made, keep_structure=False):
     """A `Shot` for the arcs of a picture.
 
-    Arcs that vanish are left out, and where the maximum condition fails the arcs are read off the trajectory anew, unless
-    the structure is to be kept. `made` holds the flows built so far. Raises `WrongStructure` if nothing leads to an extremal.
+    Arcs that vanish are left out, and where the maximum condition fails the arcs are read off the trajectory anew,
+    unless the structure is to be kept. `made` holds the flows built so far. Raises `WrongStructure` if nothing leads to
+    an extremal.
     """
     tried, reason = set(), ""
     while tuple(arc.kinds for arc in arcs) not in tried:
@@ -40,7 +41,8 @@ def polish(numeric, picture, arcs, duration, made, keep_structure=False):
                       f"(residual {shot.residual:.1e})")
             break
         elif not shot.uncertainty <= DETERMINED:
-            reason = (f"the conditions for the arcs {', '.join(name(arc.kinds) for arc in arcs)} do not determine their lengths "
+            reason = (f"the conditions for the arcs {', '.join(name(arc.kinds) for arc in arcs)} do not determine "
+                      f"their lengths "
                       f"(Newton's method would still move them by {shot.uncertainty:.1e} of the duration)")
             break
         else:

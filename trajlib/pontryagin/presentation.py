@@ -10,7 +10,8 @@ def problem_markdown(problem):
     free = [rf"{sp.latex(y)}(0)\ \text{{free}}" for y, v in problem.initial.items() if v is None]
     lines.append(r",\quad ".join(starts + free))
     if problem.terminal:
-        lines.append(r",\quad ".join(f"{sp.latex(g)} = 0" for g in problem.terminal) + rf"\quad\text{{at}}\ t = {_end(problem)}")
+        lines.append(r",\quad ".join(f"{sp.latex(g)} = 0" for g in problem.terminal)
+                     + rf"\quad\text{{at}}\ t = {_end(problem)}")
     lines.append(rf"J = {_cost(problem)} \to \{'max' if problem.maximise else 'min'}")
     if isinstance(problem.duration, tuple):
         lines.append(rf"{sp.latex(problem.duration[0])} \le t_k \le {sp.latex(problem.duration[1])}")
@@ -21,13 +22,15 @@ def conditions_markdown(derived):
     """The conditions one after another, each under its name."""
     problem = derived.problem
     parts = ["**Pontryagin function**", _block([rf"H = {sp.latex(derived.hamiltonian)}"]),
-             "**Adjoint system**", _block([rf"{_dot(psi)} = {sp.latex(rate)}" for psi, rate in derived.adjoint.items()]),
+             "**Adjoint system**",
+             _block([rf"{_dot(psi)} = {sp.latex(rate)}" for psi, rate in derived.adjoint.items()]),
              "**Maximum of H over the admissible controls**", _block(_maximum(derived))]
     for u, slope in derived.switching.items():
         arc = derived.singular[u]
         parts.append(f"**Switching function of** ${sp.latex(u)}$ **and its derivatives**")
         ticks = [rf"\frac{{\partial H}}{{\partial {sp.latex(u)}}} = {sp.latex(slope)}"]
-        ticks += [rf"\frac{{d{_power(k)}}}{{dt{_power(k)}}}\frac{{\partial H}}{{\partial {sp.latex(u)}}} = {sp.latex(d)}"
+        ticks += [rf"\frac{{d{_power(k)}}}{{dt{_power(k)}}}\frac{{\partial H}}{{\partial {sp.latex(u)}}} = "
+                  rf"{sp.latex(d)}"
                   for k, d in enumerate(arc.derivatives[1:], 1)]
         parts += [_block(ticks), _singular(arc)]
     parts.append(r"**Transversality** at $t_k$")
@@ -35,8 +38,10 @@ def conditions_markdown(derived):
     if derived.terminal_multipliers and derived.reduced_transversality:
         parts.append("that is,\n" + _block([f"{sp.latex(e)} = 0" for e in derived.reduced_transversality]))
     if derived.initial_transversality:
-        parts.append("and at the start " + ", ".join(f"${sp.latex(psi)}(0) = 0$" for psi in derived.initial_transversality))
-    parts.append("**Hamiltonian** " + ("$H = 0$ along the trajectory, since the final time is free." if problem.duration is None
+        parts.append("and at the start " + ", ".join(f"${sp.latex(psi)}(0) = 0$"
+                                                     for psi in derived.initial_transversality))
+    parts.append("**Hamiltonian** " + ("$H = 0$ along the trajectory, since the final time is free."
+                                       if problem.duration is None
                                        else "constant along the trajectory."))
     parts.append(r"**Normal case** $\lambda_0 = 1$: " + f"$H = {sp.latex(derived.normal)}$. " +
                  r"**Abnormal case** $\lambda_0 = 0$, $\psi \ne 0$: " + f"$H = {sp.latex(derived.abnormal)}$.")
@@ -49,7 +54,8 @@ def _maximum(derived):
         best = derived.maximising[u]
         if best is None:
             lines.append(rf"{sp.latex(u)} = \arg\max H,\quad "
-                         rf"\frac{{\partial H}}{{\partial {sp.latex(u)}}} = {sp.latex(sp.diff(derived.hamiltonian, u))}")
+                         rf"\frac{{\partial H}}{{\partial {sp.latex(u)}}} = "
+                         rf"{sp.latex(sp.diff(derived.hamiltonian, u))}")
         elif u in derived.switching:
             pieces = [rf"{sp.latex(value)}, & {sp.latex(where)}" for value, where in best.args if value is not sp.nan]
             lines.append(rf"{sp.latex(u)} = \begin{{cases}} " + r" \\ ".join(pieces) + r" \end{cases}")

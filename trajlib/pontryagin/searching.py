@@ -106,11 +106,14 @@ def settled_duration(numeric, picture):
         return numeric.duration
     T, low, high = picture.duration, numeric.shortest, numeric.longest
     if T <= 10*low and not numeric.time_bounds_given:
-        raise Unbounded(f"the best duration tends to zero (it ran into {low:g}): the infimum {_cost(numeric, picture.cost)} is approached "
+        raise Unbounded(f"the best duration tends to zero (it ran into {low:g}): the infimum "
+                        f"{_cost(numeric, picture.cost)} is approached "
                         "by ever shorter processes and not attained. Bound the controls, or give a duration.")
     if T >= high*(1 - 1e-6) and not numeric.time_bounds_given:
-        raise Unbounded(f"the best duration grows beyond every bound (it ran into {high:g}): there is no best process. Give a duration, or "
-                        "bounds for it; for a process that ends when it first meets the target, state it with first_return=True.")
+        raise Unbounded(f"the best duration grows beyond every bound (it ran into {high:g}): there is no best "
+                        f"process. Give a duration, or "
+                        "bounds for it; for a process that ends when it first meets the target, state it with "
+                        "first_return=True.")
     if numeric.time_bounds_given:
         for bound in (low, high):
             if abs(T - bound) <= 1e-6*(1 + bound):
@@ -137,9 +140,12 @@ def refuse_endless(numeric, picture, side):
         costs.append(result.cost)
     if len(costs) < 2:
         return
-    values = ", ".join(f"{_cost(numeric, cost):.7g} for {duration:.3g}" for duration, cost in zip(durations[::-1], costs[::-1]))
-    raise Unbounded(f"no best duration was found: the cost keeps {'rising' if numeric.problem.maximise else 'falling'} with the duration "
-                    f"({values}), towards about {_cost(numeric, costs[0]):.7g}. It seems that this value is approached as the duration "
+    values = ", ".join(f"{_cost(numeric, cost):.7g} for {duration:.3g}"
+                       for duration, cost in zip(durations[::-1], costs[::-1]))
+    raise Unbounded(f"no best duration was found: the cost keeps "
+                    f"{'rising' if numeric.problem.maximise else 'falling'} with the duration "
+                    f"({values}), towards about {_cost(numeric, costs[0]):.7g}. It seems that this value is "
+                    f"approached as the duration "
                     "grows, and not attained. Give a duration.")
 
 
@@ -147,13 +153,16 @@ def explain(numeric, failures, closest, structure=None):
     """Raise the reason why no picture was found. `closest`: the least distance from the target, infinite if unknown."""
     failure = _runs_away(numeric, failures)
     if failure:
-        raise Unbounded(f"the cost falls without bound (it passed {_cost(numeric, failure.cost):.3g}): there is no optimal process. "
+        raise Unbounded(f"the cost falls without bound (it passed {_cost(numeric, failure.cost):.3g}): there is no "
+                        f"optimal process. "
                         "Check the sign of the cost, bound the controls, or fix the duration.")
     what = f" with the arcs {', '.join(map(name, structure))}" if structure else ""
     if 1e-4 < closest < np.inf:
         raise Infeasible(_infeasible_text(numeric, closest, what))
-    raise NotConverged(f"IPOPT found no solution{what} from {len(failures)} guesses (last status: {failures[-1].status}). "
-                       "Give a guess for the duration and the states, or look whether the problem has a solution at all.")
+    raise NotConverged(f"IPOPT found no solution{what} from {len(failures)} guesses (last status: "
+                       f"{failures[-1].status}). "
+                       "Give a guess for the duration and the states, or look whether the problem has a solution at "
+                       "all.")
 
 
 def _runs_away(numeric, failures):
@@ -172,7 +181,8 @@ def _infeasible_text(numeric, closest, what):
         return text + ". The target cannot be reached from this start, or the bounds of the controls are too narrow."
     shortest = _least_time(numeric)
     if shortest is not None and shortest > numeric.duration:
-        return (f"the duration {numeric.duration:g} is too short: the least time in which the target is reached is {shortest:.6g}. " +
+        return (f"the duration {numeric.duration:g} is too short: the least time in which the target is reached is "
+                f"{shortest:.6g}. " +
                 text[0].upper() + text[1:] + ".")
     return text + f" in the given time {numeric.duration:g}. Try another duration, or a free one."
 

@@ -1,17 +1,17 @@
 """Multiple shooting over arcs: the boundary value problem of the maximum principle for a given structure.
 
-Unknown are the states, costates and interior controls at the beginning of each arc, the lengths of the arcs, lambda_0 and
-the multipliers of the terminal equations. The equations:
+Unknown are the states, costates and interior controls at the beginning of each arc, the lengths of the arcs, lambda_0
+and the multipliers of the terminal equations. The equations:
 
     initial state; psi_i(0) = 0 for a free one                              state and costate continuous
-    at a switching between bounds: the switching function is zero           (H the same on both sides where it is curved)
-    where a singular arc begins: its switching function and the derivatives of orders 1 to 2q-1 are zero
-    where an interior arc begins: dH/du = 0; where it meets a bound: its control is at the bound
-    between two segments of one arc: equal lengths
-    terminal equations, transversality, H = 0 or the given duration         c (lambda_0, psi(0)) = 1
+    at a switching between bounds: the switching function is zero           (H the same on both sides where it is
+    curved) where a singular arc begins: its switching function and the derivatives of orders 1 to 2q-1 are zero where
+    an interior arc begins: dH/du = 0; where it meets a bound: its control is at the bound between two segments of one
+    arc: equal lengths terminal equations, transversality, H = 0 or the given duration         c (lambda_0, psi(0)) = 1
 
-The last one takes one of the proportional multipliers, and leaves the abnormal case lambda_0 = 0 within reach. Equations
-may be redundant (a singular arc from the start) and multipliers not unique, so Newton's steps are least-squares steps.
+The last one takes one of the proportional multipliers, and leaves the abnormal case lambda_0 = 0 within reach.
+Equations may be redundant (a singular arc from the start) and multipliers not unique, so Newton's steps are
+least-squares steps.
 """
 from dataclasses import dataclass
 
@@ -29,8 +29,8 @@ class Shot:
     """A trajectory over segments: `starts` (y at the beginning of each), `lengths`, lambda_0, the target's multipliers.
 
     An arc is one segment, or several of equal length where errors would grow too much on the way. `steps`: of the
-    integrator on each segment; `residual`: the largest of the equations; `uncertainty`: how far Newton's last step would
-    still move the ends of the segments.
+    integrator on each segment; `residual`: the largest of the equations; `uncertainty`: how far Newton's last step
+    would still move the ends of the segments.
     """
 
     flows: list
@@ -61,7 +61,8 @@ class ArcEquations:
         x, psi, lam = numeric.x, numeric.psi, numeric.multiplier
         nu = ca.SX.sym("nu", numeric.m)
         end = [numeric.target] if numeric.m else []
-        end.append(psi + lam*ca.gradient(numeric.final, x) + (ca.mtimes(ca.jacobian(numeric.target, x).T, nu) if numeric.m else 0))
+        end.append(psi + lam*ca.gradient(numeric.final, x) + (ca.mtimes(ca.jacobian(numeric.target, x).T, nu)
+                                                              if numeric.m else 0))
         self.terminal = ca.Function("terminal", [x, psi, lam, nu], [ca.vertcat(*end), ca.jacobian(
             ca.vertcat(*end), ca.vertcat(x, psi, lam, nu))])
 

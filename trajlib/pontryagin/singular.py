@@ -61,7 +61,8 @@ def singular_arc(derived, u):
                            "the equations leave only psi = 0, lambda_0 = 0: there is no singular arc")
     if highest is None:
         return SingularArc(u, None, derivatives, None, None, surface, False,
-                           f"no derivative of the switching function contains {u}: it is not determined on a singular arc")
+                           f"no derivative of the switching function contains {u}: it is not determined on a singular "
+                           f"arc")
     a, b = highest.subs(u, 0), sp.diff(highest, u)
     known = _eliminated(derivatives, derived, surface)
     kelley = sp.factor(_on(surface, (-1)**order*b.subs(known), derived.problem.state))
@@ -69,9 +70,11 @@ def singular_arc(derived, u):
     if kelley != 0:
         control = _on(surface, sp.simplify((-a/b).subs(known)), derived.problem.state)
     words = ("zero, so that the control is not determined" if kelley == 0 else "negative" if kelley.is_negative
-             else "not positive" if kelley.is_nonpositive else "positive: such an arc minimises nothing" if kelley.is_positive
+             else "not positive" if kelley.is_nonpositive else "positive: such an arc minimises nothing"
+             if kelley.is_positive
              else "of a sign that depends on the point")
-    return SingularArc(u, order, derivatives, control, kelley, surface, False, f"order {order}; (-1)^q b = {kelley} is {words}")
+    return SingularArc(u, order, derivatives, control, kelley, surface, False,
+                       f"order {order}; (-1)^q b = {kelley} is {words}")
 
 
 def raw_derivatives(derived, u):
@@ -131,17 +134,20 @@ def _eliminated(derivatives, derived, surface):
     for row, pivot in enumerate(pivots):
         # On the surface an equation for lambda_0 alone is satisfied.
         if unknowns[pivot] != derived.multiplier:
-            known[unknowns[pivot]] = -sum((reduced[row, j]*unknowns[j] for j in range(len(unknowns)) if j != pivot), sp.Integer(0))
+            known[unknowns[pivot]] = -sum((reduced[row, j]*unknowns[j] for j in range(len(unknowns)) if j != pivot),
+                                          sp.Integer(0))
     return known
 
 
 def _on(surface, expression, state):
-    """The shortest form of an expression on the surface, one state being eliminated where the surface is linear in it."""
+    """The shortest form of an expression on the surface, one state being eliminated where the surface is linear in
+    it."""
     candidates = [expression]
     for equation in surface:
         for y in state:
             if equation.is_polynomial(y) and sp.degree(equation, y) == 1:
-                candidates.append(sp.simplify(candidates[-1 if len(surface) > 1 else 0].subs(y, sp.solve(equation, y)[0])))
+                candidates.append(sp.simplify(candidates[-1 if len(surface) > 1
+                                                         else 0].subs(y, sp.solve(equation, y)[0])))
                 if len(surface) > 1:
                     break
     return min(candidates, key=sp.count_ops)

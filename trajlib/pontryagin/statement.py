@@ -116,7 +116,8 @@ class Problem:
         strangers = set(values) - set(self.parameters)
         if strangers:
             known = ", ".join(map(str, self.parameters)) or "none"
-            raise ValueError(f"subs: {', '.join(sorted(map(str, strangers)))} is no parameter here (parameters: {known})")
+            raise ValueError(f"subs: {', '.join(sorted(map(str, strangers)))} is no parameter here (parameters: "
+                             f"{known})")
 
         def put(e):
             return None if e is None else e.subs(values, simultaneous=True)
@@ -177,19 +178,22 @@ class Problem:
             if not any(u in e.free_symbols for e in (*self.field, self.running)):
                 raise ValueError(f"controls: {u} acts neither on the dynamics nor on the running cost")
         others = [v for v in self.initial.values() if v is not None]
-        others += list(self.duration) if isinstance(self.duration, tuple) else [self.duration] if self.duration is not None else []
+        others += (list(self.duration) if isinstance(self.duration, tuple) else [self.duration]
+                   if self.duration is not None else [])
         for e in others:
             if e.free_symbols & (states | controls):
                 raise ValueError(f"initial, duration: expected numbers or parameters, got {e}")
 
     def _check_ends(self):
         if len(self.terminal) > len(self.state):
-            raise ValueError(f"terminal: {len(self.terminal)} equations for {len(self.state)} states; expected at most as many")
+            raise ValueError(f"terminal: {len(self.terminal)} equations for {len(self.state)} states; expected at "
+                             f"most as many")
         for g in self.terminal:
             if not g.free_symbols & set(self.state):
                 raise ValueError(f"terminal: {g} does not depend on the state, so it cannot be a condition on its end")
         if self.free_time and not self.terminal and self.duration is None:
-            raise ValueError("terminal: with a free final time something must end the process; give terminal equations or a duration")
+            raise ValueError("terminal: with a free final time something must end the process; give terminal "
+                             "equations or a duration")
         if self.first_return and len(self.terminal) != 1:
             raise ValueError(f"first_return: expected one terminal equation, got {len(self.terminal)}")
         if self.running == 0 and self.final == 0:

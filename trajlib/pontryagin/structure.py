@@ -76,7 +76,8 @@ def _without_ringing(runs):
     """Single intervals at a bound within a singular stretch are numerical ringing: they join it."""
     changed = list(runs)
     for index, (label, begin, end) in enumerate(runs):
-        around = [r for r in (runs[index - 1] if index else None, runs[index + 1] if index + 1 < len(runs) else None) if r]
+        around = [r for r in (runs[index - 1] if index else None, runs[index + 1] if index + 1 < len(runs) else None)
+                  if r]
         if label != "between" and end - begin <= 2 and len(around) == 2 and all(
                 r[0] == "between" for r in around) and max(r[2] - r[1] for r in around) >= 3:
             changed[index] = ("between", begin, end)
@@ -101,8 +102,8 @@ def _merged(runs):
 def _split(numeric, picture, i, result, runs, index):
     """A short run between the bounds, shared out to the bounds around it by the mean of the control.
 
-    At the ends of the trajectory, or between two arcs at the same bound, the other bound gets a share: a short arc there
-    does not show otherwise. It shrinks to nothing later if it is not one.
+    At the ends of the trajectory, or between two arcs at the same bound, the other bound gets a share: a short arc
+    there does not show otherwise. It shrinks to nothing later if it is not one.
     """
     _, begin, end = runs[index]
     value = {"u-": numeric.lower[i], "u+": numeric.upper[i]}
@@ -113,10 +114,12 @@ def _split(numeric, picture, i, result, runs, index):
     other = {"u-": "u+", "u+": "u-"}[sides[0]]
     if len(sides) == 2 and before != after:
         cut = begin + (end - begin)*float(np.clip((mean - value[after])/(value[before] - value[after]), 0, 1))
-        return [*result[:-1], (before, result[-1][1], cut)], [*runs[:index + 1], (after, cut, runs[index + 1][2]), *runs[index + 2:]]
+        return [*result[:-1], (before, result[-1][1], cut)], [*runs[:index + 1], (after, cut, runs[index + 1][2]),
+                                                              *runs[index + 2:]]
     share = (end - begin)*float(np.clip((mean - value[sides[0]])/(value[other] - value[sides[0]]), 0.02, 1))
     if before is None:
-        return [(other, begin, begin + share)], [*runs[:index + 1], (after, begin + share, runs[index + 1][2]), *runs[index + 2:]]
+        return [(other, begin, begin + share)], [*runs[:index + 1], (after, begin + share, runs[index + 1][2]),
+                                                 *runs[index + 2:]]
     first = end - share if after is None else (begin + end - share)/2
     result = [*result[:-1], (before, result[-1][1], first), (other, first, first + share)]
     if after is not None:
@@ -132,11 +135,13 @@ def read_structure(numeric, structure):
     for arc in structure:
         kinds = (arc,) if isinstance(arc, str) else tuple(arc)
         if len(kinds) != numeric.k or any(kind not in KINDS for kind in kinds):
-            raise ValueError(f"structure: expected one of {', '.join(KINDS)} for each of {numeric.k} controls, got {arc!r}")
+            raise ValueError(f"structure: expected one of {', '.join(KINDS)} for each of {numeric.k} controls, got "
+                             f"{arc!r}")
         for i, kind in enumerate(kinds):
             wanted = {True: "singular", False: "interior"}[numeric.affine[i]]
             if kind in ("singular", "interior") and kind != wanted:
-                raise ValueError(f"structure: H is {'' if numeric.affine[i] else 'not '}linear in {numeric.problem.control[i]}, "
+                raise ValueError(f"structure: H is {'' if numeric.affine[i] else 'not '}linear in "
+                                 f"{numeric.problem.control[i]}, "
                                  f"so its arcs between the bounds are {wanted}, not {kind}")
         if result and result[-1] == kinds:
             raise ValueError(f"structure: two arcs {arc!r} in succession are one arc")

@@ -1,8 +1,8 @@
 """The first picture of an extremal: direct transcription with piecewise-constant controls, solved by IPOPT.
 
-The controls are constant on N equal intervals, as bang arcs are; polynomial controls would pass their bounds between the
-nodes. The states at the nodes are joined by Runge-Kutta steps. The multipliers of these joints are the costates. IPOPT
-relaxes bounds by 1e-8 unless told not to, and its status is heeded.
+The controls are constant on N equal intervals, as bang arcs are; polynomial controls would pass their bounds between
+the nodes. The states at the nodes are joined by Runge-Kutta steps. The multipliers of these joints are the costates.
+IPOPT relaxes bounds by 1e-8 unless told not to, and its status is heeded.
 """
 from dataclasses import dataclass
 
@@ -42,10 +42,10 @@ class Failure:
 class Transcription:
     """The nonlinear programme of a numeric problem on about N intervals.
 
-    `structure`: kinds of the arcs, as for `ArcFlow`; each arc then has intervals of its own and a length of its own, and
-    its controls are kept at their bounds or left free. None: all intervals are equal and all controls free.
-    `side`: the side of the target to stay on before the end (first return). `distance_only`: minimise the distance of the
-    end from the target instead of the cost.
+    `structure`: kinds of the arcs, as for `ArcFlow`; each arc then has intervals of its own and a length of its own,
+    and its controls are kept at their bounds or left free. None: all intervals are equal and all controls free. `side`:
+    the side of the target to stay on before the end (first return). `distance_only`: minimise the distance of the end
+    from the target instead of the cost.
     """
 
     def __init__(self, numeric, intervals, structure=None, side=None, distance_only=False):
@@ -77,7 +77,8 @@ class Transcription:
         free = np.full(n*(N + 1), np.inf)
         self.limits["lbx"] = np.concatenate([-free, lower.ravel(), np.full(self.groups, 0.0 if structure else low)])
         self.limits["ubx"] = np.concatenate([free, upper.ravel(), np.full(self.groups, high)])
-        options = {"ipopt.print_level": 0, "print_time": False, "ipopt.sb": "yes", "ipopt.tol": 1e-9, "ipopt.max_iter": 400,
+        options = {"ipopt.print_level": 0, "print_time": False, "ipopt.sb": "yes", "ipopt.tol": 1e-9,
+                   "ipopt.max_iter": 400,
                    "ipopt.bound_relax_factor": 0.0, "ipopt.mu_strategy": "adaptive", "show_eval_warnings": False,
                    "error_on_fail": False}
         self.solver = ca.nlpsol("transcription", "ipopt", {
@@ -108,7 +109,8 @@ class Transcription:
         n, k, N = self.numeric.n, self.numeric.k, self.N
         guessed, states, controls = guess
         grid = np.linspace(0, 1, N + 1)
-        states = np.stack([np.interp(grid, np.linspace(0, 1, len(states)), column) for column in np.transpose(states)], axis=1)
+        states = np.stack([np.interp(grid, np.linspace(0, 1, len(states)), column) for column in np.transpose(states)],
+                          axis=1)
         middles = (grid[:-1] + grid[1:])/2
         controls = controls[np.minimum((middles*len(controls)).astype(int), len(controls) - 1)]
         start = np.concatenate([states.ravel(), controls.ravel(), np.full(self.groups, guessed/self.groups)])

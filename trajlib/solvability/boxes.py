@@ -1,12 +1,14 @@
 """A guaranteed smallest singular value for a whole class of motions: all parameters of a box.
 
-Take a cell with the centre p0 and half sides r_k, C = A(p0) and a matrix G with G C = E, nearly. By the mean value theorem, entry by
-entry, G A(p) = E + F with |F| <= sum_k r_k |G dA/dp_k| for all p of the cell, and from |A v| >= |G A v|/|G|
+Take a cell with the centre p0 and half sides r_k, C = A(p0) and a matrix G with G C = E, nearly. By the mean value
+theorem, entry by entry, G A(p) = E + F with |F| <= sum_k r_k |G dA/dp_k| for all p of the cell, and from |A v| >= |G A
+v|/|G|
 
     s_min(A(p)) >= (1 - |F|)/|G|,        |G| = 1/s_min(C).
 
-The derivatives are enclosed by intervals rounded outwards, and what rounding may do to G C, to the products and to |G| is added.
-Cells whose bound is not good enough are halved. What comes out is a proof by computer, as far as the libraries keep their promises.
+The derivatives are enclosed by intervals rounded outwards, and what rounding may do to G C, to the products and to |G|
+is added. Cells whose bound is not good enough are halved. What comes out is a proof by computer, as far as the
+libraries keep their promises.
 """
 from dataclasses import dataclass
 
@@ -22,8 +24,9 @@ BATCH = 256
 
 @dataclass(frozen=True, repr=False)
 class Guarantee:
-    """`lower`: no matrix of the box has a smaller singular value below it. `upper`: the smallest one met at the centre of a cell, at the
-    parameters `where`. `proved`: whether lower > 0, so that the problem is solvable in the whole box. `cells`: how many were looked at."""
+    """`lower`: no matrix of the box has a smaller singular value below it. `upper`: the smallest one met at the centre
+    of a cell, at the parameters `where`. `proved`: whether lower > 0, so that the problem is solvable in the whole box.
+    `cells`: how many were looked at."""
 
     lower: float
     upper: float
@@ -39,16 +42,17 @@ class Guarantee:
         if self.proved:
             return (f"solvable in the whole box: the smallest singular value is at least {self.lower:.4g} "
                     f"({self.cells} cells; {self.upper:.4g} at {at})")
-        return (f"not proved: with {self.cells} cells only {self.lower:.4g} is certain; the smallest singular value found is "
+        return (f"not proved: with {self.cells} cells only {self.lower:.4g} is certain; the smallest singular value "
+                f"found is "
                 f"{self.upper:.4g}, at {at}")
 
 
 def guarantee(matrix, box, *, scaling=None, ratio=0.5, cells=20000):
     """Lower bound of the smallest singular value of a SymPy matrix for all parameters in a box.
 
-    `matrix`: n x m, in the symbols of `box`, made of + - * /, whole powers, sqrt, sin, cos, exp, log; weight it first. `box`: symbol ->
-    (low, high). `scaling`: m numbers by which the columns are divided; their norms at the middle of the box if left out. The search
-    ends when lower >= ratio*upper, or after so many `cells`.
+    `matrix`: n x m, in the symbols of `box`, made of + - * /, whole powers, sqrt, sin, cos, exp, log; weight it first.
+    `box`: symbol -> (low, high). `scaling`: m numbers by which the columns are divided; their norms at the middle of
+    the box if left out. The search ends when lower >= ratio*upper, or after so many `cells`.
 
     >>> a = sp.Symbol("a")
     >>> found = guarantee(sp.Matrix([[1, 0], [0, a]]), {a: (1, 3)}, scaling=[1, 1])
@@ -72,7 +76,8 @@ def guarantee(matrix, box, *, scaling=None, ratio=0.5, cells=20000):
         scaling = np.linalg.norm(middle.low[0, 0], axis=0)
     scaling = np.asarray(scaling, dtype=float)
     if scaling.shape != (m,) or not ((scaling > 0) & np.isfinite(scaling)).all():
-        raise ValueError(f"scaling: expected {m} positive numbers, got {scaling}; a column that is zero at the middle of the box needs one")
+        raise ValueError(f"scaling: expected {m} positive numbers, got {scaling}; a column that is zero at the middle "
+                         f"of the box needs one")
 
     begin, end = low[None], high[None]
     accepted, best, where, count = np.inf, np.inf, low/2 + high/2, 0
@@ -110,7 +115,8 @@ def _judged(values, slopes, a, b, scaling):
     D, D_radius = _middle_and_radius(slopes(a, b), scaling)
     C, C_radius = C[:, 0], C_radius[:, 0]
     _, n, m = C.shape
-    usable = np.isfinite(C).all(axis=(1, 2)) & np.isfinite(D).all(axis=(1, 2, 3)) & np.isfinite(D_radius).all(axis=(1, 2, 3))
+    usable = (np.isfinite(C).all(axis=(1, 2)) & np.isfinite(D).all(axis=(1, 2, 3))
+              & np.isfinite(D_radius).all(axis=(1, 2, 3)))
     found = np.full(len(a), np.inf)
     defined = np.isfinite(C).all(axis=(1, 2))
     s = np.linalg.svd(C[defined], compute_uv=False)
@@ -167,7 +173,8 @@ def _enclosed(matrices, symbols):
         found = [entry(*values) for entry in last]
         found = [value if isinstance(value, Interval) else Interval(value) for value in found]
         cells = len(low)
-        ends = (np.stack([np.broadcast_to(getattr(value, end), cells) for value in found], axis=1) for end in ("low", "high"))
+        ends = (np.stack([np.broadcast_to(getattr(value, end), cells) for value in found], axis=1)
+                for end in ("low", "high"))
         return Interval(*(part.reshape(cells, len(matrices), *shape) for part in ends))
 
     return enclosure

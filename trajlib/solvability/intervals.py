@@ -1,8 +1,8 @@
 """Interval arithmetic on NumPy arrays, rounded outwards: what is computed contains every true value.
 
-Sums, products, quotients and square roots of machine numbers are correctly rounded, so one step to the neighbouring number is
-enough. NumPy's sin, cos, exp, log and powers are right to four units in the last place, so six steps are taken. Where an expression
-may not be defined the ends become infinite or nan, so that nothing is concluded from it.
+Sums, products, quotients and square roots of machine numbers are correctly rounded, so one step to the neighbouring
+number is enough. NumPy's sin, cos, exp, log and powers are right to four units in the last place, so six steps are
+taken. Where an expression may not be defined the ends become infinite or nan, so that nothing is concluded from it.
 """
 import numpy as np
 
@@ -36,7 +36,8 @@ class Interval:
 
     def __mul__(self, other):
         other = _interval(other)
-        products = np.array(np.broadcast_arrays(self.low*other.low, self.low*other.high, self.high*other.low, self.high*other.high))
+        products = np.array(np.broadcast_arrays(self.low*other.low, self.low*other.high, self.high*other.low,
+                                                self.high*other.high))
         return _outward(products.min(axis=0), products.max(axis=0))
 
     __radd__, __rmul__ = __add__, __mul__
@@ -87,7 +88,8 @@ class Interval:
         bottoms = np.floor((high + margin - 1)/2) >= np.ceil((low - margin - 1)/2)
         ends = np.cos(self.low), np.cos(self.high)
         result = _outward(np.minimum(*ends), np.maximum(*ends), FAR)
-        return Interval(np.where(bottoms, -1, np.maximum(result.low, -1)), np.where(tops, 1, np.minimum(result.high, 1)))
+        return Interval(np.where(bottoms, -1, np.maximum(result.low, -1)),
+                        np.where(tops, 1, np.minimum(result.high, 1)))
 
     def sin(self):
         return (self - HALF_PI).cos()

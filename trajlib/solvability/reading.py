@@ -13,8 +13,10 @@ def read_times(times):
     if (steps <= 0).any():
         k = int(np.flatnonzero(steps <= 0)[0])
         if steps[k] == 0:
-            raise ValueError(f"times: {times[k]:g} is repeated; put the measurements of one moment into one function or matrix H")
-        raise ValueError(f"times: they must increase, but {times[k]:g} is followed by {times[k + 1]:g}; sort them, with their measurements")
+            raise ValueError(f"times: {times[k]:g} is repeated; put the measurements of one moment into one function "
+                             f"or matrix H")
+        raise ValueError(f"times: they must increase, but {times[k]:g} is followed by {times[k + 1]:g}; sort them, "
+                         f"with their measurements")
     return times
 
 
@@ -24,7 +26,8 @@ def read_matrix(matrix, name, dtype=float):
     try:
         matrix = matrix.astype(dtype)
     except (TypeError, ValueError):
-        raise TypeError(f"{name}: expected a matrix of numbers, got entries such as {matrix.flat[0]!r}; substitute numbers first") from None
+        raise TypeError(f"{name}: expected a matrix of numbers, got entries such as {matrix.flat[0]!r}; substitute "
+                        f"numbers first") from None
     if matrix.ndim != 2:
         raise ValueError(f"{name}: expected a matrix, got shape {matrix.shape}")
     if not np.isfinite(matrix).all():

@@ -6,8 +6,8 @@ For n rows, m >= 2 unknowns, a relative precision eps of the machine numbers and
     |dx| <= (K + 8n + 58) eps mu/(1 - (K + 4n + 30) eps mu) |x|        for consistent equations.
 
 The last line has the form (a + b) mu/(1 - a mu), which is what a computation gives that is exact for a matrix and a
-right-hand side with relative errors a = (K + 4n + 30) eps and b = (4n + 28) eps. With these two numbers the bound extends to
-equations with a residual r, which the paper leaves out: see `trajlib.solvability.reflections`.
+right-hand side with relative errors a = (K + 4n + 30) eps and b = (4n + 28) eps. With these two numbers the bound
+extends to equations with a residual r, which the paper leaves out: see `trajlib.solvability.reflections`.
 """
 import math
 import operator
@@ -24,7 +24,8 @@ def reflection_constant(m, n):
     """
     m, n = _sizes(m, n)
     if m == 1:
-        raise ValueError("m = 1: the constant has no meaning for one unknown (2m - 3 < 0), whose condition number is always 1")
+        raise ValueError("m = 1: the constant has no meaning for one unknown (2m - 3 < 0), whose condition number is "
+                         "always 1")
     return math.sqrt(m)*(2*m - 3)*(4*n + 27)
 
 
@@ -75,7 +76,8 @@ def _sizes(m, n):
     if m < 1:
         raise ValueError(f"m: expected one unknown or more, got {m}")
     if n < m:
-        raise ValueError(f"n: {n} rows cannot determine {m} unknowns; n counts scalar measurements, so add measurements")
+        raise ValueError(f"n: {n} rows cannot determine {m} unknowns; n counts scalar measurements, so add "
+                         f"measurements")
     return m, n
 
 

@@ -2,8 +2,9 @@
 
     x' = f(t, x),        Phi' = (df/dx) Phi,  Phi(t_s, t_s) = E,        H_i = (dh/dx)(t_i, x(t_i)).
 
-The derivatives are CasADi's, exact to rounding. The integration is not exact, and what it does wrong goes into the stacked
-matrix: a matrix without full rank gets it by errors of the integrator. So every entry comes with an estimate of its error.
+The derivatives are CasADi's, exact to rounding. The integration is not exact, and what it does wrong goes into the
+stacked matrix: a matrix without full rank gets it by errors of the integrator. So every entry comes with an estimate of
+its error.
 """
 import warnings
 from dataclasses import dataclass
@@ -23,8 +24,9 @@ SMALLEST = 1e-12
 class Linearisation:
     """A reference motion with its variations at k times; what `linearise` returns.
 
-    `motion`: states, shape (k, m). `predicted`: what would be measured, shape (k, r). `H`: shape (k, r, m). `Phi`: shape
-    (k, m, m). `error`: estimated errors of the entries of `matrix`, shape (k r, m). `names`, `units`: of the unknowns.
+    `motion`: states, shape (k, m). `predicted`: what would be measured, shape (k, r). `H`: shape (k, r, m). `Phi`:
+    shape (k, m, m). `error`: estimated errors of the entries of `matrix`, shape (k r, m). `names`, `units`: of the
+    unknowns.
     """
 
     times: np.ndarray
@@ -44,13 +46,14 @@ class Linearisation:
 
 
 def linearise(f, h, state, times, *, reference=None, breaks=(), rtol=1e-10, names=None, units=None):
-    """Linearise x' = f(t, x), z = h(t, x) about the motion through `state` at the time `reference` (the first time if left out).
+    """Linearise x' = f(t, x), z = h(t, x) about the motion through `state` at the time `reference` (the first time if
+    left out).
 
-    `f`, `h`: functions of the time and of a list of m components that return lists; they are called once, with CasADi symbols,
-    so they may use NumPy and CasADi functions and operators, but no `if` on their arguments (use `casadi.if_else`).
-    `times`: increasing times of the measurements. `breaks`: times at which f jumps. `rtol`: relative tolerance of the
-    integration (the result is `TIGHTER` times tighter; what this changes is the estimate of its error).
-    `names`, `units`: words for the unknowns.
+    `f`, `h`: functions of the time and of a list of m components that return lists; they are called once, with CasADi
+    symbols, so they may use NumPy and CasADi functions and operators, but no `if` on their arguments (use
+    `casadi.if_else`). `times`: increasing times of the measurements. `breaks`: times at which f jumps. `rtol`: relative
+    tolerance of the integration (the result is `TIGHTER` times tighter; what this changes is the estimate of its
+    error). `names`, `units`: words for the unknowns.
 
     >>> line = linearise(lambda t, x: [x[1], 0], lambda t, x: [x[0]**2], [3.0, 1.0], [0, 1, 2])
     >>> line.matrix.round(9).tolist(), line.predicted.ravel().round(9).tolist()
@@ -77,7 +80,8 @@ def linearise(f, h, state, times, *, reference=None, breaks=(), rtol=1e-10, name
     peaks = np.abs(run(1e-6, np.full(start.size, SMALLEST))).max(axis=0)
     absolute = rtol*np.maximum(peaks, SMALLEST)
     coarse, fine = run(rtol, absolute), run(rtol/TIGHTER, absolute/TIGHTER)
-    (rough, _, _, _), (matrix, motion, predicted, parts) = (_stacked(measured, times, values, m) for values in (coarse, fine))
+    (rough, _, _, _), (matrix, motion, predicted, parts) = (_stacked(measured, times, values, m)
+                                                            for values in (coarse, fine))
     error = np.abs(matrix - rough) + 4*np.finfo(float).eps*np.abs(matrix)
     return Linearisation(times, reference, motion, predicted, *parts, error, names, units)
 
@@ -108,11 +112,13 @@ def _evaluated(function, t, components, name):
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", FutureWarning)      # CasADi's notice about NumPy functions of its symbols
             value = function(t, components)
-            entries = [value] if isinstance(value, ca.SX) or np.ndim(value) == 0 else list(np.ravel(np.asarray(value, dtype=object)))
+            entries = ([value] if isinstance(value, ca.SX) or np.ndim(value) == 0
+                       else list(np.ravel(np.asarray(value, dtype=object))))
             return ca.vertcat(*entries) if entries else ca.SX(0, 1)
     except Exception as error:
         reason = f"{type(error).__name__}: {(str(error).splitlines() or [''])[-1]}"
-        raise ValueError(f"{name}: it cannot be called with CasADi symbols ({reason}); it has to return a list, made of operators and of "
+        raise ValueError(f"{name}: it cannot be called with CasADi symbols ({reason}); it has to return a list, made "
+                         f"of operators and of "
                          "NumPy or CasADi functions, without an `if` on its arguments") from error
 
 
@@ -130,7 +136,8 @@ def _stacked(measured, times, values, m):
 
 
 def _integrated(rates, start, reference, times, breaks, rtol, atol):
-    """States with variations at all times, forwards and backwards from the reference time, leg by leg between the breaks."""
+    """States with variations at all times, forwards and backwards from the reference time, leg by leg between the
+    breaks."""
     values = np.empty((times.size, start.size))
     values[times == reference] = start
     for sign in (1, -1):
@@ -162,6 +169,7 @@ def _leg(rates, state, begin, end, at, rtol, atol):
     found = solve_ivp(rate, (begin, end), state, method="DOP853", t_eval=asked, rtol=rtol, atol=atol)
     if not found.success or not np.isfinite(found.y).all():
         reached = begin + (end - begin)*rate.share
-        raise ValueError(f"f: the motion could not be continued beyond t = {reached:g} on the way to {end:g} ({found.message}); does it "
+        raise ValueError(f"f: the motion could not be continued beyond t = {reached:g} on the way to {end:g} "
+                         f"({found.message}); does it "
                          "leave the domain of f there?")
     return found.y.T[np.searchsorted(asked if end > begin else -asked, at if end > begin else -at)]

@@ -1,12 +1,13 @@
 """The verdict: what the measurements determine, judged by singular values that are larger than their own errors.
 
-Let A = W^{-1/2} Htilde D^{-1} and let the computed A be wrong by an unknown matrix whose norm is at most delta. Singular values move
-by no more than delta, and rounding in their computation moves them by no more than s_max/mu*. So each computed value above
+Let A = W^{-1/2} Htilde D^{-1} and let the computed A be wrong by an unknown matrix whose norm is at most delta.
+Singular values move by no more than delta, and rounding in their computation moves them by no more than s_max/mu*. So
+each computed value above
 
     level = delta + s_max/mu*
 
-belongs to a true one that is not zero: their number is a guaranteed rank. With delta = 0 all m values are above the level if and
-only if mu < mu*, the condition of the paper.
+belongs to a true one that is not zero: their number is a guaranteed rank. With delta = 0 all m values are above the
+level if and only if mu < mu*, the condition of the paper.
 """
 import textwrap
 from dataclasses import dataclass, field
@@ -27,11 +28,12 @@ WIDTH = 110
 class Solvability:
     """What `analyse` finds; `print` it for a verdict in words.
 
-    `mu`, `mu_scaled`: condition numbers of W^{-1/2} Htilde before and after the columns are scaled to norm 1. `threshold`: mu*.
-    `singular_values`: m of them, falling, of the matrix that is judged (the scaled one unless `scale=False`); `directions`:
-    their right singular vectors by columns, in the scaled unknowns y = D x; `scaling`: the diagonal of D. `matrix_error`: bound on
-    the norm of the error of that matrix; `level`: what a singular value must exceed to be trusted; `rank`: how many do.
-    `solvable`: whether all do. `rounding_bound`: (6) of the paper, for consistent equations, relative to the norm of y.
+    `mu`, `mu_scaled`: condition numbers of W^{-1/2} Htilde before and after the columns are scaled to norm 1.
+    `threshold`: mu*. `singular_values`: m of them, falling, of the matrix that is judged (the scaled one unless
+    `scale=False`); `directions`: their right singular vectors by columns, in the scaled unknowns y = D x; `scaling`:
+    the diagonal of D. `matrix_error`: bound on the norm of the error of that matrix; `level`: what a singular value
+    must exceed to be trusted; `rank`: how many do. `solvable`: whether all do. `rounding_bound`: (6) of the paper, for
+    consistent equations, relative to the norm of y.
     """
 
     n: int
@@ -68,15 +70,16 @@ class Solvability:
         return rounding.rounding_bound(self.m, self.n, greatest/least, self.eps) if least > 0 else np.inf
 
     def combination(self, k):
-        """The change of the unknowns, in their units, that belongs to singular value k (0: best determined) and alters the weighted
-        measurements by a vector of length 1."""
+        """The change of the unknowns, in their units, that belongs to singular value k (0: best determined) and alters
+        the weighted measurements by a vector of length 1."""
         return self.directions[:, k]/self.scaling/self.singular_values[k]
 
     @property
     def unseen(self):
         """Changes of the unknowns that cannot be told from no change, m - rank rows.
 
-        They span what is left over by the guaranteed rank, and are chosen such that each changes an unknown of its own by 1.
+        They span what is left over by the guaranteed rank, and are chosen such that each changes an unknown of its own
+        by 1.
         """
         from scipy.linalg import qr
 
@@ -96,15 +99,17 @@ class Solvability:
 
     @property
     def standard_deviations(self):
-        """Square roots of the diagonal of (Htilde^T W^{-1} Htilde)^{-1}: errors of the unknowns if W is the covariance of e."""
+        """Square roots of the diagonal of (Htilde^T W^{-1} Htilde)^{-1}: errors of the unknowns if W is the covariance
+        of e."""
         self._demand("standard deviations")
         return np.linalg.norm(self.directions/self.singular_values, axis=1)/self.scaling
 
     def noise_bound(self, e, state=None):
         """Greatest errors |dx_j| that errors of the measurements can cause, m numbers: attained, not only a bound.
 
-        `e`: a number or n numbers that |e_i| never exceeds, in the units of the measurements. `state`: x, or bounds on |x_j|; if given,
-        the errors of the matrix are added, which change the measurements by as much as they are multiplied with x.
+        `e`: a number or n numbers that |e_i| never exceeds, in the units of the measurements. `state`: x, or bounds on
+        |x_j|; if given, the errors of the matrix are added, which change the measurements by as much as they are
+        multiplied with x.
         """
         inverse = np.abs(self.estimator)
         e = np.broadcast_to(np.asarray(e, dtype=float), (self.n,))
@@ -136,17 +141,22 @@ class Solvability:
         """The finding in words."""
         values = self.singular_values
         lines = [f"{self.m} unknowns, {self.n} scalar measurements; condition number {_short(self.mu)} as given, "
-                 f"{_short(self.mu_scaled)} with scaled columns; full rank is guaranteed below {_short(self.threshold)}."]
+                 f"{_short(self.mu_scaled)} with scaled columns; full rank is guaranteed below "
+                 f"{_short(self.threshold)}."]
         if self.matrix_error:
-            lines[0] = lines[0][:-1] + f" for an exact matrix; this one is wrong by up to {self.matrix_error:.1e} of its columns."
+            lines[0] = (lines[0][:-1] + f" for an exact matrix; this one is wrong by up to {self.matrix_error:.1e} of "
+                                        f"its columns.")
         if self.solvable:
-            lines.append(f"Solvable: the smallest singular value {values[-1]:.2e} is above {self.level:.2e}, the level of the errors.")
+            lines.append(f"Solvable: the smallest singular value {values[-1]:.2e} is above {self.level:.2e}, the "
+                         f"level of the errors.")
             weakest = self._in_words(self.combination(self.m - 1))
             lines.append(f"Least certain: {weakest}, which changes the weighted measurements by 1 in all.")
         else:
             count = self.m - self.rank
-            others = f"smallest is {values[-1]:.2e}" if count == 1 else f"other {count} are {values[self.rank]:.2e} and less"
-            lines.append(f"Not shown to be solvable: {self.rank} of {self.m} singular values are above {self.level:.2e}, the level of the "
+            others = (f"smallest is {values[-1]:.2e}" if count == 1
+                      else f"other {count} are {values[self.rank]:.2e} and less")
+            lines.append(f"Not shown to be solvable: {self.rank} of {self.m} singular values are above "
+                         f"{self.level:.2e}, the level of the "
                          f"errors; the {others}.")
             lines += [f"Cannot be told from zero: {self._in_words(row)}." for row in self.unseen]
             seen = [name for name in self.names if name not in self.undetermined]
@@ -164,7 +174,8 @@ class Solvability:
         return self.verdict
 
     def plot(self):
-        """Singular values with the level of the errors, and the shares of the unknowns in their directions; returns the two Axes."""
+        """Singular values with the level of the errors, and the shares of the unknowns in their directions; returns the
+        two Axes."""
         import matplotlib.pyplot as plt
 
         from trajlib import plotting
@@ -177,7 +188,8 @@ class Solvability:
             for chosen, marker, face, label in kinds:
                 if chosen.any():
                     heights = np.maximum(self.singular_values[chosen], floor)
-                    left.semilogy(index[chosen], heights, marker, ls="none", mfc=face, mec=plotting.BLUE, ms=7, label=label)
+                    left.semilogy(index[chosen], heights, marker, ls="none", mfc=face, mec=plotting.BLUE, ms=7,
+                                  label=label)
             left.axhline(self.level, color=plotting.RED, ls="--", label="level of errors")
             left.set(xlabel="number", ylabel="singular value", xticks=index, xlim=(0.5, self.m + 0.5))
             left.legend(loc="best")
@@ -193,11 +205,11 @@ class Solvability:
 def analyse(matrix, W=None, *, eps=None, scale=True, matrix_error=None, names=None, units=None):
     """Judge the system Z = Htilde x + e before it is solved (MATLAB: svd, cond, rank).
 
-    `matrix`: Htilde, shape (n, m), or a `Linearisation`, whose error estimates, names and units are then used. `W`: covariance of
-    e: n variances, a symmetric positive definite matrix (n, n), or k blocks (k, r, r) of its diagonal; unit variances if left out.
-    `eps`: relative precision of the machine numbers. `matrix_error`: bounds on the errors of the entries, an array like `matrix`, or
-    a number, the errors relative to the greatest entry of their column; nothing, if the matrix is exact. `scale=False`: judge
-    without scaling the columns.
+    `matrix`: Htilde, shape (n, m), or a `Linearisation`, whose error estimates, names and units are then used. `W`:
+    covariance of e: n variances, a symmetric positive definite matrix (n, n), or k blocks (k, r, r) of its diagonal;
+    unit variances if left out. `eps`: relative precision of the machine numbers. `matrix_error`: bounds on the errors
+    of the entries, an array like `matrix`, or a number, the errors relative to the greatest entry of their column;
+    nothing, if the matrix is exact. `scale=False`: judge without scaling the columns.
 
     >>> import numpy as np
     >>> t = np.linspace(0, 1, 20)
@@ -217,11 +229,13 @@ def analyse(matrix, W=None, *, eps=None, scale=True, matrix_error=None, names=No
     if m == 0:
         raise ValueError("matrix: it has no columns, so there is nothing to determine")
     if n < m:
-        raise ValueError(f"matrix: {n} scalar measurements for {m} unknowns; whatever they are, {m - n} combinations stay free. Take more "
+        raise ValueError(f"matrix: {n} scalar measurements for {m} unknowns; whatever they are, {m - n} combinations "
+                         f"stay free. Take more "
                          "measurements or fewer unknowns")
     zero = [name for name, column in zip(names, matrix.T) if not column.any()]
     if zero:
-        raise ValueError(f"matrix: the column of {', '.join(zero)} is zero: no measurement ever sees it. Leave it out, or measure "
+        raise ValueError(f"matrix: the column of {', '.join(zero)} is zero: no measurement ever sees it. Leave it "
+                         f"out, or measure "
                          "something else")
     eps = rounding.EPS if eps is None else float(eps)
     weights = Weights(W, n)
@@ -229,7 +243,8 @@ def analyse(matrix, W=None, *, eps=None, scale=True, matrix_error=None, names=No
     # norms by columns of size 1, so that their squares neither overflow nor vanish
     largest = np.abs(weighted).max(axis=0)
     if not (np.isfinite(largest).all() and (largest > 0).all()):
-        raise ValueError("matrix: its weighted entries are too large or too small for machine numbers; change the units")
+        raise ValueError("matrix: its weighted entries are too large or too small for machine numbers; change the "
+                         "units")
     norms = largest*np.linalg.norm(weighted/largest, axis=0)
     entry_errors = _entry_errors(matrix_error, matrix)
     scaled = weighted/norms
@@ -238,8 +253,10 @@ def analyse(matrix, W=None, *, eps=None, scale=True, matrix_error=None, names=No
     # reflections first: what follows is done with m x m matrices, and columns may be scaled before or after
     triangle = np.linalg.qr(scaled, mode="r")
     values, directions = np.linalg.svd(triangle*(norms/scaling))[1:]
-    return Solvability(n, m, eps, _condition(triangle*(norms/norms.max())), _condition(triangle), rounding.threshold(m, n, eps), values,
-                       directions.T, scaling, float(np.linalg.norm(errors)), names, units, weighted/scaling, weights, entry_errors)
+    return Solvability(n, m, eps, _condition(triangle*(norms/norms.max())), _condition(triangle),
+                       rounding.threshold(m, n, eps), values,
+                       directions.T, scaling, float(np.linalg.norm(errors)), names, units, weighted/scaling, weights,
+                       entry_errors)
 
 
 def _entry_errors(error, matrix):
@@ -251,7 +268,8 @@ def _entry_errors(error, matrix):
     if error.ndim == 0:
         return np.broadcast_to(error*np.abs(matrix).max(axis=0), matrix.shape)
     if error.shape != matrix.shape:
-        raise ValueError(f"matrix_error: expected a number or an array of shape {matrix.shape}, got shape {error.shape}")
+        raise ValueError(f"matrix_error: expected a number or an array of shape {matrix.shape}, got shape "
+                         f"{error.shape}")
     return error
 
 

@@ -1,4 +1,5 @@
-"""Weights of the measurements: multiplication by L^{-1}, where W = L L^T (as good as W^{-1/2}, from which it differs by a rotation)."""
+"""Weights of the measurements: multiplication by L^{-1}, where W = L L^T (as good as W^{-1/2}, from which it differs by
+a rotation)."""
 import numpy as np
 
 
@@ -17,14 +18,16 @@ class Weights:
             self._sized(W.size, W.shape)
             if (W <= 0).any():
                 k = int(np.flatnonzero(W <= 0)[0])
-                raise ValueError(f"W: the variance of measurement {k} is {W[k]:g}; it must be positive (a measurement without error has no "
+                raise ValueError(f"W: the variance of measurement {k} is {W[k]:g}; it must be positive (a measurement "
+                                 f"without error has no "
                                  "weight)")
             self.factor = np.sqrt(W)
             return
         if W.ndim == 2:
             W = W[None]
         if W.ndim != 3 or W.shape[1] != W.shape[2]:
-            raise ValueError(f"W: expected {n} variances, a matrix ({n}, {n}) or square blocks (k, r, r), got shape {W.shape}")
+            raise ValueError(f"W: expected {n} variances, a matrix ({n}, {n}) or square blocks (k, r, r), got shape "
+                             f"{W.shape}")
         self._sized(W.shape[0]*W.shape[1], W.shape)
         if np.abs(W - W.transpose(0, 2, 1)).max() > 1e-10*np.abs(W).max():
             raise ValueError("W: a covariance matrix is symmetric, this one is not")
@@ -33,8 +36,10 @@ class Weights:
             k = int(np.argmin(lowest[:, 0]))
             where = f"block {k} of W" if W.shape[0] > 1 else "W"
             if not W[k].any():
-                raise ValueError(f"{where} is zero: without errors of the measurements there is nothing to weigh; leave W out")
-            raise ValueError(f"{where} is not positive definite: its smallest eigenvalue is {lowest[k, 0]:.3g}. Some combination of the "
+                raise ValueError(f"{where} is zero: without errors of the measurements there is nothing to weigh; "
+                                 f"leave W out")
+            raise ValueError(f"{where} is not positive definite: its smallest eigenvalue is {lowest[k, 0]:.3g}. Some "
+                             f"combination of the "
                              "measurements would have no error or a negative variance")
         self.factor = np.linalg.cholesky(W)
 

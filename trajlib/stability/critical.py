@@ -1,9 +1,9 @@
 """Stability of x' = Ax in all cases, the critical ones included, where roots lie on the imaginary axis.
 
 Theorem 1.1 of the problem book settles the cases without roots on the axis. With such roots (and none to the right)
-the solution x = 0 is stable if and only if each of them is semisimple: its Jordan blocks have order one, that is, it has
-as many independent eigenvectors as its multiplicity. The characteristic polynomial is factored exactly. An irreducible
-factor f(s) with a root on the axis has the opposite number as a root too, so it is even, or f = s.
+the solution x = 0 is stable if and only if each of them is semisimple: its Jordan blocks have order one, that is, it
+has as many independent eigenvectors as its multiplicity. The characteristic polynomial is factored exactly. An
+irreducible factor f(s) with a root on the axis has the opposite number as a root too, so it is even, or f = s.
 
 - If f is even, all its roots lie on the axis, and are simple, exactly when f + f' satisfies the criterion of Hurwitz
   (Hermite and Biehler); otherwise it has a root to the right.

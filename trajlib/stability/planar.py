@@ -46,8 +46,9 @@ def classify_planar(A):
     eigenvector), "stable star" (every vector is one), the same with "unstable", "saddle", "centre", "stable line of
     equilibria", "unstable line of equilibria", "line of equilibria with drift" (A^2 = 0), "plane of equilibria".
     Symbols give `PlanarTypes`, a table of (condition, type); the assumptions on them (positive=True) are used.
-    Raises ValueError if A is not 2 x 2 or not real, if a root of parameters stands where no polynomial can be read, and for a NumPy array of floats in which the trace, the determinant or
-    the discriminant that decides is zero within rounding.
+    Raises ValueError if A is not 2 x 2 or not real, if a root of parameters stands where no polynomial can be read, and
+    for a NumPy array of floats in which the trace, the determinant or the discriminant that decides is zero within
+    rounding.
 
     A "centre" of the first approximation is undecided for a nonlinear system: it may be a focus of either kind.
     Source: Theorems 1.1 and 1.4 of the problem book.

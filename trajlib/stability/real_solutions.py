@@ -3,8 +3,8 @@
 The system is solved branch by branch: an equation falls apart into its factors; an equation in one unknown is solved,
 another unknown is eliminated where an equation gives it; polynomial systems go through a Groebner basis. Whatever
 cannot be solved in closed form is reported, never dropped in silence. All symbols must be real (see `systems.as_real`).
-Parameters are generic: a parameter that stands as a factor of an equation, or before the highest power of an unknown, is
-taken to be nonzero, and this is reported.
+Parameters are generic: a parameter that stands as a factor of an equation, or before the highest power of an unknown,
+is taken to be nonzero, and this is reported.
 """
 from dataclasses import dataclass, field
 

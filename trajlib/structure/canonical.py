@@ -1,11 +1,12 @@
 """Canonical forms by observation and by control, Theorem 2.7 of the problem book.
 
-With Delta(lambda) = lambda^n - alpha_n lambda^(n-1) - ... - alpha_1 the coordinates by observation are, as in example 1,
+With Delta(lambda) = lambda^n - alpha_n lambda^(n-1) - ... - alpha_1 the coordinates by observation are, as in example
+1,
 
     xi_1 = h^T x,    xi_(k+1) = xi_k' - alpha_(n-k+1) xi_1,
 
-so that the rows of T are f_1 = g_1 and f_k = g_k - alpha_n g_(k-1) - ... - alpha_(n-k+2) g_1 with g_k = (A^T)^(k-1) h. The
-form by control is the transposed one of the dual system, with the coordinates in the opposite order.
+so that the rows of T are f_1 = g_1 and f_k = g_k - alpha_n g_(k-1) - ... - alpha_(n-k+2) g_1 with g_k = (A^T)^(k-1) h.
+The form by control is the transposed one of the dual system, with the coordinates in the opposite order.
 """
 from dataclasses import dataclass
 
@@ -49,11 +50,11 @@ class CanonicalForm:
 def observer_canonical_form(A, h=None):
     """Canonical form by observation of an observable pair with one output (MATLAB: canon, "companion").
 
-    `A`: n x n; `h`: the row h^T, 1 x n (a column or a flat list of n numbers is read as h). Returns `CanonicalForm`: first
-    column (alpha_n, ..., alpha_1), ones above the diagonal, h_0^T = (1, 0, ..., 0), and T with xi = T x.
-    Exact or floats; with symbols for all values for which det N is not zero (`observability_conditions`).
-    Raises ValueError if there are several outputs, and if the pair is not observable: then there is no such form.
-    Source: Definition 2.6, Theorem 2.7, example 1 of the problem book.
+    `A`: n x n; `h`: the row h^T, 1 x n (a column or a flat list of n numbers is read as h). Returns `CanonicalForm`:
+    first column (alpha_n, ..., alpha_1), ones above the diagonal, h_0^T = (1, 0, ..., 0), and T with xi = T x. Exact or
+    floats; with symbols for all values for which det N is not zero (`observability_conditions`). Raises ValueError if
+    there are several outputs, and if the pair is not observable: then there is no such form. Source: Definition 2.6,
+    Theorem 2.7, example 1 of the problem book.
 
     >>> import sympy as sp
     >>> found = observer_canonical_form(sp.Matrix([[1, 1], [1, -1]]), sp.Matrix([[1, 0]]))
@@ -72,11 +73,11 @@ def observer_canonical_form(A, h=None):
 def controller_canonical_form(A, b=None):
     """Canonical form by control of a controllable pair with one control (MATLAB: canon; ss(tf(...)) up to order).
 
-    `A`: n x n; `b`: the column b, n x 1 (a row or a flat list of n numbers is read as b). Returns `CanonicalForm`: last row
-    (alpha_1, ..., alpha_n), ones above the diagonal, b_0 = (0, ..., 0, 1), and T with xi = T x (x = `basis` xi).
-    Exact or floats; with symbols for all values for which det W is not zero (`controllability_conditions`).
-    Raises ValueError if there are several controls, and if the pair is not controllable: then there is no such form.
-    Source: Definition 2.5 and Theorem 2.7 of the problem book.
+    `A`: n x n; `b`: the column b, n x 1 (a row or a flat list of n numbers is read as b). Returns `CanonicalForm`: last
+    row (alpha_1, ..., alpha_n), ones above the diagonal, b_0 = (0, ..., 0, 1), and T with xi = T x (x = `basis` xi).
+    Exact or floats; with symbols for all values for which det W is not zero (`controllability_conditions`). Raises
+    ValueError if there are several controls, and if the pair is not controllable: then there is no such form. Source:
+    Definition 2.5 and Theorem 2.7 of the problem book.
 
     >>> import sympy as sp
     >>> found = controller_canonical_form(sp.Matrix([[1, 1], [-3, 1]]), sp.Matrix([0, 1]))
@@ -104,7 +105,8 @@ def _coordinates(A, H, name, kind, word, way_out):
     """Rows f_1, ..., f_n of example 1, the coefficients 1, a_1, ..., a_n = 1, -alpha_n, ..., -alpha_1, and Delta."""
     n = A.shape[0]
     if H.shape[0] != 1:
-        raise ValueError(f"{name}: the canonical form is that of one {kind}, got {H.shape[0]}; for several take one of them or "
+        raise ValueError(f"{name}: the canonical form is that of one {kind}, got {H.shape[0]}; for several take one "
+                         f"of them or "
                          "their sum, or decompose by components (decompose_by_outputs, decompose_by_inputs)")
     g = stacked_powers(A, H)
     floating = isinstance(A, np.ndarray)
@@ -120,7 +122,8 @@ def _coordinates(A, H, name, kind, word, way_out):
         return (sp.Matrix(toeplitz)*g).applyfunc(sp.expand), a, polynomial
     T = np.array(toeplitz, dtype=float) @ g
     if np.linalg.cond(T) > _WORST_CONDITION:
-        raise ValueError(f"A: the transformation to the canonical form has the condition number {np.linalg.cond(T):.0e}, so that "
+        raise ValueError(f"A: the transformation to the canonical form has the condition number "
+                         f"{np.linalg.cond(T):.0e}, so that "
                          "rounding spoils it; give the matrices exactly (SymPy)")
     return T, a, polynomial
 

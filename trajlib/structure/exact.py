@@ -13,7 +13,8 @@ def field_matrix(matrix):
     for function in sorted(matrix.atoms(TrigonometricFunction, HyperbolicFunction), key=str):
         if function.free_symbols:
             plain = function.xreplace({s: sp.Symbol(s.name) for s in function.free_symbols})
-            raise ValueError(f"A: {plain} stands in the system, and a rank with such functions is not exact here; put symbols "
+            raise ValueError(f"A: {plain} stands in the system, and a rank with such functions is not exact here; put "
+                             f"symbols "
                              "for them, or the rational functions of tau = tan(angle/2)")
     return DomainMatrix.from_Matrix(matrix, extension=True).to_field()
 
@@ -26,7 +27,8 @@ def rank(matrix):
 
 
 def determinant(matrix):
-    """Exact determinant from the characteristic polynomial, which needs no division, so that symbols stay polynomials."""
+    """Exact determinant from the characteristic polynomial, which needs no division, so that symbols stay
+    polynomials."""
     over = DomainMatrix.from_Matrix(matrix, extension=True)
     return sp.Integer(-1)**matrix.rows*over.domain.to_sympy(over.charpoly()[-1])
 

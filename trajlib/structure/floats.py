@@ -1,11 +1,11 @@
 """Popov's criterion in floating-point numbers.
 
-The margin is the smallest singular value of (A - lambda E; H) over complex lambda: the distance from (A, H) to the pairs
-that are not observable (R. Eising, Systems & Control Letters 4 (1984) 263-264). It is sought by descent from the computed
-eigenvalues: for the right singular vector v the best lambda is v* A v, which lowers the value again. That makes up for
-the error of a multiple eigenvalue, which is far larger than rounding. A lost mode found is split off by an orthogonal
-transformation, and the search goes on in the quotient; in this way the unobservable states are counted and spanned
-without any power of A.
+The margin is the smallest singular value of (A - lambda E; H) over complex lambda: the distance from (A, H) to the
+pairs that are not observable (R. Eising, Systems & Control Letters 4 (1984) 263-264). It is sought by descent from the
+computed eigenvalues: for the right singular vector v the best lambda is v* A v, which lowers the value again. That
+makes up for the error of a multiple eigenvalue, which is far larger than rounding. A lost mode found is split off by an
+orthogonal transformation, and the search goes on in the quotient; in this way the unobservable states are counted and
+spanned without any power of A.
 """
 from dataclasses import dataclass
 
@@ -38,7 +38,8 @@ def _starts(A):
     Rounding tears a multiple eigenvalue apart into a ring whose mean stays accurate.
     """
     eigenvalues = np.linalg.eigvals(A)
-    eigenvalues = np.where(np.abs(eigenvalues.imag) <= 1e-14*np.abs(eigenvalues).max(initial=0), eigenvalues.real, eigenvalues)
+    eigenvalues = np.where(np.abs(eigenvalues.imag) <= 1e-14*np.abs(eigenvalues).max(initial=0), eigenvalues.real,
+                           eigenvalues)
     near = 0.1*max(np.abs(eigenvalues).max(initial=0), np.finfo(float).tiny)
     starts = []
     for eigenvalue in eigenvalues[eigenvalues.imag >= 0]:
@@ -80,7 +81,8 @@ def _smallest(A, H, value):
 
 @dataclass(frozen=True)
 class Split:
-    """Orthonormal columns `seen` and `unseen`; the numbers lambda as they were split off; the margin of the whole pair."""
+    """Orthonormal columns `seen` and `unseen`; the numbers lambda as they were split off; the margin of the whole
+    pair."""
 
     seen: np.ndarray
     unseen: np.ndarray

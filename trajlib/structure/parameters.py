@@ -1,11 +1,11 @@
 """For which values of the parameters is a system observable, and where does the rank fall, and to what?
 
-The rank of N is that of its generic values but where all minors of that order vanish together. The set of these exceptions is
-found piece by piece: one minor that does not vanish identically is factored; on each piece where a factor is zero a parameter is
-eliminated and the rank computed again, and so on until no parameter is left. For one output there is a single maximal minor, det N.
-On a piece where no parameter can be eliminated (a circle) the rank comes from the arithmetic modulo its equation. Parameters stand
-for real numbers: a factor without real zeros, or with none that the assumptions (positive=True) allow, is no
-exception.
+The rank of N is that of its generic values but where all minors of that order vanish together. The set of these
+exceptions is found piece by piece: one minor that does not vanish identically is factored; on each piece where a factor
+is zero a parameter is eliminated and the rank computed again, and so on until no parameter is left. For one output
+there is a single maximal minor, det N. On a piece where no parameter can be eliminated (a circle) the rank comes from
+the arithmetic modulo its equation. Parameters stand for real numbers: a factor without real zeros, or with none that
+the assumptions (positive=True) allow, is no exception.
 """
 from dataclasses import dataclass
 from itertools import combinations
@@ -31,10 +31,10 @@ class RankConditions:
     """Where in the space of the parameters a system is observable (controllable).
 
     - `region`: the condition, `sp.true`, `sp.false` or an And of inequations Ne(...);
-    - `exceptions`: tuple of (where, rank): on the piece `where` (Eq(...), And of such, or `sp.true` if the rank falls short
-      everywhere) the rank is `rank`, but for smaller pieces of lower rank, which come later in the tuple;
-    - `minors`: the factored maximal minors of the Kalman matrix that are not identically zero, each once (the first of them, if
-      there are very many).
+    - `exceptions`: tuple of (where, rank): on the piece `where` (Eq(...), And of such, or `sp.true` if the rank falls
+      short everywhere) the rank is `rank`, but for smaller pieces of lower rank, which come later in the tuple;
+    - `minors`: the factored maximal minors of the Kalman matrix that are not identically zero, each once (the first of
+      them, if there are very many).
     """
 
     region: sp.Basic
@@ -46,12 +46,14 @@ class RankConditions:
 
 
 def observability_conditions(A, H, parameters):
-    """For which parameters is x' = Ax, z = Hx observable, and what is the rank elsewhere? (MATLAB: none; rank(obsv) by hand.)
+    """For which parameters is x' = Ax, z = Hx observable, and what is the rank elsewhere? (MATLAB: none; rank(obsv) by
+    hand.)
 
-    `A`: n x n, `H`: m x n, SymPy matrices; `parameters`: the symbols in them, taken as real, with their assumptions. Values for
-    which an entry is not defined (a zero denominator) are left out of consideration. Returns `RankConditions`.
-    Raises ValueError for symbols that are not named as parameters and for shapes that do not fit, NotImplementedError if the
-    minors are no polynomials that can be solved. Source: Theorem 2.1 and its corollary in the problem book.
+    `A`: n x n, `H`: m x n, SymPy matrices; `parameters`: the symbols in them, taken as real, with their assumptions.
+    Values for which an entry is not defined (a zero denominator) are left out of consideration. Returns
+    `RankConditions`. Raises ValueError for symbols that are not named as parameters and for shapes that do not fit,
+    NotImplementedError if the minors are no polynomials that can be solved. Source: Theorem 2.1 and its corollary in
+    the problem book.
 
     >>> import sympy as sp
     >>> alpha, beta = sp.symbols("alpha beta")
@@ -63,7 +65,8 @@ def observability_conditions(A, H, parameters):
 
 
 def controllability_conditions(A, B, parameters):
-    """For which parameters is x' = Ax + Bu controllable, and what is the rank elsewhere? (MATLAB: none; rank(ctrb) by hand.)
+    """For which parameters is x' = Ax + Bu controllable, and what is the rank elsewhere? (MATLAB: none; rank(ctrb) by
+    hand.)
 
     `A`: n x n, `B`: n x s; parameters, result and errors as in `observability_conditions`.
     Source: Theorem 2.2 and its corollary in the problem book.
@@ -81,22 +84,26 @@ def _conditions(A, H, parameters):
     if isinstance(A, np.ndarray):
         raise ValueError("A: expected SymPy matrices with the parameters in them; an array of floats has none")
     if strangers := (A.free_symbols | H.free_symbols) - set(parameters):
-        raise ValueError(f"parameters: the system also has {', '.join(sorted(map(str, strangers)))}; name every symbol that is "
+        raise ValueError(f"parameters: the system also has {', '.join(sorted(map(str, strangers)))}; name every "
+                         f"symbol that is "
                          "not a number")
     below = sp.Mul(*{sp.denom(sp.together(entry)) for entry in (*A, *H)})
     return rank_conditions(stacked_powers(A, H), parameters, below)
 
 
 def rank_conditions(N, parameters, below=sp.Integer(1)):
-    """`RankConditions` for the full column rank of a matrix, where the denominator `below` of the system does not vanish."""
+    """`RankConditions` for the full column rank of a matrix, where the denominator `below` of the system does not
+    vanish."""
     there, back = as_real(N, below)
     real, symbols = N.xreplace(there), tuple(there.get(p, p) for p in parameters)
     generic = exact.rank(real)
     try:
         pieces = _pieces(real, symbols, below.xreplace(there))
     except (_NotSolved, sp.PolynomialError) as problem:
-        raise NotImplementedError(f"parameters: the equation {with_names(str(problem), back)} = 0, on which the rank may fall, is "
-                                  "beyond the methods here; give some of the parameters values, or study the minors of the "
+        raise NotImplementedError(f"parameters: the equation {with_names(str(problem), back)} = 0, on which the rank "
+                                  f"may fall, is "
+                                  "beyond the methods here; give some of the parameters values, or study the minors "
+                                  "of the "
                                   "Kalman matrix by hand") from None
     whole = [(sp.true, generic)] if generic < N.cols else []
     largest = [p for p in pieces if not any(_inside(p, q) for q in pieces if q is not p)]
@@ -111,7 +118,8 @@ class _NotSolved(Exception):
 
 @dataclass(frozen=True)
 class _Piece:
-    """A part of the parameter space: parameters with `values` in terms of the others, where `equations` hold besides."""
+    """A part of the parameter space: parameters with `values` in terms of the others, where `equations` hold
+    besides."""
 
     values: dict
     equations: tuple = ()
@@ -128,7 +136,8 @@ def _written(symbol, value):
 
 
 def _pieces(N, symbols, below):
-    """The pieces on which the rank is lower than generic; larger ones first, none inside another of the same or a lower rank."""
+    """The pieces on which the rank is lower than generic; larger ones first, none inside another of the same or a lower
+    rank."""
     found = sorted(_fallen(N, symbols, _Piece({}), below), key=_order)
     return [p for i, p in enumerate(found)
             if not any(q.rank <= p.rank and _inside(p, q) and (q != p or j < i) for j, q in enumerate(found) if j != i)]
@@ -140,7 +149,8 @@ def _order(piece):
 
 
 def _fallen(N, symbols, piece, below):
-    """All parts of a piece on which the rank of N is lower than on the piece, and the denominator `below` is not zero."""
+    """All parts of a piece on which the rank of N is lower than on the piece, and the denominator `below` is not
+    zero."""
     rank = exact.rank(N)
     if not rank or not N.free_symbols:
         return
@@ -185,7 +195,8 @@ def _plain(expression):
 
 
 def _some_minor(N, rank):
-    """The numerator of a minor of order `rank` that is not identically zero, from the first rows and columns that give one."""
+    """The numerator of a minor of order `rank` that is not identically zero, from the first rows and columns that give
+    one."""
     columns = list(exact.field_matrix(N).rref()[1])
     rows = list(exact.independent_rows(N.extract(list(range(N.rows)), columns)))
     return sp.numer(sp.together(exact.determinant(N.extract(rows, columns))))
@@ -220,7 +231,8 @@ def _zero_factors(polynomial, symbols):
 
 
 def _zeros(polynomials, symbols):
-    """The common real zeros of polynomials as pairs (values of parameters, equations left unsolved), within the assumptions."""
+    """The common real zeros of polynomials as pairs (values of parameters, equations left unsolved), within the
+    assumptions."""
     polynomials = [p for p in polynomials if p != 0]
     if not polynomials:
         yield {}, ()
@@ -258,7 +270,8 @@ def _zeros_of_irreducible(f, symbols):
 
 
 def _roots(f, symbol):
-    """Real roots in closed form; where there is none that helps, the equation itself: its roots are conjugate, of one rank."""
+    """Real roots in closed form; where there is none that helps, the equation itself: its roots are conjugate, of one
+    rank."""
     polynomial = sp.Poly(f, symbol, extension=True)
     if polynomial.degree() <= 2 or (polynomial.degree() == 4 and polynomial.nth(3) == polynomial.nth(1) == 0):
         yield from (({symbol: r}, ()) for r in sp.roots(polynomial) if r.is_real and _allowed(symbol, r))

@@ -18,9 +18,9 @@ LAMBDA = sp.Dummy("lambda")
 class LostMode:
     """A characteristic number at which the rank in Popov's criterion falls.
 
-    `eigenvalue`: the number in closed form, or, where it has none, the irreducible `sp.Poly` in lambda that it is a root
-    of; the vectors then contain lambda. `vectors`: for observability the matrix whose columns v satisfy A v = lambda v,
-    H v = 0; for controllability the one whose rows w satisfy w A = lambda w, w B = 0.
+    `eigenvalue`: the number in closed form, or, where it has none, the irreducible `sp.Poly` in lambda that it is a
+    root of; the vectors then contain lambda. `vectors`: for observability the matrix whose columns v satisfy A v =
+    lambda v, H v = 0; for controllability the one whose rows w satisfy w A = lambda w, w B = 0.
     """
 
     eigenvalue: object
@@ -64,7 +64,8 @@ def irreducible_factors(polynomial, P):
 
 
 def _field(entries):
-    return sp.construct_domain([c for e in entries for c in sp.Poly(e, LAMBDA).all_coeffs()], extension=True, field=True)[0]
+    return sp.construct_domain([c for e in entries for c in sp.Poly(e, LAMBDA).all_coeffs()], extension=True,
+                               field=True)[0]
 
 
 def closed_roots(f):
@@ -77,8 +78,8 @@ def closed_roots(f):
 def kernels_modulo(P, f):
     """Pairs (factor, basis of the kernel of P at its roots, as columns in lambda) for a monic f without multiple roots.
 
-    There is one pair, (f, kernel), if f is irreducible. An f that falls apart over a field in which SymPy cannot factor shows it by
-    an element without inverse; then its two parts are treated one by one.
+    There is one pair, (f, kernel), if f is irreducible. An f that falls apart over a field in which SymPy cannot factor
+    shows it by an element without inverse; then its two parts are treated one by one.
     """
     domain = _field([*P, f.as_expr()])
     f = f.set_domain(domain)

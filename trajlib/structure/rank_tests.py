@@ -1,8 +1,8 @@
 """Is the state seen, can it be steered? The criteria of Kalman and of Popov, Theorems 2.1 - 2.4 of the problem book.
 
 Exact systems: the rank of Kalman's matrix, and Popov's criterion for the characteristic numbers at which the rank of
-(A - lambda E; H) falls, with the motions exp(lambda t) v that the output does not show. Floats: Popov's criterion alone,
-with its singular value as the margin.
+(A - lambda E; H) falls, with the motions exp(lambda t) v that the output does not show. Floats: Popov's criterion
+alone, with its singular value as the margin.
 """
 from dataclasses import dataclass
 
@@ -21,7 +21,8 @@ __all__ = ["LostMode", "RankTest", "controllability", "observability"]
 
 @dataclass(frozen=True)
 class RankTest:
-    """Whether a system is observable (or controllable), the rank of Kalman's matrix, and what is lost; true in an `if` if it is.
+    """Whether a system is observable (or controllable), the rank of Kalman's matrix, and what is lost; true in an `if`
+    if it is.
 
     - `holds`: the verdict, `rank == order`; `rank`: of N (or W); `order`: the dimension of the state;
     - `lost`: tuple of `LostMode`, the characteristic numbers at which the rank of Popov's criterion falls;
@@ -48,11 +49,10 @@ class RankTest:
 def observability(A, H=None):
     """Is x' = Ax, z = Hx observable? Rank, lost modes, margin (MATLAB: rank(obsv(A, C)), Popov's or PBH test).
 
-    `A`: n x n, `H`: m x n. SymPy matrices or lists of rows are judged exactly; with symbols the verdict is generic (it may
-    fail for special values: see `observability_conditions`). NumPy arrays of floats, or a StateSpace in place of `A`, are
-    judged by Popov's criterion with its singular value as the margin. Returns `RankTest`.
-    Raises ValueError for shapes that do not fit and entries that are not real.
-    Source: Theorems 2.1 and 2.3 of the problem book.
+    `A`: n x n, `H`: m x n. SymPy matrices or lists of rows are judged exactly; with symbols the verdict is generic (it
+    may fail for special values: see `observability_conditions`). NumPy arrays of floats, or a StateSpace in place of
+    `A`, are judged by Popov's criterion with its singular value as the margin. Returns `RankTest`. Raises ValueError
+    for shapes that do not fit and entries that are not real. Source: Theorems 2.1 and 2.3 of the problem book.
 
     >>> import sympy as sp
     >>> found = observability(sp.Matrix([[0, 1, 0], [1, 1, 1], [1, 0, 1]]), sp.Matrix([[0, 1, 0]]))
@@ -100,7 +100,8 @@ def rank_test(rank, order, lost, word, margin=None, generic=False, remark=""):
     holds = rank == order
     reason = f"{word if holds else f'not {word}'}: rank {rank} of {order}"
     if lost:
-        reason += ", the rank of Popov's criterion falls at " + ", ".join(dict.fromkeys(_named(m.eigenvalue) for m in lost))
+        reason += ", the rank of Popov's criterion falls at " + ", ".join(dict.fromkeys(_named(m.eigenvalue)
+                                                                                        for m in lost))
     if generic:
         reason += " (for general values of the symbols)"
     return RankTest(holds, rank, order, tuple(lost), margin, reason + remark)
@@ -122,6 +123,7 @@ def float_test(A, H, word, orient=lambda vectors: vectors):
     if split.unseen.shape[1]:
         remark += ", zero within rounding; exact entries (SymPy) would decide" if split.margin else ""
     elif split.margin < np.sqrt(np.finfo(float).eps)*scale:
-        remark += f", small: a change of the entries by {split.margin:.1e} can turn the verdict; exact entries (SymPy) would decide"
+        remark += (f", small: a change of the entries by {split.margin:.1e} can turn the verdict; exact entries "
+                   f"(SymPy) would decide")
     lost = [LostMode(value, orient(vectors)) for value, vectors in floats.lost_modes(A, H, split)]
     return rank_test(split.seen.shape[1], len(A), lost, word, split.margin, remark=remark)

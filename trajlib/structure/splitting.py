@@ -1,11 +1,11 @@
 """Decomposition by observation and by control, Theorems 2.8 and 2.9 of the problem book.
 
-By observation (2.7) the new coordinates are (xi; eta) = T x with T A T^-1 = [[A11, 0], [A21, A22]], H T^-1 = [H1, 0] and
-(A11, H1) observable. As in example 3, xi_i = g_i^T x with the first independent ones of the vectors of N (for one output
-g_1 = h, g_2 = A^T h, ...), and eta comes from the simplest whole vectors orthogonal to them.
+By observation (2.7) the new coordinates are (xi; eta) = T x with T A T^-1 = [[A11, 0], [A21, A22]], H T^-1 = [H1, 0]
+and (A11, H1) observable. As in example 3, xi_i = g_i^T x with the first independent ones of the vectors of N (for one
+output g_1 = h, g_2 = A^T h, ...), and eta comes from the simplest whole vectors orthogonal to them.
 
-By control (2.6) x = T^-1 (xi; eta), T A T^-1 = [[A11, A12], [0, A22]], T B = [B1; 0] and (A11, B1) is controllable. As in
-example 6, the columns of T^-1 are the first independent columns of W and whole vectors orthogonal to them.
+By control (2.6) x = T^-1 (xi; eta), T A T^-1 = [[A11, A12], [0, A22]], T B = [B1; 0] and (A11, B1) is controllable. As
+in example 6, the columns of T^-1 are the first independent columns of W and whole vectors orthogonal to them.
 """
 from dataclasses import dataclass
 

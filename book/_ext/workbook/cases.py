@@ -43,7 +43,8 @@ def _table(cases):
         shown = text if len(text) <= 90 else text[:87] + "..."
         cells = (nodes.Text(f"{MARKS[case.verdict]} {case.verdict}"), nodes.literal("", shown), nodes.Text(case.note))
         body += nodes.row("", *(nodes.entry("", nodes.paragraph("", "", cell)) for cell in cells))
-    head = nodes.thead("", nodes.row("", *(nodes.entry("", nodes.paragraph("", name)) for name in ("verdict", "answer", "what it is"))))
+    head = nodes.thead("", nodes.row("", *(nodes.entry("", nodes.paragraph("", name))
+                                           for name in ("verdict", "answer", "what it is"))))
     widths = (nodes.colspec(colwidth=width) for width in (15, 45, 40))
     return nodes.table("", nodes.tgroup("", *widths, head, body, cols=3), classes=["check-cases"])
 

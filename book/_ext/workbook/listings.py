@@ -52,7 +52,8 @@ class ProblemList(Listing):
                 row += nodes.entry("", nodes.paragraph("", "", cell))
             body += row
         head = nodes.thead("", nodes.row("", *(nodes.entry("", nodes.paragraph("", name)) for name in columns)))
-        group = nodes.tgroup("", *(nodes.colspec(colwidth=width) for width in columns.values()), head, body, cols=len(columns))
+        group = nodes.tgroup("", *(nodes.colspec(colwidth=width) for width in columns.values()), head, body,
+                             cols=len(columns))
         return nodes.table("", group, classes=["problem-list"])
 
 

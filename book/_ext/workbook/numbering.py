@@ -1,8 +1,8 @@
 """Numbers follow labels.
 
-An equation labelled eq-1-15-a is (1.15a), a theorem labelled thm-1-2 is Theorem 1.2: on every page, in references, in the
-student's notebook, and in the problem book where the number comes from. What has no such label is counted as usual. A
-number given by TeX's own \\tag stands where all others stand. A chapter's number is that of its file, book/ch5.md,
+An equation labelled eq-1-15-a is (1.15a), a theorem labelled thm-1-2 is Theorem 1.2: on every page, in references, in
+the student's notebook, and in the problem book where the number comes from. What has no such label is counted as usual.
+A number given by TeX's own \\tag stands where all others stand. A chapter's number is that of its file, book/ch5.md,
 whichever chapters stand before it.
 """
 
@@ -59,7 +59,8 @@ def _number_chapters(app, env):
         if match := CHAPTER.fullmatch(page):
             chapter = int(match[1])
             numbers = env.toc_secnumbers[page]
-            env.toc_secnumbers[page] = {anchor: (chapter, *number[1:]) if number else number for anchor, number in numbers.items()}
+            env.toc_secnumbers[page] = {anchor: (chapter, *number[1:]) if number else number
+                                        for anchor, number in numbers.items()}
             for node in (env.titles[page], *env.tocs[page].findall(nodes.reference)):
                 if node.get("secnumber"):
                     node["secnumber"] = [chapter, *node["secnumber"][1:]]

@@ -46,7 +46,8 @@ def _student_page(source, head, baseurl):
     notebook, to_the_site = json.loads(source), re.compile(TO_THE_SITE % re.escape(baseurl))
     texts = [cell for cell in notebook["cells"] if cell["cell_type"] == "markdown"]
     for cell in texts:
-        text = to_the_site.sub(lambda link: f"](#{link[2]})" if link[2] else f"](/{link[1]}.md)", "".join(cell["source"]))
+        text = to_the_site.sub(lambda link: f"](#{link[2]})" if link[2] else f"](/{link[1]}.md)",
+                               "".join(cell["source"]))
         cell["source"] = re.sub(r"^##? Problem .*$", "", text, flags=re.M).strip()
     texts[0]["source"] = f"{head}\n:::{{div}} origin\n{texts[0]['source']}\n:::"
     return json.dumps(notebook)
@@ -100,7 +101,8 @@ class ProblemAnswers(SphinxDirective):
 
 
 class ProblemRole(SphinxRole):
-    """{problem}`1.15` leads to the problem's page in whichever edition is built; a problem without a page is only named."""
+    """{problem}`1.15` leads to the problem's page in whichever edition is built; a problem without a page is only
+    named."""
 
     def run(self):
         for problem in catalogue.of(self.env).values():
@@ -150,7 +152,8 @@ def _keep_index_entries(app, env):
     """Sphinx's search forgets the index entries of pages that it need not write again; the environment knows them."""
     for docname, entries in env.get_domain("index").entries.items():
         env._search_index_index_entries[docname] = sorted(
-            {(text, target or "", main) for kind, value, target, main, _ in entries for text in split_index_msg(kind, value)})
+            {(text, target or "", main) for kind, value, target, main, _ in entries
+             for text in split_index_msg(kind, value)})
 
 
 def setup(app):

@@ -13,7 +13,8 @@ TWO_INPUTS = (M([[1, 0], [0, 1]]), M([[1, 0], [0, 1]]))
 VALUE = (M([[1, a], [-3, -2]]), M([1, 1]), [a])
 NEVER = (M([[2, -1], [1, 0]]), M([1, 1]), [a])
 # Two pendulums on one carriage, its acceleration being the control.
-CARRIAGE = (M([[0, 0, 1, 0], [0, 0, 0, 1], [g / l1, 0, 0, 0], [0, g / l2, 0, 0]]), M([0, 0, 1 / l1, 1 / l2]), [g, l1, l2])
+CARRIAGE = (M([[0, 0, 1, 0], [0, 0, 0, 1], [g / l1, 0, 0, 0], [0, g / l2, 0, 0]]), M([0, 0, 1 / l1, 1 / l2]),
+            [g, l1, l2])
 ORBIT = (M([[0, -w, 1, 0], [w, 0, 0, 1], [-w**2, 0, 0, -w], [0, 2 * w**2, w, 0]]), M([0, 0, 1, 0]), [w])
 RADIAL = (ORBIT[0], M([0, 0, 0, 1]), [w])
 AXES = (sp.diag(1, 2, 1), M([1, 0, -1]))
@@ -46,11 +47,14 @@ CASES = [
     Case("controllable_parameters", sp.Ne(a, 1), NEVER, "wrong", "a factor that does not matter"),
     Case("controllable_parameters", -6, VALUE, "invalid", "the value alone"),
     Case("controllability_matrix", [[0, 1], [1, 1]], DRIVEN, "right", "nested lists"),
-    Case("controllability_matrix", np.array([[1.0, 0.0, 1.0, 0.0], [0.0, 1.0, 0.0, 1.0]]), TWO_INPUTS, "right", "two controls"),
-    Case("controllability_matrix", M.hstack(*[ORBIT[0]**k * ORBIT[1] for k in range(4)]), ORBIT, "right", "with a parameter"),
+    Case("controllability_matrix", np.array([[1.0, 0.0, 1.0, 0.0], [0.0, 1.0, 0.0, 1.0]]), TWO_INPUTS, "right",
+         "two controls"),
+    Case("controllability_matrix", M.hstack(*[ORBIT[0]**k * ORBIT[1] for k in range(4)]), ORBIT, "right",
+         "with a parameter"),
     Case("controllability_matrix", [[1, -1], [-1, 1]], SUM, "right", "of rank 1"),
     Case("controllability_matrix", [[1, 1], [-1, 1]], SUM, "wrong", "one entry"),
-    Case("controllability_matrix", M.hstack(*[ORBIT[0]**k * ORBIT[1] for k in range(4)]).T, ORBIT, "wrong", "the transpose"),
+    Case("controllability_matrix", M.hstack(*[ORBIT[0]**k * ORBIT[1] for k in range(4)]).T, ORBIT, "wrong",
+         "the transpose"),
     Case("controllability_matrix", [[1, 1, 0, 0], [0, 0, 1, 1]], TWO_INPUTS, "wrong", "control by control"),
     Case("controllability_matrix", [[0, 1, 1], [1, 1, 3]], DRIVEN, "invalid", "a power too many"),
     Case("controllability_rank", 1, SUM, "right", "one combination is lost"),
@@ -79,7 +83,8 @@ CASES = [
     Case("uncontrolled_where_lost", {-6: [[1, -1]]}, LOST, "right", "one value"),
     Case("uncontrolled_where_lost", {}, STEERED, "right", "no such value"),
     Case("uncontrolled_where_lost", TWO_LOST, TWICE, "right", "two values, one of them a decimal"),
-    Case("uncontrolled_where_lost", {2.0: M([[-3, 0, 0]]), sp.S.Half: M([[0, 1, 1], [0, 1, 2]])}, TWICE, "right", "rows of a matrix"),
+    Case("uncontrolled_where_lost", {2.0: M([[-3, 0, 0]]), sp.S.Half: M([[0, 1, 1], [0, 1, 2]])}, TWICE, "right",
+         "rows of a matrix"),
     Case("uncontrolled_where_lost", {-6: [[1, 1]]}, LOST, "wrong", "the combination that the control changes"),
     Case("uncontrolled_where_lost", {6: [[1, -1]]}, LOST, "wrong", "a sign"),
     Case("uncontrolled_where_lost", {2: [[1, 0, 0]]}, TWICE, "wrong", "a value overlooked"),

@@ -22,14 +22,19 @@ FRICTION = ([v, -b * v - a * x], [x, v], [a, b])
 
 CASES = [
     Case("eigenvalue_multiplicities", [[I * w, 1, 1], [-I * w, 1, 1]], SWING, "right", "a simple pair"),
-    Case("eigenvalue_multiplicities", [(-I * sp.Symbol("omega"), 1, 1), (I * sp.Symbol("omega"), 1.0, 1)], SWING, "right", "tuples, a plain symbol, floats for whole numbers"),
-    Case("eigenvalue_multiplicities", [[I * w, 1, 1], [-I * w, 1, 1]], NONLINEAR, "right", "of the first approximation"),
-    Case("eigenvalue_multiplicities", {I: (2, 1), -I: (2, 1)}, PAIR, "right", "a dict; Jordan blocks at imaginary eigenvalues"),
+    Case("eigenvalue_multiplicities", [(-I * sp.Symbol("omega"), 1, 1), (I * sp.Symbol("omega"), 1.0, 1)], SWING,
+         "right", "tuples, a plain symbol, floats for whole numbers"),
+    Case("eigenvalue_multiplicities", [[I * w, 1, 1], [-I * w, 1, 1]], NONLINEAR, "right",
+         "of the first approximation"),
+    Case("eigenvalue_multiplicities", {I: (2, 1), -I: (2, 1)}, PAIR, "right",
+         "a dict; Jordan blocks at imaginary eigenvalues"),
     Case("eigenvalue_multiplicities", sp.Matrix([[I, 2, 2], [-I, 2, 2]]), TWO, "right", "a matrix; semisimple"),
     Case("eigenvalue_multiplicities", np.array([[1j, 2, 2], [-1j, 2, 2]]), TWO, "right", "an array of complex numbers"),
     Case("eigenvalue_multiplicities", [[0, 2, 1]], DRIFT, "right", "a single eigenvalue"),
-    Case("eigenvalue_multiplicities", sp.Matrix([[0, 1], [0, 0]]).eigenvects(), DRIFT, "right", "as eigenvects returns them"),
-    Case("eigenvalue_multiplicities", [[0, 1, 1], [-1, 1, 1]], DRIVEN, "right", "a part of the deviations from a program motion"),
+    Case("eigenvalue_multiplicities", sp.Matrix([[0, 1], [0, 0]]).eigenvects(), DRIFT, "right",
+         "as eigenvects returns them"),
+    Case("eigenvalue_multiplicities", [[0, 1, 1], [-1, 1, 1]], DRIVEN, "right",
+         "a part of the deviations from a program motion"),
     Case("eigenvalue_multiplicities", [[I, 2, 2], [-I, 2, 2]], PAIR, "wrong", "Jordan blocks overlooked"),
     Case("eigenvalue_multiplicities", [[I, 2, 1], [-I, 2, 1]], TWO, "wrong", "Jordan blocks where there are none"),
     Case("eigenvalue_multiplicities", [[0, 2, 2]], DRIFT, "wrong", "one eigenvector too many"),
@@ -50,7 +55,8 @@ CASES = [
     Case("critical_stability", "unstable", TWO, "wrong", "semisimple double roots"),
     Case("critical_stability", ..., TWO, "missing", "the untouched stub"),
     Case("critical_stability", True, TWO, "invalid", "a truth value"),
-    Case("stable_parameters", sp.Or(sp.And(a > 0, b >= 0), sp.And(sp.Eq(a, 0), b > 0)), FRICTION, "right", "the borders as they are"),
+    Case("stable_parameters", sp.Or(sp.And(a > 0, b >= 0), sp.And(sp.Eq(a, 0), b > 0)), FRICTION, "right",
+         "the borders as they are"),
     Case("stable_parameters", sp.And(a >= 0, b >= 0, sp.Ne(a**2 + b**2, 0)), FRICTION, "right", "in one formula"),
     Case("stable_parameters", sp.And(a > 0, b > 0), FRICTION, "wrong", "asymptotic stability only"),
     Case("stable_parameters", a > 0, FRICTION, "wrong", "the sign of the friction forgotten"),
@@ -59,7 +65,8 @@ CASES = [
     Case("growing_motion", [h * t, h], (*DRIFT, t, [h]), "right", "a drift"),
     Case("growing_motion", sp.Matrix([t, 1]), (*DRIFT, t), "right", "without a size"),
     Case("growing_motion", [sp.exp(w * t), w * sp.exp(w * t)], (*SADDLE, t), "right", "exponential growth"),
-    Case("growing_motion", [(sp.sin(t) - t * sp.cos(t)) / 2, t * sp.sin(t) / 2, sp.sin(t), sp.cos(t)], (*PAIR, t), "right", "resonance"),
+    Case("growing_motion", [(sp.sin(t) - t * sp.cos(t)) / 2, t * sp.sin(t) / 2, sp.sin(t), sp.cos(t)], (*PAIR, t),
+         "right", "resonance"),
     Case("growing_motion", [sp.sin(t), sp.cos(t), 0, 0], (*PAIR, t), "wrong", "a motion that does not grow"),
     Case("growing_motion", [t, 2], (*DRIFT, t), "wrong", "not a motion"),
     Case("growing_motion", [0, 0], (*DRIFT, t), "wrong", "the state of rest"),
@@ -87,8 +94,10 @@ CASES = [
     Case("conserved_form", sp.Eq(v**2 + w**2 * x**2, 1), SWING, "invalid", "an equation"),
 ]
 LIMITS = [
-    "Multiplicities and the verdict are judged at six sets of values of the parameters: a special value at which eigenvalues meet by "
+    "Multiplicities and the verdict are judged at six sets of values of the parameters: a special value at which "
+    "eigenvalues meet by "
     "chance is not looked at, and the answer is to hold for the others.",
     "Eigenvalues closer together than 2e-5 of the size of the matrix count as one.",
-    "A motion that grows slower than by a factor of 1000 between t = 10 and t = 1000000 (such as log t) is taken not to grow.",
+    "A motion that grows slower than by a factor of 1000 between t = 10 and t = 1000000 (such as log t) is taken not "
+    "to grow.",
 ]

@@ -40,12 +40,15 @@ CASES = [
     Case("polar_form", r - r**3, POLAR, "invalid", "one rate"),
     Case("polar_form", [-x, -1], POLAR, "invalid", "in Cartesian coordinates"),
     Case("radial_motion", R, MOTION, "right", "as the problem book prints it"),
-    Case("radial_motion", r0 * sp.exp(t) / sp.sqrt(1 + r0**2 * (sp.exp(2 * t) - 1)), MOTION, "right", "with growing exponentials"),
+    Case("radial_motion", r0 * sp.exp(t) / sp.sqrt(1 + r0**2 * (sp.exp(2 * t) - 1)), MOTION, "right",
+         "with growing exponentials"),
     Case("radial_motion", R.subs({t: sp.Symbol("t"), r0: sp.Symbol("r0")}), MOTION, "right", "plain symbols"),
     Case("radial_motion", (1 + (1 - r0**2) / r0**2 * sp.exp(-2 * t)) ** -0.5, MOTION, "right", "a decimal power"),
-    Case("radial_motion", 1 / sp.sqrt(1 + (1 / r0**2 - 1) * sp.exp(2 * t)), BLOWUP, "right", "a motion that runs away in finite time"),
+    Case("radial_motion", 1 / sp.sqrt(1 + (1 / r0**2 - 1) * sp.exp(2 * t)), BLOWUP, "right",
+         "a motion that runs away in finite time"),
     Case("radial_motion", R, BLOWUP, "wrong", "the motion of another system"),
-    Case("radial_motion", 1 / sp.sqrt(1 + (1 / r0**2 - 1) * sp.exp(-t)), MOTION, "wrong", "a wrong rate in the exponent"),
+    Case("radial_motion", 1 / sp.sqrt(1 + (1 / r0**2 - 1) * sp.exp(-t)), MOTION, "wrong",
+         "a wrong rate in the exponent"),
     Case("radial_motion", 1 / (1 + (1 / r0**2 - 1) * sp.exp(-2 * t)), MOTION, "wrong", "the square root forgotten"),
     Case("radial_motion", -R, MOTION, "wrong", "the negative root"),
     Case("radial_motion", 1 / sp.sqrt(1 + (1 / r0 - 1) * sp.exp(-2 * t)), MOTION, "wrong", "the constant from 1/r0"),
@@ -55,7 +58,8 @@ CASES = [
     Case("radial_motion", sp.sqrt(-R), MOTION, "wrong", "not real"),
     Case("radial_motion", r0 / t, MOTION, "wrong", "undefined at the start"),
     Case("radial_motion", ..., MOTION, "missing", "the untouched stub"),
-    Case("radial_motion", 1 / sp.sqrt(1 + sp.Symbol("c0") * sp.exp(-2 * t)), MOTION, "invalid", "the constant not expressed by r0"),
+    Case("radial_motion", 1 / sp.sqrt(1 + sp.Symbol("c0") * sp.exp(-2 * t)), MOTION, "invalid",
+         "the constant not expressed by r0"),
     Case("radial_motion", sp.Eq(r, R), MOTION, "invalid", "an equation"),
     Case("radial_motion", sp.zoo, MOTION, "invalid", "an undefined value"),
     Case("limit_cycles", [1], STABLE, "right", "a list"),
@@ -111,9 +115,11 @@ CASES = [
     Case("return_slope", "one", SEMI, "invalid", "a word"),
 ]
 LIMITS = [
-    "Cycles are looked for among the circles around zero with radii between 0.013 and 20. A cycle of another form is not seen.",
+    "Cycles are looked for among the circles around zero with radii between 0.013 and 20. A cycle of another form is "
+    "not seen.",
     "Two cycles whose radii differ by less than two per cent may be taken for one.",
-    "The time law of a motion is judged at twenty places (five starts, up to two units of time): one that is right there and "
+    "The time law of a motion is judged at twenty places (five starts, up to two units of time): one that is right "
+    "there and "
     "wrong later would pass.",
     "Polar rates are judged at twenty random points of the ring 0.2 < r < 2.5.",
 ]

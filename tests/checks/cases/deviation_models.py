@@ -15,24 +15,29 @@ TURNING = ([v, -sp.sin(x)], [x, v], {x: t, v: 1})
 
 CASES = [
     Case("change_to_deviations", M([[0, 1], [1, 0]]), (OTHER, *STONE), "right", "another order"),
-    Case("change_to_deviations", [[3, 2], [-4, 0]], (OTHER, *STONE), "right", "the place at another moment, another unit"),
+    Case("change_to_deviations", [[3, 2], [-4, 0]], (OTHER, *STONE), "right",
+         "the place at another moment, another unit"),
     Case("change_to_deviations", sp.eye(2), (SLOWED, *STONE), "right", "nothing to change"),
     Case("change_to_deviations", sp.eye(2), (OTHER, *STONE), "wrong", "the variables as they are"),
     Case("change_to_deviations", M([[0, 1], [1, 0]]), (WALL, *STONE), "wrong", "a system that is no model of it"),
     Case("change_to_deviations", sp.zeros(2), (OTHER, *STONE), "wrong", "no inverse"),
     Case("change_to_deviations", ..., (OTHER, *STONE), "missing", "the untouched stub"),
     Case("change_to_deviations", [[0, 1]], (OTHER, *STONE), "invalid", "a row too few"),
-    Case("change_to_deviations", sp.eye(2), (OTHER, *TURNING), "unchecked", "deviations that change with time: no such problem is set"),
+    Case("change_to_deviations", sp.eye(2), (OTHER, *TURNING), "unchecked",
+         "deviations that change with time: no such problem is set"),
     Case("measured_quantity", "place", MEASURED, "right", "a linear quantity"),
     Case("measured_quantity", "speed", (OTHER, M([[5, 0]]), *STONE, QUANTITIES), "right", "another unit"),
-    Case("measured_quantity", "power", (OTHER, M([[1, 0]]), *STONE, {"place": x, "power": v**3}), "right", "made linear along the motion"),
+    Case("measured_quantity", "power", (OTHER, M([[1, 0]]), *STONE, {"place": x, "power": v**3}), "right",
+         "made linear along the motion"),
     Case("measured_quantity", "speed", MEASURED, "wrong", "its derivative"),
     Case("measured_quantity", "place", (OTHER, M([[5, 0]]), *STONE, QUANTITIES), "wrong", "its integral"),
     Case("measured_quantity", ..., MEASURED, "missing", "the untouched stub"),
     Case("measured_quantity", "height", MEASURED, "invalid", "a word that was not offered"),
-    Case("measured_quantity", "place", (OTHER, M([[0, 1]]), *STONE, {"place": x, "way": 2 * x}), "unchecked", "two quantities that the equations do not tell apart"),
+    Case("measured_quantity", "place", (OTHER, M([[0, 1]]), *STONE, {"place": x, "way": 2 * x}), "unchecked",
+         "two quantities that the equations do not tell apart"),
 ]
 LIMITS = [
-    "what keeps the equations as they are (another unit, all deviations at another moment) is right in a change of variables",
+    "what keeps the equations as they are (another unit, all deviations at another moment) is right in a change of "
+    "variables",
     "quantities whose deviations satisfy the same equation of lowest order cannot be told apart; a problem offers none",
 ]

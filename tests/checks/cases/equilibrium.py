@@ -20,7 +20,8 @@ CASES = [
     Case("equilibria", np.array([[3, 2], [0, -1]]), PARABOLA, "right", "an array"),
     Case("equilibria", sp.Matrix([[3, 2], [0, -1]]), PARABOLA, "right", "a matrix, one row a point"),
     Case("equilibria", sp.FiniteSet((3, 2), (0, -1)), PARABOLA, "right", "a set"),
-    Case("equilibria", [{sp.Symbol("y"): 2, sp.Symbol("x"): 3}, {x: 0, y: -1}], PARABOLA, "right", "dicts, as solve gives them"),
+    Case("equilibria", [{sp.Symbol("y"): 2, sp.Symbol("x"): 3}, {x: 0, y: -1}], PARABOLA, "right",
+         "dicts, as solve gives them"),
     Case("equilibria", [(3, 2), (0, -1), (3, 2)], PARABOLA, "right", "one point twice"),
     Case("equilibria", [root2, -root2], LINE, "right", "one unknown, exact"),
     Case("equilibria", [1.41, -1.41], LINE, "right", "one unknown, three digits"),
@@ -43,7 +44,8 @@ CASES = [
     Case("spectra", [[3, 2, 1, -3], [0, -1, *FOCUS]], PARABOLA, "right", "exact"),
     Case("spectra", [(0, -1, -1 + 1.41j, -1 - 1.41j), (3, 2, -3, 1)], PARABOLA, "right", "decimals, another order"),
     Case("spectra", sp.Matrix([[3, 2, 1, -3], [0, -1, *FOCUS]]), PARABOLA, "right", "a matrix"),
-    Case("spectra", np.array([[3, 2, 1, -3], [0, -1, -1 + 1.4142j, -1 - 1.4142j]]), PARABOLA, "right", "an array of complex numbers"),
+    Case("spectra", np.array([[3, 2, 1, -3], [0, -1, -1 + 1.4142j, -1 - 1.4142j]]), PARABOLA, "right",
+         "an array of complex numbers"),
     Case("spectra", [[(3, 2), [1, -3]], [(0, -1), FOCUS]], PARABOLA, "right", "pairs of point and eigenvalues"),
     Case("spectra", [[0, 0, -1, -1]], NODE, "right", "a double eigenvalue"),
     Case("spectra", [0, 0, sp.I, -sp.I], CENTRE, "right", "imaginary ones, a single row"),
@@ -77,9 +79,12 @@ CASES = [
     Case("stable_equilibria", "the lower one", PARABOLA, "invalid", "words"),
 ]
 LIMITS = [
-    "Equilibria are looked for from 240 random starts, spread over some twenty units around zero: one that lies far outside, or "
-    "where the matrix of the first approximation is singular, may not be found, and a list that leaves it out would pass.",
+    "Equilibria are looked for from 240 random starts, spread over some twenty units around zero: one that lies far "
+    "outside, or "
+    "where the matrix of the first approximation is singular, may not be found, and a list that leaves it out would "
+    "pass.",
     "Points and eigenvalues count to three significant digits; a coordinate or part that is small beside the others is "
     "measured by the size of the whole.",
-    "An equilibrium whose first approximation has an eigenvalue on the imaginary axis leaves the list of stable ones unchecked.",
+    "An equilibrium whose first approximation has an eigenvalue on the imaginary axis leaves the list of stable ones "
+    "unchecked.",
 ]

@@ -25,8 +25,10 @@ GROWS = ([v, -x + 20 * v**3], [x, v])
 CASES = [
     Case("linearisation", [[0, 1], [-w**2, -d]], BOTTOM, "right", "nested lists"),
     Case("linearisation", sp.Matrix([[0, 1], [w**2, -d]]), TOP, "right", "a matrix"),
-    Case("linearisation", [[0, 1], [-sp.Symbol("omega") ** 2 * sp.cos(sp.pi), -sp.Symbol("delta")]], TOP, "right", "plain symbols"),
-    Case("linearisation", [[0, 1], [-2 * sp.sqrt(m), -1]], MOVED, "right", "an equilibrium that depends on a parameter"),
+    Case("linearisation", [[0, 1], [-sp.Symbol("omega") ** 2 * sp.cos(sp.pi), -sp.Symbol("delta")]], TOP, "right",
+         "plain symbols"),
+    Case("linearisation", [[0, 1], [-2 * sp.sqrt(m), -1]], MOVED, "right",
+         "an equilibrium that depends on a parameter"),
     Case("linearisation", np.array([[np.e, -np.e], [-2.0, 0.0]]), NUMBERS, "right", "an array of floats"),
     Case("linearisation", [[0, 0], [0, 0]], FLAT, "right", "nothing of first order"),
     Case("linearisation", [[0, 1], [-w**2, -d]], TOP, "wrong", "the matrix at the other equilibrium"),
@@ -50,7 +52,8 @@ CASES = [
     Case("first_approximation_stable", "negative", VDP, "invalid", "a word"),
     Case("first_approximation_unstable", e > 0, VDP, "right", "the sign of the trace"),
     Case("first_approximation_unstable", 0 < e, VDP, "right", "turned round"),
-    Case("first_approximation_unstable", sp.Or(sp.Ne(w, 0), d < 0), TOP, "right", "the upper equilibrium, whatever the friction"),
+    Case("first_approximation_unstable", sp.Or(sp.Ne(w, 0), d < 0), TOP, "right",
+         "the upper equilibrium, whatever the friction"),
     Case("first_approximation_unstable", d < 0, TOP, "wrong", "the saddle overlooked"),
     Case("first_approximation_unstable", e >= 0, VDP, "wrong", "imaginary eigenvalues counted in"),
     Case("first_approximation_unstable", sp.Or(e < 0, e > 0), VDP, "wrong", "both signs"),
@@ -78,8 +81,11 @@ CASES = [
     Case("zero_stability", "attracting", FOCUS, "invalid", "a word that was not offered"),
 ]
 LIMITS = [
-    "A matrix is compared at six rational values of the parameters: one that differs only at a single other value passes.",
-    "Where the first approximation is critical, stability is decided by four motions that start at distance 0.05 and last 200 "
-    "units of time; where their amplitudes then change by less than a hundredth of a per cent and yet not by zero, the answer "
+    "A matrix is compared at six rational values of the parameters: one that differs only at a single other value "
+    "passes.",
+    "Where the first approximation is critical, stability is decided by four motions that start at distance 0.05 and "
+    "last 200 "
+    "units of time; where their amplitudes then change by less than a hundredth of a per cent and yet not by zero, "
+    "the answer "
     "stays unchecked.",
 ]

@@ -17,7 +17,8 @@ r, c = 1 / sp.sqrt(-b), -1 / (4 * b)
 CASES = [
     Case("lyapunov_derivative", -e * (x**2 - 1) * y**2, POL, "right", "factored"),
     Case("lyapunov_derivative", e * y**2 - e * x**2 * y**2, POL, "right", "expanded"),
-    Case("lyapunov_derivative", -sp.Symbol("e") * (sp.Symbol("x") ** 2 - 1) * sp.Symbol("y") ** 2, POL, "right", "plain symbols"),
+    Case("lyapunov_derivative", -sp.Symbol("e") * (sp.Symbol("x") ** 2 - 1) * sp.Symbol("y") ** 2, POL, "right",
+         "plain symbols"),
     Case("lyapunov_derivative", -e * (x**2 - 1) * y, POL, "wrong", "a factor lost"),
     Case("lyapunov_derivative", 0, POL, "wrong", "zero"),
     Case("lyapunov_derivative", x * y, POL, "wrong", "only one term"),
@@ -39,9 +40,11 @@ CASES = [
     Case("basin_estimate", x**2 + y**2 < sp.Rational(12, 10), POL, "wrong", "too large"),
     Case("basin_estimate", sp.Abs(x) < 1, POL, "wrong", "the strip"),
     Case("basin_estimate", x**2 + 2 * y**2 < 1, POL, "wrong", "an ellipse inside the disc"),
-    Case("basin_estimate", sp.And(WELL[0] < sp.Rational(4, 27), x > -sp.Rational(2, 3)), WELL, "right", "worked example 2"),
+    Case("basin_estimate", sp.And(WELL[0] < sp.Rational(4, 27), x > -sp.Rational(2, 3)), WELL, "right",
+         "worked example 2"),
     Case("basin_estimate", sp.And(WELL[0] < 0.1481481, x > -sp.Rational(2, 3)), WELL, "right", "with decimals"),
-    Case("basin_estimate", sp.And(WELL[0] < sp.Rational(3, 27), x > -sp.Rational(2, 3)), WELL, "wrong", "a lower level"),
+    Case("basin_estimate", sp.And(WELL[0] < sp.Rational(3, 27), x > -sp.Rational(2, 3)), WELL, "wrong",
+         "a lower level"),
     Case("departure", -(w**2) * x, ENERGY, "right", "on the set"),
     Case("departure", -d * y - w**2 * x, ENERGY, "right", "with a term that vanishes on the set"),
     Case("departure", w**2 * x, ENERGY, "wrong", "the sign turned"),
@@ -67,17 +70,20 @@ CASES = [
     Case("basin_estimate", sp.And(SPRING[0] <= c, x**2 < -1 / b), SOFT, "right", "closed, without the saddles"),
     Case("basin_estimate", sp.And(SPRING[0] <= c, x**2 <= -1 / b), SOFT, "wrong", "closed, with the saddles"),
     Case("basin_estimate", SPRING[0] < c, SOFT, "wrong", "the parts beyond the saddles taken along"),
-    Case("basin_estimate", sp.And(SPRING[0] < c, sp.Abs(x) < 1.05 * r), SOFT, "wrong", "a little of the parts beyond the saddles"),
+    Case("basin_estimate", sp.And(SPRING[0] < c, sp.Abs(x) < 1.05 * r), SOFT, "wrong",
+         "a little of the parts beyond the saddles"),
     Case("basin_estimate", sp.Abs(x) < r, SOFT, "wrong", "the strip between the saddles"),
     Case("basin_estimate", sp.And(SPRING[0] < c / 2, sp.Abs(x) < r), SOFT, "wrong", "half the level"),
     Case("basin_estimate", ..., WELL, "missing", "the untouched stub"),
     Case("basin_estimate", 0.5, POL, "invalid", "the level alone"),
 ]
 LIMITS = [
-    "The derivative is judged at 24 random states and parameters: an expression that agrees there and differs elsewhere "
+    "The derivative is judged at 24 random states and parameters: an expression that agrees there and differs "
+    "elsewhere "
     "would pass (none that a derivation gives does).",
     "A basin estimate is followed along 240 rays from zero, so the set has to be star-shaped around zero.",
-    "The set is judged for two samples of the parameters at which the first approximation is asymptotically stable; that the level "
+    "The set is judged for two samples of the parameters at which the first approximation is asymptotically stable; "
+    "that the level "
     "line itself belongs to the set, or does not, is told apart only at other equilibria.",
     "That no motion stays where the derivative vanishes is not tested: the problem has to be such.",
     "Stability in the large is judged on circles of radius 0.01 to 10000.",

@@ -48,7 +48,8 @@ CASES = [
     Case("mechanical_controllable", "yes", VALUE, "wrong", "one value overlooked"),
     Case("mechanical_controllable", sp.Ne(b, 3), VALUE, "invalid", "the condition where yes or no is asked"),
     Case("mechanical_controllable_parameters", sp.Ne(b, 3), VALUE, "right", "one value left out"),
-    Case("mechanical_controllable_parameters", sp.Ne(sp.Symbol("beta"), 1), FREE, "right", "equal frequencies, a plain symbol"),
+    Case("mechanical_controllable_parameters", sp.Ne(sp.Symbol("beta"), 1), FREE, "right",
+         "equal frequencies, a plain symbol"),
     Case("mechanical_controllable_parameters", sp.S.Reals - sp.FiniteSet(3), VALUE, "right", "a set"),
     Case("mechanical_controllable_parameters", sp.Ne(b, 0), VALUE, "wrong", "another value"),
     Case("mechanical_controllable_parameters", b > 1, FREE, "wrong", "one side only"),
@@ -62,7 +63,8 @@ CASES = [
     Case("mechanical_uncontrolled_eigenvalues", "0", NORMAL, "invalid", "text"),
 ]
 LIMITS = [
-    "Where M is singular for some values of the parameters, these values are left out; where it is singular for all, only systems "
+    "Where M is singular for some values of the parameters, these values are left out; where it is singular for all, "
+    "only systems "
     "without parameters are judged.",
     "Values of lambda that depend on parameters are compared at six values of them in general position.",
 ]

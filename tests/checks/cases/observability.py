@@ -39,12 +39,15 @@ CASES = [
     Case("observable", ..., CHAIN, "missing", "the untouched stub"),
     Case("observable", 3, CHAIN, "invalid", "the rank"),
     Case("observable", sp.Ne(w, 1), SOMETIMES, "invalid", "the condition where yes or no is asked"),
-    Case("observable_parameters", sp.And(sp.Ne(a, 1), sp.Ne(a, -sp.Rational(3, 2))), RATIONAL, "right", "two values left out"),
-    Case("observable_parameters", sp.Ne((p - 1) * (2 * p + 3), 0), RATIONAL, "right", "the determinant, a plain symbol"),
+    Case("observable_parameters", sp.And(sp.Ne(a, 1), sp.Ne(a, -sp.Rational(3, 2))), RATIONAL, "right",
+         "two values left out"),
+    Case("observable_parameters", sp.Ne((p - 1) * (2 * p + 3), 0), RATIONAL, "right",
+         "the determinant, a plain symbol"),
     Case("observable_parameters", sp.S.Reals - sp.FiniteSet(1, -1.5), RATIONAL, "right", "a set, with a decimal"),
     Case("observable_parameters", sp.Ne(a**2, 2), ROOTS, "right", "two irrational values"),
     Case("observable_parameters", sp.Ne(sp.Abs(a), sp.sqrt(2)), ROOTS, "right", "an absolute value"),
-    Case("observable_parameters", sp.And(sp.Ne(a, sp.sqrt(2)), sp.Ne(a, -sp.sqrt(2))), ROOTS, "right", "irrational values, named"),
+    Case("observable_parameters", sp.And(sp.Ne(a, sp.sqrt(2)), sp.Ne(a, -sp.sqrt(2))), ROOTS, "right",
+         "irrational values, named"),
     Case("observable_parameters", sp.Or(sp.Ne(a, 0), sp.Ne(b, 0)), TWO_OUTPUTS, "right", "a single point left out"),
     Case("observable_parameters", sp.Ne(1 - a + b, 0), CURVE, "right", "a line left out"),
     Case("observable_parameters", sp.Ne(a, b), MODES, "right", "different eigenvalues"),
@@ -53,18 +56,24 @@ CASES = [
     Case("observable_parameters", False, NEVER, "right", "none"),
     Case("observable_parameters", sp.Ne(a, 1), RATIONAL, "wrong", "the other value overlooked"),
     Case("observable_parameters", sp.Ne(a, sp.sqrt(2)), ROOTS, "wrong", "the negative root overlooked"),
-    Case("observable_parameters", sp.And(sp.Ne(a**2, 2), sp.Ne(a**2, 3)), ROOTS, "wrong", "irrational values left out in vain"),
-    Case("observable_parameters", sp.And(sp.Ne(a, 1.414), sp.Ne(a, -1.414)), ROOTS, "wrong", "irrational values, rounded"),
+    Case("observable_parameters", sp.And(sp.Ne(a**2, 2), sp.Ne(a**2, 3)), ROOTS, "wrong",
+         "irrational values left out in vain"),
+    Case("observable_parameters", sp.And(sp.Ne(a, 1.414), sp.Ne(a, -1.414)), ROOTS, "wrong",
+         "irrational values, rounded"),
     Case("observable_parameters", True, ROOTS, "wrong", "the exceptional values overlooked"),
-    Case("observable_parameters", sp.And(sp.Ne(a, 0), sp.Ne(b, 0)), TWO_OUTPUTS, "wrong", "two lines in the place of a point"),
+    Case("observable_parameters", sp.And(sp.Ne(a, 0), sp.Ne(b, 0)), TWO_OUTPUTS, "wrong",
+         "two lines in the place of a point"),
     Case("observable_parameters", True, TWO_OUTPUTS, "wrong", "the point overlooked"),
     Case("observable_parameters", sp.Ne(1 + a + b, 0), CURVE, "wrong", "a sign"),
-    Case("observable_parameters", sp.Or(sp.Ne(a - b, 1), sp.Eq(a, 2)), CURVE, "wrong", "a single point of the line taken along"),
-    Case("observable_parameters", sp.And(sp.Ne(a - b, 1), sp.Or(sp.Ne(a, 3), sp.Ne(b, 0))), CURVE, "wrong", "a point too many left out"),
+    Case("observable_parameters", sp.Or(sp.Ne(a - b, 1), sp.Eq(a, 2)), CURVE, "wrong",
+         "a single point of the line taken along"),
+    Case("observable_parameters", sp.And(sp.Ne(a - b, 1), sp.Or(sp.Ne(a, 3), sp.Ne(b, 0))), CURVE, "wrong",
+         "a point too many left out"),
     Case("observable_parameters", a > b, MODES, "wrong", "half of the plane"),
     Case("observable_parameters", ..., RATIONAL, "missing", "the untouched stub"),
     Case("observable_parameters", 1, RATIONAL, "invalid", "the value alone"),
-    Case("observable_parameters", sp.Ne(sp.Symbol("gamma"), 1), RATIONAL, "invalid", "a symbol that the problem does not have"),
+    Case("observable_parameters", sp.Ne(sp.Symbol("gamma"), 1), RATIONAL, "invalid",
+         "a symbol that the problem does not have"),
     Case("unobservable_parameters", sp.Or(sp.Eq(a, 1), sp.Eq(a, -sp.Rational(3, 2))), RATIONAL, "right", "equations"),
     Case("unobservable_parameters", {1, -1.5}, RATIONAL, "right", "a set of values"),
     Case("unobservable_parameters", [sp.sqrt(2), -sp.sqrt(2)], ROOTS, "right", "a list of irrational values"),
@@ -72,17 +81,20 @@ CASES = [
     Case("unobservable_parameters", [], ALWAYS, "right", "none"),
     Case("unobservable_parameters", sp.Eq(a, b), MODES, "right", "a line"),
     Case("unobservable_parameters", [1], RATIONAL, "wrong", "one value alone"),
-    Case("unobservable_parameters", [sp.Eq(a, 1), sp.Eq(2 * a, -3)], RATIONAL, "wrong", "conditions in a list hold together"),
+    Case("unobservable_parameters", [sp.Eq(a, 1), sp.Eq(2 * a, -3)], RATIONAL, "wrong",
+         "conditions in a list hold together"),
     Case("unobservable_parameters", [1, -1.5, 2], RATIONAL, "wrong", "a value too many"),
     Case("unobservable_parameters", sp.Ne(a, b), MODES, "wrong", "where it is observable"),
     Case("unobservable_parameters", "alpha = 1", RATIONAL, "invalid", "text"),
     Case("observability_matrix", [[1, 2], [6, 5]], ROW, "right", "nested lists"),
     Case("observability_matrix", np.array([[1.0, 2.0], [6.0, 5.0]]), ROW, "right", "an array"),
-    Case("observability_matrix", M([[1, 2], [0, p], [6, 5], [3 * p, 2 * p]]), BOTH, "right", "two outputs, a plain symbol"),
+    Case("observability_matrix", M([[1, 2], [0, p], [6, 5], [3 * p, 2 * p]]), BOTH, "right",
+         "two outputs, a plain symbol"),
     Case("observability_matrix", M([[1, 6], [2, 5]]), ROW, "wrong", "the transpose"),
     Case("observability_matrix", [[1, 2], [2, 5]], ROW, "wrong", "A times the vector for the row times A"),
     Case("observability_matrix", [[1, 2], [6, 6]], ROW, "wrong", "one entry"),
-    Case("observability_matrix", M([[1, 2], [6, 5], [0, a], [3 * a, 2 * a]]), BOTH, "wrong", "output by output, not power by power"),
+    Case("observability_matrix", M([[1, 2], [6, 5], [0, a], [3 * a, 2 * a]]), BOTH, "wrong",
+         "output by output, not power by power"),
     Case("observability_matrix", [[1, 2], [..., 5]], ROW, "missing", "an entry left open"),
     Case("observability_matrix", [[1, 2]], ROW, "invalid", "a row too few"),
     Case("observability_rank", 2, LOST, "right", "one motion unseen"),
@@ -127,12 +139,17 @@ CASES = [
     Case("lost_eigenvalues", "none", CHAIN, "invalid", "a word"),
 ]
 LIMITS = [
-    "With two parameters or more, conditions are compared on 24 lines, at every boundary of the condition and of the truth there "
-    "(irrational ones on 6 of them) and between; for two parameters on lines through isolated exceptional points and crossings of two "
+    "With two parameters or more, conditions are compared on 24 lines, at every boundary of the condition and of the "
+    "truth there "
+    "(irrational ones on 6 of them) and between; for two parameters on lines through isolated exceptional points and "
+    "crossings of two "
     "boundaries with a rational coordinate too. What none of these lines meets passes.",
-    "A condition with other terms than rational functions, roots and absolute values (a logarithm, say) is also asked at 60 more points "
+    "A condition with other terms than rational functions, roots and absolute values (a logarithm, say) is also asked "
+    "at 60 more points "
     "a line; an exceptional value that such a term alone has passes unless one of the points hits it.",
-    "Matrices, vectors and eigenvalues with parameters are judged at six rational values in general position: what holds at other, "
-    "exceptional, values is not asked; but a basis with one parameter has to be one at the rational values too where it might fail.",
+    "Matrices, vectors and eigenvalues with parameters are judged at six rational values in general position: what "
+    "holds at other, "
+    "exceptional, values is not asked; but a basis with one parameter has to be one at the rational values too where "
+    "it might fail.",
     "The numbers of the data have to be rational.",
 ]

@@ -8,7 +8,8 @@ n1, n2, n3, k1, k2, k3 = sp.symbols("n1 n2 n3 k1 k2 k3", real=True)
 PLATFORM = sp.Matrix([[0, -g, 0, 1], [1/R, 0, 1, 0], [0, 0, 0, 0], [0, 0, 0, 0]])
 SPEED = sp.Matrix([[1, 0, 0, 0]])
 UNKNOWNS = [v0, phi0, eps, b]
-ORBIT = sp.Matrix([[0, 0, 0, 1, 0, 0], [0, 0, 0, 0, 1, 0], [0, 0, 0, 0, 0, 1], [3*omega**2, 0, 0, 0, 2*omega, 0], [0, 0, 0, -2*omega, 0, 0],
+ORBIT = sp.Matrix([[0, 0, 0, 1, 0, 0], [0, 0, 0, 0, 1, 0], [0, 0, 0, 0, 0, 1], [3*omega**2, 0, 0, 0, 2*omega, 0],
+                   [0, 0, 0, -2*omega, 0, 0],
                    [0, 0, -omega**2, 0, 0, 0]])
 SIGHT, SECOND = [n1, n2, n3], [k1, k2, k3]
 MOTION = (PLATFORM, SPEED, UNKNOWNS, t)
@@ -33,8 +34,10 @@ far = (x + u*t - p*(t - T))**2 + (y + w*t - q*(t - T))**2
 FIRST, OTHER = [1, 0, -n1/n3, 0, -2*omega, 2*n2*omega/n3], [0, 2, -2*n2/n3, omega, 0, -n1*omega/n3]
 
 CASES = [
-    Case("measured_motion", -R*eps + (v0 + R*eps)*sp.cos(f*t) + (b - g*phi0)/f*sp.sin(f*t), MOTION, "right", "by three functions"),
-    Case("measured_motion", v0*sp.cos(f*t) - 2*R*eps*sp.sin(f*t/2)**2 + (b - g*phi0)/f*sp.sin(f*t), MOTION, "right", "half angle"),
+    Case("measured_motion", -R*eps + (v0 + R*eps)*sp.cos(f*t) + (b - g*phi0)/f*sp.sin(f*t), MOTION, "right",
+         "by three functions"),
+    Case("measured_motion", v0*sp.cos(f*t) - 2*R*eps*sp.sin(f*t/2)**2 + (b - g*phi0)/f*sp.sin(f*t), MOTION, "right",
+         "half angle"),
     Case("measured_motion", v0 + (b - g*phi0)*t, MOTION, "wrong", "for short times only"),
     Case("measured_motion", -R*eps + v0*sp.cos(f*t) + (b - g*phi0)/f*sp.sin(f*t), MOTION, "wrong", "another start"),
     Case("measured_motion", sp.Function("v")(t), MOTION, "invalid", "an unknown function"),
@@ -72,7 +75,8 @@ CASES = [
     Case("bearing_tells_range", cross, TURN, "invalid", "an expression"),
     Case("bearing_tells_range", ..., TURN, "missing", "the untouched stub"),
     Case("range_error", delta*far/((t - T)*sp.Abs(cross)), ERROR, "right", "by the way aside"),
-    Case("range_error", sp.Abs(delta*sp.expand(far)/((t - T)*cross)), ERROR, "right", "the absolute value of the whole"),
+    Case("range_error", sp.Abs(delta*sp.expand(far)/((t - T)*cross)), ERROR, "right",
+         "the absolute value of the whole"),
     Case("range_error", delta*far/((t - T)*cross), ERROR, "wrong", "with a sign"),
     Case("range_error", delta*(t - T)*sp.Abs(cross)/far, ERROR, "wrong", "turned over"),
     Case("range_error", "small", ERROR, "invalid", "a word"),
@@ -81,9 +85,11 @@ CASES = [
                             (n1*vx + n3*vz)/omega - 2*n2*(x - X)], MODES, "right", "by the mean height"),
     Case("modes_of_range", sp.Matrix([4*n1*x + 2*n1*vy/omega + n2*y - 2*n2*vx/omega, -3*n2*vy - 6*n2*omega*x,
                                       2*n2*vx/omega - 3*n1*x - 2*n1*vy/omega + n3*z,
-                                      n1*vx/omega + 6*n2*x + 4*n2*vy/omega + n3*vz/omega]), MODES, "right", "multiplied out, a column"),
+                                      n1*vx/omega + 6*n2*x + 4*n2*vy/omega + n3*vz/omega]), MODES, "right",
+         "multiplied out, a column"),
     Case("modes_of_range", [n1*x + n2*y + n3*z, n1*vx + n2*vy + n3*vz, 0, 0], MODES, "wrong", "a free motion"),
-    Case("modes_of_range", [n1*X, -3*n2*(vy + 2*omega*x), n1*(x - X), n1*vx/omega], MODES, "wrong", "without the other coordinates"),
+    Case("modes_of_range", [n1*X, -3*n2*(vy + 2*omega*x), n1*(x - X), n1*vx/omega], MODES, "wrong",
+         "without the other coordinates"),
     Case("modes_of_range", [x, y, z], MODES, "invalid", "three of four"),
     Case("modes_of_range", [x, ..., z, y], MODES, "missing", "filled in part"),
     Case("unseen_motions", [FIRST, OTHER], TWO, "right", "a list"),
@@ -103,7 +109,8 @@ CASES = [
     Case("numbers_seen", [3, 4], AXES, "invalid", "two of three"),
     Case("numbers_seen", ..., AXES, "missing", "the untouched stub"),
     Case("stations_insufficient", sp.And(sp.Eq(n1*k3, n3*k1), sp.Eq(n2*k3, n3*k2)), STATIONS, "right", "parallel"),
-    Case("stations_insufficient", sp.Eq((n1/n3 - k1/k3)**2 + 4*(n2/n3 - k2/k3)**2, 0), STATIONS, "right", "the determinant"),
+    Case("stations_insufficient", sp.Eq((n1/n3 - k1/k3)**2 + 4*(n2/n3 - k2/k3)**2, 0), STATIONS, "right",
+         "the determinant"),
     Case("stations_insufficient", sp.Eq(n1*k3, n3*k1), STATIONS, "wrong", "one equality"),
     Case("stations_insufficient", sp.Or(sp.Eq(n1*k3, n3*k1), sp.Eq(n2*k3, n3*k2)), STATIONS, "wrong", "either"),
     Case("stations_insufficient", False, STATIONS, "wrong", "never"),
@@ -137,9 +144,11 @@ CASES = [
     Case("fooling_error", ..., (M,), "missing", "the untouched stub"),
 ]
 LIMITS = [
-    "Motions are compared at six random places with positive values of all symbols; an expression that is right there and wrong for other "
+    "Motions are compared at six random places with positive values of all symbols; an expression that is right there "
+    "and wrong for other "
     "signs would pass. Times reach a few units, so that a difference that shows much later is not seen.",
-    "What is unseen is tried at twelve moments. A change that alters measurements between them only would pass; linear motions with "
+    "What is unseen is tried at twelve moments. A change that alters measurements between them only would pass; "
+    "linear motions with "
     "constant coefficients have none.",
     "The greatest error of three measurements is judged for tau between 0.4 and 2.8 divided by the fastest frequency.",
     "Conditions are tried at rational places in general position and on the surface where they change, nowhere else.",

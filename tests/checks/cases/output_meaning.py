@@ -16,7 +16,8 @@ PARTS = {"mass": sp.Matrix([[1, 0, 0, 0]]), "wheel": sp.Matrix([[0, 0, 1, 0]])}
 CASES = [
     Case("measured_coordinate", "place", PLACE, "right", "one coordinate of three"),
     Case("measured_coordinate", "Speed", SPEED, "right", "another scale and sign, a capital letter"),
-    Case("measured_coordinate", "wheel", (BOTH, sp.Matrix([[0, 0, 1, 1]]), BOTH, PARTS), "right", "a combination of one frequency"),
+    Case("measured_coordinate", "wheel", (BOTH, sp.Matrix([[0, 0, 1, 1]]), BOTH, PARTS), "right",
+         "a combination of one frequency"),
     Case("measured_coordinate", "speed", PLACE, "wrong", "its derivative"),
     Case("measured_coordinate", "place", SPEED, "wrong", "its integral"),
     Case("measured_coordinate", "force", PLACE, "wrong", "a constant"),

@@ -43,7 +43,8 @@ CASES = [
     Case("stationary_points", BOTH + BOTH[:1], SHOT, "wrong", "one of them twice"),
     Case("stationary_points", [-1.5, BOTH[0][1]], DOWN, "wrong", "a decimal angle that is not close enough"),
     Case("stationary_points", -CLIMB, ROCKET, "wrong", "outside the domain"),
-    Case("stationary_points", sp.sqrt((m * g - P) / k), ROCKET, "wrong", "real where no point exists, and not where one does"),
+    Case("stationary_points", sp.sqrt((m * g - P) / k), ROCKET, "wrong",
+         "real where no point exists, and not where one does"),
     Case("stationary_points", [BOTH[0][1], -sp.pi / 2], DOWN, "wrong", "the coordinates exchanged"),
     Case("stationary_points", ..., ROCKET, "missing", "the untouched stub"),
     Case("stationary_points", [[..., v], BOTH[0]], SHOT, "missing", "half of it"),
@@ -56,19 +57,22 @@ CASES = [
     Case("nullcline", sp.sqrt((P + g) / k), SLOWEST, "wrong", "a constant"),
     Case("nullcline", sp.Eq(v, 1), SLOWEST, "invalid", "an equation"),
     Case("stationary_exists", P > m * g, ROCKET, "right", "the radicand"),
-    Case("stationary_exists", sp.Symbol("P") / sp.Symbol("g") > sp.Symbol("m"), ROCKET, "right", "plain symbols, a quotient"),
+    Case("stationary_exists", sp.Symbol("P") / sp.Symbol("g") > sp.Symbol("m"), ROCKET, "right",
+         "plain symbols, a quotient"),
     Case("stationary_exists", True, DOWN, "right", "always"),
     Case("stationary_exists", P > 1.0 * m * g, ROCKET, "right", "a decimal"),
     Case("stationary_exists", P >= m * g, ROCKET, "wrong", "the border, where the point leaves the domain"),
     Case("stationary_exists", P > sp.Rational(1001, 1000) * m * g, ROCKET, "wrong", "off by a thousandth"),
-    Case("stationary_exists", sp.And(P > m * g, sp.Or(k < 2, k > sp.Rational(21, 10))), ROCKET, "wrong", "a strip left out"),
+    Case("stationary_exists", sp.And(P > m * g, sp.Or(k < 2, k > sp.Rational(21, 10))), ROCKET, "wrong",
+         "a strip left out"),
     Case("stationary_exists", False, ROCKET, "wrong", "never"),
     Case("stationary_exists", P - m * g, ROCKET, "invalid", "an expression"),
     Case("stationary_linearisation", -2 * sp.sqrt(k * (P - m * g)) / m, ROCKET, "right", "one equation: a bare number"),
     Case("stationary_linearisation", [[-2.0 * k * CLIMB / m]], ROCKET, "right", "a matrix with one element, decimals"),
     Case("stationary_linearisation", sp.diag(-g / BOTH[0][1], -2 * k * BOTH[0][1]), DOWN, "right", "two equations"),
     Case("stationary_linearisation", -sp.sqrt(k * (P - m * g)) / m, ROCKET, "wrong", "a factor 2"),
-    Case("stationary_linearisation", sp.diag(-2 * k * BOTH[0][1], -g / BOTH[0][1]), DOWN, "wrong", "the order of the state"),
+    Case("stationary_linearisation", sp.diag(-2 * k * BOTH[0][1], -g / BOTH[0][1]), DOWN, "wrong",
+         "the order of the state"),
     Case("stationary_linearisation", sp.diag(g / BOTH[0][1], -2 * k * BOTH[0][1]), DOWN, "wrong", "a sign"),
     Case("stationary_linearisation", sp.eye(3), DOWN, "invalid", "three rows"),
     Case("stationary_linearisation", -2 * k * v / m, ROCKET, "invalid", "the state left in"),
@@ -142,11 +146,14 @@ CASES = [
     Case("stationary_linearisation", 4 - 2 * u, ON_CYCLE, "right", "a cycle in its radius"),
 ]
 LIMITS = [
-    "Stationary points are searched by Newton's method from 48 starts for up to 30 sample values of the parameters: a point "
+    "Stationary points are searched by Newton's method from 48 starts for up to 30 sample values of the parameters: a "
+    "point "
     "that attracts none of them would not be missed in an answer.",
-    "Conditions are compared on lines along which one parameter varies; a difference that no line meets, and that is not seen "
+    "Conditions are compared on lines along which one parameter varies; a difference that no line meets, and that is "
+    "not seen "
     "at a border of the truth, passes.",
     "The border between focus and node, where the roots are equal, is not judged.",
-    "A multiplier is tried at 300 points of the domain: a divergence whose sign changes in a small part of it only may pass.",
+    "A multiplier is tried at 300 points of the domain: a divergence whose sign changes in a small part of it only "
+    "may pass.",
     "The region of the test of Dulac has to be simply connected; that it is one is for the data cell to see to.",
 ]

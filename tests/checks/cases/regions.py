@@ -16,8 +16,10 @@ CASES = [
     Case("stability_region", [p > 0, q > 1 / p], CUBIC, "right", "a list, plain symbols, solved for k2"),
     Case("stability_region", sp.Not(sp.Or(k1 <= 0, k1 * k2 <= 1)), CUBIC, "right", "a negation"),
     Case("stability_region", sp.And(k1 > 0, sp.sqrt(k1) * sp.sqrt(k2) > 1), CUBIC, "right", "roots of parameters"),
-    Case("stability_region", sp.And(k1 > 0, sp.log(k1 * k2) > 0), CUBIC, "right", "a logarithm in the place of a product"),
-    Case("stability_region", sp.ConditionSet((p, q), sp.And(p > 0, p * q > 1), sp.S.Reals**2), CUBIC, "right", "a set of points"),
+    Case("stability_region", sp.And(k1 > 0, sp.log(k1 * k2) > 0), CUBIC, "right",
+         "a logarithm in the place of a product"),
+    Case("stability_region", sp.ConditionSet((p, q), sp.And(p > 0, p * q > 1), sp.S.Reals**2), CUBIC, "right",
+         "a set of points"),
     Case("stability_region", sp.And(k1 > 0, k2 > 0), CUBIC, "wrong", "necessary only"),
     Case("stability_region", k1 * k2 > 1, CUBIC, "wrong", "the second branch of the hyperbola taken along"),
     Case("stability_region", sp.And(k1 > 0, k1 * k2 >= 1), CUBIC, "wrong", "the boundary counted in"),
@@ -28,8 +30,10 @@ CASES = [
     Case("stability_region", k1 > 0, FALLING, "right", "the order drops at 0: left out"),
     Case("stability_region", k1 >= 0, FALLING, "right", "the order drops at 0: counted in"),
     Case("stability_region", sp.Interval.open(0, sp.oo), FALLING, "right", "an interval of the only parameter"),
-    Case("stability_region", sp.And(k1 < -3, k2 < 2 * k1 + 2), MATRIX, "right", "margin 1, open region", (("margin", 1),)),
-    Case("stability_region", sp.And(k1 <= -3, k2 <= 2 * k1 + 2), MATRIX, "right", "margin 1, closed region", (("margin", 1),)),
+    Case("stability_region", sp.And(k1 < -3, k2 < 2 * k1 + 2), MATRIX, "right", "margin 1, open region",
+         (("margin", 1),)),
+    Case("stability_region", sp.And(k1 <= -3, k2 <= 2 * k1 + 2), MATRIX, "right", "margin 1, closed region",
+         (("margin", 1),)),
     Case("stability_region", sp.And(k1 < -1, k2 < k1), MATRIX, "wrong", "the margin forgotten", (("margin", 1),)),
     Case("stability_region", False, NEVER, "right", "the empty set: the trace is fixed"),
     Case("stability_region", sp.S.EmptySet, NEVER, "right", "the empty set as a set"),
@@ -50,7 +54,9 @@ CASES = [
     Case("instability_region", 3, LINE, "invalid", "a number"),
 ]
 LIMITS = [
-    "Regions are compared on 40 lines through the plane of parameters (exactly on each line): a difference that none of "
+    "Regions are compared on 40 lines through the plane of parameters (exactly on each line): a difference that none "
+    "of "
     "these lines meets, such as a single point, passes.",
-    "Where a condition is not a rational function of the parameters, 60 more points a line take the place of exact cells.",
+    "Where a condition is not a rational function of the parameters, 60 more points a line take the place of exact "
+    "cells.",
 ]

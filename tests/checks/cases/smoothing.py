@@ -6,7 +6,8 @@ from case import Case
 lam, w, phi, kappa = sp.symbols("lam w phi kappa", real=True)
 h0, h1, h2 = sp.symbols("h0 h1 h2", real=True)
 tau, rho, M, Delta, D, omega, a = sp.symbols("tau rho M Delta D omega a", positive=True)
-A = sp.Matrix([[1 - kappa/6, 1, sp.Rational(1, 2), -sp.Rational(1, 6)], [-kappa/2, 1, 1, -sp.Rational(1, 2)], [-kappa, 0, 1, -1],
+A = sp.Matrix([[1 - kappa/6, 1, sp.Rational(1, 2), -sp.Rational(1, 6)], [-kappa/2, 1, 1, -sp.Rational(1, 2)],
+               [-kappa, 0, 1, -1],
                [kappa, 0, 0, 1]])
 P = (lam - 1)**4 + kappa/6*lam*(lam**2 + 4*lam + 1)
 POLYNOMIAL = (A, lam, kappa)
@@ -30,7 +31,8 @@ plain = sp.Symbol
 CASES = [
     Case("transition_polynomial", P, POLYNOMIAL, "right", "by powers of lambda - 1"),
     Case("transition_polynomial", sp.expand(P), POLYNOMIAL, "right", "multiplied out"),
-    Case("transition_polynomial", P.subs({lam: plain("lam"), kappa: plain("kappa")}), POLYNOMIAL, "right", "plain symbols"),
+    Case("transition_polynomial", P.subs({lam: plain("lam"), kappa: plain("kappa")}), POLYNOMIAL, "right",
+         "plain symbols"),
     Case("transition_polynomial", 2*P, POLYNOMIAL, "wrong", "a factor"),
     Case("transition_polynomial", (lam - 1)**4, POLYNOMIAL, "wrong", "without measurements"),
     Case("transition_polynomial", P.subs(kappa, 1), POLYNOMIAL, "wrong", "for one kappa only"),
@@ -39,14 +41,17 @@ CASES = [
     Case("transition_polynomial", ..., POLYNOMIAL, "missing", "the untouched stub"),
     Case("reduced_polynomial", (w - 2)**2 + kappa/6*(w + 4), REDUCED, "right", "a square and a rest"),
     Case("reduced_polynomial", w**2 + (kappa/6 - 4)*w + 2*kappa/3 + 4, REDUCED, "right", "by powers"),
-    Case("reduced_polynomial", w**2 + (kappa/6 - 4)*w + 2*kappa/3 + 6, REDUCED, "wrong", "lambda^2 + 1/lambda^2 taken for w^2"),
+    Case("reduced_polynomial", w**2 + (kappa/6 - 4)*w + 2*kappa/3 + 6, REDUCED, "wrong",
+         "lambda^2 + 1/lambda^2 taken for w^2"),
     Case("reduced_polynomial", 6*(w - 2)**2 + kappa*(w + 4), REDUCED, "wrong", "multiplied by 6"),
     Case("reduced_polynomial", P, REDUCED, "invalid", "in lambda"),
     Case("reduced_polynomial", ..., REDUCED, "missing", "the untouched stub"),
-    Case("on_unit_circle", 4*(1 - sp.cos(phi))**2 + kappa/3*(2 + sp.cos(phi)), CIRCLE, "right", "two terms that are not negative"),
+    Case("on_unit_circle", 4*(1 - sp.cos(phi))**2 + kappa/3*(2 + sp.cos(phi)), CIRCLE, "right",
+         "two terms that are not negative"),
     Case("on_unit_circle", 16*sp.sin(phi/2)**4 + kappa*(2 + sp.cos(phi))/3, CIRCLE, "right", "by the half angle"),
     Case("on_unit_circle", (sp.cos(phi) - 2)**2 + kappa/6*(sp.cos(phi) + 4), CIRCLE, "wrong", "w = cos phi"),
-    Case("on_unit_circle", (P/lam**2).subs(lam, sp.exp(sp.I*phi)), CIRCLE, "wrong", "the right value, still with the imaginary unit"),
+    Case("on_unit_circle", (P/lam**2).subs(lam, sp.exp(sp.I*phi)), CIRCLE, "wrong",
+         "the right value, still with the imaginary unit"),
     Case("on_unit_circle", 4*(1 - sp.cos(phi))**2, CIRCLE, "wrong", "the first term only"),
     Case("on_unit_circle", sp.Gt(kappa, 0), CIRCLE, "invalid", "a condition"),
     Case("on_unit_circle", ..., CIRCLE, "missing", "the untouched stub"),
@@ -66,10 +71,12 @@ CASES = [
     Case("digits_lost", ..., DIGITS, "missing", "the untouched stub"),
     Case("spline_acceleration", 3*rho*tau*second/(2*(rho*tau**3 + 9*M)), THREE, "right", "a fraction"),
     Case("spline_acceleration", (second/tau)/(2*tau/3 + 6*M/(rho*tau**2)), THREE, "right", "from the banded equation"),
-    Case("spline_acceleration", ((h2 - h1)/(2*tau) - (h1 - h0)/tau)/(tau + M*(1 + sp.Rational(9, 4) + sp.Rational(1, 4))/(rho*tau**2)),
+    Case("spline_acceleration",
+         ((h2 - h1)/(2*tau) - (h1 - h0)/tau)/(tau + M*(1 + sp.Rational(9, 4) + sp.Rational(1, 4))/(rho*tau**2)),
          (UNEVEN, SAMPLES, rho, M), "right", "unequal intervals"),
     Case("spline_acceleration", 3*second/(2*tau**2), THREE, "wrong", "the spline through the samples"),
-    Case("spline_acceleration", 3*rho*tau*second/(2*(rho*tau**3 + 6*M)), THREE, "wrong", "only the middle sample gives way"),
+    Case("spline_acceleration", 3*rho*tau*second/(2*(rho*tau**3 + 6*M)), THREE, "wrong",
+         "only the middle sample gives way"),
     Case("spline_acceleration", D, THREE, "invalid", "a symbol of another item"),
     Case("spline_acceleration", ..., THREE, "missing", "the untouched stub"),
     Case("spline_positions", [h0 + s, h1 - 2*s, h2 + s], THREE, "right", "samples and misses"),
@@ -121,10 +128,14 @@ CASES = [
     Case("weight_of_harmonic", rho/omega**4*(1 - a*omega**2/D), HARMONIC, "wrong", "negative"),
     Case("weight_of_harmonic", M, HARMONIC, "invalid", "M itself"),
     Case("weight_of_harmonic", ..., HARMONIC, "missing", "the untouched stub"),
-    Case("steady_costate", sp.Matrix([[sp.sqrt(2*rho*q), q], [q, sp.sqrt(2*M*q)]]), STEADY, "right", "with nested roots"),
-    Case("steady_costate", [[sp.sqrt(2)*rho**0.75*M**0.25, (rho*M)**0.5], [(rho*M)**0.5, sp.sqrt(2)*rho**0.25*M**0.75]], STEADY, "right", "lists"),
-    Case("steady_costate", -sp.Matrix([[sp.sqrt(2*rho*q), -q], [-q, sp.sqrt(2*M*q)]]), STEADY, "wrong", "the negative root"),
-    Case("steady_costate", sp.Matrix([[sp.sqrt(2*M*q), q], [q, sp.sqrt(2*rho*q)]]), STEADY, "wrong", "rho and M interchanged"),
+    Case("steady_costate", sp.Matrix([[sp.sqrt(2*rho*q), q], [q, sp.sqrt(2*M*q)]]), STEADY, "right",
+         "with nested roots"),
+    Case("steady_costate", [[sp.sqrt(2)*rho**0.75*M**0.25, (rho*M)**0.5], [(rho*M)**0.5, sp.sqrt(2)*rho**0.25*M**0.75]],
+         STEADY, "right", "lists"),
+    Case("steady_costate", -sp.Matrix([[sp.sqrt(2*rho*q), -q], [-q, sp.sqrt(2*M*q)]]), STEADY, "wrong",
+         "the negative root"),
+    Case("steady_costate", sp.Matrix([[sp.sqrt(2*M*q), q], [q, sp.sqrt(2*rho*q)]]), STEADY, "wrong",
+         "rho and M interchanged"),
     Case("steady_costate", sp.Matrix([[sp.sqrt(2*rho*q), q], [-q, sp.sqrt(2*M*q)]]), STEADY, "wrong", "not symmetric"),
     Case("steady_costate", sp.zeros(2), STEADY, "wrong", "zero"),
     Case("steady_costate", [q, q, q], STEADY, "invalid", "three numbers"),
@@ -132,10 +143,13 @@ CASES = [
     Case("steady_costate", ..., STEADY, "missing", "the untouched stub"),
 ]
 LIMITS = [
-    "Expressions are compared at six random places with positive values of all symbols except lambda and w; one that is right there and wrong "
+    "Expressions are compared at six random places with positive values of all symbols except lambda and w; one that "
+    "is right there and wrong "
     "for other signs would pass.",
     "The middle sample of three is taken for the place of the greatest acceleration; longer records are not judged.",
-    "The least misfit under a bound is found with accelerations that are constant on sixteen pieces of each interval. For three samples the best "
+    "The least misfit under a bound is found with accelerations that are constant on sixteen pieces of each interval. "
+    "For three samples the best "
     "acceleration is constant, so that nothing is lost.",
-    "The answer on the unit circle may not contain the imaginary unit; that its sign can really be read off is not tested.",
+    "The answer on the unit circle may not contain the imaginary unit; that its sign can really be read off is not "
+    "tested.",
 ]

@@ -7,7 +7,8 @@ half, infinity, interval = sp.Rational(1, 2), sp.oo, sp.Interval.open
 sine, cosine, tangent = sp.sin(alpha), sp.cos(alpha), sp.tan(alpha)
 STATE = [x1, x2]
 
-# The double integrator: to the origin, to a line, to a segment, to a circle, to a parabola; with a one-sided control; a saddle to a circle.
+# The double integrator: to the origin, to a line, to a segment, to a circle, to a parabola; with a one-sided control; a
+# saddle to a circle.
 DOUBLE = ([x2, u], STATE, u, (-1, 1))
 ORIGIN, LINE, SEGMENT = (*DOUBLE, [x1, x2]), (*DOUBLE, [x1 - x2]), (*DOUBLE, [(0, -1), (0, 1)])
 ONE_SIDED = ([x2, u], STATE, u, (0, 1), [x1, x2])
@@ -18,7 +19,8 @@ ON_CIRCLE = ([R*cosine, R*sine], alpha)
 ALL_ROUND, QUARTER = {**RADII, alpha: sp.Interval(0, 2*sp.pi)}, {**RADII, alpha: interval(sp.pi/2, sp.pi)}
 ROUND = (*CIRCLE, RADII, OUTSIDE)
 REACHED, SWITCHED = (*CIRCLE, *ON_CIRCLE, ALL_ROUND, OUTSIDE), (*CIRCLE, *ON_CIRCLE, QUARTER, OUTSIDE)
-ELLIPSE = (*DOUBLE, [x1**2 + R**2*x2**2 - R**2], [R*cosine, sine], alpha, {R: interval(0, infinity), alpha: sp.Interval(0, 2*sp.pi)},
+ELLIPSE = (*DOUBLE, [x1**2 + R**2*x2**2 - R**2], [R*cosine, sine], alpha,
+           {R: interval(0, infinity), alpha: sp.Interval(0, 2*sp.pi)},
            x1**2 + R**2*x2**2 > R**2)
 SADDLE = ([x2, x1 + u], STATE, u, (-1, 1), [x1**2 + x2**2 - R**2], {R: interval(0, 1)}, OUTSIDE)
 SADDLE_CURVE = (w, -sp.Abs(x1), [R*cosine, R*sine], alpha, interval(3*sp.pi/4, sp.pi))
@@ -41,24 +43,30 @@ ARCS = sp.Or(sp.And(sine > 0, R*cosine < 1), sp.And(sine < 0, R*cosine > -1))
 
 CASES = [
     Case("time_optimal_law", TO_ORIGIN, ORIGIN, "right", "the sign of one expression"),
-    Case("time_optimal_law", sp.Piecewise((-1, 2.0*x1 > -x2*sp.Abs(x2)), (1, 2*x1 < -x2*sp.Abs(x2)), (-sp.sign(x2), True)), ORIGIN, "right",
+    Case("time_optimal_law", sp.Piecewise((-1, 2.0*x1 > -x2*sp.Abs(x2)), (1, 2*x1 < -x2*sp.Abs(x2)),
+                                          (-sp.sign(x2), True)), ORIGIN, "right",
          "cases, the curve apart, a decimal"),
-    Case("time_optimal_law", 1 - 2*sp.Heaviside(sp.Symbol("x1") + sp.Symbol("x2")*sp.Abs(sp.Symbol("x2"))/2), ORIGIN, "right",
+    Case("time_optimal_law", 1 - 2*sp.Heaviside(sp.Symbol("x1") + sp.Symbol("x2")*sp.Abs(sp.Symbol("x2"))/2),
+         ORIGIN, "right",
          "a step function, plain symbols"),
-    Case("time_optimal_law", -sp.sign(x1 + x2*sp.Abs(x2)*sp.Rational(52, 100)), ORIGIN, "wrong", "a curve that is off by four hundredths"),
+    Case("time_optimal_law", -sp.sign(x1 + x2*sp.Abs(x2)*sp.Rational(52, 100)), ORIGIN, "wrong",
+         "a curve that is off by four hundredths"),
     Case("time_optimal_law", CORNER, ORIGIN, "wrong", "one corner of the plane wrong"),
     Case("time_optimal_law", -sp.sign(x1 + x2), ORIGIN, "wrong", "a straight switching line"),
-    Case("time_optimal_law", sp.Max(-1, sp.Min(1, -20*(x1 + x2*sp.Abs(x2)/2))), ORIGIN, "wrong", "saturated instead of switched"),
+    Case("time_optimal_law", sp.Max(-1, sp.Min(1, -20*(x1 + x2*sp.Abs(x2)/2))), ORIGIN, "wrong",
+         "saturated instead of switched"),
     Case("time_optimal_law", 2*TO_ORIGIN, ORIGIN, "wrong", "outside the bounds"),
     Case("time_optimal_law", sp.sqrt(x1), ORIGIN, "wrong", "not real everywhere"),
     Case("time_optimal_law", ..., ORIGIN, "missing", "the untouched stub"),
     Case("time_optimal_law", x1 + x2*sp.Abs(x2)/2 > 0, ORIGIN, "invalid", "a condition"),
     Case("time_optimal_law", "-sign(x1)", ORIGIN, "invalid", "text"),
     Case("time_optimal_law", -sp.sign(x1 + R), ORIGIN, "invalid", "a foreign symbol"),
-    Case("time_optimal_law", sp.Piecewise((1, x1 <= x2**2/2), (0, True)), ONE_SIDED, "right", "along the border of the reachable set"),
+    Case("time_optimal_law", sp.Piecewise((1, x1 <= x2**2/2), (0, True)), ONE_SIDED, "right",
+         "along the border of the reachable set"),
     Case("time_optimal_law", sp.S.Zero, ONE_SIDED, "wrong", "never braking"),
     Case("time_optimal_law", TO_CIRCLE, ROUND, "right", "a circle with a parameter"),
-    Case("time_optimal_law", TO_CIRCLE.subs(W, W*sp.Rational(103, 100)), ROUND, "wrong", "a curve three hundredths too high"),
+    Case("time_optimal_law", TO_CIRCLE.subs(W, W*sp.Rational(103, 100)), ROUND, "wrong",
+         "a curve three hundredths too high"),
     Case("time_optimal_law", -sp.sign(x2), ROUND, "wrong", "no switching curve"),
     Case("time_optimal_law", TO_PARABOLA, PARABOLA, "right", "both sides of a parabola"),
     Case("time_optimal_law", TO_PARABOLA.subs(13*x2**2, 11*x2**2), PARABOLA, "wrong", "another dispersal curve"),
@@ -67,11 +75,14 @@ CASES = [
     Case("time_optimal_law", TO_SADDLE_CIRCLE, (*SADDLE, SADDLE_CURVE),
          "right", "a switching curve without elementary equation, by its ordinate"),
     Case("time_optimal_law", TO_SADDLE_CIRCLE.subs(w, w/2), (*SADDLE, SADDLE_CURVE), "wrong", "half the ordinate"),
-    Case("minimal_time", sp.sign(x1)*x2 + sp.sqrt(x2**2 + 2*sp.Abs(x1)), POSITIONS, "right", "one formula for both sides"),
-    Case("minimal_time", sp.Piecewise((x2 + sp.sqrt(x2**2 + 2.0*x1), x1 > 0), (-x2 + sp.sqrt(x2**2 - 2*x1), True)), POSITIONS,
+    Case("minimal_time", sp.sign(x1)*x2 + sp.sqrt(x2**2 + 2*sp.Abs(x1)), POSITIONS, "right",
+         "one formula for both sides"),
+    Case("minimal_time", sp.Piecewise((x2 + sp.sqrt(x2**2 + 2.0*x1), x1 > 0), (-x2 + sp.sqrt(x2**2 - 2*x1), True)),
+         POSITIONS,
          "right", "cases"),
     Case("minimal_time", x2 + sp.sqrt(x2**2 + 2*sp.Abs(x1)), POSITIONS, "wrong", "right on one side only"),
-    Case("minimal_time", sp.Rational(99, 100)*(sp.sign(x1)*x2 + sp.sqrt(x2**2 + 2*sp.Abs(x1))), POSITIONS, "wrong", "faster than possible"),
+    Case("minimal_time", sp.Rational(99, 100)*(sp.sign(x1)*x2 + sp.sqrt(x2**2 + 2*sp.Abs(x1))), POSITIONS, "wrong",
+         "faster than possible"),
     Case("minimal_time", sp.Eq(x1, x2), POSITIONS, "invalid", "an equation"),
     Case("reachable_starts", sp.And(x2 < 0, x1 >= x2**2/2), ONE_SIDED, "right", "the border counted in"),
     Case("reachable_starts", sp.And(x2 <= 0, 2.0*x1 > x2**2), ONE_SIDED, "right", "the border left out, a decimal"),
@@ -82,10 +93,12 @@ CASES = [
     Case("reachable_starts", x1 + x2, SADDLE_ORIGIN, "invalid", "an expression"),
     Case("reached_part", ARCS, REACHED, "right", "two arcs"),
     Case("reached_part", R*sine*cosine < sp.Abs(sine), REACHED, "right", "by the rate"),
-    Case("reached_part", sp.Or(sp.And(alpha > sp.acos(1/R), alpha < sp.pi), sp.And(alpha > sp.pi + sp.acos(1/R), alpha < 2*sp.pi)), REACHED,
+    Case("reached_part", sp.Or(sp.And(alpha > sp.acos(1/R), alpha < sp.pi),
+                               sp.And(alpha > sp.pi + sp.acos(1/R), alpha < 2*sp.pi)), REACHED,
          "right", "by angles"),
     Case("reached_part", sp.Ne(sine, 0), REACHED, "wrong", "the whole circle"),
-    Case("reached_part", sp.Or(sp.And(sine > 0, cosine < 1/R**2), sp.And(sine < 0, cosine > -1/R**2)), REACHED, "wrong", "other ends"),
+    Case("reached_part", sp.Or(sp.And(sine > 0, cosine < 1/R**2), sp.And(sine < 0, cosine > -1/R**2)), REACHED,
+         "wrong", "other ends"),
     Case("reached_part", v < 1, (*LINE, [v, v], v, {}, x1 > x2), "right", "half a line"),
     Case("reached_part", v < 1, (*LINE, [v, v], v, {}, x1 < x2), "wrong", "the half for the other side"),
     Case("reached_part", [R*cosine, R*sine], REACHED, "invalid", "the points"),
@@ -96,16 +109,19 @@ CASES = [
     Case("switching_points", [CURVE[0], R*(sine - tangent)], SWITCHED, "wrong", "a factor"),
     Case("switching_points", CURVE[1], SWITCHED, "invalid", "one coordinate"),
     Case("switching_crossing", DETERMINANTS, SWITCHED, "right", "before and after"),
-    Case("switching_crossing", [sp.diff(CURVE[0], alpha)*value - sp.diff(CURVE[1], alpha)*CURVE[1] for value in (1, -1)], SWITCHED, "right",
+    Case("switching_crossing", [sp.diff(CURVE[0], alpha)*value - sp.diff(CURVE[1], alpha)*CURVE[1]
+                                for value in (1, -1)], SWITCHED, "right",
          "not simplified"),
     Case("switching_crossing", DETERMINANTS[::-1], SWITCHED, "wrong", "after and before"),
     Case("switching_crossing", [DETERMINANTS[0], 0], SWITCHED, "wrong", "taken for a trajectory"),
     Case("switching_crossing", True, SWITCHED, "invalid", "a word of another kind"),
     Case("switching_curve", half, (*LINE, {x2: interval(-infinity, 0)}, {}, x1 > x2), "right", "a vertical ray"),
     Case("switching_curve", 0.5, (*LINE, {x2: interval(-infinity, 0)}, {}, x1 > x2), "right", "a decimal"),
-    Case("switching_curve", sp.Rational(3, 5), (*LINE, {x2: interval(-infinity, 0)}, {}, x1 > x2), "wrong", "another ray"),
+    Case("switching_curve", sp.Rational(3, 5), (*LINE, {x2: interval(-infinity, 0)}, {}, x1 > x2), "wrong",
+         "another ray"),
     Case("switching_curve", 13*x2**2, (*PARABOLA, {x2: interval(0, 2)}, {}, x1 > x2**2), "wrong", "a dispersal curve"),
-    Case("switching_curve", sp.Eq(x1, half), (*LINE, {x2: interval(-infinity, 0)}, {}, x1 > x2), "invalid", "an equation"),
+    Case("switching_curve", sp.Eq(x1, half), (*LINE, {x2: interval(-infinity, 0)}, {}, x1 > x2), "invalid",
+         "an equation"),
     Case("dispersal_curve", 13*x2**2, (*PARABOLA, {x2: interval(0, 2)}, {}, x1 > x2**2), "right", "a parabola"),
     Case("dispersal_curve", 13.0*x2**2, (*PARABOLA, {x2: interval(0, 2)}, {}, x1 > x2**2), "right", "a decimal"),
     Case("dispersal_curve", 12*x2**2, (*PARABOLA, {x2: interval(0, 2)}, {}, x1 > x2**2), "wrong", "another parabola"),
@@ -131,17 +147,24 @@ CASES = [
     Case("other_extremal_time", sp.Abs(x2) + sp.sqrt(x2**2 - 2*sp.Abs(x1)), POSITIONS, "right", "the second meeting"),
     Case("other_extremal_time", -sp.sign(x1)*x2 + (x2**2 - 2.0*sp.Abs(x1))**0.5, POSITIONS, "right", "decimals"),
     Case("other_extremal_time", sp.Abs(x2) - sp.sqrt(x2**2 - 2*sp.Abs(x1)), POSITIONS, "wrong", "the first meeting"),
-    Case("other_extremal_time", sp.sign(x1)*x2 + sp.sqrt(x2**2 + 2*sp.Abs(x1)), POSITIONS, "wrong", "the fastest extremal"),
+    Case("other_extremal_time", sp.sign(x1)*x2 + sp.sqrt(x2**2 + 2*sp.Abs(x1)), POSITIONS, "wrong",
+         "the fastest extremal"),
     Case("other_extremal_time", x1 > 0, POSITIONS, "invalid", "a condition"),
 ]
 LIMITS = [
-    "A law is tried from 80 to 400 starts: some spread over the plane to a distance of about ten, some at 0.6 per cent of their distance "
-    "from the origin on both sides of the switching curves (1.5 per cent if it contains decimals). A mistake that no start meets passes.",
-    "A law may be slower than the optimum by 0.4 per cent of the time; the last 3 per cent of a motion are taken from the optimum. "
+    "A law is tried from 80 to 400 starts: some spread over the plane to a distance of about ten, some at 0.6 per "
+    "cent of their distance "
+    "from the origin on both sides of the switching curves (1.5 per cent if it contains decimals). A mistake that no "
+    "start meets passes.",
+    "A law may be slower than the optimum by 0.4 per cent of the time; the last 3 per cent of a motion are taken from "
+    "the optimum. "
     "What it says on a curve alone is never asked.",
-    "A law that has to act on the border of the set from which the target can be reached must say the same beyond this border: "
+    "A law that has to act on the border of the set from which the target can be reached must say the same beyond "
+    "this border: "
     "a condition that holds on a curve alone is not met by any motion in decimals.",
-    "Next to a barrier (2 per cent) a law is not judged when the target is so thin that the optimum itself may have missed it.",
+    "Next to a barrier (2 per cent) a law is not judged when the target is so thin that the optimum itself may have "
+    "missed it.",
     "Parameters are tried at six values of each interval, at most about 4 where an interval is infinite.",
-    "Whether a target can be reached is decided within a time of 400; starts that border on the other kind are left out.",
+    "Whether a target can be reached is decided within a time of 400; starts that border on the other kind are left "
+    "out.",
 ]

@@ -6,7 +6,8 @@ t, T, A, R = sp.symbols("t T A R", positive=True)
 n = sp.symbols("n", integer=True, nonnegative=True)
 Piecewise, sign = sp.Piecewise, sp.sign
 
-# A point on a line, an unstable one, a spring of variable stiffness, the double integrator, the oscillator: problems of §5.1.
+# A point on a line, an unstable one, a spring of variable stiffness, the double integrator, the oscillator: problems of
+# §5.1.
 LINE = ({x: u}, {u: (-A, A)}, {x: a}, [x - b])
 PARAMETERS = [A, a, b]
 RUNAWAY = ({x: x + u}, {u: (-1, 1)}, {x: x0}, [x])
@@ -32,7 +33,8 @@ CASES = [
     Case("fastest_time", sp.pi, SPRING, "wrong", "the slowest"),
     Case("fastest_time", 0, SPRING, "wrong", "the start itself"),
     Case("fastest_time", 1.59, SPRING, "wrong", "slow by a percent"),
-    Case("fastest_time", 1.01 * MASS_TIME, (*MASS, ANYWHERE, ORIGIN, STATE), "wrong", "a function that is slow by a percent"),
+    Case("fastest_time", 1.01 * MASS_TIME, (*MASS, ANYWHERE, ORIGIN, STATE), "wrong",
+         "a function that is slow by a percent"),
     Case("fastest_time", ..., SPRING, "missing", "the untouched stub"),
     Case("fastest_time", sp.Eq(T, 1), (*LINE, PARAMETERS), "invalid", "an equation"),
     Case("slowest_time", sp.pi, SPRING, "right", "the first return at the latest"),
@@ -48,11 +50,13 @@ CASES = [
     Case("fastest_control", sign(t - 1), (*MASS, *REST, t), "right", "the sign of the switching function"),
     Case("fastest_control", [(-1, 1.0), (1, 2.0)], (*MASS, *REST, t), "right", "decimals"),
     Case("fastest_control", A, (*LINE, t, PARAMETERS), "wrong", "to one side only"),
-    Case("fastest_control", Piecewise((-1, t < sp.Rational(11, 10)), (1, True)), (*MASS, *REST, t), "wrong", "switching too late"),
+    Case("fastest_control", Piecewise((-1, t < sp.Rational(11, 10)), (1, True)), (*MASS, *REST, t), "wrong",
+         "switching too late"),
     Case("fastest_control", 5, (*SPRING, t), "wrong", "beyond the bound"),
     Case("fastest_control", Piecewise((4, t < 1), (3, True)), (*SPRING, t), "wrong", "slower at the end"),
     Case("fastest_control", [(-1, 1)], (*MASS, *REST, t), "wrong", "the last arc missing"),
-    Case("fastest_control", [(-1, 1), (1, 2), (1, 3)], (*MASS, *REST, t), "right", "what comes after the end is of no account"),
+    Case("fastest_control", [(-1, 1), (1, 2), (1, 3)], (*MASS, *REST, t), "right",
+         "what comes after the end is of no account"),
     Case("fastest_control", [(-1, 1), (1, 2), (1, 1)], (*MASS, *REST, t), "wrong", "an arc that ends before it begins"),
     Case("fastest_control", x2, (*MASS, *REST, t), "invalid", "a law in the state"),
     Case("slowest_control", 1, (*SPRING, t), "right", "a number"),
@@ -64,11 +68,13 @@ CASES = [
     Case("fastest_motion", [a + A * t * sign(b - a)], (*LINE, t, PARAMETERS), "right", "one state in a list"),
     Case("fastest_motion", sp.cos(2 * t), (*SPRING, t), "right", "the first of two states"),
     Case("fastest_motion", [sp.cos(2 * t), -2.0 * sp.sin(2 * t)], (*SPRING, t), "right", "both states, a decimal"),
-    Case("fastest_motion", Piecewise((1 - t**2 / 2, t < 1), ((t - 2) ** 2 / 2, True)), (*MASS, *REST, t), "right", "two arcs"),
+    Case("fastest_motion", Piecewise((1 - t**2 / 2, t < 1), ((t - 2) ** 2 / 2, True)), (*MASS, *REST, t), "right",
+         "two arcs"),
     Case("fastest_motion", a + (b - a) * t, (*LINE, t, PARAMETERS), "wrong", "faster than the bounds allow, or slower"),
     Case("fastest_motion", sp.cos(t), (*SPRING, t), "wrong", "too slow"),
     Case("fastest_motion", sp.sin(2 * t), (*SPRING, t), "wrong", "another start"),
-    Case("fastest_motion", [sp.cos(2 * t), sp.sin(2 * t)], (*SPRING, t), "wrong", "the second state is not the velocity"),
+    Case("fastest_motion", [sp.cos(2 * t), sp.sin(2 * t)], (*SPRING, t), "wrong",
+         "the second state is not the velocity"),
     Case("fastest_motion", [1, 2, 3], (*SPRING, t), "invalid", "three states"),
     Case("slowest_motion", sp.cos(t), (*SPRING, t), "right", "the slowest"),
     Case("slowest_motion", [sp.cos(t), -sp.sin(t)], (*SPRING, t), "right", "both states"),
@@ -80,7 +86,8 @@ CASES = [
     Case("fastest_costate", sp.Matrix([-1, t - 1]), (*MASS, *REST, t), "right", "a column"),
     Case("fastest_costate", sign(b - a), (*LINE, t, PARAMETERS), "wrong", "not normalised"),
     Case("fastest_costate", [sp.sin(2 * t) / 2, sp.cos(2 * t) / 4], (*SPRING, t), "wrong", "the sign of the slowest"),
-    Case("fastest_costate", [sp.cos(2 * t) - sp.sin(2 * t) / 2, -sp.sin(2 * t) / 2 - sp.cos(2 * t) / 4], (*SPRING, t), "wrong",
+    Case("fastest_costate", [sp.cos(2 * t) - sp.sin(2 * t) / 2, -sp.sin(2 * t) / 2 - sp.cos(2 * t) / 4], (*SPRING, t),
+         "wrong",
          "no transversality"),
     Case("fastest_costate", [-1, 1 - t], (*MASS, *REST, t), "wrong", "the adjoint equation"),
     Case("fastest_costate", [-1], (*MASS, *REST, t), "invalid", "one component"),
@@ -111,16 +118,21 @@ CASES = [
     Case("slowest_meeting", None, (*SPRING, n), "invalid", "computed but not assigned"),
     Case("transfer_starts", sp.Abs(x0) < 1, (*RUNAWAY, [x0]), "right", "an open interval"),
     Case("transfer_starts", sp.Interval.open(-1, 1), (*RUNAWAY, [x0]), "right", "a set"),
-    Case("transfer_starts", sp.And(sp.Abs(x0) < 1, sp.Ne(x0, 0)), (*RUNAWAY, [x0]), "right", "the target itself left out"),
+    Case("transfer_starts", sp.And(sp.Abs(x0) < 1, sp.Ne(x0, 0)), (*RUNAWAY, [x0]), "right",
+         "the target itself left out"),
     Case("transfer_starts", True, (*LINE, PARAMETERS), "right", "all of them"),
     Case("transfer_starts", sp.And(x2 < 0, 2 * x1 >= x2**2), (*PUSHED, ANYWHERE, ORIGIN, STATE), "right",
          "a border that is reached, and one that is not"),
     Case("transfer_starts", (x1 + x2) ** 2 < 1, (*SADDLE, ANYWHERE, ORIGIN, STATE), "right", "an open strip"),
     Case("transfer_starts", sp.Abs(x0) <= 1, (*RUNAWAY, [x0]), "wrong", "the border"),
-    Case("transfer_starts", sp.And(x2 < 0, 2 * x1 > x2**2), (*PUSHED, ANYWHERE, ORIGIN, STATE), "wrong", "a border left out"),
-    Case("transfer_starts", sp.And(x2 <= 0, 2 * x1 >= x2**2), (*PUSHED, ANYWHERE, ORIGIN, STATE), "wrong", "a border too many"),
-    Case("transfer_starts", sp.Abs(x1 + x2) <= 1, (*SADDLE, ANYWHERE, ORIGIN, STATE), "wrong", "the border of the strip"),
-    Case("transfer_starts", sp.Abs(x1 + x2) < sp.Rational(99, 100), (*SADDLE, ANYWHERE, ORIGIN, STATE), "wrong", "too narrow by a percent"),
+    Case("transfer_starts", sp.And(x2 < 0, 2 * x1 > x2**2), (*PUSHED, ANYWHERE, ORIGIN, STATE), "wrong",
+         "a border left out"),
+    Case("transfer_starts", sp.And(x2 <= 0, 2 * x1 >= x2**2), (*PUSHED, ANYWHERE, ORIGIN, STATE), "wrong",
+         "a border too many"),
+    Case("transfer_starts", sp.Abs(x1 + x2) <= 1, (*SADDLE, ANYWHERE, ORIGIN, STATE), "wrong",
+         "the border of the strip"),
+    Case("transfer_starts", sp.Abs(x1 + x2) < sp.Rational(99, 100), (*SADDLE, ANYWHERE, ORIGIN, STATE), "wrong",
+         "too narrow by a percent"),
     Case("transfer_starts", sp.Abs(x1) < 1, (*SADDLE, ANYWHERE, ORIGIN, STATE), "wrong", "another strip"),
     Case("transfer_starts", x1 + x2, (*SADDLE, ANYWHERE, ORIGIN, STATE), "invalid", "an expression"),
     Case("reached_within", sp.Abs(a - b) <= A * T, (*LINE, T, PARAMETERS), "right", "the border counted in"),
@@ -151,20 +163,26 @@ CASES = [
     Case("switching_interval", sp.pi, (*SWING, ANYWHERE, ORIGIN, STATE), "right", "half a period"),
     Case("switching_interval", 3.14, (*SWING, ANYWHERE, ORIGIN, STATE), "right", "three digits"),
     Case("switching_interval", 2 * sp.pi, (*SWING, ANYWHERE, ORIGIN, STATE), "wrong", "a period"),
-    Case("switching_interval", sp.Rational(22, 7), (*SWING, ANYWHERE, ORIGIN, STATE), "wrong", "a fraction counts as exact"),
+    Case("switching_interval", sp.Rational(22, 7), (*SWING, ANYWHERE, ORIGIN, STATE), "wrong",
+         "a fraction counts as exact"),
     Case("switching_interval", R, (*SWING, ANYWHERE, ORIGIN, STATE), "invalid", "a symbol"),
     Case("isochrone_radius", 2 * n, (*SWING, ORIGIN, sp.pi * n, n), "right", "circles"),
-    Case("isochrone_radius", 2.0 * sp.Symbol("n"), (*SWING, ORIGIN, sp.pi * n, n), "right", "a plain symbol, a decimal"),
+    Case("isochrone_radius", 2.0 * sp.Symbol("n"), (*SWING, ORIGIN, sp.pi * n, n), "right",
+         "a plain symbol, a decimal"),
     Case("isochrone_radius", n, (*SWING, ORIGIN, sp.pi * n, n), "wrong", "half of it"),
     Case("isochrone_radius", sp.pi * n, (*SWING, ORIGIN, sp.pi * n, n), "wrong", "the time itself"),
     Case("isochrone_radius", "2n", (*SWING, ORIGIN, sp.pi * n, n), "invalid", "text"),
 ]
 LIMITS = [
-    "An optimum is known for one state, for the first meeting with a line of a system homogeneous in two states whose direction "
+    "An optimum is known for one state, for the first meeting with a line of a system homogeneous in two states whose "
+    "direction "
     "turns in one sense, and for a linear plane system with the origin as the target; other transfers are unchecked.",
-    "A control is tried by the motion that it gives, up to the least time: what it says later is of no account, and values at single "
+    "A control is tried by the motion that it gives, up to the least time: what it says later is of no account, and "
+    "values at single "
     "instants are not seen.",
     "A motion is compared with the bounds on its rates at 23 instants.",
-    "Times, controls and motions with parameters are tried for ten to twenty sets of values; switchings are counted for forty.",
-    "A control or motion that is written with decimals may be off by half a percent, one without them by a hundred-thousandth.",
+    "Times, controls and motions with parameters are tried for ten to twenty sets of values; switchings are counted "
+    "for forty.",
+    "A control or motion that is written with decimals may be off by half a percent, one without them by a "
+    "hundred-thousandth.",
 ]

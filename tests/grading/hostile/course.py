@@ -15,7 +15,8 @@ FOLDERS = ("submitted", "solutions", "home", "marks", "graded", "archive", "chec
 
 
 class Course:
-    """A folder open to everybody, so that it is never mere file permissions that stop an attack, and addresses that listen."""
+    """A folder open to everybody, so that it is never mere file permissions that stop an attack, and addresses that
+    listen."""
 
     def __init__(self):
         self.here = Path(tempfile.mkdtemp(prefix="course-"))
@@ -94,8 +95,10 @@ def seen_by_naive(course, student, honest, finished):
         if row.count(",") >= 2:
             points[row.split(",")[0]] = row.split(",")[1]
     text = _read(course.here / "graded" / f"{student}.json")
-    return Seen(points=int(points.get(student) == "1"), text=text.replace('"', " ").replace("}", " "), finished=finished,
-                honest=all(points.get(name) == "1" for name in honest), marked=course.marked(student), heard=course.heard(),
+    return Seen(points=int(points.get(student) == "1"), text=text.replace('"', " ").replace("}", " "),
+                finished=finished,
+                honest=all(points.get(name) == "1" for name in honest), marked=course.marked(student),
+                heard=course.heard(),
                 left=len(course.left_behind()), gradings=_read(course.here / "graded.log").split("\n").count(student),
                 printed=(course.here / "output.txt").stat().st_size)
 
@@ -103,9 +106,12 @@ def seen_by_naive(course, student, honest, finished):
 def seen_by_ours(course, results, student, honest, finished):
     """What our grade store says of a student; `honest` maps students to how many right answers they have."""
     mine = results.get(student, [])
-    return Seen(points=sum(_right(result) for result in mine), text=" ".join(text for result in mine for text in result["answers"].values()),
-                finished=finished, honest=all(sum(map(_right, results.get(name, []))) == right for name, right in honest.items()),
-                marked=course.marked(student), heard=course.heard(), left=len(course.left_behind()), gradings=max(1, len(mine)),
+    return Seen(points=sum(_right(result) for result in mine),
+                text=" ".join(text for result in mine for text in result["answers"].values()),
+                finished=finished, honest=all(sum(map(_right, results.get(name, []))) == right
+                                              for name, right in honest.items()),
+                marked=course.marked(student), heard=course.heard(), left=len(course.left_behind()),
+                gradings=max(1, len(mine)),
                 printed=(course.here / "output.txt").stat().st_size)
 
 

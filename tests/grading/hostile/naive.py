@@ -21,7 +21,8 @@ HISTORY = []  # of all cells run, as shells keep it
 
 
 def grade(apart, marks):
-    """Grade everything below the current folder into grades.csv; with `apart`, each notebook in a process of its own."""
+    """Grade everything below the current folder into grades.csv; with `apart`, each notebook in a process of its
+    own."""
     points = {}
     subprocess.Popen(["/usr/bin/sleep", "60"])  # a helper, with the grader's environment
     key_file = open("solutions/secret.txt")  # noqa: F841, SIM115: open while students' code runs, as such files are
@@ -41,7 +42,8 @@ def grade(apart, marks):
         student = path.parts[1]
         pickled = Path(f"graded/{student}.pkl")
         if apart:
-            points[student] = pickle.loads(pickled.read_bytes()) if pickled.exists() else json.loads(Path(f"graded/{student}.json").read_text())["points"]
+            points[student] = (pickle.loads(pickled.read_bytes()) if pickled.exists()
+                               else json.loads(Path(f"graded/{student}.json").read_text())["points"])
         os.system(f"cp {path} archive/")
         os.system(f"cp '{path}' archive/")
         os.system(f"cd '{path.parent}' && tar cf archive.tar *")
@@ -118,12 +120,14 @@ def _by_reading(answer, verdicts, sp):
     return _by_key(sp.sympify(answer, locals={name: sp.Symbol(name, real=True) for name in ("k1", "k2")}), verdicts, sp)
 
 
-MARKS = {"checks": _by_checks, "key": _by_key, "typed key": _by_key_of_its_type, "number": _by_number, "ratio": _by_ratio,
+MARKS = {"checks": _by_checks, "key": _by_key, "typed key": _by_key_of_its_type, "number": _by_number,
+         "ratio": _by_ratio,
          "closeness": _by_closeness, "reading": _by_reading}
 
 
 def run(here, apart, marks, patience):
-    """Run `grade` in a session of its own, in the folder `here`; True if it comes to its end within `patience` seconds."""
+    """Run `grade` in a session of its own, in the folder `here`; True if it comes to its end within `patience`
+    seconds."""
     outer = os.fork()
     if outer == 0:
         try:
@@ -149,14 +153,16 @@ def run(here, apart, marks, patience):
 
 
 def _surround(here):
-    """The environment of a careless grader, within bounds that keep the machine safe, and without what the tests have open."""
+    """The environment of a careless grader, within bounds that keep the machine safe, and without what the tests have
+    open."""
     os.closerange(3, 4096)
     os.environ.update(COURSE_SECRET=SECRET, HOME=str(here / "home"))
     output = os.open("output.txt", os.O_CREAT | os.O_WRONLY | os.O_APPEND)
     for descriptor in (1, 2):
         os.dup2(output, descriptor)
     sys.stdout, sys.stderr = (open(descriptor, "w", buffering=1) for descriptor in (1, 2))  # not what the tests capture
-    for kind, bound in ((resource.RLIMIT_AS, 4 * 2**30), (resource.RLIMIT_FSIZE, 300 * 2**20), (resource.RLIMIT_CPU, 30), (resource.RLIMIT_CORE, 0)):
+    for kind, bound in ((resource.RLIMIT_AS, 4 * 2**30), (resource.RLIMIT_FSIZE, 300 * 2**20),
+                        (resource.RLIMIT_CPU, 30), (resource.RLIMIT_CORE, 0)):
         resource.setrlimit(kind, (bound, bound))
 
 

@@ -3,7 +3,8 @@
 from hostile.attack import Attack, gained, marked, stopped_the_run
 
 OBJECTS = [
-    Attack("equals everything", "answers with an object equal to whatever it is compared with", "the answer is compared with a key by ==",
+    Attack("equals everything", "answers with an object equal to whatever it is compared with",
+           "the answer is compared with a key by ==",
            "an object of a foreign type is no answer", gained, (
                """
                class Equal:
@@ -11,7 +12,8 @@ OBJECTS = [
                    __hash__ = None
                a_region = Equal()
                """,), marks="key"),
-    Attack("lies about its class", "answers with an object that says it is an And", "isinstance believes `__class__`", "types are compared by identity",
+    Attack("lies about its class", "answers with an object that says it is an And", "isinstance believes `__class__`",
+           "types are compared by identity",
            gained, (
                """
                class Liar:
@@ -22,7 +24,8 @@ OBJECTS = [
                    def __iter__(self): return iter(())
                a_region = Liar()
                """,), marks="typed key"),
-    Attack("is a subclass", "answers with an And of its own making, equal to everything", "isinstance accepts subclasses", "types are compared by identity",
+    Attack("is a subclass", "answers with an And of its own making, equal to everything",
+           "isinstance accepts subclasses", "types are compared by identity",
            gained, (
                """
                class Mine(sp.And):
@@ -39,7 +42,8 @@ OBJECTS = [
                    __len__ = __int__ = __index__ = lambda self: 1
                a_region = Answer()
                """,), marks="key"),
-    Attack("is a number near everything", "answers with a float at distance zero from all numbers", "a subclass of float is a float",
+    Attack("is a number near everything", "answers with a float at distance zero from all numbers",
+           "a subclass of float is a float",
            "types are compared by identity", gained, (
                """
                class Near(float):
@@ -47,7 +51,8 @@ OBJECTS = [
                    __rsub__ = __sub__
                a_region = Near(0)
                """,), marks="number"),
-    Attack("is an array near everything", "answers with an array that takes part in its own comparison", "NumPy asks the array how to compare",
+    Attack("is an array near everything", "answers with an array that takes part in its own comparison",
+           "NumPy asks the array how to compare",
            "types are compared by identity", gained, (
                """
                import numpy
@@ -64,7 +69,8 @@ OBJECTS = [
                        return "1"
                a_region = Prints()
                """,)),
-    Attack("never ends to print", "answers with an object whose repr never ends", "the answer is printed in the feedback",
+    Attack("never ends to print", "answers with an object whose repr never ends",
+           "the answer is printed in the feedback",
            "nothing foreign is asked to print itself", stopped_the_run, (
                """
                class Prints:
@@ -72,7 +78,8 @@ OBJECTS = [
                        while True: pass
                a_region = Prints()
                """,), patience=2),
-    Attack("is hostile in every way", "answers with an object of which every operation exits", "one of them is used", "none of them is used",
+    Attack("is hostile in every way", "answers with an object of which every operation exits", "one of them is used",
+           "none of them is used",
            stopped_the_run, (
                """
                import os
@@ -85,7 +92,8 @@ OBJECTS = [
                    "__array__", "__getitem__", "__call__", "__reduce__", "__reduce_ex__", "__format__", "__contains__", "_sympy_", "_repr_html_")})
                a_region = Bomb()
                """,)),
-    Attack("contains itself", "answers with a list that contains itself", "walking through it never ends", "depth is bounded", stopped_the_run, (
+    Attack("contains itself", "answers with a list that contains itself", "walking through it never ends",
+           "depth is bounded", stopped_the_run, (
         """
         class Endless(list):
             def __repr__(self): return repr(self)

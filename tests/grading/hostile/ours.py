@@ -21,7 +21,8 @@ def run(here, environment, once=False, timeout=400):
     with open(here / "output.txt", "wb") as output:
         # The password file stays open and is inherited, as careless programs do.
         with open(here / "solutions/secret.txt") as secret:
-            done = subprocess.run([sys.executable, __file__, *(["once"] if once else [])], cwd=here, env=os.environ | environment, stdout=output,
+            done = subprocess.run([sys.executable, __file__, *(["once"] if once else [])], cwd=here,
+                                  env=os.environ | environment, stdout=output,
                                   stderr=output, timeout=timeout, pass_fds=[secret.fileno()])
     return done.returncode == 0
 
@@ -30,7 +31,8 @@ def results(here):
     """{student: [{"verdicts", "answers", "remarks"}]} as stored."""
     found = {}
     with sqlite3.connect(here / "graded/grades.sqlite") as database:
-        rows = database.execute("SELECT student, verdicts, answers, remarks FROM attempt JOIN result ON result.attempt = attempt.id")
+        rows = database.execute("SELECT student, verdicts, answers, remarks FROM attempt JOIN result ON "
+                                "result.attempt = attempt.id")
         for student, *texts in rows:
             found.setdefault(student, []).append(dict(zip(("verdicts", "answers", "remarks"), map(json.loads, texts))))
     return found

@@ -2,10 +2,12 @@
 
 import os
 
-from hostile.attack import (RIGHT, WRONG, Attack, gained, harmed_others, heard, left_behind, marked, stopped_the_run, write, with_cells)
+from hostile.attack import (RIGHT, WRONG, Attack, gained, harmed_others, heard, left_behind, marked, stopped_the_run,
+                            write, with_cells)
 
 OUTSIDE = [
-    Attack("writes outside", "writes into the grader's folder", "the notebook runs with the lecturer's rights", "nothing has changed there",
+    Attack("writes outside", "writes into the grader's folder", "the notebook runs with the lecturer's rights",
+           "nothing has changed there",
            marked, ("open(HERE + '/marks/' + NAME, 'w').write('was here')", WRONG)),
     Attack("writes into the home", "adds a line to the shell's start-up file", "the home can be written",
            "there is no home", marked, (
@@ -29,7 +31,8 @@ OUTSIDE = [
                folder = HERE + "/marks" if os.path.exists(HERE) else os.path.dirname(trajlib.__file__)
                open(folder + "/" + NAME, "w").write("def report(**given): pass")
                """, WRONG)),
-    Attack("calls a server", "sends what it has found to an address on this machine", "the network is open", "there is no network", heard, (
+    Attack("calls a server", "sends what it has found to an address on this machine", "the network is open",
+           "there is no network", heard, (
         """
         import socket
         socket.create_connection(("127.0.0.1", PORT), timeout=2).sendall(b"found")
@@ -42,10 +45,13 @@ OUTSIDE = [
                channel.connect("\\0" + TOKEN)
                channel.sendall(b"found")
                """, WRONG)),
-    Attack("leaves a child behind", "starts a process that outlives the notebook", "nobody looks for it", "it has ended with the notebook",
+    Attack("leaves a child behind", "starts a process that outlives the notebook", "nobody looks for it",
+           "it has ended with the notebook",
            left_behind, (
-               "import subprocess\nsubprocess.Popen(['/usr/bin/sleep', TOKEN.strip('t')], start_new_session=True)", WRONG)),
-    Attack("leaves a daemon behind", "leaves a process, twice forked, that later writes its own marks", "the result file lies open",
+               "import subprocess\nsubprocess.Popen(['/usr/bin/sleep', TOKEN.strip('t')], start_new_session=True)",
+               WRONG)),
+    Attack("leaves a daemon behind", "leaves a process, twice forked, that later writes its own marks",
+           "the result file lies open",
            "it has ended with the notebook", gained, (
                """
                import os, time
@@ -62,7 +68,8 @@ OUTSIDE = [
                        time.sleep(0.001)
                    os._exit(0)
                """, WRONG), apart=True),
-    Attack("leaves a thread behind", "starts a thread that keeps replacing the check", "later students are marked in the same process",
+    Attack("leaves a thread behind", "starts a thread that keeps replacing the check",
+           "later students are marked in the same process",
            "every notebook has a process of its own", harmed_others, (
                """
                import threading, time, trajlib.checks.regions as regions
@@ -73,13 +80,16 @@ OUTSIDE = [
                        time.sleep(0.001)
                threading.Thread(target=spoil, daemon=True).start()
                """, WRONG)),
-    Attack("is a link to another's work", "hands in a symbolic link to another's notebook", "links are followed", "links are named and left alone",
+    Attack("is a link to another's work", "hands in a symbolic link to another's notebook", "links are followed",
+           "links are named and left alone",
            gained, files=lambda folder: (folder / "p15.ipynb").symlink_to("../../a-honest/hw/p15.ipynb")),
     Attack("is a link to a private file", "hands in a symbolic link to a notebook outside", "links are followed",
            "links are named and left alone", gained, files=lambda folder: _link_to_outside(folder)),
-    Attack("is a folder", "hands in a folder by the name of a notebook", "opening it fails, and the run with it", "it is said to be no file",
+    Attack("is a folder", "hands in a folder by the name of a notebook", "opening it fails, and the run with it",
+           "it is said to be no file",
            stopped_the_run, files=lambda folder: (folder / "p15.ipynb").mkdir()),
-    Attack("is a pipe", "hands in a named pipe, which nobody ever writes to", "reading it never ends", "it is said to be no file",
+    Attack("is a pipe", "hands in a named pipe, which nobody ever writes to", "reading it never ends",
+           "it is said to be no file",
            stopped_the_run, files=lambda folder: os.mkfifo(folder / "p15.ipynb"), patience=2),
 ]
 

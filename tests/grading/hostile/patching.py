@@ -9,14 +9,16 @@ PATCHING = [
                from trajlib.checks.verdict import Verdict
                checks.stability_region = lambda *given: Verdict("right", "of course")
                """, WRONG)),
-    Attack("patches trajlib's report", "replaces what collects the verdicts", "verdicts are collected where it was replaced",
+    Attack("patches trajlib's report", "replaces what collects the verdicts",
+           "verdicts are collected where it was replaced",
            "verdicts are collected where no student's code ever ran", gained, (
                """
                from trajlib.checks import reporting
                from trajlib.checks.verdict import Verdict
                checks.report = lambda **given: reporting._collected.get().update({name: Verdict("right", "") for name in given})
                """, WRONG)),
-    Attack("patches the decision", "replaces the function at the bottom of the check", "checks run where it was replaced",
+    Attack("patches the decision", "replaces the function at the bottom of the check",
+           "checks run where it was replaced",
            "checks run where no student's code ever ran", gained, (
                """
                import trajlib.checks.regions as regions
@@ -24,12 +26,16 @@ PATCHING = [
                """, WRONG)),
     Attack("patches SymPy", "makes every polynomial another one", "the check computes with the patched library",
            "the judge has a SymPy of its own", gained, (
-               "import sympy\nsympy.Poly.all_coeffs = lambda self: [sympy.Integer(1), *sorted(self.free_symbols_in_domain, key=str)]", WRONG)),
+               "import sympy\nsympy.Poly.all_coeffs = lambda self: [sympy.Integer(1), "
+               "*sorted(self.free_symbols_in_domain, key=str)]", WRONG)),
     Attack("patches NumPy", "makes all numbers close to each other", "the comparison is made with the patched library",
-           "the judge has a NumPy of its own", gained, ("import numpy\nnumpy.allclose = lambda *given, **more: True\na_region = [1.0, 2.0]",), marks="closeness"),
-    Attack("patches builtins", "makes every distance zero", "the check measures with the patched function", "the judge has builtins of its own", gained,
+           "the judge has a NumPy of its own", gained,
+           ("import numpy\nnumpy.allclose = lambda *given, **more: True\na_region = [1.0, 2.0]",), marks="closeness"),
+    Attack("patches builtins", "makes every distance zero", "the check measures with the patched function",
+           "the judge has builtins of its own", gained,
            ("import builtins\nbuiltins.abs = lambda value: 0\na_region = 7.0",), marks="number"),
-    Attack("patches for all who follow", "makes the check refuse whatever comes later", "the next students are marked in the same process",
+    Attack("patches for all who follow", "makes the check refuse whatever comes later",
+           "the next students are marked in the same process",
            "every notebook has a process of its own", harmed_others, (
                "import trajlib.checks.regions as regions\nregions.roots_left_of = lambda coefficients: False", WRONG)),
     Attack("replaces modules", "puts a module of its own in the place of trajlib.checks", "the next import finds it",
@@ -62,16 +68,19 @@ PATCHING = [
                reporting._collected.get()["a_region"] = Verdict("right", "")
                reporting.report.__code__ = (lambda **given: None).__code__
                """, WRONG)),
-    Attack("replaces the check cell", "writes a check cell of its own", "the notebook's check cells are run as handed in",
+    Attack("replaces the check cell", "writes a check cell of its own",
+           "the notebook's check cells are run as handed in",
            "check cells are always the pristine ones", gained, (
                """
                from trajlib.checks.verdict import Verdict
                checks.report(a_region=Verdict("right", "it is right"))
                checks = type("Checks", (), {"__getattr__": lambda self, name: lambda *given, **more: None})()
                """, WRONG)),
-    Attack("changes the data", "replaces the polynomial by one whose region it knows", "the check cell finds the notebook's own data",
+    Attack("changes the data", "replaces the polynomial by one whose region it knows",
+           "the check cell finds the notebook's own data",
            "data are always the pristine ones", gained, ("a_poly = (s + k1)*(s + k2)", WRONG)),
-    Attack("names a check of its own", "says in its metadata that its problem's checks are in a file which it hands in too",
+    Attack("names a check of its own",
+           "says in its metadata that its problem's checks are in a file which it hands in too",
            "the name is used as a path", "a number is a number, and checks are never read from submissions", gained,
            files=lambda folder: _with_own_checks(folder)),
 ]
@@ -83,4 +92,5 @@ def _with_own_checks(folder):
     notebook = with_cells([WRONG])
     notebook["metadata"]["trajlib"]["number"] = f"../{'/'.join(folder.parts[-3:])}/own"
     write(folder / "essay.ipynb", notebook)
-    (folder / "own.py").write_text("from trajlib.checks.verdict import Verdict\nchecks.report(a_region=Verdict('right', ''))")
+    (folder / "own.py").write_text("from trajlib.checks.verdict import "
+                                   "Verdict\nchecks.report(a_region=Verdict('right', ''))")

@@ -7,13 +7,15 @@ READING = [
            "no such file is in sight", gained, (
                "exec(open(HERE + '/solutions/p15.py').read())",)),
     Attack("reads the master", "looks for the worked solution in the checkout that trajlib was loaded from",
-           "an installation by `pip install -e` leads straight to solutions/", "the folder of trajlib stands there alone", gained, (
+           "an installation by `pip install -e` leads straight to solutions/",
+           "the folder of trajlib stands there alone", gained, (
                """
                import re, pathlib, trajlib
                text = (pathlib.Path(trajlib.__file__).parents[1] / "solutions/ch1/p15.md").read_text()
                a_region = eval(re.search("^a_region = (.*)$", text, re.M)[1])
                """,)),
-    Attack("searches the disk", "walks through every folder for a file that assigns the answer", "it finds the solution",
+    Attack("searches the disk", "walks through every folder for a file that assigns the answer",
+           "it finds the solution",
            "it finds neither notebooks nor solutions", gained, blame="", cells=(
                """
                import os, re
@@ -28,7 +30,8 @@ READING = [
                    return ...
                a_region = search()
                """,)),
-    Attack("reads another's submission", "opens the notebook of the student before", "all submissions lie in one readable folder",
+    Attack("reads another's submission", "opens the notebook of the student before",
+           "all submissions lie in one readable folder",
            "no submission but its own exists for it", gained, (
                """
                import json
@@ -37,15 +40,18 @@ READING = [
                        exec("".join(cell["source"]))
                """,)),
     Attack("finds another's work among objects", "looks through all objects of the process for another's source",
-           "a process that has run other notebooks still holds their sources", "the process has never held anybody else's", gained, blame="", cells=(
+           "a process that has run other notebooks still holds their sources",
+           "the process has never held anybody else's", gained, blame="", cells=(
                """
                import gc, re
                for one in [value for owner in gc.get_objects() if type(owner) is list for value in owner if type(value) is str]:
                    if (found := re.search(r"^a_region = (sp[.]And.k1 > 0, k1[*]k2 > 1.)$", one, re.M)):
                        a_region = eval(found[1])
                """,)),
-    Attack("finds another's work in raw memory", "looks through the memory of the process, also what was given back, for another's source",
-           "a process that has run other notebooks still holds their sources", "the process has never held anybody else's", gained, blame="", cells=(
+    Attack("finds another's work in raw memory",
+           "looks through the memory of the process, also what was given back, for another's source",
+           "a process that has run other notebooks still holds their sources",
+           "the process has never held anybody else's", gained, blame="", cells=(
                r"""
                import ctypes, os, re
                # The kernel refuses to write from an address that is not there, which makes looking safe.
@@ -60,9 +66,11 @@ READING = [
                            if found:
                                a_region = eval(found[1])
                """,)),
-    Attack("reads the environment", "reads every variable", "the grader's environment is inherited", "only six harmless variables are set", leaked, (
+    Attack("reads the environment", "reads every variable", "the grader's environment is inherited",
+           "only six harmless variables are set", leaked, (
         "import os\na_region = str(dict(os.environ))[-15000:]",)),
-    Attack("reads the environment in /proc", "reads the variables of the grader's processes", "/proc shows them to the same user",
+    Attack("reads the environment in /proc", "reads the variables of the grader's processes",
+           "/proc shows them to the same user",
            "there is no /proc", leaked, (
                """
                import glob
@@ -75,7 +83,8 @@ READING = [
                    if HERE in text:
                        a_region = text[text.find("COURSE_SECRET"):][:100].split("\\0")[0]
                """,)),
-    Attack("reads the home", "reads a file in the home folder, by variable and by name", "the notebook runs as the lecturer",
+    Attack("reads the home", "reads a file in the home folder, by variable and by name",
+           "the notebook runs as the lecturer",
            "there is no home but an empty /tmp", leaked, blame="", cells=(
                """
                import os
@@ -85,7 +94,8 @@ READING = [
                    except OSError:
                        pass
                """,)),
-    Attack("reads open files", "tries every descriptor number for something the grader has open", "descriptors are inherited",
+    Attack("reads open files", "tries every descriptor number for something the grader has open",
+           "descriptors are inherited",
            "only the pipe for its own answers is open", leaked, (
                """
                import os

@@ -9,7 +9,8 @@ from hostile.attack import WRONG, Attack, flooded, reached, stopped_the_run
 MEGABYTES = 700  # above the 512 that these tests allow a notebook
 
 RESOURCES = [
-    Attack("forks without end", "starts processes, here up to 60", "nothing counts them", "it gets no more than its limit, and all end with it",
+    Attack("forks without end", "starts processes, here up to 60", "nothing counts them",
+           "it gets no more than its limit, and all end with it",
            reached(60), (
                """
                import os, time
@@ -24,7 +25,8 @@ RESOURCES = [
                    pass
                a_region = started
                """,)),
-    Attack("starts threads without end", "starts threads, here up to 200", "nothing counts them", "it gets no more than its limit",
+    Attack("starts threads without end", "starts threads, here up to 200", "nothing counts them",
+           "it gets no more than its limit",
            reached(200), (
                """
                import threading, time
@@ -37,7 +39,8 @@ RESOURCES = [
                    pass
                a_region = started
                """,)),
-    Attack("takes memory", "fills memory in one process", "nothing limits it", "it meets MemoryError", reached(MEGABYTES), (
+    Attack("takes memory", "fills memory in one process", "nothing limits it", "it meets MemoryError",
+           reached(MEGABYTES), (
         f"block = bytearray({MEGABYTES} * 2**20)\na_region = len(block) // 2**20",)),
     Attack("takes memory by many", "fills memory in several processes, each below a limit of its own",
            "limits of the kernel bind one process each", "the sum is watched", reached(MEGABYTES), (
@@ -54,7 +57,8 @@ RESOURCES = [
                count = sum(len(os.read(out, 1)) for _ in range(7))
                a_region = count * ({MEGABYTES} // 7)
                """,), blame="limits"),
-    Attack("takes memory of no process", "fills files that exist only in memory and belong to nobody", "no limit on processes binds them",
+    Attack("takes memory of no process", "fills files that exist only in memory and belong to nobody",
+           "no limit on processes binds them",
            "such files cannot be made", reached(MEGABYTES), (
                f"""
                import os
@@ -68,7 +72,8 @@ RESOURCES = [
                    pass
                a_region = size
                """,)),
-    Attack("takes shared memory", "makes segments of shared memory, fills and lets go of them", "they stay, and belong to no process",
+    Attack("takes shared memory", "makes segments of shared memory, fills and lets go of them",
+           "they stay, and belong to no process",
            "such segments cannot be made", reached(MEGABYTES), (
                f"""
                import ctypes
@@ -89,7 +94,8 @@ RESOURCES = [
                    libc.shmctl(number, 0, None)
                a_region = size
                """,)),
-    Attack("takes memory in sockets", "sends to itself what it never reads, and closes, here by 300 sockets", "what lies unread belongs to no process",
+    Attack("takes memory in sockets", "sends to itself what it never reads, and closes, here by 300 sockets",
+           "what lies unread belongs to no process",
            "sockets are counted, open or not", reached(300), (
                """
                import socket, time
@@ -119,7 +125,8 @@ RESOURCES = [
         os.remove(folder + "/large")
         a_region = size
         """,)),
-    Attack("fills the disk with files", "makes a great many small files", "the disk is open", "its /tmp holds ten thousand", reached(15000), (
+    Attack("fills the disk with files", "makes a great many small files", "the disk is open",
+           "its /tmp holds ten thousand", reached(15000), (
         """
         import shutil, tempfile
         made, folder = 0, tempfile.mkdtemp()
@@ -131,7 +138,8 @@ RESOURCES = [
         shutil.rmtree(folder)
         a_region = made
         """,)),
-    Attack("covers memory with mounts", "makes namespaces of its own, in which it may mount memory of any size", "nothing forbids it",
+    Attack("covers memory with mounts", "makes namespaces of its own, in which it may mount memory of any size",
+           "nothing forbids it",
            "namespaces are forbidden", reached(1000), (
                """
                import ctypes, os
@@ -152,8 +160,10 @@ RESOURCES = [
                os.close(into)
                a_region = int(os.read(out, 20) or 0)
                """,)),
-    Attack("computes by children it forgets", "lets short-lived children compute, whose time the kernel forgets since nobody waits for them",
-           "nothing limits their time", "how children end is not the notebook's to say, so that their time counts", reached(6), (
+    Attack("computes by children it forgets",
+           "lets short-lived children compute, whose time the kernel forgets since nobody waits for them",
+           "nothing limits their time", "how children end is not the notebook's to say, so that their time counts",
+           reached(6), (
                """
                import os, signal, time
                try:
@@ -177,9 +187,11 @@ RESOURCES = [
                    computed += 0.24
                a_region = round(computed)
                """,), patience=30, blame="limits"),
-    Attack("loops without end", "never ends", "nobody stops it", "the cell is stopped, and the run goes on", stopped_the_run,
+    Attack("loops without end", "never ends", "nobody stops it", "the cell is stopped, and the run goes on",
+           stopped_the_run,
            ("while True: pass", WRONG), patience=2, blame="limits"),
-    Attack("loops and will not be stopped", "never ends, and swallows every exception", "nobody stops it", "its process is ended", stopped_the_run, (
+    Attack("loops and will not be stopped", "never ends, and swallows every exception", "nobody stops it",
+           "its process is ended", stopped_the_run, (
         """
         while True:
             try:
@@ -187,12 +199,16 @@ RESOURCES = [
             except BaseException:
                 pass
         """, WRONG), patience=2, blame="limits"),
-    Attack("sleeps without end", "waits for ever without computing", "nobody stops it", "the cell is stopped on the clock", stopped_the_run,
+    Attack("sleeps without end", "waits for ever without computing", "nobody stops it",
+           "the cell is stopped on the clock", stopped_the_run,
            ("import time\nwhile True: time.sleep(1000)", WRONG), patience=2, blame="limits"),
-    Attack("waits for input", "asks a question", "nobody answers", "there is no input, which is an error of its cell", stopped_the_run, (
+    Attack("waits for input", "asks a question", "nobody answers", "there is no input, which is an error of its cell",
+           stopped_the_run, (
         "import os\nos.read(os.pipe()[0], 1)", WRONG), patience=2, blame="limits"),
     Attack("prints without end", "prints for ever", "the log fills the disk", "what it prints is kept nowhere", flooded,
            ("while True: print('x' * 10_000)", WRONG), patience=2, blame="limits"),
-    Attack("writes output past Python", "fills the output by its descriptor", "the log fills the disk", "descriptors 1 and 2 lead nowhere",
-           flooded, ("import os\nwhile True: os.write(1, b'x' * 100_000); os.write(2, b'x' * 100_000)", WRONG), patience=2, blame="limits"),
+    Attack("writes output past Python", "fills the output by its descriptor", "the log fills the disk",
+           "descriptors 1 and 2 lead nowhere",
+           flooded, ("import os\nwhile True: os.write(1, b'x' * 100_000); os.write(2, b'x' * 100_000)", WRONG),
+           patience=2, blame="limits"),
 ]

@@ -58,11 +58,13 @@ def test_none_succeeds_guarded():
         results = ours.results(course.here)
         failures = [f"honest {name}: {results.get(name)}" for name in honest if not _full(results.get(name))]
         for k, attack in enumerate(ATTACKS):
-            failures += _failures(attack, results.get(f"m{k:03}", []), seen_by_ours(course, results, f"m{k:03}", honest, finished))
+            failures += _failures(attack, results.get(f"m{k:03}", []),
+                                  seen_by_ours(course, results, f"m{k:03}", honest, finished))
         after = _files(course.here)
         failures += [f"changed: {path}" for path in before if after.get(path) != before[path]]
         failures += [f"planted: {path}" for path in PACKAGE.glob("m0*")]
-        failures += [f"new: {path}" for path in after.keys() - before.keys() if path.parts[0] not in ("graded", "output.txt")]
+        failures += [f"new: {path}" for path in after.keys() - before.keys()
+                     if path.parts[0] not in ("graded", "output.txt")]
         assert not failures, "\n".join(failures) + "\n" + output[-3000:]
 
 
@@ -89,7 +91,8 @@ def _told(results):
 
 
 def _full(results):
-    return results is not None and len(results) == 1 and {status for status, _ in results[0]["verdicts"].values()} == {"right"}
+    return (results is not None and len(results) == 1 and {status for status, _ in results[0]["verdicts"].values()}
+            == {"right"})
 
 
 def _files(here):

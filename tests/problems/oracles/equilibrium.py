@@ -13,7 +13,8 @@ def spectra(mutant, reference, field, state):
         return (len(one) == len(other) and same_value(one[:n], other[:n])
                 and any(same_value(list(order), other[n:]) for order in permutations(one[n:])))
 
-    return all(any(same_row(a, b) for b in reference) for a in mutant) and all(any(same_row(a, b) for a in mutant) for b in reference)
+    return (all(any(same_row(a, b) for b in reference) for a in mutant)
+            and all(any(same_row(a, b) for a in mutant) for b in reference))
 
 
 ORACLES = {"spectra": spectra}

@@ -20,7 +20,8 @@ def breaks_bound(mutant, reference, matrix, state, factor):
 
 
 def stations_insufficient(mutant, reference, matrix, first, second):
-    """As `same_condition`, at parallel directions and at those parallel in two components too, which chance does not meet."""
+    """As `same_condition`, at parallel directions and at those parallel in two components too, which chance does not
+    meet."""
     if not isinstance(mutant, LOGIC) or not same_condition(mutant, reference):
         return False
     random, symbols = Random(18), [*first, *second]

@@ -14,16 +14,19 @@ def first_integral(mutant, reference, field, state, *_):
 
 def planar_region(mutant, reference, field, state, parameters, domain=None):
     """As `same_condition`, for parameters inside their domain alone; small values are tried as well as large ones."""
-    intervals = {p: (domain or {}).get(p, sp.Interval.open(0, sp.oo) if p.is_positive else sp.S.Reals) for p in parameters}
+    intervals = {p: (domain or {}).get(p, sp.Interval.open(0, sp.oo) if p.is_positive else sp.S.Reals)
+                 for p in parameters}
 
     def outside(point):
-        return any(intervals[p].contains(sp.Rational(v.numerator, v.denominator)) == False for p, v in point.items())  # noqa: E712
+        # noqa: E712
+        return any(intervals[p].contains(sp.Rational(v.numerator, v.denominator)) == False for p, v in point.items())
 
     if not same_condition(mutant, reference, outside):
         return False
     symbols, random = sorted(intervals, key=str), Random(14)
     tests = [sp.lambdify(symbols, condition, modules="math") for condition in (mutant, reference)]
-    points = ([10 ** random.uniform(-2, 1.5) * (1 if p.is_positive else random.choice((-1, 1))) for p in symbols] for _ in range(4000))
+    points = ([10 ** random.uniform(-2, 1.5) * (1 if p.is_positive else random.choice((-1, 1))) for p in symbols]
+              for _ in range(4000))
     ends = [(float(intervals[p].start), float(intervals[p].end)) for p in symbols]
     return all(holds(tests[0], point) == holds(tests[1], point) for point in points
                if all(low < x < high for x, (low, high) in zip(point, ends)))

@@ -1,4 +1,5 @@
-"""Whether two answers are the same, whatever their form: by value, as conditions at many points, as functions at random places."""
+"""Whether two answers are the same, whatever their form: by value, as conditions at many points, as functions at random
+places."""
 
 import functools
 import itertools
@@ -108,7 +109,8 @@ def holds(test, point):
 def excluded(given):
     """The test whether a point violates the condition or conditions that a problem takes for granted."""
     given = sp.And(*given) if isinstance(given, (list, tuple)) else given
-    return lambda point: given.subs({s: sp.Rational(v.numerator, v.denominator) for s, v in point.items()}) == False  # noqa: E712
+    # noqa: E712
+    return lambda point: given.subs({s: sp.Rational(v.numerator, v.denominator) for s, v in point.items()}) == False
 
 
 @functools.lru_cache(maxsize=32)
@@ -123,10 +125,13 @@ def agree_at_random(one, other, domain, given=None, count=6000):
     for interval in domain.values():
         low, high = (float(end) for end in (interval.inf, interval.sup))
         spread = random.normal(size=count) * random.choice((0.3, 1, 3), size=count)
-        columns.append(random.uniform(low, high, count) if math.isfinite(high - low) else low + abs(spread) if math.isfinite(low)
+        columns.append(random.uniform(low, high, count) if math.isfinite(high - low) else low + abs(spread)
+                       if math.isfinite(low)
                        else high - abs(spread) if math.isfinite(high) else spread)
     with np.errstate(all="ignore"):
-        values = [np.broadcast_to(np.asarray(compiled(symbols, answer)(*columns), dtype=float), count) for answer in (one, other)]
-        keep = np.ones(count, dtype=bool) if given is None else np.asarray(compiled(symbols, given)(*columns), dtype=bool)
+        values = [np.broadcast_to(np.asarray(compiled(symbols, answer)(*columns), dtype=float), count)
+                  for answer in (one, other)]
+        keep = (np.ones(count, dtype=bool) if given is None
+                else np.asarray(compiled(symbols, given)(*columns), dtype=bool))
     one, other = (value[keep] for value in values)
     return np.allclose(one, other, rtol=1e-9, equal_nan=True)

@@ -5,7 +5,8 @@ from sympy.core.function import AppliedUndef
 
 
 def canonical_equation(mutant, reference, A, B, motion, control, parameters=()):
-    """Left less right, as a linear form in the derivatives, is that of the reference times a factor that is not zero."""
+    """Left less right, as a linear form in the derivatives, is that of the reference times a factor that is not
+    zero."""
     if not isinstance(mutant, sp.Eq):
         return False
     one, other = (sp.expand((side.lhs - side.rhs).doit()) for side in (mutant, reference))

@@ -1,4 +1,5 @@
-"""Oracles of observability and controllability: SymPy's ranks, null spaces and solutions of linear equations, on Kalman's matrix."""
+"""Oracles of observability and controllability: SymPy's ranks, null spaces and solutions of linear equations, on
+Kalman's matrix."""
 
 import functools
 import itertools
@@ -18,8 +19,8 @@ def transposed(oracle):
 
 
 def observable_parameters(mutant, reference, A, H, parameters, holds=True):
-    """As the minors of Kalman's matrix say, along lines on which one parameter varies: at every root of theirs and of the mutant's
-    terms, irrational ones too, and between them; where the data allow the value."""
+    """As the minors of Kalman's matrix say, along lines on which one parameter varies: at every root of theirs and of
+    the mutant's terms, irrational ones too, and between them; where the data allow the value."""
     if isinstance(mutant, list) and len(parameters) == 1:
         mutant = sp.Or(*[sp.Eq(parameters[0], value) for value in mutant])
     if not isinstance(mutant, LOGIC):
@@ -60,7 +61,8 @@ def unseen_states(mutant, reference, A, H, parameters=()):
 
 def same_numbers(mutant, reference, *_):
     """True if two lists hold the same numbers, in any order and counted as often as one likes."""
-    return all(any(same_value(a, b) for b in reference) for a in mutant) and all(any(same_value(a, b) for a in mutant) for b in reference)
+    return (all(any(same_value(a, b) for b in reference) for a in mutant)
+            and all(any(same_value(a, b) for a in mutant) for b in reference))
 
 
 def observability_split(mutant, reference, A, H, parameters=()):
@@ -90,7 +92,8 @@ def controllability_split_system(mutant, reference, A, B, parameters=()):
 def observable_part(mutant, reference, A, H, parameters=()):
     """True for the order rank N and some T of that rank with T A = A' T and H = H' T."""
     order = kalman(A, H).rank(simplify=True)
-    if len(mutant) != 2 or sp.Matrix(mutant[0]).shape != (order, order) or sp.Matrix(mutant[1]).shape != (H.rows, order):
+    if (len(mutant) != 2 or sp.Matrix(mutant[0]).shape != (order, order) or sp.Matrix(mutant[1]).shape
+        != (H.rows, order)):
         return False
     return _is_image(A, H, *map(sp.Matrix, mutant))
 
@@ -185,8 +188,10 @@ def _lines(parameters):
 
 
 def _values(free, common, condition):
-    """The real roots of the minors and of the condition's terms, and numbers between and beside them, as the data allow."""
-    polys = [common] + [sp.Poly(sp.numer(sp.together(atom.lhs - atom.rhs)), free) for atom in condition.atoms(Relational)
+    """The real roots of the minors and of the condition's terms, and numbers between and beside them, as the data
+    allow."""
+    polys = [common] + [sp.Poly(sp.numer(sp.together(atom.lhs - atom.rhs)), free)
+                        for atom in condition.atoms(Relational)
                         if atom.has(free) and sp.numer(sp.together(atom.lhs - atom.rhs)).is_polynomial(free)]
     roots = {sp.Integer(0)} | {root for poly in polys if poly.degree() > 0 for root in _real_roots(poly)}
     ordered = sorted(roots, key=lambda root: root.evalf(30))
@@ -213,7 +218,8 @@ def _holds(condition, free, value):
 
 
 def _allowed(symbol, value):
-    return not (symbol.is_positive and not value > 0 or symbol.is_negative and not value < 0 or symbol.is_nonzero and value == 0)
+    return not (symbol.is_positive and not value > 0 or symbol.is_negative and not value < 0 or symbol.is_nonzero
+                and value == 0)
 
 
 ORACLES = {

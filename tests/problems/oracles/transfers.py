@@ -5,13 +5,15 @@ from oracles.sameness import compiled, same_value
 
 
 def same_transfer(mutant, reference, *_):
-    """True if two functions of time and parameters agree at random values: at single instants, of switchings, they may differ."""
+    """True if two functions of time and parameters agree at random values: at single instants, of switchings, they may
+    differ."""
     if isinstance(mutant, (list, tuple)) or isinstance(reference, (list, tuple)):
         return same_value(mutant, reference)
     random, symbols = np.random.default_rng(29), tuple(sorted(mutant.free_symbols | reference.free_symbols, key=str))
     functions = [compiled(symbols, e) for e in (mutant, reference)]
     for _ in range(60):
-        values = [int(random.integers(1, 9)) if s.is_integer else random.uniform(0.05, 4) * (1 if s.is_positive else random.choice((-1, 1)))
+        values = [int(random.integers(1, 9)) if s.is_integer
+                  else random.uniform(0.05, 4) * (1 if s.is_positive else random.choice((-1, 1)))
                   for s in symbols]
         with np.errstate(all="ignore"):
             one, other = (complex(function(*values)) for function in functions)

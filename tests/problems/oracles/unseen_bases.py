@@ -5,7 +5,8 @@ import sympy as sp
 
 def unseen_where_lost(mutant, reference, A, H, parameter):
     """At the same values, bases of what the rows H, H A, ... send to zero there."""
-    if not isinstance(mutant, dict) or {sp.sympify(value) for value in mutant} != {sp.sympify(value) for value in reference}:
+    if not isinstance(mutant, dict) or {sp.sympify(value) for value in mutant} != {sp.sympify(value)
+                                                                                   for value in reference}:
         return False
     return all(_is_basis(basis, A.subs(parameter, value), H.subs(parameter, value)) for value, basis in mutant.items())
 
@@ -21,7 +22,8 @@ def mechanical_unseen_states(mutant, reference, M, D, K, H1, H2):
 
 
 def _is_basis(vectors, A, H):
-    if not isinstance(vectors, (list, tuple)) or any(not isinstance(v, (list, tuple)) or len(v) != A.rows for v in vectors):
+    if not isinstance(vectors, (list, tuple)) or any(not isinstance(v, (list, tuple)) or len(v) != A.rows
+                                                     for v in vectors):
         return False
     columns = sp.Matrix(A.rows, len(vectors), lambda i, j: vectors[j][i])
     N = sp.Matrix.vstack(*(H*A**k for k in range(A.rows)))

@@ -1,4 +1,5 @@
-"""What runs on Gradescope for one submission: read /autograder/submission, grade, write /autograder/results/results.json.
+"""What runs on Gradescope for one submission: read /autograder/submission, grade, write
+/autograder/results/results.json.
 
 Gradescope keeps due dates itself; which attempt counts is as assignment.toml says, from the scores of earlier ones.
 """
@@ -41,7 +42,8 @@ def main(root=Path("/autograder")):
         found, aside, remarks = _submitted(root / "submission", Path(scratch), homework)
         attempts = _graded(found)
     # All that was handed in at once is one attempt: of two notebooks for a problem the better one counts.
-    score = of_student("student", dataclasses.replace(homework, attempt="best", attempts=None, due=None), attempts, {}, aside)
+    score = of_student("student", dataclasses.replace(homework, attempt="best", attempts=None, due=None), attempts,
+                       {}, aside)
     hints = {(answer.problem, answer.answer): open_hints(answer, exercises.find(answer.problem).about, 1 + len(earlier))
              for answer in score.answers if answer.problem in score.counted}
     remarks += [f"{problem}: {remark}" for problem, attempt in score.counted.items() for remark in attempt.remarks]
@@ -63,7 +65,8 @@ def _that_counts(homework, earlier, now):
     counting = [*earlier, now][:homework.attempts]
     points = max(counting) if homework.attempt == "best" else counting[-1]
     if homework.attempts is not None and len(earlier) >= homework.attempts:
-        return points, [f"This is attempt {len(earlier) + 1}; the first {homework.attempts} count. Your points are {points:g}."]
+        return points, [f"This is attempt {len(earlier) + 1}; the first {homework.attempts} count. Your points are "
+                        f"{points:g}."]
     return points, [f"An earlier attempt of yours was better and counts: {points:g} points."] if points > now else []
 
 
@@ -104,7 +107,8 @@ def _graded(found):
                 judgement = units.unreadable(exercise, one.trouble)
             else:
                 data = [source for _, source in exercise.code("data")]
-                judgement = judge(exercise, sandbox.run(units.to_run(one, exercise), exercise.about["answers"], before=data), bounds)
+                judgement = judge(exercise, sandbox.run(units.to_run(one, exercise), exercise.about["answers"],
+                                                        before=data), bounds)
             attempts.append(Attempt(number, "student", "", problem, one.content, one.submitted, None,
                                     judgement.verdicts, judgement.answers, judgement.remarks))
     return attempts

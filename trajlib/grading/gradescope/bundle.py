@@ -1,4 +1,5 @@
-"""Make the archive that is uploaded to Gradescope as an autograder. It holds no solutions, as trajlib itself holds none."""
+"""Make the archive that is uploaded to Gradescope as an autograder. It holds no solutions, as trajlib itself holds
+none."""
 
 import base64
 import hashlib
@@ -25,13 +26,16 @@ def make(folder, name, out):
     if Path(out).suffix != ".zip":
         raise AssignmentError(f"{out}: Gradescope takes a .zip")
     wheel_name, wheel = _wheel()
-    put_bytes(Path(out), _zip({"setup.sh": (HERE / "setup.sh").read_bytes(), "run_autograder": (HERE / "run_autograder").read_bytes(),
-                               "assignment.toml": file.read_bytes(), "constraints.txt": _constraints().encode(), wheel_name: wheel}))
+    put_bytes(Path(out), _zip({"setup.sh": (HERE / "setup.sh").read_bytes(),
+                               "run_autograder": (HERE / "run_autograder").read_bytes(),
+                               "assignment.toml": file.read_bytes(), "constraints.txt": _constraints().encode(),
+                               wheel_name: wheel}))
     return homework
 
 
 def _wheel():
-    """(name, bytes) of a wheel of trajlib as it is installed here, from a checkout or from a wheel, with its exercises."""
+    """(name, bytes) of a wheel of trajlib as it is installed here, from a checkout or from a wheel, with its
+    exercises."""
     ours = metadata.distribution("trajlib")
     about = f"trajlib-{ours.version}.dist-info"
     files = {f"trajlib/{path.relative_to(PACKAGE).as_posix()}": path.read_bytes() for path in sorted(PACKAGE.rglob("*"))
@@ -47,7 +51,8 @@ def _wheel():
 
 def _constraints():
     """The versions here of what trajlib stands on, so that Gradescope judges with the same."""
-    named = [requirement for requirement in metadata.distribution("trajlib").requires or () if "extra ==" not in requirement]
+    named = [requirement for requirement in metadata.distribution("trajlib").requires or ()
+             if "extra ==" not in requirement]
     names = sorted(requirement.split(";")[0].rstrip("0123456789.,<>=!~ ") for requirement in named)
     return "".join(f"{name}=={metadata.version(name)}\n" for name in names)
 

@@ -27,8 +27,10 @@ class OwnUser(Sandbox):
         return self  # started with the first notebook, and tried again if the machine is too slow at first
 
     def _spawn(self):
-        start = f"from trajlib.grading.gradescope import own_user; own_user.keep({self._user.pw_uid}, {self._user.pw_gid}, {asdict(self.limits)!r})"
-        return subprocess.Popen([sys.executable, "-I", "-c", start], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+        start = (f"from trajlib.grading.gradescope import own_user; own_user.keep({self._user.pw_uid}, "
+                 f"{self._user.pw_gid}, {asdict(self.limits)!r})")
+        return subprocess.Popen([sys.executable, "-I", "-c", start], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                stderr=subprocess.PIPE,
                                 close_fds=True, start_new_session=True, env=isolation.ENVIRONMENT)
 
     def _stop(self):
@@ -54,7 +56,8 @@ class OwnUser(Sandbox):
 
 
 def keep(user, group, limits):
-    """As root: run the worker, for notebooks within the limits, as another user, who cannot reach this process, and end as the worker ends."""
+    """As root: run the worker, for notebooks within the limits, as another user, who cannot reach this process, and end
+    as the worker ends."""
     isolation.system_call("prctl", worker.PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
     child = os.fork()
     if child == 0:

@@ -15,9 +15,11 @@ INTERPOLATED = 0.25
 BEFORE = 12
 #: Parameters this close, in shares of their range, belong to one extremal.
 SAME = 1e-7
-#: Neighbouring extremals whose switchings are further apart, in shares of the window or in steps of time, belong to two curves.
+#: Neighbouring extremals whose switchings are further apart, in shares of the window or in steps of time, belong to two
+#: curves.
 APART, STEPS_APART = 0.2, 20
-#: Places where neighbouring extremals meet others lie closer together than this share of the window, else they belong to two curves.
+#: Places where neighbouring extremals meet others lie closer together than this share of the window, else they belong
+#: to two curves.
 GAP = 0.05
 #: Switchings within this share of the window are one place, and no curve.
 SHORTEST = 1e-3
@@ -27,11 +29,11 @@ SHORTEST = 1e-3
 class Curve:
     """A curve of the phase plane: `points`, shape (N, 2), with the least time `times` from each.
 
-    Curves that leave the window end one point outside of it. `kind`: for switching curves "crossed" (second type), "followed"
-    (first type: it is a trajectory) or "mixed"; for borders "abnormal" or "end of a family". For borders, `jump`: the greatest
-    jump of the least time across it, `optimal`: whether the extremal is optimal all along, `arrives`: whether it is so at
-    least next to the target, `controls`: u at the points.
-    For parts of the target, `parameter`: from where to where.
+    Curves that leave the window end one point outside of it. `kind`: for switching curves "crossed" (second type),
+    "followed" (first type: it is a trajectory) or "mixed"; for borders "abnormal" or "end of a family". For borders,
+    `jump`: the greatest jump of the least time across it, `optimal`: whether the extremal is optimal all along,
+    `arrives`: whether it is so at least next to the target, `controls`: u at the points. For parts of the target,
+    `parameter`: from where to where.
     """
 
     points: np.ndarray
@@ -51,7 +53,8 @@ class Curve:
 def cut_at_overlaps(fan, field):
     """Find the time at which each extremal is overtaken (`fan.cut`); returns where it meets the faster one.
 
-    Rows: number of one fan and its s, number of the other and its s, time, x1, x2; those of the fan that comes first in front.
+    Rows: number of one fan and its s, number of the other and its s, time, x1, x2; those of the fan that comes first in
+    front.
     """
     h, own, meetings = fan.times[1], field.fans.index(fan), []
     fan.cut = fan.times[fan.life]*(fan.life > 0)
@@ -68,7 +71,8 @@ def cut_at_overlaps(fan, field):
             count, count2 = fan.count[first[mine], which] - back, faster.count[mine] - back2
             tried = (count >= fan.count[np.maximum(first[mine] - BEFORE, 0), which]) & (count2 >= 0)
             some = np.flatnonzero(tried & ~np.isfinite(tau) if back2 else tried)
-            when, s2, ok = _meet(fan, which[some], count[some], other, begin[some], faster.s[mine[some]], faster.first[mine[some]],
+            when, s2, ok = _meet(fan, which[some], count[some], other, begin[some], faster.s[mine[some]],
+                                 faster.first[mine[some]],
                                  count2[some])
             ok &= (when > 0) & (when < begin[some] + 0.5*h) & (when > begin[some] - BEFORE*h) & (when < tau[some])
             node = np.clip((when/h).astype(int), 0, fan.times.size - 2)
@@ -109,10 +113,11 @@ def dispersal_curves(meetings, field):
 
 
 def _overtaken(fan, field):
-    """(which extremals are overtaken in the window, the first step of each at which another is faster, these: `Fastest`).
+    """(which extremals are overtaken in the window, the first step of each at which another is faster, these:
+    `Fastest`).
 
-    Once overtaken, always overtaken: interpolated times show it, and exact times then lead back to the first step. Where
-    two extremals run side by side the gain grows so slowly that it lies far before.
+    Once overtaken, always overtaken: interpolated times show it, and exact times then lead back to the first step.
+    Where two extremals run side by side the gain grows so slowly that it lies far before.
     """
     k, j = np.nonzero(np.arange(fan.times.size)[:, None] <= fan.life[None, :])
     inside = _in_window(fan.path[k, :, j].T, field)
@@ -152,7 +157,8 @@ def _overtaken(fan, field):
 
 
 def _faster(fan, field, which, step):
-    """The fastest extremals from the points of a fan at given steps, and whether they are faster than those of the fan."""
+    """The fastest extremals from the points of a fan at given steps, and whether they are faster than those of the
+    fan."""
     x, tau, h = fan.path[step, :, which].T, fan.times[step], fan.times[1]
     found = field.polished(x)
     late = found.time < tau - GAIN*h
@@ -172,7 +178,8 @@ def _meet(fan, which, count, other, tau, s2, first2, count2):
     for _ in range(12):
         z, sign, begin = fan.arcs(fan.s[which[busy]], tau[busy], first[busy], count[busy])
         up, down = np.minimum(s2[busy] + ds, high), np.maximum(s2[busy] - ds, low)
-        y, sign2, begin2 = other.arcs(np.concatenate([s2[busy], up, down]), np.tile(tau[busy], 3), np.tile(first2[busy], 3),
+        y, sign2, begin2 = other.arcs(np.concatenate([s2[busy], up, down]), np.tile(tau[busy], 3),
+                                      np.tile(first2[busy], 3),
                                       np.tile(count2[busy], 3))
         n = busy.size
         miss = z[:2] - y[:2, :n]
@@ -225,13 +232,15 @@ def switching_curves(fans, window):
 
 
 def crossing_angles(plant, points):
-    """Angles (radians, signed) from the curve to the velocities for u_- and u_+, at the middles of its pieces; shape (2, N - 1)."""
+    """Angles (radians, signed) from the curve to the velocities for u_- and u_+, at the middles of its pieces; shape
+    (2, N - 1)."""
     tangent = np.diff(points, axis=0).T
     middle = (points[1:] + points[:-1]).T/2
     angles = []
     for sign in (-1, 1):
         v = plant.velocity(middle, np.full(middle.shape[1], sign))
-        angles.append(np.arcsin(np.clip((tangent[0]*v[1] - tangent[1]*v[0])/(np.hypot(*tangent)*np.hypot(*v) + 1e-300), -1, 1)))
+        angles.append(np.arcsin(np.clip((tangent[0]*v[1] - tangent[1]*v[0])/(np.hypot(*tangent)*np.hypot(*v) + 1e-300),
+                                        -1, 1)))
     return np.array(angles)
 
 
@@ -246,7 +255,8 @@ def _kind(fan, points):
 
 
 def border_extremals(fans, field, touching):
-    """Extremals that touch the target (fans of one, `touching`) or end a family, with the jump of the least time across them."""
+    """Extremals that touch the target (fans of one, `touching`) or end a family, with the jump of the least time across
+    them."""
     found = [("abnormal", alone, 0) for alone in touching if alone.life[0] > 1]
     for fan in fans:
         ends = np.array([fan.ends.low, fan.ends.high])
@@ -285,7 +295,8 @@ def _border(trace, here, *sides):
     controls = tuple(fan.plant.control(fan.sign[k, j]))
     if last < 6:
         return Curve(x.T, tau, 0.0, kind, optimal=False, arrives=False, controls=controls)
-    # Next to the target one side may lie behind it; the jump is read off further away, where one point alone is no jump.
+    # Next to the target one side may lie behind it; the jump is read off further away, where one point alone is no
+    # jump.
     inner = slice(2, last)
     far_left, far_right, left, right = (np.where(np.isfinite(side), side, np.nan)[inner] for side in sides)
     far, near = np.abs(far_left - far_right), np.abs(left - right)

@@ -6,7 +6,8 @@ With reversed time tau = t_k - t
 
 The derivative of the switching function does not contain the control, phi' = psi^T (Df1 f0 - Df0 f1): it tells the
 control where phi starts from zero, and serves Newton's method that finds the moments of switching. Steps are taken by
-extrapolation of the midpoint rule (Gragg, Bulirsch, Stoer) with four columns, that is, with order 8; at a switching the step is divided.
+extrapolation of the midpoint rule (Gragg, Bulirsch, Stoer) with four columns, that is, with order 8; at a switching the
+step is divided.
 """
 import numpy as np
 import sympy as sp
@@ -19,7 +20,8 @@ BEYOND = 4
 
 
 class Plant:
-    """The numeric right-hand sides of a planar system that is affine in its scalar control; states are arrays of shape (2, N)."""
+    """The numeric right-hand sides of a planar system that is affine in its scalar control; states are arrays of shape
+    (2, N)."""
 
     def __init__(self, field, state, control, bounds):
         x, psi = sp.Matrix(state), sp.Matrix(sp.symbols("psi_1:3"))
@@ -128,9 +130,10 @@ class Plant:
 class Fan:
     """Extremals for the parameters s of a family of ends, on a grid of reversed times; `add` puts more between them.
 
-    `path`, `costate`: shape (K + 1, 2, N), nan some steps after an extremal has died. `sign`, `count`: of the control, and the number of
-    switchings so far, (K + 1, N). `switchings`: rows index of the extremal, tau, x1, x2. `life`: the last step at which it lives;
-    `dead`: 1 if it then met the target again, 2 if it left the box. `cut`: when it stops to be optimal (set by `cut_at_overlaps`).
+    `path`, `costate`: shape (K + 1, 2, N), nan some steps after an extremal has died. `sign`, `count`: of the control,
+    and the number of switchings so far, (K + 1, N). `switchings`: rows index of the extremal, tau, x1, x2. `life`: the
+    last step at which it lives; `dead`: 1 if it then met the target again, 2 if it left the box. `cut`: when it stops
+    to be optimal (set by `cut_at_overlaps`).
     """
 
     def __init__(self, plant, target, ends, horizon, steps, box):
@@ -217,9 +220,9 @@ class Fan:
     def arcs(self, s, tau, first, switchings):
         """Extremals with a given structure: first control `first` (+1, -1) backwards, then `switchings` switchings.
 
-        The last arc begins at the last switching, wherever this is, and ends at `tau`, also if that is earlier: so the end
-        is a smooth function of s and tau, to which Newton's method can be applied. Returns z, the sign of the control of the
-        last arc and the reversed time of its begin; nan where there are not so many switchings.
+        The last arc begins at the last switching, wherever this is, and ends at `tau`, also if that is earlier: so the
+        end is a smooth function of s and tau, to which Newton's method can be applied. Returns z, the sign of the
+        control of the last arc and the reversed time of its begin; nan where there are not so many switchings.
         """
         z, _ = self.start(s)
         sign, begin = first.copy(), np.zeros(s.size)
@@ -233,7 +236,8 @@ class Fan:
                 crossed = sign[waiting]*self.plant.switching(end) < 0
                 ready = waiting[crossed]
                 if ready.size:
-                    when, there = self.plant._first_zero(now[:, crossed], sign[ready], np.full(ready.size, stride), end[:, crossed])
+                    when, there = self.plant._first_zero(now[:, crossed], sign[ready], np.full(ready.size, stride),
+                                                         end[:, crossed])
                     z[:, ready], sign[ready] = there, -sign[ready]
                     begin[ready] += when
                 waiting = waiting[~crossed]

@@ -72,7 +72,8 @@ def _extremal(ax, points, controls, synthesis):
     visible = np.flatnonzero(inside)
     if visible.size > 6:
         middle = visible[visible.size//2]
-        ax.annotate("", xy=points[middle + 1] if middle + 1 < len(points) else points[middle], xytext=points[middle], zorder=3,
+        ax.annotate("", xy=points[middle + 1] if middle + 1 < len(points) else points[middle], xytext=points[middle],
+                    zorder=3,
                     arrowprops=dict(arrowstyle="-|>", color=BLACK, lw=0.8, mutation_scale=9))
 
 

@@ -13,7 +13,8 @@ def read_window(window):
     except (TypeError, ValueError):
         raise ValueError(f"window: expected ((left, right), (bottom, top)), got {window!r}") from None
     if len(window) != 2 or not all(np.isfinite(pair).all() and pair[0] < pair[1] for pair in window):
-        raise ValueError(f"window: expected ((left, right), (bottom, top)) with left < right and bottom < top, got {window}")
+        raise ValueError(f"window: expected ((left, right), (bottom, top)) with left < right and bottom < top, got "
+                         f"{window}")
     return window
 
 
@@ -31,12 +32,15 @@ def read_plant(problem):
     if not isinstance(problem, Problem):
         raise TypeError(f"problem: expected a Problem, got {type(problem).__name__}")
     if len(problem.state) != 2 or len(problem.control) != 1:
-        raise ValueError(f"problem: a planar synthesis needs two states and one control, this problem has {len(problem.state)} and "
+        raise ValueError(f"problem: a planar synthesis needs two states and one control, this problem has "
+                         f"{len(problem.state)} and "
                          f"{len(problem.control)}")
     if not problem.time_optimal or problem.maximise:
-        raise ValueError("problem: a synthesis is made for the least time; expected running=1, final=0 and a free final time")
+        raise ValueError("problem: a synthesis is made for the least time; expected running=1, final=0 and a free "
+                         "final time")
     # The start is not used, so that its parameters need no values.
-    used = set().union(*(e.free_symbols for e in (*problem.field, *problem.controls[problem.control[0]], *problem.terminal)))
+    used = set().union(*(e.free_symbols for e in (*problem.field, *problem.controls[problem.control[0]],
+                                                  *problem.terminal)))
     left = used - set(problem.state) - set(problem.control)
     if left:
         raise ValueError(f"problem: no value for {', '.join(sorted(map(str, left)))}; use problem.subs({{...}}) first")
@@ -48,7 +52,8 @@ def read_plant(problem):
         raise ValueError(f"problem: expected finite bounds {u}_- < {u}_+, got ({low}, {high})")
     plant = Plant(problem.field, problem.state, u, (low, high))
     if plant.singular == 0:
-        raise ValueError("problem: det(f1, [f0, f1]) vanishes everywhere, so extremals may be singular along their whole length; "
+        raise ValueError("problem: det(f1, [f0, f1]) vanishes everywhere, so extremals may be singular along their "
+                         "whole length; "
                          "for a linear system: the pair (A, b) is not controllable")
     return plant
 
@@ -79,7 +84,8 @@ def _read_curve(curve):
     except (TypeError, ValueError, sp.SympifyError):
         raise ValueError(f"curve: expected ((x1(s), x2(s)), (s, low, high)), got {curve!r}") from None
     if not (isinstance(s, sp.Symbol) and low < high and (x1.free_symbols | x2.free_symbols) <= {s}):
-        raise ValueError("curve: expected two expressions in one symbol s with numbers for everything else, and low < high")
+        raise ValueError("curve: expected two expressions in one symbol s with numbers for everything else, and low < "
+                         "high")
     point = stacked([s], [x1, x2])
     return point, low, high
 

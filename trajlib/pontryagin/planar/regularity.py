@@ -1,11 +1,10 @@
 """The conditions of Boltyansky's regular synthesis, tested on a computed synthesis of the plane.
 
     A  finitely many cells: open regions, curves, points;
-    B  in a cell the control is smooth; a curve is followed by the motion (first type) or crossed at an angle (second type);
-    C  the target is met at a non-zero angle and with a non-zero velocity;
-    D  a trajectory passes through finitely many cells and ends on the target;
-    E  all trajectories satisfy the maximum principle;
-    F  the time to the target is a continuous function of the start.
+    B  in a cell the control is smooth; a curve is followed by the motion (first type) or crossed at an angle (second
+    type); C  the target is met at a non-zero angle and with a non-zero velocity; D  a trajectory passes through
+    finitely many cells and ends on the target; E  all trajectories satisfy the maximum principle; F  the time to the
+    target is a continuous function of the start.
 
 If all hold in a region that trajectories do not leave, all of them are optimal there. C and F are the ones that fail in
 earnest: F on barriers. The numbers belong to the window and the horizon of the synthesis.
@@ -65,7 +64,8 @@ def _cells(synthesis):
     (left, right), (bottom, top) = synthesis.window
     X, Y = np.meshgrid(np.linspace(left, right, RASTER), np.linspace(bottom, top, RASTER))
     time, triangle, _ = field.interpolated(np.array([X.ravel(), Y.ravel()]))
-    sign = np.where(triangle >= 0, field.first[triangle]*np.where(np.median(field.count[triangle], axis=1) % 2, -1, 1), 0)
+    sign = np.where(triangle >= 0, field.first[triangle]*np.where(np.median(field.count[triangle], axis=1) % 2, -1, 1),
+                    0)
     sign = sign.reshape(X.shape)
     walls = np.zeros(X.shape, bool)
     step = np.array([right - left, top - bottom])/(RASTER - 1)
@@ -76,7 +76,8 @@ def _cells(synthesis):
     points = 1 if not synthesis.reached else 0
     text = f"{regions} regions, {len(curves)} curves" + (" and the target point" if points else "") + " in the window"
     if field.fans[0].plant.singular.free_symbols and _vanishes_inside(synthesis):
-        return Condition("A", False, regions, text + "; det(f1, [f0, f1]) vanishes somewhere in it, where extremals can be singular")
+        return Condition("A", False, regions,
+                         text + "; det(f1, [f0, f1]) vanishes somewhere in it, where extremals can be singular")
     return Condition("A", True, regions, text)
 
 
@@ -93,7 +94,8 @@ def _count_regions(sign, walls):
 
 def _raster(points, corner, step):
     """Rows and columns of the raster that a polyline runs through."""
-    fine = [np.linspace(a, b, max(int(np.ceil(2*np.max(np.abs(b - a)/step))), 2)) for a, b in zip(points[:-1], points[1:])]
+    fine = [np.linspace(a, b, max(int(np.ceil(2*np.max(np.abs(b - a)/step))), 2))
+            for a, b in zip(points[:-1], points[1:])]
     index = np.round((np.vstack(fine) - corner)/step).astype(int)
     inside = ((index >= 0) & (index < RASTER)).all(axis=1)
     return index[inside, 1], index[inside, 0]
@@ -165,7 +167,8 @@ def _maximum(synthesis):
         phi = fan.plant.switching(z)*fan.sign[k, j]
         energy = (z[2:]*fan.plant.velocity(z[:2], fan.sign[k, j])).sum(axis=0)
         worst = max(worst, np.max(-phi/size, initial=0), np.max(np.abs(energy - energy_at_end(fan, j))/size, initial=0))
-    return Condition("E", bool(worst < 1e-7), float(worst), f"maximum condition and H = lambda_0 up to {worst:.1e} along all extremals")
+    return Condition("E", bool(worst < 1e-7), float(worst),
+                     f"maximum condition and H = lambda_0 up to {worst:.1e} along all extremals")
 
 
 def energy_at_end(fan, j):
@@ -184,4 +187,5 @@ def _continuity(synthesis):
         text = f"{len(barriers) - len(finite)} barriers border points from which the target is not reached"
         text += f"; across {len(finite)} others the least time jumps by up to {max(finite):.3g}" if finite else ""
         return Condition("F", not finite, jump, text)
-    return Condition("F", False, float(jump), f"{len(barriers)} barriers; across them the least time jumps by up to {jump:.3g}")
+    return Condition("F", False, float(jump),
+                     f"{len(barriers)} barriers; across them the least time jumps by up to {jump:.3g}")

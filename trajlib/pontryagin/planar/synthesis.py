@@ -2,15 +2,16 @@
 
 For x' = f0(x) + f1(x) u, u_- <= u <= u_+ and the least time to a point or a smooth curve g(x) = 0 the maximum principle
 leaves one-parameter families of extremals: they end on the target, the costate there is normal to it (transversality)
-and max_u psi^T f = lambda_0 >= 0 (H = 0). Followed backwards they switch where psi^T f1 = 0; they are given up where they
-meet the target again (the process ends at the first hit) and where another extremal is faster. What is left is the synthesis:
+and max_u psi^T f = lambda_0 >= 0 (H = 0). Followed backwards they switch where psi^T f1 = 0; they are given up where
+they meet the target again (the process ends at the first hit) and where another extremal is faster. What is left is the
+synthesis:
 
     switching curve    where the control of optimal trajectories jumps,
     dispersal curve    where two extremals of equal time start: beyond it the other one is faster,
     barrier            an extremal, mostly one that touches the target, across which the least time jumps.
 
-Extremals with singular arcs are not looked for. They need det(f1, [f0, f1]) = 0: where this is possible, `regularity()` says so.
-Source: chapter 5 of the problem book (worked example 2, figure 5.1); V. G. Boltyansky's regular synthesis.
+Extremals with singular arcs are not looked for. They need det(f1, [f0, f1]) = 0: where this is possible, `regularity()`
+says so. Source: chapter 5 of the problem book (worked example 2, figure 5.1); V. G. Boltyansky's regular synthesis.
 """
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -33,12 +34,14 @@ SIDES = {"both": (1, -1), "positive": (1,), "negative": (-1,), "outside": (1,), 
 
 @dataclass(frozen=True)
 class Synthesis:
-    """What `synthesis` returns: the least time and the optimal control in the window, and the curves on which they change.
+    """What `synthesis` returns: the least time and the optimal control in the window, and the curves on which they
+    change.
 
     `switching_curves`, `dispersal_curves`: lists of `Curve` (`points`, shape (N, 2), `times` to the target).
-    `borders`: extremals that touch the target or end a family, as `Curve` with `jump`, the greatest jump of the least time
-    across it (inf at the edge of the set from which the target is reached); `barriers` are those whose jump is not zero.
-    `reached`: the parts of the target at which optimal trajectories end, as `Curve`; its `parameter` is (from, to).
+    `borders`: extremals that touch the target or end a family, as `Curve` with `jump`, the greatest jump of the least
+    time across it (inf at the edge of the set from which the target is reached); `barriers` are those whose jump is not
+    zero. `reached`: the parts of the target at which optimal trajectories end, as `Curve`; its `parameter` is (from,
+    to).
     """
 
     problem: Problem
@@ -98,7 +101,8 @@ class Synthesis:
         return pieces
 
     def extremals(self, count=24):
-        """About `count` optimal trajectories: a list of (points, controls), points of shape (K, 2) from far to the target."""
+        """About `count` optimal trajectories: a list of (points, controls), points of shape (K, 2) from far to the
+        target."""
         chosen = []
         for fan in self._field.fans:
             long = np.flatnonzero((fan.cut > 0) & (fan.life > 1))
@@ -121,7 +125,8 @@ class Synthesis:
         return draw(self, ax, isochrones, extremals)
 
     def __repr__(self):
-        return (f"Synthesis({len(self.switching_curves)} switching curves, {len(self.dispersal_curves)} dispersal curves, "
+        return (f"Synthesis({len(self.switching_curves)} switching curves, {len(self.dispersal_curves)} dispersal "
+                f"curves, "
                 f"{len(self.barriers)} barriers, window={self.window}, horizon={self.horizon:g})")
 
     def _points(self, x1, x2):
@@ -145,18 +150,19 @@ class Synthesis:
             return []
         last = np.array([fan.path[np.flatnonzero(fan.times <= fan.cut[j])[-1], :, j] for j in long])
         along = np.append(0, np.cumsum(np.hypot(*np.diff(last, axis=0).T)))
-        return long[np.unique(np.searchsorted(along, np.linspace(0, along[-1], share + 2)[1:-1]).clip(0, long.size - 1))]
+        return long[np.unique(np.searchsorted(along, np.linspace(0, along[-1], share
+                                                                 + 2)[1:-1]).clip(0, long.size - 1))]
 
 
 def synthesis(problem, *, window=((-3, 3), (-3, 3)), horizon=6.0, side="both", curve=None):
     """The time-optimal synthesis of a planar system that is affine in one bounded control.
 
-    `problem`: a `Problem` whose cost is the time, with two states, one control and numbers for all parameters; two terminal
-    equations (a point) or one (a smooth curve). Its initial state is not used. `window`: ((left, right), (bottom, top));
-    `horizon`: the longest time looked at. `side`: for a curve, from which side it is met, "positive" or "negative" by the sign of
-    the terminal expression ("outside", "inside" are the same words for closed curves), or "both".
-    `curve`: ((x1(s), x2(s)), (s, low, high)), a parametrisation of the terminal curve in SymPy; `reached` then speaks of its
-    parameter. Without it the curve is traced and the parameter is its length.
+    `problem`: a `Problem` whose cost is the time, with two states, one control and numbers for all parameters; two
+    terminal equations (a point) or one (a smooth curve). Its initial state is not used. `window`: ((left, right),
+    (bottom, top)); `horizon`: the longest time looked at. `side`: for a curve, from which side it is met, "positive" or
+    "negative" by the sign of the terminal expression ("outside", "inside" are the same words for closed curves), or
+    "both". `curve`: ((x1(s), x2(s)), (s, low, high)), a parametrisation of the terminal curve in SymPy; `reached` then
+    speaks of its parameter. Without it the curve is traced and the parameter is its length.
 
     Raises TypeError or ValueError for a problem of another kind, and where no extremal ends on the target.
 
@@ -173,7 +179,8 @@ def synthesis(problem, *, window=((-3, 3), (-3, 3)), horizon=6.0, side="both", c
     plant = read_plant(problem)
     if side not in SIDES:
         raise ValueError(f'side: expected one of {", ".join(map(repr, SIDES))}, got {side!r}')
-    box = tuple((3*low - 2*high, 3*high - 2*low) for low, high in window)     # extremals may leave the window for a while
+    # extremals may leave the window for a while
+    box = tuple((3*low - 2*high, 3*high - 2*low) for low, high in window)
     target = read_target(problem, SIDES[side], box, curve)
     steps = int(np.clip(np.ceil(max(100, horizon*greatest_rate(problem, window)/0.12)), 100, 1200))
 
@@ -188,19 +195,23 @@ def synthesis(problem, *, window=((-3, 3), (-3, 3)), horizon=6.0, side="both", c
                 fans.append(fan)
                 arcs.append(family)
     if not fans:
-        raise ValueError("terminal: no extremal ends on this target: no admissible velocity crosses it towards the side asked for")
+        raise ValueError("terminal: no extremal ends on this target: no admissible velocity crosses it towards the "
+                         "side asked for")
     field_ = TimeField(fans, window)
     dispersal = dispersal_curves(np.hstack([cut_at_overlaps(fan, field_) for fan in fans]), field_)
     touches = [_single(plant, target, touch, horizon, steps, box) for touch in touching]
-    return Synthesis(problem, window, horizon, switching_curves(fans, window), dispersal, _reached(arcs) if target.sides != (0,) else [],
+    return Synthesis(problem, window, horizon, switching_curves(fans, window), dispersal, _reached(arcs)
+                     if target.sides != (0,) else [],
                      target, field_, touches)
 
 
 def _fill(fan, window):
-    """Put extremals into a fan until neighbours stay close, and those around a jump (a second hit) are as good as equal."""
+    """Put extremals into a fan until neighbours stay close, and those around a jump (a second hit) are as good as
+    equal."""
     ends = fan.ends
     span = ends.high - ends.low
-    fan.add(np.unique(np.concatenate([np.linspace(ends.low, ends.high, 97), ends.special, _first_control_changes(fan)])))
+    fan.add(np.unique(np.concatenate([np.linspace(ends.low, ends.high, 97), ends.special,
+                                      _first_control_changes(fan)])))
     (left, right), (bottom, top) = window
     size = np.array([right - left, top - bottom])
     for _ in range(26):
@@ -218,7 +229,8 @@ def _fill(fan, window):
         if not (split | torn).any():
             return
         parts = np.where(split, np.clip(np.ceil(parts), 2, 6), np.where(torn, 2, 1)).astype(int)
-        fan.add(np.concatenate([np.linspace(fan.s[k], fan.s[k + 1], parts[k] + 1)[1:-1] for k in np.flatnonzero(parts > 1)]))
+        fan.add(np.concatenate([np.linspace(fan.s[k], fan.s[k + 1], parts[k] + 1)[1:-1]
+                                for k in np.flatnonzero(parts > 1)]))
 
 
 def _first_control_changes(fan):

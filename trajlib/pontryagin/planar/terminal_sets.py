@@ -6,7 +6,8 @@ backwards: on a curve g = 0 the end point runs along the curve and the costate i
     y(s),   psi = -sigma grad g / |grad g|,   w(s) = max_u psi^T f(y, u) = lambda_0 >= 0,
 
 where sigma = +1, -1 is the sign of g on the side from which the target is met; for a single point the costate
-psi = (cos s, sin s) turns. Where w > 0 the extremal is normal and crosses the curve; where w = 0 it is abnormal and touches it.
+psi = (cos s, sin s) turns. Where w > 0 the extremal is normal and crosses the curve; where w = 0 it is abnormal and
+touches it.
 """
 from dataclasses import dataclass
 
@@ -22,7 +23,8 @@ TOUCHES = 1e-9
 
 @dataclass(frozen=True)
 class Ends:
-    """End points and costates of a family of extremals: `point(s)`, `costate(s)`, arrays of shape (2, N), low <= s <= high.
+    """End points and costates of a family of extremals: `point(s)`, `costate(s)`, arrays of shape (2, N), low <= s <=
+    high.
 
     `special`: values of s inside at which w = 0. `side`: the sign of g before the end, 0 for a single point.
     """
@@ -59,7 +61,8 @@ class PointTarget:
 
 
 class CurveTarget:
-    """The curve g = 0, a polyline traced inside a box and put onto the curve by Newton's method, or a given parametrisation."""
+    """The curve g = 0, a polyline traced inside a box and put onto the curve by Newton's method, or a given
+    parametrisation."""
 
     def __init__(self, value, gradient, sides, box=None, parametrised=None):
         self.value, self.gradient, self.sides = value, gradient, sides
@@ -95,7 +98,8 @@ class CurveTarget:
     def _check(self, points):
         size = np.hypot(*self.gradient(*points))
         if not np.isfinite(size).all() or (size < 1e-12).any():
-            raise ValueError("terminal: the gradient of its equation vanishes on the target, which is no smooth curve there")
+            raise ValueError("terminal: the gradient of its equation vanishes on the target, which is no smooth curve "
+                             "there")
         if np.abs(self.value(*points)/size).max() > 1e-6:
             raise ValueError("curve: the parametrisation does not satisfy the terminal equation")
 
@@ -107,7 +111,8 @@ class CurveTarget:
         X, Y = np.meshgrid(x, y)
         lines = [line.T for line in contour_generator(x, y, self.value(X, Y)).lines(0) if len(line) > 3]
         if not lines:
-            raise ValueError("terminal: the equation has no solutions in the window (and twice its size around it); enlarge the window")
+            raise ValueError("terminal: the equation has no solutions in the window (and twice its size around it); "
+                             "enlarge the window")
         self._splines, self._pieces, start = [], [], 0.0
         for line in lines:
             line = self._onto_curve(line)
@@ -161,7 +166,8 @@ def families(target, plant, side):
 
 
 def _last_admissible(function, low, high):
-    """The zero of w between low and high, rounded to the side where w is not negative: on the other one there is no extremal."""
+    """The zero of w between low and high, rounded to the side where w is not negative: on the other one there is no
+    extremal."""
     zero, inner = brentq(function, low, high, xtol=1e-13), high if function(high) > 0 else low
     step = 1e-15*(high - low)
     while function(zero) < 0:
@@ -175,7 +181,8 @@ def _zeros(function, s, w, scale, closed):
     zeros = [_last_admissible(function, s[k], s[k + 1]) for k in np.flatnonzero(w[:-1]*w[1:] < 0)]
     zeros += list(s[np.abs(w) <= TOUCHES*scale])
     step = s[1] - s[0]
-    lowest = np.flatnonzero((w[1:-1] <= w[:-2]) & (w[1:-1] <= w[2:]) & (w[1:-1] > TOUCHES*scale) & (w[1:-1] < 0.01*scale)) + 1
+    lowest = np.flatnonzero((w[1:-1] <= w[:-2]) & (w[1:-1] <= w[2:]) & (w[1:-1] > TOUCHES*scale)
+                            & (w[1:-1] < 0.01*scale)) + 1
     for k in lowest:
         best = minimize_scalar(function, bounds=(s[k] - step, s[k] + step), method="bounded", options={"xatol": 1e-12})
         if best.fun < 1e-7*scale:

@@ -20,8 +20,9 @@ ON_TARGET = 1e-10
 
 @dataclass
 class Fastest:
-    """The fastest extremals from N points, each an array (N,): `time` (inf where there is none), `sign` of the control at the
-    point, `fan` (-1 where there is none), the parameter `s` there, and the structure: `first` control and `count` of switchings.
+    """The fastest extremals from N points, each an array (N,): `time` (inf where there is none), `sign` of the control
+    at the point, `fan` (-1 where there is none), the parameter `s` there, and the structure: `first` control and
+    `count` of switchings.
     """
 
     time: np.ndarray
@@ -76,7 +77,8 @@ class TimeField:
         corners = [(k, j), (k, j + 1), (k + 1, j), (k + 1, j + 1)]
         x = np.array([fan.path[a, :, b] for a, b in corners])
         s_tau = np.array([np.stack([fan.s[b], fan.times[a]], axis=-1) for a, b in corners])
-        # A border of the first control is an extremal of the fan; seen from the other side it has switched once, at once.
+        # A border of the first control is an extremal of the fan; seen from the other side it has switched once, at
+        # once.
         middle = (fan.s[:-1] + fan.s[1:])/2
         first = fan.start(middle)[1] if middle.size else np.empty(0, int)
         count = np.array([fan.count[a, b] + (fan.sign[0, b] != first[j]) for a, b in corners])
@@ -110,7 +112,8 @@ class TimeField:
         return np.floor((points - self.corner)/self.square).astype(int)
 
     def candidates(self, x, slack=SLACK):
-        """Pairs (point, triangle) with s and tau there, for points `x` of shape (2, N): four arrays and the triangle's signs."""
+        """Pairs (point, triangle) with s and tau there, for points `x` of shape (2, N): four arrays and the triangle's
+        signs."""
         place = np.clip(self._square(x.T), -1, SQUARES)
         ok = ((place >= 0) & (place < SQUARES)).all(axis=1)
         cell = np.where(ok, place[:, 1]*SQUARES + place[:, 0], 0)
@@ -177,7 +180,8 @@ class TimeField:
             order = np.flatnonzero(ok)[np.argsort(-exact_tau[ok], kind="stable")]
             order = order[exact_tau[order] < found.time[point[mine[order]]]]
             for_point = point[mine[order]]                  # the last one written is the shortest
-            for name, values in (("time", exact_tau), ("sign", signs), ("s", exact_s), ("first", first), ("count", switchings)):
+            for name, values in (("time", exact_tau), ("sign", signs), ("s", exact_s), ("first", first),
+                                 ("count", switchings)):
                 getattr(found, name)[for_point] = values[order]
             found.fan[for_point] = number
 
@@ -204,7 +208,8 @@ class TimeField:
         return pick, first[pick], low[pick] + within
 
     def _distinct(self, x, later):
-        """Of all candidates of a point those that may be the fastest: the first in time of each structure, if not far behind."""
+        """Of all candidates of a point those that may be the fastest: the first in time of each structure, if not far
+        behind."""
         point, triangle, s, tau = self.candidates(x)
         kind = (self.fan[triangle]*2 + (self.first[triangle] > 0))*64 + self.count[triangle].min(axis=1)
         order = np.lexsort((tau, kind, point))
@@ -221,7 +226,8 @@ class TimeField:
 
 
 def polish(fan, x, s, tau, first, switchings, rounds=20):
-    """Newton's method on x(s, tau) = x for extremals of a given structure; returns s, tau, the control's sign, which are good.
+    """Newton's method on x(s, tau) = x for extremals of a given structure; returns s, tau, the control's sign, which
+    are good.
 
     On a switching curve the sign is that of the control that follows.
     """
@@ -244,7 +250,8 @@ def polish(fan, x, s, tau, first, switchings, rounds=20):
         done = error < 1e-11*size
         # The structure must be real: the last arc has a positive length, and the control maximises on it.
         phi = fan.plant.switching(here)
-        consistent = (tau[busy] >= start[:n] - 1e-9) & (last[:n]*phi >= -1e-9*np.hypot(*here[2:])*(1 + np.hypot(*here[:2])))
+        consistent = (tau[busy] >= start[:n]
+                      - 1e-9) & (last[:n]*phi >= -1e-9*np.hypot(*here[2:])*(1 + np.hypot(*here[:2])))
         settled = busy[done]
         good[settled], begin[settled] = consistent[done], start[:n][done]
         on_curve = (tau[settled] - begin[settled] < 1e-8) & (switchings[settled] > 0)
