@@ -65,9 +65,8 @@ def encode(value):
     True
     >>> encode([0, {"x": lambda t: t}])
     Traceback (most recent call last):
-    trajlib.checks.encoding.EncodingError: answer[1]['x'] is a function, and functions are not data: write its formula
-    in SymPy. \
-An answer may be a number, a string, an array, a SymPy expression, relation, set or matrix, or a list or dict of these.
+    trajlib.checks.encoding.EncodingError: answer[1]['x'] is a function, and functions are not data: \
+write its formula in SymPy. An answer may be a number, a string, an array, a SymPy expression, relation, set or matrix, or a list or dict of these.
     """
     walk = _Encoder()
     try:
