@@ -18,7 +18,6 @@ import time
 from pathlib import Path
 
 import numpy as np
-
 from pontryagin_peers import CASES, GUESSES, PEERS
 
 RUNS = 4
@@ -40,7 +39,6 @@ def environment(folder):
 def ours(name):
     """What a fresh process prints for trajlib: cost, switching times, seconds, residuals."""
     # noqa: F401  imported for the peers before the clock starts, so here too; trajlib's own modules load inside
-    import casadi
     import sympy as sp
 
     from trajlib.pontryagin import Problem

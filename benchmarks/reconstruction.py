@@ -6,8 +6,8 @@ end.
 
 import numpy as np
 from scipy.interpolate import make_smoothing_spline
-
 from stopwatch import seconds
+
 from trajlib.reconstruction import SweepGains, reconstruct
 
 RUNS = 3

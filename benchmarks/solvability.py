@@ -8,8 +8,8 @@ and no verdict.
 
 import numpy as np
 from scipy.integrate import solve_ivp
-
 from stopwatch import seconds
+
 from trajlib.solvability import analyse, clohessy_wiltshire, linearise, stack
 
 RUNS = 5

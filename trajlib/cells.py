@@ -25,7 +25,7 @@ def run_cells(sources, names, folder=None, before=(), seconds=None):
     `before` are cells of ours that run first, in case the notebook lost or moved its own copies. With `seconds`, of
     computing and on the clock, a cell that takes half of what is left of them is stopped, and the next one runs.
     """
-    from trajlib.checks.reporting import NotYet  # what a check cell raises: verdicts say it better
+    from trajlib.checks.contract.reporting import NotYet  # what a check cell raises: verdicts say it better
 
     os.environ.setdefault("MPLBACKEND", "Agg")
     if folder:
@@ -100,7 +100,7 @@ class _Notebook:
 
     def encoded(self):
         """(encoded answers, why others cannot be read), by name; an untouched stub is an answer too."""
-        from trajlib.checks.encoding import EncodingError, encode
+        from trajlib.checks.contract.encoding import EncodingError, encode
 
         encoded, unreadable, room = {}, {}, ROOM
         for name in self.names:

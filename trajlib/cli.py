@@ -10,7 +10,7 @@ from rich.console import Console
 from rich.table import Table
 
 from trajlib import exercises
-from trajlib.checks.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG
+from trajlib.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG
 
 app = typer.Typer(help="The executable workbook on controlled motion: its problems, solutions and checks.",
                   no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False,
@@ -43,7 +43,7 @@ def problems(as_json: AsJson = False):
 @app.command()
 def solve(number: Annotated[str, typer.Argument(help='A problem such as "1.15".')], as_json: AsJson = False):
     """Run a problem's worked solution (from a checkout) and print its answers and their verdicts."""
-    from trajlib.checks.encoding import decode, describe
+    from trajlib.checks.contract.encoding import decode, describe
     from trajlib.execution import judge, run_notebook
     from trajlib.masters import read
 
@@ -241,7 +241,7 @@ def _grade_course(*given):
 
 
 def _show(name, verdict):
-    from trajlib.checks.reporting import MARKS
+    from trajlib.checks.contract.reporting import MARKS
 
     colour = COLOURS[verdict.status]
     console.print(f"  [{colour}]{MARKS[verdict.status]} {verdict.status:<9}[/{colour}] ", end="")

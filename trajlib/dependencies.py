@@ -17,7 +17,7 @@ def module_closure(source):
     Found by reading imports, without running anything; packages whose names load lazily count by the names used.
 
     >>> closure = module_closure("from trajlib import checks; checks.stability_region")
-    >>> "trajlib.checks.regions" in closure, "trajlib.checks.cycles" in closure
+    >>> "trajlib.checks.stability.regions" in closure, "trajlib.checks.stability.cycles" in closure
     (True, False)
     """
     closure, waiting = {}, sorted(_loaded(source))

@@ -1,6 +1,6 @@
 """Run a notebook's cells in a child process and bring its answers home as data; judge answers in another.
 
-The child that runs a student's cells hands over bytes only (`trajlib.checks.encoding`). The child that judges decodes
+The child that runs a student's cells hands over bytes only (`trajlib.checks.contract.encoding`). The child that judges decodes
 them, runs data and check cells of the pristine exercise, and never executes anything of the student's.
 """
 
@@ -13,8 +13,7 @@ from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 
 from trajlib.cells import run_cells
-from trajlib.checks.verdict import UNCHECKED, Unusable, Verdict
-
+from trajlib.checks.contract.verdict import UNCHECKED, Unusable, Verdict
 
 CONTEXT = multiprocessing.get_context("fork" if "fork" in multiprocessing.get_all_start_methods() else "spawn")
 
@@ -153,7 +152,7 @@ def decoded(encoded, unreadable, names):
 
 
 def _answer(text, unreadable):
-    from trajlib.checks.encoding import EncodingError, decode
+    from trajlib.checks.contract.encoding import EncodingError, decode
 
     if text is None:
         return ... if unreadable is None else Unusable(unreadable)

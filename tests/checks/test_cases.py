@@ -7,18 +7,18 @@ import pytest
 
 from trajlib import checks
 
-TABLES = sorted((Path(__file__).parent / "cases").glob("*.py"))
+TABLES = sorted((Path(__file__).parent / "cases").glob("*/*.py"))
 NOT_CHECKS = {"NotYet", "Unusable", "Verdict", "collecting", "judged", "report"}
 
 
 def _load(path):
-    spec = importlib.util.spec_from_file_location(f"cases_{path.stem}", path)
+    spec = importlib.util.spec_from_file_location(f"cases_{path.parent.name}_{path.stem}", path)
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     return module
 
 
-MODULES = {path.stem: _load(path) for path in TABLES}
+MODULES = {f"{path.parent.name}.{path.stem}": _load(path) for path in TABLES}
 CASES = [case for module in MODULES.values() for case in module.CASES]
 
 

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from trajlib.checks import coercion
-from trajlib.checks.verdict import Invalid
+from trajlib.checks.contract import coercion
+from trajlib.checks.contract.verdict import Invalid
 
 x, y = sp.symbols("x y", real=True)
 plain = sp.Symbol("x")

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from trajlib.checks.exact_polynomials import exact, rational_roots
-from trajlib.checks.sampling import bisected
+from trajlib.checks.tools.exact_polynomials import exact, rational_roots
+from trajlib.checks.tools.samples import bisected
 
 x, y, z, t = sp.symbols("x y z t")
 

@@ -5,9 +5,9 @@ from fractions import Fraction
 import pytest
 import sympy as sp
 
-from trajlib.checks.invariant_subspaces import characteristic_coefficients, kernel, restricted, unseen_subspace
-from trajlib.checks.pairs import pair_of
-from trajlib.checks.parameter_places import Claim, Irrational, Rational, Residue, allowed, places
+from trajlib.checks.tools.places import Claim, Irrational, Rational, Residue, allowed, places
+from trajlib.checks.truths.invariant_subspaces import characteristic_coefficients, kernel, restricted, unseen_subspace
+from trajlib.checks.truths.pairs import pair_of
 
 x, y = sp.symbols("x y", real=True)
 LINE = ((Fraction(0),), (Fraction(1),))

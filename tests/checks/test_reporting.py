@@ -13,8 +13,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from trajlib import checks
-from trajlib.checks.encoding import EncodingError, decode, encode
-from trajlib.checks.verdict import Unusable, Verdict, Wrong, judged
+from trajlib.checks.contract.encoding import EncodingError, decode, encode
+from trajlib.checks.contract.verdict import Unusable, Verdict, Wrong, judged
 
 
 @judged

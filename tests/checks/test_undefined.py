@@ -9,8 +9,8 @@ import pytest
 import sympy as sp
 
 from trajlib import checks
-from trajlib.checks.at_values import matrix_at, number_at, numbers_at, real_at, real_function, truth_at, value_at
-from trajlib.checks.verdict import Invalid, Wrong
+from trajlib.checks.contract.verdict import Invalid, Wrong
+from trajlib.checks.tools.values import matrix_at, number_at, numbers_at, real_at, real_function, truth_at, value_at
 
 x, y, t = sp.symbols("x y t", real=True)
 UNDEFINED = sp.Add(sp.oo, -sp.oo, evaluate=False)
@@ -23,7 +23,7 @@ HUGE = sp.Integer(10) ** 200
 
 
 def cases(name):
-    spec = importlib.util.spec_from_file_location(f"data_{name}", Path(__file__).parent / "cases" / f"{name}.py")
+    spec = importlib.util.spec_from_file_location(f"data_{Path(name).stem}", Path(__file__).parent / "cases" / f"{name}.py")
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     return module
@@ -71,9 +71,9 @@ def test_a_condition_with_an_undefined_term_does_not_hold():
     assert truth_at(sp.Integral(z, (z, 0, 2)) > z, {z: 1}) is True  # bound in the integral
 
 
-LAW = cases("syntheses")
-MOVE, SEEN, SPLINE, PLANE = cases("transfers"), cases("observations"), cases("smoothing"), cases("planar")
-LINES, FLAT, LISTS = cases("critical"), cases("linear"), cases("families")
+LAW = cases("pontryagin/syntheses")
+MOVE, SEEN, SPLINE, PLANE = cases("pontryagin/transfers"), cases("research/solvability"), cases("research/reconstruction"), cases("stability/stationary")
+LINES, FLAT, LISTS = cases("stability/critical"), cases("stability/first_approximation"), cases("stability/rest_families")
 STRIP = sp.Piecewise((LAW.TO_ORIGIN, sp.Abs(LAW.x1 - sp.Rational(1, 2)) > sp.Rational(1, 25)))
 SIDES = LAW.x1 + LAW.x2 * sp.Abs(LAW.x2) / 2
 PUSH = sp.Piecewise((-1, MOVE.t < 1), (1, MOVE.t > 1))

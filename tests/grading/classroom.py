@@ -5,7 +5,7 @@ import json
 import os
 
 from trajlib import exercises
-from trajlib.checks.verdict import Verdict
+from trajlib.checks.contract.verdict import Verdict
 from trajlib.grading import assignment as assignments
 
 #: Right answers of problem 1.15, each in one line (`from trajlib` is in the notebook's own data cell).

@@ -7,6 +7,7 @@ import pytest
 
 from trajlib.grading import cluster, cluster_lanes
 
+
 class Dask:
     """A client whose calls come back when the test says so."""
 

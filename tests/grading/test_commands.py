@@ -16,7 +16,7 @@ from classroom import RIGHT_1_15, hand_in, write_assignment  # noqa: E402
 from guide import like, steps  # noqa: E402
 
 from trajlib import exercises  # noqa: E402
-from trajlib.checks.encoding import decode, describe  # noqa: E402
+from trajlib.checks.contract.encoding import decode, describe  # noqa: E402
 from trajlib.execution import judge, run_notebook  # noqa: E402
 from trajlib.grading import commands, lanes, units  # noqa: E402
 from trajlib.grading.assignment import BadInput  # noqa: E402

@@ -12,7 +12,7 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 from classroom import graded  # noqa: E402
 
-from trajlib.checks.verdict import MISSING, RIGHT, UNCHECKED, WRONG  # noqa: E402
+from trajlib.checks.contract.verdict import MISSING, RIGHT, UNCHECKED, WRONG  # noqa: E402
 from trajlib.grading import canvas, exporting  # noqa: E402
 from trajlib.grading.assignment import BadInput  # noqa: E402
 from trajlib.grading.canvas import Roster  # noqa: E402

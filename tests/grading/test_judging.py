@@ -13,8 +13,8 @@ sys.path.insert(0, str(Path(__file__).parent))
 from classroom import RIGHT_1_15  # noqa: E402
 
 from trajlib import exercises  # noqa: E402
-from trajlib.checks.encoding import encode  # noqa: E402
-from trajlib.checks.verdict import INVALID, MISSING, RIGHT, STATUSES, UNCHECKED, WRONG  # noqa: E402
+from trajlib.checks.contract.encoding import encode  # noqa: E402
+from trajlib.checks.contract.verdict import INVALID, MISSING, RIGHT, STATUSES, UNCHECKED, WRONG  # noqa: E402
 from trajlib.execution import CONTEXT, decoded, in_child, judge_cells  # noqa: E402
 from trajlib.grading import judging  # noqa: E402
 from trajlib.grading.judging import FINAL, NOT_FINAL, WITHIN_LIMITS, Bounds, judge  # noqa: E402

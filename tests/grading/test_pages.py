@@ -13,8 +13,8 @@ sys.path.insert(0, str(Path(__file__).parent))
 from classroom import an_assignment, graded  # noqa: E402
 
 from trajlib import exercises  # noqa: E402
-from trajlib.checks.encoding import decode, describe  # noqa: E402
-from trajlib.checks.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG, Verdict  # noqa: E402
+from trajlib.checks.contract.encoding import decode, describe  # noqa: E402
+from trajlib.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG, Verdict  # noqa: E402
 from trajlib.execution import judge, run_notebook  # noqa: E402
 from trajlib.grading import assignment as assignments  # noqa: E402
 from trajlib.grading.feedback import feedback  # noqa: E402

@@ -8,7 +8,7 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 from classroom import an_assignment, graded  # noqa: E402
 
-from trajlib.checks.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG  # noqa: E402
+from trajlib.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG  # noqa: E402
 from trajlib.grading import manual  # noqa: E402
 from trajlib.grading.scores import scores  # noqa: E402
 

@@ -30,13 +30,13 @@ def test_the_closure_holds_all_that_is_loaded(code):
 
 def test_a_theme_that_is_not_used_does_not_count():
     closure = module_closure("from trajlib import checks\nchecks.stability_region")
-    assert "trajlib.checks.cycles" not in closure and "trajlib.stability.hurwitz" not in closure
+    assert "trajlib.checks.stability.cycles" not in closure and "trajlib.stability.hurwitz" not in closure
 
 
 def test_the_hash_is_that_of_the_text():
     import hashlib
 
-    import trajlib.checks.regions as regions
+    import trajlib.checks.stability.regions as regions
     text = open(regions.__file__, "rb").read()
-    assert (module_closure("from trajlib import checks\nchecks.stability_region")["trajlib.checks.regions"]
+    assert (module_closure("from trajlib import checks\nchecks.stability_region")["trajlib.checks.stability.regions"]
             == hashlib.sha256(text).hexdigest())

@@ -5,9 +5,17 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from trajlib.pontryagin import (Chattering, Infeasible, PontryaginError, Problem, StartOnTarget, Unbounded,
-                                WrongStructure,
-                                certify, compare)
+from trajlib.pontryagin import (
+    Chattering,
+    Infeasible,
+    PontryaginError,
+    Problem,
+    StartOnTarget,
+    Unbounded,
+    WrongStructure,
+    certify,
+    compare,
+)
 
 x, x1, x2, u, v = sp.symbols("x x1 x2 u v")
 half = sp.Rational(1, 2)

@@ -13,9 +13,18 @@ import sympy as sp
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from trajlib.solvability import (analyse, clohessy_wiltshire, guarantee, linearise, reflection_constant, rounding_bound,
-                                 solve, stack,
-                                 threshold, transition)
+from trajlib.solvability import (
+    analyse,
+    clohessy_wiltshire,
+    guarantee,
+    linearise,
+    reflection_constant,
+    rounding_bound,
+    solve,
+    stack,
+    threshold,
+    transition,
+)
 from trajlib.solvability.intervals import Interval
 
 EARTH, RADIUS, RATE = 398600.4418, 6378.137, 7.2921159e-5      # km^3/s^2, km, 1/s

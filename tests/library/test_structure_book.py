@@ -2,11 +2,18 @@
 import pytest
 import sympy as sp
 
-from trajlib.structure import (controllability, controllability_decomposition, controllability_matrix,
-                               controllable_subspace,
-                               controller_canonical_form, observability, observability_decomposition,
-                               observability_matrix,
-                               observer_canonical_form, unobservable_subspace)
+from trajlib.structure import (
+    controllability,
+    controllability_decomposition,
+    controllability_matrix,
+    controllable_subspace,
+    controller_canonical_form,
+    observability,
+    observability_decomposition,
+    observability_matrix,
+    observer_canonical_form,
+    unobservable_subspace,
+)
 
 M = sp.Matrix
 lam = sp.Symbol("lambda")

@@ -6,8 +6,16 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.linalg import expm
 
-from trajlib.structure import (controllability, observability, observability_matrix, scalar_equation, state_form,
-                               time_varying_conditions, time_varying_observability_matrix, with_measurement_error)
+from trajlib.structure import (
+    controllability,
+    observability,
+    observability_matrix,
+    scalar_equation,
+    state_form,
+    time_varying_conditions,
+    time_varying_observability_matrix,
+    with_measurement_error,
+)
 
 M = sp.Matrix
 t, omega, a, b = sp.symbols("t omega alpha beta")

@@ -5,9 +5,14 @@ import itertools
 import pytest
 import sympy as sp
 
-from trajlib.structure import (controllability_conditions, controllability_matrix, first_order_form,
-                               observability_conditions,
-                               observability_matrix, with_measurement_error)
+from trajlib.structure import (
+    controllability_conditions,
+    controllability_matrix,
+    first_order_form,
+    observability_conditions,
+    observability_matrix,
+    with_measurement_error,
+)
 
 M, Ne, Eq, And = sp.Matrix, sp.Ne, sp.Eq, sp.And
 a, b, k, w, h, l1, l2 = sp.symbols("alpha beta k omega h l1 l2")

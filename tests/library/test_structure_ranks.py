@@ -6,13 +6,22 @@ import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from trajlib.structure import (controllability, controllability_conditions, controllability_decomposition,
-                               controllability_matrix,
-                               controllable_subspace, controller_canonical_form, first_order_form,
-                               mechanical_controllability,
-                               mechanical_observability, observability, observability_decomposition,
-                               observability_matrix,
-                               observer_canonical_form, unobservable_subspace)
+from trajlib.structure import (
+    controllability,
+    controllability_conditions,
+    controllability_decomposition,
+    controllability_matrix,
+    controllable_subspace,
+    controller_canonical_form,
+    first_order_form,
+    mechanical_controllability,
+    mechanical_observability,
+    observability,
+    observability_decomposition,
+    observability_matrix,
+    observer_canonical_form,
+    unobservable_subspace,
+)
 
 M = sp.Matrix
 w, lam = sp.Symbol("omega"), sp.Symbol("lambda")

@@ -15,7 +15,7 @@ import sympy as sp
 from harness import Workbench
 
 from trajlib import exercises
-from trajlib.checks.encoding import EncodingError, encode
+from trajlib.checks.contract.encoding import EncodingError, encode
 from trajlib.execution import in_child, judge_cells
 from trajlib.masters import read
 

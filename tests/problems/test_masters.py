@@ -12,7 +12,7 @@ from mutants import mutants
 from nonsense import NOT_ASKED, nonsense
 from oracles import is_right
 
-from trajlib.checks.encoding import decode, encode
+from trajlib.checks.contract.encoding import decode, encode
 from trajlib.execution import in_child
 from trajlib.masters import master_paths, read
 

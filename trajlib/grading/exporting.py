@@ -13,7 +13,7 @@ import json
 import re
 from datetime import datetime, timezone
 
-from trajlib.checks.verdict import RIGHT, UNCHECKED
+from trajlib.checks.contract.verdict import RIGHT, UNCHECKED
 
 # For people
 

@@ -5,8 +5,8 @@ from html import escape
 from pathlib import Path
 
 from trajlib import exercises
-from trajlib.checks.reporting import MARKS
-from trajlib.checks.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG
+from trajlib.checks.contract.reporting import MARKS
+from trajlib.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG
 from trajlib.grading.handing_out import spoken
 from trajlib.grading.pages import count, page, points
 

@@ -13,8 +13,8 @@ import sys
 from contextlib import suppress
 from dataclasses import dataclass, field
 
-from trajlib.checks.encoding import describe
-from trajlib.checks.verdict import MISSING, UNCHECKED, Unusable, Verdict
+from trajlib.checks.contract.encoding import describe
+from trajlib.checks.contract.verdict import MISSING, UNCHECKED, Unusable, Verdict
 from trajlib.execution import CONTEXT, Child, TimeLimit, decoded, judge_answers
 from trajlib.grading.isolation import end_with_parent, loaded
 from trajlib.grading.printable import printable

@@ -7,7 +7,7 @@ something was left aside that may be the work that is missing.
 
 from dataclasses import dataclass, field
 
-from trajlib.checks.verdict import MISSING, RIGHT, UNCHECKED, Verdict
+from trajlib.checks.contract.verdict import MISSING, RIGHT, UNCHECKED, Verdict
 from trajlib.grading.store import Attempt
 
 NOT_SUBMITTED = Verdict(MISSING, "nothing was submitted for this problem")

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from datetime import datetime, timezone
 from pathlib import Path
 
-from trajlib.checks.verdict import Verdict
+from trajlib.checks.contract.verdict import Verdict
 from trajlib.grading.assignment import BadInput
 
 SCHEMA = """

@@ -6,7 +6,7 @@ import statistics
 from collections import Counter, defaultdict
 from html import escape
 
-from trajlib.checks.verdict import MISSING, RIGHT, STATUSES, WRONG
+from trajlib.checks.contract.verdict import MISSING, RIGHT, STATUSES, WRONG
 from trajlib.grading.pages import answer_name, count, page, person, points, table
 
 NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(\.\d*)?(e[-+]?\d+)?")

@@ -6,12 +6,11 @@ import os
 from dataclasses import asdict, replace
 
 from trajlib import exercises
-from trajlib.checks.verdict import MISSING, Verdict
+from trajlib.checks.contract.verdict import MISSING, Verdict
 from trajlib.dependencies import module_closure
 from trajlib.grading.judging import Bounds, Judgement, Judging
 from trajlib.grading.preloading import SYMPY, preload
 from trajlib.grading.sandbox import Limits, Sandbox, Trusting
-
 
 #: What runs a notebook's cells, and reads and judges what they hand over.
 JUDGES = "import trajlib.cells, trajlib.grading.judging"
@@ -47,7 +46,7 @@ class Bench:
     def __enter__(self):
         self._sandbox.start()  # it loads its own while the judging children's is loaded here
         try:
-            preload(*SYMPY, "trajlib.checks.sympy_codec", themes=["checks"])
+            preload(*SYMPY, "trajlib.checks.contract.sympy_codec", themes=["checks"])
             self._sandbox.__enter__()
         except BaseException:
             self._sandbox.__exit__()

@@ -29,11 +29,26 @@ from contextlib import suppress
 import trajlib
 from trajlib.cells import prepare, run_cells
 from trajlib.grading import framing, system_calls, watching
-from trajlib.grading.isolation import (CLONE_NEWIPC, CLONE_NEWNET, CLONE_NEWNS, CLONE_NEWPID, CLONE_NEWUSER, MS_BIND,
-                                       MS_NODEV, MS_NOSUID,
-                                       MS_PRIVATE, MS_RDONLY, MS_REC, SCRATCH, NoIsolation, end_with_parent, loaded,
-                                       mount, system_call,
-                                       unshare)
+from trajlib.grading.isolation import (
+    CLONE_NEWIPC,
+    CLONE_NEWNET,
+    CLONE_NEWNS,
+    CLONE_NEWPID,
+    CLONE_NEWUSER,
+    MS_BIND,
+    MS_NODEV,
+    MS_NOSUID,
+    MS_PRIVATE,
+    MS_RDONLY,
+    MS_REC,
+    SCRATCH,
+    NoIsolation,
+    end_with_parent,
+    loaded,
+    mount,
+    system_call,
+    unshare,
+)
 from trajlib.grading.preloading import NOTEBOOKS, SYMPY, preload
 
 PR_SET_NO_NEW_PRIVS, PR_CAPBSET_DROP, PR_SET_CHILD_SUBREAPER = 38, 24, 36
@@ -82,7 +97,7 @@ def _can_nest(limits, in_scratch):
 
 def _make_ready():
     """Load what notebooks use, and start the shell for their cells, once; children inherit it."""
-    preload(*SYMPY, *NOTEBOOKS, "trajlib.checks.sympy_codec", themes=trajlib.__all__)
+    preload(*SYMPY, *NOTEBOOKS, "trajlib.checks.contract.sympy_codec", themes=trajlib.__all__)
     prepare()
 
 

@@ -21,8 +21,13 @@ import numpy as np
 import sympy as sp
 
 from .inequalities import sign_of
-from .lyapunov import (barbashin_krasovskii, derivative_factors, is_positive_definite, lyapunov_derivative,
-                       separate_parts)
+from .lyapunov import (
+    barbashin_krasovskii,
+    derivative_factors,
+    is_positive_definite,
+    lyapunov_derivative,
+    separate_parts,
+)
 from .real_solutions import solve_real
 from .systems import as_prose, as_real, exact_decimals, read_expression, read_field, vanishes, with_names
 

@@ -11,7 +11,7 @@ from fractions import Fraction
 import numpy as np
 import sympy as sp
 
-from .hurwitz import (characteristic_polynomial, hurwitz_minors, is_float_array, read_coefficients, read_exact_matrix)
+from .hurwitz import characteristic_polynomial, hurwitz_minors, is_float_array, read_coefficients, read_exact_matrix
 from .inequalities import conjunction, sign_of
 from .systems import as_real, exact_decimals, read_expression, read_symbols, read_vector
 

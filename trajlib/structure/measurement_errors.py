@@ -18,7 +18,14 @@ import sympy as sp
 
 from ..stability.systems import read_symbols
 from .parameters import rank_conditions
-from .reading import as_floats, is_float_array, read_exact_matrix, read_exact_rectangle, read_float_matrix, read_observed
+from .reading import (
+    as_floats,
+    is_float_array,
+    read_exact_matrix,
+    read_exact_rectangle,
+    read_float_matrix,
+    read_observed,
+)
 
 
 def with_measurement_error(A, H, S, c):

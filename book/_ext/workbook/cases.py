@@ -8,8 +8,8 @@ from docutils import nodes
 from sphinx.util.docutils import SphinxDirective
 
 from trajlib import checks
-from trajlib.checks.encoding import describe
-from trajlib.checks.reporting import MARKS
+from trajlib.checks.contract.encoding import describe
+from trajlib.checks.contract.reporting import MARKS
 
 
 class CheckCases(SphinxDirective):
@@ -19,13 +19,13 @@ class CheckCases(SphinxDirective):
         folder = Path(self.env.srcdir) / "tests" / "checks"
         self.env.note_dependency(str(folder / "case.py"))
         sections = []
-        for path in sorted((folder / "cases").glob("*.py")):
+        for path in sorted((folder / "cases").glob("*/*.py")):
             self.env.note_dependency(str(path))
             sections.append(self._theme(_load(path, folder), path.stem))
         return sections
 
     def _theme(self, module, theme):
-        section = nodes.section("", nodes.title("", theme.capitalize()), ids=[f"checks-{theme}"])
+        section = nodes.section("", nodes.title("", theme.replace("_", " ").capitalize()), ids=[f"checks-{theme.replace('_', '-')}"])
         for name in dict.fromkeys(case.check for case in module.CASES):
             purpose = " ".join(getattr(checks, name).__doc__.split("\n\n")[0].split())
             anchor = nodes.target("", "", ids=[f"check-{name}"])
@@ -53,7 +53,7 @@ def _load(path, folder):
     """A table imports `Case` from the folder of the tests."""
     sys.path.insert(0, str(folder))
     try:
-        spec = importlib.util.spec_from_file_location(f"cases_{path.stem}", path)
+        spec = importlib.util.spec_from_file_location(f"cases_{path.parent.name}_{path.stem}", path)
         module = importlib.util.module_from_spec(spec)
         spec.loader.exec_module(module)
         return module

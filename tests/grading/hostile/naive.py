@@ -54,7 +54,8 @@ def grade(apart, marks):
 def _mark(path, student, marks):
     import sympy as sp
 
-    from trajlib.checks import collecting, verdict
+    from trajlib.checks import collecting
+    from trajlib.checks.contract import verdict
 
     # It judges the objects themselves, as checks do that know no encoder.
     verdict.encode = verdict.decode = lambda answer: answer

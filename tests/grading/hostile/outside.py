@@ -2,8 +2,19 @@
 
 import os
 
-from hostile.attack import (RIGHT, WRONG, Attack, gained, harmed_others, heard, left_behind, marked, stopped_the_run,
-                            write, with_cells)
+from hostile.attack import (
+    RIGHT,
+    WRONG,
+    Attack,
+    gained,
+    harmed_others,
+    heard,
+    left_behind,
+    marked,
+    stopped_the_run,
+    with_cells,
+    write,
+)
 
 OUTSIDE = [
     Attack("writes outside", "writes into the grader's folder", "the notebook runs with the lecturer's rights",
@@ -72,7 +83,7 @@ OUTSIDE = [
            "later students are marked in the same process",
            "every notebook has a process of its own", harmed_others, (
                """
-               import threading, time, trajlib.checks.regions as regions
+               import threading, time, trajlib.checks.stability.regions as regions
                def spoil():
                    give_up = time.time() + 15
                    while time.time() < give_up:

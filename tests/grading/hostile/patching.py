@@ -6,22 +6,22 @@ PATCHING = [
     Attack("patches trajlib's check", "replaces the check by one that is content", "checks run where it was replaced",
            "checks run where no student's code ever ran", gained, (
                """
-               from trajlib.checks.verdict import Verdict
+               from trajlib.checks.contract.verdict import Verdict
                checks.stability_region = lambda *given: Verdict("right", "of course")
                """, WRONG)),
     Attack("patches trajlib's report", "replaces what collects the verdicts",
            "verdicts are collected where it was replaced",
            "verdicts are collected where no student's code ever ran", gained, (
                """
-               from trajlib.checks import reporting
-               from trajlib.checks.verdict import Verdict
+               from trajlib.checks.contract import reporting
+               from trajlib.checks.contract.verdict import Verdict
                checks.report = lambda **given: reporting._collected.get().update({name: Verdict("right", "") for name in given})
                """, WRONG)),
     Attack("patches the decision", "replaces the function at the bottom of the check",
            "checks run where it was replaced",
            "checks run where no student's code ever ran", gained, (
                """
-               import trajlib.checks.regions as regions
+               import trajlib.checks.stability.regions as regions
                regions.compare_region.__globals__["cells"] = lambda *given, **more: ([], [])
                """, WRONG)),
     Attack("patches SymPy", "makes every polynomial another one", "the check computes with the patched library",
@@ -37,13 +37,13 @@ PATCHING = [
     Attack("patches for all who follow", "makes the check refuse whatever comes later",
            "the next students are marked in the same process",
            "every notebook has a process of its own", harmed_others, (
-               "import trajlib.checks.regions as regions\nregions.roots_left_of = lambda coefficients: False", WRONG)),
+               "import trajlib.checks.stability.regions as regions\nregions.roots_left_of = lambda coefficients: False", WRONG)),
     Attack("replaces modules", "puts a module of its own in the place of trajlib.checks", "the next import finds it",
            "imports of the judge find the real one", gained, (
                """
                import sys, types
-               from trajlib.checks import reporting
-               from trajlib.checks.verdict import Verdict
+               from trajlib.checks.contract import reporting
+               from trajlib.checks.contract.verdict import Verdict
                checks = sys.modules["trajlib.checks"] = types.ModuleType("trajlib.checks")
                checks.stability_region = lambda *given: Verdict("right", "")
                checks.report, checks.collecting = reporting.report, reporting.collecting
@@ -55,7 +55,7 @@ PATCHING = [
                frame = sys._getframe()
                while frame:
                    if "verdicts" in frame.f_locals:
-                       from trajlib.checks.verdict import Verdict
+                       from trajlib.checks.contract.verdict import Verdict
                        frame.f_locals["verdicts"]["a_region"] = Verdict("right", "")
                        checks.report = lambda **given: None
                    frame = frame.f_back
@@ -63,8 +63,8 @@ PATCHING = [
     Attack("finds the verdicts", "finds the dictionary of verdicts among all objects", "it is in the same process",
            "verdicts are made in another process", gained, (
                """
-               from trajlib.checks import reporting
-               from trajlib.checks.verdict import Verdict
+               from trajlib.checks.contract import reporting
+               from trajlib.checks.contract.verdict import Verdict
                reporting._collected.get()["a_region"] = Verdict("right", "")
                reporting.report.__code__ = (lambda **given: None).__code__
                """, WRONG)),
@@ -72,7 +72,7 @@ PATCHING = [
            "the notebook's check cells are run as handed in",
            "check cells are always the pristine ones", gained, (
                """
-               from trajlib.checks.verdict import Verdict
+               from trajlib.checks.contract.verdict import Verdict
                checks.report(a_region=Verdict("right", "it is right"))
                checks = type("Checks", (), {"__getattr__": lambda self, name: lambda *given, **more: None})()
                """, WRONG)),
@@ -92,5 +92,5 @@ def _with_own_checks(folder):
     notebook = with_cells([WRONG])
     notebook["metadata"]["trajlib"]["number"] = f"../{'/'.join(folder.parts[-3:])}/own"
     write(folder / "essay.ipynb", notebook)
-    (folder / "own.py").write_text("from trajlib.checks.verdict import "
+    (folder / "own.py").write_text("from trajlib.checks.contract.verdict import "
                                    "Verdict\nchecks.report(a_region=Verdict('right', ''))")

@@ -2,8 +2,8 @@
 import numpy as np
 import sympy as sp
 
-from .fan import Plant, stacked
 from ..statement import Problem
+from .fan import Plant, stacked
 from .terminal_sets import CurveTarget, PointTarget
 
 

@@ -19,9 +19,9 @@ from functools import cached_property
 import numpy as np
 from scipy.optimize import brentq
 
-from .fan import BEYOND, Fan
-from .cuts import Curve, border_extremals, cut_at_overlaps, dispersal_curves, switching_curves
 from ..statement import Problem
+from .cuts import Curve, border_extremals, cut_at_overlaps, dispersal_curves, switching_curves
+from .fan import BEYOND, Fan
 from .reading import greatest_rate, positive, read_plant, read_target, read_window
 from .terminal_sets import Ends, families
 from .time_field import ON_TARGET, TimeField

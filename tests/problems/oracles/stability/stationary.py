@@ -1,0 +1,37 @@
+"""Oracles of planar portraits."""
+
+from random import Random
+
+import sympy as sp
+
+from oracles.sameness import differs_somewhere, holds, same_condition
+
+
+def first_integral(mutant, reference, field, state, *_):
+    """True for every function of the state, not constant, whose derivative along the motions is identically zero."""
+    rate = sum(sp.diff(mutant, x) * f for x, f in zip(state, field))
+    return bool(mutant.free_symbols & set(state)) and not differs_somewhere(rate) and sp.simplify(rate) == 0
+
+
+def planar_region(mutant, reference, field, state, parameters, domain=None):
+    """As `same_condition`, for parameters inside their domain alone; small values are tried as well as large ones."""
+    intervals = {p: (domain or {}).get(p, sp.Interval.open(0, sp.oo) if p.is_positive else sp.S.Reals)
+                 for p in parameters}
+
+    def outside(point):
+        # noqa: E712
+        return any(intervals[p].contains(sp.Rational(v.numerator, v.denominator)) == False for p, v in point.items())
+
+    if not same_condition(mutant, reference, outside):
+        return False
+    symbols, random = sorted(intervals, key=str), Random(14)
+    tests = [sp.lambdify(symbols, condition, modules="math") for condition in (mutant, reference)]
+    points = ([10 ** random.uniform(-2, 1.5) * (1 if p.is_positive else random.choice((-1, 1))) for p in symbols]
+              for _ in range(4000))
+    ends = [(float(intervals[p].start), float(intervals[p].end)) for p in symbols]
+    return all(holds(tests[0], point) == holds(tests[1], point) for point in points
+               if all(low < x < high for x, (low, high) in zip(point, ends)))
+
+
+ORACLES = {"first_integral": first_integral,
+           "focus_region": planar_region, "node_region": planar_region, "stationary_exists": planar_region}

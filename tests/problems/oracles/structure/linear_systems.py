@@ -1,0 +1,247 @@
+"""Oracles of observability and controllability: SymPy's ranks, null spaces and solutions of linear equations, on
+Kalman's matrix."""
+
+import functools
+import itertools
+
+import sympy as sp
+from sympy.core.relational import Relational
+
+from oracles.sameness import LOGIC, same_value
+
+
+def kalman(A, H):
+    return sp.Matrix.vstack(*[H * A**k for k in range(A.rows)])
+
+
+def transposed(oracle):
+    """The oracle of the dual question."""
+    return lambda mutant, reference, A, B, *rest: oracle(mutant, reference, A.T, B.T, *rest)
+
+
+def observable_parameters(mutant, reference, A, H, parameters, holds=True):
+    """As the minors of Kalman's matrix say, along lines on which one parameter varies: at every root of theirs and of
+    the mutant's terms, irrational ones too, and between them; where the data allow the value."""
+    if isinstance(mutant, list) and len(parameters) == 1:
+        mutant = sp.Or(*[sp.Eq(parameters[0], value) for value in mutant])
+    if not isinstance(mutant, LOGIC):
+        return False
+    N = kalman(A, H)
+    minors = {sp.numer(sp.together(N.extract(list(rows), list(range(N.cols))).det()))
+              for rows in itertools.combinations(range(N.rows), N.cols)}
+    for fixed in _lines(parameters):
+        (free,) = set(parameters) - set(fixed)
+        line = [sp.Poly(minor.subs(fixed), free) for minor in minors]
+        condition = mutant.subs(fixed)
+        common = functools.reduce(sp.gcd, line)
+        for value in _values(free, common, condition):
+            lost = sp.simplify(common.as_expr().subs(free, value)) == 0
+            if _holds(condition, free, value) != ((not lost) == holds):
+                return False
+    return True
+
+
+def unobservable_parameters(mutant, reference, A, H, parameters):
+    return observable_parameters(mutant, reference, A, H, parameters, holds=False)
+
+
+def mechanical_controllable_parameters(mutant, reference, M, D, K, L, parameters):
+    A, B = _first_order(M, D, K, L)
+    return observable_parameters(mutant, reference, A.T, B.T, parameters)
+
+
+def unseen_states(mutant, reference, A, H, parameters=()):
+    """True for independent vectors of the null space of Kalman's matrix, as many as it has dimensions."""
+    N = kalman(A, H)
+    vectors = [sp.Matrix(list(vector)) for vector in mutant]
+    if any(v.rows != A.rows or not _is_zero(N * v) for v in vectors):
+        return False
+    count = A.rows - N.rank(simplify=True)
+    return len(vectors) == count and (not vectors or sp.Matrix.hstack(*vectors).rank(simplify=True) == count)
+
+
+def same_numbers(mutant, reference, *_):
+    """True if two lists hold the same numbers, in any order and counted as often as one likes."""
+    return (all(any(same_value(a, b) for b in reference) for a in mutant)
+            and all(any(same_value(a, b) for a in mutant) for b in reference))
+
+
+def observability_split(mutant, reference, A, H, parameters=()):
+    """True if T is invertible and T A T^-1, H T^-1 have the zeros of the form (2.7)."""
+    T = sp.Matrix(mutant)
+    if T.shape != A.shape or sp.simplify(T.det()) == 0:
+        return False
+    return _has_blocks(T * A * T.inv(), H * T.inv(), kalman(A, H).rank(simplify=True))
+
+
+def controllability_split(mutant, reference, A, B, parameters=()):
+    return observability_split(sp.Matrix(mutant).T, reference, A.T, B.T)
+
+
+def observability_split_system(mutant, reference, A, H, parameters=()):
+    """True if the blocks are zero and some invertible T has T A = A' T and H = H' T."""
+    if len(mutant) != 2 or sp.Matrix(mutant[0]).shape != A.shape or sp.Matrix(mutant[1]).shape != H.shape:
+        return False
+    new_A, new_H = map(sp.Matrix, mutant)
+    return _has_blocks(new_A, new_H, kalman(A, H).rank(simplify=True)) and _is_image(A, H, new_A, new_H)
+
+
+def controllability_split_system(mutant, reference, A, B, parameters=()):
+    return len(mutant) == 2 and observability_split_system([sp.Matrix(part).T for part in mutant], reference, A.T, B.T)
+
+
+def observable_part(mutant, reference, A, H, parameters=()):
+    """True for the order rank N and some T of that rank with T A = A' T and H = H' T."""
+    order = kalman(A, H).rank(simplify=True)
+    if (len(mutant) != 2 or sp.Matrix(mutant[0]).shape != (order, order) or sp.Matrix(mutant[1]).shape
+        != (H.rows, order)):
+        return False
+    return _is_image(A, H, *map(sp.Matrix, mutant))
+
+
+def sequential_outputs(mutant, reference, A, H):
+    """True if the parts of T are invariant one after the other and each output shows its own part alone."""
+    T = sp.Matrix(mutant)
+    if T.shape != A.shape or T.det() == 0:
+        return False
+    new_A, new_H = T * A * T.inv(), H * T.inv()
+    ends = [0, *(kalman(A, H[:k, :]).rank() for k in range(1, H.rows + 1))]
+    for k, (begin, end) in enumerate(itertools.pairwise(ends)):
+        if not new_A[begin:end, end:].is_zero_matrix or not new_H[k, end:].is_zero_matrix:
+            return False
+        if end > begin and not new_H[k, :begin].is_zero_matrix:
+            return False
+    return True
+
+
+def parallel_outputs(mutant, reference, A, H):
+    """True if every part of T lies, power by power, in the span of its own chain and of lower powers."""
+    T, n = sp.Matrix(mutant), A.rows
+    if T.shape != A.shape or T.det() == 0:
+        return False
+    levels = [sp.Matrix.vstack(*[H * A**j for j in range(k + 1)]) for k in range(n)]
+    # A row of a chain counts if it is independent of those with lower powers and, at its own power, of earlier chains.
+    sizes = [sum(_rank(before, H[:k + 1, :] * A**j) > _rank(before, H[:k, :] * A**j) for j in range(n)
+                 for before in [levels[j - 1] if j else sp.zeros(1, n)]) for k in range(H.rows)]
+    first = 0
+    for k, size in enumerate(sizes):
+        part, first = T[first:first + size, :], first + size
+        for j in range(size):
+            inside = _meeting(part, levels[j])
+            own = [levels[j - 1]] * (j > 0) + [H[k, :] * A**j]
+            if inside.rows != j + 1 or _rank(*own, inside) > _rank(*own):
+                return False
+    return True
+
+
+def similarity(mutant, reference, A_from, A_to, parameters=()):
+    S = sp.Matrix(mutant)
+    return S.shape == A_from.shape and sp.simplify(S.det()) != 0 and _is_zero(S * A_from - A_to * S)
+
+
+def _is_zero(matrix):
+    return matrix.applyfunc(sp.simplify).is_zero_matrix
+
+
+def _has_blocks(new_A, new_H, order):
+    return _is_zero(new_A[:order, order:]) and _is_zero(new_H[:, order:])
+
+
+def _is_image(A, H, new_A, new_H):
+    """Whether T A = A' T, H = H' T has a solution T of full rank: one with random values for what is left free."""
+    new_A, new_H = (part.applyfunc(lambda x: sp.nsimplify(x, rational=True)) for part in (new_A, new_H))
+    T = sp.Matrix(new_A.rows, A.rows, lambda i, j: sp.Symbol(f"t{i}_{j}"))
+    equations = [e for e in [*(T * A - new_A * T), *(H - new_H * T)] if e != 0]
+    for solution in sp.linsolve(equations, list(T)):
+        solved = sp.Matrix(T.rows, T.cols, list(solution))
+        left = sorted(solved.free_symbols & set(T), key=str)
+        values = {symbol: sp.Integer(3 + 7 * k**2 % 23 - 11 * (k % 2)) for k, symbol in enumerate(left)}
+        return solved.subs(values).rank(simplify=True) == T.rows
+    return False
+
+
+def _rank(*parts):
+    return sp.Matrix.vstack(*parts).rank()
+
+
+def _meeting(one, other):
+    """The rows that span the intersection of two row spaces; the first one has independent rows."""
+    independent = [other.row(i) for i in other.T.rref()[1]]
+    relations = sp.Matrix.vstack(one, *independent).T.nullspace()
+    return sp.Matrix.vstack(sp.zeros(0, one.cols), *[relation[:one.rows, :].T * one for relation in relations])
+
+
+def _first_order(M, D, K, L):
+    n, inverse = M.rows, M.inv()
+    A = sp.zeros(n).row_join(sp.eye(n)).col_join((-inverse * K).row_join(-inverse * D))
+    return A, sp.zeros(n, L.cols).col_join(inverse * L)
+
+
+def _lines(parameters):
+    """Values of all parameters but one, each of them in turn left free."""
+    for free in parameters:
+        others = [p for p in parameters if p != free]
+        sets = ((3, 7, 11), (5, -2, 13), (-4, 9, -6), (0, 0, 0), (1, 1, 1)) if others else ((),)
+        for numbers in sets:
+            fixed = {p: sp.Rational(x, 2) for p, x in zip(others, numbers)}
+            if all(_allowed(p, x) for p, x in fixed.items()):
+                yield fixed
+
+
+def _values(free, common, condition):
+    """The real roots of the minors and of the condition's terms, and numbers between and beside them, as the data
+    allow."""
+    polys = [common] + [sp.Poly(sp.numer(sp.together(atom.lhs - atom.rhs)), free)
+                        for atom in condition.atoms(Relational)
+                        if atom.has(free) and sp.numer(sp.together(atom.lhs - atom.rhs)).is_polynomial(free)]
+    roots = {sp.Integer(0)} | {root for poly in polys if poly.degree() > 0 for root in _real_roots(poly)}
+    ordered = sorted(roots, key=lambda root: root.evalf(30))
+    between = [sp.nsimplify(((a + b) / 2).evalf(15), rational=True) for a, b in itertools.pairwise(ordered)]
+    beside = [sp.floor(ordered[0]) - 1, sp.ceiling(ordered[-1]) + 1]
+    return [value for value in [*ordered, *between, *beside] if _allowed(free, value)]
+
+
+def _real_roots(poly):
+    try:
+        return sp.real_roots(poly)
+    except NotImplementedError:  # its coefficients are irrational
+        return [root for root in sp.roots(poly) if root.is_real]
+
+
+def _holds(condition, free, value):
+    """The truth value at one place, whose number may be irrational; False where a term is undefined."""
+    try:
+        put = condition.replace(lambda node: isinstance(node, Relational),
+                                lambda node: node.func(sp.simplify((node.lhs - node.rhs).subs(free, value)), 0))
+        return bool(put)
+    except TypeError:
+        return False
+
+
+def _allowed(symbol, value):
+    return not (symbol.is_positive and not value > 0 or symbol.is_negative and not value < 0 or symbol.is_nonzero
+                and value == 0)
+
+
+ORACLES = {
+    "observable_parameters": observable_parameters,
+    "unobservable_parameters": unobservable_parameters,
+    "controllable_parameters": transposed(observable_parameters),
+    "mechanical_controllable_parameters": mechanical_controllable_parameters,
+    "unseen_states": unseen_states,
+    "uncontrolled_combinations": transposed(unseen_states),
+    "lost_eigenvalues": same_numbers,
+    "uncontrolled_eigenvalues": same_numbers,
+    "mechanical_lost_eigenvalues": same_numbers,
+    "mechanical_uncontrolled_eigenvalues": same_numbers,
+    "observability_split": observability_split,
+    "controllability_split": controllability_split,
+    "observability_split_system": observability_split_system,
+    "controllability_split_system": controllability_split_system,
+    "observable_part": observable_part,
+    "sequential_outputs": sequential_outputs,
+    "parallel_outputs": parallel_outputs,
+    "sequential_inputs": lambda mutant, reference, A, B: sequential_outputs(sp.Matrix(mutant).T, reference, A.T, B.T),
+    "parallel_inputs": lambda mutant, reference, A, B: parallel_outputs(sp.Matrix(mutant).T, reference, A.T, B.T),
+    "similarity": similarity,
+}

@@ -1,0 +1,237 @@
+"""Read an answer as the type that was asked, generously in form and strictly in kind.
+
+Ints for floats, lists for arrays, `(n, 1)` for `(n,)`, NumPy scalars, CasADi DM and SymPy numbers are all fine, and
+symbols match by name, whatever their assumptions. What cannot be read raises `Invalid` with a kind sentence.
+"""
+
+import math
+import sys
+
+import numpy as np
+import sympy as sp
+
+from trajlib.checks.contract.verdict import Invalid
+
+YES = {True, "yes", "true", "y"}
+NO = {False, "no", "false", "n"}
+#: Numbers from here on count as infinite: where a tolerance grows with the answer, the square of one would make it so.
+LARGEST = 1e50
+
+
+def as_expression(answer, symbols=()):
+    """A SymPy expression in the given symbols (the data's own, matched by name); other symbols are refused."""
+    answer = _unwrapped(answer)
+    if isinstance(answer, (bool, np.bool_, str)) or answer is None:
+        raise Invalid(f"expected an expression, got {_named(answer)}")
+    if isinstance(answer, (int, float, complex, np.number)):
+        answer = sp.sympify(answer.item() if isinstance(answer, np.number) else answer)
+    if not isinstance(answer, sp.Expr):
+        raise Invalid(f"expected an expression, got {_named(answer)}")
+    if answer.has(sp.nan, sp.zoo):
+        raise Invalid("the expression contains an undefined value (nan or a division by zero)")
+    return with_symbols(answer, symbols)
+
+
+def with_symbols(answer, symbols):
+    """The same SymPy object with its symbols replaced by the data's symbols of the same name."""
+    known = {symbol.name: symbol for symbol in symbols}
+    functions = {str(f.func) for f in answer.atoms(sp.core.function.AppliedUndef)}
+    foreign = sorted({s.name for s in answer.free_symbols if s.name not in known} | functions)
+    if foreign:
+        raise Invalid(f"the answer contains {', '.join(foreign)}; expected only "
+                      + (", ".join(sorted(known)) if known else "numbers"))
+    return answer.xreplace({s: known[s.name] for s in answer.free_symbols})
+
+
+def as_number(answer):
+    """A real number, exact where the answer is (an `Expr` without symbols)."""
+    value = as_expression(answer)
+    try:
+        number = complex(value.evalf(30))
+    except TypeError:
+        raise Invalid("expected a single real number") from None
+    if not abs(number) < LARGEST or abs(number.imag) > 1e-12 * (1 + abs(number.real)):
+        raise Invalid("expected a finite real number")
+    return sp.re(value) if value.is_real is not True else value
+
+
+def as_integer(answer):
+    """A whole number: `3`, `3.0` and `Integer(3)` are the same."""
+    value = as_number(answer)
+    whole = int(sp.floor(value + sp.Rational(1, 2)))
+    if value - whole != 0:  # a difference, since SymPy holds Float(3) and Integer(3) for two numbers
+        raise Invalid(f"expected a whole number, got {sp.N(value, 6)}")
+    return whole
+
+
+def as_expressions(answer, symbols=(), length=None):
+    """A list of expressions from a list, tuple, array, row or column."""
+    entries = _entries(answer)
+    if entries is None:
+        raise Invalid(f"expected a list of {_count(length, 'expression')}, got {_named(answer)}")
+    if length is not None and len(entries) != length:
+        raise Invalid(f"expected {_count(length, 'component')}, got {len(entries)}")
+    return [as_expression(entry, symbols) for entry in entries]
+
+
+def as_points(answer, dimension):
+    """A list of points: lists, tuples, arrays, SymPy columns, a FiniteSet, or dicts like those of `solve`."""
+    if isinstance(answer, sp.MatrixBase) and answer.cols == dimension != 1:
+        answer = [list(answer.row(i)) for i in range(answer.rows)]
+    points = (list(answer) if isinstance(answer, (list, tuple, set, frozenset, sp.FiniteSet, sp.Tuple, np.ndarray))
+              else None)
+    if answer is sp.S.EmptySet:
+        points = []
+    if points is None:
+        raise Invalid(f"expected a list of points with {_count(dimension, 'coordinate')} each, got {_named(answer)}")
+    if points and dimension > 1 and all(_entries(point) is None for point in points) and len(points) == dimension:
+        points = [points]  # a single point, written without the outer list
+    return [[as_number(value) for value in as_expressions(point, (), dimension)] for point in points]
+
+
+def as_matrix(answer, symbols=(), shape=None):
+    """A SymPy matrix from a Matrix, nested lists, an array or a DM; a vector counts as a column."""
+    answer = _unwrapped(answer)
+    if isinstance(answer, (list, tuple)):
+        rows = [_entries(row) for row in answer]
+        if any(row is None for row in rows):
+            rows = [[entry] for entry in answer]
+        if len({len(row) for row in rows}) > 1:
+            raise Invalid("the rows of the matrix have different lengths")
+        answer = sp.Matrix([[as_expression(entry, symbols) for entry in row] for row in rows])
+    elif isinstance(answer, np.ndarray):
+        if answer.ndim > 2:
+            raise Invalid(f"expected a matrix, got an array with {answer.ndim} axes")
+        answer = sp.Matrix(answer.tolist())
+    if not isinstance(answer, sp.MatrixBase):
+        raise Invalid(f"expected a matrix, got {_named(answer)}")
+    if shape is not None and answer.shape != tuple(shape):
+        raise Invalid(f"expected a matrix of shape {tuple(shape)}, got {answer.shape}")
+    return answer.applyfunc(lambda entry: as_expression(entry, symbols)).as_immutable()
+
+
+def as_condition(answer, symbols):
+    """A SymPy condition (relation, And, Or, ...) in the given symbols.
+
+    Also accepted: a list of conditions (all of them hold), a set of values of the symbols, True and False.
+    """
+    if isinstance(answer, (bool, np.bool_)):
+        return sp.true if answer else sp.false
+    if isinstance(answer, (list, tuple)) and answer:
+        return sp.And(*[as_condition(part, symbols) for part in answer])
+    if isinstance(answer, sp.Set):
+        answer = _membership(answer, symbols)
+    if not isinstance(answer, (sp.logic.boolalg.Boolean,
+                               sp.core.relational.Relational)) or isinstance(answer, sp.Symbol):
+        raise Invalid(f"expected a condition such as {symbols[0]} > 0 or sp.And(...), got {_named(answer)}")
+    for relation in answer.atoms(sp.core.relational.Relational):
+        if not all(isinstance(side, sp.Expr) for side in relation.args):
+            raise Invalid("a condition is compared with another, or with True or False; write the condition itself, "
+                          "such as "
+                          f"{symbols[0]} > 0")
+        if any(_is_undefined(side) for side in relation.args):
+            raise Invalid("the condition contains an undefined value (nan, a division by zero, or oo - oo)")
+    return with_symbols(answer, symbols)
+
+
+def as_choice(answer, choices):
+    """One of the words offered, in any case and with spaces, hyphens or underscores."""
+    if not isinstance(answer, str):
+        raise Invalid(f"expected one of the words {', '.join(map(repr, choices))}, got {_named(answer)}")
+    words = {_plain(choice): choice for choice in choices}
+    if _plain(answer) not in words:
+        raise Invalid(f"expected one of the words {', '.join(map(repr, choices))}")
+    return words[_plain(answer)]
+
+
+def as_yes_no(answer):
+    """True or False from a bool or one of the words yes, no."""
+    if isinstance(answer, sp.logic.boolalg.BooleanAtom):
+        answer = bool(answer)
+    if isinstance(answer, np.bool_):
+        answer = bool(answer)
+    word = answer.strip().lower() if isinstance(answer, str) else answer
+    if isinstance(word, (bool, str)) and word in YES | NO:
+        return word in YES
+    raise Invalid(f"expected yes or no (True or False), got {_named(answer)}")
+
+
+def rounds_to(answer, value, scale=None):
+    """True if `answer` is `value` to three significant digits (of `scale` where the value itself may vanish)."""
+    size = abs(float(value)) if scale is None else max(abs(float(value)), float(scale))
+    if size == 0:
+        return float(answer) == 0
+    half_unit = 0.5 * 10.0 ** (math.floor(math.log10(size)) - 2)
+    return abs(float(answer) - float(value)) <= half_unit * (1 + 1e-9)
+
+
+def _is_undefined(side):
+    """True for an expression that has no value whatever its symbols are; oo has one, where numbers are compared."""
+    return (side.has(sp.nan, sp.zoo) or side.is_number and side.has(sp.oo, -sp.oo, 0)
+            and side.evalf(5) in (sp.nan, sp.zoo))
+
+
+def _membership(region, symbols):
+    """The condition that the point `symbols` lies in a SymPy set."""
+    if region is sp.S.EmptySet:
+        return sp.false
+    point = symbols[0] if len(symbols) == 1 else sp.Tuple(*symbols)
+    if isinstance(region, sp.ConditionSet):
+        names = region.sym if isinstance(region.sym, (sp.Tuple, tuple)) else (region.sym,)
+        if len(names) != len(symbols):
+            raise Invalid(f"expected a set of points with {len(symbols)} coordinates, got one with {len(names)}")
+        return sp.And(region.condition.xreplace(dict(zip(names, symbols))), _membership(region.base_set, symbols))
+    if region.is_subset(sp.S.Reals) and len(symbols) == 1:
+        return region.as_relational(point)
+    if isinstance(region, sp.ProductSet) and len(region.args) == len(symbols):
+        return sp.And(*[_membership(part, [symbol]) for part, symbol in zip(region.args, symbols)])
+    if isinstance(region, (sp.Union, sp.Intersection)):
+        parts = [_membership(part, symbols) for part in region.args]
+        return sp.Or(*parts) if isinstance(region, sp.Union) else sp.And(*parts)
+    raise Invalid(f"expected a condition or a set of values of {', '.join(s.name for s in symbols)}")
+
+
+def _entries(answer):
+    """The components of a vector in any of its usual forms, or None."""
+    answer = _unwrapped(answer)
+    if isinstance(answer, np.ndarray):
+        return list(answer.ravel()) if answer.ndim <= 1 or 1 in answer.shape else None
+    if isinstance(answer, sp.MatrixBase):
+        return list(answer) if 1 in answer.shape else None
+    if isinstance(answer, dict):
+        return list(answer.values())
+    if isinstance(answer, (list, tuple, sp.Tuple)):
+        nested = [_entries(entry) for entry in answer]
+        if nested and all(entry is not None and len(entry) == 1 for entry in nested):
+            return [entry[0] for entry in nested]  # a column
+        if len(nested) == 1 and nested[0] is not None:
+            return nested[0]  # a row
+        return list(answer)
+    return None
+
+
+def _unwrapped(answer):
+    """CasADi DM as an array; an array with a single entry as this entry where an array makes no sense."""
+    casadi = sys.modules.get("casadi")
+    if casadi is not None and isinstance(answer, casadi.DM):
+        answer = answer.full()
+    if isinstance(answer, np.ndarray) and answer.ndim == 0:
+        return answer.item()
+    return answer
+
+
+def _plain(word):
+    return " ".join(word.lower().replace("-", " ").replace("_", " ").split())
+
+
+def _count(number, noun):
+    return f"{number} {noun}{'s' if number != 1 else ''}" if number is not None else f"{noun}s"
+
+
+def _named(answer):
+    """What an answer is, in a word, without trusting its own repr."""
+    if answer is None:
+        return "None (was the value computed but not assigned?)"
+    if callable(answer) and not isinstance(answer, sp.Basic):
+        return "a function"
+    return f"a value of type {type(answer).__name__}"

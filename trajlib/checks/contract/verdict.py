@@ -1,0 +1,77 @@
+"""What a check says of one answer, and how a check is written.
+
+A check is a function `check(answer, *data)` under the decorator `judged`. It returns the sentence that says what
+holds, or raises `Wrong` (a property fails) or `Invalid` (not of the type asked). Whatever else it raises is our
+failure, and the verdict says so: `unchecked`, never wrong, never right.
+
+A check judges what a grader would receive: the answer encoded as data and decoded again, in a notebook too. What
+cannot be written as data is `invalid` in both, with the same message; the data are used as they are.
+"""
+
+import functools
+import warnings
+from dataclasses import dataclass
+
+from trajlib.checks.contract.encoding import EncodingError, decode, encode
+
+RIGHT, WRONG, MISSING, INVALID, UNCHECKED = STATUSES = ("right", "wrong", "missing", "invalid", "unchecked")
+
+
+class Wrong(Exception):
+    """The answer fails a property; the message says which one, where, with numbers, and never the answer."""
+
+
+class Invalid(Exception):
+    """The answer is not of the type asked; the message says kindly what was expected."""
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """One answer judged: `status` is one of `STATUSES`, `message` a sentence for the student."""
+
+    status: str
+    message: str
+
+
+@dataclass(frozen=True)
+class Unusable:
+    """Stands for an answer that could not be read as data; the reason becomes the verdict `invalid`."""
+
+    reason: str
+
+
+def judged(check):
+    """Turn a check into a function that always returns a `Verdict`, whatever the answer is."""
+
+    @functools.wraps(check)
+    def judge(answer, *data, **options):
+        if isinstance(answer, Unusable):
+            return Verdict(INVALID, answer.reason)
+        try:
+            # A warning on stderr would cost the cell its points in nbgrader.
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                received = decode(encode(answer))
+                if _holds_ellipsis(received):
+                    return Verdict(MISSING, "not answered yet")
+                return Verdict(RIGHT, check(received, *data, **options))
+        except Wrong as failed:
+            return Verdict(WRONG, str(failed))
+        except (Invalid, EncodingError) as refused:
+            return Verdict(INVALID, str(refused))
+        except Exception as error:
+            return Verdict(UNCHECKED, "this answer could not be judged; the fault is the check's, not yours "
+                                      f"({type(error).__name__}: {str(error)[:200]})")
+
+    return judge
+
+
+def _holds_ellipsis(answer):
+    """True for the untouched stub, also inside a list, tuple, set or dict that is filled only in part."""
+    if answer is ...:
+        return True
+    if type(answer) in (list, tuple, set, frozenset):
+        return any(_holds_ellipsis(part) for part in answer)
+    if type(answer) is dict:
+        return any(_holds_ellipsis(part) for part in answer.values())
+    return False

@@ -1,0 +1,127 @@
+"""A feedback law followed from many starts at once, and compared with the fastest times."""
+
+import numpy as np
+
+from trajlib.checks.contract.verdict import Wrong
+from trajlib.checks.tools.samples import bisected
+from trajlib.checks.tools.values import real_function
+
+#: A law may be slower than the optimum by this share: its switching curve may be written in decimals.
+SLOWER = 0.004
+#: How close to the target counts as on it, in units of the size of the state.
+CLOSE = 3e-5
+#: Two values of a law this close are one.
+SAME = 1e-6
+#: The part of the fastest time for which a law is followed; whether the rest suffices is asked of the optimum.
+FOLLOWED = 0.97
+
+
+class Law:
+    """An expression of the state and the parameters, on many states at once."""
+
+    def __init__(self, expression, state, parameters, truth, curve=None):
+        self._function = real_function([*state, *parameters, *([curve[0]] if curve else [])], [expression])
+        self._cases = np.array(truth.cases, dtype=float).reshape(len(truth.cases), len(parameters))
+        self._abscissa, self._tables = (curve[1], self._tabulated(curve[2], truth)) if curve else (None, [])
+
+    @staticmethod
+    def _tabulated(ends, truth):
+        key = ("table", str(ends.variable), ends.interval)
+        if key not in truth.kept:
+            truth.kept[key] = [ends.table(case) for case in truth.cases]
+        return truth.kept[key]
+
+    def __call__(self, x, case):
+        values = [*x.T, *self._cases[case].T]
+        if self._tables:
+            places = np.broadcast_to(self._abscissa(*values), len(x))
+            ordinate = np.full(len(x), np.nan)
+            for k, (first, second) in enumerate(self._tables):
+                ordinate[case == k] = np.interp(places[case == k], first, second, left=np.nan, right=np.nan)
+            values.append(ordinate)
+        return self._function(*values)[0]
+
+
+def follow(law, truth, lanes):
+    """Raise `Wrong` for a start from which the law needs longer than the optimum."""
+    x, passed = _closed_loop(law, truth.plant, lanes)
+    left = lanes.time * (1 + SLOWER) + 1e-3 - passed
+    late = np.flatnonzero(~(truth.solve(x, lanes.case).time <= left))
+    few = lanes.take(late)
+    # What is in time by a hair's breadth may come out as late: there the distance decides.
+    missing = truth.missing(x[late], few.case, left[late], few.inside) if len(late) else np.zeros(0)
+    late = late[~(missing <= CLOSE * (1 + np.linalg.norm(few.x, axis=1)))][:8]
+    # Next to a barrier a thin target may have been missed by the optimum too.
+    for k in late[~truth.beside_barrier(lanes.take(late))] if len(late) else ():
+        raise Wrong(f"{truth.told(lanes, k)} the target can be reached in a time of {lanes.time[k]:.4g}; your law has "
+                    f"brought the state to "
+                    f"({x[k][0]:.4g}, {x[k][1]:.4g}) after {passed[k]:.4g}, and from there it cannot be reached in "
+                    f"the time left")
+
+
+def _closed_loop(law, plant, lanes, steps=48):
+    """Where the law has brought each start after the greater part of its fastest time: (states, times).
+
+    The control is held until no value of the law next to the state is the control held: rounding, and what the law says
+    on a curve alone, decide nothing. The moment of a switching is found by bisection.
+    """
+    x, case, end = lanes.x.copy(), lanes.case, FOLLOWED * lanes.time
+    t, h, rest = np.zeros(len(x)), end / steps, np.full(len(x), -np.inf)
+    low, high = plant.bounds
+    around = np.array([[0, 0], [1, 0], [-1, 0], [0, 1], [0, -1]]) * 1e-8
+
+    def beside(x):
+        return (x[:, None] + (1 + abs(x).max(axis=1))[:, None, None] * around).reshape(-1, 2)
+
+    def value(x, case):
+        return np.clip(law(x, case), low, high)  # nan, which equals no control, where the law has no value
+
+    def holds(x, u, case):
+        return (abs(value(beside(x), np.repeat(case, 5)).reshape(-1, 5) - u[:, None]) < SAME).any(axis=1)
+
+    u = value(x, case)
+    # A start whose law switches waits until all others have come to a switching or to the end: one search serves them
+    # together.
+    waits, turns, first, last = np.zeros(len(x), dtype=bool), np.zeros(len(x), dtype=int), np.zeros(len(x)), np.zeros(len(x))
+    while True:
+        busy = np.flatnonzero(~waits & (t < end - 1e-12) & (turns < 5 * steps))
+        if len(busy):
+            turns[busy] += 1
+            step = np.minimum(h[busy], end[busy] - t[busy])
+            # A law that chatters is followed with a small delay; where this delay decides, there is nothing to search
+            # for.
+            early = np.clip(rest[busy] + h[busy] / 40 - t[busy], 0, step)
+            soon = np.flatnonzero(early > 0)
+            lanes_asked = np.concatenate([busy, busy[soon]])
+            places = plant.move(x[lanes_asked], u[lanes_asked], np.concatenate([step, early[soon]]))
+            held, after = holds(places, u[lanes_asked], case[lanes_asked]), places[:len(busy)]
+            switching, delayed = ~held[:len(busy)], np.zeros(len(busy), dtype=bool)
+            delayed[soon] = ~held[len(busy):]
+            waits[busy] = switching
+            first[busy], last[busy] = early, np.where(delayed, early, step)
+            on = busy[~switching]
+            x[on], t[on] = after[~switching], t[on] + step[~switching]
+            continue
+        here = np.flatnonzero(waits)
+        if not len(here):
+            return x, t
+        there = here[first[here] < last[here]]
+        if len(there):
+            def goes_on(spans, rows, there=there):
+                lanes = there[rows]
+                return holds(plant.move(x[lanes], u[lanes], spans), u[lanes], case[lanes])
+
+            last[there] = bisected(goes_on, first[there], last[there], 40)[1]
+        x[here], t[here], waits[here] = plant.move(x[here], u[here], last[here]), t[here] + last[here], False
+        said = law(x[here], case[here])
+        for k in np.flatnonzero((said < low - SAME) | (said > high + SAME)):
+            raise Wrong(f"a motion under your law comes to ({x[here[k]][0]:.4g}, {x[here[k]][1]:.4g}), where it gives "
+                        f"{said[k]:.4g}, "
+                        "outside the bounds of the control")
+        u[here], rest[here] = np.clip(said, low, high), t[here]
+        for k in here[np.isnan(said)]:
+            near = value(beside(x[k:k + 1]), np.repeat(case[k], 5))
+            if np.isnan(near).all():
+                raise Wrong(f"a motion under your law comes to ({x[k][0]:.4g}, {x[k][1]:.4g}), where it gives no real "
+                            f"number")
+            u[k] = near[~np.isnan(near)][0]  # on a curve alone a law need not be defined

@@ -1,0 +1,127 @@
+"""A control that is given as a function of time, or as a list of arcs, and the motion under it."""
+
+import numpy as np
+import sympy as sp
+
+from trajlib.checks.contract import coercion
+from trajlib.checks.contract.verdict import Wrong
+from trajlib.checks.tools.values import real_function
+from trajlib.checks.truths.optima.transfer_optima import rk4
+
+
+class Control:
+    """A control in time: an expression, or a list of arcs [value, until]; read once, evaluated for many parameters."""
+
+    def __init__(self, answer, time, parameters, rounding):
+        self.time, self.parameters = time, list(parameters)
+        if _is_list(answer) and len(answer) and all(_is_list(arc) and len(arc) == 2 for arc in answer):
+            symbols = [time, *parameters]
+            arcs = [[coercion.as_expression(value, symbols), coercion.as_expression(until, parameters)]
+                    for value, until in answer]
+            self._values = [real_function(symbols, [value]) for value, _ in arcs]
+            self._ends = [real_function(self.parameters, [until]) for _, until in arcs]
+            parts = [part for arc in arcs for part in arc]
+        else:
+            parts = [coercion.as_expression(answer, [time, *parameters])]
+            self._values, self._ends = [real_function([time, *parameters], parts)], None
+        self.rounding = rounding(parts)
+
+    def sections(self, values, duration):
+        """Pairs (begin, end, function of time) between the jumps, from 0 to the given duration."""
+        numbers = [float(values[p]) for p in self.parameters]
+
+        def smooth(value):
+            def u(t):
+                # At a single instant, as between the cases t < 1 and t > 1, a control need not be defined.
+                said = (value(moment, *numbers) for moment in (t, t + 1e-9 * duration, t - 1e-9 * duration))
+                return _real(next((v for v in said if np.isfinite(v[0])), [np.nan]),
+                             f"your control at {self.time} = {t:.4g}")
+
+            return u
+
+        if self._ends is None:
+            u = smooth(self._values[0])
+            jumps = _jumps(u, duration)
+            # The value at a jump itself is of no account: it is asked a little inside.
+            return [(a, b, _inside(u, a, b)) for a, b in zip([0.0, *jumps], [*jumps, duration])]
+        begin, found = 0.0, []
+        for k, (value, until) in enumerate(zip(self._values, self._ends), 1):
+            end = _real(until(*numbers), f"the end of your arc number {k}")
+            if not end > begin:
+                raise Wrong(f"your arcs end at times that do not grow: {end:.4g} comes after {begin:.4g}")
+            found.append((begin, min(end, duration), smooth(value)))
+            if begin > duration * (1 + self.rounding):
+                raise Wrong(f"your last arc begins at {begin:.4g}, when the target should be met already")
+            begin = end
+        if begin < duration * (1 - self.rounding):
+            raise Wrong(f"your last arc ends at {begin:.4g}, when the target cannot yet be met")
+        return [(a, b, u) for a, b, u in found if b > a]
+
+
+class Path:
+    """The motion under a student's control."""
+
+    def __init__(self, best, sections, where):
+        self.best, self.where, self.sections = best, where, sections
+        y = np.array(best.start, dtype=float)
+        self.times, self.states, self.controls = [0.0], [y], []
+        for begin, end, u in sections:
+            steps = max(8, int(240 * (end - begin) / best.duration))
+            h = (end - begin) / steps
+            for k in range(steps):
+                t = begin + k * h
+                y = rk4(lambda s, z: best.field(z, u(s)), t, y, h)
+                self.times.append(t + h)
+                self.states.append(y)
+                self.controls.append((t + h / 2, u(t + h / 2)))
+
+    def admissible(self, rounding):
+        low, high = self.best.bounds
+        slack = max(1e-9, rounding / 10) * (high - low)
+        for t, u in self.controls:
+            if not low - slack <= u <= high + slack:
+                raise Wrong(f"{self.where}your control is {u:.4g} at t = {t:.4g}, outside its bounds {low:.4g} and "
+                            f"{high:.4g}")
+
+    def miss(self):
+        return float(np.max(np.abs(self.best.gap(self.states[-1])))), self.best.size()
+
+    def met_before_the_end(self):
+        return any(self.best.met_between(self.best.start, y) for y in self.states[1:-1])
+
+
+def _is_list(answer):
+    return isinstance(answer, (list, tuple, sp.Tuple))
+
+
+def _jumps(u, duration, pieces=360):
+    """The instants of (0, duration) where a function of time jumps, by bisection between neighbours that differ."""
+    times = np.linspace(0, duration, pieces + 1)
+    times[0] += 1e-9 * duration
+    values = [u(t) for t in times]
+    scale = max(map(abs, values)) or 1.0
+    found = []
+    for left, right, a, b in zip(times, times[1:], values, values[1:]):
+        for _ in range(45):
+            if abs(a - b) < 1e-6 * scale:
+                break
+            middle = (left + right) / 2
+            value = u(middle)
+            left, right, a, b = ((middle, right, value, b) if abs(value - a) < abs(value - b)
+                                 else (left, middle, a, value))
+        else:
+            if 1e-6 * duration < left < (1 - 1e-6) * duration:
+                found.append(left)
+    return found
+
+
+def _inside(u, begin, end):
+    margin = 1e-9 * (end - begin)
+    return lambda t: u(min(max(t, begin + margin), end - margin))
+
+
+def _real(value, what):
+    """The only entry of an array, which `real_function` gives."""
+    if not np.isfinite(value[0]):
+        raise Wrong(f"{what} is no real number, or not defined")
+    return float(value[0])

@@ -1,0 +1,1 @@
+"""Checks of the research chapters: 6, reconstruction, and 7, solvability."""

@@ -1,0 +1,291 @@
+"""Reconstruction of a motion from samples: the transition of state and costate, small records, continuous measurements.
+
+The motion of least cost is found here by dense least squares in positions and velocities at the samples, where the
+integral of u^2 between two states is a quadratic form; the sweep is not used. Expressions are compared at random values
+of their symbols.
+"""
+
+import cmath
+import math
+
+import numpy as np
+import sympy as sp
+
+from trajlib.checks.contract import coercion
+from trajlib.checks.contract.verdict import Wrong, judged
+from trajlib.checks.tools.values import compare_at, random_values, spread, value_at
+from trajlib.checks.tools.wording import rounded_text
+
+RECORDS = 6
+#: Of the values of all symbols, the same in every check.
+SEED = 64
+PIECES = 16
+
+
+@judged
+def transition_polynomial(answer, transition, lam, kappa):
+    """The characteristic polynomial det(lambda E - A) of a transition matrix that depends on kappa."""
+    claim = coercion.as_expression(answer, [lam, kappa])
+    random = np.random.default_rng(61)
+    for stiffness in spread(random, 0.1, 9, RECORDS):
+        at = random.uniform(-3, 3)
+        true = np.linalg.det(at*np.eye(transition.rows) - _matrix(transition, kappa, stiffness))
+        compare_at(claim, {lam: at, kappa: stiffness}, true, "det(lambda E - A)", abs(true) + 1)
+    return "it is det(lambda E - A) at random lambda and kappa"
+
+
+@judged
+def reduced_polynomial(answer, transition, w, kappa):
+    """The polynomial in w = lambda + 1/lambda whose product with lambda^2 is the characteristic polynomial."""
+    claim = coercion.as_expression(answer, [w, kappa])
+    random = np.random.default_rng(62)
+    for stiffness in spread(random, 0.1, 9, RECORDS):
+        at = random.choice([-1, 1])*random.uniform(0.3, 3)
+        true = np.linalg.det(at*np.eye(transition.rows) - _matrix(transition, kappa, stiffness))/at**2
+        compare_at(claim, {w: at + 1/at, kappa: stiffness}, true, f"P(lambda)/lambda^2 at lambda = {at:.3g}",
+                   abs(true) + 1)
+    return "lambda^2 times it is det(lambda E - A) at random lambda and kappa"
+
+
+@judged
+def on_unit_circle(answer, transition, phi, kappa):
+    """P(e^{i phi}) e^{-2 i phi} of a reciprocal characteristic polynomial, written without the imaginary unit."""
+    claim = coercion.as_expression(answer, [phi, kappa])
+    if claim.has(sp.I):
+        raise Wrong("the imaginary unit is left in it: an expression whose sign can be read off was asked for")
+    random = np.random.default_rng(63)
+    for angle, stiffness in zip(spread(random, 0.2, 3, RECORDS), spread(random, 0.1, 9, RECORDS)):
+        point = cmath.exp(1j*angle)
+        true = (np.linalg.det(point*np.eye(transition.rows) - _matrix(transition, kappa, stiffness))/point**2).real
+        compare_at(claim, {phi: angle, kappa: stiffness}, true, f"P/lambda^2 at lambda = exp({angle:.3g} i)",
+                   abs(true) + 1)
+    return "on the unit circle it is P(lambda)/lambda^2, at random angles and kappa"
+
+
+@judged
+def multiple_eigenvalues(answer, transition, kappa):
+    """The kappa > 0 for which eigenvalues coincide, to three digits or exactly."""
+    number = coercion.as_number(answer)
+    claim = float(number)
+    if claim <= 0:
+        raise Wrong(f"kappa = {claim:.4g} is not positive")
+    unit = 10.0**(math.floor(math.log10(claim)) - 2)
+    rounding = 0.5*unit if number.has(sp.Float) else 1e-6*claim
+    low, high = (_split(transition, kappa, claim + side*rounding) for side in (-1, 1))
+    if not low*high <= 0:
+        values = np.linalg.eigvals(_matrix(transition, kappa, claim))
+        gap = min(abs(a - b) for k, a in enumerate(values) for b in values[:k])
+        raise Wrong(f"for kappa = {claim:.4g} the eigenvalues are different: the nearest two are {gap:.3g} apart")
+    return "here pairs of complex eigenvalues meet on the real axis"
+
+
+@judged
+def digits_lost(answer, transition, kappa, value):
+    """By how many decimal digits the error of the forward recursion grows with every sample."""
+    claim = float(coercion.as_number(answer))
+    greatest = np.abs(np.linalg.eigvals(_matrix(transition, kappa, float(value)))).max()
+    if not coercion.rounds_to(claim, math.log10(greatest)):
+        factor = 10**claim if abs(claim) < 300 else math.inf
+        raise Wrong(f"an error would grow by the factor {factor:.4g} with every sample; multiplying a vector many "
+                    f"times by the "
+                    "transition matrix shows another factor")
+    return "powers of the transition matrix grow by this many digits a sample"
+
+
+@judged
+def spline_acceleration(answer, times, samples, rho, M):
+    """The acceleration of the motion of least cost at the middle one of three samples of equal weight rho."""
+    claim = coercion.as_expression(answer, _symbols(times, samples, rho, M))
+    for values, t, h in _drawn(times, samples, rho, M):
+        states = _least_cost(t, h, values[rho], values[M])
+        compare_at(claim, values, _middle(t, *states), "the acceleration at the middle sample", np.abs(h).max()/t[1]**2)
+    return "it is that of the motion with the least cost, for random samples and weights"
+
+
+@judged
+def spline_positions(answer, times, samples, rho, M):
+    """The positions at the samples of the motion of least cost."""
+    claims = coercion.as_expressions(answer, _symbols(times, samples, rho, M), len(times))
+    for values, t, h in _drawn(times, samples, rho, M):
+        x, _ = _least_cost(t, h, values[rho], values[M])
+        for k, claim in enumerate(claims):
+            compare_at(claim, values, x[k], f"x{k}", np.abs(h).max())
+    return "they are those of the motion with the least cost, for random samples and weights"
+
+
+@judged
+def interpolant_acceleration(answer, times, samples):
+    """The greatest acceleration of the motion with the least integral of u^2 through three samples."""
+    claim = coercion.as_expression(answer, _symbols(times, samples))
+    for values, t, h in _drawn(times, samples):
+        compare_at(claim, values, abs(_middle(t, *_least_cost(t, h, 1.0, None))),
+                   "the greatest acceleration through the samples",
+                 np.abs(h).max()/t[1]**2)
+    return "it is that of the easiest motion through the samples"
+
+
+@judged
+def weight_for_bound(answer, times, samples, rho, D):
+    """The weight M for which the motion of least cost has the greatest acceleration D."""
+    claim = coercion.as_expression(answer, _symbols(times, samples, rho, D))
+    for values, t, h in _bounded(times, samples, rho, D):
+        weight = value_at(claim, values, "M")
+        if weight <= 0:
+            raise Wrong(f"for {rounded_text(values)} your M = {weight:.4g} is not positive")
+        greatest = abs(_middle(t, *_least_cost(t, h, values[rho], weight)))
+        if not abs(greatest - values[D]) <= 1e-8*values[D]:
+            raise Wrong(f"for {rounded_text(values)} the motion of least cost with your M = {weight:.4g} has the "
+                        f"greatest acceleration "
+                        f"{greatest:.4g}, not {values[D]:.4g}")
+    return "the motion of least cost with this weight has the greatest acceleration D, for random samples and bounds"
+
+
+@judged
+def spline_misfit(answer, times, samples, rho, D):
+    """The misfit rho sum (x_k - h_k)^2 of the motion of least cost whose greatest acceleration is D."""
+    claim = coercion.as_expression(answer, _symbols(times, samples, rho, D))
+    for values, t, h in _bounded(times, samples, rho, D):
+        low, high = math.log(values[rho]*t[1]**3) - 30, math.log(values[rho]*t[1]**3) + 30
+        for _ in range(80):
+            middle = (low + high)/2
+            states = _least_cost(t, h, values[rho], math.exp(middle))
+            low, high = (middle, high) if abs(_middle(t, *states)) > values[D] else (low, middle)
+        compare_at(claim, values, values[rho]*np.sum((states[0] - h)**2), "the misfit", values[rho]*np.sum(h**2), 1e-8)
+    return "it is the misfit of the motion whose weight meets the bound, for random samples and bounds"
+
+
+@judged
+def bounded_misfit(answer, times, samples, rho, D):
+    """The least misfit rho sum (x_k - h_k)^2 among all motions with |u| <= D."""
+    from scipy.optimize import lsq_linear
+
+    claim = coercion.as_expression(answer, _symbols(times, samples, rho, D))
+    for values, t, h in _bounded(times, samples, rho, D):
+        knots = np.unique(np.concatenate([np.linspace(a, b, PIECES + 1) for a, b in zip(t, t[1:])]))
+        step = np.diff(knots)
+        # x at the samples from x0, y0 and constant accelerations on the pieces
+        reach = np.clip(t[:, None] - knots[:-1], 0, None)
+        rows = np.column_stack([np.ones(t.size), t - t[0], (reach**2 - np.clip(reach - step, 0, None)**2)/2])
+        free = np.array([np.inf, np.inf])
+        limits = np.append(free, np.full(step.size, values[D]))
+        found = lsq_linear(rows, h, (-limits, limits), method="bvls", tol=1e-14)
+        compare_at(claim, values, 2*values[rho]*found.cost, "the least misfit", values[rho]*np.sum(h**2), 1e-7)
+    return "no motion within the bound fits better, for random samples and bounds"
+
+
+@judged
+def filter_gain(answer, omega, rho, M):
+    """The factor g with which x = g cos(omega t) solves M x'''' + rho (x - cos(omega t)) = 0."""
+    claim = coercion.as_expression(answer, [omega, rho, M])
+    for values in random_values([omega, rho, M], SEED):
+        gain = value_at(claim, values, "the factor")
+        left = values[M]*values[omega]**4*gain + values[rho]*(gain - 1)
+        if not abs(left) <= 1e-9*(values[M]*values[omega]**4 + values[rho]):
+            raise Wrong(f"for {rounded_text(values)}, at t = 0, your motion leaves M x'''' + rho (x - h) = {left:.4g}")
+    return "x = g h satisfies the equation, for random frequencies and weights"
+
+
+@judged
+def boundary_decay(answer, rho, M):
+    """The rate at which the influence of an end dies out: -Re s of the solutions exp(s t) of M x'''' + rho x = 0 that
+    decay."""
+    claim = coercion.as_expression(answer, [rho, M])
+    for values in random_values([rho, M], SEED):
+        roots = np.roots([values[M], 0, 0, 0, values[rho]])
+        compare_at(claim, values, -max(root.real for root in roots if root.real < 0), "the rate of decay", 0)
+    return "the solutions exp(s t) that decay have -Re s equal to it, for random weights"
+
+
+@judged
+def weight_of_harmonic(answer, amplitude, omega, rho, D):
+    """The weight M for which the reconstruction of `amplitude` cos(omega t) has the greatest acceleration D."""
+    claim = coercion.as_expression(answer, [amplitude, omega, rho, D])
+    for values in random_values([amplitude, omega, rho, D], SEED):
+        values[D] = values[amplitude]*values[omega]**2*0.8*values[D]/(1 + values[D])
+        weight = value_at(claim, values, "M")
+        if weight <= 0:
+            raise Wrong(f"for {rounded_text(values)} your M = {weight:.4g} is not positive")
+        # x = size cos(omega t) solves the equation
+        size = values[rho]*values[amplitude]/(weight*values[omega]**4 + values[rho])
+        if not abs(size*values[omega]**2 - values[D]) <= 1e-9*values[D]:
+            raise Wrong(f"for {rounded_text(values)} your M = {weight:.4g} gives the greatest acceleration "
+                        f"{size*values[omega]**2:.4g}, not {values[D]:.4g}")
+    return "with this weight the greatest acceleration is D, for random measurements and bounds"
+
+
+@judged
+def steady_costate(answer, rho, M):
+    """The constant matrix P >= 0 of (psi1, psi2) = c - P (x, y) for steady continuous measurements of weight rho."""
+    claim = coercion.as_matrix(answer, [rho, M], (2, 2))
+    A, b = np.array([[0.0, 1], [0, 0]]), np.array([0.0, 1])
+    for values in random_values([rho, M], SEED):
+        P = np.array([[value_at(claim[i, j], values, f"p{i + 1}{j + 1}") for j in range(2)] for i in range(2)])
+        if not abs(P[0, 1] - P[1, 0]) <= 1e-9*np.abs(P).max():
+            raise Wrong(f"for {rounded_text(values)} your matrix is not symmetric; it is a matrix of second "
+                        f"derivatives of a cost")
+        terms = [P@A, A.T@P, -np.outer(P@b, b@P)/values[M], np.diag([values[rho], 0])]
+        residual, size = sum(terms), sum(map(np.abs, terms))
+        if not (np.abs(residual) <= 1e-9*size.max()).all():
+            i, j = np.unravel_index(np.abs(residual).argmax(), (2, 2))
+            raise Wrong(f"for {rounded_text(values)} your P would not stay constant: the element ({i + 1}, {j + 1}) "
+                        f"of its rate is "
+                        f"{-residual[i, j]:.4g}")
+        if not np.linalg.eigvalsh(P).min() > 0:
+            raise Wrong(f"for {rounded_text(values)} your P is constant, but not positive definite: a cost that is "
+                        f"still to come "
+                        "cannot be negative")
+    return "it stays constant under the Riccati equation and is positive definite, for random weights"
+
+
+def _matrix(transition, kappa, value):
+    return np.array(transition.subs(kappa, value).evalf(), dtype=float)
+
+
+def _split(transition, kappa, value):
+    """(w1 - w2)^2 for the two values w of lambda + 1/lambda: its sign changes where pairs of eigenvalues meet."""
+    _, first, second, _, _ = np.poly(_matrix(transition, kappa, value))
+    return first**2 - 4*(second - 2)
+
+
+def _least_cost(t, h, rho, M):
+    """Positions and velocities at the samples; M None: through the samples."""
+    n = t.size
+    cost = np.zeros((2*n, 2*n))
+    for k, tau in enumerate(np.diff(t)):
+        miss = np.zeros((2, 2*n))
+        miss[0, [2*k, 2*k + 1, 2*k + 2]] = -1, -tau, 1
+        miss[1, [2*k + 1, 2*k + 3]] = -1, 1
+        cost += miss.T@np.array([[12/tau**3, -6/tau**2], [-6/tau**2, 4/tau]])@miss
+    x, y = slice(0, None, 2), slice(1, None, 2)
+    if M is None:
+        return h, np.linalg.solve(cost[y, y], -cost[y, x]@h)
+    right = np.zeros(2*n)
+    right[x] = rho*h
+    states = np.linalg.solve(M*cost + np.diag(np.tile([rho, 0.0], n)), right)
+    return states[x], states[y]
+
+
+def _middle(t, x, y):
+    """The acceleration at the second sample, from the cubic before it."""
+    tau = t[1] - t[0]
+    return (6*(x[0] - x[1])/tau + 2*y[0] + 4*y[1])/tau
+
+
+def _symbols(times, samples, *more):
+    found = set().union(*(sp.sympify(part).free_symbols for part in [*times, *samples]))
+    return sorted(found, key=str) + list(more)
+
+
+def _drawn(times, samples, *more):
+    """Random positive values of all symbols, with times and samples as arrays."""
+    for values in random_values(_symbols(times, samples, *more), SEED):
+        yield values, *(np.array([float(sp.sympify(part).subs(values)) for part in parts])
+                        for parts in (times, samples))
+
+
+def _bounded(times, samples, rho, D):
+    """The same with a bound D that is active, for the direct method too."""
+    random = np.random.default_rng(65)
+    for values, t, h in _drawn(times, samples, rho):
+        values[D] = random.uniform(0.1, 0.6)*abs(_middle(t, *_least_cost(t, h, 1.0, None)))
+        yield values, t, h

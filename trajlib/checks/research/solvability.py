@@ -1,0 +1,349 @@
+"""Solvability: what measurements along a motion determine, and how well.
+
+Motions are found by the matrix exponential at random values of the symbols, errors by solving small systems of
+equations, and what is unseen by applying the measurements to it; conditions are decided in exact rational arithmetic,
+on and off the surfaces where they change.
+"""
+
+import functools
+import itertools
+import math
+
+import numpy as np
+import sympy as sp
+from scipy.linalg import expm
+
+from trajlib.checks.contract import coercion
+from trajlib.checks.contract.verdict import Invalid, Wrong, judged
+from trajlib.checks.tools.values import compare_at, random_values, truth_at, value_at
+from trajlib.checks.tools.wording import rounded_text
+
+MOMENTS = 12
+#: What counts as nothing beside numbers of size one.
+ZERO = 1e-8
+
+
+@judged
+def measured_motion(answer, matrix, output, initial, t):
+    """The measured component of the solution of x' = A x through the initial values."""
+    claim = coercion.as_expression(answer, [*_symbols(matrix), *initial, t])
+    for values in random_values([*_symbols(matrix), *initial, t], 71):
+        states = expm(_array(matrix, values)*values[t])@[values[s] for s in initial]
+        compare_at(claim, values, _seen(output, values, states), "what is measured", np.abs(states).max())
+    return "it is what is measured along the motion, for random values of all symbols"
+
+
+@judged
+def unseen_direction(answer, matrix, output):
+    """A change of the initial state of x' = A x that no measurement sees."""
+    claim = coercion.as_expressions(answer, _symbols(matrix), matrix.rows)
+    for values in random_values(_symbols(matrix), 72):
+        direction = _direction(claim, values)
+        times = np.linspace(0, 3, MOMENTS)
+        for time, move in zip(times, _moves(matrix, values, times)):
+            seen = _seen(output, values, move@direction)
+            if not abs(seen) <= ZERO:
+                raise Wrong(f"for {rounded_text(values)}, scaled to length 1, your change alters the measurement at t "
+                            f"= {time:.3g} by "
+                            f"{seen:.3g}")
+    return "it changes the state and no measurement, for random values of the symbols"
+
+
+@judged
+def bias_of_estimate(answer, matrix, output, unknowns, wanted, left_out):
+    """The error of the estimate of `wanted` when the constant unknown `left_out` is taken for zero."""
+    claim = coercion.as_expression(answer, [*_symbols(matrix), left_out])
+    j, k = list(unknowns).index(wanted), list(unknowns).index(left_out)
+    kept = [i for i in range(matrix.rows) if i != k]
+    for values in random_values([*_symbols(matrix), left_out], 73):
+        rows = _rows(matrix, output, values, np.linspace(0, 4, 3*MOMENTS))
+        found = np.linalg.lstsq(rows[:, kept], rows[:, k]*values[left_out], rcond=None)[0]
+        compare_at(claim, values, found[kept.index(j)], f"the error of the estimate of {wanted}", abs(values[left_out]),
+                   1e-7)
+    return "least squares without this unknown is wrong by it, for random values of the symbols"
+
+
+@judged
+def worst_of_three(answer, matrix, output, unknowns, wanted, tau, delta):
+    """The greatest error of `wanted` from three measurements at 0, tau, 2 tau with errors up to delta."""
+    claim = coercion.as_expression(answer, [*_symbols(matrix), tau, delta])
+    j = list(unknowns).index(wanted)
+    for values in random_values([*_symbols(matrix), tau, delta], 74):
+        A = _array(matrix, values)
+        fastest = np.abs(np.linalg.eigvals(A)).max()
+        values[tau] *= 1.1/fastest                # between an eighth and seven eighths of half a period
+        rows = _rows(matrix, output, values, values[tau]*np.arange(3))
+        corners = (np.linalg.solve(rows, np.array(signs)*values[delta])[j]
+                   for signs in itertools.product((-1, 1), repeat=3))
+        compare_at(claim, values, max(abs(error) for error in corners), f"the greatest error of {wanted}", 0, 1e-7)
+    return "no errors up to delta do worse, and some do as much, for random values of the symbols"
+
+
+@judged
+def unseen_by_bearings(answer, relative, t):
+    """A change (dx0, dy0, dvx, dvy) of a uniform motion that changes no bearing to first order."""
+    claim = coercion.as_expressions(answer, _symbols(sp.Matrix(relative), t), 4)
+    for values in random_values(_symbols(sp.Matrix(relative), t), 75):
+        direction = _direction(claim, values)
+        for time in np.linspace(0, 2.5, MOMENTS):
+            x, y = (float(part.subs(values | {t: time})) for part in relative)
+            dx, dy = direction[:2] + time*direction[2:]
+            turned = (x*dy - y*dx)/(x*x + y*y)
+            if not abs(turned) <= ZERO:
+                raise Wrong(f"for {rounded_text(values)}, scaled to length 1, your change turns the bearing at t = "
+                            f"{time:.3g} by "
+                            f"{turned:.3g} rad per unit")
+    return "it changes no bearing to first order, for random motions"
+
+
+@judged
+def bearing_tells_range(answer, relative, t, T, turn):
+    """Condition that one bearing at t > T, after the observer's velocity has changed by `turn`, fixes the range."""
+    symbols = _symbols(sp.Matrix(relative), t) + [t, T, *turn]
+    claim = coercion.as_condition(answer, symbols)
+    random = np.random.default_rng(76)
+    for number in range(40):
+        values = {s: sp.Rational(int(random.choice((-1, 1))*random.integers(1, 30)), 7) for s in symbols}
+        values[T], values[t] = abs(values[T]), abs(values[T]) + abs(values[t])
+        before = [part.subs(values) for part in relative]
+        if number % 2:                    # along the line of sight, forwards or back
+            share = sp.Rational(int(random.choice((-1, 1))*random.integers(1, 9)), 4)
+            values |= {s: share*part for s, part in zip(turn, before)}
+        after = [part - values[s]*(values[t] - values[T]) for part, s in zip(before, turn)]
+        if after == [0, 0]:
+            continue
+        # the targets left over by the bearings before T are those whose relative motion is `before` times a factor
+        change = after[0]*before[1] - after[1]*before[0]
+        if truth_at(claim, values) != (change != 0):
+            raise Wrong(f"for {rounded_text(values)} a small change of the range " + (
+                f"turns the bearing by {float(change/(after[0]**2 + after[1]**2)):.3g} rad per unit of its factor, "
+                f"yet your condition fails"
+                if change else "does not change the bearing, yet your condition holds"))
+    return ("it agrees with the change of the bearing, for motions in general position and for turns along the line "
+            "of sight")
+
+
+@judged
+def range_error(answer, relative, t, T, turn, delta):
+    """The size of the relative error of the range that an error delta of one bearing after the turn causes, to first
+    order."""
+    symbols = _symbols(sp.Matrix(relative), t) + [t, T, *turn, delta]
+    claim = coercion.as_expression(answer, symbols)
+    random = np.random.default_rng(77)
+    for values in random_values(symbols, 78):
+        values |= {s: values[s]*float(random.choice((-1, 1))) for s in symbols if s not in (t, T, delta)}
+        values[t] += values[T]
+        before = np.array([float(part.subs(values)) for part in relative])
+        after = before - np.array([values[s] for s in turn])*(values[t] - values[T])
+        slope = (after[0]*before[1] - after[1]*before[0])/(after@after)
+        said = value_at(claim, values, "the error")
+        if said < 0:
+            raise Wrong(f"for {rounded_text(values)} your expression is negative; its size was asked for")
+        compare_at(claim, values, values[delta]/abs(slope), "the relative error of the range", 0)
+    return "it is delta over the sensitivity of the bearing to the range, for random motions and turns"
+
+
+@judged
+def modes_of_range(answer, matrix, sight, initial, rate, t):
+    """The four coefficients of 1, t, cos(rate t), sin(rate t) in the deviation of a range."""
+    symbols = [*_symbols(matrix), *sight, *initial]
+    claims = coercion.as_expressions(answer, symbols, 4)
+    for values in random_values(symbols, 79):
+        now = [value_at(claim, values, "a coefficient") for claim in claims]
+        w, start = values[rate], np.array([values[s] for s in initial])
+        times, towards = np.linspace(0.1, 7, MOMENTS), np.array([values[s] for s in sight])
+        for time, move in zip(times, _moves(matrix, values, times)):
+            true = towards@(move@start)[:len(sight)]
+            said = now[0] + now[1]*time + now[2]*math.cos(w*time) + now[3]*math.sin(w*time)
+            if not abs(said - true) <= ZERO*(abs(true) + np.abs(start).max()*(1 + time)):
+                raise Wrong(f"for {rounded_text(values)} the range at {t} = {time:.3g} deviates by {true:.5g}; your "
+                            f"four terms sum up to "
+                            f"{said:.5g}")
+    return "the four terms sum up to the deviation of the range at all times, for random directions and motions"
+
+
+@judged
+def unseen_motions(answer, matrix, sight, count):
+    """`count` independent initial states whose motion does not change the range."""
+    if isinstance(answer, sp.MatrixBase) and answer.cols == count != 1 and answer.rows == matrix.rows:
+        answer = [list(answer.col(j)) for j in range(count)]
+    if not isinstance(answer, (list, tuple)):
+        raise Invalid(f"expected a list of {count} vectors")
+    symbols = [*_symbols(matrix), *sight]
+    claims = [coercion.as_expressions(vector, symbols, matrix.rows) for vector in answer]
+    if len(claims) != count:
+        raise Wrong(f"{count} independent motions were asked for, your list has {len(claims)}")
+    output = sp.Matrix([[*sight, *[0]*(matrix.rows - len(sight))]])
+    for values in random_values(symbols, 80):
+        directions = np.array([_direction(claim, values) for claim in claims])
+        times = np.linspace(0, 6, MOMENTS)
+        moves, (towards,) = _moves(matrix, values, times), _array(output, values)
+        for number, direction in enumerate(directions, 1):
+            for time, move in zip(times, moves):
+                motion = move@direction
+                seen = float(towards@motion)
+                if not abs(seen) <= ZERO*(1 + np.abs(motion).max()):
+                    raise Wrong(f"for {rounded_text(values)} motion number {number}, scaled to length 1, changes the "
+                                f"range at "
+                                f"t = {time:.3g} by {seen:.3g}")
+        if not np.linalg.svd(directions, compute_uv=False)[-1] >= 1e-6:
+            raise Wrong(f"for {rounded_text(values)} your motions are not independent: a combination of them is zero")
+    return "they are independent and leave the range as it is, for random directions"
+
+
+@judged
+def numbers_seen(answer, matrix, sights):
+    """How many combinations of the unknowns are determined by ranges along each of the given directions."""
+    claims = coercion.as_expressions(answer, (), len(sights))
+    values = next(random_values(_symbols(matrix), 81))
+    for number, (claim, sight) in enumerate(zip(claims, sights), 1):
+        claim = coercion.as_integer(claim)
+        output = sp.Matrix([[*sight, *[0]*(matrix.rows - len(sight))]])
+        rows = _rows(matrix, output, values, np.linspace(0, 9, 5*MOMENTS))
+        values_of = np.linalg.svd(rows/np.maximum(np.linalg.norm(rows, axis=0), 1e-300), compute_uv=False)
+        if claim != int(np.sum(values_of > 1e-9*values_of[0])):
+            raise Wrong(f"direction number {number}: the stacked matrix of many ranges has another rank than {claim}")
+    return "the stacked matrices of many ranges have these ranks"
+
+
+@judged
+def stations_insufficient(answer, matrix, first, second):
+    """Condition on two directions, none of whose components vanish, under which ranges along both leave something
+    unseen."""
+    claim = coercion.as_condition(answer, [*first, *second])
+    for values, insufficient in _pairs_of_stations(sp.ImmutableMatrix(matrix), tuple(first), tuple(second)):
+        said = truth_at(claim, values)
+        if said != insufficient:
+            raise Wrong(f"for {rounded_text(values)} the ranges determine "
+                        f"{'not everything' if insufficient else 'everything'}, yet your "
+                        f"condition {'holds' if said else 'fails'}")
+    return ("it agrees with the rank, for directions in general position, parallel ones and those parallel in two "
+            "components")
+
+
+@functools.lru_cache(maxsize=16)
+def _pairs_of_stations(matrix, first, second):
+    """Pairs of directions, as values of their symbols, and whether ranges along both leave something unseen."""
+    random, found = np.random.default_rng(82), []
+    A = matrix.subs({s: sp.Rational(2, 3) for s in _symbols(matrix)})
+    powers = [A**k for k in range(matrix.rows)]
+
+    def drawn():
+        return sp.Rational(int(random.choice((-1, 1))*random.integers(1, 12)), int(random.integers(1, 5)))
+
+    for number in range(24):
+        one, other = [drawn() for _ in first], [drawn() for _ in second]
+        factor = drawn()
+        if number % 3 == 0:
+            other = [factor*part for part in one]
+        elif number % 3 == 1:                # parallel in two components only
+            kept = (number//3) % 3
+            other = [part if k == kept else factor*one[k] for k, part in enumerate(other)]
+        rows = sp.Matrix.vstack(*[sp.Matrix([[*n, *[0]*(matrix.rows - len(n))]])*power for n in (one, other)
+                                  for power in powers])
+        found.append((dict(zip([*first, *second], [*one, *other])), rows.rank() < matrix.rows))
+    return found
+
+
+@judged
+def breaks_bound(answer, matrix, state, factor):
+    """An error e of the measurements for which |dx| exceeds mu |e| |x|/|Z| at least `factor` times, with Z = H x +
+    e."""
+    claim = coercion.as_expressions(answer, (), matrix.rows)
+    e = np.array([float(coercion.as_number(part)) for part in claim])
+    H, x = np.array(matrix.tolist(), dtype=float), np.array([float(part) for part in state])
+    if not np.abs(e).max() > 0:
+        raise Wrong("without an error nothing is wrong: both sides are zero")
+    values = np.linalg.svd(H, compute_uv=False)
+    found = np.linalg.norm(np.linalg.lstsq(H, e, rcond=None)[0])
+    bound = values[0]/values[-1]*np.linalg.norm(e)/np.linalg.norm(H@x + e)*np.linalg.norm(x)
+    if not found >= float(factor)*bound*(1 - 1e-9):
+        raise Wrong(f"the estimate is wrong by {found:.4g} and the printed bound is {bound:.4g}: it is exceeded "
+                    f"{found/bound:.3g} times, "
+                    f"not {float(factor):g} times")
+    return "the estimate is wrong by more than the printed bound, as many times as was asked"
+
+
+@judged
+def most_rows(answer, m, mu, eps):
+    """The greatest number n of rows for which the condition number mu is below the threshold mu*."""
+    n = coercion.as_integer(answer)
+    m, mu, eps = int(m), sp.Rational(mu), sp.Rational(eps)
+    if n < m:
+        raise Wrong(f"{n} rows are fewer than the {m} unknowns")
+
+    def threshold(rows):
+        return 1/((sp.sqrt(m)*(2*m - 3)*(4*rows + 27) + 11)*eps)
+
+    for rows, below in ((n, True), (n + 1, False)):
+        if bool(mu < threshold(rows)) != below:
+            raise Wrong(f"with {rows} rows the threshold is {float(threshold(rows)):.8g}, so that {rows} is "
+                        + ("too many" if below else "still not too many"))
+    return "with this many rows the condition number is below the threshold, with one more it is not"
+
+
+@judged
+def condition_of_nearly_equal(answer, delta):
+    """The condition number of two columns of length 1 along h and h + delta g, for perpendicular unit vectors h, g."""
+    claim = coercion.as_expression(answer, [delta])
+    for size in (1.0, 0.3, 0.04, 0.003, 2.5, 9.0):
+        columns = np.array([[1, 1/math.hypot(1, size)], [0, size/math.hypot(1, size)]])
+        values = np.linalg.svd(columns, compute_uv=False)
+        compare_at(claim, {delta: size}, values[0]/values[-1], "the condition number", 0)
+    return "it is the ratio of the singular values, for small and large errors"
+
+
+@judged
+def fooling_error(answer, M):
+    """The error of a column that is a multiple of another from which on the condition number is below M."""
+    claim = coercion.as_expression(answer, [M])
+    for limit in (1.5, 4.0, 30.0, 1e3, 1e5):
+        size = value_at(claim, {M: limit}, "the error")
+        if size <= 0:
+            raise Wrong(f"for M = {limit:g} your error {size:.4g} is not positive")
+        columns = np.array([[1, 1/math.hypot(1, size)], [0, size/math.hypot(1, size)]])
+        values = np.linalg.svd(columns, compute_uv=False)
+        if not abs(values[0]/values[-1] - limit) <= 1e-6*limit:
+            raise Wrong(f"for M = {limit:g} your error gives the condition number {values[0]/values[-1]:.6g}")
+    return "with this error the condition number is just M, for small and large M"
+
+
+def _rows(matrix, output, values, times):
+    """The stacked matrix of the measurements at the given times."""
+    return np.concatenate(_array(output, values)@_moves(matrix, values, times))
+
+
+def _moves(matrix, values, times):
+    """The matrices that take the initial state to the states at the given times, stacked along the first axis."""
+    return expm(_array(matrix, values)*times[:, None, None])
+
+
+def _seen(output, values, state):
+    """The measurement, a single number, of a state."""
+    (number,) = _array(output, values)@state
+    return float(number)
+
+
+def _direction(claim, values):
+    """The vector at the given values, scaled to length 1."""
+    numbers = np.array([value_at(part, values, f"component {k}") for k, part in enumerate(claim, 1)])
+    if not np.abs(numbers).max() > 0:
+        raise Wrong(f"for {rounded_text(values)} it is zero: a change that changes nothing")
+    numbers = numbers/np.abs(numbers).max()  # a square of what is very large would be infinite
+    return numbers/np.linalg.norm(numbers)
+
+
+def _symbols(matrix, *without):
+    return sorted(matrix.free_symbols - set(without), key=str)
+
+
+def _array(matrix, values):
+    matrix = sp.ImmutableMatrix(matrix)
+    symbols = tuple(_symbols(matrix))
+    return np.array(_compiled(matrix, symbols)(*(float(values[s]) for s in symbols)), dtype=float)
+
+
+@functools.lru_cache(maxsize=32)
+def _compiled(matrix, symbols):
+    # Only matrices of the data come here, never an answer.
+    return sp.lambdify(symbols, matrix, "numpy")

@@ -1,0 +1,250 @@
+"""Planar motions in polar coordinates: the equations, limit cycles, and what becomes of neighbouring motions.
+
+The closed orbits of these checks are circles around zero. They are found from the field alone: on such a circle the
+radial velocity vanishes at every angle and the angular velocity nowhere.
+"""
+
+import functools
+import math
+
+import numpy as np
+import sympy as sp
+from sympy.core.relational import Relational
+
+from trajlib.checks.contract import coercion
+from trajlib.checks.contract.verdict import Invalid, Wrong, judged
+from trajlib.checks.tools.values import number_at, value_at
+from trajlib.checks.truths.fields import known_field
+
+CYCLES = ("stable", "unstable", "semistable")
+#: Angles at which a circle is tried; not multiples of pi/2, where single terms of a field vanish.
+ANGLES = 0.4 + 2 * math.pi * np.arange(24) / 24
+
+
+@judged
+def polar_form(answer, field, state, polar):
+    """The pair (r', phi') of a planar system, in the polar coordinates `polar`."""
+    rates = coercion.as_expressions(answer, polar, length=2)
+    flow = known_field(tuple(field), tuple(state))
+    random = np.random.default_rng(8)
+    for _ in range(20):
+        r, phi = random.uniform(0.2, 2.5), random.uniform(0, 2 * math.pi)
+        true = _polar_velocity(flow, r, phi)
+        size = abs(true[0]) / r + abs(true[1]) + np.linalg.norm(flow(_place(r, phi))) * (1 + 1 / r)
+        for name, rate, value in zip(("r'", "phi'"), rates, true):
+            said = number_at(rate, dict(zip(polar, (r, phi))), f"your expression for {name}")
+            if not abs(said - value) <= 1e-9 * size:
+                raise Wrong(f"at r = {r:.3g}, phi = {phi:.3g} the motion has {name} = {value:.4g}; your expression "
+                            f"gives {said.real:.4g}")
+    return "both rates agree with the velocity of the motion at random points"
+
+
+@judged
+def radial_motion(answer, field, state, time, start):
+    """The distance r(t) from zero of the motion with r(0) = r0, for t >= 0 as long as the motion lasts.
+
+    For fields whose r' does not depend on the angle. Judged by substitution: the initial value and the rate of change.
+    """
+    claim = coercion.as_expression(answer, [time, start])
+    slope = sp.diff(claim, time)
+    flow = known_field(tuple(field), tuple(state))
+    for r0 in (0.3, 0.85, 1.0, 1.4, 2.3):
+        life = _life(flow, r0)
+        for t in (0.0, 0.1 * life, 0.35 * life, 0.8 * life):
+            values = {time: sp.Float(t, 25), start: sp.Float(r0, 25)}
+            r = value_at(claim, values, "r")
+            if t == 0 and not abs(r - r0) <= 1e-9 * r0:
+                raise Wrong(f"for r0 = {r0:g} your motion starts at r(0) = {r:.4g}")
+            if r <= 0:
+                raise Wrong(f"for r0 = {r0:g} your motion has r = {r:.4g} at t = {t:.3g}; a distance from zero stays "
+                            f"positive here")
+            true, said = _polar_velocity(flow, r, ANGLES[0])[0], value_at(slope, values, "r, differentiated,")
+            if not abs(said - true) <= 1e-9 * (abs(true) + r) < math.inf:
+                raise Wrong(f"for r0 = {r0:g} your motion is at r = {r:.4g} when t = {t:.3g} and changes at the rate "
+                            f"{said:.4g} there; "
+                            f"the system demands r' = {true:.4g} at this r")
+    return "it starts at r0, and everywhere r' is what the system demands of it, for motions from five starts"
+
+
+@judged
+def limit_cycles(answer, field, state):
+    """The radii of all limit cycles that are circles around zero."""
+    flow = known_field(tuple(field), tuple(state))
+    radii = [float(r) for r in _radii(answer)]
+    found = _circles(flow)
+    for radius in radii:
+        if radius == 0:
+            raise Wrong("r = 0 is a position of equilibrium, not a closed orbit")
+        if radius < 0:
+            raise Wrong(f"the radius {radius:.4g} is negative")
+        if not any(coercion.rounds_to(radius, other) for other in found):
+            rates = [_polar_velocity(flow, radius, phi)[0] for phi in ANGLES]
+            raise Wrong(f"the circle r = {radius:.4g} is not a closed orbit: r' = {max(rates, key=abs):.4g} at a "
+                        f"point of it")
+    missed = [other for other in found if not any(coercion.rounds_to(radius, other) for radius in radii)]
+    if missed:
+        raise Wrong(f"your list does not hold all of them: {len(found) - len(missed)} of {len(found)} "
+                    "circles around zero on which r' vanishes")
+    return "on these circles, and on no others, r' vanishes at every angle while phi' does not"
+
+
+@judged
+def cycle_stability(answer, field, state, radius=None):
+    """Whether a limit cycle is stable, unstable or semistable: the only one, or that with the `radius` given.
+
+    Judged by motions that start a little inside and a little outside of it.
+    """
+    joined = "".join(answer.replace("-", " ").split()) if isinstance(answer, str) else answer  # semi-stable
+    claim = coercion.as_choice(joined, CYCLES)
+    flow = known_field(tuple(field), tuple(state))
+    radius = _circle(flow, radius)
+    inside, outside = (_tendency(flow, radius, side) for side in (-1, 1))
+    truth = {("to", "to"): "stable", ("from", "from"): "unstable"}.get((inside, outside), "semistable")
+    if claim != truth:
+        claimed = {"stable": ("to", "to"), "unstable": ("from", "from")}.get(claim)
+        if claimed is None:
+            raise Wrong("semistable means that motions on one side move towards the cycle and motions on the other "
+                        "away from it: "
+                        f"try r = {0.95 * radius:g} and r = {1.05 * radius:g}")
+        side, start = ("inside", 0.95 * radius) if inside != claimed[0] else ("outside", 1.05 * radius)
+        does = {"to": "towards", "from": "away from"}[inside if side == "inside" else outside]
+        raise Wrong(f"this does not agree with the neighbouring motions: the one that starts {side}, at r = {start:g}, "
+                    f"moves {does} the cycle")
+    return (f"motions inside move {'towards' if inside == 'to' else 'away from'} it, "
+            f"motions outside {'towards' if outside == 'to' else 'away from'} it")
+
+
+@judged
+def return_slope(answer, field, state, radius=None):
+    """The slope of the return map r -> P(r) at a limit cycle: by how much one turn multiplies a small deviation.
+
+    Judged by Liouville's formula: in the plane it is exp of the integral of the divergence over one turn.
+    """
+    claim = coercion.as_number(answer)
+    flow = known_field(tuple(field), tuple(state))
+    radius = _circle(flow, radius)
+    exponent = 0.0
+    for phi in ANGLES:  # the trapezoidal rule is exact here for trigonometric polynomials below degree 24
+        x = _place(radius, phi)
+        exponent += np.trace(flow.jacobian(x)) / abs(_polar_velocity(flow, radius, phi)[1]) * 2 * math.pi / len(ANGLES)
+    if abs(exponent) < 1e-10:
+        exponent = 0.0
+    difference = abs(float(claim) / math.exp(exponent) - 1)
+    close = coercion.rounds_to(claim, math.exp(exponent))
+    # Three digits are for decimals: an expression such as 1 + exp(-4 pi) says that it is exact.
+    if close and not (claim.is_Rational or claim.has(sp.Float)) and difference > 1e-9:
+        raise Wrong(f"the expression comes close, but it is not the slope: they differ by the fraction "
+                    f"{difference:.2g}")
+    if not close:
+        if float(claim) <= 0:
+            raise Wrong("the slope is positive: a motion that starts outside the cycle stays outside, for motions do "
+                        "not cross")
+        turn = _turn(flow, radius)
+        raise Wrong(f"a small deviation multiplied by {float(claim):.4g} in each turn of {turn:.4g} units of time "
+                    f"would grow "
+                    f"at the mean rate {math.log(float(claim)) / turn:.4g}; linearising r' at the cycle gives another "
+                    f"rate")
+    return "it agrees with the integral of the divergence over one turn (Liouville's formula)"
+
+
+def _radii(answer):
+    """A list of numbers from a list, a set or a single number."""
+    if isinstance(answer, (set, frozenset, sp.FiniteSet)):
+        answer = list(answer)
+    if answer is sp.S.EmptySet:
+        answer = []
+    if isinstance(answer, dict) or isinstance(answer, str):
+        raise Invalid("expected a list of radii")
+    if not isinstance(answer, (list, tuple, np.ndarray, sp.Tuple, sp.MatrixBase)):
+        answer = [answer]
+    if any(isinstance(entry, Relational) for entry in answer):
+        raise Invalid("expected the radii themselves, without equations")
+    return [coercion.as_number(entry) for entry in coercion.as_expressions(answer)]
+
+
+def _place(r, phi):
+    return r * np.array([math.cos(phi), math.sin(phi)])
+
+
+def _polar_velocity(flow, r, phi):
+    """(r', phi') of the motion at a point, from its velocity in the plane."""
+    x = _place(r, phi)
+    velocity = flow(x)
+    return x @ velocity / r, (x[0] * velocity[1] - x[1] * velocity[0]) / r**2
+
+
+@functools.lru_cache(maxsize=16)
+def _circles(flow, reach=20.0):
+    """Radii, below `reach`, of the circles around zero that are closed orbits.
+
+    Along a ray r' is followed on a fine grid: a cycle is a zero of r' or, where r' keeps its sign, of its derivative.
+    """
+    phi = ANGLES[0]
+    unit = _place(1.0, phi)
+
+    def rate(r):
+        return _polar_velocity(flow, r, phi)[0]
+
+    def growth(r):
+        return unit @ flow.derivative(r * unit, unit)
+
+    grid = np.geomspace(0.013, reach, 400)
+    if max(abs(rate(r)) / r for r in grid) < 1e-12:
+        raise RuntimeError("all circles around zero are closed orbits: none of them is a limit cycle")
+    candidates = _zeros(rate, grid) + _zeros(growth, grid)
+    found = []
+    for radius in sorted(candidates):
+        velocities = [_polar_velocity(flow, radius, angle) for angle in ANGLES]
+        closed = max(abs(v[0]) for v in velocities) < 1e-9 * radius * max(abs(v[1]) for v in velocities)
+        turning = min(abs(v[1]) for v in velocities) > 1e-9
+        if closed and turning and not any(abs(radius - other) < 1e-5 * radius for other in found):
+            found.append(float(radius))
+    return found
+
+
+def _zeros(function, grid):
+    """Zeros of a function at its changes of sign, by bisection."""
+    values = [function(r) for r in grid]
+    zeros = [r for r, value in zip(grid, values) if value == 0]
+    for low, high, left, right in zip(grid, grid[1:], values, values[1:]):
+        if left * right < 0:
+            for _ in range(60):
+                middle = (low + high) / 2
+                low, high = (middle, high) if function(middle) * left > 0 else (low, middle)
+            zeros.append((low + high) / 2)
+    return zeros
+
+
+def _circle(flow, radius):
+    """The circle of the given radius, or the only one, that is a closed orbit."""
+    circles = [c for c in _circles(flow) if radius is None or abs(c - float(radius)) < 1e-6 * c]
+    if len(circles) != 1:
+        raise RuntimeError(f"expected one circular limit cycle, found {len(circles)}")
+    return circles[0]
+
+
+def _turn(flow, radius):
+    """The duration of one turn on a closed orbit."""
+    return sum(2 * math.pi / len(ANGLES) / abs(_polar_velocity(flow, radius, phi)[1]) for phi in ANGLES)
+
+
+@functools.lru_cache(maxsize=16)
+def _tendency(flow, radius, side):
+    """"to" or "from": where a motion on one side of the cycle goes."""
+    start = radius * (1 + 0.05 * side)
+    end = flow.motion([start, 0.0], 60.0, escape=10 * radius)
+    if end is None:
+        return "from"
+    ratio = abs(np.linalg.norm(end) - radius) / abs(start - radius)
+    if 0.7 < ratio < 1.4:
+        raise RuntimeError("neighbouring motions keep their distance: this is no limit cycle, or a very slow one")
+    return "to" if ratio < 1 else "from"
+
+
+def _life(flow, r0, duration=2.0):
+    """How long a motion lasts before it runs away to infinity, at most `duration`."""
+    for _ in range(12):
+        if flow.motion([r0, 0.0], duration, escape=100.0) is not None:
+            return duration
+        duration /= 1.6
+    raise RuntimeError("the motion leaves every bound at once")

@@ -1,0 +1,345 @@
+"""Lyapunov functions: the derivative along the motions, where it vanishes, what stability and what basin it proves."""
+
+import functools
+from fractions import Fraction
+
+import numpy as np
+import sympy as sp
+from sympy.core.relational import Relational
+
+from trajlib.checks.contract import coercion
+from trajlib.checks.contract.verdict import Invalid, Wrong, judged
+from trajlib.checks.stability.rest_families import allowed_values
+from trajlib.checks.tools.semialgebraic import Condition, cells, lines
+from trajlib.checks.tools.semialgebraic import as_text as place_text
+from trajlib.checks.tools.values import number_at
+from trajlib.checks.tools.wording import values_text
+from trajlib.checks.truths.fields import Field, as_text, sample_values
+
+
+@judged
+def lyapunov_derivative(answer, function, field, state, parameters=()):
+    """The derivative of V along the motions of x' = f(x) (Definition 1.4), as an expression in the state."""
+    claim = coercion.as_expression(answer, [*state, *parameters])
+    random = np.random.default_rng(4)
+    for values in sample_values(parameters):
+        flow, level = Field(field, state, values), Field([function], state, values)
+        for _ in range(4):
+            point = random.normal(size=len(state))
+            true = level.derivative(point, flow(point))[0]
+            said = number_at(claim, values | dict(zip(state, point)))
+            # The size of the terms of grad V . f, not of their sum, sets the scale: the sum may cancel.
+            size = abs(level.derivative(point, np.ones(len(state)))[0]) * np.linalg.norm(flow(point)) + abs(true)
+            if not abs(said - true) <= 1e-9 * size:
+                where = ", ".join(f"{s} = {v:.3g}"
+                                  for s, v in [*zip(state, point), *((p, float(v)) for p, v in values.items())])
+                raise Wrong(f"at {where} the function changes along the motion at the rate {true:.4g}; "
+                            f"your expression gives {said.real:.4g}")
+    return "it is the rate at which the function changes along the motions, at random states"
+
+
+@judged
+def vanishing_set(answer, function, field, state, parameters=()):
+    """The set of states where the derivative of V along the motions is zero, for parameters that are not zero."""
+    claim = Condition(coercion.as_condition(answer, state), state)
+    rate = sum(sp.diff(function, x) * f for x, f in zip(state, field))
+    for values in sample_values(parameters, count=4):
+        zero = Condition(sp.Eq(sp.expand(rate.subs(values)), 0), state)
+        for point, direction in lines(state, count=24):
+            inside, on = cells(point, direction, zero.boundaries + claim.boundaries)
+            for place in inside + on:
+                if claim.holds(place) != zero.holds(place):
+                    value = float(rate.subs(values).subs({x: sp.Rational(v.numerator, v.denominator)
+                                                          for x, v in zip(state, place)}))
+                    raise Wrong(f"at {place_text(state, place)} the derivative is {value:.4g}, and your set "
+                                + ("holds this state" if claim.holds(place) else "does not hold it"))
+    return "the derivative is zero at the states of this set and at no others that lines through the plane meet"
+
+
+@judged
+def departure(answer, function, field, state, parameters=()):
+    """The rate of the last state variable where V' vanishes: what takes a motion out of this set (Theorem 1.5).
+
+    Judged at states of the set alone, so terms that vanish on it may stay or go.
+    """
+    claim = coercion.as_expression(answer, [*state, *parameters])
+    rate = sum(sp.diff(function, x) * f for x, f in zip(state, field))
+    for values in sample_values(parameters, count=4):
+        zero = Condition(sp.Eq(sp.expand(rate.subs(values)), 0), state)
+        places = [place for point, direction in lines(state, count=16)
+                  for place in cells(point, direction, zero.boundaries)[1]
+                  if zero.holds(place)]
+        if not places:
+            raise RuntimeError("no state was met where the derivative vanishes")
+        for place in places:
+            at = values | {x: sp.Rational(v.numerator, v.denominator) for x, v in zip(state, place)}
+            true, said = complex(sp.sympify(field[-1]).subs(at).evalf(20)), number_at(claim, at)
+            if not abs(said - true) <= 1e-9 * (abs(true) + max(abs(float(v)) for v in place)):
+                where = "".join(f", {p} = {v}" for p, v in values.items())
+                raise Wrong(f"at {place_text(state, place)}{where} the derivative of V is zero, and {state[-1]} "
+                            f"changes there at the rate "
+                            f"{true.real:.4g}; your expression gives {said.real:.4g}")
+    return "it is this rate at the states where the derivative vanishes"
+
+
+@judged
+def proved_stable(answer, function, field, state, parameters):
+    """The parameters for which V proves asymptotic stability of zero by Theorem 1.5.
+
+    That is: V > 0 and V' <= 0 near zero, and V' is not identically zero (that no motion stays where it vanishes is for
+    the author of the problem to know). Values that the assumptions of a parameter exclude are left alone.
+    """
+    claim = Condition(coercion.as_condition(answer, parameters), parameters)
+    circle = 0.1 * _directions(len(state))
+    level, rate = _numeric(function, state, parameters), _rate(function, field, state, parameters)
+    for point, direction in lines(parameters, count=8):
+        for place in _places(claim, point, direction):
+            if not _admitted(place, parameters):
+                continue
+            heights, rates = level(circle, place), rate(circle, place)
+            proved = min(heights) > 0 and max(rates) <= 1e-12 and min(rates) < -1e-12
+            if claim.holds(place) != proved:
+                raise Wrong(f"for {place_text(parameters, place)} the derivative of V on the circle of radius 0.1 "
+                            f"lies between "
+                            f"{min(rates):.3g} and {max(rates):.3g}, which {'proves' if proved else 'does not prove'} "
+                            f"asymptotic stability")
+    return "these are the parameters for which the derivative is nowhere positive near zero and not identically zero"
+
+
+@judged
+def proved_global(answer, function, field, state, parameters, given=()):
+    """The values of `parameters` for which V proves asymptotic stability of zero in the large.
+
+    That is: V > 0 grows without bound in every direction, and V' <= 0 everywhere, but not identically (that no motion
+    stays where it vanishes is for the author of the problem to know). Other symbols get values that satisfy `given`.
+    """
+    claim = Condition(coercion.as_condition(answer, parameters), parameters)
+    others = set().union(*(sp.sympify(f).free_symbols for f in [*field, function])) - {*state, *parameters}
+    (sample,) = allowed_values(sorted(others, key=str), given, 1)
+    field, function = [sp.sympify(f).subs(sample) for f in field], sp.sympify(function).subs(sample)
+    directions = _directions(len(state), 60)
+    radii = np.geomspace(1e-2, 1e4, 41)
+    points = (radii[:, None, None] * directions).reshape(-1, len(state))
+    level, rate = _numeric(function, state, parameters), _rate(function, field, state, parameters)
+    for point, direction in lines(parameters, count=12):
+        for place in _places(claim, point, direction, extra=20):
+            if not _admitted(place, parameters) or 0 < max(map(abs, place)) < 1e-6:
+                continue  # closer to zero the far ends of V lie beyond the states that are looked at
+            lowest = level(points, place).reshape(len(radii), -1).min(axis=1)
+            rates = rate(points, place)
+            reason = ""
+            if min(lowest) <= 0 or np.any(np.diff(lowest) <= 0):
+                worst = int(np.argmax((lowest <= 0) | (np.diff(lowest, prepend=0) <= 0)))
+                reason = ("V does not grow in all directions: "
+                          f"on the circle of radius {radii[worst]:.3g} its least value is {lowest[worst]:.3g}")
+            elif max(rates) > 1e-12 * max(abs(rates)) or min(rates) == 0:
+                reason = f"the derivative of V takes values between {min(rates):.3g} and {max(rates):.3g}"
+            if claim.holds(place) != (not reason):
+                raise Wrong(f"for {place_text(parameters, place)} "
+                            + (reason + ", which proves nothing in the large" if reason else
+                            "V grows without bound in every direction and its derivative is nowhere positive: "
+                            "it proves stability in the large"))
+    return "for these parameters, and for no others, V grows in every direction and its derivative is nowhere positive"
+
+
+@judged
+def basin_level(answer, function, field, state, parameters=(), given=()):
+    """The largest level c for which V proves that the part of {V < c} around zero belongs to the basin of
+    attraction."""
+    claim = coercion.as_expression(answer, parameters)
+    directions = _directions(len(state))
+    for values, level, others, rate in _stable_systems(function, field, state, parameters, given):
+        number = number_at(claim, values, "your level")
+        real = abs(number.imag) <= 1e-9 * abs(number)
+        told = (f"for {values_text(values)} " if values
+                else "") + f"your level is {f'{number.real:.4g}' if real else 'not real'}"
+        if not real or number.real <= 0:
+            raise Wrong(f"{told}; V is positive near zero, so the level has to be a positive number")
+        low, high = (_border(lambda points, c=c: level(points) < c, directions)
+                     for c in (0.994 * number.real, 1.008 * number.real))
+        if not np.all(np.isfinite(low)):
+            raise Wrong(f"{told}: the set V < c around zero is unbounded in the direction "
+                        f"{as_text(directions[np.argmax(~np.isfinite(low))])}")
+        broken = _breaks(rate, directions * low[:, None], others, level, 0.994 * number.real)
+        if broken:
+            raise Wrong(f"{told}: V does not prove attraction for all of this set: {broken}")
+        if np.all(np.isfinite(high)) and not _breaks(rate, directions * high[:, None], others, level,
+                                                     1.008 * number.real):
+            raise Wrong(f"{told}: V proves attraction up to this level, but also up to a higher one")
+    return ("up to this level the derivative of V is nowhere positive and no other equilibrium is met, and beyond it "
+            "this ends")
+
+
+@judged
+def basin_estimate(answer, function, field, state, parameters=(), given=()):
+    """The largest set {V < c} around zero that V proves to belong to the basin of attraction.
+
+    Judged for values of the parameters with an asymptotically stable first approximation: the boundary is a level line
+    of V, inside V' <= 0 and no other equilibrium, and a slightly higher level breaks one of these. The set may contain
+    the parameters; where V < c has parts away from zero, it has to leave them out.
+    """
+    condition = coercion.as_condition(answer, [*state, *parameters])
+    directions = _directions(len(state))
+    for values, level, others, rate in _stable_systems(function, field, state, parameters, given):
+        claim = condition.subs(values)
+        where = f" (for {values_text(values)})" if values else ""
+        reach = _reach(claim, state, directions, where)
+        border = directions * reach[:, None]
+        heights = level(border)
+        if np.ptp(heights) > 0.01 * np.mean(heights):
+            low, high = border[np.argmin(heights)], border[np.argmax(heights)]
+            raise Wrong(f"the boundary is no level line of V: V is {min(heights):.4g} at {as_text(low)} "
+                        f"and {max(heights):.4g} at {as_text(high)}{where}")
+        height = np.mean(heights)
+        broken = (_breaks(rate, 0.997 * border, others, level, 0.994 * height)
+                  or _holds_equilibrium(claim, field, state, values, others))
+        if broken:
+            raise Wrong(f"V does not prove attraction for all of this set: {broken}{where}")
+        if not _breaks(rate, 1.004 * border, others, level, 1.008 * height):
+            raise Wrong("the set is contained in the basin, but V proves more: "
+                        f"its derivative is still nowhere positive on a larger level set{where}")
+    return ("its boundary is a level line of V, the derivative is nowhere positive inside, and no higher level has "
+            "this property")
+
+
+def _directions(n, count=240):
+    if n == 2:
+        angles = 2 * np.pi * (np.arange(count) + 0.5) / count
+        return np.column_stack([np.cos(angles), np.sin(angles)])
+    sample = np.random.default_rng(6).normal(size=(count, n))
+    return sample / np.linalg.norm(sample, axis=1)[:, None]
+
+
+def _numeric(expression, state, parameters=()):
+    """`expression` at many states, the rows of an array, for values of the parameters."""
+    function = sp.lambdify([*state, *parameters], expression, "numpy")
+
+    def value(points, place=()):
+        with np.errstate(all="ignore"):
+            return np.broadcast_to(function(*points.T, *map(float, place)), len(points))
+
+    return value
+
+
+def _rate(function, field, state, parameters=()):
+    """V' at many states."""
+    return _numeric(sum(sp.diff(function, x) * f for x, f in zip(state, field)), state, parameters)
+
+
+def _places(claim, point, direction, extra=0):
+    """Places on a line at which to judge a claim: a grid, and the claim's own cells, borders and neighbours of
+    borders."""
+    inside, on = cells(point, direction, claim.boundaries, extra=extra)
+    near = [tuple(x + side * d for x, d in zip(place, direction)) for place in on
+            for side in (Fraction(1, 1000), Fraction(-1, 1000))]
+    grid = [tuple(x + Fraction(k, 8) * d for x, d in zip(point, direction)) for k in range(-24, 25)]
+    return inside + on + near + grid
+
+
+def _admitted(place, parameters):
+    return not any(p.is_positive and x <= 0 or p.is_negative and x >= 0 for p, x in zip(parameters, place))
+
+
+def _stable_systems(function, field, state, parameters, given):
+    """(values, V, other equilibria, V') for sampled parameters at which the first approximation is stable."""
+    return _sampled(sp.sympify(function), tuple(field), tuple(state), tuple(parameters),
+                    sp.And(*given) if isinstance(given, (list, tuple)) else given)
+
+
+@functools.lru_cache(maxsize=16)
+def _sampled(function, field, state, parameters, given):
+    systems = []
+    for values in allowed_values(parameters, given, 8):
+        # Squares, so that equilibria at roots of parameters are rational and can be put into a condition exactly.
+        values = {p: sp.sign(v) * sp.Rational(sp.ceiling(4 * abs(v)), 4) ** 2 for p, v in values.items()}
+        flow = Field(field, state, values)
+        if max(np.linalg.eigvals(flow.jacobian(np.zeros(len(state)))).real) >= 0:
+            continue
+        height, motion = function.subs(values), [sp.sympify(f).subs(values) for f in field]
+        others = [point for point in flow.rest_points(60) if np.linalg.norm(point) > 1e-6]
+        systems.append((values, _numeric(height, state), others, _rate(height, motion, state)))
+        if len(systems) == 2:
+            return systems
+    if not systems:
+        raise RuntimeError("no parameters with a stable first approximation were met")
+    return systems
+
+
+def _reach(claim, state, directions, where):
+    """How far rays from zero stay in the claimed set, which has to end there for good."""
+    inside = _membership(claim, state)
+    if not np.all(inside(1e-3 * directions)):
+        raise Wrong(f"the set does not contain a neighbourhood of zero{where}")
+    reach = _border(inside, directions)
+    if not np.all(np.isfinite(reach)):
+        raise Wrong(f"the set is unbounded in the direction {as_text(directions[np.argmax(~np.isfinite(reach))])}; "
+                    f"a level set that proves attraction is bounded{where}")
+    for fraction in np.geomspace(1.001, 50, 300):
+        beyond = fraction * reach[:, None] * directions
+        again = inside(beyond)
+        if np.any(again):
+            place = beyond[np.argmax(again)]
+            raise Wrong(f"the set has a part away from zero, at {as_text(place)} for instance, "
+                        f"and motions from there need not come to zero{where}")
+    return reach
+
+
+def _border(inside, directions, nearest=1e-2, extent=60.0):
+    """The distance along each ray at which it first leaves a set, inf where it does not."""
+    # A step of 1.2 per cent: less than the gap that a ray beside a saddle passes through.
+    distances = np.geomspace(nearest, extent, 740)
+    grid = inside((distances[:, None, None] * directions).reshape(-1, directions.shape[1])).reshape(len(distances), -1)
+    first = np.argmin(grid, axis=0)
+    outer = distances[first]
+    inner = np.where(first > 0, distances[first - 1], 0.0)
+    for _ in range(30):
+        middle = (inner + outer) / 2
+        holds = inside(middle[:, None] * directions)
+        inner, outer = np.where(holds, middle, inner), np.where(holds, outer, middle)
+    return np.where(np.all(grid, axis=0), np.inf, inner)
+
+
+def _membership(condition, state):
+    """A condition as a function of many states in floating-point numbers; False where it is not defined."""
+    if condition == True or condition == False:  # noqa: E712
+        return lambda points: np.full(len(points), bool(condition))
+    if isinstance(condition, (sp.And, sp.Or)):
+        parts = [_membership(part, state) for part in condition.args]
+        join = np.logical_and if isinstance(condition, sp.And) else np.logical_or
+        return lambda points: join.reduce([part(points) for part in parts])
+    if isinstance(condition, sp.Not):
+        negated = _membership(condition.args[0], state)
+        return lambda points: ~negated(points)
+    if not isinstance(condition, Relational):
+        raise Invalid("expected inequalities joined by And, Or and Not")
+    # Symbols are the data's own and functions are SymPy's (coercion.as_condition), so the code made is ours.
+    difference = _numeric(condition.lhs - condition.rhs, state)
+    compare = {sp.StrictGreaterThan: np.greater, sp.GreaterThan: np.greater_equal, sp.StrictLessThan: np.less,
+               sp.LessThan: np.less_equal, sp.Equality: np.equal, sp.Unequality: np.not_equal}[type(condition)]
+
+    def holds(points):
+        values = difference(points)
+        return compare(values.real, 0) & (np.imag(values) == 0) & np.isfinite(values)
+
+    return holds
+
+
+def _breaks(rate, border, others, level, height):
+    """What keeps the set inside `border` from being proved to lie in the basin, or an empty string."""
+    points = np.concatenate([fraction * border for fraction in (0.3, 0.6, 0.8, 0.9, 0.95, 0.98, 1.0)])
+    rates = rate(points)
+    worst = int(np.argmax(rates))
+    if rates[worst] > 1e-9 * max(abs(rates)):
+        return f"at {as_text(points[worst])} the derivative is {rates[worst]:.3g}"
+    near = 1.01 * max(np.linalg.norm(border, axis=1))
+    inside = [point for point in others if level(point[None])[0] < height and np.linalg.norm(point) < near]
+    return f"it contains the equilibrium {as_text(inside[0])}" if inside else ""
+
+
+def _holds_equilibrium(claim, field, state, values, others):
+    """The other equilibrium that lies in the claimed set or on a part of its boundary that belongs to it, in words."""
+    for point in others:
+        exact = {x: sp.Rational(Fraction(float(v)).limit_denominator(1000)) for x, v in zip(state, point)}
+        if all(sp.sympify(f).subs(values).subs(exact) == 0 for f in field) and claim.subs(exact) == True:  # noqa: E712
+            return f"it contains the equilibrium {as_text(point)}"
+    return ""

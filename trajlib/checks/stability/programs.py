@@ -1,0 +1,507 @@
+"""Program motions: that they satisfy the equations, what deviations from them do, and for which parameters they exist.
+
+A program is a dict from those components of the state that a problem prescribes to functions of time, `{x: V0*t, y:
+0}`; the other components and the controls along it are constants, which the checks here find for themselves by Newton's
+iteration. A stationary angle is the solution phi(t) = phi0 of an equation phi'' = f(phi, phi'), given as the field of
+its state (phi, phi'); the angles between 0 and 2 pi are found from the signs of f on a grid.
+"""
+
+import functools
+import itertools
+from fractions import Fraction
+
+import numpy as np
+import sympy as sp
+
+from trajlib.checks.contract import coercion
+from trajlib.checks.contract.verdict import Invalid, Wrong, judged
+from trajlib.checks.tools.semialgebraic import Condition, cells
+from trajlib.checks.tools.semialgebraic import as_text as place_text
+from trajlib.checks.tools.values import matrix_at, number_at, numbers_at
+from trajlib.checks.tools.wording import number_text, other_rate, values_text, where_text
+from trajlib.checks.truths.fields import STEP, sample_values
+
+#: For how many sets of parameter values the stationary angles are kept: a verdict asks for a thousand, mostly the same.
+MOST_KEPT = 5000
+
+@judged
+def program_motion(answer, field, state, parameters, program, controls, time):
+    """The program motion and its controls as functions of time: a dict by names, or a list, the controls last.
+
+    Judged by the equations and by what the program prescribes, at random times and parameters.
+    """
+    names = [*state, *controls]
+    motion = dict(zip(names, _components(answer, names, [time, *parameters])))
+    rates = [sp.diff(motion[s], time) for s in state]
+    random = np.random.default_rng(9)
+    for values in sample_values(parameters):
+        at = values | {time: sp.Rational(int(random.integers(1, 400)), 97)}
+        place = dict(zip(motion, numbers_at(motion.values(), at, motion).tolist()))
+        where = f"for {values_text(at)}"
+        for symbol, expression in program.items():
+            wanted = complex(sp.sympify(expression).subs(at).evalf(20))
+            if not abs(place[symbol] - wanted) <= 1e-9 * (1 + abs(wanted)):
+                raise Wrong(f"this is not the program: {where} your {symbol} is {place[symbol].real:.4g}, prescribed "
+                            f"is {wanted.real:.4g}")
+        for symbol, rate, right_side in zip(state, rates, field):
+            left = number_at(rate, at, f"the derivative of your {symbol}")
+            terms = [complex(term.subs(values).subs(place).evalf(20))
+                     for term in sp.Add.make_args(sp.expand(right_side))]
+            if not abs(left - sum(terms)) <= 1e-9 * (abs(left) + sum(map(abs, terms)) + 1e-3) < np.inf:
+                raise Wrong(f"the equation for {symbol}' does not hold: {where} its left-hand side is "
+                            f"{left.real:.4g}, its right-hand side "
+                            f"{sum(terms).real:.4g}")
+    return "it is the program, and all equations hold at random times and parameters"
+
+
+@judged
+def linearisation_along(answer, field, state, parameters, program):
+    """The matrix A of the equations in deviations x' = A x + B w from a program motion."""
+    return _judge_columns(answer, field, state, parameters, program, state,
+                          lambda motion, values: motion.matrix(values))
+
+
+@judged
+def input_matrix_along(answer, field, state, parameters, program, controls):
+    """The matrix B of the equations in deviations x' = A x + B w from a program motion."""
+    return _judge_columns(answer, field, state, parameters, program, controls,
+                          lambda motion, values: motion.input_matrix(values, controls))
+
+
+@judged
+def rest_angles_exist(answer, field, state, parameters):
+    """The parameters for which phi'' = f(phi, phi') has stationary solutions at all."""
+    angles = _angles(tuple(field), tuple(state), tuple(parameters))
+    compare_condition(answer, parameters, angles.exist,
+                      lambda values: "there f(phi, 0) runs from {:.4g} to {:.4g}".format(*angles.extremes(values)))
+    return ("f(phi, 0) takes the value zero for these parameters and for no others, on both sides of the boundary and "
+            "on it")
+
+
+@judged
+def rest_angles(answer, field, state, parameters, integer):
+    """All stationary angles, as expressions in the parameters and an integer; angles that differ by 2 pi are the
+    same."""
+    return _judge_rest_angles(answer, field, state, parameters, integer, lambda slope, friction: True, "stationary")
+
+
+@judged
+def stable_rest_angles(answer, field, state, parameters, integer):
+    """The stationary angles that Theorem 1.4 proves asymptotically stable, in the same form."""
+    return _judge_rest_angles(answer, field, state, parameters, integer, lambda slope, friction: slope < 0
+                              and friction < 0,
+                              "asymptotically stable")
+
+
+@judged
+def unstable_rest_angles(answer, field, state, parameters, integer):
+    """The stationary angles that Theorem 1.4 proves unstable, in the same form."""
+    return _judge_rest_angles(answer, field, state, parameters, integer, lambda slope, friction: slope > 0
+                              or friction > 0, "unstable")
+
+
+@judged
+def angle_deviations(answer, field, state, parameters, angle, deviations):
+    """The first approximation psi'' = ... of the equation in deviations from a stationary angle, linear in psi and
+    psi'.
+
+    `angle` is the symbol of the stationary angle, `deviations` those of psi and psi'. It is judged at angles that are
+    stationary, so that a parameter may stand for what the equation of rest makes of it.
+    """
+    claim = coercion.as_expression(answer, [*deviations, angle, *parameters])
+    if not claim.is_polynomial(*deviations) or sp.Poly(claim, *deviations).total_degree() > 1:
+        raise Invalid(f"expected an expression that is linear in {deviations[0]} and {deviations[1]}")
+    angles = _angles(tuple(field), tuple(state), tuple(parameters))
+    for values in angles.samples:
+        for phi in angles.rest(values):
+            slope, friction = angles.derivatives(values, phi)
+            for deviation, true in (((1, 0), slope), ((0, 1), friction), ((0, 0), 0.0), ((1, 1), slope + friction)):
+                at = values | {angle: sp.Float(phi, 20)} | dict(zip(deviations, deviation))
+                said = number_at(claim, at)
+                if not abs(said - true) <= 1e-8 * (abs(slope) + abs(friction)):
+                    told = ", ".join(f"{symbol} = {value}" for symbol, value in zip(deviations, deviation))
+                    raise Wrong(f"for {values_text(values)} and the stationary angle {phi:.4g} a deviation {told} "
+                                f"changes phi'' by {true:.4g} "
+                                f"to first order; your expression gives {said.real:.4g}")
+    return "to first order the right-hand side changes so, at all stationary angles of several sets of parameters"
+
+
+@judged
+def stable_angles(answer, field, state, parameters, angle):
+    """The condition on a stationary angle for it to be asymptotically stable."""
+    return _judge_angles(answer, field, state, parameters, angle, lambda sum_, product: sum_ < 0 < product,
+                         "asymptotically stable")
+
+
+@judged
+def saddle_angles(answer, field, state, parameters, angle):
+    """The condition on a stationary angle for it to be a saddle."""
+    return _judge_angles(answer, field, state, parameters, angle, lambda sum_, product: product < 0, "a saddle")
+
+
+@judged
+def focus_parameters(answer, field, state, parameters):
+    """The parameters for which the stationary angles that are no saddles are foci (complex roots); borders count either
+    way."""
+    return _judge_kind(answer, field, state, parameters, lambda discriminant: discriminant < 0, "focus")
+
+
+@judged
+def node_parameters(answer, field, state, parameters):
+    """The parameters for which the stationary angles that are no saddles are nodes (real roots); borders count either
+    way."""
+    return _judge_kind(answer, field, state, parameters, lambda discriminant: discriminant > 0, "node")
+
+
+class Motion:
+    """A program motion: what the program leaves open is found by Newton's iteration, at given values of the
+    parameters."""
+
+    def __init__(self, field, state, parameters, program):
+        self.parameters = list(parameters)
+        prescribed = {s: sp.sympify(e) for s, e in program.items()}
+        field = [sp.sympify(f) for f in field]
+        known = {*state, *parameters}
+        times = set().union(*(e.free_symbols for e in prescribed.values())) - known
+        controls = sorted(set().union(*(f.free_symbols for f in field)) - known - times, key=str)
+        self._symbols = [*state, *controls]
+        self._state = list(range(len(state)))
+        self._free = [k for k, s in enumerate(self._symbols) if s not in prescribed]
+        now = {t: sp.Rational(7, 19) for t in times}
+        rates = [sum((sp.diff(prescribed.get(s, sp.S.Zero), t) for t in times), sp.S.Zero) for s in state]
+        self._function = sp.lambdify([*self._symbols, *self.parameters],
+                                     [(f - r).subs(now) for f, r in zip(field, rates)], "numpy")
+        self._prescribed = sp.lambdify(self.parameters, [prescribed.get(s, sp.S.Zero).subs(now) for s in self._symbols],
+                                       "numpy")
+
+    def matrix(self, values):
+        """A, the derivatives of the right-hand sides with respect to the state."""
+        return self._columns(self._state, *self._found(values))
+
+    def input_matrix(self, values, controls):
+        """B, the derivatives of the right-hand sides with respect to the controls."""
+        return self._columns([self._symbols.index(u) for u in controls], *self._found(values))
+
+    def _columns(self, columns, point, numbers):
+        moved = point.astype(complex) + 1j * STEP * np.eye(len(point))[columns]
+        return np.array([[complex(value).imag / STEP for value in self._function(*place, *numbers)]
+                         for place in moved]).T
+
+    def _found(self, values):
+        numbers = [float(values[p]) for p in self.parameters]
+        point = np.array(self._prescribed(*numbers), dtype=float)
+        for _ in range(50):
+            residual = np.array(self._function(*point, *numbers), dtype=float)
+            if np.linalg.norm(residual) < 1e-12 * (1 + np.linalg.norm(point)):
+                return point, numbers
+            point[self._free] -= np.linalg.lstsq(self._columns(self._free, point, numbers), residual, rcond=None)[0]
+        raise RuntimeError("no motion was found that satisfies the program")
+
+
+def compare_condition(answer, parameters, truth, told, count=8):
+    """Compare a claimed condition with `truth(values)`, which gives True, False, or None where either will do.
+
+    Along lines on which one parameter varies, the places where the truth changes are found by bisection; both
+    conditions are asked there, on both sides, and between all places where the claim can change. `told(values)`
+    explains the truth.
+    """
+    if isinstance(answer, sp.Set) and len(parameters) > 1 and answer.is_subset(sp.S.Reals):
+        answer = coercion.as_condition(answer, parameters[:1])  # a set of numbers: values of the first parameter
+    claim = Condition(coercion.as_condition(answer, parameters), parameters)
+    for k, place in enumerate(_places(parameters, count)):
+        varied = k % len(parameters)
+        for x in _along(place, varied, parameters, claim, truth):
+            there = (*place[:varied], x, *place[varied + 1:])
+            values = _values(parameters, there)
+            holds = truth(values)
+            if holds is not None and claim.holds(there) != holds:
+                says = "holds" if claim.holds(there) else "does not hold"
+                raise Wrong(f"your condition {says} for {place_text(parameters, there)}; {told(values)}")
+
+
+def _along(place, varied, parameters, claim, truth):
+    """Values of one parameter at which to compare: on both sides of every change of either, on it where it is rational,
+    and between."""
+    def point(x):
+        return (*place[:varied], x, *place[varied + 1:])
+
+    def at(x):
+        return truth(_values(parameters, point(x)))
+
+    sizes = [Fraction(float(x)).limit_denominator(1000) for x in np.geomspace(1 / 50, 40, 24)]
+    grid = sorted(x for size in sizes for x in (size, -size) if _allowed(parameters[varied], x))
+    changes = sorted([*_changes(at, grid), *_changes(lambda x: claim.holds(point(x)), grid)])
+    sides = [Fraction(float(x) * (1 + e)).limit_denominator(10**8) for x in changes for e in (1e-3, -1e-3)]
+    between = [Fraction(float(x + y) / 2).limit_denominator(10**8) for x, y in zip(changes, changes[1:])
+               if y - x > abs(x) / 500]
+    rational = [x.limit_denominator(5000) for x in changes]
+    exact = [x for x, change in zip(rational, changes) if abs(x - change) < Fraction(1, 10**9)]
+    direction = tuple(Fraction(int(j == varied)) for j in range(len(parameters)))
+    inside, on = cells(point(Fraction(0)), direction, claim.boundaries)
+    found = {*grid, *sides, *between, *exact, *(there[varied] for there in inside + on)}
+    return sorted(x for x in found if _allowed(parameters[varied], x))
+
+
+def _changes(function, grid):
+    """The places between neighbours of a grid where a function of few values changes, to ten digits."""
+    found, values = [], [function(x) for x in grid]
+    for left, right, value, last in zip(grid, grid[1:], values, values[1:]):
+        # A third value may lie between two others, so the search goes on from each change to the next.
+        while value != last and len(found) < 40:
+            inner, outer = left, right
+            for _ in range(42):
+                middle = (inner + outer) / 2
+                inner, outer = (middle, outer) if function(middle) == value else (inner, middle)
+            found.append(inner)
+            left = outer = outer + (outer - inner)
+            value = function(left)
+    return found
+
+
+def _places(parameters, count):
+    random = np.random.default_rng(12)
+    for _ in range(count):
+        sizes = [Fraction(int(random.integers(1, 60)), 20) for _ in parameters]
+        yield tuple(size if _allowed(p, size) and (not _allowed(p, -size) or random.integers(2)) else -size
+                    for p, size in zip(parameters, sizes))
+
+
+def _allowed(parameter, x):
+    return not (parameter.is_positive and x <= 0 or parameter.is_negative and x >= 0 or parameter.is_nonzero and x == 0)
+
+
+def _values(parameters, place):
+    return {p: sp.Rational(x.numerator, x.denominator) for p, x in zip(parameters, place)}
+
+
+@functools.lru_cache(maxsize=16)
+def _angles(field, state, parameters):
+    """The `_Angles` of the data, the same for the same data: what it has found serves the next verdict too."""
+    return _Angles(field, state, parameters)
+
+
+class _Angles:
+    """Stationary solutions of phi'' = f(phi, phi'), f of period 2 pi in phi."""
+
+    GRID = np.linspace(0.0123, 0.0123 + 2 * np.pi, 361)
+
+    def __init__(self, field, state, parameters):
+        phi, rate = state
+        if sp.simplify(field[0] - rate) != 0:
+            raise RuntimeError("this is no equation of second order")
+        self.parameters = list(parameters)
+        force = sp.sympify(field[1])
+        names = [phi, *self.parameters]
+        still = {rate: 0}
+        self._force = sp.lambdify(names, force.subs(still), "numpy")
+        self._slope = sp.lambdify(names, sp.diff(force, phi).subs(still), "numpy")
+        self._curvature = sp.lambdify(names, sp.diff(force, phi, 2).subs(still), "numpy")
+        self._friction = sp.lambdify(names, sp.diff(force, rate).subs(still), "numpy")
+        self._known = {}
+
+    def _numbers(self, values):
+        return [float(values[p]) for p in self.parameters]
+
+    def rest(self, values):
+        """The simple stationary angles between 0 and 2 pi."""
+        return self._zeros(self._force, self._slope, self._numbers(values))
+
+    def force(self, values, phi):
+        """f(phi, 0)."""
+        return float(self._force(phi, *self._numbers(values)))
+
+    def extremes(self, values):
+        """The smallest and the largest value of f(phi, 0)."""
+        numbers = self._numbers(values)
+        turning = self._zeros(self._slope, self._curvature, numbers)
+        heights = [float(self._force(phi, *numbers)) for phi in [*turning, 0.0]]
+        return min(heights), max(heights)
+
+    def exist(self, values):
+        low, high = self.extremes(values)
+        rounding = 1e-12 * (abs(low) + abs(high))
+        return low <= rounding and high >= -rounding
+
+    def slopes(self, values):
+        """The `derivatives` at all stationary angles."""
+        asked = tuple(values[p] for p in self.parameters)
+        if asked not in self._known:
+            if len(self._known) == MOST_KEPT:
+                self._known.clear()
+            self._known[asked] = [self.derivatives(values, phi) for phi in self.rest(values)]
+        return self._known[asked]
+
+    def derivatives(self, values, phi):
+        """The derivatives of f at a stationary angle with respect to phi and phi'."""
+        numbers = self._numbers(values)
+        return float(self._slope(phi, *numbers)), float(self._friction(phi, *numbers))
+
+    @functools.cached_property
+    def samples(self):
+        """Five sets of values of the parameters for which there are stationary angles."""
+        found = list(itertools.islice((values for values in sample_values(self.parameters, 300)
+                                       if len(self.rest(values))), 5))
+        if not found:
+            raise RuntimeError("no parameters with stationary angles were met")
+        return found
+
+    @functools.cached_property
+    def edges(self):
+        """The `border` from the first two samples."""
+        return [pair for values in self.samples[:2] for pair in self.border(values)]
+
+    def border(self, values):
+        """Pairs (values close to the border of existence, values on it or None), along each parameter from `values`."""
+        for p in self.parameters:
+            inside, outside = values[p], 64 * values[p]
+            if self.exist(values | {p: outside}):
+                continue
+            for _ in range(60):
+                middle = (inside + outside) / 2
+                inside, outside = (middle, outside) if self.exist(values | {p: middle}) else (inside, middle)
+            edge = sp.Rational(*Fraction(float(inside)).limit_denominator(2000).as_integer_ratio())
+            exact = values | {p: edge} if abs(edge - inside) < 1e-9 and self.exist(values | {p: edge}) else None
+            yield values | {p: sp.Rational(*float(inside * (1 - sp.Rational(1, 10**3))).as_integer_ratio())}, exact
+
+    def double(self, values):
+        """The angles where f and its slope vanish together."""
+        numbers = self._numbers(values)
+        size = max(map(abs, self.extremes(values)))
+        return [phi for phi in self._zeros(self._slope, self._curvature, numbers) if abs(self._force(phi, *numbers))
+                < 1e-9 * size]
+
+    def _zeros(self, function, derivative, numbers):
+        values = function(self.GRID, *numbers) + 0 * self.GRID
+        k = np.flatnonzero(values[:-1] * values[1:] < 0)
+        if not len(k):
+            return np.array([])
+        left, right = self.GRID[k], self.GRID[k + 1]
+        phi = left - values[k] * (right - left) / (values[k + 1] - values[k])
+        for _ in range(6):
+            step = function(phi, *numbers) / derivative(phi, *numbers)
+            phi = np.clip(phi - step, left, right)
+        return np.mod(phi, 2 * np.pi)
+
+
+def _judge_rest_angles(answer, field, state, parameters, integer, wanted, word):
+    families = [coercion.as_expression(part, [*parameters, integer]) for part in _listed(answer, integer)]
+    angles = _angles(tuple(field), tuple(state), tuple(parameters))
+    for values in angles.samples:
+        found = angles.rest(values)
+        chosen = [phi for phi in found if wanted(*angles.derivatives(values, phi))]
+        matched = set()
+        for family in families:
+            for number in range(-3, 4) if family.has(integer) else (0,):
+                given = number_at(family, values | {integer: sp.Integer(number)}, "your angle")
+                member = f" ({integer} = {number})" if family.has(integer) else ""
+                if abs(given.imag) > 1e-9 * (1 + abs(given)):
+                    raise Wrong(f"your value{member} is not real for {values_text(values)}, where there are "
+                                f"stationary angles")
+                # Three digits of an angle that has turned a few times are that many of its size; beyond, they would
+                # tell nothing.
+                near = [phi for phi in found if abs(np.exp(1j * given.real) - np.exp(1j * phi))
+                        < 1e-3 * min(max(1, abs(given)), 20)]
+                if not near:
+                    raise Wrong(f"your value {given.real:.4g}{member} is no stationary angle for "
+                                f"{values_text(values)}: f(phi, 0) is "
+                                f"{angles.force(values, given.real):.4g} there")
+                if near[0] not in chosen:
+                    raise Wrong(f"your angle {given.real:.4g}{member} for {values_text(values)} is stationary, but "
+                                f"not {word}: "
+                                f"{_roots_told(*angles.derivatives(values, near[0]))}")
+                matched.add(near[0])
+        if len(matched) < len(chosen):
+            raise Wrong(f"not all angles are there: {len(chosen)} angles between 0 and 2 pi are {word} for "
+                        f"{values_text(values)}, and your "
+                        f"answer gives {len(matched)} of them")
+    return f"for several sets of parameters these angles are {word}, and a search of the whole circle finds no other"
+
+
+def _listed(answer, integer):
+    """The expressions of an answer: one alone, a list, a column, or a set as `solveset` gives it."""
+    if isinstance(answer, sp.Union):
+        return [part for one in answer.args for part in _listed(one, integer)]
+    if isinstance(answer, sp.ImageSet) and answer.base_sets == (sp.S.Integers,) and len(answer.lamda.variables) == 1:
+        return [answer.lamda.expr.xreplace({answer.lamda.variables[0]: integer})]
+    if isinstance(answer, (set, frozenset, sp.FiniteSet)) or answer is sp.S.EmptySet:
+        return list(answer)
+    if isinstance(answer, sp.Expr):
+        return [answer]
+    if isinstance(answer, (list, tuple, sp.Tuple, sp.MatrixBase, np.ndarray)):
+        # A stationary solution may be given as the point (phi0, 0) of the phase plane.
+        return [part[0] if isinstance(part, (list, tuple, sp.Tuple)) and len(part) == 2 and part[1] == 0 else part
+                for part in answer]
+    raise Invalid("expected a list of angles, as expressions")
+
+
+def _judge_angles(answer, field, state, parameters, angle, kind, word):
+    symbols = [angle, *parameters]
+    claim = Condition(coercion.as_condition(answer, symbols), symbols)
+    angles = _angles(tuple(field), tuple(state), tuple(parameters))
+    edges = angles.edges
+    for values in [*angles.samples, *(near for near, _ in edges)]:
+        for phi in angles.rest(values):
+            slope, friction = angles.derivatives(values, phi)
+            place = (Fraction(float(phi)), *(Fraction(int(values[p].p), int(values[p].q)) for p in parameters))
+            if claim.holds(place) != kind(friction, -slope):
+                truth, says = ("", "does not hold") if kind(friction, -slope) else ("not ", "holds")
+                raise Wrong(f"the stationary angle {phi:.4g} for {values_text(values)} is {truth}{word}, and your "
+                            f"condition {says} there: "
+                            f"{_roots_told(slope, friction)}")
+    for _, values in edges:
+        for phi in angles.double(values) if values else ():
+            exact = sp.pi * sp.Rational(*Fraction(float(phi / np.pi)).limit_denominator(60).as_integer_ratio())
+            if abs(float(exact) - phi) < 1e-9 and claim.condition.subs(values | {angle: exact}) == True:  # noqa: E712
+                raise Wrong(f"for {values_text(values)} two stationary angles meet in {phi:.4g}: there one root is "
+                            f"zero, deviations to one "
+                            f"side grow and to the other decay, so it is not {word}; your condition holds there")
+    return ("it agrees with the roots of the characteristic equation at all stationary angles of several sets of "
+            "parameters")
+
+
+def _judge_kind(answer, field, state, parameters, kind, word):
+    angles = _angles(tuple(field), tuple(state), tuple(parameters))
+
+    def discriminants(values):
+        pairs = angles.slopes(values)
+        return [friction**2 + 4 * slope for slope, friction in pairs if slope < 0], pairs
+
+    def truth(values):
+        found, pairs = discriminants(values)
+        if not found or min(abs(d) for d in found) < 1e-9 * max(friction**2 + abs(slope) for slope, friction in pairs):
+            return None
+        return all(map(kind, found))
+
+    def told(values):
+        slope, friction = next(pair for pair in discriminants(values)[1] if pair[0] < 0)
+        return _roots_told(slope, friction)
+
+    compare_condition(answer, parameters, truth, told)
+    return f"for these parameters, and for no others, the stationary angles that are no saddles are of the kind {word}"
+
+
+def _judge_columns(answer, field, state, parameters, program, symbols, true_matrix):
+    claim = coercion.as_matrix(answer, parameters, (len(state), len(symbols)))
+    motion = Motion(field, state, parameters, program)
+    for values in sample_values(parameters):
+        true = true_matrix(motion, values)
+        said = matrix_at(claim, values)
+        for k, symbol in enumerate(symbols):
+            if not np.linalg.norm(said[:, k] - true[:, k]) <= 1e-9 * np.linalg.norm(true):
+                raise Wrong(f"{other_rate(symbol, said[:, k], true[:, k])}{where_text(values)}")
+    return "for small deviations in every direction the right-hand sides change as the matrix says"
+
+
+def _components(answer, names, symbols):
+    if isinstance(answer, dict):
+        by_name = {str(key): value for key, value in answer.items()}
+        wanted = [s.name for s in names]
+        if set(by_name) != set(wanted):
+            raise Invalid(f"expected a dict with the keys {', '.join(map(repr, wanted))}")
+        answer = [by_name[name] for name in wanted]
+    return coercion.as_expressions(answer, symbols, len(names))
+
+
+def _roots_told(slope, friction):
+    first, second = np.roots([1.0, -friction, -slope]).astype(complex)
+    return f"the roots of the characteristic equation are {number_text(first)} and {number_text(second)}"

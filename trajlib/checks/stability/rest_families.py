@@ -1,0 +1,339 @@
+"""Stationary solutions that depend on parameters or repeat periodically, and what becomes of deviations from them.
+
+An equation of second order in x stands here as the field of its state (x, x'). A stationary solution x(t) = x* is named
+by the number x* alone; a periodic family of them is an expression in an integer and is judged by its members. What the
+problem assumes of its parameters (friction is positive) is handed over as a condition, `given`.
+"""
+
+import functools
+
+import numpy as np
+import sympy as sp
+
+from trajlib.checks.contract import coercion
+from trajlib.checks.contract.verdict import Invalid, Wrong, judged
+from trajlib.checks.tools.semialgebraic import Condition, cells, lines
+from trajlib.checks.tools.semialgebraic import as_text as place_text
+from trajlib.checks.tools.values import matrix_at, number_at
+from trajlib.checks.tools.wording import number_text
+from trajlib.checks.truths.fields import Field, as_text, sample_values
+
+#: Stationary values are compared between -REACH and REACH; families are followed as far as that and a little further.
+REACH = 12.0
+KINDS = ("stable node", "stable focus", "unstable node", "unstable focus", "saddle", "centre")
+
+
+@judged
+def rest_values(answer, field, state, parameters=(), given=(), integer=None):
+    """The values x* of all stationary solutions x(t) = x*, as expressions in the parameters and an integer.
+
+    Every member is one, and a search finds no other. Also read: SymPy sets, and points (x*, 0).
+    """
+    families = _families(answer, state, parameters, integer)
+    for values, flow, found in _systems(field, state, parameters, given):
+        _judge_values(families, values, flow, found, found, integer, "stationary solutions")
+    return "at each of them the right-hand sides vanish, and a search finds no other"
+
+
+@judged
+def stable_rest_values(answer, field, state, parameters=(), given=(), integer=None):
+    """The values of the stationary solutions that Theorem 1.4 proves asymptotically stable."""
+    families = _families(answer, state, parameters, integer)
+    for values, flow, found in _systems(field, state, parameters, given):
+        stable = [point for point in found if _growth(flow, point) < 0]
+        _judge_values(families, values, flow, found, stable, integer, "asymptotically stable ones")
+    return "there, and nowhere else, all roots of the characteristic equation have negative real parts"
+
+
+@judged
+def unstable_rest_values(answer, field, state, parameters=(), given=(), integer=None):
+    """The values of the stationary solutions that Theorem 1.4 proves unstable."""
+    families = _families(answer, state, parameters, integer)
+    for values, flow, found in _systems(field, state, parameters, given):
+        unstable = [point for point in found if _growth(flow, point) > 0]
+        _judge_values(families, values, flow, found, unstable, integer, "unstable ones")
+    return "there, and nowhere else, a root of the characteristic equation has a positive real part"
+
+
+@judged
+def deviation_matrices(answer, field, state, parameters=(), given=(), integer=None):
+    """The matrices A of the equations in deviations y' = A y that occur at the stationary solutions, in any order."""
+    n = len(state)
+    matrices = [coercion.as_matrix(part, [*parameters, *_symbols(integer)], (n, n))
+                for part in _list_of_matrices(answer)]
+    for values, flow, found in _systems(field, state, parameters, given):
+        true = [(point, flow.jacobian(point)) for point in found]
+        claimed = [matrix_at(matrix, values | {s: sp.Integer(k) for s in _symbols(integer)})
+                   for matrix in matrices for k in (range(-2, 3) if matrix.has(*_symbols(integer)) else (0,))]
+        for matrix in claimed:
+            if not any(_same(matrix, other) for _, other in true):
+                raise Wrong(f"the matrix {_matrix_text(matrix)}{_where(values)} belongs to no stationary solution: "
+                            f"none has "
+                            "these rates of change of the right-hand sides under small deviations")
+        for point, other in true:
+            if not any(_same(matrix, other) for matrix in claimed):
+                rates = "; ".join(f"a deviation of {x} alone: {as_text(column)}" for x, column in zip(state, other.T))
+                raise Wrong(f"none of your matrices belongs to the stationary solution {state[0]} = "
+                            f"{point[0]:.4g}{_where(values)}, where "
+                            f"the right-hand sides change at these rates under {rates}")
+    return ("at every stationary solution found one of them gives the rates of change under small deviations, and "
+            "none is left over")
+
+
+@judged
+def growth_rate(answer, field, state, parameters=(), given=()):
+    """The positive root of the characteristic equation at the unstable stationary solutions."""
+    claim = coercion.as_expression(answer, parameters)
+    for values, flow, found in _systems(field, state, parameters, given):
+        number = number_at(claim, values)
+        for point in found:
+            matrix = flow.jacobian(point)
+            rate = max(np.linalg.eigvals(matrix).real)
+            if rate <= 1e-9 or _close(number, rate):
+                continue
+            residual = abs(np.linalg.det(number * np.eye(len(state)) - matrix))
+            told = (f"it is a root of the characteristic equation at {state[0]} = {point[0]:.4g}, but not a positive "
+                    f"one"
+                    if residual < 1e-9 * np.linalg.norm(matrix) ** len(state) else
+                    f"at {state[0]} = {point[0]:.4g} the characteristic determinant has the modulus {residual:.4g} "
+                    f"for it, not zero")
+            raise Wrong(f"your expression gives {number_text(number)}{_where(values)}; {told}")
+    return "it is positive and a root of the characteristic equation at every unstable stationary solution"
+
+
+@judged
+def single_rest(answer, field, state, parameters):
+    """The parameters for which x' = f(x) with polynomial f has one stationary solution only; real roots are counted
+    exactly."""
+    claim = Condition(coercion.as_condition(answer, parameters), parameters)
+    *others, force = [sp.sympify(f).subs({x: 0 for x in state[1:]}) for f in field]
+    if any(other != 0 for other in others):
+        raise RuntimeError("this is no equation of second order")
+    poly = sp.Poly(force, state[0])
+    # The number of real roots changes only where two of them meet or one goes to infinity.
+    borders = [sp.Poly(c, *parameters) for c in (sp.discriminant(poly), poly.LC())]
+    for point, direction in lines(parameters):
+        inside, on = cells(point, direction, [p for p in borders if not p.is_ground] + claim.boundaries)
+        for place in inside + on:
+            at = {p: sp.Rational(x.numerator, x.denominator) for p, x in zip(parameters, place)}
+            count = sp.Poly(force.subs(at), state[0]).sqf_part().count_roots()
+            if claim.holds(place) != (count == 1):
+                raise Wrong(f"for {place_text(parameters, place)} the right-hand sides vanish at {count} "
+                            f"value{'s' if count != 1 else ''} "
+                            f"of {state[0]}, and your condition {'holds' if claim.holds(place) else 'does not hold'} "
+                            f"there")
+    return "the number of real roots of the equation of rest agrees on both sides of every boundary and on it"
+
+
+@judged
+def rest_kinds(answer, field, state):
+    """The kind of every stationary point of a planar portrait, as a dict {x*: word}; the words are `KINDS`."""
+    ((_, flow, found),) = _systems(field, state, (), ())
+    left = list(found)
+    for value, word in _pairs(answer):
+        kind = coercion.as_choice(word, KINDS)
+        number = float(coercion.as_number(_first_coordinate(value, state, ())))
+        near = [point for point in found if _close(number, point[0])]
+        if not near:
+            raise Wrong(f"x = {number:.4g} is no stationary solution: the right-hand sides are "
+                        f"{as_text(flow([number, 0.0]))}, not zero")
+        eigenvalues = np.linalg.eigvals(flow.jacobian(near[0]))
+        if kind != _kind(eigenvalues):
+            told = " and ".join(number_text(number) for number in eigenvalues)
+            raise Wrong(f"at x = {number:.4g} the roots of the characteristic equation are {told}: that is no {kind}")
+        left = [point for point in left if point is not near[0]]
+    if left:
+        raise Wrong(f"the portrait has {len(found)} stationary points, and your answer names {len(found) - len(left)} "
+                    f"of them")
+    return "at every stationary point the roots of the characteristic equation are as the word says"
+
+
+@judged
+def saddle_slopes(answer, field, state):
+    """The slopes of the motions through the saddles of an equation of second order: [of those that leave, of those that
+    come].
+
+    Judged by the direction of the field close to each saddle: along these lines it points to or away from it.
+    """
+    slopes = [float(number) for number in map(coercion.as_number, coercion.as_expressions(answer, (), 2))]
+    ((_, flow, found),) = _systems(field, state, (), ())
+    saddles = [point for point in found if np.linalg.det(flow.jacobian(point)) < 0]
+    if not saddles:
+        raise RuntimeError("the equation has no saddle")
+    for point in saddles:
+        for slope, sign, told in zip(slopes, (1, -1), ("leave", "come to")):
+            line = np.array([1.0, slope]) / np.hypot(1, slope)
+            velocity = flow.derivative(point, line)
+            across, along = line[0] * velocity[1] - line[1] * velocity[0], velocity @ line
+            # Three significant digits of a slope turn the line by at most this angle.
+            if not abs(across) <= 0.006 * np.linalg.norm(flow.jacobian(point)) or not along * sign > 0:
+                raise Wrong(f"along the line of slope {slope:.4g} through the saddle at {state[0]} = {point[0]:.4g} "
+                            f"small deviations "
+                            f"change at the rate {along:.3g} along it and {across:.3g} across it: these motions do "
+                            f"not {told} the saddle")
+    return "along these lines the linear field at each saddle points straight away from it and straight to it"
+
+
+def _systems(field, state, parameters, given):
+    """Triples (values, field, rest points between -REACH and REACH) for four samples of the parameters that satisfy
+    `given`."""
+    return _searched(tuple(field), tuple(state), tuple(parameters), _joined(given))
+
+
+@functools.lru_cache(maxsize=16)
+def _searched(field, state, parameters, given):
+    # Several answers of a problem ask about the same equation: one search serves them all.
+    flows = [(values, Field(field, state, values)) for values in allowed_values(parameters, given, 4)]
+    return [(values, flow, [point for point in flow.rest_points(160, reach=1.2 * REACH) if abs(point[0]) < REACH])
+            for values, flow in flows]
+
+
+def allowed_values(parameters, given, count):
+    """Rational values of both signs for parameters, those only that satisfy the condition or conditions `given`."""
+    if not parameters:
+        return [{}]
+    given = _joined(given)
+    allowed = [values for values in sample_values(parameters, 12 * count) if given.subs(values) == True]  # noqa: E712
+    if len(allowed) < count:
+        raise RuntimeError("no values of the parameters were found that satisfy what is given")
+    return allowed[:count]
+
+
+def _joined(given):
+    return sp.And(*given) if isinstance(given, (list, tuple)) else given
+
+
+def _families(answer, state, parameters, integer):
+    """The expressions of an answer: from an expression, a list, a SymPy set of numbers, or points (x*, 0)."""
+    symbols = [*parameters, *_symbols(integer)]
+    if isinstance(answer, sp.Set):
+        return [coercion.as_expression(part, symbols) for part in _of_set(answer, integer)]
+    if isinstance(answer, (sp.Expr, int, float)) and not isinstance(answer, bool):
+        answer = [answer]
+    if not isinstance(answer, (list, tuple, set, frozenset, np.ndarray, sp.Tuple)):
+        answer = coercion.as_expressions(answer, symbols)
+    return [_first_coordinate(part, state, symbols) for part in answer]
+
+
+def _of_set(found, integer):
+    """Expressions in `integer` for a SymPy set made of points and of images of the integers, as `solveset` gives it."""
+    if isinstance(found, sp.FiniteSet) or found is sp.S.EmptySet:
+        return list(found.args)
+    if isinstance(found, sp.Union):
+        return [part for one in found.args for part in _of_set(one, integer)]
+    if (isinstance(found, sp.ImageSet) and found.base_sets == (sp.S.Integers,) and integer is not None
+        and len(found.lamda.variables) == 1):
+        return [found.lamda.expr.xreplace({found.lamda.variables[0]: integer})]
+    raise Invalid("expected the values written out: a list of expressions, or a set as solveset gives it")
+
+
+def _first_coordinate(part, state, symbols):
+    """The value x* of a number or of a point (x*, 0, ...)."""
+    if isinstance(part, (list, tuple, sp.Tuple, sp.MatrixBase, np.ndarray)) and np.ndim(part) > 0:
+        first, *others = coercion.as_expressions(part, symbols, len(state))
+        if any(other != 0 for other in others):
+            raise Wrong(f"at a stationary solution {', '.join(f'{x} = 0' for x in state[1:])}: nothing moves there")
+        return first
+    return coercion.as_expression(part, symbols)
+
+
+def _judge_values(families, values, flow, found, wanted, integer, what):
+    claimed = []
+    for family in families:
+        for told, number in _members(family, values, integer):
+            if abs(number.imag) > 1e-9 * (1 + abs(number)):
+                raise Wrong(f"your value{told} is not real{_where(values)}")
+            number = number.real
+            if abs(number) > REACH:
+                continue
+            near = [point for point in found if _close(number, point[0])]
+            if not near:
+                rates = as_text(flow([number] + [0.0] * (len(flow.state) - 1)))
+                raise Wrong(f"your value {number:.4g}{told} is no stationary solution{_where(values)}: "
+                            f"the right-hand sides are {rates} there")
+            if not any(point is near[0] for point in wanted):
+                rate = _growth(flow, near[0])
+                raise Wrong(f"at your value {number:.4g}{told} the largest real part of a root of the characteristic "
+                            f"equation "
+                            f"is {rate:.4g}{_where(values)}")
+            claimed.append(number)
+    missed = [point for point in wanted if not any(_close(number, point[0]) for number in claimed)]
+    if missed:
+        raise Wrong(f"not all {what} are there: between -{REACH:g} and {REACH:g} a search finds {len(wanted)} of "
+                    f"them{_where(values)}, "
+                    f"and your answer gives {len(wanted) - len(missed)} of these")
+
+
+def _members(family, values, integer):
+    """Pairs (text, number): the members of a family that can lie between -REACH and REACH, and a few on either side."""
+    def member(k):
+        return number_at(family, values | {s: sp.Integer(k) for s in _symbols(integer)}, "your value")
+
+    if integer is None or not family.has(integer):
+        return [("", member(0))]
+    start, after = member(0), member(1)
+    step = abs(after - start)
+    centre = round((start / (start - after)).real) if step > 1e-9 else 0
+    extent = min(int(REACH / step) + 3, 60) if step > 1e-9 else 12
+    return [(f" ({integer} = {k})", member(k)) for k in range(centre - extent, centre + extent + 1)]
+
+
+def _growth(flow, point):
+    rate = max(np.linalg.eigvals(flow.jacobian(point)).real)
+    if abs(rate) < 1e-8:
+        raise RuntimeError("the first approximation does not decide here")
+    return rate
+
+
+def _list_of_matrices(answer):
+    """The matrices of an answer; a single one may come without its list, and each may stand under a key."""
+    if isinstance(answer, dict):
+        answer = list(answer.values())
+    if isinstance(answer, sp.MatrixBase) or isinstance(answer, np.ndarray) and answer.ndim == 2:
+        return [answer]
+    if isinstance(answer, (set, frozenset, np.ndarray, sp.FiniteSet)):
+        answer = list(answer)
+    if not isinstance(answer, (list, tuple)) or not answer:
+        raise Invalid("expected a list of matrices")
+    flat = all(isinstance(row, (list, tuple)) and not any(isinstance(entry, (list, tuple)) for entry in row)
+               for row in answer)
+    return [answer] if flat else list(answer)
+
+
+def _pairs(answer):
+    if isinstance(answer, dict):
+        return list(answer.items())
+    if isinstance(answer, (list, tuple)) and all(isinstance(part, (list, tuple)) and len(part) == 2 for part in answer):
+        return list(answer)
+    raise Invalid("expected a dict such as {3: 'saddle'}, from the value to the word")
+
+
+def _kind(eigenvalues):
+    real, imaginary = eigenvalues.real, max(abs(eigenvalues.imag))
+    if min(real) < 0 < max(real):
+        return "saddle"
+    if max(abs(real)) < 1e-9 * (1 + imaginary):
+        return "centre"
+    return f"{'stable' if max(real) < 0 else 'unstable'} {'focus' if imaginary > 1e-9 else 'node'}"
+
+
+def _symbols(integer):
+    return [] if integer is None else [integer]
+
+
+def _same(matrix, other):
+    return np.linalg.norm(matrix - other) <= 1e-6 * np.linalg.norm(other)
+
+
+def _close(number, value):
+    """The same to three significant digits; what is zero has to be zero."""
+    return (abs(complex(number).imag) < 1e-9 * (1 + abs(number))
+            and coercion.rounds_to(complex(number).real, value, 1e-6))
+
+
+def _where(values):
+    return f" for {', '.join(f'{p} = {v}' for p, v in values.items())}" if values else ""
+
+
+def _matrix_text(matrix):
+    return "; ".join(as_text(row.real) for row in matrix)

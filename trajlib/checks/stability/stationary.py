@@ -1,0 +1,751 @@
+"""Stationary points of planar systems that contain parameters: where they are, of what type, and what excludes closed
+orbits.
+
+`domain` is a dict from symbols of the state or parameters to SymPy intervals, as in `trajlib.stability.equilibria`; an
+interval of length 2 pi makes a state variable an angle, for which values modulo 2 pi are the same. What `domain` does
+not name ranges over all numbers that the assumptions of the symbol allow. The truth is found from the field alone, for
+sample values of the parameters, by Newton's method from many starts at once. "The stationary point" of a check is the
+only one in the domain: a data cell that leaves room for two makes the answer unchecked.
+"""
+
+import cmath
+import functools
+import math
+from fractions import Fraction
+
+import numpy as np
+import sympy as sp
+
+from trajlib.checks.contract import coercion
+from trajlib.checks.contract.verdict import Invalid, Wrong, judged
+from trajlib.checks.tools.semialgebraic import Condition, cells
+from trajlib.checks.tools.semialgebraic import as_text as place_text
+from trajlib.checks.tools.values import real_at
+from trajlib.checks.tools.wording import other_rate
+from trajlib.checks.truths.fields import as_text
+
+STABILITY = ("asymptotically stable", "stable", "unstable")
+TYPES = tuple(f"{how} {what}" for what in ("node", "star", "degenerate node", "focus")
+              for how in ("stable", "unstable"))
+TYPES += ("saddle", "centre")
+#: How many starts Newton's method gets.
+STARTS = 48
+#: For how many sets of parameter values a field's stationary points are kept: a verdict asks for some thirty, mostly
+#: the same.
+MOST_KEPT = 200
+#: Half a unit of the third significant digit, at worst: what decimals in a condition may move its border by.
+ROUNDING = 0.005
+POSITIVE, NEGATIVE = sp.Interval.open(0, sp.oo), sp.Interval.open(-sp.oo, 0)
+#: Closer to an open end of the domain than this, a rest point counts as lying on the end.
+END = 1e-7
+
+
+@judged
+def stationary_points(answer, field, state, parameters, domain=None):
+    """All stationary points in the domain, as expressions in the parameters: one point, or a list of points.
+
+    A point whose formula is not real, or leaves the domain, for some values of the parameters stands for no point
+    there.
+    """
+    return _judge_points(answer, _family(field, state, parameters, domain), "stationary point")
+
+
+@judged
+def nullcline(answer, rate, variable, parameters, domain=None):
+    """The curve on which `rate` vanishes, solved for `variable`; the other state variables count as parameters."""
+    return _judge_points(answer, _family([rate], [variable], parameters, domain), "point of the curve")
+
+
+@judged
+def cycle_radius(answer, radial, radius, parameters):
+    """The radius of the closed orbit of r' = R(r) in polar coordinates with an angle that keeps turning."""
+    return _judge_points(answer, _family([radial], [radius], parameters, _cycles(radius)), "closed orbit")
+
+
+@judged
+def stationary_exists(answer, field, state, parameters, domain=None):
+    """The parameters for which there is a stationary point in the domain."""
+    return _judge_existence(answer, _family(field, state, parameters, domain), "stationary point")
+
+
+@judged
+def cycle_exists(answer, radial, radius, parameters):
+    """The parameters for which r' = R(r) has a closed orbit, a circle around zero."""
+    return _judge_existence(answer, _family([radial], [radius], parameters, _cycles(radius)), "closed orbit")
+
+
+@judged
+def cycle_period(answer, radial, angular, radius, parameters):
+    """The period of the closed orbit of r' = R(r), phi' = W(r): at the rate W the angle gains 2 pi in it."""
+    claim = coercion.as_expression(answer, parameters)
+    family = _family([radial], [radius], parameters, _cycles(radius))
+    turning = _family([angular], [radius], parameters, _cycles(radius))
+    for values, numbers, rest in family.samples():
+        period = real_at(claim, values)
+        if period is None:
+            raise Wrong(f"for {_told(values)} there is a closed orbit, but your expression gives no real number")
+        rate = float(turning(rest, numbers)[0])
+        if period <= 0 or not _near(rate * period, math.copysign(2 * math.pi, rate), claim):
+            raise Wrong(f"for {_told(values)} the angle gains {rate * period:.4g} within your time {period:.4g}, "
+                        f"which is not one turn")
+    return "in this time the angle gains one full turn on the closed orbit"
+
+
+@judged
+def stationary_linearisation(answer, field, state, parameters, domain=None):
+    """The matrix A of the linear equations in deviations from the stationary point; a number for one equation."""
+    n = len(state)
+    if n == 1 and not isinstance(answer, (list, tuple, sp.MatrixBase, np.ndarray)):
+        answer = [[answer]]
+    matrix = coercion.as_matrix(answer, parameters, (n, n))
+    family = _family(field, state, parameters, domain)
+    for values, numbers, rest in family.samples():
+        true = family.jacobian(rest, numbers)
+        size = np.linalg.norm(true)
+        for k in range(n):
+            said = [real_at(entry, values) for entry in matrix[:, k]]
+            if any(value is None for value in said):
+                raise Wrong(f"for {_told(values)} your matrix is not real")
+            if not all(_near(value, t, matrix, size) for value, t in zip(said, true[:, k])):
+                raise Wrong(f"for {_told(values)} {other_rate(state[k], said, true[:, k])}")
+    return "small deviations from the stationary solution change the right-hand sides as it says"
+
+
+@judged
+def stationary_value(answer, expression, field, state, parameters, domain=None):
+    """The value of an expression of the state at the stationary point."""
+    claim = coercion.as_expression(answer, parameters)
+    family = _family(field, state, parameters, domain)
+    reading = _family([expression], state, parameters, domain)
+    for values, numbers, rest in family.samples():
+        true, said = float(reading(rest, numbers)[0]), real_at(claim, values)
+        if said is None or not _near(said, true, claim, _scale(expression, values, state, rest)):
+            told = "no real number" if said is None else f"{said:.4g}"
+            raise Wrong(f"for {_told(values)} the value is {true:.4g}; your expression gives {told}")
+    return "it is the value at the stationary solution, for sample values of the parameters"
+
+
+@judged
+def stationary_stability(answer, field, state, parameters, domain=None):
+    """Whether the stationary point is asymptotically stable, stable (and no more) or unstable, by Theorem 1.4."""
+    claim = coercion.as_choice(answer, STABILITY)
+    family = _family(field, state, parameters, domain)
+    for values, numbers, rest in family.samples():
+        eigenvalues = np.linalg.eigvals(family.jacobian(rest, numbers))
+        largest = max(eigenvalues.real)
+        if abs(largest) < 1e-9 * (1 + max(abs(eigenvalues))):
+            raise RuntimeError("the first approximation does not decide here")
+        if claim != ("unstable" if largest > 0 else "asymptotically stable"):
+            raise Wrong(f"this does not agree with the first approximation: for {_told(values)} its roots are "
+                        f"{_roots_told(eigenvalues)}")
+    return "it agrees with the roots of the first approximation, for sample values of the parameters"
+
+
+@judged
+def stationary_type(answer, field, state, parameters, domain=None):
+    """The type of the stationary point of a planar system, the same for all values of the parameters."""
+    spelled = (answer.lower().replace("center", "centre").replace("star node", "star") if isinstance(answer, str)
+               else answer)
+    claim = coercion.as_choice(spelled, TYPES)
+    family = _family(field, state, parameters, domain)
+    for values, numbers, rest in family.samples():
+        matrix = family.jacobian(rest, numbers)
+        kind = _kind(matrix)
+        if claim != kind:
+            raise Wrong(f"this does not agree with the first approximation: for {_told(values)} its roots are "
+                        f"{_roots_told(np.linalg.eigvals(matrix))}")
+    return "it agrees with the roots of the first approximation, for sample values of the parameters"
+
+
+@judged
+def focus_region(answer, field, state, parameters, domain=None):
+    """The parameters for which the stationary point is a focus; the border, where the roots are equal, counts either
+    way."""
+    return _judge_roots(answer, _family(field, state, parameters, domain), -1, "a focus")
+
+
+@judged
+def node_region(answer, field, state, parameters, domain=None):
+    """The parameters for which the stationary point is a node; the border, where the roots are equal, counts either
+    way."""
+    return _judge_roots(answer, _family(field, state, parameters, domain), 1, "a node")
+
+
+@judged
+def dulac(answer, field, state, parameters, domain=None):
+    """A pair (B, div(B f)) whose second member has one sign in the domain: no closed orbit lies there (Dulac,
+    Bendixson)."""
+    symbols = [*state, *parameters]
+    multiplier, divergence = coercion.as_expressions(answer, symbols, length=2)
+    terms = [sp.diff(multiplier * component, x) for component, x in zip(field, state)]
+    random = np.random.default_rng(9)
+    places = np.array([[_draw(random, symbol, domain) for _ in range(300)] for symbol in symbols])
+    with np.errstate(all="ignore"):
+        parts = np.array([_values(term, symbols, places) for term in (*terms, divergence, multiplier)])
+    for k, place in enumerate(places.T):
+        where = ", ".join(f"{s} = {x:.3g}" for s, x in zip(symbols, place))
+        if not np.all(np.isfinite(parts[:, k])):
+            raise Wrong(f"at {where}, a point of the domain, your multiplier or its divergence is not a real number")
+        true, said = parts[:-2, k].sum(), parts[-2, k]
+        if not (math.isfinite(true) and _near(said, true, divergence, abs(parts[:-2, k]).sum())):
+            raise Wrong(f"at {where} the divergence of the field times your multiplier is {true:.4g}; "
+                        f"your second expression gives {said:.4g}")
+    signs = np.sign(np.where(abs(parts[-2]) > 1e-12 * abs(parts[:-2]).sum(axis=0), parts[-2], 0))
+    if not signs.any():
+        raise Wrong("the divergence vanishes everywhere, so it excludes nothing: such a field may well have closed "
+                    "orbits")
+    if signs.min() < 0 < signs.max():
+        low, high = places[:, np.argmin(signs)], places[:, np.argmax(signs)]
+        raise Wrong("the divergence changes its sign in the domain: it is negative at "
+                    + ", ".join(f"{s} = {x:.3g}" for s, x in zip(symbols, low)) + " and positive at "
+                    + ", ".join(f"{s} = {x:.3g}" for s, x in zip(symbols, high)))
+    return "the divergence belongs to this multiplier and keeps one sign at 300 points of the domain"
+
+
+@judged
+def first_integral(answer, field, state, parameters, domain=None):
+    """A function of the state that keeps its value along the motions and is not constant."""
+    symbols = [*state, *parameters]
+    claim = coercion.as_expression(answer, symbols)
+    slopes = [sp.diff(claim, x) for x in state]
+    random = np.random.default_rng(10)
+    places = np.array([[_draw(random, symbol, domain) for _ in range(60)] for symbol in symbols])
+    with np.errstate(all="ignore"):
+        levels, *gradient = np.array([_values(part, symbols, places) for part in (claim, *slopes)])
+        velocity = np.array([_values(component, symbols, places) for component in field])
+    gradient = np.array(gradient)
+    for k in np.flatnonzero(~np.isfinite([levels, *gradient]).all(axis=0)):
+        where = ", ".join(f"{s} = {x:.3g}" for s, x in zip(symbols, places[:, k]))
+        raise Wrong(f"your expression is not real, or has no derivatives, at {where}, a point of the domain")
+    if not np.any(abs(gradient) > 1e-12):
+        raise Wrong("your expression does not depend on the state: a constant tells nothing about the motions")
+    rates, sizes = (gradient * velocity).sum(axis=0), abs(gradient * velocity).sum(axis=0)
+    worst = int(np.argmax(abs(rates) - 1e-9 * sizes))
+    if not abs(rates[worst]) <= 1e-9 * sizes[worst] < math.inf:
+        raise Wrong("along the motion through " + ", ".join(f"{s} = {x:.3g}" for s, x in zip(symbols, places[:, worst]))
+                    + f" your expression changes at the rate {rates[worst]:.4g}, not zero")
+    return "it keeps its value along the motions, at random states"
+
+
+@judged
+def phase_curve(answer, field, state, parameters, through, domain=None):
+    """The phase curve through given points of the border of the domain, as an expression for the second state variable.
+
+    Judged by its slope, which is that of the field everywhere, and by its limits at the points `through`.
+    """
+    first, second = state
+    claim = coercion.as_expression(answer, [first, *parameters])
+    slope = sp.diff(claim, first)
+    family = _family(field, state, parameters, domain)
+    random = np.random.default_rng(12)
+    for values, numbers, _ in family.samples(need_rest=False, count=5):
+        scale = 0.0
+        for _ in range(6):
+            x = sp.Rational(round(10**4 * _draw(random, first, domain)), 10**4)
+            y, dy = (real_at(expression, values | {first: x}) for expression in (claim, slope))
+            where = f"for {_told(values)} at {first} = {float(x):.3g}"
+            if y is None or dy is None or not family.inside(np.array([float(x), y])):
+                raise Wrong(f"{where} your expression gives "
+                            + ("no real number" if y is None or dy is None
+                               else f"{second} = {y:.3g}, outside the domain"))
+            velocity = family(np.array([float(x), y]), numbers)
+            scale = max(scale, y)
+            if not abs(dy * velocity[0] - velocity[1]) <= 1e-8 * (np.linalg.norm(velocity)
+                                                                  + abs(dy * velocity[0])) < math.inf:
+                raise Wrong(f"{where} your curve has the slope {dy:.4g}, but a motion that is there moves along the "
+                            f"slope "
+                            f"{velocity[1] / velocity[0]:.4g}")
+        for end_x, end_y in through:
+            middle = sum(_ends(first, domain)) / 2
+            close = sp.Float(middle + (1 - 1e-8) * (float(end_x) - middle), 25)
+            y = real_at(claim, values | {first: close})
+            if y is None or not abs(y - float(end_y)) <= 1e-3 * scale:
+                raise Wrong(f"for {_told(values)} your curve does not go through ({end_x}, {end_y}): close to it "
+                            f"{second} is "
+                            + ("not real" if y is None else f"{y:.3g}"))
+    return "its slope is that of the motions, and it goes through the points asked for"
+
+
+# What the checks share: a point, a condition of existence, a condition on the roots.
+
+
+def _judge_points(answer, family, noun):
+    """All rest points of a family, as one point or a list of points."""
+    points = _points(answer, family)
+    met = [False] * len(points)
+    for values, numbers, rests in family.samples(alone=False):
+        missed, outside = list(rests), ""
+        for k, point in enumerate(points):
+            place = [real_at(coordinate, values) for coordinate in point]
+            if any(coordinate is None for coordinate in place):
+                outside = "; what your answer gives is not real"
+                continue
+            place = family.reduced(np.array(place))
+            if not family.inside(place):
+                outside = f"; {_place_told(family.state, place)}, which your answer gives, lies outside the domain"
+                continue
+            met[k] = True
+            here = [j for j, rest in enumerate(missed) if family.same(place, rest, point)]
+            if not here:
+                if any(family.same(place, rest, point) for rest in rests):
+                    raise Wrong(f"for {_told(values)} two of your points are the same")
+                rates = family(place, numbers)
+                told = f"sides are {_vector_told(rates)}" if len(rates) > 1 else f"side is {rates[0]:.4g}"
+                raise Wrong(f"for {_told(values)} your answer gives {_place_told(family.state, place)}; "
+                            f"the right-hand {told} there, not zero")
+            del missed[here[0]]
+        if missed:
+            raise Wrong(f"for {_told(values)} there is a {noun} in the domain that your answer does not give: "
+                        f"a search finds {len(rests)}, your answer gives {len(rests) - len(missed)} of them{outside}")
+    if not all(met):
+        raise Wrong(f"point {met.index(False) + 1} of your list lies in the domain for none of the sample values")
+    return f"for sample values of the parameters it gives every {noun} in the domain and nothing else"
+
+
+def _judge_existence(answer, family, noun):
+    def truth(numbers):
+        return family.settle(numbers, starts=32, steps=40)[1].any(axis=1).astype(float)
+
+    def describe(holds):
+        return f"there is {'a' if holds else 'no'} {noun}, yet your condition {'does not hold' if holds else 'holds'}"
+
+    return _compare(answer, family, truth, describe)
+
+
+def _judge_roots(answer, family, sign, noun):
+    """Compare a condition with the sign of the discriminant at the stationary point: -1 focus, 1 node."""
+    def truth(numbers):
+        places, exist = family.first_rests(numbers)
+        (a, b), (c, d) = family.jacobian(places, numbers)
+        trace, determinant, size = a + d, a * d - b * c, a**2 + b**2 + c**2 + d**2
+        discriminant = trace**2 - 4 * determinant
+        decided = (abs(discriminant) > 1e-9 * size) & (abs(determinant) > 1e-9 * size) & (trace**2 > 1e-9 * size)
+        return np.where(exist & decided, (np.sign(discriminant) == sign) & (determinant > 0), np.nan)
+
+    def describe(holds):
+        return (f"the stationary point is {'' if holds else 'not '}{noun}, yet your condition "
+                f"{'does not hold' if holds else 'holds'}")
+
+    return _compare(answer, family, truth, describe)
+
+
+def _compare(answer, family, truth, describe):
+    """Compare a condition on the parameters with a property that can only be tried: `truth` gives 1, 0, or nan (not
+    asked).
+
+    Along lines on which one parameter alone varies, the property is tried on a grid, and each of its borders is found
+    by bisection: the condition has to change there, and nowhere else. A set of numbers stands for values of the first
+    parameter.
+    """
+    parameters = family.parameters
+    numbers_alone = isinstance(answer, sp.Set) and answer.is_subset(sp.S.Reals)
+    condition = coercion.as_condition(answer, parameters[:1] if numbers_alone else parameters)
+    claim, loose = Condition(condition, parameters), condition.has(sp.Float)
+    places, borders = _grid(family, truth, claim, margin=2 * ROUNDING if loose else 1e-6)
+    tried = truth(np.array(places, dtype=float).T)
+    checked = 0
+    for place, holds in [*zip(places, tried), *borders]:
+        if np.isnan(holds):
+            continue
+        checked += 1
+        if claim.holds(place) != bool(holds) and not (loose and _rounded_across(place, truth)):
+            raise Wrong(f"for {place_text(parameters, place)} {describe(bool(holds))}")
+    return f"it holds where it should and nowhere else, at {checked} points on both sides of every border"
+
+
+def _grid(family, truth, claim, margin):
+    """Places to try, and pairs (place, truth value) on both sides of each border that bisection finds, `margin` away
+    from it."""
+    places, edges = [], []
+    for k, base, line in family.lines:
+        holds = truth(np.array(line, dtype=float).T)
+        edges += [(low, high, a) for low, high, a, b in zip(line, line[1:], holds, holds[1:]) if a != b
+                  and not np.isnan(a + b)]
+        places += line
+        direction = tuple(Fraction(int(j == k)) for j in range(len(base)))
+        start = tuple(Fraction(0) if j == k else base[j] for j in range(len(base)))
+        for place in sum(cells(start, direction, claim.boundaries), []):
+            if _allowed(float(place[k]), family.parameters[k], family.domain):
+                places.append(place)
+    if not edges:
+        return places, []
+    low, high = (np.array([edge[i] for edge in edges], dtype=float).T for i in (0, 1))
+    before = np.array([edge[2] for edge in edges])
+    for _ in range(22):
+        middle = (low + high) / 2
+        values = truth(middle)
+        stay = (values == before) | np.isnan(values)
+        low, high = np.where(stay, middle, low), np.where(stay, high, middle)
+    sides = []
+    for left, right, value in zip(low.T, high.T, before):
+        outward = np.sign(right - left) * np.maximum(margin * abs(right), 1e-9)
+        sides.append((tuple(map(Fraction, left - outward)), value))
+        sides.append((tuple(map(Fraction, right + outward)), 1 - value))
+    return places, sides
+
+
+def _rounded_across(place, truth):
+    """Whether rounding to three digits can account for a place on the wrong side of the border.
+
+    On the border itself there is nothing to be rounded: u >= 2.0 is as wrong as u >= 2 where u > 2 is right.
+    """
+    def changes(rounding):
+        moved = [[float(x) * (factor if j == k else 1) for j, x in enumerate(place)]
+                 for k in range(len(place)) for factor in (1 - rounding, 1 + rounding)]
+        values = truth(np.array([[float(x) for x in place], *moved]).T)
+        return bool(np.any(values != values[0]))
+
+    return changes(ROUNDING) and not changes(1e-9)
+
+
+def _family(field, state, parameters, domain):
+    """The `_Family` of the data, the same for the same data: what it has found serves the next verdict too."""
+    return _known(tuple(map(sp.sympify, field)), tuple(state), tuple(parameters), tuple(dict(domain or {}).items()))
+
+
+@functools.lru_cache(maxsize=16)
+def _known(field, state, parameters, domain):
+    return _Family(field, state, parameters, dict(domain))
+
+
+class _Family:
+    """A field with parameters: its values, first approximation and stationary points for arrays of parameter values."""
+
+    def __init__(self, field, state, parameters, domain):
+        self.state, self.parameters, self.domain = list(state), list(parameters), dict(domain or {})
+        expressions = [sp.sympify(component) for component in field]
+        left = set().union(*(e.free_symbols for e in expressions)) - {*self.state, *self.parameters}
+        if left:
+            raise ValueError(f"the field still contains {left}")
+        self._square = len(expressions) == len(self.state)
+        self._function = self._compiled(expressions)
+        # The numerators have the same zeros inside the domain, and Newton's method likes them better.
+        self._numerators = self._compiled([sp.numer(sp.together(component)) for component in expressions])
+        self._angles = [x in self.domain and self.domain[x].measure == 2 * sp.pi for x in self.state]
+        self._intervals = [_ends(x, self.domain) for x in self.state]
+        random = np.random.default_rng(14)
+        self._starts = np.array([[_draw(random, x, self.domain) for x in self.state] for _ in range(STARTS)]).T
+        self._settled = {}
+
+    def _compiled(self, expressions):
+        slopes = [sp.diff(component, x) for component in expressions for x in self.state] if self._square else []
+        return sp.lambdify([*self.state, *self.parameters], expressions + slopes, "numpy", cse=True)
+
+    def __call__(self, place, numbers):
+        """The field at places (state first) for parameter values that broadcast with them."""
+        values = _evaluated(self._function, place, numbers)
+        return values[: len(self.state)] if self._square else values
+
+    def jacobian(self, place, numbers):
+        """The partial derivatives, axes (component, variable, ...)."""
+        values = _evaluated(self._function, place, numbers)[len(self.state):]
+        return values.reshape(len(self.state), len(self.state), *values.shape[1:])
+
+    def settle(self, numbers, starts, steps):
+        """Newton's method from many starts for every column of parameter values: places (n, columns, starts) and which
+        of them are stationary points in the domain."""
+        asked = (numbers.tobytes(), numbers.shape, starts, steps)
+        if asked not in self._settled:
+            if len(self._settled) == MOST_KEPT:
+                self._settled.clear()
+            self._settled[asked] = self._settle(numbers, starts, steps)
+        return self._settled[asked]
+
+    def _settle(self, numbers, starts, steps):
+        x = np.repeat(self._starts[:, None, :starts], numbers.shape[1], axis=1)
+        fixed = numbers[:, :, None]
+        for _ in range(steps):
+            move = _newton(_evaluated(self._numerators, x, fixed))
+            trial = x + np.where(np.isfinite(move), move, 0)
+            for k, (low, high) in enumerate(self._intervals):
+                if self._angles[k]:
+                    trial[k] = x[k] + np.clip(trial[k] - x[k], -1, 1)
+                else:
+                    trial[k] = np.maximum(trial[k], low + (x[k] - low) / 4) if low > -math.inf else trial[k]
+                    trial[k] = np.minimum(trial[k], high - (high - x[k]) / 4) if high < math.inf else trial[k]
+            x = trial
+        settled = np.all(abs(_newton(_evaluated(self._function, x, fixed))) < 1e-9 * (1 + abs(x)), axis=0)
+        x = self.reduced(x)
+        return x, settled & self.inside(x)
+
+    def rests(self, numbers):
+        """For every column of parameter values the list of stationary points in the domain."""
+        x, good = self.settle(numbers, starts=STARTS, steps=40)
+        return [_different(x[:, j, good[j]]) for j in range(x.shape[1])]
+
+    def first_rests(self, numbers):
+        """The stationary point for every column of parameter values (n, columns), and where there is one."""
+        x, good = self.settle(numbers, starts=32, steps=40)
+        first = np.take_along_axis(x, np.argmax(good, axis=1)[None, :, None], axis=2)
+        if np.any(good & (abs(x - first) > 1e-5 * (1 + abs(first))).any(axis=0)):
+            raise RuntimeError("there are several stationary points in the domain")
+        return first[:, :, 0], good.any(axis=1)
+
+    def reduced(self, places):
+        """The same places with their angles in their intervals."""
+        places = np.array(places, dtype=float)
+        for k, (low, high) in enumerate(self._intervals):
+            if self._angles[k]:
+                # Rounding must not throw an angle from the closed end of its interval to the open one.
+                margin = END if self.domain[self.state[k]].left_open else -END
+                places[k] = low + margin + (places[k] - low - margin) % (high - low)
+        return places
+
+    def inside(self, places):
+        """Where places lie in the domain; angles always do."""
+        result = np.ones(np.shape(places)[1:], dtype=bool)
+        for k, (low, high) in enumerate(self._intervals):
+            if not self._angles[k]:
+                interval = _interval(self.state[k], self.domain)
+                result &= places[k] > low + (END if interval.left_open else -END)
+                result &= places[k] < high - (END if interval.right_open else -END)
+        return result
+
+    def same(self, place, rest, written):
+        """Whether a claimed place is this rest point: to three significant digits if it is written in decimals."""
+        difference = place - rest
+        for k, angle in enumerate(self._angles):
+            if angle:
+                difference[k] = (difference[k] + math.pi) % (2 * math.pi) - math.pi
+        size = np.abs(rest).max()
+        return all(_near(r + d, r, expression, size) for d, r, expression in zip(difference, rest, written))
+
+    def samples(self, count=7, need_rest=True, alone=True):
+        """Triples (exact values, their floats, the stationary point), or with all points of the domain unless
+        `alone`."""
+        tries, numbers = self._tries
+        rests = self._rests_of_tries if need_rest else [[None]] * len(tries)
+        chosen = [k for k, found in enumerate(rests) if found]
+        if not chosen:
+            raise RuntimeError("no sample values of the parameters have a stationary point in the domain")
+        # Samples with the most points first: these are the ones where a point can be missed.
+        for k in sorted(chosen, key=lambda k: -len(rests[k]))[:count] + ([] if alone else chosen[:count]):
+            values = {p: sp.Rational(x.numerator, x.denominator) for p, x in zip(self.parameters, tries[k])}
+            if alone and len(rests[k]) > 1:
+                raise RuntimeError(f"there are {len(rests[k])} stationary points in the domain for {_told(values)}")
+            yield values, numbers[:, k], rests[k][0] if alone else rests[k]
+
+    @functools.cached_property
+    def _tries(self):
+        """Rational values of the parameters to choose samples from, in rows, and their floats, in columns."""
+        count = 30 if self.parameters else 1
+        # Multiples of irrational numbers are spread evenly, every few of them that follow one another.
+        shares = np.outer(np.arange(1, count + 1), np.sqrt([2, 3, 5, 7, 11, 13, 17, 19])[:len(self.parameters)]) % 1
+        tries = [[_simple(_draw(None, p, self.domain, share), p, self.domain) for p, share in zip(self.parameters, row)]
+                 for row in shares]
+        return tries, np.array(tries, dtype=float).T.reshape(len(self.parameters), len(tries))
+
+    @functools.cached_property
+    def _rests_of_tries(self):
+        return self.rests(self._tries[1])
+
+    @functools.cached_property
+    def lines(self):
+        """Lines on which one parameter alone varies: triples (which one, a place on the line, a grid of places along
+        it)."""
+        random, found = np.random.default_rng(13), []
+        for k, varied in enumerate(self.parameters):
+            for _ in range(4 if len(self.parameters) > 1 else 2):
+                base = [_simple(_draw(random, p, self.domain), p, self.domain) for p in self.parameters]
+                found.append((k, base, [(*base[:k], value, *base[k + 1:])
+                                        for value in _spread(random, varied, self.domain)]))
+        return found
+
+
+def _different(places):
+    """The columns of an array without those that are close to an earlier one: a list."""
+    found = []
+    while places.shape[1]:
+        first = places[:, 0]
+        found.append(first)
+        places = places[:, ~(np.linalg.norm(places - first[:, None], axis=0) < 1e-6 * (1 + np.linalg.norm(first)))]
+    return found
+
+
+def _evaluated(function, place, numbers):
+    """Values of a compiled list of expressions at places and parameter values that broadcast with them."""
+    with np.errstate(all="ignore"):
+        values = function(*place, *numbers)
+    result = np.empty((len(values), *np.broadcast_shapes(*(np.shape(x) for x in (*place, *numbers)))))
+    for k, value in enumerate(values):
+        result[k] = value
+    return result
+
+
+def _newton(values):
+    """The step -J^-1 f of Newton's method from the values of f and of its derivatives, for one or two equations."""
+    with np.errstate(all="ignore"):
+        if len(values) == 2:
+            return -values[:1] / values[1:]
+        f, g, a, b, c, d = values
+        return -np.stack([d * f - b * g, a * g - c * f]) / (a * d - b * c)
+
+
+def _points(answer, family):
+    """A list of points, each a list of expressions, from one point or a list of them."""
+    names = {symbol.name: k for k, symbol in enumerate(family.state)}
+    n = len(names)
+
+    def single(point):
+        if isinstance(point, dict):
+            by_name = {str(key): value for key, value in point.items()}
+            if set(by_name) != set(names):
+                raise Invalid(f"expected a value for each of {', '.join(names)}")
+            point = [by_name[name] for name in names]
+        if n == 1 and not isinstance(point, (list, tuple, sp.Tuple, sp.MatrixBase, np.ndarray)):
+            point = [point]
+        return coercion.as_expressions(point, family.parameters, length=n)
+
+    if isinstance(answer, sp.MatrixBase) and 1 not in answer.shape:
+        answer = [list(answer.row(k)) for k in range(answer.rows)]
+    if isinstance(answer, (set, frozenset, sp.FiniteSet)):
+        return [single(point) for point in answer]
+    vectors = (list, tuple, dict, sp.Tuple, sp.MatrixBase, np.ndarray)
+    if isinstance(answer, (list, tuple)) and (n == 1 or any(isinstance(point, vectors) for point in answer)):
+        if n > 1 and len(answer) == n and all(isinstance(p, (list, tuple)) and len(p) == 1 for p in answer):
+            return [single(answer)]  # a column
+        points = [single(point) for point in answer]
+        if not points:
+            raise Invalid("expected at least one point")
+        return points
+    return [single(answer)]
+
+
+def _cycles(radius):
+    return {radius: POSITIVE}
+
+
+def _interval(symbol, domain):
+    """The values a symbol may take: from the domain, else from its assumptions."""
+    if domain and symbol in domain:
+        return domain[symbol]
+    if symbol.is_positive:
+        return POSITIVE
+    if symbol.is_negative:
+        return NEGATIVE
+    return sp.S.Reals
+
+
+def _ends(symbol, domain):
+    return _ends_of(_interval(symbol, domain))
+
+
+@functools.lru_cache(maxsize=64)
+def _ends_of(interval):
+    return float(interval.start), float(interval.end)
+
+
+def _allowed(value, symbol, domain):
+    low, high = _ends(symbol, domain)
+    return low < value < high
+
+
+def _draw(random, symbol, domain, share=None):
+    """A random value of a symbol, of a moderate size; or that at a share, between 0 and 1, of all its values."""
+    low, high = _ends(symbol, domain)
+    share = random.uniform() if share is None else share
+    if math.isfinite(low) and math.isfinite(high):
+        return low + (0.02 + 0.96 * share) * (high - low)
+    smallest, largest = math.log(0.15), math.log(8)
+    if math.isfinite(low) or math.isfinite(high):
+        size = math.exp(smallest + share * (largest - smallest))
+        return low + size if math.isfinite(low) else high - size
+    sign, share = (1, 2 * share - 1) if share > 0.5 else (-1, 1 - 2 * share)
+    return sign * math.exp(smallest + share * (largest - smallest))
+
+
+def _spread(random, symbol, domain):
+    """A fine grid of rational values over all that a symbol may be."""
+    low, high = _ends(symbol, domain)
+    shift = random.uniform(0, 1)
+    if math.isfinite(low) and math.isfinite(high):
+        values = low + (high - low) * (np.arange(20) + shift) / 20.5
+    else:
+        sizes = np.geomspace(0.01, 60, 20) * (1 + 0.3 * shift)
+        values = (low + sizes if math.isfinite(low) else high - sizes[::-1] if math.isfinite(high)
+                  else np.concatenate([-sizes[::-1], sizes]))
+    return [_rational(value) for value in values if _allowed(value, symbol, domain)]
+
+
+def _rational(value):
+    return Fraction(float(value)).limit_denominator(60 if abs(value) > 0.2 else 10**4)
+
+
+def _simple(value, symbol, domain):
+    """A simple rational near a value, for messages that can be checked by hand."""
+    simple = Fraction(value).limit_denominator(9)
+    # Whole numbers are where formulas in a good form happen not to be defined, such as 1/(u - 3).
+    return simple if simple.denominator > 1 and _allowed(float(simple), symbol, domain) else _rational(value)
+
+
+def _values(expression, symbols, places):
+    """An expression at many places; nan where it is not real. Symbols and functions are known
+    (`coercion.with_symbols`)."""
+    if expression.has(sp.nan, sp.zoo):
+        return np.full(places.shape[1], math.nan)
+    function = sp.lambdify(symbols, expression, "mpmath")
+
+    def value(place):
+        try:
+            number = complex(function(*place))
+        # TypeError: a Piecewise without a case for this place
+        except (ZeroDivisionError, ValueError, OverflowError, TypeError):
+            return math.nan
+        return number.real if cmath.isfinite(number) and abs(number.imag) < 1e-9 * (1 + abs(number)) else math.nan
+
+    return np.array([value(place.tolist()) for place in places.T])
+
+
+def _near(said, true, written, size=0.0):
+    """Equality to rounding, or to three significant digits where the answer is written in decimals."""
+    decimals = any(not number.is_zero for number in written.atoms(sp.Float))
+    scale = max(abs(true), size)
+    if decimals:
+        return coercion.rounds_to(said, true, scale / 10) or abs(said - true) <= ROUNDING * abs(true)
+    return abs(said - true) <= 1e-9 * max(scale, 1e-12)
+
+
+def _scale(expression, values, state, rest):
+    """The size of the terms of an expression at a place: their sum may cancel."""
+    numbers = values | {x: sp.Float(float(v), 20) for x, v in zip(state, rest)}
+    return sum(abs(real_at(term, numbers) or 0.0) for term in sp.Add.make_args(sp.expand(expression)))
+
+
+def _kind(matrix):
+    """The type of the stationary point whose first approximation is this matrix."""
+    trace, determinant, size = np.trace(matrix), np.linalg.det(matrix), np.linalg.norm(matrix)
+    if abs(determinant) < 1e-9 * size**2:
+        raise RuntimeError("the first approximation has a root zero: it does not decide the type")
+    if determinant < 0:
+        return "saddle"
+    if abs(trace) < 1e-9 * size:
+        return "centre"
+    how = "stable" if trace < 0 else "unstable"
+    discriminant = trace**2 - 4 * determinant
+    if abs(discriminant) < 1e-8 * size**2:
+        star = np.linalg.norm(matrix - trace / 2 * np.eye(2)) < 1e-6 * size
+        return f"{how} {'star' if star else 'degenerate node'}"
+    return f"{how} {'node' if discriminant > 0 else 'focus'}"
+
+
+def _told(values):
+    return ", ".join(f"{p} = {v if v.q < 20 else f'{float(v):.4g}'}" for p, v in values.items()) or "the system given"
+
+
+def _place_told(state, place):
+    return ", ".join(f"{s} = {x:.4g}" for s, x in zip(state, place))
+
+
+def _vector_told(values):
+    """Numbers for a message; what rounding leaves of a zero is one."""
+    size = max(abs(value) for value in values)
+    return as_text([value if abs(value) > 1e-12 * size else 0.0 for value in values])
+
+
+def _roots_told(roots):
+    def told(root):
+        if abs(root.imag) < 1e-9 * (1 + abs(root)):
+            return f"{root.real:.4g}"
+        return f"{root.real:.4g} {'+' if root.imag > 0 else '-'} {abs(root.imag):.4g}i"
+
+    return " and ".join(told(complex(root)) for root in roots)

@@ -1,0 +1,178 @@
+"""A measurement with an error of a known kind and an unknown size: z = H x + c w, w' = S w, w(0) = C (start).
+
+Unknown are the state x(0) and the amplitude C. A pair (x(0), C) that gives z = 0 for all time cannot be told from
+nothing at all; what is found and what is not follows from these pairs. They come from the largest invariant subspace
+that z does not show (`known_starts`), at every exceptional value of a parameter too, and not from the rank of an
+augmented matrix, which allows errors of any start w(0).
+"""
+
+import numpy as np
+import sympy as sp
+from scipy.linalg import expm
+
+from trajlib.checks.contract import coercion
+from trajlib.checks.contract.verdict import Invalid, Wrong, judged
+from trajlib.checks.structure.dual_questions import Side, judge_region, judge_yes_no, tolerance_of
+from trajlib.checks.structure.unseen_bases import judge_basis, judge_where_lost
+from trajlib.checks.tools.values import compare_at, matrix_at
+from trajlib.checks.tools.wording import number_text, where_text
+from trajlib.checks.truths.invariant_subspaces import echelon, product, to_floats
+from trajlib.checks.truths.known_starts import starts_of
+
+BOTH = Side("observable together with the error", "not observable together with the error",
+            "independent pair (x(0), C) with z = 0 for all time", "independent pairs (x(0), C) with z = 0 for all time",
+            "no pair (x(0), C) but zero gives z = 0 for all time", "N", "row", "(A - lambda E; H)",
+            "eigenvector v of A with H v = 0")
+STATE = Side("such that z determines the state", "such that z does not determine the state",
+             "independent x(0), not zero, whose motion together with some error gives z = 0",
+             "independent x(0) whose motions together with some error give z = 0",
+             "only x(0) = 0 can give z = 0, whatever the error", "N", "row", "(A - lambda E; H)",
+             "eigenvector v of A with H v = 0")
+AMPLITUDE = Side("such that z determines C", "such that z does not determine C",
+                 "C, up to a factor and not zero, with z = 0 for some motion", "C with z = 0 for some motion",
+                 "only C = 0 can give z = 0, whatever the motion", "N", "row", "(A - lambda E; H)",
+                 "eigenvector v of A with H v = 0")
+
+
+@judged
+def observable_with_error(answer, A, H, S, c, start):
+    """Whether z determines both the state and the amplitude of the error."""
+    return judge_yes_no(answer, _starts(A, H, S, c, start), BOTH)
+
+
+@judged
+def observable_with_error_parameters(answer, A, H, S, c, start, parameters):
+    """The condition on the parameters under which z determines both the state and the amplitude; exact at isolated
+    values."""
+    return judge_region(answer, _starts(A, H, S, c, start, parameters), BOTH, holds=True)
+
+
+@judged
+def state_found_parameters(answer, A, H, S, c, start, parameters):
+    """The condition under which z determines the state, whether or not the amplitude of the error is found."""
+    return judge_region(answer, _starts(A, H, S, c, start, parameters, tuple(range(A.rows))), STATE, holds=True)
+
+
+@judged
+def amplitude_found_parameters(answer, A, H, S, c, start, parameters):
+    """The condition under which z determines the amplitude of the error, whether or not the state is found."""
+    return judge_region(answer, _starts(A, H, S, c, start, parameters, (A.rows,)), AMPLITUDE, holds=True)
+
+
+@judged
+def unseen_with_error(answer, A, H, S, c, start):
+    """A basis of the vectors (x1(0), ..., xn(0), C) that give z = 0 for all time; an empty list if zero is the only
+    one."""
+    return judge_basis(answer, _starts(A, H, S, c, start), BOTH)
+
+
+@judged
+def unseen_with_error_where_lost(answer, A, H, S, c, start, parameter):
+    """Every real value of the parameter at which not all is found, as {value: basis of the vectors (x(0), C) with z =
+    0}."""
+    return judge_where_lost(answer, _starts(A, H, S, c, start, (parameter,)), BOTH,
+                            lambda value: _starts(*(matrix.subs(parameter, value) for matrix in (A, H, S, c)), start))
+
+
+@judged
+def augmented_system(answer, A, H, S, c, start, parameters=()):
+    """[A', H']: the system of x together with coordinates of the error, as few as it has, in any scale and
+    combination."""
+    if not isinstance(answer, (list, tuple)) or len(answer) != 2:
+        raise Invalid("expected a list [A', H'] of the matrix of the augmented system and the row of its output")
+    n, pair = A.rows, _starts(A, H, S, c, start, parameters)
+    matrix = coercion.as_matrix(answer[0], parameters)
+    if matrix.rows != matrix.cols or matrix.rows <= n:
+        raise Invalid(f"expected a square matrix A' of more than {n} rows, since the coordinates of the error come "
+                      f"after those of x; the "
+                      f"shape of yours is {matrix.shape}")
+    row = answer[1] if isinstance(answer[1], sp.MatrixBase) else [answer[1]] if _is_flat(answer[1]) else answer[1]
+    row = coercion.as_matrix(row, parameters, (H.rows, matrix.rows))
+    tolerance = tolerance_of(matrix, row)
+    for values, place in pair.samples:
+        where = where_text(values)
+        true_A, true_H = (to_floats(rows, pair.order) for rows in pair.at(place))
+        said_A, said_H = matrix_at(matrix, values), matrix_at(row, values)
+        _compare_block(said_A[:n, :n], true_A[:n, :n], "the rows and columns of x in A'", "are those of A", where,
+                       tolerance)
+        for part, why in ((said_A[:n, n:], "the error does not act on the motion"),
+                          (said_A[n:, :n], "the motion does not act on the error")):
+            _compare_block(part, 0 * part, f"{why}: this part of A'", "is zero", where, tolerance)
+        _compare_block(said_H[:, :n], true_H[:, :n], "the columns of x in H'", "are those of H", where, tolerance)
+        _compare_errors(said_A[n:, n:], said_H[:, n:], _error_derivatives(pair, place, n, matrix.rows), where,
+                        tolerance)
+    return ("its outputs are those of the motions with every error of the kind, and no coordinate of the error can be "
+            "spared")
+
+
+@judged
+def amplitude_from_output(answer, A, H, S, c, start, outputs, time):
+    """C by z and its derivatives at one moment, the symbols `outputs`, and the time."""
+    claim = coercion.as_expression(answer, [*outputs, time])
+    augmented = np.array(sp.diag(A, S), dtype=float)
+    row = np.array(H.row_join(c), dtype=float)[0]
+    random = np.random.default_rng(17)
+    for moment in (0.2, 0.55, 0.9, 1.3, 1.7, 2.4):
+        x, amplitude = random.normal(size=A.rows), random.choice([-1, 1]) * random.uniform(0.5, 3)
+        state = expm(moment * augmented) @ [*x, *(amplitude * float(s) for s in start)]
+        values = {time: moment}
+        for symbol in outputs:
+            values[symbol] = float(row @ state)
+            state = augmented @ state
+        tolerance = 5e-3 if claim.has(sp.Float) else 1e-8
+        compare_at(claim, values, amplitude, "C", sum(abs(v) for v in values.values()) * 1e-2, tolerance)
+    return "it gives C at every moment of motions with all kinds of starts and errors"
+
+
+def _starts(A, H, S, c, start, parameters=(), of=None):
+    return starts_of(sp.diag(A, S), H.row_join(c), sp.diag(sp.eye(A.rows), sp.Matrix(start)), parameters, of)
+
+
+def _is_flat(answer):
+    return (isinstance(answer, (list, tuple)) and not any(isinstance(part, (list, tuple, sp.MatrixBase))
+                                                          for part in answer))
+
+
+def _compare_block(said, true, what, is_what, where, tolerance):
+    bad = ~(abs(said - true) <= tolerance * max(abs(true).max(initial=0), 1.0))
+    if bad.any():
+        i, j = np.argwhere(bad)[0]
+        raise Wrong(f"{what} {is_what}{where}, and yours has {number_text(said[i, j])} where "
+                    f"{number_text(true[i, j])} belongs")
+
+
+def _error_derivatives(pair, place, n, count):
+    """The derivatives of the error with C = 1 at t = 0, exact: as many as tell two equations of these orders apart."""
+    A, H = pair.at(place)
+    state, found = [row[-1] for row in pair.starts], []
+    for _ in range(count + pair.order):
+        found.append(product(H, state))
+        state = product(A, state)
+    return found
+
+
+def _compare_errors(S, c, derivatives, where, tolerance):
+    """Whether w' = S w, z = c w makes the error from some start, and whether it needs all its coordinates."""
+    size, count = len(S), len(derivatives)
+    half = count // 2
+    order = len(echelon([[x for entry in derivatives[i:i + half] for x in entry] for i in range(half)])[1])
+    if size > order:
+        raise Wrong(f"your error has {size} coordinates, but fewer are enough for a linear equation of its "
+                    f"own{where}; what is superfluous "
+                    "could not be observed, and would not matter")
+    rows, row = [], c
+    for _ in range(count):
+        rows.append(row)
+        row = row @ S
+    rate = max(1.0, np.linalg.norm(S, 2))
+    weights = np.repeat(rate ** -np.arange(count, dtype=float), len(c))
+    told = np.vstack(rows) * weights[:, None]
+    wanted = np.array([float(x) for entry in derivatives for x in entry]) * weights
+    if not np.isfinite(told).all():
+        raise Wrong(f"the derivatives of your error are not finite{where}")
+    start = np.linalg.lstsq(told, wanted.astype(complex), rcond=1e-12)[0]
+    rest = told @ start - wanted
+    if not np.linalg.norm(rest) <= 10 * tolerance * np.linalg.norm(wanted):
+        raise Wrong(f"from no start do your coordinates of the error give the error of the statement{where}: the "
+                    f"derivatives of z at "
+                    "t = 0 do not agree")

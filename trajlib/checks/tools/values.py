@@ -1,0 +1,169 @@
+"""Answers with symbols, judged at values of them: what an expression or a condition becomes there, and whether it is
+what it should be.
+
+A comparison with nan is False, so one that looks for a difference finds none. Hence what comes from an answer is read
+here, and no number leaves that is not finite: an answer that is undefined or infinite where it should have a value is
+`Wrong`, with the place. Only `real_function` gives nan, to be used on whole arrays; a check compares such values by
+`not difference <= tolerance`.
+"""
+
+import cmath
+
+import numpy as np
+import sympy as sp
+
+from trajlib.checks.contract.coercion import LARGEST
+from trajlib.checks.contract.verdict import Invalid, Wrong
+from trajlib.checks.tools.wording import rounded_text
+
+
+def random_values(symbols, seed, count=6):
+    """Random positive values of all symbols, of size one: `count` dicts. Each symbol gets small values and large
+    ones."""
+    random = np.random.default_rng(seed)
+    columns = [spread(random, 0.4, 2.5, count) for _ in symbols]
+    for k in range(count):
+        yield {symbol: float(column[k]) for symbol, column in zip(symbols, columns)}
+
+
+def spread(random, low, high, count):
+    """Random numbers between two bounds, one in each of `count` parts of equal ratio, in random order."""
+    return low * (high / low) ** ((random.permutation(count) + random.uniform(size=count)) / count)
+
+
+def number_at(claim, values, what="your expression"):
+    """The finite number, real or complex, that an expression becomes; `what` names the expression in a message."""
+    number = _put(claim, values)
+    if number.free_symbols or not number.is_number:
+        raise Invalid(f"{what} does not become a number when all symbols have values")
+    try:
+        found = complex(number)
+    except TypeError:
+        raise Invalid(f"{what} does not become a single number when all symbols have values") from None
+    if not abs(found) < LARGEST:
+        how = "undefined" if cmath.isnan(found) else f"larger than {LARGEST:g}" if cmath.isfinite(found) else "infinite"
+        raise Wrong(f"{what} is {how}" + (f" at {rounded_text(values)}, where it should have a value" if values else
+                                          "; it should have a value"))
+    return found
+
+
+def numbers_at(claims, values, names=None):
+    """The numbers that several expressions become, as a complex array; `names` are what they stand for, such as
+    symbols."""
+    names = [f"component {k}" for k in range(1, len(claims) + 1)] if names is None else names
+    return np.array([number_at(claim, values, f"your {name}") for name, claim in zip(names, claims)])
+
+
+def matrix_at(claim, values):
+    """The numbers that a matrix becomes, as a complex array."""
+    return np.array([[number_at(claim[i, j], values, f"the entry ({i + 1}, {j + 1}) of your matrix")
+                      for j in range(claim.cols)]
+                     for i in range(claim.rows)]).reshape(claim.shape)
+
+
+def value_at(claim, values, what):
+    """The real number that an expression becomes; `what` says of which quantity, for a message."""
+    number = number_at(claim, values, f"your expression for {what}")
+    if abs(number.imag) > 1e-12 * (1 + abs(number)):
+        raise Wrong(f"for {rounded_text(values)} your expression gives no real number for {what}")
+    return number.real
+
+
+def real_at(claim, values):
+    """The real number that an expression becomes, or None where it is not real, or not defined."""
+    try:
+        number = complex(_put(claim, values))
+    except TypeError:
+        return None
+    return number.real if abs(number) < LARGEST and abs(number.imag) < 1e-12 * (1 + abs(number)) else None
+
+
+def truth_at(claim, values):
+    """Whether a condition holds; where a term of it is undefined it does not."""
+    try:
+        said = _all_at_once(claim, values)
+    except TypeError:  # it asks which of two numbers is greater, and one is not real
+        return False
+    if said not in (sp.true, sp.false):
+        raise Invalid("the condition does not become true or false when all symbols have values")
+    return bool(said)
+
+
+def compare_at(claim, values, true, what, scale, tolerance=1e-9):
+    """Raise `Wrong` unless an expression has the value `true` of the quantity `what`, to a part of its size and of
+    `scale`."""
+    said = value_at(claim, values, what)
+    if not cmath.isfinite(true):
+        raise RuntimeError(f"{what} could not be computed")
+    if not abs(said - true) <= tolerance * (abs(true) + scale):
+        raise Wrong(f"for {rounded_text(values)} {what} is {true:.4g}; your expression gives {said:.4g}")
+
+
+def real_function(symbols, expressions):
+    """Several expressions as a function of numbers or arrays, to an array with a row for each; nan where one is not a
+    real number."""
+    # Only SymPy functions of the data's own symbols come here (coercion.with_symbols), so the code made is ours.
+    # A docstring would take as long as the code.
+    compiled = [sp.lambdify(symbols, _printable(e), [{"select": _first_of}, "numpy"], docstring_limit=0)
+                for e in expressions]
+
+    def one(function, numbers, shape):
+        try:
+            values = function(*numbers)
+            if not shape:  # the way through arrays takes ten times as long, and a motion asks thousands of times
+                number = complex(values)
+                return number.real if cmath.isfinite(number) and abs(number.imag) < 1e-9 * (1 + abs(number)) else np.nan
+            if isinstance(values, np.ndarray) and values.dtype == float and values.shape == shape:
+                return np.where(np.isfinite(values), values, np.nan)
+            values = np.broadcast_to(np.asarray(values, dtype=complex), shape)
+        except (ZeroDivisionError, OverflowError):  # of the numbers in the expression itself
+            return np.full(shape, np.nan)
+        except (TypeError, ValueError, AttributeError, NameError):
+            raise Invalid("your answer cannot be evaluated: it has to be a real expression, such as a Piecewise") from None
+        return np.where(np.isfinite(values) & (abs(values.imag) < 1e-9 * (1 + abs(values))), values.real, np.nan)
+
+    def evaluate(*numbers):
+        # NumPy's numbers divide by zero without an error.
+        numbers = [np.asarray(number, dtype=float)[()] for number in numbers]
+        shape = np.broadcast_shapes(*(number.shape for number in numbers))
+        with np.errstate(all="ignore"):
+            return np.array([one(function, numbers, shape) for function in compiled])
+
+    return evaluate
+
+
+def _printable(e):
+    """The expression as SymPy makes code of it at once: a choice between conditions it would simplify first, for
+    seconds."""
+    if e.has(sp.nan, sp.zoo):
+        return sp.nan
+    if e.has(sp.Heaviside):
+        e = e.rewrite(sp.Piecewise)
+    return e.replace(sp.ITE, lambda a, b, c: sp.Or(sp.And(a, b), sp.And(sp.Not(a), c))) if e.has(sp.ITE) else e
+
+
+def _first_of(conditions, values, default):
+    """NumPy's `select`, which a Piecewise becomes, in a fraction of its time: a law is asked at a few states thousands
+    of times."""
+    found = default
+    for condition, value in zip(conditions[::-1], values[::-1]):
+        if not (isinstance(condition, bool) or condition.dtype == bool):
+            raise TypeError("a case has to be given by a condition")
+        found = np.where(condition, value, found)
+    return found
+
+
+def _all_at_once(claim, values):
+    """The condition with its values. `subs` puts them in one after the other and thinks about every step."""
+    if any(getattr(part, "bound_symbols", None) for part in sp.preorder_traversal(claim)):
+        return claim.subs(values)  # an integral over one of the symbols, say, which is not to be replaced there
+    return claim.xreplace({symbol: sp.sympify(value) for symbol, value in values.items()})
+
+
+def _put(claim, values):
+    """The claim with its values, evaluated; nan where this asks whether a number that is not real is greater than
+    another."""
+    try:
+        return sp.sympify(claim).subs(values).evalf(20)
+    except TypeError:
+        return sp.nan

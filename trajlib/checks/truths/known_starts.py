@@ -1,0 +1,67 @@
+"""Outputs z = H e^(At) L u of unknown numbers u: which u the output never shows, for all values of the parameters,
+exactly.
+
+Where a start is known in part, as with an error C sin(omega t) whose amplitude alone is unknown, only some motions of
+x' = A x come into question: those from x(0) = L u. Such a motion is unseen exactly if L u lies in the largest invariant
+subspace of ker H.
+"""
+
+import functools
+
+import sympy as sp
+from sympy.polys.matrices import DomainMatrix
+
+from trajlib.checks.truths.invariant_subspaces import ONE, echelon, kernel, to_floats
+from trajlib.checks.truths.pairs import Pair
+
+
+def starts_of(A, H, L, parameters=(), of=None):
+    """The `Starts` of matrices as the data give them; `of` are the positions of the u that is asked for, if not all of
+    it."""
+    return _known_starts(sp.ImmutableMatrix(A), sp.ImmutableMatrix(H), sp.ImmutableMatrix(L), tuple(parameters), of)
+
+
+@functools.lru_cache(maxsize=64)
+def _known_starts(A, H, L, parameters, of):
+    return Starts(A, H, L, parameters, of)
+
+
+class Starts(Pair):
+    """A pair (A, H) of rational functions of the parameters with the matrix L of numbers: `unseen` are now vectors
+    u."""
+
+    def __init__(self, A, H, L, parameters, of=None):
+        super().__init__(A, H, parameters)
+        if L.rows != A.rows:
+            raise ValueError(f"starts of shape {L.shape} belong to no system of order {A.rows}")
+        self.unknowns, self._of = L.cols, of
+        self.starts = [[_fraction(entry) for entry in L.row(i)] for i in range(L.rows)]
+
+    def unseen_at(self, place):
+        """A basis of the u (or of what is asked of them) from which the output stays zero; None where an entry is not
+        defined."""
+        hidden = super().unseen_at(place)
+        if hidden is None:
+            return None
+        # Combinations L u = (hidden) d; the columns of `hidden` are independent, so every one has its own u.
+        relations = kernel([[*row, *(vector[i] for vector in hidden)] for i, row in enumerate(self.starts)],
+                           self.unknowns + len(hidden))
+        found = [relation[:self.unknowns] for relation in relations]
+        return found if self._of is None else echelon([[vector[i] for i in self._of] for vector in found])[0]
+
+    def state_of(self, vector):
+        return to_floats(self.starts, self.unknowns) @ vector
+
+    def _derivative_rows(self):
+        """The rows H L, H A L, ..., which say what the derivatives of z at t = 0 tell of u."""
+        told = super()._derivative_rows()
+        return told * DomainMatrix([[told.domain.from_sympy(sp.Rational(x.numerator, x.denominator)) for x in row]
+                                    for row in self.starts],
+                                   (self.order, self.unknowns), told.domain)
+
+
+def _fraction(entry):
+    entry = sp.nsimplify(entry, rational=True)
+    if not entry.is_Rational:
+        raise ValueError(f"a start has to be given by rational numbers, not by {entry}")
+    return ONE * int(entry.p) / int(entry.q)

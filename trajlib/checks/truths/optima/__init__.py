@@ -1,0 +1,1 @@
+"""Optima of time, by support functions: they know no law and no shooting."""

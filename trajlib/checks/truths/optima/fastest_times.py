@@ -1,0 +1,313 @@
+"""The shortest time from any start to a convex target, by support functions: an optimum that knows no law.
+
+The plant is x' = Ax + bu with u between two bounds, the state is a point of the plane, and the target is a point, a
+segment, a line, or the border of a convex set. Before the first moment at which the set R(T) of reachable states meets
+a convex D there is a line between the two; so the shortest time is the first T at which, for every direction p,
+
+    min p.y over R(T) = p.e^{AT}x0 + int_0^T min_u (p.e^{As}b u) ds  <=  sup p.y over D.
+
+From inside D the border is met when for some direction the farthest point of R(T) is as far as that of D. Both are
+exact, and neither a law nor a shooting comes in.
+"""
+
+import functools
+
+import numpy as np
+
+from trajlib.checks.tools.samples import largest
+
+#: Times up to this one are looked at closely, and up to twenty times as long roughly, where it is asked whether a
+#: target is in reach.
+HORIZON = 20.0
+NEAR, FAR = HORIZON * (np.arange(1, 131) / 130)**1.6, HORIZON * 1.1**np.arange(1, 33)
+TIMES = np.concatenate([NEAR, FAR])
+#: Directions up to this angle from a good one are searched for a better: nearly the half of all that can separate.
+WIDE = 1.5705
+#: How many starts are looked at together: fewer take nearly the same time, more need much memory.
+TOGETHER = 640
+
+
+class Lanes:
+    """Many starts side by side, with what is known of each."""
+
+    def __init__(self, **columns):
+        self.__dict__.update(columns)
+
+    def take(self, which):
+        return Lanes(**{name: column[which] for name, column in self.__dict__.items()})
+
+    @staticmethod
+    def joined(parts):
+        return Lanes(**{name: np.concatenate([part.__dict__[name] for part in parts]) for name in parts[0].__dict__})
+
+
+class FastestTimes:
+    """The fastest times of a plant to a convex target, and how the fastest motions begin."""
+
+    def __init__(self, plant, convex):
+        self.plant, self.convex = plant, convex
+        self._angles, self._spacing = convex.angles()
+
+    @functools.cached_property
+    def _near(self):
+        return self._carried(NEAR)
+
+    @functools.cached_property
+    def _far(self):
+        return self._carried(FAR)
+
+    def _moments(self, far):
+        yield from self._near
+        # An oscillator's control switches often in long times: they cost more than all the near ones, and are seldom
+        # needed.
+        yield from self._far if far else ()
+
+    def _carried(self, times):
+        """For each time T, in all directions p: (T, p.e^{AT}, the least and the largest p.y that are reached from the
+        origin)."""
+        p = directions(self._angles)
+        rows = np.tile(p, (len(times), 1)), np.repeat(times, len(p))
+        least, most = (self.plant.extreme(*rows, sign).reshape(len(times), -1) for sign in (-1, 1))
+        return list(zip(times, np.einsum("ki,tij->tkj", p, self.plant.exponential(times)), least, most))
+
+    def solve(self, x, case, far=False):
+        """The optimum from each start: `time` (inf where out of reach), `control` it begins with, `switching` function
+        there.
+
+        `far`: times beyond the horizon count too.
+        """
+        x, case = np.asarray(x, dtype=float), np.asarray(case)
+        inside = self.convex.inside(x, case)
+        groups = [slice(k, k + TOGETHER) for k in range(0, len(x), TOGETHER)]
+        parts = [self._solve(x[group], case[group], inside[group], far) for group in groups]
+        if not parts:
+            return Lanes(x=x, case=case, inside=inside,
+                         **dict.fromkeys(("time", "control", "switching", "angle"), np.zeros(0)))
+        return Lanes.joined(parts)
+
+    def _solve(self, x, case, inside, far, careful=False):
+        n, p = len(x), directions(self._angles)
+        support = np.array([self.convex.support(np.broadcast_to(d, (n, 2)), case, x) for d in p])
+        low, high, theta, second, todo = np.full(n, np.inf), np.full(n, np.inf), np.zeros(n), np.zeros(n), np.arange(n)
+        before = p @ x.T - support
+        line, suspects = self._middle(before), []
+        # the distance of x and D, later R(T) and D, at the last two times
+        apart = np.array([np.full(n, np.inf), before.max(axis=0)])
+        for j, (T, carried, least, most) in enumerate(self._moments(far)):
+            outward = inside[todo]
+            gap = carried @ x[todo].T - support[:, todo] + np.where(outward, most[:, None], least[:, None])
+            best = gap.argmax(axis=0)
+            largest, angle = gap[best, np.arange(len(todo))], np.where(outward, self._angles[best], self._middle(gap))
+            maybe = np.flatnonzero(~outward & (largest <= 0))
+            if len(maybe) and careful:
+                # Between the directions tried there may be one that separates.
+                same = self._gap(line[maybe], np.full(len(maybe), T), x[todo[maybe]], case[todo[maybe]],
+                                 inside[todo[maybe]])
+                angle[maybe], largest[maybe] = line[maybe], same
+                here = todo[maybe := maybe[same <= 0]]
+                angle[maybe], largest[maybe] = self._best(line[maybe], np.full(len(here), T), x[here], case[here],
+                                                          inside[here],
+                                                          np.full(len(here), WIDE), 30, enough=0)
+            hit = np.where(outward, largest >= 0, largest <= 0)
+            if j and not self.convex.point:
+                # A distance that falls and rises again may have been zero in between, if it does so steeply enough.
+                drop, rise = np.where(np.isfinite(apart[0]), apart[0], apart[1]) - apart[1], gap.max(axis=0) - apart[1]
+                dip = np.flatnonzero(~outward & (drop >= 0) & (rise > 0) & (apart[1] <= 2 * np.maximum(drop, rise)))
+                if len(dip):
+                    ends = (TIMES[j - 2] if j > 1 else 0.0, T)
+                    suspects.append((todo[dip], *(np.full(len(dip), end) for end in ends)))
+            here = todo[hit]
+            if len(here):
+                # From inside, a direction between those tried may have got through one or two of the times before.
+                earlier = np.where(inside[here], TIMES[j - 3] if j > 2 else 0.0, TIMES[j - 1] if j else 0.0)
+                # From inside, the direction that gets through first; from outside, the last line that separates.
+                with np.errstate(all="ignore"):
+                    share = np.where(gap[:, hit] >= 0, -before[:, hit] / (gap[:, hit] - before[:, hit]), np.inf)
+                begin = np.where(inside[here], self._angles[share.argmin(axis=0)], line[hit])
+                low[here], high[here], theta[here] = earlier, T, begin
+                elsewhere = np.cos(self._angles[:, None] - begin) < 0.95
+                second[here] = self._angles[np.where(elsewhere, share, np.inf).argmin(axis=0)]
+            on = ~hit
+            todo, before, line, apart = todo[on], gap[:, on], angle[on], np.array([apart[1, on], gap[:, on].max(axis=0)])
+            if not len(todo):
+                break
+        self._dips(suspects, low, high, theta, x, case, inside)
+        time, met = np.full(n, np.inf), np.isfinite(high)
+        again = np.flatnonzero(met & ~inside) if self._spacing and not careful else ()
+        if len(again):
+            # Between the directions tried there may be one that separates still. Then all times have to be looked at
+            # more closely.
+            gap = self._best(theta[again], high[again], x[again], case[again], inside[again], np.full(len(again), WIDE),
+                             26)[1]
+            again = again[gap > 0]
+            met[again] = False
+        time[met], theta[met] = self._refine(x[met], case[met], inside[met], low[met], high[met], theta[met])
+        # From inside, R(T) may get through in two places at nearly the same time.
+        both = np.flatnonzero(met & inside) if self._spacing else np.zeros(0, dtype=int)
+        if len(both):
+            other = self._best(second[both], time[both], x[both], case[both], inside[both], np.full(len(both), 0.2),
+                               16)[1]
+            both = both[other > -1e-6]
+        if len(both):
+            other, angle = self._refine(x[both], case[both], inside[both], low[both], time[both], second[both])
+            opened = self._gap(angle, other, x[both], case[both], inside[both]) > -1e-6
+            sooner = opened & (other < time[both])
+            time[both], theta[both] = np.where(sooner, other, time[both]), np.where(sooner, angle, theta[both])
+        if len(again):
+            closer = self._solve(x[again], case[again], inside[again], far, careful=True)
+            time[again], theta[again] = closer.time, closer.angle
+        impulse = self.plant.response(np.where(np.isfinite(time), time, 0))[0]
+        switching = (impulse * directions(theta)).sum(axis=1) * np.where(inside, -1, 1)
+        return Lanes(x=x, case=case, inside=inside, time=time, control=np.where(switching > 0, *self.plant.bounds),
+                     switching=switching,
+                      angle=theta)
+
+    def _dips(self, suspects, low, high, theta, x, case, inside):
+        """Put into low, high and theta where R(T) meets a thin D between two of the times only: there the distance has
+        a dip."""
+        if not suspects:
+            return
+        here, first, last = (np.concatenate(column) for column in zip(*suspects))
+        K, x, case, inside = len(self._angles), x[here], case[here], inside[here]
+
+        def gaps_of(T, rows=slice(None)):
+            starts = (np.tile(part[rows], (K, 1) if part.ndim > 1 else K) for part in (x, case, inside))
+            return self._gap(np.repeat(self._angles, len(T)), np.tile(T, K), *starts).reshape(K, len(T))
+
+        def distance(T, rows=slice(None)):
+            gaps = gaps_of(T, rows)
+            if not self._spacing:
+                return gaps.max(axis=0)
+            angle = self._angles[gaps.argmax(axis=0)]
+            best = self._best(angle, T, x[rows], case[rows], inside[rows], np.full(len(T), WIDE), 16)[1]
+            return np.maximum(best, gaps.max(axis=0))
+
+        closest = largest(lambda T, rows: -distance(T, rows), (first + last) / 2, (last - first) / 2, 12)
+        line, through = self._middle(gaps_of(first)), distance(closest) <= 0
+        for k in np.flatnonzero(through)[::-1]:  # the earliest last
+            if not closest[k] > high[here[k]]:
+                low[here[k]], high[here[k]], theta[here[k]] = first[k], closest[k], line[k]
+
+    def _middle(self, gap):
+        """The middle of the directions that separate: they form a convex cone."""
+        p = np.maximum(gap > 0, gap == gap.max(axis=0)).T @ directions(self._angles)
+        return np.arctan2(p[:, 1], p[:, 0])
+
+    def _gap(self, theta, T, x, case, inside):
+        p = directions(theta)
+        moved = np.einsum("nij,nj->ni", self.plant.exponential(T), x)
+        return ((p * moved).sum(axis=1) + self.plant.extreme(p, T, np.where(inside, 1, -1))
+                - self.convex.support(p, case, x))
+
+    def _best(self, theta, T, x, case, inside, width, steps, enough=np.inf):
+        """(direction near theta in which the gap is largest, this gap); or any gap that is large enough.
+
+        From outside, min p.y over R(T) less sup p.y over D is concave in p: along the tangent of the unit circle at
+        p(theta) it has one top, and its sign there tells whether any line separates. From inside the unit vectors
+        themselves are compared.
+        """
+        if not self._spacing:
+            return theta, self._gap(theta, T, x, case, inside)
+        moved = np.einsum("nij,nj->ni", self.plant.exponential(T), x)
+        whole, sign = self.plant.response(T)[1], np.where(inside, 1, -1)
+
+        def gap(turn, rows):
+            p, y = directions(theta[rows] + turn), moved[rows]
+            reached = self.plant.extreme(p, T[rows], sign[rows], whole[rows])
+            return p[:, 0] * y[:, 0] + p[:, 1] * y[:, 1] + reached - self.convex.support(p, case[rows], x[rows])
+
+        def seen(turn, rows):
+            return gap(turn, rows) / np.where(inside[rows], 1, np.cos(turn))
+
+        turn = largest(seen, np.zeros(len(x)), width, steps, enough)
+        return theta + turn, gap(turn, slice(None))
+
+    def _refine(self, x, case, inside, low, high, theta):
+        """The first time between low and high at which no line separates, and the last separating direction.
+
+        From inside: at which R(T) gets through the border, and the direction in which it does.
+        """
+        if not self._spacing:
+            return self._halved(x, case, inside, low, high, theta)
+        time, angle, sure = self._touching(x, case, inside, low, high, theta)
+        doubtful = np.flatnonzero(~sure)
+        if len(doubtful):
+            time[doubtful], angle[doubtful] = self._halved(*(part[doubtful] for part in (x, case, inside, low,
+                                                                                         high, theta)))
+        return time, angle
+
+    def _touching(self, x, case, inside, low, high, theta, step=1e-4):
+        """The same by Newton's iteration, in turn for the time at which a line separates no more and for the best line
+        then.
+
+        The third result says where this was proved, to the precision of the halvings: before, that line separates, and
+        after, none.
+        """
+        start, T, rows = theta, (low + high) / 2, np.arange(len(x))
+
+        def gaps(*places):
+            repeated = np.tile(rows, len(places))
+            angles, times = (np.concatenate(column) for column in zip(*places))
+            return self._gap(angles, times, x[repeated], case[repeated], inside[repeated]).reshape(len(places), -1)
+
+        with np.errstate(all="ignore"):
+            for _ in range(6):
+                now, later = gaps((theta, T), (theta, T + step))
+                T = np.clip(T - now * step / (later - now), low, high)
+                # Seen along the tangent of the unit circle, as in `_best`.
+                left, middle, right = gaps((theta - step, T), (theta, T), (theta + step, T))
+                left, right = (np.where(inside, side, side / np.cos(step)) for side in (left, right))
+                turn = (right - left) / 2 * step / (2 * middle - left - right)
+                theta = theta + np.clip(turn, -0.3, 0.3)
+            apart = np.where(inside, 1, -1) * (high - low) / 2**18
+            separates = self._gap(theta, T + apart, x, case, inside) > 0
+            sure = np.flatnonzero(separates & (~inside | (abs(theta - start) < 0.15)))
+            x, case, inside, after = (part[sure] for part in (x, case, inside, T - apart))
+            none = self._best(theta[sure], after, x, case, inside, np.where(inside, 0.15, WIDE), 24)[1] <= 0
+        return T, theta, np.isin(rows, sure[none])
+
+    def _halved(self, x, case, inside, low, high, theta):
+        """The same by halvings, whatever the shape of the distance."""
+        centre = theta
+        for turn in range(18):
+            middle = (low + high) / 2
+            # The best line may jump from one side of a cone to the other, so at first the whole cone is searched each
+            # time.
+            around, width, steps = (centre, WIDE, 24) if turn < 8 else (theta, 0.04 * 0.85**turn, 10)
+            angle, gap = self._best(around, middle, x, case, inside, np.where(inside, np.minimum(width, 0.15), width),
+                                    steps)
+            met = np.where(inside, gap >= 0, gap <= 0)
+            low, high = np.where(met, low, middle), np.where(met, middle, high)
+            theta = np.where(met & ~inside, theta, angle)
+        return (low + high) / 2, theta
+
+    def missing(self, x, case, left, inside):
+        """The distance from the target at the best moment within the times `left`."""
+        n, p, steps = len(x), directions(self._angles), 16
+        best, when, angle = np.full(n, np.inf), left, np.zeros(n)
+        rows, cases, starts = np.repeat(p, n, axis=0), np.tile(case, len(p)), np.tile(x, (len(p), 1))
+        sign = np.tile(np.where(inside, 1, -1), len(p))
+        support = self.convex.support(rows, cases, starts).reshape(len(p), n)
+        for T in left * (np.arange(1, steps + 1) / steps)[:, None]:
+            moved = np.einsum("nij,nj->ni", self.plant.exponential(T), x)
+            gaps = p @ moved.T + self.plant.extreme(rows, np.tile(T, len(p)), sign).reshape(len(p), n) - support
+            top = np.where(inside, -gaps.max(axis=0), gaps.max(axis=0))
+            better = top < best
+            best, when = np.where(better, top, best), np.where(better, T, when)
+            angle = np.where(better, self._angles[gaps.argmax(axis=0)], angle)
+        width = np.full(n, WIDE)
+
+        def apart(T, rows=slice(None)):
+            starts = (part[rows] for part in (x, case, inside, width))
+            gap = self._best(angle[rows], np.clip(T, 1e-9, left[rows]), *starts, 24)[1]
+            return np.where(inside[rows], -gap, gap)
+
+        closest = largest(lambda T, rows: -apart(T, rows), when, left / steps, steps=12)
+        return np.minimum(apart(closest), apart(when))
+
+
+def directions(angles):
+    p = np.empty((*np.shape(angles), 2))
+    np.cos(angles, out=p[..., 0])
+    np.sin(angles, out=p[..., 1])
+    return p
