@@ -120,9 +120,12 @@ def grade(submitted: Annotated[Path, typer.Argument(help="Folder submitted/<stud
           assignments: Annotated[Path | None, typer.Option(help="Folder <assignment>/assignment.toml; default: "
                                                                 "assignments, if it is there.")
                                  ] = None,
-          roster: Annotated[Path | None, typer.Option(help="Gradebook exported from Canvas, to fill one column of.")] = None,
-          site: Annotated[str, typer.Option(help="Address of the student edition of the site, for links to the theory.")] = "",
-          processes: Annotated[int | None, typer.Option(help="Notebooks graded at the same time; default: all cores.")] = None,
+          roster: Annotated[Path | None, typer.Option(
+              help="Gradebook exported from Canvas, to fill one column of.")] = None,
+          site: Annotated[str, typer.Option(
+              help="Address of the student edition of the site, for links to the theory.")] = "",
+          processes: Annotated[int | None, typer.Option(
+              help="Notebooks graded at the same time; default: all cores.")] = None,
           timeout: Annotated[float, typer.Option(help="Seconds of computing one notebook may take.", min=1)] = 120,
           trust_students: Annotated[bool, typer.Option("--trust-students",
                                                        help="Run notebooks without a sandbox, as yourself.")] = False,
@@ -181,9 +184,11 @@ def score(student: Annotated[str, typer.Argument(help="As the student's folder i
 def new(name: Annotated[str, typer.Argument(help="The homework's name; it names its folder.")],
         numbers: Annotated[list[str], typer.Argument(metavar="PROBLEMS", help="Its problems, such as 1.4 1.15.")],
         title: Annotated[str | None, typer.Option(help="Title for people; default: the name.")] = None,
-        due: Annotated[str | None, typer.Option(help='"2026-10-01 23:59", or "2026-10-01" for the end of that day.')] = None,
+        due: Annotated[str | None, typer.Option(
+            help='"2026-10-01 23:59", or "2026-10-01" for the end of that day.')] = None,
         assignments: Annotated[Path, typer.Option(help="Folder in which homeworks stand.")] = Path("assignments"),
-        site: Annotated[str, typer.Option(help="Address of the student edition of the site, for links to the theory.")] = ""):
+        site: Annotated[str, typer.Option(
+            help="Address of the student edition of the site, for links to the theory.")] = ""):
     """Make a homework folder: the students' notebooks, a README for them, and assignment.toml with points and dates."""
     from trajlib.grading.handing_out import due_date, make, spoken
 

@@ -1,6 +1,7 @@
 """Run a notebook's cells in a child process and bring its answers home as data; judge answers in another.
 
-The child that runs a student's cells hands over bytes only (`trajlib.checks.contract.encoding`). The child that judges decodes
+The child that runs a student's cells hands over bytes only (`trajlib.checks.contract.encoding`). The child that judges
+decodes
 them, runs data and check cells of the pristine exercise, and never executes anything of the student's.
 """
 

@@ -358,7 +358,8 @@ def _interpolant(t, h, seen, u):
     y = np.append(y, y[-1] + tau[-1]*(u[-2] + u[-1])/2)
     spline = _cubic(t[seen], x, y, u)
     inside = np.clip(t, t[seen[0]], t[seen[-1]])
-    return t, spline(inside) + (t - inside)*spline(inside, 1), spline(inside, 1), np.where(t == inside, spline(inside, 2), 0)
+    slope = spline(inside, 1)
+    return t, spline(inside) + (t - inside)*slope, slope, np.where(t == inside, spline(inside, 2), 0)
 
 
 def _direct(t, h, rho, bound):

@@ -39,7 +39,7 @@ f, g = sp.Function("f"), sp.Function("g", real=True)
 
 def same(a, b):
     """Equality that also holds types, signs of zero, nan and array dtypes apart or together as an answer needs."""
-    if type(a) != type(b):  # not `is`: every Function("f") is a class of its own, equal to the others
+    if type(a) != type(b):  # noqa: E721 -- not `is`: every Function("f") is a class of its own, equal to the others
         return False
     if isinstance(a, np.ndarray):
         return a.dtype == b.dtype and a.shape == b.shape and a.tobytes() == b.tobytes()
@@ -173,7 +173,7 @@ def parts(value):
 def test_decoded_objects_are_made_as_sympy_makes_them(value):
     """Also in the attributes that SymPy's methods use beside the arguments."""
     for ours, theirs in zip(parts(decode(encode(value))), parts(value), strict=True):
-        assert type(ours) == type(theirs)
+        assert type(ours) == type(theirs)  # noqa: E721
         assert getattr(ours, "__dict__", {}) == getattr(theirs, "__dict__", {})
         assert getattr(ours, "is_commutative", None) == getattr(theirs, "is_commutative", None)
 
@@ -279,7 +279,8 @@ values = [{"b", "a", "c", x, sp.pi, (1, "z")}, {x: 1, "x": 2, 3: 4}, sp.solveset
           sp.Or(x > 0, sp.And(y > 0, x*y < 1)),
           sp.FiniteSet(x, y, 1), sp.Max(x, y, t), f(t).diff(t) + sp.Dummy("d") * sp.Dummy("d"),
           sp.Symbol("s", positive=True, integer=True),
-          sp.Function("h", real=True)(x), sp.Xor(x > 0, y > 0, t > 0), sp.expand((x + y + t)**5), {sp.Dummy("b"), sp.Dummy("a")}]
+          sp.Function("h", real=True)(x), sp.Xor(x > 0, y > 0, t > 0), sp.expand((x + y + t)**5),
+          {sp.Dummy("b"), sp.Dummy("a")}]
 assert [encode(decode(encode(v))) == encode(v) for v in values] == [True] * len(values)
 print([hashlib.sha256(encode(v)).hexdigest() for v in values])
 """
@@ -296,8 +297,8 @@ def test_the_same_bytes_in_every_process():
 
 def test_plain_values_import_nothing_heavy():
     heavy = ["numpy", "sympy", "casadi", "trajlib.checks.contract.sympy_codec"]
-    program = ("import sys; from trajlib.checks.contract.encoding import *; decode(encode([1, 2.5, 'a', {'k': (1j, ...)}, "
-               "{3}])); describe([1, {}]); ")
+    program = ("import sys; from trajlib.checks.contract.encoding import *; "
+               "decode(encode([1, 2.5, 'a', {'k': (1j, ...)}, {3}])); describe([1, {}]); ")
     assert in_process(program + f"print([m for m in {heavy} if m in sys.modules])").strip() == "[]"
 
 

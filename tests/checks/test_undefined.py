@@ -23,7 +23,8 @@ HUGE = sp.Integer(10) ** 200
 
 
 def cases(name):
-    spec = importlib.util.spec_from_file_location(f"data_{Path(name).stem}", Path(__file__).parent / "cases" / f"{name}.py")
+    path = Path(__file__).parent / "cases" / f"{name}.py"
+    spec = importlib.util.spec_from_file_location(f"data_{path.stem}", path)
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     return module
@@ -72,8 +73,10 @@ def test_a_condition_with_an_undefined_term_does_not_hold():
 
 
 LAW = cases("pontryagin/syntheses")
-MOVE, SEEN, SPLINE, PLANE = cases("pontryagin/transfers"), cases("research/solvability"), cases("research/reconstruction"), cases("stability/stationary")
-LINES, FLAT, LISTS = cases("stability/critical"), cases("stability/first_approximation"), cases("stability/rest_families")
+MOVE, SEEN = cases("pontryagin/transfers"), cases("research/solvability")
+SPLINE, PLANE = cases("research/reconstruction"), cases("stability/stationary")
+LINES, FLAT = cases("stability/critical"), cases("stability/first_approximation")
+LISTS = cases("stability/rest_families")
 STRIP = sp.Piecewise((LAW.TO_ORIGIN, sp.Abs(LAW.x1 - sp.Rational(1, 2)) > sp.Rational(1, 25)))
 SIDES = LAW.x1 + LAW.x2 * sp.Abs(LAW.x2) / 2
 PUSH = sp.Piecewise((-1, MOVE.t < 1), (1, MOVE.t > 1))

@@ -35,7 +35,8 @@ class Dask:
 
 class Call:
     def __init__(self, name, settings, unit, address, key):
-        self.name, self.settings, self.unit, self.address, self.key, self.answer = name, settings, unit, address, key, None
+        self.name, self.settings, self.unit = name, settings, unit
+        self.address, self.key, self.answer = address, key, None
 
     def add_done_callback(self, function):
         self._done = function

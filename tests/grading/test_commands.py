@@ -175,7 +175,8 @@ def test_a_changed_problem_regrades_what_it_changed_and_says_so(course, here, ch
 
 def test_a_change_of_a_problem_that_is_taken_back(course, here, changed_workbook):
     """What counts is judged by the problem as it is, not by the version that judged last."""
-    right, mistaken = "a_region=checks.stability_region(a_region, a_poly", "a_region=checks.stability_region(a_region, b_poly"
+    right = "a_region=checks.stability_region(a_region, a_poly"
+    mistaken = "a_region=checks.stability_region(a_region, b_poly"
     for old, new, points in ((right, mistaken, {"ann": 8, "bob": 6}), (mistaken, right, {"ann": 10, "bob": 6})):
         grade(course)
         changed_workbook("1.15", old, new)
@@ -211,7 +212,8 @@ def test_resubmission(course, here):
     write_assignment(course, 'attempt = "last"\n' + HOMEWORK)
     summary = grade(course)
     assert summary["graded"] == 0 and summary["assignments"]["hw1"]["bob"] == 0 and len(summary["changes"]["hw1"]) == 5
-    assert ("You handed this in 3 times" in (course / "graded" / "hw1" / "feedback" / "bob.html").read_text(encoding="utf-8"))
+    page = (course / "graded" / "hw1" / "feedback" / "bob.html").read_text(encoding="utf-8")
+    assert "You handed this in 3 times" in page
 
 
 def test_changed_points_are_a_change(course, here):
@@ -283,13 +285,15 @@ def test_a_problem_taken_out_of_the_homework_is_a_change(course, here, capsys):
     write_assignment(course, 'problems = ["1.17"]\n')
     changes = grade(course, quiet=False)["changes"]["hw1"]
     assert len(changes) == 5 + 3 and {change["why"] for change in changes} == {"the homework asks for it no longer"}
-    assert ("ann 1.15 a_region: right -> not asked for, 2 -> 0 points (the homework asks for it no longer)" in capsys.readouterr().err)
+    assert ("ann 1.15 a_region: right -> not asked for, 2 -> 0 points (the homework asks for it no longer)"
+            in capsys.readouterr().err)
     assert len(table(course / "graded" / "hw1" / "changes.csv")) == 1 + 8
     assert grade(course)["changes"]["hw1"] == []
     write_assignment(course, HOMEWORK)
     back = grade(course, quiet=False)["changes"]["hw1"]
     assert len(back) == 5 + 3 and {change["why"] for change in back} == {"the homework asks for it again"}
-    assert ("ann 1.15 a_region: not asked for -> right, 0 -> 2 points (the homework asks for it again)" in capsys.readouterr().err)
+    assert ("ann 1.15 a_region: not asked for -> right, 0 -> 2 points (the homework asks for it again)"
+            in capsys.readouterr().err)
     assert len(table(course / "graded" / "hw1" / "changes.csv")) == 1 + 8 + 8 and grade(course)["changes"]["hw1"] == []
 
 
@@ -303,7 +307,8 @@ def test_points_by_hand_are_no_more_than_the_answer_is_worth(course, here, capsy
     (change,) = [change for change in summary["changes"]["hw1"] if (change["student"], change["answer"])
                  == ("bob", "a_region")]
     assert (change["old_points"], change["new_points"], change["why"]) == (2, 1, "the assignment's points changed")
-    assert ("points by hand above what the answer is worth now count as that: bob 1.15 a_region (2, worth 1)" in capsys.readouterr().err)
+    assert ("points by hand above what the answer is worth now count as that: bob 1.15 a_region (2, worth 1)"
+            in capsys.readouterr().err)
     write_assignment(course, HOMEWORK)
     assert grade(course)["assignments"]["hw1"]["bob"] == 8, "nothing that was entered is lost"
 
@@ -331,7 +336,8 @@ def test_a_person_has_to_look_at_what_was_left_aside(course, here, capsys):
         page = (course / "graded" / "hw1" / "feedback" / f"{student}.html").read_text(encoding="utf-8")
         assert "Nothing was submitted" not in page and "Something you handed in was left aside" in page
     assert "Nothing was submitted" in (course / "graded" / "hw1" / "feedback" / "hal.html").read_text(encoding="utf-8")
-    summary = (course / "graded" / "hw1" / "summary.html").read_text(encoding="utf-8").split("<h2>Left aside</h2>")[1].split("<h2>")[0]
+    summary = (course / "graded" / "hw1" / "summary.html").read_text(encoding="utf-8")
+    summary = summary.split("<h2>Left aside</h2>")[1].split("<h2>")[0]
     assert all(f"<bdi>{student}</bdi>" in summary for student in ("dan", "eva", "fay", "gil")) and "ann" not in summary
 
 

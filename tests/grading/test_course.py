@@ -213,6 +213,7 @@ def test_a_mended_judge_grades_again(tmp_path, broken_lanes, monkeypatch):
     course.grade(tmp_path / "submitted", tmp_path / "graded")
     assert course.grade(tmp_path / "submitted", tmp_path / "graded")[1].pending == ()
     closure = units.module_closure
-    monkeypatch.setattr(units, "module_closure", lambda source: closure(source) | {"trajlib.checks.contract.encoding": "mended"}
+    monkeypatch.setattr(units, "module_closure", lambda source: closure(source)
+                        | {"trajlib.checks.contract.encoding": "mended"}
                         if "trajlib.checks.contract.encoding" in closure(source) else closure(source))
     assert len(course.grade(tmp_path / "submitted", tmp_path / "graded")[1].pending) == 1

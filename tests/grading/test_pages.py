@@ -50,7 +50,8 @@ def test_feedback_says_what_held_and_what_did_not(store, homework):
     page = feedback(homework, scores(store, homework)[0])
     assert "1.5 of 7 points, and 1 answer still to be looked at by a lecturer." in shown(page)
     for name, status in FIVE.items():
-        assert (f"{status}: {name} is {status}" in re.sub(r"\s+", " ", shown(section(page, name))).replace(f"{status} :", f"{status}:"))
+        told = re.sub(r"\s+", " ", shown(section(page, name))).replace(f"{status} :", f"{status}:")
+        assert f"{status}: {name} is {status}" in told
     assert ("Your answer: k1 > 0" in re.sub(r"\s+", " ", shown(section(page, "a_region")))
             and "1 / 1" in section(page, "a_region"))
     assert ("Points given by your lecturer: the right &lt;idea&gt;" in section(page, "b_region")
@@ -275,12 +276,15 @@ def test_pages_fit_and_can_be_read(driver, store, homework, tmp_path, width, the
 
 #: The least contrast of any text on the page to what lies behind it.
 LEAST_CONTRAST = """
-const light = c => { const v = c.match(/[\\d.]+/g).slice(0, 3).map(x => (x /= 255) <= .03928 ? x / 12.92 : ((x + .055) / 1.055) ** 2.4);
+const light = c => { const v = c.match(/[\\d.]+/g).slice(0, 3)
+  .map(x => (x /= 255) <= .03928 ? x / 12.92 : ((x + .055) / 1.055) ** 2.4);
                      return .2126 * v[0] + .7152 * v[1] + .0722 * v[2]; };
-const ground = e => { for (; e; e = e.parentElement) { const c = getComputedStyle(e).backgroundColor; if (!/, 0\\)$/.test(c)) return c; }
+const ground = e => { for (; e; e = e.parentElement) { const c = getComputedStyle(e).backgroundColor;
+  if (!/, 0\\)$/.test(c)) return c; }
                       return 'rgb(255,255,255)'; };
 const written = e => [...e.childNodes].some(n => n.nodeType == 3 && n.textContent.trim());
 return Math.min(...[...document.querySelectorAll('body *')].filter(written).map(e => {
-  const [a, b] = [light(e.namespaceURI.endsWith('svg') ? getComputedStyle(e).fill : getComputedStyle(e).color), light(ground(e))];
+  const [a, b] = [light(e.namespaceURI.endsWith('svg') ? getComputedStyle(e).fill : getComputedStyle(e).color),
+                  light(ground(e))];
   return (Math.max(a, b) + .05) / (Math.min(a, b) + .05); }));
 """

@@ -56,7 +56,8 @@ def look():
     for top in sorted(set(os.listdir("/")) - {"proc", "usr", "dev", "lib", "lib64", "bin"}):
         for folder, _, files in os.walk("/" + top):
             parts = folder.split("/")
-            if {"trajlib", "workbook"} & set(parts) or {"exercises", "solutions", "tests", "book"} & set(parts) and "site-packages" not in parts:
+            ours = {"exercises", "solutions", "tests", "book"} & set(parts) and "site-packages" not in parts
+            if {"trajlib", "workbook"} & set(parts) or ours:
                 yield from (os.path.join(folder, name) for name in files if not name.endswith(".pyc"))
 a = [path for path in look() if "/lib/python3" not in path]
 b = [sorted(os.listdir("/")), sorted(os.environ), os.getcwd(), os.listdir("."), os.listdir("/dev/shm")]
@@ -218,7 +219,8 @@ def test_the_same_for_an_ordinary_user(once):
             with Sandbox(Limits(cpu_seconds=10, wall_seconds=100, memory_megabytes=600), once={once}) as sandbox:
                 print(sandbox._once)
                 for source in ({COUNT!r}, "import os; a = os.path.exists({str(ROOT / 'exercises')!r})",
-                               "import os, time\\nfor _ in range(5):\\n    if os.fork() == 0: a = bytearray(200 * 2**20); time.sleep(9)\\ntime.sleep(9)"):
+                               "import os, time\\nfor _ in range(5):\\n"
+                               "    if os.fork() == 0: a = bytearray(200 * 2**20); time.sleep(9)\\ntime.sleep(9)"):
                     outcome = sandbox.run([source], ["a"])
                     print(outcome.ended, outcome.handed_over.decode())
             """), folder)

@@ -427,7 +427,7 @@ def test_intervals_contain_what_they_should(seed):
         with mpmath.workdps(30):
             values = [mpmath.re(v) for v in function(*map(mpmath.mpf, point.tolist()))]
         defined = np.isfinite(low) & np.isfinite(high)
-        assert all(l <= v <= h for l, v, h, ok in zip(low, values, high, defined) if ok)
+        assert all(least <= v <= h for least, v, h, ok in zip(low, values, high, defined) if ok)
 
 
 def test_interval_division_and_roots_outside_their_domain_conclude_nothing():

@@ -63,7 +63,8 @@ def nonsense(value, data=()):
         border = _border(symbol, data)
         for condition in (symbol > border, symbol < border):
             if condition not in (sp.true, sp.false):
-                changed = _put(value, places, lambda entry, symbol=symbol, condition=condition: _only(entry, symbol, condition))
+                changed = _put(value, places, lambda entry, symbol=symbol, condition=condition:
+                               _only(entry, symbol, condition))
                 yield f"defined for {condition} alone", changed
 
 
@@ -87,8 +88,7 @@ def _border(symbol, data):
                     else sp.S.One)
     given = [one for part in data for one in (part if isinstance(part, (list, tuple)) else [part])
              if isinstance(one, LOGIC)]
-    # noqa: E712
-    return -sp.S.One if symbol.is_negative or any(part.subs(symbol, 1) == False for part in given) else sp.S.One
+    return -sp.S.One if symbol.is_negative or any(part.subs(symbol, 1) == sp.false for part in given) else sp.S.One
 
 
 def _conditions(condition):

@@ -71,7 +71,8 @@ def as_fraction(value):
 
 
 def as_decimal_number(make):
-    return lambda value: make(str(sp.N(value, 30))) if isinstance(value, sp.Expr) and value.is_number and value.is_real else value
+    return lambda value: (make(str(sp.N(value, 30)))
+                          if isinstance(value, sp.Expr) and value.is_number and value.is_real else value)
 
 
 #: Other forms of the reference: all of them right.

@@ -61,7 +61,8 @@ def test_the_dark_switch_darkens_the_page(browser, addresses, problem):
 @pytest.mark.parametrize("way", ["file", "http"])
 def test_a_solution_is_folded_and_opens(browser, addresses, problem, way):
     browser.open(f"{addresses[way]}/{problem.page}")
-    assert (browser.run("[...document.querySelectorAll('details.solution, details.hint')].some(fold => fold.open)") is False)
+    folds = "[...document.querySelectorAll('details.solution, details.hint')]"
+    assert browser.run(f"{folds}.some(fold => fold.open)") is False
     content = browser.find("details.solution > section")
     assert not content.is_displayed()
     browser.find("details.solution > summary").click()

@@ -107,7 +107,8 @@ def _dask():
     try:
         import distributed  # for nothing else is it needed, and it takes its time
     except ImportError:
-        raise ClusterError("grading on a cluster needs Dask, which is not installed here: pip install distributed") from None
+        raise ClusterError("grading on a cluster needs Dask, which is not installed here: "
+                           "pip install distributed") from None
     return distributed
 
 

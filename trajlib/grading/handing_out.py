@@ -37,7 +37,8 @@ README = """\
 Save the notebooks and hand them in **under the names they have**. {attempts}
 
 Your notebook is run from top to bottom in a fresh process, without network and without files beside it, so run it once
-that way yourself (*Restart kernel and run all cells*). Each answer earns its points alone: a wrong or missing one costs nothing else.
+that way yourself (*Restart kernel and run all cells*). Each answer earns its points alone: a wrong or missing one
+costs nothing else.
 Changing a check cell changes nothing, since answers are judged by the cells as they were handed out.
 """
 

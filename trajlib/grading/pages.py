@@ -4,22 +4,27 @@ from html import escape
 
 #: The colours of the workbook's site; every pair of text and ground has a contrast of at least 4.5.
 STYLE = """
-:root { color-scheme: light dark; --ink: #1d2530; --soft: #55606e; --paper: #fff; --card: #fbfaf7; --line: #dcdfe4; --accent: #0b6b74;
+:root { color-scheme: light dark; --ink: #1d2530; --soft: #55606e; --paper: #fff; --card: #fbfaf7; --line: #dcdfe4;
+  --accent: #0b6b74;
   --right: #17683a; --wrong: #a3262c; --missing: #6a5a00; --invalid: #74379a; --unchecked: #0f5a86; }
 @media (prefers-color-scheme: dark) { :root {
   --ink: #dce1e7; --soft: #9aa6b3; --paper: #13171c; --card: #191f26; --line: #313a45; --accent: #62c6cd;
   --right: #7fd6a0; --wrong: #ff9a94; --missing: #e5cf6b; --invalid: #d3a6f2; --unchecked: #8cc8f0; } }
 * { box-sizing: border-box; }
-body { font: 1rem/1.5 system-ui, sans-serif; color: var(--ink); background: var(--paper); max-width: 50rem; margin: 2rem auto;
-  padding: 0 1rem; overflow-wrap: break-word; }
+body { font: 1rem/1.5 system-ui, sans-serif; color: var(--ink); background: var(--paper); max-width: 50rem;
+  margin: 2rem auto; padding: 0 1rem; overflow-wrap: break-word; }
 h1 { font-size: 1.5rem; line-height: 1.25; margin: 0 0 .5rem; }
-h2 { font-size: 1.15rem; margin: 2.2rem 0 .5rem; display: flex; gap: 1rem; justify-content: space-between; align-items: baseline; }
-a { color: var(--accent); } p { margin: .4rem 0; } .soft { color: var(--soft); } .points { white-space: nowrap; font-weight: 600; }
-code { font: .9em ui-monospace, Menlo, Consolas, monospace; overflow-wrap: anywhere; } .key code { overflow-wrap: normal; }
-.answer { background: var(--card); border: 1px solid var(--line); border-left: .3rem solid var(--tone, var(--line)); border-radius: .3rem;
-  padding: .5rem .8rem; margin: .5rem 0; }
+h2 { font-size: 1.15rem; margin: 2.2rem 0 .5rem; display: flex; gap: 1rem; justify-content: space-between;
+  align-items: baseline; }
+a { color: var(--accent); } p { margin: .4rem 0; } .soft { color: var(--soft); }
+.points { white-space: nowrap; font-weight: 600; }
+code { font: .9em ui-monospace, Menlo, Consolas, monospace; overflow-wrap: anywhere; }
+.key code { overflow-wrap: normal; }
+.answer { background: var(--card); border: 1px solid var(--line); border-left: .3rem solid var(--tone, var(--line));
+  border-radius: .3rem; padding: .5rem .8rem; margin: .5rem 0; }
 .answer header { display: flex; flex-wrap: wrap; gap: 0 1rem; justify-content: space-between; align-items: baseline; }
-.verdict { color: var(--tone); font-weight: 600; } details { margin: .2rem 0; } summary { color: var(--accent); cursor: pointer; }
+.verdict { color: var(--tone); font-weight: 600; } details { margin: .2rem 0; }
+summary { color: var(--accent); cursor: pointer; }
 .right { --tone: var(--right); } .wrong { --tone: var(--wrong); } .missing { --tone: var(--missing); }
 .invalid { --tone: var(--invalid); } .unchecked { --tone: var(--unchecked); }
 .wide { overflow-x: auto; } table { border-collapse: collapse; width: 100%; }

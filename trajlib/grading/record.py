@@ -28,7 +28,8 @@ class Change:
 
 
 #: Reasons that are given in more than one case.
-POINTS_CHANGED, NOT_ASKED, ASKED_AGAIN = "the assignment's points changed", "the homework asks for it no longer", "the homework asks for it again"
+POINTS_CHANGED = "the assignment's points changed"
+NOT_ASKED, ASKED_AGAIN = "the homework asks for it no longer", "the homework asks for it again"
 #: In the place of a verdict.
 NO_VERDICT = "not asked for"
 
@@ -59,7 +60,8 @@ def read(path):
     except OSError as error:
         raise BadInput(f"{path} cannot be read: {error.strerror}") from None
     except (ValueError, TypeError, KeyError, AttributeError, RecursionError):
-        raise BadInput(f"{path} is not as trajlib grade wrote it; grade without it, and changes are told from there on") from None
+        raise BadInput(f"{path} is not as trajlib grade wrote it; grade without it, and changes are told "
+                       "from there on") from None
 
 
 def _check(given):

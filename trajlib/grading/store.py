@@ -124,7 +124,8 @@ class Store:
     def attempts(self, assignment):
         """All attempts at an assignment with their newest results, by student, problem and time."""
         rows = self._database.execute("""
-            SELECT a.id, a.student, a.assignment, a.problem, a.content, a.submitted, r.exercise, r.verdicts, r.answers, r.remarks, r.hashes
+            SELECT a.id, a.student, a.assignment, a.problem, a.content, a.submitted, r.exercise, r.verdicts, r.answers,
+                   r.remarks, r.hashes
             FROM attempt a LEFT JOIN result r ON r.attempt = a.id
               AND r.rowid = (SELECT max(rowid) FROM result WHERE attempt = a.id)
             WHERE a.assignment = ? ORDER BY a.student, a.problem, a.submitted, a.id""", (assignment,))

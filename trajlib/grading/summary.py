@@ -44,7 +44,8 @@ def _in_short(assignment, scores, handed_in):
 
 def _to_review(assignment, scores):
     rows = [f"<tr><td>{person(score.student)}</td>{answer_name(answer.problem, answer.answer)}"
-            f"<td>{f'<code>{escape(answer.text)}</code><br>' if answer.text else ''}{escape(answer.verdict.message)}</td></tr>"
+            f"<td>{f'<code>{escape(answer.text)}</code><br>' if answer.text else ''}"
+            f"{escape(answer.verdict.message)}</td></tr>"
             for score in scores for answer in score.to_review]
     command = f"trajlib score STUDENT {escape(assignment.name)} PROBLEM ANSWER POINTS"
     return (f"<p>These could not be judged and may still raise the grade. Give points with <code>{command}</code>, "
@@ -147,6 +148,7 @@ def _identical(scores):
                 texts[answer.hash] = answer.text
     shared = sorted(((given, names) for given, names in givers.items() if len(names) > 1),
                     key=lambda pair: -len(pair[1]))
-    rows = [f'<tr><td class="number">{len(names)}</td>{answer_name(problem, name)}<td><code>{escape(texts[given])}</code></td>'
+    rows = [f'<tr><td class="number">{len(names)}</td>{answer_name(problem, name)}'
+            f'<td><code>{escape(texts[given])}</code></td>'
             f"<td>{', '.join(map(person, names))}</td></tr>" for (problem, name, given), names in shared]
     return table(("times", "answer", "given", "by"), rows)

@@ -34,7 +34,8 @@ class Watch:
     """
 
     def __init__(self, keeper, descriptor, limits, proc, own_network=True):
-        self._keeper, self._descriptor, self._limits, self._proc, self._own_network = keeper, descriptor, limits, proc, own_network
+        self._keeper, self._descriptor, self._limits = keeper, descriptor, limits
+        self._proc, self._own_network = proc, own_network
 
     def prepared(self):
         """Wait until the notebook's process is confined, and note what getting ready took, which is not the

@@ -81,7 +81,7 @@ class _Basis:
 
         The room is nothing at the ends of the segments, where slopes may vanish.
         """
-        numeric, n, rows, room = self.numeric, self.numeric.n, [], []
+        n, rows, room = self.numeric.n, [], []
         fractions = np.concatenate([[0.0], FRACTIONS, [1.0]])
         for flow, start, length, costates in zip(self.shot.flows, self.shot.starts, self.shot.lengths, self.starts):
             paths = [flow.nodes(np.concatenate([start[:n], costates[:, i], [0.0]]), float(i == 0), length,

@@ -102,7 +102,8 @@ def guarantee(matrix, box, *, scaling=None, ratio=0.5, cells=20000):
         rows, middle = np.arange(len(a)), a/2 + b/2
         left, right = b.copy(), a.copy()
         left[rows, sides] = right[rows, sides] = middle[rows, sides]
-        begin, end, bounds = np.concatenate([begin, a, right]), np.concatenate([end, left, b]), np.concatenate([bounds, certain, certain])
+        begin, end = np.concatenate([begin, a, right]), np.concatenate([end, left, b])
+        bounds = np.concatenate([bounds, certain, certain])
     return Guarantee(float(accepted), float(best), dict(zip(map(str, symbols), where.tolist())), count)
 
 

@@ -106,7 +106,8 @@ def _zero(expression):
     try:
         factors = sp.factor_list(numerator)[1]
     except sp.PolynomialError:
-        raise ValueError(f"A: cannot decide where {numerator} vanishes; put a positive symbol in the place of the root") from None
+        raise ValueError(f"A: cannot decide where {numerator} vanishes; put a positive symbol in the place "
+                         "of the root") from None
     for f, _ in factors:
         if sign_of(f):
             continue

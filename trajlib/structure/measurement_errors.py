@@ -48,7 +48,8 @@ def with_measurement_error(A, H, S, c):
     A, H = read_observed(A, H)
     floating = isinstance(A, np.ndarray) or is_float_array(S) or is_float_array(c)
     if floating:
-        A, H, S, c = as_floats(A, "A"), as_floats(H, "H"), read_float_matrix(as_floats(S, "S")), np.atleast_2d(as_floats(c, "c"))
+        A, H = as_floats(A, "A"), as_floats(H, "H")
+        S, c = read_float_matrix(as_floats(S, "S")), np.atleast_2d(as_floats(c, "c"))
     else:
         try:
             S = read_exact_matrix(S)

@@ -64,7 +64,8 @@ def as_floats(matrix, name):
     try:
         return np.array(sp.Matrix(matrix).tolist(), dtype=float)
     except (TypeError, ValueError, sp.SympifyError):
-        raise ValueError(f"{name}: floats and exact symbols stand in one system; write all of it exactly (SymPy)") from None
+        raise ValueError(f"{name}: floats and exact symbols stand in one system; write all of it exactly "
+                         "(SymPy)") from None
 
 
 def read_exact_rectangle(matrix, name, flat="row"):

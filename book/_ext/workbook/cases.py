@@ -25,7 +25,8 @@ class CheckCases(SphinxDirective):
         return sections
 
     def _theme(self, module, theme):
-        section = nodes.section("", nodes.title("", theme.replace("_", " ").capitalize()), ids=[f"checks-{theme.replace('_', '-')}"])
+        section = nodes.section("", nodes.title("", theme.replace("_", " ").capitalize()),
+                                ids=[f"checks-{theme.replace('_', '-')}"])
         for name in dict.fromkeys(case.check for case in module.CASES):
             purpose = " ".join(getattr(checks, name).__doc__.split("\n\n")[0].split())
             anchor = nodes.target("", "", ids=[f"check-{name}"])

@@ -25,7 +25,7 @@ def grade(apart, marks):
     own."""
     points = {}
     subprocess.Popen(["/usr/bin/sleep", "60"])  # a helper, with the grader's environment
-    key_file = open("solutions/secret.txt")  # noqa: F841, SIM115: open while students' code runs, as such files are
+    key_file = open("solutions/secret.txt")  # noqa: F841 -- open while students' code runs, as such files are
     os.set_inheritable(key_file.fileno(), True)
     for path in sorted(COURSE.glob("*/hw/*.ipynb")):
         student = path.parts[1]

@@ -88,8 +88,9 @@ OBJECTS = [
                    __instancecheck__ = __subclasscheck__ = __eq__ = __hash__ = __getattr__ = __repr__ = bang
                    __name__ = __module__ = property(bang)
                Bomb = type.__new__(Meta, "Bomb", (), {name: bang for name in (
-                   "__eq__", "__hash__", "__repr__", "__str__", "__bool__", "__len__", "__iter__", "__getattr__", "__float__", "__int__", "__index__",
-                   "__array__", "__getitem__", "__call__", "__reduce__", "__reduce_ex__", "__format__", "__contains__", "_sympy_", "_repr_html_")})
+                   "__eq__", "__hash__", "__repr__", "__str__", "__bool__", "__len__", "__iter__", "__getattr__",
+                   "__float__", "__int__", "__index__", "__array__", "__getitem__", "__call__", "__reduce__",
+                   "__reduce_ex__", "__format__", "__contains__", "_sympy_", "_repr_html_")})
                a_region = Bomb()
                """,)),
     Attack("contains itself", "answers with a list that contains itself", "walking through it never ends",

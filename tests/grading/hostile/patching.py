@@ -15,7 +15,8 @@ PATCHING = [
                """
                from trajlib.checks.contract import reporting
                from trajlib.checks.contract.verdict import Verdict
-               checks.report = lambda **given: reporting._collected.get().update({name: Verdict("right", "") for name in given})
+               checks.report = lambda **given: reporting._collected.get().update(
+                   {name: Verdict("right", "") for name in given})
                """, WRONG)),
     Attack("patches the decision", "replaces the function at the bottom of the check",
            "checks run where it was replaced",
@@ -37,7 +38,8 @@ PATCHING = [
     Attack("patches for all who follow", "makes the check refuse whatever comes later",
            "the next students are marked in the same process",
            "every notebook has a process of its own", harmed_others, (
-               "import trajlib.checks.stability.regions as regions\nregions.roots_left_of = lambda coefficients: False", WRONG)),
+               "import trajlib.checks.stability.regions as regions\n"
+               "regions.roots_left_of = lambda coefficients: False", WRONG)),
     Attack("replaces modules", "puts a module of its own in the place of trajlib.checks", "the next import finds it",
            "imports of the judge find the real one", gained, (
                """

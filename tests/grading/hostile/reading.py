@@ -20,7 +20,8 @@ READING = [
                """
                import os, re
                def search():
-                   for top in [HERE, *(os.path.join("/", name) for name in os.listdir("/") if name not in ("proc", "sys", "usr"))]:
+                   outside = [name for name in os.listdir("/") if name not in ("proc", "sys", "usr")]
+                   for top in [HERE, *(os.path.join("/", name) for name in outside)]:
                        for folder, folders, files in os.walk(top):
                            for name in files:
                                if name.endswith((".md", ".ipynb")) or name == "p15.py":
@@ -44,7 +45,8 @@ READING = [
            "the process has never held anybody else's", gained, blame="", cells=(
                """
                import gc, re
-               for one in [value for owner in gc.get_objects() if type(owner) is list for value in owner if type(value) is str]:
+               lists = [owner for owner in gc.get_objects() if type(owner) is list]
+               for one in [value for owner in lists for value in owner if type(value) is str]:
                    if (found := re.search(r"^a_region = (sp[.]And.k1 > 0, k1[*]k2 > 1.)$", one, re.M)):
                        a_region = eval(found[1])
                """,)),

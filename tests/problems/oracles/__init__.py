@@ -2,7 +2,8 @@
 
 The default compares with the reference answer by value (`sameness`). A check with room for several answers has an
 oracle of its own: the oracles of the checks of `trajlib/checks/stability/stationary.py` stand in
-`stability/stationary.py` here, under the checks' names in its `ORACLES`. What no oracle proves right, the check has to reject.
+`stability/stationary.py` here, under the checks' names in its `ORACLES`. What no oracle proves right, the check
+has to reject.
 """
 
 import importlib

@@ -109,8 +109,7 @@ def holds(test, point):
 def excluded(given):
     """The test whether a point violates the condition or conditions that a problem takes for granted."""
     given = sp.And(*given) if isinstance(given, (list, tuple)) else given
-    # noqa: E712
-    return lambda point: given.subs({s: sp.Rational(v.numerator, v.denominator) for s, v in point.items()}) == False
+    return lambda point: given.subs({s: sp.Rational(v.numerator, v.denominator) for s, v in point.items()}) == sp.false
 
 
 @functools.lru_cache(maxsize=32)

@@ -82,7 +82,8 @@ def _closed_loop(law, plant, lanes, steps=48):
     u = value(x, case)
     # A start whose law switches waits until all others have come to a switching or to the end: one search serves them
     # together.
-    waits, turns, first, last = np.zeros(len(x), dtype=bool), np.zeros(len(x), dtype=int), np.zeros(len(x)), np.zeros(len(x))
+    waits, turns = np.zeros(len(x), dtype=bool), np.zeros(len(x), dtype=int)
+    first, last = np.zeros(len(x)), np.zeros(len(x))
     while True:
         busy = np.flatnonzero(~waits & (t < end - 1e-12) & (turns < 5 * steps))
         if len(busy):

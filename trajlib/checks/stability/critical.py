@@ -2,7 +2,8 @@
 conserved.
 
 The matrix is that of the equations in deviations from rest, or, where a `program` is given, from a program motion
-(`trajlib.checks.stability.programs`); a `part` of the state picks a subsystem that does not depend on the others. What decides is
+(`trajlib.checks.stability.programs`); a `part` of the state picks a subsystem that does not depend on the others.
+What decides is
 computed from the matrix at sampled values of the parameters: clusters of eigenvalues and ranks of A - lambda E, by
 singular values.
 """

@@ -93,7 +93,7 @@ def chain_basis_matrix(answer, A, B, parameters=()):
 
 def judge_form(claim, pair, form):
     """Shape and characteristic polynomial of a matrix that is to be the form by observation of the pair's A."""
-    n, tolerance = pair.order, tolerance_of(claim)
+    tolerance = tolerance_of(claim)
     for values, place in pair.samples:
         said, rows = matrix_at(claim, values), pair.at(place)[0]
         shape_of_form(said, tolerance, form, where_text(values))

@@ -354,7 +354,8 @@ def _judge_parts(said, A, H, part, tolerance, side, sequential):
     names = [f"coordinate {k + 1}" for k in range(n)]
     told = f"the parts have {', '.join(map(str, [s for s in [*sizes, n - sum(sizes)] if s]))} coordinates"
     # What rounding of T to three digits can make of a zero.
-    bound = (tolerance * np.linalg.norm(said, axis=1)[:, None] * np.linalg.norm(A) * np.linalg.norm(inverse, axis=0)[None, :])
+    bound = (tolerance * np.linalg.norm(said, axis=1)[:, None] * np.linalg.norm(A)
+             * np.linalg.norm(inverse, axis=0)[None, :])
     for i, j in np.ndindex(n, n):
         free = part[j] <= part[i] if sequential else part[j] < m or part[i] == m
         if not free and not abs(new_A[i, j]) <= bound[i, j]:

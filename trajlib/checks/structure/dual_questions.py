@@ -132,7 +132,8 @@ def judge_region(answer, pair, side, holds):
         compared = compare_condition(answer, pair, lambda dimension: (dimension == 0) == holds, told)
     except Wrong as reason:
         if not holds and isinstance(answer, (list, tuple)) and len(answer) > 1:
-            raise Wrong(f"{reason} (the conditions of a list hold all together; alternatives are joined by sp.Or)") from None
+            raise Wrong(f"{reason} (the conditions of a list hold all together; "
+                        "alternatives are joined by sp.Or)") from None
         raise
     return f"the system is {wanted} exactly there, at {compared} places compared, all exceptional values among them"
 

@@ -1,12 +1,12 @@
 import numpy as np
 import sympy as sp
 from case import Case
+from sympy import I
 
 x, v, y, u, t, h, x0, v0 = sp.symbols("x v y u t h x0 v0", real=True)
 w = sp.symbols("omega", positive=True)
 a, b = sp.symbols("a b", real=True)
 SPEED = sp.symbols("V0", positive=True)
-I = sp.I
 
 SWING = ([v, -w**2 * x], [x, v], [w])
 PAIR = ([v, -x + y, u, -y], [x, v, y, u], [])  # one oscillator drives another of the same frequency

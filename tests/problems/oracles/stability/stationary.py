@@ -19,8 +19,7 @@ def planar_region(mutant, reference, field, state, parameters, domain=None):
                  for p in parameters}
 
     def outside(point):
-        # noqa: E712
-        return any(intervals[p].contains(sp.Rational(v.numerator, v.denominator)) == False for p, v in point.items())
+        return any(intervals[p].contains(sp.Rational(v.numerator, v.denominator)) == sp.false for p, v in point.items())
 
     if not same_condition(mutant, reference, outside):
         return False

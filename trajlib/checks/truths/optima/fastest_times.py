@@ -128,7 +128,8 @@ class FastestTimes:
                 elsewhere = np.cos(self._angles[:, None] - begin) < 0.95
                 second[here] = self._angles[np.where(elsewhere, share, np.inf).argmin(axis=0)]
             on = ~hit
-            todo, before, line, apart = todo[on], gap[:, on], angle[on], np.array([apart[1, on], gap[:, on].max(axis=0)])
+            todo, before, line = todo[on], gap[:, on], angle[on]
+            apart = np.array([apart[1, on], gap[:, on].max(axis=0)])
             if not len(todo):
                 break
         self._dips(suspects, low, high, theta, x, case, inside)
