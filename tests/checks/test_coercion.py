@@ -59,10 +59,42 @@ def test_symbols_match_by_name():
 
 @pytest.mark.parametrize("answer, condition", [
     (plain > 0, x > 0), ([plain > 0, y < 1], sp.And(x > 0, y < 1)), (True, sp.true), (np.bool_(False), sp.false),
+    ({plain > 0, y < 1}, sp.And(x > 0, y < 1)), (frozenset({plain > 0}), x > 0),
     (sp.S.EmptySet, sp.false), (sp.ConditionSet((plain, y), plain > y, sp.S.Reals**2), x > y),
 ])
 def test_conditions(answer, condition):
     assert coercion.as_condition(answer, [x, y]) == condition
+
+
+@pytest.mark.parametrize("answer, said", [
+    (sp.sqrt(-1 - plain**2) > 0, "not real"), ([sp.sqrt(-1 - plain**2) > 0], "not real"),
+    (sp.DiracDelta(plain) > 0, "contains DiracDelta"), (sp.gamma(plain) > 0, "contains gamma"),
+    (sp.ImageSet(sp.Lambda(plain, plain**2), sp.S.Integers), "expected a condition or a set"),
+    (sp.Eq(sp.Matrix([plain]), sp.Matrix([1])), "compares numbers, not matrices"), ("x", "expected a condition")])
+def test_no_conditions(answer, said):
+    for symbols in ([x], [x, y]):
+        with pytest.raises(Invalid, match=said):
+            coercion.as_condition(answer, symbols)
+
+
+@pytest.mark.parametrize("join", [sp.Xor, lambda p, q: sp.Implies(q, sp.Not(p)), lambda p, q: sp.ITE(p, q, sp.Not(q))])
+def test_conditions_that_would_take_for_ever(join):
+    """Ninety conditions one within the other are short as they stand, and astronomical when written with And and Or."""
+    few, many = x > 0, x > 0
+    for k in range(1, 91):
+        many = join(many, y > k)
+        few = many if k == 2 else few
+    assert coercion.as_condition(few, [x, y]) == few
+    if join is sp.Xor or many.has(sp.ITE):
+        with pytest.raises(Invalid, match="give a simpler form"):
+            coercion.as_condition(many, [x, y])
+    else:
+        assert coercion.as_condition(many, [x, y]) == many, "written out it is no longer than as it stands"
+
+
+def test_no_functions():
+    with pytest.raises(Invalid, match="got a function"):
+        coercion.as_expression(sp.Lambda(x, x**2), [x])
 
 
 def test_intervals_of_a_single_symbol():

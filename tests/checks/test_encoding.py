@@ -329,7 +329,16 @@ exact = st.integers(-(10**6), 10**6).map(sp.Integer) | st.fractions(max_denomina
     lambda q: sp.Rational(q.numerator, q.denominator)
 )
 constants = st.sampled_from([sp.pi, sp.E, sp.I, sp.sqrt(2), sp.GoldenRatio])
-floats = st.builds(sp.Float, st.floats(-1e3, 1e3), st.integers(5, 40))
+@pytest.mark.parametrize("given, other", [(sp.Float("0.25", precision=1), sp.Rational(1, 3)),
+                                          (sp.Float("0.1875", precision=2), sp.Rational(1, 5))])
+def test_few_digits_do_not_make_numbers_equal(given, other):
+    """SymPy subtracts to as many digits as the coarser number has."""
+    assert abs(given - other) < 1e-9, "else this would test nothing"
+    assert abs(decode(encode(given)) - other) > 0.01
+    assert same(decode(encode(sp.Float("0.1", 50))), sp.Float("0.1", 50))
+
+
+floats = st.builds(sp.Float, st.floats(-1e3, 1e3), st.integers(15, 40))
 unary = st.sampled_from([sp.sin, sp.cos, sp.tan, sp.exp, sp.log, sp.sinh, sp.tanh, sp.atan, sp.Abs, sp.sign, sp.floor,
                          sp.erf, f, g])
 binary = st.sampled_from([sp.Add, sp.Mul, sp.Max, sp.Min, sp.Mod, sp.atan2])

@@ -3,7 +3,9 @@ what is."""
 
 import json
 import random
+import re
 import sys
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
@@ -216,6 +218,44 @@ def test_no_number_at_all_is_never_right(number):
                             "stopped": []}) for value in NOTHING
                 if value not in EMPTY_AND_RIGHT.get(number, ())]
     assert in_child(_watched, messages, [number], timeout=300) == [], "what is truly right belongs into EMPTY_AND_RIGHT"
+
+
+def _odd_answers(symbol):
+    """What can be written down and is the answer to nothing; in a symbol of the data, or else its name would tell."""
+    x = sp.Symbol(symbol)
+    function = sp.Lambda(x, x**2)
+    return {"text": "x", "none": {"none": "none"}, "number": 3, "not real": sp.sqrt(-1 - x**2) > 0, "function": function,
+            "functions": [function, function], "images": sp.ImageSet(function, sp.S.Integers), "delta": sp.DiracDelta(x),
+            "condition on delta": sp.DiracDelta(x) > 0, "gamma": sp.gamma(x) > 0,
+            "equal matrices": sp.Eq(sp.Matrix([x]), sp.Matrix([1]))}
+
+
+def _odd_verdicts(number):
+    """In a child: what is said of odd answers that it must not: that our check failed, or an example that is right."""
+    exercise = exercises.find(number)
+    names, cells = list(exercise.about["answers"]), exercise.code("data", "check")
+    data = {}
+    for role, source in cells:
+        if role == "data":
+            exec(source, data)
+    symbol = next((value.name for value in data.values() if isinstance(value, sp.Symbol)), "x")
+    found, examples = [], {name: set() for name in names}
+    for what, value in _odd_answers(symbol).items():
+        for name, (status, message) in judge_cells(cells, dict.fromkeys(names, encode(value).decode()), {}, names).items():
+            found += [f"{name}, {what}: {message}"] if status == UNCHECKED else []
+            examples[name] |= set(re.findall(r"such as (.+?)(?:, got|;|$)", message)) if status != RIGHT else set()
+    for name, told in examples.items():
+        for example in {part for text in told for part in (text, *text.split(" or "))}:
+            with suppress(Exception):  # words rather than an example
+                encoded = {name: encode(sp.sympify(example, locals={"sp": sp})).decode()}
+                if judge_cells(cells, encoded, {}, names)[name][0] == RIGHT:
+                    found.append(f"{name} is told as an example what is right: {example}")
+    return found
+
+
+@pytest.mark.parametrize("number", _numbers())
+def test_odd_answers_are_the_students_affair_and_are_not_told_the_right_one(number):
+    assert in_child(_odd_verdicts, number, timeout=300) == []
 
 
 # Bytes of all sorts

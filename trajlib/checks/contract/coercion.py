@@ -16,6 +16,12 @@ YES = {True, "yes", "true", "y"}
 NO = {False, "no", "false", "n"}
 #: Numbers from here on count as infinite: where a tolerance grows with the answer, the square of one would make it so.
 LARGEST = 1e50
+#: What a condition looks like, and no condition that any problem has for its answer.
+EXAMPLE_OF_CONDITION = "such as x + 77 < y or sp.And(x + 77 < y, y < 99)"
+#: No answer has nearly as many relations; to work with more takes a time that grows faster than their number.
+MOST_WRITTEN_OUT = 200
+#: They have no values at points, or none that the checks can compute.
+NOT_IN_CONDITIONS = (sp.DiracDelta, sp.gamma, sp.factorial, sp.binomial, sp.Lambda)
 
 
 def as_expression(answer, symbols=()):
@@ -27,6 +33,8 @@ def as_expression(answer, symbols=()):
         answer = sp.sympify(answer.item() if isinstance(answer, np.number) else answer)
     if not isinstance(answer, sp.Expr):
         raise Invalid(f"expected an expression, got {_named(answer)}")
+    if answer.has(sp.Lambda):
+        raise Invalid("expected an expression, got a function: write its value, x**2 and not Lambda(x, x**2)")
     if answer.has(sp.nan, sp.zoo):
         raise Invalid("the expression contains an undefined value (nan or a division by zero)")
     return with_symbols(answer, symbols)
@@ -113,25 +121,54 @@ def as_matrix(answer, symbols=(), shape=None):
 def as_condition(answer, symbols):
     """A SymPy condition (relation, And, Or, ...) in the given symbols.
 
-    Also accepted: a list of conditions (all of them hold), a set of values of the symbols, True and False.
+    Also accepted: a list or set of conditions (all of them hold), a set of values of the symbols, True and False.
     """
     if isinstance(answer, (bool, np.bool_)):
         return sp.true if answer else sp.false
-    if isinstance(answer, (list, tuple)) and answer:
-        return sp.And(*[as_condition(part, symbols) for part in answer])
+    if isinstance(answer, (list, tuple, set, frozenset)) and answer:
+        answer = sp.And(*[as_condition(part, symbols) for part in answer])
     if isinstance(answer, sp.Set):
         answer = _membership(answer, symbols)
     if not isinstance(answer, (sp.logic.boolalg.Boolean,
                                sp.core.relational.Relational)) or isinstance(answer, sp.Symbol):
-        raise Invalid(f"expected a condition such as {symbols[0]} > 0 or sp.And(...), got {_named(answer)}")
+        raise Invalid(f"expected a condition, {EXAMPLE_OF_CONDITION}, got {_named(answer)}")
+    if _written_out(answer, {})[0] > MOST_WRITTEN_OUT:
+        raise Invalid(f"written with And and Or alone this condition has more than {MOST_WRITTEN_OUT} inequalities; "
+                      "give a simpler form of it")
     for relation in answer.atoms(sp.core.relational.Relational):
-        if not all(isinstance(side, sp.Expr) for side in relation.args):
-            raise Invalid("a condition is compared with another, or with True or False; write the condition itself, "
-                          "such as "
-                          f"{symbols[0]} > 0")
+        if not all(isinstance(side, sp.Expr) and not isinstance(side, sp.MatrixBase) for side in relation.args):
+            raise Invalid("a condition compares numbers, not matrices, other conditions, True or False; write the "
+                          f"condition itself, {EXAMPLE_OF_CONDITION}")
         if any(_is_undefined(side) for side in relation.args):
             raise Invalid("the condition contains an undefined value (nan, a division by zero, or oo - oo)")
-    return with_symbols(answer, symbols)
+    if odd := answer.atoms(*NOT_IN_CONDITIONS):
+        raise Invalid(f"the condition contains {', '.join(sorted({type(part).__name__ for part in odd}))}, "
+                      "which cannot be judged here; write it without")
+    try:
+        return with_symbols(answer, symbols)
+    except TypeError:  # SymPy refuses to compare what is not real, once it knows that the symbols are
+        raise Invalid("the condition compares numbers that are not real, whatever the symbols are") from None
+
+
+def _written_out(condition, known):
+    """How many relations a condition and its negation have once they are written with And, Or and relations alone."""
+    if condition not in known:
+        parts = [_written_out(part, known) for part in condition.args if isinstance(part, sp.logic.boolalg.Boolean)]
+        if isinstance(condition, sp.core.relational.Relational) or not parts:
+            sizes = 1, 1
+        elif isinstance(condition, (sp.And, sp.Or)):
+            sizes = tuple(map(sum, zip(*parts)))
+        elif isinstance(condition, sp.Not):
+            sizes = parts[0][::-1]
+        elif isinstance(condition, sp.Implies):
+            (was, was_not), (then, then_not) = parts
+            sizes = was_not + then, was + then_not
+        else:  # Xor, ITE and the like need each part with its negation
+            sizes = parts[0]
+            for part in parts[1:]:
+                sizes = (sum(sizes) + sum(part),) * 2
+        known[condition] = sizes
+    return known[condition]
 
 
 def as_choice(answer, choices):
@@ -181,7 +218,7 @@ def _membership(region, symbols):
         if len(names) != len(symbols):
             raise Invalid(f"expected a set of points with {len(symbols)} coordinates, got one with {len(names)}")
         return sp.And(region.condition.xreplace(dict(zip(names, symbols))), _membership(region.base_set, symbols))
-    if region.is_subset(sp.S.Reals) and len(symbols) == 1:
+    if len(symbols) == 1 and hasattr(region, "as_relational") and region.is_subset(sp.S.Reals):
         return region.as_relational(point)
     if isinstance(region, sp.ProductSet) and len(region.args) == len(symbols):
         return sp.And(*[_membership(part, [symbol]) for part, symbol in zip(region.args, symbols)])

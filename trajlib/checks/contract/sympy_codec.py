@@ -424,6 +424,8 @@ def _read_float(walk, mantissa, exponent, precision):
     _check_float(walk, walk.integer(exponent) + bits, precision)
     if bits > precision:
         raise walk.error("is a Float with more digits than its precision")
+    # As a number compares, so it is judged: one of a single bit would equal all that rounds to it.
+    precision = max(precision, DOUBLE_BITS)
     # `_new` normalises, as it does for every Float; `zero=False` keeps 0.0 a Float.
     return sp.Float._new((int(mantissa < 0), abs(mantissa), exponent, bits), precision, zero=False)
 
