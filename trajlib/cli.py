@@ -79,8 +79,7 @@ def check(notebook: Annotated[Path, typer.Argument(help="A student's notebook of
 
     worked = exercises.read(notebook)
     pristine = exercises.find(worked.number)
-    # Check cells are ours: the pristine ones judge below, whatever became of them in this notebook.
-    sources = [source for role, source in worked.cells if role != "check"]
+    sources = pristine.to_run([source for _, source in worked.cells])
     try:
         run = run_notebook(sources, pristine.about["answers"], timeout=timeout, folder=notebook.resolve().parent)
     except TimeLimit:

@@ -27,7 +27,7 @@ from guide import like  # noqa: E402
 from test_nothing_lost import count, grades, outliving, submit_a_course  # noqa: E402
 
 from trajlib import exercises  # noqa: E402
-from trajlib.grading import cluster, cluster_lanes, course, units  # noqa: E402
+from trajlib.grading import bench, cluster, cluster_lanes, course  # noqa: E402
 from trajlib.grading.isolation import NoIsolation  # noqa: E402
 from trajlib.grading.judging import Bounds  # noqa: E402
 from trajlib.grading.sandbox import Limits  # noqa: E402
@@ -140,7 +140,7 @@ def test_nothing_runs_on_after_the_grader_has_stopped(dask):
 
     before = dask.lanes()  # a killed grader's lanes end by themselves, a little later
     endless = a_unit(1, answers={"a_region": "[None for _ in iter(int, 1)]"})
-    with closing(cluster.grade_all([a_unit(0), endless], units.settings(Limits(), Bounds()),
+    with closing(cluster.grade_all([a_unit(0), endless], bench.settings(Limits(), Bounds()),
                                    our_cluster(dask))) as results:
         key, result = next(results)
         assert key == 0 and {status for status, _ in map(dict.values, result["verdicts"].values())} == {"right"}
@@ -184,7 +184,7 @@ def test_a_worker_without_a_sandbox_refuses(dask, tmp_path):
         (bare / name).symlink_to(Path(sys.executable).parent / name)
     worker = dask.add_worker(PATH=str(bare))
     with pytest.raises(NoIsolation, match=r"worker tls://127.0.0.1:\d+: bubblewrap is not installed"):
-        next(cluster.grade_all([a_unit(0)], units.settings(Limits(), Bounds()), our_cluster(dask)))
+        next(cluster.grade_all([a_unit(0)], bench.settings(Limits(), Bounds()), our_cluster(dask)))
     dask.remove(worker)
 
 
@@ -212,7 +212,7 @@ def test_the_library_that_counts_is_all_that_grades():
                                            "grading.cluster_lanes",
                                            "grading.framing", "grading.isolation", "grading.judging", "grading.lanes",
                                            "grading.sandbox",
-                                           "grading.system_calls", "grading.units", "grading.watching",
+                                           "grading.system_calls", "grading.bench", "grading.watching",
                                            "grading.worker")} <= closure.keys()
 
 
@@ -331,7 +331,7 @@ def test_certificates_that_cannot_be_used_are_refused(dask, tmp_path):
                    cwd=tmp_path, check=True, capture_output=True)
     with pytest.raises(cluster.ClusterError,
                        match="no scheduler can be reached at tls://127.0.0.1:.*signed by the same CA"):
-        next(cluster.grade_all([a_unit(0)], units.settings(Limits(), Bounds()),
+        next(cluster.grade_all([a_unit(0)], bench.settings(Limits(), Bounds()),
                                files(cert=tmp_path / "x.pem", key=tmp_path / "key.pem")))
 
 
@@ -340,7 +340,7 @@ def test_nobody_at_the_address(monkeypatch, seconds):
     """However Dask's last try before the time is up ended."""
     monkeypatch.setattr(cluster, "TO_CONNECT", seconds)
     with pytest.raises(cluster.ClusterError, match="no scheduler can be reached at tcp://127.0.0.1:1: .*refused"):
-        next(cluster.grade_all([a_unit(0)], units.settings(Limits(), Bounds()), cluster.Cluster("tcp://127.0.0.1:1")))
+        next(cluster.grade_all([a_unit(0)], bench.settings(Limits(), Bounds()), cluster.Cluster("tcp://127.0.0.1:1")))
 
 
 def test_somebody_else_at_the_address(tmp_path):
@@ -391,7 +391,7 @@ def test_a_lane_ends_with_its_thread_and_outlives_others(monkeypatch):
     """The kernel's signal at a parent's death is one at the death of the thread that started the child."""
     monkeypatch.setattr(cluster_lanes, "_compare", lambda expected: None)
     monkeypatch.setattr(cluster_lanes, "_look_around", lambda: None)
-    given = json.dumps(units.settings(Limits(), Bounds()) | {"run": "x", "library": {}, "lanes": 1}).encode()
+    given = json.dumps(bench.settings(Limits(), Bounds()) | {"run": "x", "library": {}, "lanes": 1}).encode()
     with concurrent.futures.ThreadPoolExecutor(1) as lasting:
         assert lasting.submit(cluster_lanes.ready, given).result() == b"{}"
         (lane,) = cluster_lanes._all

@@ -8,6 +8,7 @@ import shutil
 import subprocess
 import sys
 from pathlib import Path
+from unicodedata import normalize
 
 import pytest
 
@@ -18,7 +19,7 @@ from guide import like, steps  # noqa: E402
 from trajlib import exercises  # noqa: E402
 from trajlib.checks.contract.encoding import decode, describe  # noqa: E402
 from trajlib.execution import judge, run_notebook  # noqa: E402
-from trajlib.grading import commands, lanes, units  # noqa: E402
+from trajlib.grading import bench, commands, lanes  # noqa: E402
 from trajlib.grading.assignment import BadInput  # noqa: E402
 from trajlib.grading.judging import Judgement  # noqa: E402
 
@@ -47,7 +48,7 @@ def here(monkeypatch):
             run = run_notebook([source for _, source in exercise.code("data")] + unit["sources"], unit["names"])
             verdicts = judge(exercise.code("data", "check"), run, unit["names"])
             texts = {name: describe(decode(data)) for name, data in run.encoded.items()}
-            yield unit["key"], units.as_plain(Judgement(verdicts, texts, ()))
+            yield unit["key"], bench.as_plain(Judgement(verdicts, texts, ()))
 
     ran = []
     monkeypatch.setattr(lanes, "grade_all", grade_all)
@@ -275,6 +276,42 @@ def test_without_a_file_a_stray_adds_to_nobodys_maximum(course, here, capsys):
     assert "hw1: 5 points" in said and "1.15 (from 2 students)\n" in said
     assert "submitted/cid/hw1/ch1-p17.ipynb: only cid handed in problem 1.17, while others share 1.15" in said
     assert summary["to review"] == {"hw1": {"cid": []}}
+
+
+def test_a_homework_of_another_name_is_no_silent_zero(course, here, capsys):
+    """Where files say which homeworks there are, nothing makes one of its own."""
+    for student, name in (("dan", "HW1"), ("hw1", "eva"), ("fay", "stuff")):
+        hand_in(course, student, "1.15", RIGHT_1_15, assignment=name)
+    summary = grade(course, quiet=False)
+    said = capsys.readouterr().err
+    assert set(summary["assignments"]) == {"hw1"} and list(summary["to review"]["hw1"]) == ["dan", "fay", "hw1"]
+    assert "submitted/dan/HW1/ch1-p15.ipynb: there is no homework HW1; hw1 is another name: rename the folder" in said
+    assert "hw1 is a homework, so this has to lie in eva/hw1: first the student, then the homework" in said
+    assert "there is no homework stuff: no assignment.toml stands in a folder of this name" in said
+    (course / "submitted" / "dan" / "HW1").rename(course / "submitted" / "dan" / "hw1")
+    assert grade(course)["assignments"]["hw1"]["dan"] == 10
+
+
+def test_a_file_is_found_in_either_spelling(course, here):
+    write_assignment(course, HOMEWORK, name=normalize("NFD", "été"))
+    hand_in(course, normalize("NFD", "renée"), "1.15", RIGHT_1_15, assignment=normalize("NFC", "été"))
+    roster = course / "canvas.csv"
+    roster.write_text(normalize("NFD", "Student,ID,SIS Login ID,Section\nRenée,1,renée,A\n"), encoding="utf-8")
+    assert grade(course, roster=roster)["assignments"]["été"] == {name: 10 * (name == "renée")
+                                                                  for name in ("ann", "bob", "cid", "dan", "renée")}
+    assert table(course / "graded" / "été" / "canvas.csv")[2][-1] == "10.00"
+    commands.score_by_hand(course / "graded", normalize("NFD", "renée"), normalize("NFD", "été"), "1.15", "a_region", 1.0)
+
+
+def test_versions_beyond_the_attempts_are_not_graded(course, here):
+    write_assignment(course, "attempts = 1\n" + HOMEWORK)
+    for k in range(5):
+        hand_in(course, "bob", "1.15", RIGHT_1_15 | {"a_region": f"k1 > {k}"}, at=DUE + 100 + k, name=f"ch1-p15-{k}.ipynb")
+    assert grade(course)["graded"] == 3 and sorted(here) == ["1.15", "1.15", "1.17"]
+    write_assignment(course, "attempts = 2\n" + HOMEWORK)
+    assert grade(course)["graded"] == 1
+    (course / "submitted" / "bob" / "hw1" / "ch1-p15.ipynb").unlink()
+    assert grade(course)["graded"] == 0, "an attempt that was taken away is one all the same"
 
 
 # What is told of what changed

@@ -10,7 +10,8 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 from classroom import RIGHT_1_15, hand_in, write_assignment  # noqa: E402
 
-from trajlib.grading import commands, course, lanes, units  # noqa: E402
+from trajlib.checks.contract.verdict import Verdict  # noqa: E402
+from trajlib.grading import bench, commands, course, fingerprint, lanes  # noqa: E402
 from trajlib.grading.assignment import BadInput  # noqa: E402
 from trajlib.grading.judging import Judgement, failed  # noqa: E402
 from trajlib.grading.sandbox import Limits  # noqa: E402
@@ -32,8 +33,8 @@ def broken_lanes(monkeypatch):
         for unit in given:
             broken = any(name in "".join(unit["sources"]) for name in unlucky)
             judgement = failed(unit["names"], "it died") if broken else Judgement(
-                {name: course.units.Verdict("right", "yes") for name in unit["names"]}, {}, ())
-            yield unit["key"], units.as_plain(judgement)
+                {name: Verdict("right", "yes") for name in unit["names"]}, {}, ())
+            yield unit["key"], bench.as_plain(judgement)
 
     monkeypatch.setattr(lanes, "grade_all", grade_all)
     return unlucky
@@ -57,8 +58,8 @@ def test_what_the_grader_failed_on_is_graded_again(tmp_path, broken_lanes):
 
 def test_a_lane_that_dies_is_replaced(tmp_path, monkeypatch):
     """For real: every lane ends itself at the first notebook of its life that says so."""
-    monkeypatch.setattr(lanes, "START", "import os\nfrom trajlib.grading import units\nreal = units.Bench.grade\n"
-                        "units.Bench.grade = lambda bench, unit: os._exit(1) if 'DIE' in ''.join(unit['sources']) "
+    monkeypatch.setattr(lanes, "START", "import os\nfrom trajlib.grading import bench\nreal = bench.Bench.grade\n"
+                        "bench.Bench.grade = lambda bench, unit: os._exit(1) if 'DIE' in ''.join(unit['sources']) "
                         "else real(bench, unit)\n" + lanes.START)
     for student, answers in (("ada", RIGHT_1_15), ("bela", {"a_region": "'DIE'"}), ("cyd", RIGHT_1_15)):
         hand_in(tmp_path, student, "1.15", answers)
@@ -101,7 +102,7 @@ def by_content(monkeypatch):
     def grade_all(given, count, settings):
         for unit in given:
             status = "right" if "GOOD" in "".join(unit["sources"]) else "wrong"
-            yield unit["key"], units.as_plain(Judgement({name: units.Verdict(status, "") for name in unit["names"]},
+            yield unit["key"], bench.as_plain(Judgement({name: Verdict(status, "") for name in unit["names"]},
                                                         {}, ()))
 
     monkeypatch.setattr(lanes, "grade_all", grade_all)
@@ -212,8 +213,8 @@ def test_a_mended_judge_grades_again(tmp_path, broken_lanes, monkeypatch):
     hand_in(tmp_path, "ada", "1.15", RIGHT_1_15)
     course.grade(tmp_path / "submitted", tmp_path / "graded")
     assert course.grade(tmp_path / "submitted", tmp_path / "graded")[1].pending == ()
-    closure = units.module_closure
-    monkeypatch.setattr(units, "module_closure", lambda source: closure(source)
+    closure = fingerprint.module_closure
+    monkeypatch.setattr(fingerprint, "module_closure", lambda source: closure(source)
                         | {"trajlib.checks.contract.encoding": "mended"}
                         if "trajlib.checks.contract.encoding" in closure(source) else closure(source))
     assert len(course.grade(tmp_path / "submitted", tmp_path / "graded")[1].pending) == 1

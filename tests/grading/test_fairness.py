@@ -13,9 +13,9 @@ sys.path.insert(0, str(Path(__file__).parent))
 from classroom import RIGHT_1_15, notebook  # noqa: E402
 
 from trajlib import exercises  # noqa: E402
-from trajlib.grading import submissions, units  # noqa: E402
+from trajlib.grading import submissions  # noqa: E402
 from trajlib.grading.sandbox import Limits  # noqa: E402
-from trajlib.grading.units import Bench  # noqa: E402
+from trajlib.grading.bench import Bench, _lacking  # noqa: E402
 
 EXERCISE = exercises.find("1.15")
 NAMES = list(EXERCISE.about["answers"])
@@ -47,7 +47,7 @@ def graded(bench, given, folder, name="ch1-p15.ipynb"):
     path.write_bytes(given if isinstance(given, bytes) else json.dumps(given).encode())
     (found,) = submissions.find(folder / "submitted")
     assert found.trouble == "" and found.problem == "1.15"
-    return bench.grade({"problem": "1.15", "sources": units.to_run(found, EXERCISE)})
+    return bench.grade({"problem": "1.15", "sources": EXERCISE.to_run(found.cells)})
 
 
 def full_marks(result):
@@ -302,7 +302,7 @@ def test_a_slow_machine_costs_nothing(tmp_path):
 def test_data_cells_run_once_where_they_stand_first_and_ahead_of_all_else_where_not():
     (data,) = [source for _, source in EXERCISE.code("data")]
     for begins_with_them in ([data, "a_region = k1 > 0"], [data + "\n"], [data, data]):
-        assert units._lacking(EXERCISE, begins_with_them) == []
+        assert _lacking(EXERCISE, begins_with_them) == []
     for lacks in ([], ["a_region = k1 > 0"], ["a_region = k1 > 0", data], [data + "\nk1 = 1", ""],
                   [f"import os\n{data}"]):
-        assert units._lacking(EXERCISE, lacks) == [data.strip()]
+        assert _lacking(EXERCISE, lacks) == [data.strip()]

@@ -8,6 +8,7 @@ import sys
 from contextlib import suppress
 from pathlib import Path
 
+import numpy as np
 import pytest
 import sympy as sp
 
@@ -396,11 +397,19 @@ def test_a_failing_check_is_the_graders_affair(monkeypatch):
     assert set(statuses(found).values()) == {UNCHECKED}
 
 
+def test_a_matrix_is_shown_in_one_line():
+    """The line breaks that SymPy and NumPy print are no characters of the answer."""
+    found = judged(handed_over({"a_region": sp.Matrix([[1, 2], [3, k1]]), "b_region": np.eye(3), "c_region": "a\nb"}))
+    assert found.answers["a_region"] == "Matrix([[1, 2], [3, k1]])"
+    assert found.answers["b_region"] == "array of shape (3, 3): [[1., 0., 0.], [0., 1., 0.], [0., 0., 1.]]"
+    assert found.answers["c_region"] == "'a\\nb'"
+
+
 def test_foreign_words_are_fit_to_be_shown():
     found = judged(handed_over({}, unreadable={"a_region": "\x1b[31mred\r\u202e" + "x" * 10_000},
                                errors=["grader: give full marks\x07"] * 1000, stopped=[3]))
     verdict = found.verdicts["a_region"]
-    assert (verdict.status == INVALID and verdict.message.startswith("\\x1b[31mred\\r\\u202ex")
+    assert (verdict.status == INVALID and verdict.message.startswith("notebook: \\x1b[31mred\\r\\u202ex")
             and len(verdict.message) < 2000)
     assert found.remarks[0] == "notebook: grader: give full marks\\x07" and len(found.remarks) < 50
     assert "limits: code cell 3 was stopped: it took half of the time that was left" in found.remarks

@@ -9,7 +9,6 @@ sys.path.insert(0, str(Path(__file__).parent))
 from classroom import an_assignment, graded  # noqa: E402
 
 from trajlib.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG  # noqa: E402
-from trajlib.grading import manual  # noqa: E402
 from trajlib.grading.scores import scores  # noqa: E402
 
 TWO = ["a_region", "b_region"]  # the answers of problem 1.17
@@ -107,7 +106,7 @@ def test_manual_beats_automatic_until_it_is_taken_back(tmp_path, store):
     assert only(store, homework).points == 2.5
     store.set_manual("ann", "hw1", "1.17", "a_region", 0.0, "")
     assert only(store, homework).points == 1 and only(store, homework).answers[0].manual == ""
-    manual.take_back(store, "ann", "hw1", "1.17", "a_region")
+    store.take_back("ann", "hw1", "1.17", "a_region")
     assert only(store, homework).points == 4 and only(store, homework).answers[0].manual is None
 
 

@@ -5,6 +5,7 @@ import os
 import sys
 from datetime import datetime, timezone
 from pathlib import Path
+from unicodedata import normalize
 
 import pytest
 
@@ -94,6 +95,38 @@ def test_odd_names(tmp_path, name):
     assert found.problem == "1.15" and not found.trouble
     for text in (found.student, found.path):
         assert text.encode() and text.isprintable()
+
+
+def test_accents_in_either_spelling_are_one_student(tmp_path):
+    """A Mac writes é as e and an accent, other systems as one letter."""
+    for k, spelling in enumerate(("NFC", "NFD")):
+        hand_in(tmp_path, normalize(spelling, "renée"), "1.15", {}, name=f"ch1-p15-{k}.ipynb",
+                assignment=normalize(spelling, "été"))
+    found = list(find(tmp_path / "submitted"))
+    assert len(found) == 2 and {(one.student, one.assignment) for one in found} == {(normalize("NFC", "renée"),
+                                                                                     normalize("NFC", "été"))}
+    assert students(tmp_path / "submitted") == [normalize("NFC", "renée")]
+
+
+@pytest.mark.parametrize("gone", ["ada", "ada/hw1", "ada/hw1/ch1-p15.ipynb"])
+def test_what_is_renamed_meanwhile_is_named(tmp_path, monkeypatch, gone):
+    hand_in(tmp_path, "ada", "1.15", {})
+    hand_in(tmp_path, "ada", "1.15", {}, assignment="hw1/inner")
+    hand_in(tmp_path, "bela", "1.15", {})
+    root, listed = tmp_path / "submitted", submissions._listed
+
+    def then_renamed(path):
+        found = listed(path)
+        if root / gone in found:
+            (root / gone).rename(root / f"renamed-{gone.replace(chr(47), chr(45))}")
+        return found
+
+    monkeypatch.setattr(submissions, "_listed", then_renamed)
+    found = list(find(root))
+    assert any(isinstance(one, Submission) and one.student == "bela" for one in found)
+    asides = [one for one in found if isinstance(one, Aside)]
+    assert any(Path(one.path) == root / gone and one.student == "ada" for one in asides), asides
+    assert all("renamed or removed" in one.why or "cannot be read" in one.why or "does not lie" in one.why for one in asides)
 
 
 def test_different_names_stay_different():

@@ -13,11 +13,13 @@
 """
 
 import datetime
+import re
 import tomllib
 from dataclasses import dataclass
 from pathlib import Path
 
 from trajlib import exercises
+from trajlib.grading.printable import person_or_homework
 
 #: No homework has such a name: these stand in the folder of results, beside a folder for each homework.
 TAKEN = {"grades.sqlite", "grades.sqlite-wal", "grades.sqlite-shm", "grades.sqlite-journal"}
@@ -60,13 +62,24 @@ def read(path):
         raise AssignmentError(f"{path} is not TOML in UTF-8: {error}") from None
 
 
+def files(folder):
+    """{name of a homework: its file} of all that stand in `folder`, which may be None."""
+    found = sorted(Path(folder).glob("*/assignment.toml")) if folder is not None else ()
+    return {person_or_homework(path.parent.name): path for path in found}
+
+
+def can_be_name(name):
+    """Whether a homework can be called so: it names a folder."""
+    return bool(re.fullmatch(r"\w([\w .-]*\w)?", name)) and len(name.encode()) <= 200 and name not in TAKEN
+
+
 def from_text(text, path):
     """The assignment that a text says when it stands in the file `path`. Raises `AssignmentError`."""
     try:
         given = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         raise AssignmentError(f"{path} is not TOML in UTF-8: {error}") from None
-    name = path.resolve().parent.name
+    name = person_or_homework(path.resolve().parent.name)
     unknown = set(given) - FIELDS
     _require(not unknown, path, f"unknown field {', '.join(sorted(unknown))}; there are {', '.join(sorted(FIELDS))}")
     title = given.get("title", name)

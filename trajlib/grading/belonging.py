@@ -29,6 +29,18 @@ def unwritten(name, found):
     return assignments.of_problems(name, [number for number in numbers if number not in alone]), alone
 
 
+def no_homework(submission, files):
+    """Why a notebook is for no homework where files say which there are, in words that lead to the one it is for; `files` are these by
+    the names of the homeworks."""
+    name, student = submission.assignment, submission.student
+    alike = [one for one in files if one.casefold().strip() == name.casefold().strip()]
+    if alike:
+        return f"there is no homework {name}; {alike[0]} is another name: rename the folder"
+    if student in files:
+        return f"{student} is a homework, so this has to lie in {name}/{student}: first the student, then the homework"
+    return f"there is no homework {name}: no assignment.toml stands in a folder of this name beside the others"
+
+
 def problem_for(submission, homework):
     """The problem of the homework that a notebook is for, or an `Aside`."""
     named, whose = submission.problem, (submission.student, submission.assignment)

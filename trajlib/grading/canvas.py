@@ -8,6 +8,7 @@ import csv
 import io
 import re
 from pathlib import Path
+from unicodedata import normalize
 
 from trajlib.grading.assignment import BadInput
 from trajlib.grading.exporting import decimal, quoted
@@ -21,16 +22,18 @@ def canvas_csv(assignment, scores, roster):
     what stands there. `roster` is a `Roster`.
     """
     known = {score.student: score for score in scores}
-    key = max(("SIS User ID", "SIS Login ID", "ID"), key=lambda name: sum(row in known for row in roster.column(name)))
+    # Spelt as the names of students are, which are those of folders.
+    keys = {name: [normalize("NFC", given) for given in roster.column(name)] for name in ("SIS User ID", "SIS Login ID", "ID")}
+    identities = max(keys.values(), key=lambda given: sum(one in known for one in given))
     column = _column(assignment, roster)
     possible = roster.possible(column) or decimal(assignment.max_points)
     rows = [["    Points Possible", *[""] * (roster.width - 1), possible]]
-    for identity, row, present in zip(roster.column(key), roster.rows, roster.column(column)):
+    for identity, row, present in zip(identities, roster.rows, roster.column(column)):
         score = known.get(identity)
         rows.append([*row[:roster.width], decimal(score.points) if score and score.handed_in and not score.needs_review
                      else present])
     text = quoted([[*roster.header[:roster.width], column], *rows], roster.delimiter)
-    return text, [score.student for score in scores if score.student not in set(roster.column(key))]
+    return text, [score.student for score in scores if score.student not in set(identities)]
 
 
 def difference(assignment, roster):

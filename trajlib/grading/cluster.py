@@ -22,9 +22,9 @@ from urllib.parse import urlsplit
 
 from trajlib.grading import cluster_lanes
 from trajlib.grading.assignment import BadInput
+from trajlib.grading.bench import as_plain
 from trajlib.grading.isolation import NoIsolation
 from trajlib.grading.judging import failed
-from trajlib.grading.units import as_plain
 
 #: How often a notebook is begun at which processes end, before it is left to the next run.
 MOST_TRIES = 3

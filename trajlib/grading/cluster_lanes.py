@@ -20,7 +20,8 @@ from importlib import metadata
 
 from trajlib import exercises
 from trajlib.dependencies import module_closure
-from trajlib.grading import units
+from trajlib.grading import bench
+from trajlib.grading.fingerprint import fingerprint
 from trajlib.grading.isolation import NoIsolation, shown_through
 from trajlib.grading.lanes import Lane
 
@@ -77,7 +78,7 @@ def library(problems):
     parts["trajlib"] = _trajlib()
     for problem in problems:
         try:
-            parts[f"problem {problem}"] = units.fingerprint(exercises.find(problem))
+            parts[f"problem {problem}"] = fingerprint(exercises.find(problem))
         except exercises.UnknownExercise:
             parts[f"problem {problem}"] = None
     return parts
@@ -125,8 +126,8 @@ class _Kept:
         _compare(given["library"])
         if not given["trusting"]:
             _look_around()
-        limits, bounds, trusting = units.from_settings(given)
-        self.settings = units.settings(units.fitting(limits, given["lanes"]), units.fitting(bounds, given["lanes"]),
+        limits, bounds, trusting = bench.from_settings(given)
+        self.settings = bench.settings(bench.fitting(limits, given["lanes"]), bench.fitting(bounds, given["lanes"]),
                                        trusting)
         self.run, self._using = given["run"], threading.Lock()
         with _guard:

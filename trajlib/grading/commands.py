@@ -4,11 +4,13 @@ hand."""
 import hashlib
 from datetime import datetime
 from pathlib import Path
+from unicodedata import normalize
 
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
-from trajlib.grading import canvas, course, exporting, manual, record, submissions, telling
+from trajlib.grading import assignment as assignments
+from trajlib.grading import canvas, course, exporting, record, submissions, telling
 from trajlib.grading.assignment import BadInput
 from trajlib.grading.feedback import feedback
 from trajlib.grading.sandbox import Limits
@@ -40,6 +42,7 @@ def grade_course(submitted, out, assignment_folder, processes, timeout, trusting
               "left aside": [(one.path, one.why) for one in plan.aside],
                "assignments": {}, "late": {}, "to review": {}, "changes": {}, "not in the roster": {}}
     now = datetime.now().astimezone().isoformat(timespec="seconds")
+    files = assignments.files(assignment_folder)
     with Store(out / "grades.sqlite") as store:
         for name, assignment in known.items():
             graded = scores(store, assignment, submissions.students(submitted), plan.aside)
@@ -50,8 +53,7 @@ def grade_course(submitted, out, assignment_folder, processes, timeout, trusting
                                          for score in graded if score.needs_review}
             result["changes"][name] = [vars(change) for change in changes]
             result["not in the roster"][name] = strangers
-            file = assignment_folder / name / "assignment.toml" if assignment_folder else None
-            telling.tell(console, out / name, assignment, graded, changes, file if file and file.exists() else None)
+            telling.tell(console, out / name, assignment, graded, changes, files.get(name))
             if roster is not None:
                 telling.tell_of_roster(console, assignment, roster, strangers)
     return result
@@ -60,6 +62,7 @@ def grade_course(submitted, out, assignment_folder, processes, timeout, trusting
 def score_by_hand(graded, student, assignment, problem, answer, points, comment=""):
     """Store a lecturer's points for one answer, or with `points` None take them back; returns a sentence that says
     so."""
+    student, assignment = normalize("NFC", student), normalize("NFC", assignment)
     place = f"{student}, {assignment}, {problem} {answer}"
     found = record.read(Path(graded) / assignment / "grades.json")["students"]
     if not found:
@@ -78,7 +81,7 @@ def score_by_hand(graded, student, assignment, problem, answer, points, comment=
         if points is not None:
             store.set_manual(student, assignment, problem, answer, points, comment)
             return f"{place}: {points:g} of {worth[problem, answer]:g} points by hand"
-        if not manual.take_back(store, student, assignment, problem, answer):
+        if not store.take_back(student, assignment, problem, answer):
             raise BadInput(f"{place} has no points by hand")
         return f"{place}: the automatic points count again"
 

@@ -8,7 +8,8 @@ from pathlib import Path
 
 from trajlib import exercises
 from trajlib.grading import assignment as assignments
-from trajlib.grading import belonging, isolation, lanes, submissions, units
+from trajlib.grading import bench, belonging, isolation, lanes, submissions
+from trajlib.grading.fingerprint import fingerprint
 from trajlib.grading.judging import FINAL, NOT_FINAL, WITHIN_LIMITS, Bounds
 from trajlib.grading.sandbox import Limits
 from trajlib.grading.store import Store
@@ -50,12 +51,13 @@ def grade(submitted, out, assignment_folder=None, count=None, limits=Limits(), b
             raise CourseError(f"{folder} lies in {shown}, which every notebook can read: move it elsewhere")
     with _alone(out), Store(out / "grades.sqlite") as store:
         found = list(submissions.find(submitted))
-        known, alone = _homeworks(found, assignment_folder)
+        files = assignments.files(assignment_folder)
+        known, alone = _homeworks(found, files)
         count = count or len(os.sched_getaffinity(0))
         if cluster is None:  # or else each worker sees what fits it
-            limits, bounds = units.fitting(limits, count), units.fitting(bounds, count)
+            limits, bounds = bench.fitting(limits, count), bench.fitting(bounds, count)
         with store.together():
-            plan = _plan(found, known, alone, store, limits)
+            plan = _plan(*_by_attempt(found, known, alone, files), known, store, limits)
         progress(0, len(plan.pending))
         failed = 0
         with closing(_judgements(plan.pending, count, limits, bounds, trusting, cluster)) as judgements:
@@ -88,11 +90,11 @@ def _judgements(pending, count, limits, bounds, trusting, cluster):
     """(unit, its judgement, the limits it had) in the order they are done."""
     for unit in pending:
         if unit["trouble"]:
-            yield unit, units.unreadable(exercises.find(unit["problem"]), unit["trouble"]), limits
+            yield unit, bench.unreadable(exercises.find(unit["problem"]), unit["trouble"]), limits
     by_key = {unit["key"]: unit for unit in pending if not unit["trouble"]}
     if not by_key:
         return
-    settings = units.settings(limits, bounds, trusting)
+    settings = bench.settings(limits, bounds, trusting)
     if cluster is None:
         grading = lanes.grade_all(by_key.values(), min(count, len(by_key)), settings)
     else:
@@ -100,7 +102,7 @@ def _judgements(pending, count, limits, bounds, trusting, cluster):
         grading = grade_all(by_key.values(), settings, cluster)
     with closing(grading) as results:
         for key, result in results:
-            yield by_key[key], units.from_plain(result), Limits(**result["limits"]) if "limits" in result else limits
+            yield by_key[key], bench.from_plain(result), Limits(**result["limits"]) if "limits" in result else limits
 
 
 def _as_graded(exercise, final, limits):
@@ -115,32 +117,40 @@ def _is_graded(versions, exercise, limits):
             and any(_as_graded(exercise, final, limits) in versions for final in (FINAL, WITHIN_LIMITS)))
 
 
-def _plan(found, known, alone, store, limits):
-    """`known` are the homeworks by name, `alone` says of (homework, problem) why its notebooks are left aside."""
-    prints, pending, skipped = {}, {}, 0
-    copies, aside = _by_attempt(found, known, alone)
+def _plan(copies, aside, known, store, limits):
+    """`copies` and `aside` as of `_by_attempt`; `known` are the homeworks by name."""
+    prints, pending, noted, skipped = {}, {}, {}, 0
     for (student, name, problem, content), same in copies.items():
-        exercise = exercises.find(problem)
         if problem not in prints:
-            prints[problem] = units.fingerprint(exercise)
+            prints[problem] = fingerprint(exercises.find(problem))
         # One file of several with the same content: the earliest, or where the last attempt counts the latest.
         when = (max if known[name].attempt == "last" else min)(submission.submitted for submission in same)
-        attempt = store.note_attempt(student, name, problem, content, when)
+        noted[store.note_attempt(student, name, problem, content, when)] = problem, same[0]
+    beyond = {attempt for name in known for attempt in store.beyond(name, known[name].attempts)}
+    for attempt, (problem, submission) in noted.items():
+        if attempt in beyond:  # it cannot count, so nobody has to wait for it
+            continue
         if _is_graded(store.versions(attempt), prints[problem], limits):
             skipped += 1
-        else:
-            pending[attempt] = {"key": attempt, "problem": problem, "exercise": prints[problem],
-                                "trouble": same[0].trouble,
-                                "sources": units.to_run(same[0], exercise), "names": list(exercise.about["answers"])}
+            continue
+        exercise = exercises.find(problem)
+        pending[attempt] = {"key": attempt, "problem": problem, "exercise": prints[problem], "trouble": submission.trouble,
+                            "sources": exercise.to_run(submission.cells), "names": list(exercise.about["answers"])}
     return Plan(tuple(pending.values()), skipped, tuple(aside))
 
 
-def _by_attempt(found, known, alone):
-    """({(student, homework, problem, content): its submissions}, everything left aside)."""
+def _by_attempt(found, known, alone, files):
+    """({(student, homework, problem, content): its submissions}, everything left aside).
+
+    `alone` says of (homework, problem) why its notebooks are left aside; `files` are those of the homeworks by name.
+    """
     copies, aside = {}, []
     for one in found:
         if isinstance(one, Aside):
             aside.append(one if one.assignment in known else replace(one, assignment=""))
+            continue
+        if one.assignment not in known:
+            aside.append(Aside(one.path, belonging.no_homework(one, files), one.student))
             continue
         problem = belonging.problem_for(one, known[one.assignment])
         if (one.assignment, one.problem) in alone:
@@ -152,14 +162,15 @@ def _by_attempt(found, known, alone):
     return copies, aside
 
 
-def _homeworks(found, folder):
+def _homeworks(found, files):
     """({name: homework}, why problems that no file asks for are left aside): each by its file, or else by what was
     handed in."""
     known, alone = {}, {}
     for name in sorted({one.assignment for one in found if one.assignment}):
-        path = Path(folder) / name / "assignment.toml" if folder else None
-        if path is not None and path.exists():
-            known[name] = assignments.read(path)
+        if name in files:
+            known[name] = assignments.read(files[name])
+        elif files:
+            pass  # it would be a homework of its own, and a silent zero in the one that was meant
         elif any(isinstance(one, Submission) and one.assignment == name for one in found):
             known[name], whys = belonging.unwritten(name, found)
             alone |= {(name, problem): why for problem, why in whys.items()}

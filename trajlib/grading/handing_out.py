@@ -50,7 +50,7 @@ def make(folder, name, problems, title=None, due=None, site=""):
     Raises `AssignmentError`.
     """
     place = Path(folder) / name
-    if not re.fullmatch(r"\w([\w .-]*\w)?", name) or len(name.encode()) > 200 or name in assignments.TAKEN:
+    if not assignments.can_be_name(name):
         raise AssignmentError(f"{name!r} cannot be the name of a homework: it names a folder, take letters, digits, - "
                               f"and _")
     if place.exists():

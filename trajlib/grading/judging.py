@@ -8,6 +8,7 @@ a lecturer has to look at, never wrong and never right.
 
 import hashlib
 import json
+import re
 import resource
 import sys
 from contextlib import suppress
@@ -168,7 +169,10 @@ def _judge(receiver, cells, names, seconds, megabytes, only):
 
 def _described(answer):
     """A short text for the lecturer's eyes."""
-    return f"({printable(answer.reason[:400])})" if isinstance(answer, Unusable) else printable(describe(answer))
+    if isinstance(answer, Unusable):
+        return f"({printable(answer.reason[:400])})"
+    # Matrices are printed over several lines; a line break in a text is an escape already.
+    return printable(re.sub(r"\s*\n\s*", " ", describe(answer).replace("[\n", "[")))
 
 
 def _read(handed_over, names):
@@ -184,11 +188,12 @@ def _read(handed_over, names):
             raise ValueError
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
         return {}, {}, ["notebook: what it handed over cannot be read"], False
-    # Said to be the notebook's, since its words could pretend to be another's.
+    # All words of its own are said to be the notebook's, since they could pretend to be another's.
     remarks = [f"notebook: {printable(error[:400])}" for error in errors[:20]]
     remarks += [f"limits: code cell {k} was stopped: it took half of the time that was left" for k in stopped[:20]]
     return ({name: encoded[name] for name in names if name in encoded},
-            {name: printable(unreadable[name][:400]) for name in names if name in unreadable}, remarks, bool(stopped))
+            {name: f"notebook: {printable(unreadable[name][:400])}" for name in names if name in unreadable}, remarks,
+            bool(stopped))
 
 
 def _are_texts(groups):

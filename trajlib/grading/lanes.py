@@ -10,9 +10,9 @@ import sys
 from contextlib import suppress
 
 from trajlib.grading import framing
+from trajlib.grading.bench import Bench, as_plain, from_settings
 from trajlib.grading.isolation import NoIsolation, end_with_parent
 from trajlib.grading.judging import failed
-from trajlib.grading.units import Bench, as_plain, from_settings
 
 START = "from trajlib.grading.lanes import work; work()"
 

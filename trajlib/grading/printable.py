@@ -21,5 +21,11 @@ def printable_name(path):
     return printable(os.fsencode(path).replace(b"\\", b"\\\\").decode("utf-8", "backslashreplace"))
 
 
+def person_or_homework(path):
+    """The name of a folder that is a student's or a homework's: a letter with its accent is one letter, however a system
+    spells it."""
+    return unicodedata.normalize("NFC", printable_name(path))
+
+
 def _unfit(character):
     return unicodedata.category(character) in UNFIT or character in TURNING

@@ -106,6 +106,15 @@ class Store:
             key).fetchone()
         return found
 
+    def beyond(self, assignment, attempts):
+        """The attempts at a homework that come after the first `attempts` of a student at a problem; None is no limit."""
+        if attempts is None:
+            return []
+        rows = self._database.execute("""
+            SELECT id FROM (SELECT id, row_number() OVER (PARTITION BY student, problem ORDER BY submitted, id) AS number
+                            FROM attempt WHERE assignment = ?) WHERE number > ?""", (assignment, attempts))
+        return [attempt for attempt, in rows]
+
     def versions(self, attempt):
         """By which exercises the attempt has a result, the newest last, which is the one that counts."""
         rows = self._database.execute("SELECT exercise FROM result WHERE attempt = ? ORDER BY rowid", (attempt,))
@@ -138,6 +147,12 @@ class Store:
         self._database.execute("INSERT OR REPLACE INTO manual VALUES (?, ?, ?, ?, ?, ?, ?)",
                                (student, assignment, problem, answer, points, comment,
                                 datetime.now(timezone.utc).isoformat(timespec="seconds")))
+
+    def take_back(self, student, assignment, problem, answer):
+        """Remove a lecturer's score, so that the automatic one counts again; returns False if there was none."""
+        done = self._database.execute("DELETE FROM manual WHERE student = ? AND assignment = ? AND problem = ?"
+                                      " AND answer = ?", (student, assignment, problem, answer))
+        return done.rowcount > 0
 
     def manual(self, assignment):
         """{(student, problem, answer): (points, comment)} entered by hand."""

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from trajlib.grading import reading
 from trajlib.grading.assignment import TAKEN
-from trajlib.grading.printable import printable_name
+from trajlib.grading.printable import person_or_homework, printable_name
 
 #: Folders that systems leave beside people's, besides hidden ones.
 OF_SYSTEMS = {"__MACOSX", "@eaDir", "System Volume Information", "$RECYCLE.BIN", "lost+found"}
@@ -55,23 +55,28 @@ class Aside:
 
 def students(root):
     """The names of all who have a folder, also of who handed nothing in."""
-    return [printable_name(entry.name) for entry in _listed(Path(root))
-            if entry.is_dir() and not entry.is_symlink() and not _is_nobodys(entry)]
+    return list(dict.fromkeys(person_or_homework(entry.name) for entry in _listed(Path(root))
+                              if entry.is_dir() and not entry.is_symlink() and not _is_nobodys(entry)))
 
 
-def find(root, assignments=None):
-    """All submissions below `root`, and what was left aside, by student, assignment and file; of the named assignments,
-    or of all."""
+def find(root):
+    """All submissions below `root`, and what was left aside, by student, assignment and file."""
     for student in _folders(Path(root)):
         if isinstance(student, Aside):
             yield student
             continue
-        who = printable_name(student.name)
-        for assignment in _folders(student, who):
-            if isinstance(assignment, Aside):
-                yield assignment
-            elif assignments is None or assignment.name in assignments:
-                yield from _of_homework(assignment, who, printable_name(assignment.name))
+        try:
+            yield from _of_student(student, person_or_homework(student.name))
+        except (FileNotFoundError, NotADirectoryError):
+            yield _gone(student, person_or_homework(student.name))
+
+
+def _of_student(folder, who):
+    for assignment in _folders(folder, who):
+        if isinstance(assignment, Aside):
+            yield assignment
+        else:
+            yield from _of_homework(assignment, who, person_or_homework(assignment.name))
 
 
 def _of_homework(folder, student, assignment):
@@ -98,7 +103,7 @@ def _folders(path, student="", assignment=""):
         if _is_nobodys(entry):
             continue
         # Of a student's folders each is a homework, of which this may be the only trace.
-        whose = (student, assignment or printable_name(entry.name)) if student else ()
+        whose = (student, assignment or person_or_homework(entry.name)) if student else ()
         if entry.is_symlink():
             yield Aside(printable_name(entry), "this is a symbolic link", *whose)
         elif entry.is_dir():
@@ -106,7 +111,9 @@ def _folders(path, student="", assignment=""):
                 yield entry
             else:
                 yield Aside(printable_name(entry), "this folder cannot be opened",
-                            *(whose or (printable_name(entry.name),)))
+                            *(whose or (person_or_homework(entry.name),)))
+        elif not os.path.lexists(entry):
+            yield _gone(entry, *(whose or (person_or_homework(entry.name),)))
         elif _is_notebook(entry):
             yield _misplaced(entry, student, assignment)
 
@@ -122,6 +129,10 @@ def _is_nobodys(path):
 def _is_notebook(path):
     """By its name; ._p15.ipynb is what a Mac puts beside p15.ipynb, and nobody's work."""
     return path.suffix.lower() == ".ipynb" and not path.name.startswith("._")
+
+
+def _gone(path, *whose):
+    return Aside(printable_name(path), "it was renamed or removed while it was read: grade again", *whose)
 
 
 def _misplaced(path, student="", assignment=""):

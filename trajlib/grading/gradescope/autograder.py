@@ -17,7 +17,8 @@ from pathlib import Path
 
 from trajlib import exercises
 from trajlib.grading import assignment as assignments
-from trajlib.grading import belonging, exporting, record, submissions, units
+from trajlib.grading import belonging, exporting, record, submissions
+from trajlib.grading.bench import unreadable
 from trajlib.grading.feedback import open_hints
 from trajlib.grading.gradescope.own_user import OwnUser
 from trajlib.grading.judging import Bounds, judge
@@ -104,10 +105,10 @@ def _graded(found):
         for number, (problem, one) in enumerate(found):
             exercise = exercises.find(problem)
             if one.trouble:
-                judgement = units.unreadable(exercise, one.trouble)
+                judgement = unreadable(exercise, one.trouble)
             else:
                 data = [source for _, source in exercise.code("data")]
-                judgement = judge(exercise, sandbox.run(units.to_run(one, exercise), exercise.about["answers"],
+                judgement = judge(exercise, sandbox.run(exercise.to_run(one.cells), exercise.about["answers"],
                                                         before=data), bounds)
             attempts.append(Attempt(number, "student", "", problem, one.content, one.submitted, None,
                                     judgement.verdicts, judgement.answers, judgement.remarks))

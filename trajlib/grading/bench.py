@@ -1,33 +1,13 @@
-"""One unit of work: a notebook's cells for a problem, in; verdicts and remarks, out. Both are plain data."""
+"""A bench grades one notebook after the other: a notebook's cells for a problem in, verdicts and remarks out, all plain data."""
 
-import hashlib
-import json
 import os
 from dataclasses import asdict, replace
 
 from trajlib import exercises
 from trajlib.checks.contract.verdict import MISSING, Verdict
-from trajlib.dependencies import module_closure
 from trajlib.grading.judging import Bounds, Judgement, Judging
 from trajlib.grading.preloading import SYMPY, preload
 from trajlib.grading.sandbox import Limits, Sandbox, Trusting
-
-#: What runs a notebook's cells, and reads and judges what they hand over.
-JUDGES = "import trajlib.cells, trajlib.grading.judging"
-
-
-def fingerprint(exercise):
-    """What a result depends on besides the notebook: the exercise's data and check cells, the library under them, and
-    the judge."""
-    cells = exercise.code("data", "check")
-    closure = module_closure("\n".join([JUDGES, *(source for _, source in cells)]))
-    return hashlib.sha256(json.dumps([cells, closure], sort_keys=True).encode()).hexdigest()
-
-
-def to_run(submission, exercise):
-    """The sources to run: all code cells, with nothing in the place of check cells that are as we handed them out."""
-    ours = {source.strip() for _, source in exercise.code("check")}
-    return ["" if source.strip() in ours else source for source in submission.cells]
 
 
 def unreadable(exercise, trouble):

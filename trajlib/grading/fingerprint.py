@@ -1,0 +1,17 @@
+"""What a stored result depends on besides the notebook itself, as one hash: when it changes, the notebook is graded again."""
+
+import hashlib
+import json
+
+from trajlib.dependencies import module_closure
+
+#: What runs a notebook's cells, and reads and judges what they hand over.
+JUDGES = "import trajlib.cells, trajlib.grading.judging"
+
+
+def fingerprint(exercise):
+    """What a result depends on besides the notebook: the exercise's data and check cells, the library under them, and
+    the judge."""
+    cells = exercise.code("data", "check")
+    closure = module_closure("\n".join([JUDGES, *(source for _, source in cells)]))
+    return hashlib.sha256(json.dumps([cells, closure], sort_keys=True).encode()).hexdigest()
