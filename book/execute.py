@@ -1,32 +1,37 @@
-"""Execute the pages of the book whose outputs are missing or stale, two at a time, into the cache the site is built
-from.
+"""Execute the pages of the book whose outputs are missing or stale into the cache the site is built from, one a core.
 
     python book/execute.py
 
 A page is stale when its code cells changed, or a module of trajlib that it loads (however indirectly), or
 requirements.txt. Jupyter Book's own cache sees only the cells. Records that no page uses any more are removed.
 
+What pages load is imported here, once; each page then has a kernel of its own, forked from this process.
+
 A cell that fails, also a check that finds an answer not right, ends with the page, the cell and the message, exit code
 1.
 """
 
+import gc
 import hashlib
 import json
+import multiprocessing
 import os
 import re
 import sys
 import time
-from concurrent.futures import ProcessPoolExecutor, as_completed
 from dataclasses import dataclass
+from importlib import import_module
+from multiprocessing.connection import wait
 from pathlib import Path
 
 import yaml
 from jupyter_cache import get_cache
 from jupyter_cache.base import CacheBundleIn
-from jupyter_cache.executors.utils import single_nb_execution
+from kernel import SETTINGS, Kernel
 from myst_nb.core.read import is_myst_markdown_notebook, read_myst_markdown_notebook
 from myst_parser.config.main import MdParserConfig
-from nbclient.exceptions import DeadKernelError
+from nbclient import NotebookClient
+from nbclient.exceptions import CellExecutionError, CellTimeoutError
 from nbformat import NotebookNode
 from sphinx_external_toc.parsing import parse_toc_yaml
 
@@ -35,7 +40,11 @@ from trajlib.dependencies import module_closure
 
 ROOT = Path(__file__).resolve().parent.parent
 LIBRARY = Path(trajlib.__file__).parent
-AT_ONCE = 2
+#: What pages and the modules of trajlib load beside trajlib, most of it only when a function is called.
+LIBRARIES = ("casadi", "control", "matplotlib.pyplot", "numpy", "scipy.integrate", "scipy.interpolate", "scipy.linalg",
+             "scipy.optimize", "scipy.signal", "sympy")
+CORES = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
+FORK = multiprocessing.get_context("fork")
 
 
 @dataclass(frozen=True)
@@ -43,6 +52,7 @@ class Page:
     path: Path
     notebook: NotebookNode
     fingerprint: str
+    modules: tuple  # of trajlib, that its cells load
 
 
 def main(root=ROOT):
@@ -57,17 +67,15 @@ def main(root=ROOT):
     stale = keep_fresh_records(cache, pages)
     print(f"{len(stale)} of {len(pages)} pages with code are to be executed")
     failures = []
-    with ProcessPoolExecutor(AT_ONCE) as pool:
-        running = {pool.submit(execute, page, config["execute"]["timeout"]): page for page in stale}
-        for done in as_completed(running):
-            page, result = running[done], done.result()
-            name = page.path.relative_to(root).as_posix()
-            failure = result["failure"]
-            print(f"  {'failed  ' if failure else 'executed'} {result['seconds']:6.1f} s  {name}", flush=True)
-            if failure:
-                failures.append(f"{name}, {failure}")
-            else:
-                remember(cache, page, result)
+    import_for(stale)
+    for page, result in side_by_side(execute, stale, config["execute"]["timeout"]):
+        name = page.path.relative_to(root).as_posix()
+        failure = result["failure"]
+        print(f"  {'failed  ' if failure else 'executed'} {result['seconds']:6.1f} s  {name}", flush=True)
+        if failure:
+            failures.append(f"{name}, {failure}")
+        else:
+            remember(cache, page, result)
     if not failures:
         stamp.write_text(state)
     for failure in sorted(failures):
@@ -104,8 +112,9 @@ def read_pages(root, config):
             notebook = read_myst_markdown_notebook(text, dialect, add_source_map=True, path=path)
             code = [cell.source for cell in notebook.cells if cell.cell_type == "code"]
             if code:
-                parts = json.dumps([code, modules_loaded(code), shared], sort_keys=True)
-                pages.append(Page(path, notebook, hashlib.sha256(parts.encode()).hexdigest()))
+                modules = modules_loaded(code)
+                parts = json.dumps([code, modules, shared], sort_keys=True)
+                pages.append(Page(path, notebook, hashlib.sha256(parts.encode()).hexdigest(), tuple(modules)))
     return pages
 
 
@@ -130,34 +139,49 @@ def keep_fresh_records(cache, pages):
     return [page for key, page in current.items() if key not in fresh]
 
 
+def import_for(pages):
+    """Import what pages load, so that no kernel has to."""
+    if pages:
+        for module in (*LIBRARIES, *sorted({module for page in pages for module in page.modules})):
+            import_module(module)
+        gc.freeze()  # what is here stays: the garbage collectors of the kernels need not go through it
+
+
+def side_by_side(function, items, *arguments):
+    """(item, function(item, *arguments)) as each ends; one a core at a time, each in a process forked from this one."""
+    waiting, running = list(items), {}
+    while waiting or running:
+        while waiting and len(running) < CORES:
+            item = waiting.pop(0)
+            receiver, sender = FORK.Pipe(duplex=False)
+            process = FORK.Process(target=send, args=(sender, function, item, *arguments))
+            process.start()
+            sender.close()
+            running[receiver] = item, process
+        for receiver in wait(running):
+            item, process = running.pop(receiver)
+            yield item, receiver.recv()
+            process.join()
+
+
+def send(sender, function, *arguments):
+    sender.send(function(*arguments))
+
+
 def execute(page, timeout):
-    """Run in a worker: execute a page in a fresh kernel; returns its outputs or what failed."""
-    # Two kernels share the machine, and outputs should not depend on the order of a set.
-    os.environ.update(OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1", PYTHONHASHSEED="0")
+    """In a process of its own: execute a page in a ready kernel; its outputs or what failed, and what that took."""
     start = time.monotonic()
     try:
-        result = run(page, timeout)
-        failure = explain(result.nb, result.err) if result.err else missing_picture(result.nb)
+        with Kernel(page.path.parent) as kernel:
+            # Times of cells would make it another page in the eyes of the cache.
+            NotebookClient(page.notebook, km=kernel.manager(), timeout=timeout, record_timing=False).execute()
+        failure = missing_picture(page.notebook)
+    except (CellExecutionError, CellTimeoutError) as error:
+        failure = explain(page.notebook, error)
     except RuntimeError as error:  # the kernel died
         failure = str(error)
-    return {"notebook": page.notebook, "seconds": time.monotonic() - start, "failure": failure}
-
-
-def run(page, timeout, starts=3):
-    """The result of executing a page in a fresh kernel, which is given several starts.
-
-    Jupyter chooses a kernel's ports before it starts, and another program may take one of them meanwhile.
-    """
-    for start in range(1, starts + 1):
-        try:
-            # A kernel's own log has nothing for the reader of a build: what a cell says is in its outputs.
-            return single_nb_execution(page.notebook, cwd=str(page.path.parent), timeout=timeout, allow_errors=False,
-                                       extra_arguments=["--log-level=CRITICAL"])
-        except DeadKernelError:  # in the midst of a cell
-            raise
-        except RuntimeError:
-            if start == starts:
-                raise
+    return {"notebook": page.notebook, "failure": failure, "seconds": time.monotonic() - start,
+            "core_seconds": sum(os.times()[:4])}  # the kernel's too
 
 
 def explain(notebook, error):
@@ -196,9 +220,11 @@ def remember(cache, page, result):
     cache.cache_notebook_bundle(
         CacheBundleIn(result["notebook"], str(page.path),
                       data={"fingerprint": page.fingerprint, "executed": time.time(),
-                            "execution_seconds": result["seconds"]}),
+                            "execution_seconds": result["seconds"], "core_seconds": result["core_seconds"]}),
         check_validity=False, overwrite=True)
 
 
 if __name__ == "__main__":
+    if not SETTINGS.items() <= os.environ.items():  # they count from the start of the interpreter
+        os.execve(sys.executable, [sys.executable, *sys.argv], os.environ | SETTINGS)
     sys.exit(main())

@@ -1,12 +1,15 @@
 """book/execute.py in a small book of its own: what is executed, what is kept, and what a failure says."""
 
-import importlib.util
+import sys
 import textwrap
 from pathlib import Path
 
 import pytest
 
-ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "book"))
+import execute  # noqa: E402
+import kernel  # noqa: E402
+
 CONFIG = "execute: {timeout: 20}\nparse: {myst_enable_extensions: [dollarmath]}\n"
 TOC = "format: jb-book\nroot: index\nchapters: [{glob: 'p*'}]\n"
 HEADER = """\
@@ -19,18 +22,9 @@ kernelspec: {name: python3, display_name: Python 3, language: python}
 """
 
 
-@pytest.fixture(scope="module")
-def executing():
-    spec = importlib.util.spec_from_file_location("execute", ROOT / "book" / "execute.py")
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
 @pytest.fixture
-def book(tmp_path, executing, monkeypatch, capsys):
+def book(tmp_path, capsys):
     """A book of pages `p*.md`; `run()` gives the exit code and what was printed."""
-    monkeypatch.setattr(executing, "ProcessPoolExecutor", InThisProcess)
 
     class Book:
         root = tmp_path
@@ -40,34 +34,23 @@ def book(tmp_path, executing, monkeypatch, capsys):
             (tmp_path / f"{name}.md").write_text(HEADER + text)
 
         def run(self):
-            code = executing.main(tmp_path)
+            code = execute.main(tmp_path)
             shown = capsys.readouterr()
             return code, shown.out, shown.err
+
+        def outputs(self, name):
+            """What the cells of a page show, as the site finds it."""
+            cache = execute.get_cache(tmp_path / "_build" / ".jupyter_cache")
+            pages = execute.read_pages(tmp_path, execute.yaml.safe_load(CONFIG))
+            page, = [page for page in pages if page.path.stem == name]
+            _, notebook = cache.merge_match_into_notebook(page.notebook)
+            return [output for cell in notebook.cells if cell.cell_type == "code" for output in cell.outputs]
 
     (tmp_path / "_config.yml").write_text(CONFIG)
     (tmp_path / "_toc.yml").write_text(TOC)
     (tmp_path / "requirements.txt").write_text("numpy==2\n")
     (tmp_path / "index.md").write_text("# A book\n")
     return Book()
-
-
-class InThisProcess:
-    """Stands in for the pool: a module loaded by path has no name that a worker could import it by."""
-
-    def __init__(self, workers):
-        pass
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *error):
-        pass
-
-    def submit(self, function, *arguments):
-        from concurrent.futures import Future
-        future = Future()
-        future.set_result(function(*arguments))
-        return future
 
 
 def test_only_what_changed_is_executed(book):
@@ -82,14 +65,14 @@ def test_only_what_changed_is_executed(book):
     assert "1 of 2 pages" in printed and "p2.md" in printed and "p1.md" not in printed
 
 
-def test_a_page_follows_the_modules_it_loads(book, executing, monkeypatch):
+def test_a_page_follows_the_modules_it_loads(book, monkeypatch):
     closure = {"trajlib.stability": "before"}
-    monkeypatch.setattr(executing, "module_closure", lambda source: closure if "stability" in source else {})
+    monkeypatch.setattr(execute, "module_closure", lambda source: closure if "stability" in source else {})
     book.write("p1", "# stands for: from trajlib import stability")
     book.write("p2", "2 + 2")
     book.run()
     closure["trajlib.stability"] = "after"
-    monkeypatch.setattr(executing, "digest", lambda root: "after")
+    monkeypatch.setattr(execute, "digest", lambda root: "after")
     _, printed, _ = book.run()
     assert "p1.md" in printed and "p2.md" not in printed
 
@@ -101,23 +84,20 @@ def test_a_changed_environment_makes_every_page_stale(book):
     assert "1 of 1 pages" in book.run()[1]
 
 
-def test_records_of_pages_that_are_gone_are_removed(book, executing):
+def test_records_of_pages_that_are_gone_are_removed(book):
     book.write("p1", "1 + 1")
     book.write("p2", "2 + 2")
     book.run()
     (book.root / "p2.md").unlink()
     book.run()
-    cache = executing.get_cache(book.root / "_build" / ".jupyter_cache")
+    cache = execute.get_cache(book.root / "_build" / ".jupyter_cache")
     assert [record.uri for record in cache.list_cache_records()] == [str(book.root / "p1.md")]
 
 
-def test_the_site_finds_the_outputs_in_the_cache(book, executing):
+def test_the_site_finds_the_outputs_in_the_cache(book):
     book.write("p1", "6 * 7")
     book.run()
-    cache = executing.get_cache(book.root / "_build" / ".jupyter_cache")
-    page, = executing.read_pages(book.root, executing.yaml.safe_load(CONFIG))
-    _, notebook = cache.merge_match_into_notebook(page.notebook)
-    assert [cell.outputs[0].data["text/plain"] for cell in notebook.cells if cell.cell_type == "code"] == ["42"]
+    assert [output.data["text/plain"] for output in book.outputs("p1")] == ["42"]
 
 
 def test_a_failing_cell_is_named_with_its_page_and_message(book):
@@ -159,23 +139,39 @@ def test_a_cell_has_a_time_limit(book):
     assert code == 1 and "p1.md" in error and "time.sleep(30)" in error
 
 
-@pytest.mark.parametrize("deaths, code", [(2, 0), (3, 1)])
-def test_a_kernel_that_cannot_start_is_started_again(book, executing, monkeypatch, deaths, code):
-    started, real = [], executing.single_nb_execution
-
-    def execution(*arguments, **options):
-        started.append(1)
-        if len(started) <= deaths:
-            raise RuntimeError("Kernel died before replying to kernel_info")
-        return real(*arguments, **options)
-
-    monkeypatch.setattr(executing, "single_nb_execution", execution)
+def test_a_kernel_that_cannot_start_is_told(book, monkeypatch):
+    monkeypatch.setattr(kernel.IPKernelApp, "initialize", lambda *given: sys.exit(1))
     book.write("p1", "1 + 1")
-    ended, _, error = book.run()
-    assert ended == code and len(started) == 3 and ("p1.md, Kernel died" in error) == (code == 1)
+    code, _, error = book.run()
+    assert code == 1 and "p1.md, the kernel ended before" in error
 
 
-def test_a_kernel_that_dies_in_a_cell_is_not_started_again(book, executing, monkeypatch):
+def test_pages_are_executed_side_by_side(book, monkeypatch):
+    monkeypatch.setattr(execute, "CORES", 2)
+    for mine, other in (("p1", "p2"), ("p2", "p1")):
+        book.write(mine, f"""\
+            import pathlib, time
+            pathlib.Path("{mine}").touch()
+            while not pathlib.Path("{other}").exists():
+                time.sleep(0.05)""")
+    assert book.run()[0] == 0
+
+
+def test_kernels_are_strangers_to_each_other(book):
+    """What the process that they are forked from has imported is all that they share."""
+    for name in ("p1", "p2"):
+        book.write(name, f"""\
+            import random
+            import numpy as np
+            print(getattr(np, "page", "nobody"), random.random(), np.random.random())
+            np.page = '{name}'""")
+    assert book.run()[0] == 0
+    said = [book.outputs(name)[0].text.split() for name in ("p1", "p2")]
+    assert said[0][0] == said[1][0] == "nobody"
+    assert said[0][1] != said[1][1] and said[0][2] != said[1][2], "random numbers that nobody seeded"
+
+
+def test_a_kernel_that_dies_in_a_cell_is_told(book):
     book.write("p1", "import pathlib; pathlib.Path('runs').open('a').write('x')", "import os; os._exit(1)")
     ended, _, error = book.run()
     assert ended == 1 and "p1.md, Kernel died" in error and (book.root / "runs").read_text() == "x"
