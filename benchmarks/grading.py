@@ -22,7 +22,7 @@ from pathlib import Path
 
 from trajlib import exercises
 from trajlib.masters import read
-from trajlib.masters.reading import master_file
+from trajlib.masters.contract import master_file
 
 ROOT = Path(__file__).resolve().parents[1]
 PYTHON, CLOCK = sys.executable, ROOT / "benchmarks" / "cell_clock.py"

@@ -30,7 +30,7 @@ from trajlib.grading import assignment as assignments  # noqa: E402
 from trajlib.grading.assignment import AssignmentError  # noqa: E402
 from trajlib.grading.gradescope import autograder, bundle  # noqa: E402
 from trajlib.masters import read  # noqa: E402
-from trajlib.masters.reading import master_file  # noqa: E402
+from trajlib.masters.contract import master_file  # noqa: E402
 
 HOMEWORK = ('title = "Homework 1"\nproblems = ["1.15", "1.17"]\ndue = 2020-01-01T00:00:00Z\nattempts = '
             '3\n[points]\n"1.15" = 10\n')
@@ -65,7 +65,7 @@ def test_what_the_bundle_holds(archive):
             assert {f"trajlib/_exercises/{e.path.parent.name}/{e.path.name}"
                     for e in exercises.read_all()} <= set(names)
             assert "trajlib/grading/gradescope/autograder.py" in names
-            assert not any("solutions/" in name or name.endswith(".md") for name in names)
+            assert not any("solutions/" in name or name.endswith((".md", ".trials.py")) for name in names)
             (record,) = [name for name in names if name.endswith("RECORD")]
             listed = {row[0]: row[1] for row in csv.reader(io.StringIO(wheel.read(record).decode()))}
             assert set(listed) == set(names)

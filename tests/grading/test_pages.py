@@ -22,7 +22,7 @@ from trajlib.grading.scores import of_student, scores  # noqa: E402
 from trajlib.grading.store import Attempt  # noqa: E402
 from trajlib.grading.summary import summary  # noqa: E402
 from trajlib.masters import read  # noqa: E402
-from trajlib.masters.reading import master_file  # noqa: E402
+from trajlib.masters.contract import master_file  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[2]
 HOMEWORK = 'title = "Homework <1>"\nproblems = ["1.15", "1.17"]\ndue = 2026-10-01T12:00:00Z\n'

@@ -1,4 +1,4 @@
-"""The reader holds a master to its contract, and says which file breaks it and how."""
+"""The reader holds a master to its contract, and says in which file and line it breaks and how."""
 
 from pathlib import Path
 
@@ -8,6 +8,20 @@ from trajlib.masters import MasterError, read
 
 ROOT = Path(__file__).resolve().parents[2]
 GOOD = (ROOT / "solutions" / "ch1" / "p15.md").read_text(encoding="utf-8")
+TRIALS = (ROOT / "solutions" / "ch1" / "p15.trials.py").read_text(encoding="utf-8")
+
+
+@pytest.fixture
+def written(tmp_path):
+    """Writes 1.15 somewhere else, page and trials; returns where."""
+    def write(page=GOOD, trials=TRIALS, name="ch1/p15.md"):
+        path = tmp_path / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(page, encoding="utf-8")
+        path.with_suffix(".trials.py").write_text(trials, encoding="utf-8")
+        return path
+
+    return write
 
 
 def test_reads_everything():
@@ -17,27 +31,77 @@ def test_reads_everything():
     assert master.answers["a_region"].kind == "condition" and not master.answers["a_region"].exact
     assert master.exercise == ROOT / "exercises" / "ch1" / "p15.ipynb"
     assert len(master.code("check")) == 5 and all("checks.report" in source for source in master.code("check"))
-    name, source, comment = master.trials("wrong")[0]
+    name, source, comment = master.trials["wrong"][0]
     assert name == "a_region" and comment == "positive coefficients taken for sufficient"
+    assert source == "a_region = sp.And(k1 > 0, k2 > 0)"
+
+
+def line_of(text, part):
+    return text[:text.index(part)].count("\n") + 1
 
 
 @pytest.mark.parametrize("old, new, said", [
     ('number: "1.15"', "number: 1.15", "quoted"),
-    ("level: core", "level: easy", "core or starred"),
-    ("  title: Stability regions in the plane of two parameters\n", "", "front matter"),
+    ('number: "1.15"', 'number: "1.16"', "ch1/p16.md"),
+    ("level: core", "level: easy", "core, advanced, starred"),
+    ("title: Stability regions in the plane of two parameters", "title: [Stability]", "title is a text"),
+    ("  title: Stability regions in the plane of two parameters\n", "", "title"),
     ('a_region: "condition: the', 'a_region: "kind of set, the', "TYPE"),
     (":tags: [data]", ":tags: [date]", "exactly one role"),
     (":tags: [data]", ":tags: [data, check]", "exactly one role"),
-    ("[wrong, skip-execution, remove-cell]", "[wrong]", "skip-execution"),
-    ("# positive coefficients taken for sufficient\n", "", "under a comment"),
-    ("b_region = sp.And(k2 > 0, k1 > k2)", "pass", "assign every answer once"),
-    ("checks.report(b_region=", "checks.report(a_region=", "report every answer once"),
+    (":tags: [data]", ":tags: [wrong, skip-execution, remove-cell]", "exactly one role"),
+    ("b_region = sp.And(k2 > 0, k1 > k2)", "pass", "assign every answer once; none does so with b_region"),
+    ("checks.report(b_region=", "checks.report(a_region=", "report every answer once; a_region stands here and"),
+    ("checks.report(b_region=", "checks.report(b_regoin=", "did you mean b_region"),
     ('    b_region: ["The leading', '    z_region: ["The leading', "hints"),
+    ('b_region: ["The leading', 'b_region: "The leading" # ["', "a list of texts"),
     ("a_poly = s**3", "a_region = s**3", "a data cell assigns"),
+    ("a_poly = s**3", "a_poly = = s**3", "no Python"),
+    ("checks.stability_region(b_region", "checks.stability_regoin(b_region", "did you mean stability_region"),
+    ("(b_region, b_poly", "(b_region, b_pol", "b_pol is neither .* did you mean b_poly"),
 ])
-def test_a_broken_contract_is_named(tmp_path, old, new, said):
+def test_a_broken_contract_is_named(written, old, new, said):
     assert old in GOOD
-    (tmp_path / "p15.md").write_text(GOOD.replace(old, new, 1), encoding="utf-8")
     with pytest.raises(MasterError, match=said) as raised:
-        read(tmp_path / "p15.md")
-    assert "p15.md" in str(raised.value)
+        read(written(GOOD.replace(old, new, 1)))
+    assert "ch1/p15.md:" in str(raised.value) and "\n" not in str(raised.value)
+
+
+@pytest.mark.parametrize("old, new, said", [
+    ("  title: Stability", "  title: Regions: stability", "mapping values are not allowed"),
+    ("topics: [Hurwitz", "topics: [[Hurwitz", "expected"),
+    ("  level: core", "\tlevel: core", "not YAML"),
+    ("  level: core", "  level: core\n  level: core", "level stands twice"),
+    ("problem:\n", "problems:\n", "needs problem:"),
+    ("---\njupytext", "jupytext", "opens with"),
+    ("---\njupytext", "---\n\x07jupytext", "not YAML"),
+])
+def test_a_slip_in_the_front_matter_is_one_line(written, old, new, said):
+    assert old in GOOD
+    with pytest.raises(MasterError, match=said) as raised:
+        read(written(GOOD.replace(old, new, 1)))
+    assert "ch1/p15.md:" in str(raised.value) and "\n" not in str(raised.value)
+
+
+@pytest.mark.parametrize("old, new, at", [
+    ("  level: core", "  level: easy", "  level"),
+    ("  title: Stability", "  title: Regions: stability", "  title"),
+    ("  level: core\n", "  level: core\n  level: starred\n", "  level: starred"),
+    ('    b_region: "condition', '    b_region: "cond', "    b_region"),
+    ("checks.stability_region(b_region", "checks.stability_regoin(b_region", "checks.report(b_region"),
+    ("b_poly = s**3", "b_poly = = s**3", "b_poly = ="),
+])
+def test_the_line_is_named(written, old, new, at):
+    page = GOOD.replace(old, new, 1)
+    with pytest.raises(MasterError, match=rf"p15\.md:{line_of(page, at)}: "):
+        read(written(page))
+
+
+def test_there_is_a_page_and_there_are_trials(written):
+    path = written()
+    assert read(path).trials == read(ROOT / "solutions" / "ch1" / "p15.md").trials
+    path.with_suffix(".trials.py").unlink()
+    with pytest.raises(MasterError, match=r"p15\.trials\.py:1: "):
+        read(path)
+    with pytest.raises(MasterError, match=r"p16\.md:1: "):
+        read(path.with_name("p16.md"))

@@ -7,7 +7,7 @@ import time
 import traceback
 
 from trajlib import checks
-from trajlib.masters.reading import reported_names
+from trajlib.masters.statements import reported_names
 
 
 class Workbench:
@@ -46,8 +46,8 @@ class Workbench:
             execute(ast.unparse(_only(source, name)), "check", namespace)
         return verdicts[name]
 
-    def try_cell(self, source):
-        """The value that a trial cell gives its answer, starting from the data and the reference."""
+    def after(self, source):
+        """The names after a trial, which starts from the data and the reference."""
         namespace = self.data | self.reference
         execute(source, "trial", namespace)
         return namespace

@@ -91,8 +91,9 @@ def _untouched(bench):
     return {name: v.status for name, v in bench.judge({}).items()}
 
 
-def test_wrong_cells_are_wrong_and_harm_no_other_answer(master):
-    assert {name for name, _, _ in master.trials("wrong")} == set(master.answers), "every answer needs a wrong cell"
+def test_wrong_trials_are_wrong_and_harm_no_other_answer(master):
+    tried = {trial.name for trial in master.trials["wrong"]}
+    assert tried == set(master.answers), "every answer needs a wrong trial"
     seen = found(master, "wrong")
     assert seen["harmed"] == []
     assert seen["trials"] and [trial for trial in seen["trials"] if trial["status"] != "wrong"] == []
@@ -118,11 +119,11 @@ def _wrong(bench):
     return {"trials": [_as_data(trial) for name in trials for trial in trials[name]], "harmed": harmed}
 
 
-def test_right_cells_are_right(master):
-    forms = [name for name, _, _ in master.trials("right")]
+def test_right_trials_are_right(master):
+    forms = [trial.name for trial in master.trials["right"]]
     few = [name for name, answer in master.answers.items()
            if forms.count(name) < 2 and not answer.kind.startswith(("choice", "yes/no"))]
-    assert not few, f"these answers need two cells tagged right: {few}"
+    assert not few, f"these answers need two right trials: {few}"
     assert [trial for trial in found(master, "right") if trial["status"] != "right"] == []
 
 
@@ -135,9 +136,9 @@ def _right(bench):
 
 
 def _values(bench, role):
-    """What the trial cells of a role give their answers, after the encoder."""
-    return [{"answer": name, "comment": comment, "value": decode(encode(bench.try_cell(source)[name])),
-             "reference": f"= {bench.reference[name]}"} for name, source, comment in bench.master.trials(role)]
+    """What the trials of a role give their answers, after the encoder."""
+    return [{"answer": name, "comment": comment, "value": decode(encode(bench.after(source)[name])),
+             "reference": f"= {bench.reference[name]}"} for name, source, comment in bench.master.trials[role]]
 
 
 def _as_data(trial):

@@ -121,9 +121,16 @@ def test_an_answer_that_is_not_right_ends_with_its_verdict(book):
     assert code == 1 and "cell 2 (check)" in error and "the trace is 3, not 2" in error
 
 
-def test_a_skipped_cell_is_not_executed(book):
-    book.write("p1", "1 + 1", ":tags: [wrong, skip-execution, remove-cell]\n1 / 0")
-    assert book.run()[0] == 0
+def test_trials_beside_a_page_are_no_part_of_it(book):
+    book.write("p1", "1 + 1")
+    trials = book.root / "p1.trials.py"
+    trials.write_text("# %% wrong\n1 / 0\n")
+    code, said, _ = book.run()
+    assert code == 0 and "1 of 1 pages" in said
+    trials.write_text("# %% wrong\n2 / 0\n")
+    assert "nothing has changed" in book.run()[1]
+    (book.root / "_build/.jupyter_cache/all-executed").unlink()
+    assert "0 of 1 pages" in book.run()[1]
 
 
 def test_a_figure_cell_without_a_picture_is_a_failure(book):

@@ -1,6 +1,7 @@
 """The built files: links, sources, ids, and what the student edition must not hold."""
 
 import re
+import zipfile
 from pathlib import Path
 from urllib.parse import unquote, urldefrag, urlsplit
 
@@ -71,7 +72,12 @@ def test_an_id_occurs_once_in_a_page(pages):
 def test_sources_are_not_served(pages):
     root, _ = pages
     assert not (root / "_sources").exists()
-    assert not list(root.rglob("*.md"))
+    assert not [path for path in root.rglob("*") if path.suffix == ".md" or ".trials" in path.name]
+    wheels = list(root.glob("wheels/*.whl"))
+    assert wheels
+    for wheel in wheels:
+        names = zipfile.ZipFile(wheel).namelist()
+        assert not [name for name in names if "solutions/" in name or name.endswith((".md", ".trials.py"))]
 
 
 def test_every_problem_is_listed_under_its_number_and_topics(pages):
@@ -94,7 +100,7 @@ def test_the_student_edition_holds_no_solution(editions):
         page = BeautifulSoup(copy.with_suffix(".html").read_text(encoding="utf-8"), "html.parser")
         shown = page.get_text() + copy.read_text(encoding="utf-8")
         assert not page.select("details.solution")
-        for line in _lines(master.code("answer", "figure", "wrong", "right")) - _lines(master.code("data", "check")):
+        for line in _lines([*master.code("answer", "figure"), *_trials(master)]) - _lines(master.code("data", "check")):
             assert line not in shown, f"{master.number}: {line}"
 
 
@@ -109,6 +115,10 @@ def _addresses(page):
     for name, key in [*LOADING.items(), ("a", "href")]:
         for tag in page.find_all(name, attrs={key: True}):
             yield tag, tag[key]
+
+
+def _trials(master):
+    return [trial.source for trials in master.trials.values() for trial in trials]
 
 
 def _lines(sources):

@@ -1,12 +1,14 @@
-"""Master notebooks: one MyST Markdown file says everything about a problem (solutions/ch1/p15.md).
+"""Masters: two files say everything about a problem, its page (solutions/ch1/p15.md) and its trials beside it.
 
-`read` gives the master with its cells by role, `student_notebook` converts it to the copy that students receive.
+`read` gives the master with its cells by role and its trials, `student_notebook` converts it to the students' copy.
 """
 
 from trajlib._lazy import lazy_names
 
 __getattr__, __dir__, __all__ = lazy_names(__name__, {
-    "reading": ["Answer", "Cell", "Master", "MasterError", "master_paths", "read", "read_all"],
+    "errors": ["MasterError"],
+    "reading": ["Answer", "Cell", "Master", "master_paths", "read", "read_all"],
+    "trials": ["Trial"],
     "converting": ["student_notebook", "write_exercises"],
     "links": ["Links"],
 })

@@ -1,16 +1,18 @@
 """The student's copy of a master: a plain Jupyter notebook without solutions, with nbgrader's metadata.
 
 Data and check cells stand as they are and are locked; each answer cell becomes a stub `name = ...`; everything between
-`solution-start` and `solution-end` and all trial cells leave. MyST directives become headings and paragraphs, so that
-the copy reads well in any Jupyter.
+`solution-start` and `solution-end` leaves. MyST directives become headings and paragraphs, so that the copy reads
+well in any Jupyter.
 """
 
 import json
 import re
 from pathlib import Path
 
+from trajlib.masters.contract import master_file
 from trajlib.masters.links import Links
-from trajlib.masters.reading import assigned_names, master_file, read, read_all, reported_names
+from trajlib.masters.reading import read, read_all
+from trajlib.masters.statements import assigned_names, reported_names
 
 CREDIT = ("S. S. Lemak, V. M. Morozov, M. Yu. Popelensky, V. V. Tikhomirov, O. Yu. Cherkasov, "
           "*Mechanics of Controlled Systems: Problem Book* (in Russian), ed. V. V. Aleksandrov, Yu. V. Bolotin, "

@@ -8,10 +8,11 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
-import yaml
 from sphinx.errors import ExtensionError
 
 from trajlib import exercises
+from trajlib.masters import MasterError
+from trajlib.masters.front_matter import read_front_matter
 
 PAGE = re.compile(r"(solutions|exercises)/ch\d+/p\d+")
 
@@ -68,11 +69,11 @@ def of(env):
 
 
 def _front_matter(path):
-    text = path.read_text(encoding="utf-8")
     try:
-        return yaml.safe_load(text.split("---", 2)[1])["problem"]
-    except (IndexError, KeyError, TypeError, yaml.YAMLError) as error:
-        raise ExtensionError(f"{path}: no front matter with problem: in it ({error})") from None
+        said, _ = read_front_matter(path, path.read_text(encoding="utf-8"))
+    except MasterError as error:
+        raise ExtensionError(str(error)) from None
+    return said
 
 
 def _answer(answer):

@@ -1,0 +1,63 @@
+# %% wrong
+reached = sp.sin(alpha)*sp.cos(alpha) < 0  # only where the free motion comes down
+curve = [-R*sp.cos(2*alpha), R*sp.sin(2*alpha)]  # turned around the origin instead of around (-1, 0)
+curve = [-1 - sp.cos(alpha), sp.sin(alpha)]  # the switching curve of the transfer to the origin
+# the first semicircle only
+law = sp.Piecewise((-sp.sign(x2 + sp.sign(x1)*sp.sqrt(1 - (sp.Abs(x1) - R - 1)**2)),
+                    sp.And(sp.Abs(x1) > R, sp.Abs(x1) < R + 2)), (-sp.sign(x2), True))
+# the law to the origin
+n = sp.floor(sp.Abs(x1)/2)
+law = -sp.sign(x2 + sp.sign(x1)*sp.sqrt(1 - (sp.Abs(x1) - 1 - 2*n)**2))
+# the term -x1 of the velocity forgotten
+crossing = [sp.sin(alpha)*(1 - sp.cos(alpha)), -sp.sin(alpha)*(1 + sp.cos(alpha))]
+in_dispersal = sp.sqrt(1 - (x1 - R + 1)**2)  # the semicircle of R = 2 for all R
+in_dispersal = 0  # the axis
+in_law = sp.sign(x2)  # push along the velocity: the rate u*x2 made largest at each moment
+in_law = -sp.sign(x2)  # the law from outside
+# the law of R <= 2 used for all R
+D = (R**2 - x1**2 - x2**2)/2
+in_law_all = sp.Piecewise((sp.sign(x2 - x1*sp.sqrt(D/(2 - D))), D < 2), (sp.sign(x2), True))
+in_law_all = sp.sign(x2)  # the resonance law
+
+# %% right
+reached = True  # everywhere, the two points on the axis counted in
+reached = -R*sp.Abs(sp.sin(alpha)) < 0  # by the rate
+curve = [-(1 + R) + sp.cos(sp.pi - alpha), sp.sin(sp.pi - alpha)]  # as the half turns come
+# not simplified
+curve = sp.Matrix([-1 - (R*sp.cos(alpha) + 1)*sp.cos(alpha) - R*sp.sin(alpha)**2,
+                   (R*sp.cos(alpha) + 1)*sp.sin(alpha) - R*sp.sin(alpha)*sp.cos(alpha)])
+# with a remainder instead of a floor
+law = sp.Piecewise((-sp.sign(x2 + sp.sign(x1)*sp.sqrt(1 - (sp.Mod(sp.Abs(x1) - R, 2) - 1)**2)), sp.Abs(x1) > R),
+                   (-sp.sign(x2), True))
+# left and right apart
+m = sp.floor((x1 - R)/2)
+k = sp.floor((-x1 - R)/2)
+law = sp.Piecewise((sp.Piecewise((1, x2 < -sp.sqrt(1 - (x1 - R - 1 - 2*m)**2)), (-1, True)), x1 >= R),
+                   (sp.Piecewise((-1, x2 > sp.sqrt(1 - (x1 + R + 1 + 2*k)**2)), (1, True)), x1 <= -R), (-1,
+                                                                                                        x2 > 0), (1,
+                                                                                                                  True))
+crossing = [2*sp.sin(alpha) + R*sp.sin(alpha), R*sp.sin(alpha)]  # multiplied out
+# not simplified
+crossing = [sp.sin(alpha)*(value + 1 + R + sp.cos(alpha)) - sp.cos(alpha)*sp.sin(alpha) for value in (1, -1)]
+in_dispersal = sp.sqrt(sp.sqrt(R**4 - 8*R**2 + 16*x1**2 + 16)/2 + R**2/2 - 2 - x1**2)  # the root multiplied out
+# by the radius: r**2 as an expression in x1, decimals
+p = 0.5*((R**2 - 4) + ((R**2 - 4)**2 + 16*x1**2)**0.5)
+in_dispersal = (p - x1**2)**0.5
+# by the explicit dispersal curve
+in_law = sp.sign(x2 - sp.sign(x1)*sp.sqrt((sp.sqrt((4 - R**2)**2 + 16*x1**2) - (4 - R**2))/2 - x1**2))
+# case by case
+q = (R**2 - x1**2 - x2**2)/(4 - R**2 + x1**2 + x2**2)
+in_law = sp.Piecewise((1, x2 > x1*sp.sqrt(q)), (-1, True))
+# right half only, the left by symmetry
+r = sp.sqrt(x1**2 + x2**2)
+b = R - 2*sp.floor((R - r)/2)
+y = sp.sign(x1)*x2
+h = sp.Piecewise((sp.Abs(x1)*sp.sqrt((b**2 - r**2)/(4 - b**2 + r**2)), b <= 2),
+                 (sp.sqrt(1 - (sp.Abs(x1) - b + 1)**2), sp.Abs(x1) > b - 2), (0, True))
+in_law_all = sp.sign(x1)*sp.sign(y - h)
+# with a remainder instead of a floor
+r = sp.sqrt(x1**2 + x2**2)
+b = r + sp.Mod(R - r, 2)
+g = (b**2 - r**2)/2
+in_law_all = sp.Piecewise((sp.sign(x2 - x1*sp.sqrt(g/(2 - g))), b <= 2), (sp.sign(x2), sp.Abs(x1) < b - 2),
+                          (sp.sign(x2 - sp.sign(x1)*sp.sqrt(1 - (sp.Abs(x1) - b + 1)**2)), True))

@@ -1,0 +1,57 @@
+# %% wrong
+a_reached = True  # the whole line
+a_reached = v < 0  # the points where the motion comes down by itself
+a_curve = x2**2/2  # the trajectory to the origin
+a_curve = sp.Rational(3, 2)  # one unit of time forwards
+a_barrier = sp.Rational(1, 2)  # the vertical line continued upwards
+a_barrier = (3 - x2**2)/2  # the trajectory with u = -1 through (1, 1)
+a_law = -sp.sign(x1 - x2)  # towards the line, without a thought for the last unit of time
+# the barrier forgotten
+h = sp.Rational(1, 2)
+a_law = sp.Piecewise((sp.Piecewise((1, x1 < h), (-1, True)), x1 > x2), (sp.Piecewise((-1, x1 > -h), (1, True)), True))
+a_time = 1 - x2 + sp.sqrt(1 + x2**2 - 2*x1)  # the other zero of g
+a_time = 1 + x2 + sp.sqrt(sp.Abs(x2**2 + 2*x1 - 1))  # the motion that goes round, taken for all starts
+b_reached = v > 0  # the upper branch only
+b_curve = -x2**2/8  # the normal (-1, v)
+b_curve = -x2**2/2  # the trajectory to the vertex
+b_dispersal = x2**2  # the false root of the squared equation
+b_dispersal = 7*x2**2  # the nearer branch in the direction of x2
+# outside right, inside pushed along the velocity
+b_law = sp.Piecewise((sp.Piecewise((-1, sp.And(x2 > 0, x1 > -x2**2/3)), (1, True)), x1 < x2**2), (sp.sign(x2), True))
+# no switching outside
+b_law = sp.Piecewise((-sp.sign(x2), x1 < x2**2), (sp.Piecewise((1, sp.And(x2 > 0, x1 < 13*x2**2)), (-1, True)), True))
+
+# %% right
+a_reached = v - 1 < 0  # the rate of g
+a_reached = sp.Interval(-sp.oo, 1)  # an interval
+a_curve = 0.5  # a decimal
+a_curve = x2 - x2 + sp.Rational(1, 2)  # as it comes
+a_barrier = 1 + (x2**2 - 1)/2  # from the point of contact
+a_barrier = x2 + (1 - x2)**2/2  # by g
+# all cases side by side, in plain symbols
+a, b = sp.symbols("x1 x2")
+a_law = sp.Piecewise((1, sp.And(a > b, b <= 0, 2*a < 1)), (1, sp.And(a > b, b > 0, b < 1, 2*a < 1 + b**2)), (-1, a > b),
+                     (-1, sp.And(b >= 0, 2*a > -1)), (-1, sp.And(b < 0, b > -1, 2*a > -1 - b**2)), (1, True))
+# by the maximum of x2 and 0, decimals
+p = sp.Heaviside(0.5*(1 + sp.Max(x2, 0)**2) - x1)*sp.Heaviside(1 - x2)
+q = sp.Heaviside(0.5*(1 + sp.Max(-x2, 0)**2) + x1)*sp.Heaviside(1 + x2)
+a_law = sp.Piecewise((2*p - 1, x1 > x2), (1 - 2*q, True))
+# by the roots of the quadratic equations
+g = x1 - x2
+a_time = sp.Piecewise((1 - x2 - sp.sqrt((1 - x2)**2 - 2*g), sp.And(x2 < 1, 2*x1 < 1 + sp.Max(x2, 0)**2)),
+                      (1 + x2 + sp.sqrt((1 + x2)**2 - 2*(1 - g)), True))
+# the far part first
+a_time = sp.Piecewise((1 + x2 + (x2**2 + 2*x1 - 1)**0.5, sp.Or(x2 >= 1, x1 > 0.5 + 0.5*sp.Max(0, x2)**2)),
+                      (1 - x2 - (1 + x2**2 - 2*x1)**0.5, True))
+b_reached = True  # the vertex counted in
+b_reached = -v - 2*sp.Abs(v) < 0  # the rate
+b_curve = -3*(x2/3)**2  # by the end point
+b_curve = -0.333*x2**2  # three digits
+b_dispersal = 26*x2*x2/2  # a product
+b_dispersal = 13.0*x2**2  # a decimal
+# four regions
+b_law = sp.Piecewise((-1, sp.And(x2 > 0, x1 > -x2**2/3, x1 < x2**2)), (1, x1 < x2**2),
+                     (1, sp.And(x2 > 0, x1 < 13*x2**2)), (-1, True))
+# inside by the times themselves
+p, m = -x2 + sp.sqrt(2*x1 - x2**2), x2 + sp.sqrt((2*x1 + x2**2)/3)
+b_law = sp.Piecewise((sp.sign(m - p), x1 > x2**2), (-1, sp.And(x2 > 0, 3*x1 + x2**2 > 0)), (1, True))

@@ -1,0 +1,37 @@
+# %% wrong
+# three free oscillators, as if Coriolis forces were absent
+a_modes = [0, n1*vx + n2*vy, n1*x + n2*y + n3*z, (n1*vx + n2*vy + n3*vz)/omega]
+# the drift turned round
+a_modes = [n1*(4*x + 2*vy/omega) + n2*(y - 2*vx/omega), 3*n2*(vy + 2*omega*x),
+           n1*(-3*x - 2*vy/omega) + 2*n2*vx/omega + n3*z, (n1*vx + n3*vz)/omega + 2*n2*(3*x + 2*vy/omega)]
+# displacements across the line of sight, which do not stay there
+b_unseen = [[-n2, n1, 0, 0, 0, 0], [0, -n3, n2, 0, 0, 0]]
+# twice the same motion
+b_unseen = [[1, 0, -n1/n3, 0, -2*omega, 2*n2*omega/n3], [2, 0, -2*n1/n3, 0, -4*omega, 4*n2*omega/n3]]
+# position and velocity both perpendicular to the line of sight
+b_unseen = [[1, 0, -n1/n3, 0, 0, 0], [0, 2, -2*n2/n3, omega, 0, -n1*omega/n3]]
+c_ranks = [4, 4, 4]  # four for every direction
+c_ranks = [2, 2, 2]  # position and velocity of the coordinate itself
+d_insufficient = sp.Eq(n1*k3, n3*k1)  # one equality is not enough
+d_insufficient = sp.Eq(n1*k1 + n2*k2 + n3*k3, 0)  # perpendicular instead of parallel
+d_insufficient = sp.Or(sp.Eq(n1*k3, n3*k1), sp.Eq(n2*k3, n3*k2))  # either of the two
+
+# %% right
+# multiplied out
+a_modes = [sp.expand(c) for c in (4*n1*x + 2*n1*vy/omega + n2*y - 2*n2*vx/omega, -3*n2*vy - 6*n2*omega*x,
+                                  -3*n1*x - 2*n1*vy/omega + 2*n2*vx/omega + n3*z,
+                                  n1*vx/omega + 6*n2*x + 4*n2*vy/omega + n3*vz/omega)]
+# a column over a common denominator, plain symbols
+N1, N2, N3, W, X0, Y0, Z0, VX, VY, VZ = sp.symbols('n1 n2 n3 omega x y z vx vy vz')
+a_modes = sp.Matrix([(N1*(4*W*X0 + 2*VY) + N2*(W*Y0 - 2*VX))/W, -3*N2*(VY + 2*W*X0),
+                     (2*N2*VX - N1*(3*W*X0 + 2*VY) + N3*W*Z0)/W, (N1*VX + N3*VZ + 2*N2*(3*W*X0 + 2*VY))/W])
+b_unseen = [[n3, 0, -n1, 0, -2*omega*n3, 2*n2*omega], [0, 2*n3, -2*n2, omega*n3, 0, -n1*omega]]  # without fractions
+# their sum and difference, as columns
+one = sp.Matrix([1, 0, -n1/n3, 0, -2*omega, 2*n2*omega/n3])
+two = sp.Matrix([0, 2, -2*n2/n3, omega, 0, -n1*omega/n3])
+b_unseen = [one + two, one - two]
+c_ranks = (3, 4, 2)  # as a tuple
+c_ranks = [3.0, 4.0, 2.0]  # floats that are whole
+d_insufficient = sp.Eq((n1/n3 - k1/k3)**2 + 4*(n2/n3 - k2/k3)**2, 0)  # the determinant
+# all three components of the cross product, as a list
+d_insufficient = [sp.Eq(n2*k3 - n3*k2, 0), sp.Eq(n3*k1 - n1*k3, 0), sp.Eq(n1*k2 - n2*k1, 0)]
