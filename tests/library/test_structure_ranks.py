@@ -139,7 +139,7 @@ def test_exact_ranks(system):
 def test_different_numbers_are_seen_where_the_rank_of_kalman_matrix_fails(n):
     A, H = np.diag(np.arange(1.0, n + 1)), np.ones((1, n))
     found = observability(A, H)
-    assert found.holds and found.rank == n and 0.4 < found.margin < 0.6
+    assert found.holds and found.rank == n and 0.4 < n*found.margin < 0.6
     assert controllability(A, H.T).holds
     assert (np.linalg.matrix_rank(observability_matrix(A, H)) < n) == (n >= 12)
 
@@ -295,6 +295,12 @@ def test_first_order_form():
     (lambda: controllability(sp.eye(2), M([[1, 0]])), "one column"),
     (lambda: observability(sp.eye(2), M([[1, sp.I]])), "H: expected a real matrix"),
     (lambda: observability(np.eye(2), np.array([[1.0, np.nan]])), "H: expected finite"),
+    (lambda: observability(M([[1, sp.nan], [0, 1]]), M([[1, 0]])), "A: expected finite"),
+    (lambda: observability(sp.eye(2), M([[1, sp.oo]])), "H: expected finite"),
+    (lambda: controllability(np.array([[1, np.inf], [0, 1]]), np.ones((2, 1))), "A: expected finite"),
+    (lambda: mechanical_observability(np.array([[np.nan]]), np.eye(1), np.eye(1), np.eye(1)), "M: expected finite"),
+    (lambda: observability(M([[sp.exp(w), 1], [0, 1]]), M([[1, 0]])), r"exp\(omega\) stands in the system.*put symbols"),
+    (lambda: controllability(M([[2**w, 1], [0, 1]]), M([1, 0])), r"2\*\*omega stands in the system"),
     (lambda: observability(np.eye(2), M([[1, w]])), "exactly"),
     (lambda: observability(np.eye(2)*1j, np.ones((1, 2))), "real"),
     (lambda: observer_canonical_form(sp.eye(2), [1, 0]), "rank 1 of 2.*observability_decomposition"),

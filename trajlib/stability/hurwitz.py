@@ -198,6 +198,8 @@ def read_exact_matrix(A):
     if A.rows != A.cols or not A.rows:
         raise ValueError(f"A: expected a square matrix, got shape {A.shape}")
     A = A.applyfunc(exact_decimals)
+    if A.has(sp.nan, sp.oo, -sp.oo, sp.zoo):
+        raise ValueError("A: expected finite entries")
     if A.has(sp.I) or any(entry.is_real is False for entry in A):
         raise ValueError("A: expected a real matrix")
     return A

@@ -110,7 +110,7 @@ def _coordinates(A, H, name, kind, word, way_out):
                          "their sum, or decompose by components (decompose_by_outputs, decompose_by_inputs)")
     g = stacked_powers(A, H)
     floating = isinstance(A, np.ndarray)
-    found = floats.split(A, H).seen.shape[1] if floating else exact.rank(g)
+    found = floats.split(A, H).rank if floating else exact.rank(g)
     if found < n:
         raise ValueError(f"{name}: the pair is not {word} (rank {found} of {n}), so it has no canonical form; "
                          f"{way_out} gives its {word} part, which has one")

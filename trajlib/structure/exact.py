@@ -3,6 +3,7 @@
 With symbols a rank is generic: the one for all values of the symbols but those on which some polynomial vanishes.
 """
 import sympy as sp
+from sympy.core.function import AppliedUndef
 from sympy.functions.elementary.hyperbolic import HyperbolicFunction
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
 from sympy.polys.matrices import DomainMatrix
@@ -10,12 +11,14 @@ from sympy.polys.matrices import DomainMatrix
 
 def field_matrix(matrix):
     """The matrix over the smallest field SymPy finds for its entries, in which it can tell zero exactly."""
-    for function in sorted(matrix.atoms(TrigonometricFunction, HyperbolicFunction), key=str):
-        if function.free_symbols:
-            plain = function.xreplace({s: sp.Symbol(s.name) for s in function.free_symbols})
+    for term in sorted(matrix.atoms(sp.Function, sp.Pow), key=str):
+        foreign = term.free_symbols if isinstance(term, sp.Function) else term.exp.free_symbols
+        if foreign and not isinstance(term, AppliedUndef):
+            plain = term.xreplace({s: sp.Symbol(s.name) for s in term.free_symbols})
+            angle = isinstance(term, (TrigonometricFunction, HyperbolicFunction))
+            hint = ", or the rational functions of tau = tan(angle/2)" if angle else ""
             raise ValueError(f"A: {plain} stands in the system, and a rank with such functions is not exact here; put "
-                             f"symbols "
-                             "for them, or the rational functions of tau = tan(angle/2)")
+                             f"symbols for them{hint}")
     return DomainMatrix.from_Matrix(matrix, extension=True).to_field()
 
 

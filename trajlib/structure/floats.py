@@ -1,124 +1,151 @@
-"""Popov's criterion in floating-point numbers.
+"""What is seen and what is not, in floating-point numbers.
 
-The margin is the smallest singular value of (A - lambda E; H) over complex lambda: the distance from (A, H) to the
-pairs that are not observable (R. Eising, Systems & Control Letters 4 (1984) 263-264). It is sought by descent from the
-computed eigenvalues: for the right singular vector v the best lambda is v* A v, which lowers the value again. That
-makes up for the error of a multiple eigenvalue, which is far larger than rounding. A lost mode found is split off by an
-orthogonal transformation, and the search goes on in the quotient; in this way the unobservable states are counted and
-spanned without any power of A.
+The pair is brought to balanced units (`scaling`), the staircase splits off what its steps do not show (`staircase`), and in the rest
+the least singular value of Popov's criterion is sought (`nearest`): one that is zero within rounding belongs to a state that many
+small steps of the staircase hid. It is split off by an orthogonal transformation, and so on in what remains. The unseen states are
+counted and spanned in this way without any power of A, and each number taken for zero says how far the nearest such system is.
 """
+import warnings
 from dataclasses import dataclass
 
 import numpy as np
 import scipy.linalg
 
-_DESCENTS = 6
+from .nearest import nearest, smallest
+from .scaling import Scaled, balanced
+from .staircase import staircase
+
+_EPS = np.finfo(float).eps
+# A margin below this is told: data known to eight digits would not decide.
+DOUBTFUL = np.sqrt(_EPS)
 
 
-def tolerance(A, H):
-    """Below this a singular value counts as zero: what rounding in the data can make of it."""
-    return 100*len(A)*np.finfo(float).eps*np.linalg.norm(np.vstack([A, H]), 2)
-
-
-def popov_margin(A, H):
-    """(smallest singular value found, its lambda, its unit vector)."""
-    starts = _starts(A)
-    values = np.array([_singular(A, H, s) for s in starts])
-    best = (np.inf, None, None)
-    for start in (starts[i] for i in np.argsort(values)[:_DESCENTS]):
-        found = _descend(A, H, start)
-        if found[0] < best[0]:
-            best = found
-    return best
-
-
-def _starts(A):
-    """The eigenvalues in the closed upper half-plane, and the means of each with its nearest ones.
-
-    Rounding tears a multiple eigenvalue apart into a ring whose mean stays accurate.
-    """
-    eigenvalues = np.linalg.eigvals(A)
-    eigenvalues = np.where(np.abs(eigenvalues.imag) <= 1e-14*np.abs(eigenvalues).max(initial=0), eigenvalues.real,
-                           eigenvalues)
-    near = 0.1*max(np.abs(eigenvalues).max(initial=0), np.finfo(float).tiny)
-    starts = []
-    for eigenvalue in eigenvalues[eigenvalues.imag >= 0]:
-        distances = np.abs(eigenvalues - eigenvalue)
-        order = np.argsort(distances)
-        starts += [eigenvalues[order[:count]].mean() for count in range(1, 1 + np.count_nonzero(distances <= near))]
-    # A mean of conjugate ones is real.
-    starts = np.array(starts, dtype=complex)
-    starts.imag[np.abs(starts.imag) <= 1e-12*np.abs(starts)] = 0
-    return np.unique(starts)
-
-
-def _descend(A, H, value):
-    singular, vector = _smallest(A, H, value)
-    for _ in range(100):
-        better = vector.conj() @ A @ vector
-        if not np.imag(value):
-            better = better.real
-        lower, new_vector = _smallest(A, H, better)
-        if not lower < singular*(1 - 1e-3):
-            break
-        value, singular, vector = better, lower, new_vector
-    return singular, value, vector
-
-
-def _pencil(A, H, value):
-    value = value if np.imag(value) else np.real(value)
-    return np.vstack([A - value*np.eye(len(A)), H])
-
-
-def _singular(A, H, value):
-    return np.linalg.svd(_pencil(A, H, value), compute_uv=False)[-1]
-
-
-def _smallest(A, H, value):
-    _, singular, right = np.linalg.svd(_pencil(A, H, value))
-    return singular[-1], right[-1].conj()
+def tolerance(n):
+    """In balanced units, what rounding in the data can make of a zero."""
+    return 100*n*_EPS
 
 
 @dataclass(frozen=True)
 class Split:
-    """Orthonormal columns `seen` and `unseen`; the numbers lambda as they were split off; the margin of the whole
-    pair."""
+    """The seen and the unseen states of a pair.
 
-    seen: np.ndarray
-    unseen: np.ndarray
-    numbers: tuple
+    - `seen_axes`, `unseen_axes`: orthonormal columns in the balanced units of `scaled`, together a basis;
+    - `margin`: the least singular value found in Popov's criterion for the whole pair, in balanced units.
+    """
+
+    scaled: Scaled
+    seen_axes: np.ndarray
+    unseen_axes: np.ndarray
     margin: float
+
+    @property
+    def rank(self):
+        return self.seen_axes.shape[1]
+
+    @property
+    def unseen(self):
+        """Orthonormal basis of the unobservable states, in the units given."""
+        return np.linalg.qr(self.scaled.units[:, None]*self.unseen_axes)[0]
+
+    @property
+    def seen(self):
+        """Orthonormal basis of their orthogonal complement, in the units given."""
+        return np.linalg.qr(self.seen_axes/self.scaled.units[:, None])[0]
+
+    @property
+    def rows(self):
+        """Coordinates (xi; eta) = rows x, orthogonal in balanced units, xi seen."""
+        return np.hstack([self.seen_axes, self.unseen_axes]).T/self.scaled.units
 
 
 def split(A, H):
-    """The unobservable states and their orthogonal complement."""
-    n = len(A)
-    seen, unseen, numbers, margins = np.eye(n), np.zeros((n, 0)), [], []
-    limit = tolerance(A, H)
-    while seen.shape[1]:
-        inner, outer = seen.T @ A @ seen, H @ seen
-        margin, value, vector = popov_margin(inner, outer)
-        margins.append(float(margin))
-        if margin > limit:
+    """The unobservable states of a pair of float matrices and the others."""
+    scaled, n = balanced(A, H), len(A)
+    seen, unseen, margin, limit = np.eye(n), np.zeros((n, 0)), None, tolerance(n)
+    for round_ in range(n):
+        inner, outer = seen.T @ scaled.A @ seen, scaled.H @ seen
+        stairs = staircase(inner, outer, limit)
+        seen = seen @ stairs.basis
+        seen, dropped = seen[:, :stairs.rank], seen[:, stairs.rank:]
+        unseen = np.hstack([unseen, dropped])
+        if not stairs.rank:
             break
-        if np.imag(value) and _singular(inner, outer, np.real(value)) <= limit:
+        inner, outer = stairs.matrix[:stairs.rank, :stairs.rank], scaled.H @ seen
+        sigma, value, vector = nearest(inner, outer, stairs)
+        margin = sigma if margin is None and not unseen.shape[1] else margin
+        if sigma > limit:
+            break
+        if np.imag(value) and smallest(inner, outer, np.real(value))[0] <= limit:
             value = np.real(value)
-            _, vector = _smallest(inner, outer, value)
-        numbers.append(complex(value) if np.imag(value) else float(np.real(value)))
-        plane = scipy.linalg.orth(np.column_stack([vector.real, vector.imag]), rcond=1e-8)
+            sigma = smallest(inner, outer, value)[0]
+        plane = _plane(_kernel(inner, outer, value, max(2*sigma, 20*_EPS)))
         unseen, seen = np.hstack([unseen, seen @ plane]), seen @ scipy.linalg.null_space(plane.T)
-    return Split(seen, unseen, tuple(numbers), margins[0])
+        if not seen.shape[1]:
+            break
+        # The error of what is split off adds to the data of what remains.
+        limit = tolerance(n)*10**min(round_ + 1, 4)
+    return Split(scaled, seen, unseen, _whole_margin(scaled, unseen) if margin is None else margin)
 
 
-def lost_modes(A, H, split):
-    """Pairs (lambda, columns v with A v = lambda v, H v = 0), conjugate numbers one by one."""
-    modes, limit = [], 10*tolerance(A, H)
-    for value in split.numbers:
-        if any(abs(value - other) <= 1e-6*np.linalg.norm(A, 2) for other, _ in modes):
-            continue
-        _, singular, right = np.linalg.svd(_pencil(A, H, value))
-        vectors = right[singular <= max(limit, singular[-1])].conj().T
-        modes.append((value, vectors))
+def told_split(A, H):
+    """`split` for subspaces and decompositions, which have no words of their own: a doubtful one is told by a warning."""
+    found = split(A, H)
+    if found.rank == len(A) and found.margin < DOUBTFUL:
+        warnings.warn(f"nothing is split off, but a change of the entries by {found.margin:.1e} of their size would take a "
+                      "state away; exact entries (SymPy) would decide", stacklevel=4)
+    return found
+
+
+def lost_modes(split):
+    """Pairs (lambda, columns v with A v = lambda v, H v = 0), conjugate numbers one by one, in the units given."""
+    axes, scaled, modes = split.unseen_axes, split.scaled, []
+    block, limit = axes.T @ scaled.A @ axes, 10*tolerance(len(scaled.A))
+    for value in _numbers(block):
+        vectors = _kernel(block, np.zeros((0, len(block))), value, limit)
+        vectors = scaled.units[:, None]*(axes @ vectors)
+        vectors = vectors/np.linalg.norm(vectors, axis=0)
+        modes.append((value*scaled.rate, vectors))
         if np.imag(value):
-            modes.append((value.conjugate(), vectors.conj()))
+            modes.append((value.conjugate()*scaled.rate, vectors.conj()))
     return modes
+
+
+def _numbers(block):
+    """The eigenvalues in the closed upper half-plane; for a ring that rounding makes of a multiple one, its mean."""
+    left, limit, found = list(np.linalg.eigvals(block)), tolerance(len(block)), []
+    while left:
+        # A multiple number of order k comes as a ring of the radius of the k-th root of rounding.
+        apart = np.abs(np.array(left) - left[0])
+        order = np.argsort(apart)
+        for count in range(len(left), 0, -1):
+            ring = order[:count]
+            mean = np.mean([left[i] for i in ring])
+            mean = float(mean.real) if abs(mean.imag) <= limit else complex(mean)
+            if count == 1 or (apart[ring[-1]] <= 2*limit**(1/count) and _singular(block, mean) <= limit):
+                break
+        if np.imag(mean) and _singular(block, np.real(mean)) <= limit:
+            mean = float(np.real(mean))
+        found.append(mean)
+        left = [left[i] for i in range(len(left)) if i not in ring]
+    return sorted((f for f in found if np.imag(f) >= 0), key=lambda f: (np.real(f), np.imag(f)))
+
+
+def _singular(block, value):
+    return np.linalg.svd(block - value*np.eye(len(block)), compute_uv=False)[-1]
+
+
+def _kernel(A, H, value, limit):
+    """The vectors at which (A - lambda E; H) is at most `limit`, one at least, as columns."""
+    _, values, right = np.linalg.svd(np.vstack([A - value*np.eye(len(A)), H]))
+    return right[values <= max(limit, values[-1])].conj().T
+
+
+def _plane(vectors):
+    """Real orthonormal basis of what complex vectors and their conjugates span."""
+    return scipy.linalg.orth(np.hstack([vectors.real, vectors.imag]), rcond=1e-8)
+
+
+def _whole_margin(scaled, unseen):
+    """Where the staircase split states off: Popov's singular value at their numbers."""
+    values = np.linalg.eigvals(unseen.T @ scaled.A @ unseen)
+    return float(min(smallest(scaled.A, scaled.H, value)[0] for value in values))

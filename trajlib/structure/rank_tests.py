@@ -1,8 +1,8 @@
 """Is the state seen, can it be steered? The criteria of Kalman and of Popov, Theorems 2.1 - 2.4 of the problem book.
 
 Exact systems: the rank of Kalman's matrix, and Popov's criterion for the characteristic numbers at which the rank of
-(A - lambda E; H) falls, with the motions exp(lambda t) v that the output does not show. Floats: Popov's criterion
-alone, with its singular value as the margin.
+(A - lambda E; H) falls, with the motions exp(lambda t) v that the output does not show. Floats: the staircase form in
+balanced units and Popov's singular values (module `floats`).
 """
 from dataclasses import dataclass
 
@@ -26,8 +26,9 @@ class RankTest:
 
     - `holds`: the verdict, `rank == order`; `rank`: of N (or W); `order`: the dimension of the state;
     - `lost`: tuple of `LostMode`, the characteristic numbers at which the rank of Popov's criterion falls;
-    - `margin`: for floats the smallest singular value in Popov's criterion, the distance to the systems for which the
-      verdict would be no; None for exact systems;
+    - `margin`: for floats the smallest singular value in Popov's criterion that was found, A having the norm 1 and every
+      output the length 1 in units that balance the system. A change of that size makes the verdict no; a smaller one
+      may do so too, since the search is not proved to be complete. None for exact systems;
     - `reason`: the verdict in words. With symbols everything is generic: true for all values of the symbols but
       exceptional ones, which `observability_conditions` and `controllability_conditions` give.
     """
@@ -51,7 +52,7 @@ def observability(A, H=None):
 
     `A`: n x n, `H`: m x n. SymPy matrices or lists of rows are judged exactly; with symbols the verdict is generic (it
     may fail for special values: see `observability_conditions`). NumPy arrays of floats, or a StateSpace in place of
-    `A`, are judged by Popov's criterion with its singular value as the margin. Returns `RankTest`. Raises ValueError
+    `A`, are judged in balanced units by their staircase form, with a margin. Returns `RankTest`. Raises ValueError
     for shapes that do not fit and entries that are not real. Source: Theorems 2.1 and 2.3 of the problem book.
 
     >>> import sympy as sp
@@ -116,14 +117,13 @@ def _named(eigenvalue):
 
 
 def float_test(A, H, word, orient=lambda vectors: vectors):
-    """Popov's verdict in floats; a margin close to rounding is told."""
+    """The verdict in floats; a margin close to rounding is told."""
     split = floats.split(A, H)
-    scale = np.linalg.norm(np.vstack([A, H]), 2)
-    remark = f"; margin {split.margin:.3g}"
-    if split.unseen.shape[1]:
-        remark += ", zero within rounding; exact entries (SymPy) would decide" if split.margin else ""
-    elif split.margin < np.sqrt(np.finfo(float).eps)*scale:
-        remark += (f", small: a change of the entries by {split.margin:.1e} can turn the verdict; exact entries "
-                   f"(SymPy) would decide")
-    lost = [LostMode(value, orient(vectors)) for value, vectors in floats.lost_modes(A, H, split)]
-    return rank_test(split.seen.shape[1], len(A), lost, word, split.margin, remark=remark)
+    remark = f"; margin {split.margin:.3g} in balanced units"
+    if split.rank < len(A):
+        remark += ", zero within rounding; exact entries (SymPy) would decide" if split.margin or split.scaled.cleared else ""
+    elif split.margin < floats.DOUBTFUL:
+        remark += (f", small: a change of the entries by {split.margin:.1e} of their size can turn the verdict; exact entries "
+                   "(SymPy) would decide")
+    lost = [LostMode(value, orient(vectors)) for value, vectors in floats.lost_modes(split)]
+    return rank_test(split.rank, len(A), lost, word, split.margin, remark=remark)

@@ -19,8 +19,6 @@ def read_observed(A, H, name="H"):
     if is_float_array(A) or is_float_array(H):
         A, H = read_float_matrix(as_floats(A, "A")), as_floats(H, name)
         H = H[None, :] if H.ndim == 1 else H
-        if H.ndim == 2 and not np.all(np.isfinite(H)):
-            raise ValueError(f"{name}: expected finite entries")
     else:
         A, H = read_exact_matrix(A), read_exact_rectangle(H, name)
     if H.shape[1:] != A.shape[1:] or not H.shape[0]:
@@ -39,8 +37,6 @@ def read_controlled(A, B):
     if is_float_array(A) or is_float_array(B):
         A, B = read_float_matrix(as_floats(A, "A")), as_floats(B, "B")
         B = B[:, None] if B.ndim == 1 else B
-        if B.ndim == 2 and not np.all(np.isfinite(B)):
-            raise ValueError("B: expected finite entries")
     else:
         A, B = read_exact_matrix(A), read_exact_rectangle(B, "B", flat="column")
     if B.shape[:1] != A.shape[:1] or len(B.shape) != 2 or not B.shape[1]:
@@ -60,12 +56,16 @@ def as_floats(matrix, name):
     if is_float_array(matrix):
         if matrix.dtype.kind == "c":
             raise ValueError(f"{name}: expected a real matrix")
-        return matrix.astype(float)
-    try:
-        return np.array(sp.Matrix(matrix).tolist(), dtype=float)
-    except (TypeError, ValueError, sp.SympifyError):
-        raise ValueError(f"{name}: floats and exact symbols stand in one system; write all of it exactly "
-                         "(SymPy)") from None
+        result = matrix.astype(float)
+    else:
+        try:
+            result = np.array(sp.Matrix(matrix).tolist(), dtype=float)
+        except (TypeError, ValueError, sp.SympifyError):
+            raise ValueError(f"{name}: floats and exact symbols stand in one system; write all of it exactly "
+                             "(SymPy)") from None
+    if not np.all(np.isfinite(result)):
+        raise ValueError(f"{name}: expected finite entries")
+    return result
 
 
 def read_exact_rectangle(matrix, name, flat="row"):
@@ -78,6 +78,8 @@ def read_exact_rectangle(matrix, name, flat="row"):
     if flat_list and flat == "row":
         result = result.T
     result = result.applyfunc(exact_decimals)
+    if result.has(sp.nan, sp.oo, -sp.oo, sp.zoo):
+        raise ValueError(f"{name}: expected finite entries")
     if result.has(sp.I) or any(entry.is_real is False for entry in result):
         raise ValueError(f"{name}: expected a real matrix")
     return result.as_mutable()

@@ -53,8 +53,9 @@ class Decomposition:
 def observability_decomposition(A, H=None):
     """Decomposition by observation, observable coordinates first (MATLAB: obsvf, which puts them last).
 
-    `A`: n x n, `H`: m x n. Exact input gives the basis of the problem book (generic if there are symbols), floats an
-    orthogonal T. An observable pair gives sizes (n, 0). Returns `Decomposition` with `outputs`.
+    `A`: n x n, `H`: m x n. Exact input gives the basis of the problem book (generic if there are symbols), floats a
+    T that is orthogonal in the units that balance the system. An observable pair gives sizes (n, 0); one that rounding
+    could make unobservable, a warning. Returns `Decomposition` with `outputs`.
     Raises ValueError for shapes that do not fit. Source: Theorem 2.9 and example 3 of the problem book.
 
     >>> import sympy as sp
@@ -79,8 +80,9 @@ def observability_decomposition(A, H=None):
 def controllability_decomposition(A, B=None):
     """Decomposition by control, controllable coordinates first (MATLAB: ctrbf, which puts them last).
 
-    `A`: n x n, `B`: n x s. Exact input gives the basis of the problem book (generic if there are symbols), floats an
-    orthogonal T. A controllable pair gives sizes (n, 0). Returns `Decomposition` with `inputs`.
+    `A`: n x n, `B`: n x s. Exact input gives the basis of the problem book (generic if there are symbols), floats a
+    T that is orthogonal in the units that balance the system. A controllable pair gives sizes (n, 0); one that rounding
+    could make uncontrollable, a warning. Returns `Decomposition` with `inputs`.
     Raises ValueError for shapes that do not fit. Source: Theorem 2.8 and example 6 of the problem book.
 
     >>> import sympy as sp
@@ -107,8 +109,8 @@ def _coordinates(A, H):
     """Rows g of the observable coordinates, then rows orthogonal to them; and the two numbers."""
     n = A.shape[0]
     if isinstance(A, np.ndarray):
-        split = floats.split(A, H)
-        return np.hstack([split.seen, split.unseen]).T, (split.seen.shape[1], split.unseen.shape[1])
+        split = floats.told_split(A, H)
+        return split.rows, (split.rank, n - split.rank)
     N = stacked_powers(A, H)
     chosen = exact.independent_rows(N)
     rows = N.extract(list(chosen), list(range(n))) if chosen else sp.zeros(0, n)

@@ -16,8 +16,8 @@ def unobservable_subspace(A, H=None):
     """Basis of the initial states with z = 0 for all time (MATLAB: null(obsv(A, C))).
 
     `A`: n x n, `H`: m x n. Returns an n x k matrix whose columns are a basis (k = n - rank N, also 0): exact input
-    gives coprime whole entries, generic if there are symbols; floats give orthonormal columns found by Popov's
-    criterion. Raises ValueError for shapes that do not fit. Source: Theorem 2.9 of the problem book.
+    gives coprime whole entries, generic if there are symbols; floats give orthonormal columns,
+    and a warning if rounding could make a state unobservable. Raises ValueError for shapes that do not fit. Source: Theorem 2.9 of the problem book.
 
     >>> import sympy as sp
     >>> unobservable_subspace(sp.Matrix([[0, 1, 0], [1, 1, 1], [1, 0, 1]]), sp.Matrix([[0, 1, 0]])).T
@@ -25,7 +25,7 @@ def unobservable_subspace(A, H=None):
     """
     A, H = read_observed(A, H)
     if isinstance(A, np.ndarray):
-        return floats.split(A, H).unseen
+        return floats.told_split(A, H).unseen
     return exact.null_columns(stacked_powers(A, H))
 
 
@@ -33,8 +33,8 @@ def controllable_subspace(A, B=None):
     """Basis of the states reached from x = 0 by some control (MATLAB: orth(ctrb(A, B))).
 
     `A`: n x n, `B`: n x s. Returns an n x k matrix, k = rank W, whose columns are the first independent columns of W
-    (b, Ab, ...), generic if there are symbols; floats give orthonormal columns. Raises ValueError for shapes that do
-    not fit. Source: Theorem 2.8 of the problem book.
+    (b, Ab, ...), generic if there are symbols; floats give orthonormal columns, and a warning
+    if rounding could take a state away. Raises ValueError for shapes that do not fit. Source: Theorem 2.8 of the problem book.
 
     >>> import sympy as sp
     >>> controllable_subspace(sp.Matrix([[0, 1, 1], [1, 1, 0], [0, -1, -1]]), sp.Matrix([0, 1, 0])).T
@@ -44,7 +44,7 @@ def controllable_subspace(A, B=None):
     """
     A, H = read_controlled(A, B)
     if isinstance(A, np.ndarray):
-        return floats.split(A, H).seen
+        return floats.told_split(A, H).seen
     powers = stacked_powers(A, H)
     chosen = list(exact.independent_rows(powers))
     return powers.extract(chosen, list(range(A.rows))).T if chosen else sp.zeros(A.rows, 0)
