@@ -11,6 +11,8 @@ import sys
 import time
 from contextlib import contextmanager, redirect_stderr, redirect_stdout
 
+from trajlib.checks.contract.first_aid import advice
+
 #: Of all encoded answers together: far above any honest notebook, within one message of the sandbox.
 ROOM = 6 * 2**20
 
@@ -194,4 +196,5 @@ def _told(error):
         text = str(error)[:300]
     except BaseException:
         text = "(its text cannot be read)"
-    return f"{name}: {text}"
+    said = advice(text)
+    return f"{name}: {text}" + (f". {said}" if said else "")

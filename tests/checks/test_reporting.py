@@ -124,3 +124,17 @@ def test_no_message_holds_the_reference():
     k1, k2, s = sp.symbols("k1 k2 s")
     verdict = checks.stability_region(k1 > 0, s**3 + k1 * s**2 + k2 * s + 1, [k1, k2])
     assert "k1*k2" not in verdict.message and "1/k1" not in verdict.message
+
+
+def test_a_condition_that_python_has_decided_is_told_so_when_it_is_wrong():
+    alpha = sp.Symbol("alpha", real=True)
+    chain = sp.Matrix([[0, 1], [0, 0]])
+    said = checks.observable_parameters(alpha != -1, chain, sp.Matrix([[alpha, 1]]), [alpha])
+    assert said.status == "wrong" and "bare True" in said.message and "sp.Ne" in said.message
+    assert checks.observable_parameters(True, chain, sp.Matrix([[1, alpha]]), [alpha]).status == "right"
+    other = checks.observable_parameters(alpha > 0, chain, sp.Matrix([[alpha, 1]]), [alpha])
+    assert other.status == "wrong" and "bare" not in other.message
+
+
+def test_a_question_ends_once():
+    assert "?." not in positive(None).message

@@ -3,7 +3,10 @@
 `checks.report(name=checks.stability_region(name, ...))` is the last line of every check cell.
 """
 
+import sys
+
 from trajlib._lazy import lazy_names
+from trajlib.checks.contract import first_aid
 
 __getattr__, __dir__, __all__ = lazy_names(__name__, {
     "contract.reporting": ["NotYet", "collecting", "report"],
@@ -61,3 +64,8 @@ __getattr__, __dir__, __all__ = lazy_names(__name__, {
         "fooling_error", "measured_motion", "modes_of_range", "most_rows", "numbers_seen", "range_error",
         "stations_insufficient", "unseen_by_bearings", "unseen_direction", "unseen_motions", "worst_of_three"],
 })
+
+# The data cell of a notebook imports this package: from then on its cells are watched.
+_shell = sys.modules["IPython"].get_ipython() if "IPython" in sys.modules else None
+if _shell is not None:
+    first_aid.start(_shell)

@@ -10,7 +10,7 @@ import sys
 import numpy as np
 import sympy as sp
 
-from trajlib.checks.contract.verdict import Invalid
+from trajlib.checks.contract.verdict import Invalid, remark
 
 YES = {True, "yes", "true", "y"}
 NO = {False, "no", "false", "n"}
@@ -124,6 +124,8 @@ def as_condition(answer, symbols):
     Also accepted: a list or set of conditions (all of them hold), a set of values of the symbols, True and False.
     """
     if isinstance(answer, (bool, np.bool_)):
+        remark(f"What was handed over is a bare {bool(answer)}: in Python x != 1 is True and x == 1 is False at once; "
+               "write sp.Ne(x, 1) and sp.Eq(x, 1)")
         return sp.true if answer else sp.false
     if isinstance(answer, (list, tuple, set, frozenset)) and answer:
         answer = sp.And(*[as_condition(part, symbols) for part in answer])

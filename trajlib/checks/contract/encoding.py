@@ -236,7 +236,7 @@ _HINTS = {
 def _refusal(value):
     name = _type_name(value)
     if hint := _HINTS.get(name):
-        return f"{hint}. {ALLOWED}"
+        return f"{hint}{'' if hint.endswith('?') else '.'} {ALLOWED}"
     if callable(value):
         return f"is a {name}, and functions are not data: write its formula in SymPy. {ALLOWED}"
     return (f"is of the type {name}, which is not an answer (nor is a subclass of an allowed type: write list(...) or "

@@ -1,13 +1,21 @@
-"""`checks.report`: the last line of every check cell."""
+"""`checks.report`: the last line of every check cell.
+
+In Jupyter the report is shown as HTML, each line with the mark and the colours of its own verdict; the error that
+follows unless all are right (nbgrader and the build want one) is then a single line that counts.
+"""
 
 import html
 import sys
 from contextlib import contextmanager
 from contextvars import ContextVar
 
+from trajlib.checks.contract import first_aid
 from trajlib.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG, Verdict
 
 MARKS = {RIGHT: "✓", WRONG: "✗", MISSING: "…", INVALID: "?", UNCHECKED: "!"}
+#: Ink and ground of a line, with a contrast of at least 4.5.
+COLOURS = {RIGHT: ("#17683a", "#eaf6ee"), WRONG: ("#a3262c", "#fdefee"), MISSING: ("#6a5a00", "#fbf6de"),
+           INVALID: ("#74379a", "#f7effc"), UNCHECKED: ("#0f5a86", "#eaf4fb")}
 
 _collected = ContextVar("collected verdicts", default=None)
 
@@ -21,7 +29,10 @@ class NotYet(Exception):
 
     def _render_traceback_(self):
         # Jupyter asks for this instead of the traceback: the student reads the verdicts and nothing else.
-        return str(self).split("\n")
+        if not _in_jupyter():
+            return str(self).split("\n")
+        right = sum(verdict.status == RIGHT for verdict in self.verdicts.values())
+        return [f"Not yet: {right} of {len(self.verdicts)} right."]
 
 
 def report(**verdicts):
@@ -36,13 +47,19 @@ def report(**verdicts):
     for name, verdict in verdicts.items():
         if not isinstance(verdict, Verdict):
             verdicts[name] = Verdict(UNCHECKED, "the check cell was changed: it hands over no verdict")
+        elif name in first_aid.stopped:
+            verdicts[name] = Verdict(MISSING, "not judged: the cell that assigns it stopped with "
+                                              f"{first_aid.stopped[name]}; mend that first")
     collected = _collected.get()
     if collected is not None:
         collected.update(verdicts)
         return
-    if all(verdict.status == RIGHT for verdict in verdicts.values()):
-        _show(verdicts)
-    else:
+    right = all(verdict.status == RIGHT for verdict in verdicts.values())
+    if _in_jupyter():
+        _display(verdicts)
+    elif right:
+        print(_as_text(verdicts))
+    if not right:
         raise NotYet(verdicts)
 
 
@@ -67,17 +84,26 @@ def _as_text(verdicts):
 
 
 def _as_html(verdicts):
-    lines = (f'<div class="trajlib-verdict {v.status}"><span class="mark">{MARKS[v.status]}</span> '
-             f"<code>{html.escape(name)}</code> <span>{v.status}: {html.escape(v.message)}</span></div>"
+    lines = (f'<div class="trajlib-verdict {v.status}" style="{_style(v.status)}"><span class="mark">{MARKS[v.status]}'
+             f"</span> <code>{html.escape(name)}</code> <span>{v.status}: {html.escape(v.message)}</span></div>"
              for name, v in verdicts.items())
     return f'<div class="trajlib-report">{"".join(lines)}</div>'
 
 
-def _show(verdicts):
+def _style(status):
+    """Ink on ground, dark on light in any theme; the site has colours of its own, for its dark pages too."""
+    ink, ground = COLOURS[status]
+    return (f"color: var(--{status}, {ink}); background: var(--{status}-ground, {ground}); padding: .4em .8em; "
+            "margin: .3em 0; border-radius: .4em; overflow-wrap: break-word")
+
+
+def _in_jupyter():
     # IPython is not imported for this: outside a notebook the text is printed.
     ipython = sys.modules.get("IPython")
-    if ipython is not None and getattr(ipython.get_ipython(), "kernel", None) is not None:
-        from IPython.display import display
-        display({"text/plain": _as_text(verdicts), "text/html": _as_html(verdicts)}, raw=True)
-    else:
-        print(_as_text(verdicts))
+    return ipython is not None and getattr(ipython.get_ipython(), "kernel", None) is not None
+
+
+def _display(verdicts):
+    from IPython.display import display
+
+    display({"text/plain": _as_text(verdicts), "text/html": _as_html(verdicts)}, raw=True)

@@ -10,11 +10,21 @@ cannot be written as data is `invalid` in both, with the same message; the data 
 
 import functools
 import warnings
+from contextvars import ContextVar
 from dataclasses import dataclass
 
 from trajlib.checks.contract.encoding import EncodingError, decode, encode
 
 RIGHT, WRONG, MISSING, INVALID, UNCHECKED = STATUSES = ("right", "wrong", "missing", "invalid", "unchecked")
+
+
+#: What was noticed while an answer was read, said only if it turns out wrong.
+_remarks = ContextVar("remarks", default=())
+
+
+def remark(sentence):
+    """Say this too, should the answer that is being judged be wrong."""
+    _remarks.set((*_remarks.get(), sentence))
 
 
 class Wrong(Exception):
@@ -47,6 +57,7 @@ def judged(check):
     def judge(answer, *data, **options):
         if isinstance(answer, Unusable):
             return Verdict(INVALID, answer.reason)
+        _remarks.set(())
         try:
             # A warning on stderr would cost the cell its points in nbgrader.
             with warnings.catch_warnings():
@@ -56,7 +67,7 @@ def judged(check):
                     return Verdict(MISSING, "not answered yet")
                 return Verdict(RIGHT, check(received, *data, **options))
         except Wrong as failed:
-            return Verdict(WRONG, str(failed))
+            return Verdict(WRONG, ". ".join([str(failed), *dict.fromkeys(_remarks.get())]))
         except (Invalid, EncodingError) as refused:
             return Verdict(INVALID, str(refused))
         except Exception as error:

@@ -1,0 +1,82 @@
+"""The first day's mistakes in a kernel, as a student's Jupyter runs it."""
+
+import re
+
+import nbformat
+import pytest
+from nbclient import NotebookClient
+
+DATA = """import sympy as sp
+from trajlib import checks
+k1, k2, s = sp.symbols("k1 k2 s", real=True)
+a_poly = s**3 + k1*s**2 + k2*s + 1"""
+CHECK = "checks.report(a_region=checks.stability_region(a_region, a_poly, [k1, k2]))"
+TWO = CHECK[:-1] + ", b_region=checks.stability_region(b_region, a_poly, [k1, k2]))"
+RIGHT = "(k2 > 0) & (k1*k2 > 1)"
+
+
+@pytest.fixture(scope="module")
+def outputs():
+    """What cells show, run one after the other whatever fails."""
+    def run(*cells):
+        notebook = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(cell) for cell in cells])
+        NotebookClient(notebook, allow_errors=True, timeout=60, kernel_name="python3").execute()
+        return [cell.outputs for cell in notebook.cells]
+
+    return run
+
+
+@pytest.fixture(scope="module")
+def first_day(outputs):
+    """One kernel through the first day: {what happened: outputs of the cell}."""
+    cells = {"data": DATA, "early": CHECK,
+             "and": "a_region = k1 > 0 and k1*k2 > 1", "after and": CHECK,
+             "right": f"a_region = {RIGHT}", "after right": CHECK,
+             "chain": "a_region = 0 < k2 < k1", "after chain": CHECK,
+             "unbracketed": "a_region = k2 > 0 & k1*k2 > 1",
+             "unreadable": "a_region = (k2 > 0", "after unreadable": CHECK,
+             "other error": "c = 1 + 'one'",
+             "half": f"a_region = {RIGHT}\nb_region = k1 > 0", "after half": TWO}
+    return dict(zip(cells, outputs(*cells.values())))
+
+
+def shown(outputs):
+    return "\n".join(output["data"]["text/plain"] for output in outputs if output.output_type == "display_data")
+
+
+def errors(outputs):
+    return ["\n".join(output.traceback) for output in outputs if output.output_type == "error"]
+
+
+@pytest.mark.parametrize("mistake", ["and", "chain", "unbracketed"])
+def test_conditions_joined_as_in_python_are_told_what_to_write(first_day, mistake):
+    [said] = errors(first_day[mistake])
+    assert "sp.And(" in said and "(k1 > 0) & (k2 < k1)" in said
+    assert "site-packages" not in said and len(said.splitlines()) == 2
+
+
+def test_other_errors_stay_as_they_are(first_day):
+    [said] = errors(first_day["other error"])
+    assert "unsupported operand" in said and "Traceback" in said and "sp.And" not in said
+
+
+def test_a_check_before_its_answer_is_missing(first_day):
+    assert shown(first_day["early"]) == "… a_region: missing: not answered yet"
+
+
+@pytest.mark.parametrize("after", ["after and", "after chain", "after unreadable"])
+def test_the_value_before_a_failed_cell_is_not_judged(first_day, after):
+    assert re.match("… a_region: missing: not judged: the cell that assigns it stopped with", shown(first_day[after]))
+
+
+def test_a_mended_cell_is_judged(first_day):
+    assert shown(first_day["after right"]).startswith("✓ a_region: right")
+
+
+def test_half_right_keeps_each_line_its_own_colour(first_day):
+    """The error is one line; the verdicts are HTML, whose colours do not need the site's style sheet."""
+    display, error = first_day["after half"]
+    assert error.output_type == "error" and error.traceback == ["Not yet: 1 of 2 right."]
+    lines = re.findall(r'<div class="trajlib-verdict (\w+)" style="color: ([^;]+);', display["data"]["text/html"])
+    assert [status for status, _ in lines] == ["right", "wrong"]
+    assert len({colour for _, colour in lines}) == 2 and all("#" in colour for _, colour in lines)
