@@ -1,6 +1,7 @@
 """The command `trajlib`. Bad input ends in one line that says what and where, with exit code 2."""
 
 import json
+import re
 import sys
 from pathlib import Path
 from typing import Annotated
@@ -71,12 +72,15 @@ def solve(number: Annotated[str, typer.Argument(help='A problem such as "1.15".'
 
 
 @app.command()
-def check(notebook: Annotated[Path, typer.Argument(help="A student's notebook of the workbook.")],
+def check(notebook: Annotated[Path, typer.Argument(help="A notebook of yours: a file, such as ch1/p15.ipynb.")],
           as_json: AsJson = False,
           timeout: Annotated[float, typer.Option(help="Seconds the notebook may run.")] = 120):
     """Run a notebook of yours and judge its answers. The exit code is 0 if all are right, 1 if not."""
     from trajlib.execution import TimeLimit, judge, run_notebook
 
+    if not notebook.exists() and re.fullmatch(r"\d+\.\d+", str(notebook)):
+        raise UserError(f"check reads a notebook of yours, the file in which you answered problem {notebook}; "
+                        f"`trajlib exercises {notebook} --to my-folder` puts a fresh one there")
     worked = exercises.read(notebook)
     pristine = exercises.find(worked.number)
     sources = pristine.to_run([source for _, source in worked.cells])
@@ -102,15 +106,20 @@ def check(notebook: Annotated[Path, typer.Argument(help="A student's notebook of
 @app.command(name="exercises")
 def write_exercises(numbers: Annotated[list[str] | None,
                                        typer.Argument(help="Only these problems; all if none is named.")] = None,
+                    to: Annotated[Path | None, typer.Option(help="Put fresh notebooks into this folder, to work on.")
+                                  ] = None,
                     as_json: AsJson = False):
-    """Regenerate the students' notebooks from the masters (in a checkout)."""
-    from trajlib.masters import write_exercises as write
-
-    if not (exercises.CHECKOUT / "solutions").is_dir():
-        raise UserError("there are no masters here: run this in a checkout of the workbook")
-    changed = [str(path.relative_to(exercises.CHECKOUT)) for path in write(exercises.CHECKOUT, numbers or ())]
-    print(json.dumps({"changed": changed}) if as_json else "\n".join(changed)
-          or "all notebooks are in step with their masters")
+    """Put the students' notebooks into a folder (--to); without it, in a checkout, regenerate them from the masters."""
+    if to is not None:
+        changed = [str(path) for path in _put(to, numbers)]
+        done = "nothing is written: all these notebooks are there already"
+    elif (exercises.CHECKOUT / "solutions").is_dir():
+        from trajlib.masters import write_exercises as write
+        changed = [str(path.relative_to(exercises.CHECKOUT)) for path in write(exercises.CHECKOUT, numbers or ())]
+        done = "all notebooks are in step with their masters"
+    else:
+        raise UserError("there are no masters here; trajlib exercises --to my-folder gives you notebooks to work on")
+    print(json.dumps({"changed": changed}) if as_json else "\n".join(changed) or done)
 
 
 @app.command()
@@ -228,6 +237,20 @@ def main():
             raise
         print(f"trajlib: {error}", file=sys.stderr)
         sys.exit(2)
+
+
+def _put(folder, numbers):
+    """Copy exercises below `folder` as ch1/p15.ipynb; what stands there, somebody's work, is left alone."""
+    chosen = [exercises.find(number) for number in numbers] if numbers else exercises.read_all()
+    for exercise in chosen:
+        path = folder / exercise.path.parent.name / exercise.path.name
+        if not path.exists():
+            try:
+                path.parent.mkdir(parents=True, exist_ok=True)
+                path.write_bytes(exercise.path.read_bytes())
+            except OSError as error:
+                raise UserError(f"{path} cannot be written: {error.strerror}") from None
+            yield path
 
 
 def _grade_course(*given):

@@ -1,9 +1,13 @@
 """The pristine exercises: what every check and grade reads data and check cells from.
 
-They stand in exercises/ of a checkout, and inside the package when it was installed from a wheel.
+They stand in exercises/ of a checkout, and inside the package when it was installed from a wheel. A notebook names
+places of the book without a link, since a student may be anywhere; its cells' metadata know where each stands on the
+site, and `linked` makes links of them where the site has an address.
 """
 
+import copy
 import json
+import re
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -74,6 +78,28 @@ def find(number):
     if not (chapter.isdigit() and problem.isdigit() and path.exists()):
         raise UnknownExercise(f"there is no problem {number}; `trajlib problems` lists them")
     return read(path)
+
+
+def linked(notebook, address):
+    """A copy of a notebook in which the names of the book's places are links, whatever links they were before.
+
+    `address` maps a place below the site's root, "book/ch1.html#thm-1-2", to what the link is to hold.
+    """
+    notebook = copy.deepcopy(notebook)
+    for cell in notebook["cells"]:
+        source, done = "".join(cell["source"]), ""
+        for text, place in cell["metadata"].get("places", ()):
+            words, is_prose = re.escape(text), cell["cell_type"] == "markdown"
+            named = re.search(rf"\[{words}\]\([^)\s]*\)|{words}" if is_prose else rf"\S*{words}", source)
+            done += source[:named.start()] + (f"[{text}]({address(place)})" if is_prose else address(place))
+            source = source[named.end():]
+        cell["source"] = done + source
+    return notebook
+
+
+def below(site):
+    """The `address` of `linked` for a site with this address."""
+    return lambda place: f"{site.rstrip('/')}/{place}"
 
 
 def _role(cell):

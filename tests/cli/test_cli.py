@@ -113,3 +113,19 @@ def test_importing_trajlib_loads_nothing_heavy():
     code = ("import sys, trajlib; print([m for m in ('numpy', 'scipy', 'sympy', 'casadi', 'control', 'matplotlib') if "
             "m in sys.modules])")
     assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True).stdout.strip() == "[]"
+
+
+def test_notebooks_to_work_on(tmp_path):
+    """Also from a wheel, which holds them; a second call leaves what a student has written alone."""
+    done = trajlib("exercises", "1.15", "2.5", "--to", "mine", cwd=tmp_path)
+    assert done.returncode == 0 and done.stdout.split() == ["mine/ch1/p15.ipynb", "mine/ch2/p05.ipynb"], done.stderr
+    assert (tmp_path / "mine/ch1/p15.ipynb").read_bytes() == exercises.find("1.15").path.read_bytes()
+    (tmp_path / "mine/ch1/p15.ipynb").write_text("my work")
+    assert "mine/ch2/p05.ipynb" not in trajlib("exercises", "1.15", "2.5", "--to", "mine", cwd=tmp_path).stdout
+    assert (tmp_path / "mine/ch1/p15.ipynb").read_text() == "my work"
+
+
+def test_check_of_a_number_says_what_it_wants(tmp_path):
+    done = trajlib("check", "1.15", cwd=tmp_path)
+    assert done.returncode == 2 and "a notebook of yours" in done.stderr and "--to" in done.stderr
+    assert len(done.stderr.splitlines()) == 1

@@ -14,9 +14,6 @@ from trajlib import exercises
 from trajlib.grading import assignment as assignments
 from trajlib.grading.assignment import AssignmentError
 
-#: A link of an exercise into the site that `make book` builds beside it.
-LOCAL_LINK = re.compile(r"\[([^\]]*)\]\((?:\.\./)+_build/html/([^)\s]+)\)")
-
 #: A day, with or without a time, with or without a zone.
 DATE = re.compile(r"\d{4}-\d\d-\d\d([T ]\d\d:\d\d(:\d\d)?(Z|[+-]\d\d:\d\d)?)?", re.ASCII)
 
@@ -83,11 +80,12 @@ def file_name(problem):
 
 
 def release(problem, site=""):
-    """The text of a student's notebook with links that lead to `site`, or without them where there is no site."""
+    """The text of a student's notebook; its names of places in the book are links to `site`, if that is given."""
     notebook = json.loads(exercises.find(problem).path.read_text(encoding="utf-8"))
-    for cell in notebook["cells"]:
-        if cell["cell_type"] == "markdown":
-            cell["source"] = LOCAL_LINK.sub(lambda link: _to_site(link[1], link[2], site), "".join(cell["source"]))
+    if site:
+        # Homework leads to the student edition, where a problem stands without its solution.
+        to_site = exercises.below(site)
+        notebook = exercises.linked(notebook, lambda place: to_site(re.sub("^solutions/", "exercises/", place)))
     return json.dumps(notebook, indent=1, ensure_ascii=False) + "\n"
 
 
@@ -119,11 +117,6 @@ def _known(problems):
     if len(set(problems)) != len(problems):
         raise AssignmentError("a problem is named twice")
     return problems
-
-
-def _to_site(text, address, site):
-    # Homework leads to the student edition, where a problem stands without its solution.
-    return f"[{text}]({site.rstrip('/')}/{re.sub('^solutions/', 'exercises/', address)})" if site else text
 
 
 def _toml(title, problems, due):

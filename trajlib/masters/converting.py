@@ -9,6 +9,7 @@ import json
 import re
 from pathlib import Path
 
+from trajlib import __version__, exercises
 from trajlib.masters.contract import master_file
 from trajlib.masters.links import Links
 from trajlib.masters.reading import read, read_all
@@ -18,6 +19,15 @@ CREDIT = ("S. S. Lemak, V. M. Morozov, M. Yu. Popelensky, V. V. Tikhomirov, O. Y
           "*Mechanics of Controlled Systems: Problem Book* (in Russian), ed. V. V. Aleksandrov, Yu. V. Bolotin, "
           "Moscow, 2012")
 RESEARCH = "the research chapters of the workbook"
+WHEEL = f"trajlib-{__version__}-py3-none-any.whl"
+#: The first code cell: one line to somebody who opens the notebook alone, instead of an error a cell.
+NEEDS = f"""\
+try:
+    import trajlib
+except ModuleNotFoundError as missing:
+    how = "This Python has no trajlib. Run   %pip install {WHEEL}"
+    missing._render_traceback_ = lambda: [how]
+    raise"""
 
 DIRECTIVE = re.compile(r"^(?P<fence>`{3,}|:{3,})\{(?P<name>[\w:-]+)\}[ "
                        r"\t]*(?P<argument>[^\n]*)\n(?P<body>.*?)^(?P=fence)[ \t]*$\n?",
@@ -46,15 +56,16 @@ def write_exercises(root, numbers=()):
 
 def student_notebook(master, links):
     """The student's notebook as a dict in nbformat 4.5; the same master always gives the same notebook."""
-    cells, solution = [_origin(master, links)], False
+    cells, solution = [_origin(master), _code(NEEDS, "setup", [(WHEEL, f"wheels/{WHEEL}")])], False
     for cell in master.cells:
         if cell.role == "":
             text, solution = _outside_solutions(cell.source, solution)
-            text = plain_markdown(text, links, master.exercise, master.number).strip()
+            text, places = plain_markdown(text, links, master.number)
             if text:
-                cells.append(_markdown(text))
+                cells.append(_markdown(text, places))
         elif cell.role == "answer":
-            cells.append(_code(_stub(master, cell.source), "answer"))
+            if stub := _stub(master, cell.source):
+                cells.append(_code(stub, "answer"))
         elif cell.role == "data":
             cells.append(_code(cell.source, "data", nbgrader={"grade": False, "locked": True}))
         elif cell.role == "check":
@@ -69,25 +80,37 @@ def student_notebook(master, links):
              "topics": list(master.topics),
              "answers": {a.name: {"kind": a.kind, "text": a.text, "exact": a.exact} for a in master.answers.values()},
              "hints": {name: list(texts) for name, texts in master.hints.items()}}
-    return {"cells": cells,
-            "metadata": {"kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
-                                         "language_info": {"name": "python"}, "trajlib": about},
-            "nbformat": 4, "nbformat_minor": 5}
+    notebook = {"cells": cells,
+                "metadata": {"kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
+                             "language_info": {"name": "python"}, "trajlib": about},
+                "nbformat": 4, "nbformat_minor": 5}
+    return exercises.linked(notebook, exercises.below(links.base)) if links.base else notebook
 
 
-def plain_markdown(text, links, source, number=""):
-    """MyST Markdown as Markdown that any Jupyter shows: directives become headings, quotes and formulas."""
+def plain_markdown(text, links, number=""):
+    """MyST Markdown as Markdown that any Jupyter shows: directives become headings, quotes and formulas.
+
+    Returns the text and the places of the book it names, [(words, place), ...] in the order of the text.
+    """
     text = _without_directives(text, number)
     text = re.sub(r"^# Problem \d+\.\d+$", "", text, flags=re.M)  # the exercise's own heading says it with its title
     text = re.sub(r"^\([\w-]+\)=\n", "", text, flags=re.M)
-    text = re.sub(r"\[([^\]]+)\]\(#([\w-]+)\)", lambda m: _link(m[1], m[2], links, source), text)
-    text = re.sub(r"\{(?:ref|numref|prf:ref)\}`([^`<]+?)\s*<([\w-]+)>`", lambda m: _link(m[1], m[2], links, source),
-                  text)
+    text = re.sub(r"\[([^\]]+)\]\(#([\w-]+)\)", lambda m: _named(m[1], links.place(m[2])), text)
+    text = re.sub(r"\{(?:ref|numref|prf:ref)\}`([^`<]+?)\s*<([\w-]+)>`", lambda m: _named(m[1], links.place(m[2])), text)
     text = re.sub(r"\{eq\}`eq-([\w-]+)`", lambda m: f"({_tag(m[1])})", text)
     text = re.sub(r"\{problem\}`([\d.]+)`", r"problem \1", text)
     text = re.sub(r"\{cite(?::\w)?\}`[^`]*`", "", text)
     text = re.sub(r"\{[\w:]+\}`([^`<]+?)(?:\s*<[^>]*>)?`", r"\1", text)
-    return re.sub(r"\n{3,}", "\n\n", text)
+    text = re.sub(r"\n{3,}", "\n\n", text).strip()
+    return NAMED.sub(r"\1", text), [match.groups() for match in NAMED.finditer(text)]
+
+
+#: A place while the text is being made; the characters occur in no text.
+NAMED = re.compile("\x02(.*?)\x03(.*?)\x04", re.S)
+
+
+def _named(text, place):
+    return text if place is None else f"\x02{text}\x03{place}\x04"
 
 
 def _outside_solutions(text, inside):
@@ -132,11 +155,6 @@ def _tag(label):
     return ".".join([chapter, "".join(rest)]) if rest else chapter
 
 
-def _link(text, label, links, source):
-    address = links.to_label(label, source)
-    return text if address is None else f"[{text}]({address})"
-
-
 def _stub(master, source):
     """One line `name = ...` for each answer that the cell assigns."""
     return "\n".join(f"{name} = ...  # {master.answers[name].kind}: {master.answers[name].text}"
@@ -149,27 +167,32 @@ def _hints(master, names):
     return [_markdown("\n".join(folded))] if folded else []
 
 
-def _origin(master, links):
+def _origin(master):
     chapter = master.number.split(".")[0]
     credit = f"{CREDIT}, problem {master.number}" if int(chapter) <= 5 else RESEARCH
-    theory = links.to_page(f"book/ch{chapter}", master.exercise)
     return _markdown(
         f"*The data of this problem come from* {credit}.\n\n"
-        f"You need the library `trajlib`: from a checkout of the workbook run `pip install -e .`, or install the wheel "
-        f"that the workbook's site offers. Replace each `...` by your answer and run the check cell below it: it says "
-        f"what holds and what does not, as often as you like. The theory stands in [chapter {chapter}]({theory}).")
+        f"You need the library `trajlib`: from a checkout of the workbook run `pip install -e .`, or install "
+        f"the wheel that the workbook's site offers. Replace each `...` by your answer and run the check cell below "
+        f"it: it says what holds and what does not, as often as you like. The theory stands in chapter {chapter}.",
+        [("the wheel that the workbook's site offers", f"wheels/{WHEEL}"),
+         (f"chapter {chapter}", f"book/ch{chapter}.html")])
 
 
-def _markdown(text):
-    return {"cell_type": "markdown", "id": "", "metadata": {}, "source": text}
+def _markdown(text, places=()):
+    return {"cell_type": "markdown", "id": "", "metadata": _places(places), "source": text}
 
 
-def _code(source, role, nbgrader=None):
-    metadata = {"tags": [role]}
+def _code(source, role, places=(), nbgrader=None):
+    metadata = {"tags": [role], **_places(places)}
     if nbgrader:
         metadata["nbgrader"] = {"schema_version": 3, "solution": False, "task": False, "cell_type": "code", **nbgrader}
     return {"cell_type": "code", "execution_count": None, "id": "", "metadata": metadata, "outputs": [],
             "source": source}
+
+
+def _places(places):
+    return {"places": [list(place) for place in places]} if places else {}
 
 
 def baseurl(root):

@@ -3,14 +3,15 @@
 A notebook has the address it has in the repository, exercises/ch1/p15.ipynb; `make` puts the wheel into wheels/.
 """
 
+import json
 import posixpath
-import shutil
 from html import escape
 from importlib.metadata import version
 
 from docutils import nodes
 from sphinx.util.docutils import SphinxRole
 
+from trajlib import exercises
 from workbook import catalogue
 
 
@@ -35,7 +36,17 @@ def _copy_notebooks(app, exception):
         source, copy = app.srcdir / problem.notebook, app.outdir / problem.notebook
         if source.exists():
             copy.parent.mkdir(parents=True, exist_ok=True)
-            shutil.copyfile(source, copy)
+            copy.write_text(_served(source, app.config.html_baseurl, problem.solved), encoding="utf-8")
+
+
+def _served(source, base, solved):
+    """A notebook as the site hands it out: where the site has an address, its links lead to this very edition."""
+    notebook = json.loads(source.read_text(encoding="utf-8"))
+    if base:
+        to_site = exercises.below(base)
+        notebook = exercises.linked(notebook, lambda place: to_site(
+            place if solved else place.replace("solutions/", "exercises/", 1)))
+    return json.dumps(notebook, indent=1, ensure_ascii=False) + "\n"
 
 
 def setup(app):

@@ -15,6 +15,7 @@ from sphinx.util import logging
 from sphinx.util.docutils import SphinxDirective, SphinxRole
 from sphinx.util.index_entries import split_index_msg
 
+from trajlib import exercises
 from workbook import catalogue
 from workbook.boxes import details, summary
 from workbook.downloads import link
@@ -23,8 +24,6 @@ logger = logging.getLogger(__name__)
 
 TITLE = re.compile(r"^# .*$", re.M)
 EXERCISE_END = re.compile(r"^(`{3,}|:{3,})\{exercise-end\}[ \t]*\n(?:.*\n)*?\1[ \t]*$", re.M)
-# The student's notebooks link to the site, of their checkout or at html.baseurl; here its pages are neighbours.
-TO_THE_SITE = r"\]\((?:(?:\.\./)+_build/html|%s)/([\w/-]+)\.html(?:#([\w-]+))?\)"
 
 
 def _complete(app, page, source):
@@ -38,19 +37,28 @@ def _complete(app, page, source):
         text = TITLE.sub(lambda _: head, source[0], count=1)
         source[0] = EXERCISE_END.sub(lambda end: f"{end[0]}\n\n```{{problem-answers}}\n```\n", text, count=1)
     else:
-        source[0] = _student_page(source[0], head, app.config.html_baseurl.rstrip("/"))
+        source[0] = _student_page(source[0], head)
 
 
-def _student_page(source, head, baseurl):
+def _student_page(source, head):
     """The notebook with the page's head first, then where the data come from, without its own two headings."""
-    notebook, to_the_site = json.loads(source), re.compile(TO_THE_SITE % re.escape(baseurl))
+    notebook = json.loads(source)
+    notebook["cells"] = [cell for cell in notebook["cells"] if cell["metadata"].get("tags") != ["setup"]]
+    for cell in notebook["cells"]:
+        cell["metadata"]["places"] = [(text, place) for text, place in cell["metadata"].get("places", ())
+                                      if not place.startswith("wheels/")]  # no page: the student's guide links to it
+    notebook = exercises.linked(notebook, _neighbour)
     texts = [cell for cell in notebook["cells"] if cell["cell_type"] == "markdown"]
     for cell in texts:
-        text = to_the_site.sub(lambda link: f"](#{link[2]})" if link[2] else f"](/{link[1]}.md)",
-                               "".join(cell["source"]))
-        cell["source"] = re.sub(r"^##? Problem .*$", "", text, flags=re.M).strip()
+        cell["source"] = re.sub(r"^##? Problem .*$", "", cell["source"], flags=re.M).strip()
     texts[0]["source"] = f"{head}\n:::{{div}} origin\n{texts[0]['source']}\n:::"
     return json.dumps(notebook)
+
+
+def _neighbour(place):
+    """How a page of the site refers to a place: by its label, or by the file of its page."""
+    page, _, label = place.partition("#")
+    return f"#{label}" if label else f"/{page.removesuffix('.html')}.md"
 
 
 class ProblemHead(SphinxDirective):

@@ -62,7 +62,7 @@ def _assigned(source):
 
 
 def _reported(source):
-    from trajlib.masters.reading import reported_names
+    from trajlib.masters.statements import reported_names
 
     try:
         return reported_names(source) if "checks.report(" in source else []
