@@ -7,8 +7,8 @@ import pytest
 
 from trajlib import exercises
 from trajlib.masters import Links, read, read_all, student_notebook
-from trajlib.masters.converting import plain_markdown
 from trajlib.masters.contract import master_file
+from trajlib.masters.converting import plain_markdown
 
 ROOT = Path(__file__).resolve().parents[2]
 
