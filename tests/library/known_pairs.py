@@ -1,8 +1,8 @@
 """Pairs (A, H) whose unseen states are known by their construction, rotated and in bad units.
 
-`known_pair(rng)` gives (A, H, number of unseen states, words). Four kinds: blocks of Jordan with eigenvalues that come again, seen from
-the k-th state of the block on; a random seen part with random unseen states behind it; a chain of integrators seen from the k-th
-on; and two chains with one eigenvalue, of which one is seen.
+`known_pair(rng)` gives (A, H, number of unseen states, words). Four kinds: blocks of Jordan with eigenvalues that come
+again, seen from the k-th state of the block on; a random seen part with random unseen states behind it; a chain of
+integrators seen from the k-th on; and two chains with one eigenvalue, of which one is seen.
 """
 import numpy as np
 
@@ -26,7 +26,7 @@ def known_pair(rng, largest=60):
 
 
 def _jordan_blocks(rng, n, m):
-    """The first states that are seen of the blocks of one eigenvalue are seen in different directions, which decides."""
+    """Of the blocks of one eigenvalue the first states seen are seen in different directions, which decides."""
     A, H, unseen, place, blocks = np.zeros((n, n)), np.zeros((m, n)), 0, 0, {}
     while place < n:
         size = min(int(rng.integers(1, 6)), n - place)

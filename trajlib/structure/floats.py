@@ -1,9 +1,10 @@
 """What is seen and what is not, in floating-point numbers.
 
-The pair is brought to balanced units (`scaling`), the staircase splits off what its steps do not show (`staircase`), and in the rest
-the least singular value of Popov's criterion is sought (`nearest`): one that is zero within rounding belongs to a state that many
-small steps of the staircase hid. It is split off by an orthogonal transformation, and so on in what remains. The unseen states are
-counted and spanned in this way without any power of A, and each number taken for zero says how far the nearest such system is.
+The pair is brought to balanced units (`scaling`), the staircase splits off what its steps do not show (`staircase`),
+and in the rest the least singular value of Popov's criterion is sought (`nearest`): one that is zero within rounding
+belongs to a state that many small steps of the staircase hid. It is split off by an orthogonal transformation, and so
+on in what remains. The unseen states are counted and spanned in this way without any power of A, and each number taken
+for zero says how far the nearest such system is.
 """
 import warnings
 from dataclasses import dataclass
@@ -88,11 +89,11 @@ def split(A, H):
 
 
 def told_split(A, H):
-    """`split` for subspaces and decompositions, which have no words of their own: a doubtful one is told by a warning."""
+    """`split` for subspaces and decompositions, which have no words of their own: doubt is told by a warning."""
     found = split(A, H)
     if found.rank == len(A) and found.margin < DOUBTFUL:
-        warnings.warn(f"nothing is split off, but a change of the entries by {found.margin:.1e} of their size would take a "
-                      "state away; exact entries (SymPy) would decide", stacklevel=4)
+        warnings.warn(f"nothing is split off, but a change of the entries by {found.margin:.1e} of their size would take "
+                      "a state away; exact entries (SymPy) would decide", stacklevel=4)
     return found
 
 

@@ -1,15 +1,17 @@
 """How near is a system that is not observable? Popov's criterion in floating-point numbers.
 
-The distance from (A, H) to the pairs that are not observable is the least singular value of (A - lambda E; H) over all complex
-lambda (R. Eising, Systems & Control Letters 4 (1984) 263-264). It has many local minima. `nearest` descends from
+The distance from (A, H) to the pairs that are not observable is the least singular value of (A - lambda E; H) over all
+complex lambda (R. Eising, Systems & Control Letters 4 (1984) 263-264). It has many local minima. `nearest` descends
+from
 
-- the eigenvalues of A, and of the blocks of the staircase behind its smallest steps: a step taken for zero loses just these;
+- the eigenvalues of A, and of the blocks of the staircase behind its smallest steps: a step taken for zero loses just
+  these;
 - the means of eigenvalues with their neighbours: rounding tears a multiple one into a ring whose mean stays accurate;
 - points spread over the disc of the radius |A|, since the least value may lie far from every eigenvalue.
 
-With the singular vectors u = (u1; u2), v at lambda two steps lower the value: v* A v, the best number for this v, and Newton's step
-sigma/(u1* v) towards a zero. What is returned is an upper bound of the distance, the best of these descents: a smaller
-one may exist.
+With the singular vectors u = (u1; u2), v at lambda two steps lower the value: v* A v, the best number for this v, and
+Newton's step sigma/(u1* v) towards a zero. What is returned is an upper bound of the distance, the best of these
+descents: a smaller one may exist.
 """
 import numpy as np
 
@@ -18,7 +20,7 @@ _DESCENTS, _MEANS, _STEPS = 8, 12, 60
 
 
 def nearest(A, H, stairs):
-    """(least singular value found, its lambda, its unit vector) for a pair of norm about 1, in the coordinates of `stairs`."""
+    """(least singular value found, its lambda, its unit vector) of a pair of norm 1, in the coordinates of `stairs`."""
     points = _starts(stairs)
     best, taken = (np.inf, None, None), []
     for index in np.argsort(_rough_values(A, H, points)):

@@ -26,9 +26,9 @@ class RankTest:
 
     - `holds`: the verdict, `rank == order`; `rank`: of N (or W); `order`: the dimension of the state;
     - `lost`: tuple of `LostMode`, the characteristic numbers at which the rank of Popov's criterion falls;
-    - `margin`: for floats the smallest singular value in Popov's criterion that was found, A having the norm 1 and every
-      output the length 1 in units that balance the system. A change of that size makes the verdict no; a smaller one
-      may do so too, since the search is not proved to be complete. None for exact systems;
+    - `margin`: for floats the smallest singular value in Popov's criterion that was found, A having the norm 1 and
+      every output the length 1 in units that balance the system. A change of that size makes the verdict no; a smaller
+      one may do so too, since the search is not proved to be complete. None for exact systems;
     - `reason`: the verdict in words. With symbols everything is generic: true for all values of the symbols but
       exceptional ones, which `observability_conditions` and `controllability_conditions` give.
     """
@@ -121,9 +121,10 @@ def float_test(A, H, word, orient=lambda vectors: vectors):
     split = floats.split(A, H)
     remark = f"; margin {split.margin:.3g} in balanced units"
     if split.rank < len(A):
-        remark += ", zero within rounding; exact entries (SymPy) would decide" if split.margin or split.scaled.cleared else ""
+        doubt = split.margin or split.scaled.cleared
+        remark += ", zero within rounding; exact entries (SymPy) would decide" if doubt else ""
     elif split.margin < floats.DOUBTFUL:
-        remark += (f", small: a change of the entries by {split.margin:.1e} of their size can turn the verdict; exact entries "
-                   "(SymPy) would decide")
+        remark += (f", small: a change of the entries by {split.margin:.1e} of their size can turn the verdict; exact "
+                   "entries (SymPy) would decide")
     lost = [LostMode(value, orient(vectors)) for value, vectors in floats.lost_modes(split)]
     return rank_test(split.rank, len(A), lost, word, split.margin, remark=remark)

@@ -1,13 +1,14 @@
 r"""The units in which a system is judged: diagonal scalings of states, outputs and time.
 
-x = D y, z = R^-1 w and t = s / alpha turn (A, H) into (D^-1 A D / alpha, R H D). None of this changes what the output sees, so
-that a verdict must not depend on it. The exponents are those that bring all entries other than zero as near to 1 as possible,
+x = D y, z = R^-1 w and t = s / alpha turn (A, H) into (D^-1 A D / alpha, R H D). None of this changes what the output
+sees, so that a verdict must not depend on it. The exponents are those that bring all entries other than zero as near to
+1 as possible,
 
     sum over a_ij of (log|a_ij| + d_j - d_i - tau)^2  +  sum over h_kj of (log|h_kj| + d_j - rho_k)^2  ->  min,
 
-a linear problem of least squares (A. R. Curtis and J. K. Reid, On the automatic scaling of matrices for Gaussian elimination, 1972).
-Other units shift the logarithms by what the unknowns can take up, so that the scaled system is the same but for the rounding of the
-exponents to whole powers of two, which costs no digit.
+a linear problem of least squares (A. R. Curtis and J. K. Reid, On the automatic scaling of matrices for Gaussian
+elimination, 1972). Other units shift the logarithms by what the unknowns can take up, so that the scaled system is the
+same but for the rounding of the exponents to whole powers of two, which costs no digit.
 """
 from dataclasses import dataclass
 
@@ -18,7 +19,8 @@ _ROUNDING = 4*np.finfo(float).eps
 
 @dataclass(frozen=True)
 class Scaled:
-    """The pair in balanced units: x = `units` y; `A` has the norm 1, every row of `H` the length 1 (those that are zero apart).
+    """The pair in balanced units: x = `units` y; `A` has the norm 1, every row of `H` the length 1 (those that are zero
+    apart).
 
     `rate`: what the numbers lambda of `A` are multiplied by in the units given;
     `cleared`: whether entries were taken as zero, being rounding beside the others of their row and of their column.

@@ -17,7 +17,8 @@ def unobservable_subspace(A, H=None):
 
     `A`: n x n, `H`: m x n. Returns an n x k matrix whose columns are a basis (k = n - rank N, also 0): exact input
     gives coprime whole entries, generic if there are symbols; floats give orthonormal columns,
-    and a warning if rounding could make a state unobservable. Raises ValueError for shapes that do not fit. Source: Theorem 2.9 of the problem book.
+    and a warning if rounding could make a state unobservable. Raises ValueError for shapes that do not fit. Source:
+    Theorem 2.9 of the problem book.
 
     >>> import sympy as sp
     >>> unobservable_subspace(sp.Matrix([[0, 1, 0], [1, 1, 1], [1, 0, 1]]), sp.Matrix([[0, 1, 0]])).T
@@ -34,7 +35,8 @@ def controllable_subspace(A, B=None):
 
     `A`: n x n, `B`: n x s. Returns an n x k matrix, k = rank W, whose columns are the first independent columns of W
     (b, Ab, ...), generic if there are symbols; floats give orthonormal columns, and a warning
-    if rounding could take a state away. Raises ValueError for shapes that do not fit. Source: Theorem 2.8 of the problem book.
+    if rounding could take a state away. Raises ValueError for shapes that do not fit. Source: Theorem 2.8 of the
+    problem book.
 
     >>> import sympy as sp
     >>> controllable_subspace(sp.Matrix([[0, 1, 1], [1, 1, 0], [0, -1, -1]]), sp.Matrix([0, 1, 0])).T
