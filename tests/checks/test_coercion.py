@@ -122,12 +122,3 @@ def test_choices(word):
                                            (sp.false, False)])
 def test_yes_and_no(answer, value):
     assert coercion.as_yes_no(answer) is value
-
-
-@pytest.mark.parametrize("answer, value, right", [
-    (0.385, 0.3849, True), (0.38, 0.3849, False), (3.49e-6, 3.4873e-6, True), (3.5e-6, 3.4873e-6, False),
-    (-0.385, 0.3849, False), (1.0, 1, True), (0, 0, True), (1e-9, 0, False), (123456, 123111, True),
-    (124000, 123111, False),
-])
-def test_three_significant_digits(answer, value, right):
-    assert coercion.rounds_to(answer, value) is right

@@ -4,7 +4,6 @@ Ints for floats, lists for arrays, `(n, 1)` for `(n,)`, NumPy scalars, CasADi DM
 symbols match by name, whatever their assumptions. What cannot be read raises `Invalid` with a kind sentence.
 """
 
-import math
 import sys
 
 import numpy as np
@@ -193,15 +192,6 @@ def as_yes_no(answer):
     if isinstance(word, (bool, str)) and word in YES | NO:
         return word in YES
     raise Invalid(f"expected yes or no (True or False), got {_named(answer)}")
-
-
-def rounds_to(answer, value, scale=None):
-    """True if `answer` is `value` to three significant digits (of `scale` where the value itself may vanish)."""
-    size = abs(float(value)) if scale is None else max(abs(float(value)), float(scale))
-    if size == 0:
-        return float(answer) == 0
-    half_unit = 0.5 * 10.0 ** (math.floor(math.log10(size)) - 2)
-    return abs(float(answer) - float(value)) <= half_unit * (1 + 1e-9)
 
 
 def _is_undefined(side):

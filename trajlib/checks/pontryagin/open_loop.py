@@ -4,15 +4,19 @@ import numpy as np
 import sympy as sp
 
 from trajlib.checks.contract import coercion
+from trajlib.checks.contract.tolerance import share
 from trajlib.checks.contract.verdict import Wrong
 from trajlib.checks.tools.values import real_function
 from trajlib.checks.truths.optima.transfer_optima import rk4
+
+#: What an answer without decimals may be off by: the precision of integrating it.
+INTEGRATED = 1e-5
 
 
 class Control:
     """A control in time: an expression, or a list of arcs [value, until]; read once, evaluated for many parameters."""
 
-    def __init__(self, answer, time, parameters, rounding):
+    def __init__(self, answer, time, parameters):
         self.time, self.parameters = time, list(parameters)
         if _is_list(answer) and len(answer) and all(_is_list(arc) and len(arc) == 2 for arc in answer):
             symbols = [time, *parameters]
@@ -24,7 +28,7 @@ class Control:
         else:
             parts = [coercion.as_expression(answer, [time, *parameters])]
             self._values, self._ends = [real_function([time, *parameters], parts)], None
-        self.rounding = rounding(parts)
+        self.rounding = share(*parts, computed=INTEGRATED)
 
     def sections(self, values, duration):
         """Pairs (begin, end, function of time) between the jumps, from 0 to the given duration."""

@@ -15,6 +15,7 @@ import numpy as np
 import sympy as sp
 
 from trajlib.checks.contract import coercion
+from trajlib.checks.contract.tolerance import in_decimals, share
 from trajlib.checks.contract.verdict import Wrong, judged
 from trajlib.checks.pontryagin.closed_loop import SAME, Law, follow
 from trajlib.checks.tools.samples import spread_over
@@ -48,7 +49,7 @@ def _time_optimal(claim, data, curve):
         ends = _family(field, state, control, bounds, target, *curve[2:4], parameters | {curve[3]: curve[4]}, start)
         law = Law(claim, state, list(parameters), truth,
                   (curve[0], sp.lambdify([*state, *parameters], curve[1], "numpy"), ends))
-    decimals = claim.has(sp.Float)
+    decimals = in_decimals(claim)
     lanes = truth.lanes(decimals)
     values = law(lanes.x, lanes.case)
     low, high = truth.plant.bounds
@@ -83,9 +84,9 @@ def minimal_time(answer, field, state, control, bounds, target, parameters=None,
     parameters = dict(parameters or {})
     claim = coercion.as_expression(answer, [*state, *parameters])
     truth = sampled_optimum(*frozen(field, state, control, bounds, target, parameters, start))
-    lanes = truth.lanes(claim.has(sp.Float))
+    lanes = truth.lanes(in_decimals(claim))
     said = Law(claim, state, list(parameters), truth)(lanes.x, lanes.case)
-    tolerance = 5e-3 if claim.has(sp.Float) else 1e-4
+    tolerance = share(claim, computed=1e-4)
     good = np.isfinite(said) & (abs(said - lanes.time) <= tolerance * lanes.time + 1e-6)
     for k in np.flatnonzero(~good):
         told = f"{said[k]:.4g}" if np.isfinite(said[k]) else "no real number"
@@ -101,7 +102,7 @@ def reachable_starts(answer, field, state, control, bounds, target, parameters=N
     parameters = dict(parameters or {})
     claim = coercion.as_condition(answer, [*state, *parameters])
     truth = sampled_optimum(*frozen(field, state, control, bounds, target, parameters, start))
-    lanes = truth.border(claim.has(sp.Float))
+    lanes = truth.border(in_decimals(claim))
     said = truth.condition(claim)(lanes.x, lanes.case)
     reached = np.isfinite(lanes.time)
     differs = np.flatnonzero(said != reached)[:12]
@@ -124,7 +125,7 @@ def reached_part(answer, field, state, control, bounds, target, ends, variable, 
     claim = coercion.as_condition(answer, [variable, *[p for p in domain if p != variable]])
     family = _family(field, state, control, bounds, target, ends, variable, domain, start)
     test = sp.lambdify([variable, *family.parameters], claim, "numpy")
-    for values, tried, reached, points in _arrivals(family, 0.006 if claim.has(sp.Float) else 0.002):
+    for values, tried, reached, points in _arrivals(family, 0.006 if in_decimals(claim) else 0.002):
         with np.errstate(all="ignore"):
             said = np.broadcast_to(np.asarray(test(tried, *values), dtype=bool), tried.shape)
         for k in np.flatnonzero(said != reached):
@@ -175,7 +176,7 @@ def switching_points(answer, field, state, control, bounds, target, ends, variab
     claim = coercion.as_expressions(answer, [variable, *[p for p in domain if p != variable]], length=2)
     target = _family(field, state, control, bounds, target, ends, variable, domain, start)
     said = real_function([variable, *target.parameters], claim)
-    tolerance = 5e-3 if any(part.has(sp.Float) for part in claim) else 1e-6
+    tolerance = share(*claim, computed=1e-6)
     met = 0
     for values in target.samples():
         places = target.places(values, count=24)
@@ -206,7 +207,7 @@ def switching_crossing(answer, field, state, control, bounds, target, ends, vari
     claim = coercion.as_expressions(answer, [variable, *[p for p in domain if p != variable]], length=2)
     target = _family(field, state, control, bounds, target, ends, variable, domain, start)
     said = real_function([variable, *target.parameters], claim)
-    tolerance = 5e-3 if any(part.has(sp.Float) for part in claim) else 1e-5
+    tolerance = share(*claim, computed=1e-5)
     for values in target.samples():
         places = target.places(values, count=12)
         points, times, after = target.switchings(places, values)
@@ -294,7 +295,7 @@ def _sides_of(claim, variable, interval, data, shares):
     """For points of a curve: a text, the optima on one side and on the other at some distances, whether both motions
     move away."""
     truth, state, parameters = sampled_optimum(*data), data[1], dict(data[5])
-    beside = BESIDE_DECIMALS if claim.has(sp.Float) else BESIDE / 2
+    beside = BESIDE_DECIMALS if in_decimals(claim) else BESIDE / 2
     index = list(state).index(variable)
     function = real_function([variable, *parameters], [claim])
     for case, values in enumerate(truth.cases):
@@ -335,7 +336,7 @@ def continuous_time(answer, field, state, control, bounds, target, ends, variabl
     values = sorted(spread_over(float(interval.inf), float(interval.sup), 8))
     data = (field, state, control, bounds, target, ends, variable, parameters[variable], start, name)
     found = [_jump(float(value), *data) for value in values]
-    beside = 0.03 if claim.has(sp.Float) else 0.016
+    beside = 0.03 if in_decimals(claim) else 0.016
     tried = list(zip(values, found))
     for low, high, at_low, at_high in zip(values, values[1:], found, found[1:]):
         if (at_low > 0) == (at_high > 0):
@@ -403,7 +404,7 @@ def other_extremal_time(answer, field, state, control, bounds, target, start=Non
     lanes, later = _line_extremals(field, state, control, bounds, target, start)
     truth = sampled_optimum(*frozen(field, state, control, bounds, target, {}, start))
     said = Law(claim, state, [], truth)(lanes.x, lanes.case)
-    tolerance = 5e-3 if claim.has(sp.Float) else 1e-6
+    tolerance = share(claim, computed=1e-6)
     for k in np.flatnonzero(np.isfinite(later) & ~(abs(said - later) <= tolerance * later)):
         place = ", ".join(f"{s} = {v:.4g}" for s, v in zip(state, lanes.x[k]))
         told = f"{said[k]:.4g}" if np.isfinite(said[k]) else "no real number"

@@ -13,17 +13,14 @@ import numpy as np
 import sympy as sp
 
 from trajlib.checks.contract import coercion
+from trajlib.checks.contract.tolerance import in_decimals, same, share
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
-from trajlib.checks.pontryagin.open_loop import Control, Path
+from trajlib.checks.pontryagin.open_loop import INTEGRATED, Control, Path
 from trajlib.checks.stability.programs import compare_condition
 from trajlib.checks.tools.values import real_at, real_function, truth_at
 from trajlib.checks.tools.wording import values_text
 from trajlib.checks.truths.optima.transfer_optima import SAMPLES, Transfer
 
-#: What decimals of an answer may cost: half a unit of the third digit.
-ROUNDING = 5e-3
-#: What an answer without decimals may be off by: the precision of integrating it.
-EXACT = 1e-5
 #: Where the end is looked at, as a part of the duration: a law may be defined up to the end alone, which is known up to
 #: rounding.
 ENDING = 1 - 1e-9
@@ -212,8 +209,7 @@ def switching_interval(answer, dynamics, controls, initial, terminal, parameters
                  for a, b in zip(best.breaks(), best.breaks()[1:])]
     if max(intervals) - min(intervals) > 1e-3 * max(intervals):
         raise RuntimeError("the intervals between switchings differ")
-    if not _close(float(claim), float(np.mean(intervals)), claim, 4 * max(intervals) if not claim.has(sp.Float)
-                  else None):
+    if not _close(float(claim), float(np.mean(intervals)), claim, 0 if in_decimals(claim) else 4 * max(intervals)):
         raise Wrong(f"fastest controls from {len(intervals)} starts do not switch at such intervals: yours is too "
                     + ("short" if float(claim) < min(intervals) else "long"))
     return f"the fastest controls switch at such intervals, {len(intervals)} times"
@@ -258,7 +254,7 @@ def _judge_time(answer, transfer):
 
 
 def _judge_control(answer, transfer, time):
-    read = Control(answer, time, transfer.parameters, _rounding)
+    read = Control(answer, time, transfer.parameters)
     for values, best in transfer.samples():
         where = f"for {values_text(values)} " if values else ""
         sections = read.sections(values, best.duration)
@@ -290,7 +286,7 @@ def _judge_motion(answer, transfer, time):
             raise Invalid("expected all states as expressions in time")
         claims.append(sp.diff(claims[-1], time))
     rates = [sp.diff(claim, time) for claim in claims]
-    rounding = _rounding(claims)
+    rounding = share(*claims, computed=INTEGRATED)
     values_of, rates_of = (real_function(symbols, part) for part in (claims, rates))
     for values, best in transfer.samples():
         where = f"for {values_text(values)} " if values else ""
@@ -331,7 +327,7 @@ def _judge_costate(answer, transfer, time):
         answer = [answer]
     symbols = [time, *transfer.parameters]
     claims = coercion.as_expressions(answer, symbols, len(states))
-    rounding = _rounding(claims)
+    rounding = share(*claims, computed=INTEGRATED)
     values_of, slopes_of = real_function(symbols, claims), real_function(symbols, [sp.diff(claim, time)
                                                                                    for claim in claims])
     for values, best in transfer.samples():
@@ -390,7 +386,7 @@ def _judge_meetings(answer, transfer, count):
 def _judge_switching(answer, transfer, time):
     claim = coercion.as_expression(answer, [time])
     best = transfer.at({})
-    rounding = _rounding([claim])
+    rounding = share(claim, computed=INTEGRATED)
     value_of = real_function([time], [claim])
     found = best.switching_function()
     size = max(abs(value) for _, value in found)
@@ -407,15 +403,9 @@ def _judge_switching(answer, transfer, time):
 # Small things.
 
 
-def _rounding(expressions):
-    return ROUNDING if any(e.has(sp.Float) for e in expressions) else EXACT
-
-
-def _close(said, true, claim, scale=None):
+def _close(said, true, claim, size=0.0):
     """Equality to the precision of the optimum; three digits where the claim holds decimals."""
-    if claim.has(sp.Float) and coercion.rounds_to(said, true, scale):
-        return True
-    return abs(said - true) <= 2e-5 * (abs(true) if scale is None else max(abs(true), scale))
+    return same(said, true, claim, size, computed=2 * INTEGRATED)
 
 
 def _point(values):

@@ -12,6 +12,7 @@ import numpy as np
 import sympy as sp
 
 from trajlib.checks.contract import coercion
+from trajlib.checks.contract.tolerance import half_unit, in_decimals, rounds_to
 from trajlib.checks.contract.verdict import Wrong, judged
 from trajlib.checks.tools.values import compare_at, random_values, spread, value_at
 from trajlib.checks.tools.wording import rounded_text
@@ -69,8 +70,7 @@ def multiple_eigenvalues(answer, transition, kappa):
     claim = float(number)
     if claim <= 0:
         raise Wrong(f"kappa = {claim:.4g} is not positive")
-    unit = 10.0**(math.floor(math.log10(claim)) - 2)
-    rounding = 0.5*unit if number.has(sp.Float) else 1e-6*claim
+    rounding = half_unit(claim) if in_decimals(number) else 1e-6*claim
     low, high = (_split(transition, kappa, claim + side*rounding) for side in (-1, 1))
     if not low*high <= 0:
         values = np.linalg.eigvals(_matrix(transition, kappa, claim))
@@ -84,7 +84,7 @@ def digits_lost(answer, transition, kappa, value):
     """By how many decimal digits the error of the forward recursion grows with every sample."""
     claim = float(coercion.as_number(answer))
     greatest = np.abs(np.linalg.eigvals(_matrix(transition, kappa, float(value)))).max()
-    if not coercion.rounds_to(claim, math.log10(greatest)):
+    if not rounds_to(claim, math.log10(greatest)):
         factor = 10**claim if abs(claim) < 300 else math.inf
         raise Wrong(f"an error would grow by the factor {factor:.4g} with every sample; multiplying a vector many "
                     f"times by the "

@@ -12,6 +12,7 @@ import sympy as sp
 from sympy.core.relational import Relational
 
 from trajlib.checks.contract import coercion
+from trajlib.checks.contract.tolerance import in_decimals, rounds_to
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
 from trajlib.checks.tools.values import number_at, value_at
 from trajlib.checks.truths.fields import known_field
@@ -77,11 +78,11 @@ def limit_cycles(answer, field, state):
             raise Wrong("r = 0 is a position of equilibrium, not a closed orbit")
         if radius < 0:
             raise Wrong(f"the radius {radius:.4g} is negative")
-        if not any(coercion.rounds_to(radius, other) for other in found):
+        if not any(rounds_to(radius, other) for other in found):
             rates = [_polar_velocity(flow, radius, phi)[0] for phi in ANGLES]
             raise Wrong(f"the circle r = {radius:.4g} is not a closed orbit: r' = {max(rates, key=abs):.4g} at a "
                         f"point of it")
-    missed = [other for other in found if not any(coercion.rounds_to(radius, other) for radius in radii)]
+    missed = [other for other in found if not any(rounds_to(radius, other) for radius in radii)]
     if missed:
         raise Wrong(f"your list does not hold all of them: {len(found) - len(missed)} of {len(found)} "
                     "circles around zero on which r' vanishes")
@@ -130,9 +131,9 @@ def return_slope(answer, field, state, radius=None):
     if abs(exponent) < 1e-10:
         exponent = 0.0
     difference = abs(float(claim) / math.exp(exponent) - 1)
-    close = coercion.rounds_to(claim, math.exp(exponent))
+    close = rounds_to(claim, math.exp(exponent))
     # Three digits are for decimals: an expression such as 1 + exp(-4 pi) says that it is exact.
-    if close and not (claim.is_Rational or claim.has(sp.Float)) and difference > 1e-9:
+    if close and not (claim.is_Rational or in_decimals(claim)) and difference > 1e-9:
         raise Wrong(f"the expression comes close, but it is not the slope: they differ by the fraction "
                     f"{difference:.2g}")
     if not close:

@@ -6,6 +6,7 @@ import numpy as np
 import sympy as sp
 
 from trajlib.checks.contract import coercion
+from trajlib.checks.contract.tolerance import half_unit, rounds_to
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
 from trajlib.checks.tools.values import numbers_at
 from trajlib.checks.tools.wording import number_text
@@ -136,7 +137,7 @@ def _judge_spectrum(numbers, matrix, point):
 def _is_eigenvalue(number, value):
     # A double eigenvalue comes out of the floating-point computation with half of its digits.
     near = abs(number - value) < 1e-6 * (1 + abs(value))
-    return near or _rounds_to((number.real, number.imag), (value.real, value.imag), abs(value))
+    return near or max(abs((number - value).real), abs((number - value).imag)) <= half_unit(abs(value))
 
 
 def _rest_point(flow, place):
@@ -154,9 +155,8 @@ def _values_told(flow, place):
     return f"the right-hand sides are {as_text(values)} there, not zero"
 
 
-def _rounds_to(place, point, size=None):
-    scale = max(np.abs(point)) / 10 if size is None else size
-    return all(coercion.rounds_to(x, y, scale) for x, y in zip(place, point))
+def _rounds_to(place, point):
+    return all(rounds_to(x, y, max(np.abs(point))) for x, y in zip(place, point))
 
 
 def _among(point, points):

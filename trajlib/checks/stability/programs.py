@@ -14,6 +14,7 @@ import numpy as np
 import sympy as sp
 
 from trajlib.checks.contract import coercion
+from trajlib.checks.contract.tolerance import same
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
 from trajlib.checks.tools.semialgebraic import Condition, cells
 from trajlib.checks.tools.semialgebraic import as_text as place_text
@@ -397,10 +398,8 @@ def _judge_rest_angles(answer, field, state, parameters, integer, wanted, word):
                 if abs(given.imag) > 1e-9 * (1 + abs(given)):
                     raise Wrong(f"your value{member} is not real for {values_text(values)}, where there are "
                                 f"stationary angles")
-                # Three digits of an angle that has turned a few times are that many of its size; beyond, they would
-                # tell nothing.
-                near = [phi for phi in found if abs(np.exp(1j * given.real) - np.exp(1j * phi))
-                        < 1e-3 * min(max(1, abs(given)), 20)]
+                turned = [given.real + np.remainder(phi - given.real + np.pi, 2 * np.pi) - np.pi for phi in found]
+                near = [phi for phi, true in zip(found, turned) if same(given.real, true, family, 2 * np.pi)]
                 if not near:
                     raise Wrong(f"your value {given.real:.4g}{member} is no stationary angle for "
                                 f"{values_text(values)}: f(phi, 0) is "

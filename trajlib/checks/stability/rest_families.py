@@ -11,6 +11,7 @@ import numpy as np
 import sympy as sp
 
 from trajlib.checks.contract import coercion
+from trajlib.checks.contract.tolerance import rounds_to
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
 from trajlib.checks.tools.semialgebraic import Condition, cells, lines
 from trajlib.checks.tools.semialgebraic import as_text as place_text
@@ -328,7 +329,7 @@ def _same(matrix, other):
 def _close(number, value):
     """The same to three significant digits; what is zero has to be zero."""
     return (abs(complex(number).imag) < 1e-9 * (1 + abs(number))
-            and coercion.rounds_to(complex(number).real, value, 1e-6))
+            and rounds_to(complex(number).real, value, 1e-3))
 
 
 def _where(values):

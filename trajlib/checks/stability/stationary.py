@@ -17,6 +17,7 @@ import numpy as np
 import sympy as sp
 
 from trajlib.checks.contract import coercion
+from trajlib.checks.contract.tolerance import DECIMALS, in_decimals, same
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
 from trajlib.checks.tools.semialgebraic import Condition, cells
 from trajlib.checks.tools.semialgebraic import as_text as place_text
@@ -33,8 +34,6 @@ STARTS = 48
 #: For how many sets of parameter values a field's stationary points are kept: a verdict asks for some thirty, mostly
 #: the same.
 MOST_KEPT = 200
-#: Half a unit of the third significant digit, at worst: what decimals in a condition may move its border by.
-ROUNDING = 0.005
 POSITIVE, NEGATIVE = sp.Interval.open(0, sp.oo), sp.Interval.open(-sp.oo, 0)
 #: Closer to an open end of the domain than this, a rest point counts as lying on the end.
 END = 1e-7
@@ -85,7 +84,7 @@ def cycle_period(answer, radial, angular, radius, parameters):
         if period is None:
             raise Wrong(f"for {_told(values)} there is a closed orbit, but your expression gives no real number")
         rate = float(turning(rest, numbers)[0])
-        if period <= 0 or not _near(rate * period, math.copysign(2 * math.pi, rate), claim):
+        if period <= 0 or not same(rate * period, math.copysign(2 * math.pi, rate), claim):
             raise Wrong(f"for {_told(values)} the angle gains {rate * period:.4g} within your time {period:.4g}, "
                         f"which is not one turn")
     return "in this time the angle gains one full turn on the closed orbit"
@@ -106,7 +105,7 @@ def stationary_linearisation(answer, field, state, parameters, domain=None):
             said = [real_at(entry, values) for entry in matrix[:, k]]
             if any(value is None for value in said):
                 raise Wrong(f"for {_told(values)} your matrix is not real")
-            if not all(_near(value, t, matrix, size) for value, t in zip(said, true[:, k])):
+            if not same(said, true[:, k], list(matrix[:, k]), size).all():
                 raise Wrong(f"for {_told(values)} {other_rate(state[k], said, true[:, k])}")
     return "small deviations from the stationary solution change the right-hand sides as it says"
 
@@ -119,7 +118,7 @@ def stationary_value(answer, expression, field, state, parameters, domain=None):
     reading = _family([expression], state, parameters, domain)
     for values, numbers, rest in family.samples():
         true, said = float(reading(rest, numbers)[0]), real_at(claim, values)
-        if said is None or not _near(said, true, claim, _scale(expression, values, state, rest)):
+        if said is None or not same(said, true, claim, _scale(expression, values, state, rest)):
             told = "no real number" if said is None else f"{said:.4g}"
             raise Wrong(f"for {_told(values)} the value is {true:.4g}; your expression gives {told}")
     return "it is the value at the stationary solution, for sample values of the parameters"
@@ -187,7 +186,7 @@ def dulac(answer, field, state, parameters, domain=None):
         if not np.all(np.isfinite(parts[:, k])):
             raise Wrong(f"at {where}, a point of the domain, your multiplier or its divergence is not a real number")
         true, said = parts[:-2, k].sum(), parts[-2, k]
-        if not (math.isfinite(true) and _near(said, true, divergence, abs(parts[:-2, k]).sum())):
+        if not (math.isfinite(true) and same(said, true, divergence, abs(parts[:-2, k]).sum())):
             raise Wrong(f"at {where} the divergence of the field times your multiplier is {true:.4g}; "
                         f"your second expression gives {said:.4g}")
     signs = np.sign(np.where(abs(parts[-2]) > 1e-12 * abs(parts[:-2]).sum(axis=0), parts[-2], 0))
@@ -340,8 +339,8 @@ def _compare(answer, family, truth, describe):
     parameters = family.parameters
     numbers_alone = isinstance(answer, sp.Set) and answer.is_subset(sp.S.Reals)
     condition = coercion.as_condition(answer, parameters[:1] if numbers_alone else parameters)
-    claim, loose = Condition(condition, parameters), condition.has(sp.Float)
-    places, borders = _grid(family, truth, claim, margin=2 * ROUNDING if loose else 1e-6)
+    claim, loose = Condition(condition, parameters), in_decimals(condition)
+    places, borders = _grid(family, truth, claim, margin=2 * DECIMALS if loose else 1e-6)
     tried = truth(np.array(places, dtype=float).T)
     checked = 0
     for place, holds in [*zip(places, tried), *borders]:
@@ -395,7 +394,7 @@ def _rounded_across(place, truth):
         values = truth(np.array([[float(x) for x in place], *moved]).T)
         return bool(np.any(values != values[0]))
 
-    return changes(ROUNDING) and not changes(1e-9)
+    return changes(DECIMALS) and not changes(1e-9)
 
 
 def _family(field, state, parameters, domain):
@@ -507,8 +506,8 @@ class _Family:
         for k, angle in enumerate(self._angles):
             if angle:
                 difference[k] = (difference[k] + math.pi) % (2 * math.pi) - math.pi
-        size = np.abs(rest).max()
-        return all(_near(r + d, r, expression, size) for d, r, expression in zip(difference, rest, written))
+        size = max(np.abs(rest).max(), 1e-12)
+        return all(same(r + d, r, expression, size) for d, r, expression in zip(difference, rest, written))
 
     def samples(self, count=7, need_rest=True, alone=True):
         """Triples (exact values, their floats, the stationary point), or with all points of the domain unless
@@ -694,15 +693,6 @@ def _values(expression, symbols, places):
         return number.real if cmath.isfinite(number) and abs(number.imag) < 1e-9 * (1 + abs(number)) else math.nan
 
     return np.array([value(place.tolist()) for place in places.T])
-
-
-def _near(said, true, written, size=0.0):
-    """Equality to rounding, or to three significant digits where the answer is written in decimals."""
-    decimals = any(not number.is_zero for number in written.atoms(sp.Float))
-    scale = max(abs(true), size)
-    if decimals:
-        return coercion.rounds_to(said, true, scale / 10) or abs(said - true) <= ROUNDING * abs(true)
-    return abs(said - true) <= 1e-9 * max(scale, 1e-12)
 
 
 def _scale(expression, values, state, rest):

@@ -12,8 +12,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from trajlib.checks.contract import coercion
+from trajlib.checks.contract.tolerance import same, share
 from trajlib.checks.contract.verdict import Wrong, judged
-from trajlib.checks.structure.dual_questions import tolerance_of
 from trajlib.checks.tools.values import matrix_at
 from trajlib.checks.tools.wording import number_text, where_text
 from trajlib.checks.truths.invariant_subspaces import characteristic_coefficients, to_floats
@@ -93,14 +93,13 @@ def chain_basis_matrix(answer, A, B, parameters=()):
 
 def judge_form(claim, pair, form):
     """Shape and characteristic polynomial of a matrix that is to be the form by observation of the pair's A."""
-    tolerance = tolerance_of(claim)
+    tolerance = share(claim)
     for values, place in pair.samples:
         said, rows = matrix_at(claim, values), pair.at(place)[0]
         shape_of_form(said, tolerance, form, where_text(values))
         true = np.array([float(c) for c in characteristic_coefficients(rows)])
         own = np.array([1, *(0 - said[:, 0])])  # not -said: a zero would be told as -0
-        wrong = np.flatnonzero(~(abs(own - true) <= tolerance * np.maximum(abs(true), 1e-3 * max(abs(true)))))
-        if len(wrong):
+        if not same(own[1:], true[1:], list(claim[:, 0]), max(abs(true))).all():
             at = max((0, 1, -1, 2, -2, 3, 5),
                      key=lambda x: min(abs(np.polyval(own - true, x)), 0.5 * max(abs(own - true))))
             raise Wrong(f"the characteristic polynomials differ{where_text(values)}: at lambda = {at} that of A is "
@@ -131,7 +130,7 @@ def _has_shape(matrix, pattern, tolerance):
 def _judge_change(claim, pair, said_rows, by_rows):
     """The rows r of a change of variables: r1 = h, and r_k A = alpha r1 + r_(k+1) with the coefficients of A's
     polynomial."""
-    n, tolerance = pair.order, tolerance_of(claim)
+    n, tolerance = pair.order, share(claim)
     for values, place in pair.samples:
         if pair.unseen_at(place):
             raise ValueError("there is no canonical form: the system loses an eigenvalue")
@@ -143,8 +142,9 @@ def _judge_change(claim, pair, said_rows, by_rows):
         true = [h]
         for k in range(n - 1):
             true.append(true[-1] @ A - alpha[k] * h)
+        right = same(said, np.array(true), claim, np.linalg.norm(true, axis=1)[:, None])
         for k, row in enumerate(true):
-            if np.linalg.norm(said[k] - row) <= tolerance * np.linalg.norm(row):
+            if right[k].all():
                 continue
             _hint_at_inverse(said, np.array(true), tolerance, by_rows)
             if k == 0:

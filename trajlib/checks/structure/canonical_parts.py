@@ -8,8 +8,8 @@ needed: with as many rows as the observable part has, the multiples are determin
 import numpy as np
 
 from trajlib.checks.contract import coercion
+from trajlib.checks.contract.tolerance import same, share
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
-from trajlib.checks.structure.dual_questions import tolerance_of
 from trajlib.checks.tools.values import matrix_at
 from trajlib.checks.tools.wording import number_text, where_text
 from trajlib.checks.truths.invariant_subspaces import to_floats
@@ -24,7 +24,7 @@ def canonical_part_coordinates(answer, A, H, parameters=()):
     if claim.cols != A.rows:
         raise Invalid(f"expected a matrix with {A.rows} columns, one for each coordinate of x; the shape of yours is "
                       f"{claim.shape}")
-    pair, tolerance = pair_of(A, H, parameters), tolerance_of(claim)
+    pair, tolerance = pair_of(A, H, parameters), share(claim)
     if pair.outputs != 1:
         raise ValueError("the canonical form belongs to one output")
     for (values, place), unseen in zip(pair.samples, pair.unseen):
@@ -32,7 +32,7 @@ def canonical_part_coordinates(answer, A, H, parameters=()):
         _same_order(claim.rows, order, where)
         A_there, (h,) = (to_floats(rows, pair.order) for rows in pair.at(place))
         said = matrix_at(claim, values)
-        if not np.linalg.norm(said[0] - h) <= tolerance * np.linalg.norm(h):
+        if not same(said[0], h, list(claim[0, :]), np.linalg.norm(h)).all():
             j = int(np.argmax(abs(said[0] - h)))
             raise Wrong(f"z has to be xi1 alone{where}; your xi1 holds {number_text(said[0, j])} x{j + 1}")
         for k in range(order):

@@ -23,9 +23,9 @@ import numpy as np
 import sympy as sp
 
 from trajlib.checks.contract import coercion
+from trajlib.checks.contract.tolerance import half_unit, share
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
 from trajlib.checks.structure.canonical_forms import BY_OBSERVATION, shape_of_form
-from trajlib.checks.structure.dual_questions import tolerance_of
 from trajlib.checks.tools.values import matrix_at
 from trajlib.checks.tools.wording import number_text, where_text
 from trajlib.checks.truths.invariant_subspaces import echelon, product, to_floats, unseen_subspace
@@ -101,7 +101,7 @@ def canonical_observable_part(answer, A, H, parameters=()):
     """The list [A11, H1] of the observable subsystem in the canonical form by observation (2.5), with H1 = (1 0 ...
     0)."""
     matrix, output = _as_system(answer, parameters, ("A11", "H1"), H.rows)
-    pair, tolerance = pair_of(A, H, parameters), tolerance_of(matrix, output)
+    pair, tolerance = pair_of(A, H, parameters), share(matrix, output)
     for values, _ in pair.samples:
         said = matrix_at(output, values)
         if not abs(said - np.eye(len(said), said.shape[1])).max(initial=0) <= 1e-6:
@@ -159,7 +159,7 @@ def parallel_inputs(answer, A, B):
 def similarity(answer, A_from, A_to, parameters=()):
     """A matrix S of y = S x that turns x' = A_from x into y' = A_to y: it is invertible and S A_from = A_to S."""
     claim = coercion.as_matrix(answer, parameters, A_from.shape)
-    tolerance = tolerance_of(claim)
+    tolerance = share(claim)
     given, wanted = pair_of(A_from, A_from[:1, :], parameters), pair_of(A_to, A_to[:1, :], parameters)
     for values, place in given.samples:
         one, other = (to_floats(pair.at(place)[0], pair.order) for pair in (given, wanted))
@@ -183,7 +183,7 @@ def similarity(answer, A_from, A_to, parameters=()):
 
 def _judge_split(claim, pair, side):
     """The rows of T for the pair: the first ones vanish on the unseen states."""
-    n, tolerance = pair.order, tolerance_of(claim)
+    n, tolerance = pair.order, share(claim)
     for (values, place), unseen in zip(pair.samples, pair.unseen):
         A, H = (to_floats(rows, n) for rows in pair.at(place))
         said, size = matrix_at(claim, values), n - len(unseen)
@@ -208,7 +208,7 @@ def _judge_split(claim, pair, side):
 
 def _judge_system(matrix, output, pair, side):
     """A system (A', H') of the pair's order: the blocks vanish, and some change of variables turns the pair into it."""
-    n, tolerance = pair.order, tolerance_of(matrix, output)
+    n, tolerance = pair.order, share(matrix, output)
     if matrix.rows != n:
         raise Invalid(f"expected the matrices of the whole system of order {n}; the order of yours is {matrix.rows}")
     for (values, place), unseen in zip(pair.samples, pair.unseen):
@@ -233,7 +233,7 @@ def _judge_system(matrix, output, pair, side):
 
 def _judge_part(matrix, output, pair):
     """An observable system of order rank N that is the image of the pair's."""
-    tolerance = tolerance_of(matrix, output)
+    tolerance = share(matrix, output)
     for (values, place), unseen in zip(pair.samples, pair.unseen):
         A, H = (to_floats(rows, pair.order) for rows in pair.at(place))
         if matrix.rows != pair.order - len(unseen):
@@ -288,9 +288,8 @@ def _as_fractions(number):
     size = abs(number)
     if not size or number.imag:
         return number
-    half_unit = 0.5 * 10.0 ** (np.floor(np.log10(size)) - 2)
     return next((round(number.real * q) / q for q in range(1, 61) if abs(round(number.real * q) / q - number.real)
-                 <= half_unit), number)
+                 <= half_unit(size)), number)
 
 
 def _why_different(A, new_A, part, part_output, values, side):
@@ -315,7 +314,7 @@ def _why_different(A, new_A, part, part_output, values, side):
 
 def _judge_components(claim, pair, side, sequential):
     """Zeros outside the blocks that a decomposition by components leaves, in the form by observation."""
-    tolerance, n, m = tolerance_of(claim), pair.order, pair.outputs
+    tolerance, n, m = share(claim), pair.order, pair.outputs
     ((_, place),) = pair.samples
     exact_A, exact_H = pair.at(place)
     A, H = to_floats(exact_A, n), to_floats(exact_H, n)

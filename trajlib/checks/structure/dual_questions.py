@@ -12,6 +12,7 @@ import numpy as np
 import sympy as sp
 
 from trajlib.checks.contract import coercion
+from trajlib.checks.contract.tolerance import same
 from trajlib.checks.contract.verdict import Invalid, Wrong
 from trajlib.checks.tools.values import matrix_at, number_at
 from trajlib.checks.tools.wording import number_text, where_text
@@ -73,12 +74,6 @@ CONTROL = Side("controllable", "not controllable", "independent combination of t
                basis_right="no control changes any of them, they are independent, and there are no more",
                shows=_control_changes,
                shows_little="a control changes your combination {k}, though little")
-
-
-def tolerance_of(*answers):
-    """How far a number may be off, relative to its size: decimals count to three digits, what is exact has to be
-    right."""
-    return 5e-3 if any(sp.sympify(part).has(sp.Float) for answer in answers for part in answer) else 1e-9
 
 
 def judge_yes_no(answer, pair, side):
@@ -155,19 +150,18 @@ def judge_rank(answer, pair, side):
 def judge_kalman(claim, pair, side):
     """Kalman's matrix by its definition: the output first, then each block is the one before times A."""
     n, m = pair.order, pair.outputs
-    tolerance = tolerance_of(claim)
     for values, place in pair.samples:
         A, H = pair.at(place)
         columns, rows = list(zip(*A)), list(H)
         for k in range(m * (n - 1)):
             rows.append(product(columns, rows[k]))
         said, true = matrix_at(claim, values), to_floats(rows, n)
-        bad = _differing_rows(said, true, tolerance)
-        if not len(bad):
+        right = _right_entries(said, true, claim)
+        if right.all():
             continue
-        if said.shape == true.T.shape and not len(_differing_rows(said.T, true, tolerance)):
+        if said.shape == true.T.shape and _right_entries(said.T, true, claim.T).all():
             raise Wrong(f"this is the transpose of {side.matrix}")
-        k = int(bad[0])
+        k = int(np.argmin(right.all(axis=1)))
         before = (f"have to be the {side.block}s of {'H' if side is OUTPUT else 'B'}" if k < m else
                   f"has to be {side.block} {k - m + 1} times A" if side is OUTPUT
                   else f"has to be A times {side.block} {k - m + 1}")
@@ -175,7 +169,7 @@ def judge_kalman(claim, pair, side):
                  else f"{side.block} {k + 1}")
         if k < m and m == 1:
             before = f"has to be {'H' if side is OUTPUT else 'B'}"
-        j = int(np.argmax(abs(said[k] - true[k])))
+        j = int(np.argmax(abs(said[k] - true[k]) * ~right[k]))
         raise Wrong(f"{which} of {side.matrix} {before}{where_text(values)}: {side.block} {k + 1} of your matrix, with "
                     f"{number_text(said[k, j])} in {'column' if side is OUTPUT else 'row'} {j + 1}, does not fit")
     return f"the {side.block}s are those of the definition, each block the one before times A"
@@ -193,20 +187,19 @@ def judge_eigenvalues(answer, pair, side):
 def compare_eigenvalues(answer, parameters, samples, true, whole, side):
     """Compare a set of numbers with those where the rank falls, at every sample; `whole` are all eigenvalues there."""
     claims = [coercion.as_expression(part, parameters) for part in _members(answer)]
-    tolerance = tolerance_of(claims)
     for values, lost, every in zip(samples, true, whole):
         scale = max([1e-30, *abs(every)])
         said = [number_at(claim, values, f"your value {k}") for k, claim in enumerate(claims, 1)]
-        for number in said:
-            if any(_near(number, other, tolerance, scale) for other in lost):
+        for number, claim in zip(said, claims):
+            if any(same(number, other, claim, scale) for other in lost):
                 continue
-            if any(_near(number, other, max(tolerance, 1e-7), scale) for other in every):
+            if any(same(number, other, claim, scale, computed=1e-7) for other in every):
                 raise Wrong(f"{number_text(number)} is {_a(side.spectrum)}{where_text(values)}, but the rank of "
                             f"{side.pencil} does not "
                             f"fall there: there is no {side.vector}")
             raise Wrong(f"{number_text(number)} is no {side.spectrum}{where_text(values)}, so the rank of "
                         f"{side.pencil} is full there")
-        named = sum(any(_near(number, other, tolerance, scale) for number in said) for other in lost)
+        named = sum(any(same(number, other, claim, scale) for number, claim in zip(said, claims)) for other in lost)
         if named < len(lost):
             raise Wrong(f"the rank of {side.pencil} falls at {_count(len(lost), 'value')} of "
                         f"lambda{where_text(values)}; your answer names "
@@ -245,15 +238,10 @@ def _members(answer):
     raise Invalid("expected a list or a set of eigenvalues; an empty one if there are none")
 
 
-def _near(one, other, tolerance, scale):
-    """Whether two numbers are the same; a claim of zero is judged by the size of the other eigenvalues."""
-    return abs(one - other) <= tolerance * max(abs(other), 1e-3 * scale if tolerance > 1e-6 else scale)
-
-
-def _differing_rows(said, true, tolerance):
-    """The numbers of the rows that are not the same, each measured by its own size."""
+def _right_entries(said, true, claim):
+    """Which entries are right; what is zero is measured by its row."""
     size = np.maximum(np.linalg.norm(true, axis=1), 1e-4 * np.linalg.norm(true))
-    return np.flatnonzero(~(abs(said - true).max(axis=1) <= tolerance * size))
+    return same(said, true, claim, size[:, None])
 
 
 def how_many(unseen, side):

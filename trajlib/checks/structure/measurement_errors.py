@@ -11,8 +11,9 @@ import sympy as sp
 from scipy.linalg import expm
 
 from trajlib.checks.contract import coercion
+from trajlib.checks.contract.tolerance import same, share
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
-from trajlib.checks.structure.dual_questions import Side, judge_region, judge_yes_no, tolerance_of
+from trajlib.checks.structure.dual_questions import Side, judge_region, judge_yes_no
 from trajlib.checks.structure.unseen_bases import judge_basis, judge_where_lost
 from trajlib.checks.tools.values import compare_at, matrix_at
 from trajlib.checks.tools.wording import number_text, where_text
@@ -88,17 +89,19 @@ def augmented_system(answer, A, H, S, c, start, parameters=()):
                       f"shape of yours is {matrix.shape}")
     row = answer[1] if isinstance(answer[1], sp.MatrixBase) else [answer[1]] if _is_flat(answer[1]) else answer[1]
     row = coercion.as_matrix(row, parameters, (H.rows, matrix.rows))
-    tolerance = tolerance_of(matrix, row)
+    tolerance = share(matrix, row)
     for values, place in pair.samples:
         where = where_text(values)
         true_A, true_H = (to_floats(rows, pair.order) for rows in pair.at(place))
         said_A, said_H = matrix_at(matrix, values), matrix_at(row, values)
-        _compare_block(said_A[:n, :n], true_A[:n, :n], "the rows and columns of x in A'", "are those of A", where,
-                       tolerance)
-        for part, why in ((said_A[:n, n:], "the error does not act on the motion"),
-                          (said_A[n:, :n], "the motion does not act on the error")):
-            _compare_block(part, 0 * part, f"{why}: this part of A'", "is zero", where, tolerance)
-        _compare_block(said_H[:, :n], true_H[:, :n], "the columns of x in H'", "are those of H", where, tolerance)
+        x, w = slice(0, n), slice(n, None)
+        for claim, block, true, what in (
+                (matrix, (x, x), true_A[x, x], "the rows and columns of x in A' are those of A"),
+                (matrix, (x, w), 0, "the error does not act on the motion: this part of A' is zero"),
+                (matrix, (w, x), 0, "the motion does not act on the error: this part of A' is zero"),
+                (row, (slice(None), x), true_H[:, x], "the columns of x in H' are those of H")):
+            said = (said_A if claim is matrix else said_H)[block]
+            _compare_block(said, true + 0 * said, claim[block], what, where)
         _compare_errors(said_A[n:, n:], said_H[:, n:], _error_derivatives(pair, place, n, matrix.rows), where,
                         tolerance)
     return ("its outputs are those of the motions with every error of the kind, and no coordinate of the error can be "
@@ -119,8 +122,8 @@ def amplitude_from_output(answer, A, H, S, c, start, outputs, time):
         for symbol in outputs:
             values[symbol] = float(row @ state)
             state = augmented @ state
-        tolerance = 5e-3 if claim.has(sp.Float) else 1e-8
-        compare_at(claim, values, amplitude, "C", sum(abs(v) for v in values.values()) * 1e-2, tolerance)
+        size = 1e-2 * sum(abs(v) for v in values.values())
+        compare_at(claim, values, amplitude, "C", size, share(claim, computed=1e-8))
     return "it gives C at every moment of motions with all kinds of starts and errors"
 
 
@@ -133,11 +136,11 @@ def _is_flat(answer):
                                                           for part in answer))
 
 
-def _compare_block(said, true, what, is_what, where, tolerance):
-    bad = ~(abs(said - true) <= tolerance * max(abs(true).max(initial=0), 1.0))
+def _compare_block(said, true, claim, what, where):
+    bad = ~same(said, true, claim, max(abs(true).max(initial=0), 1.0))
     if bad.any():
         i, j = np.argwhere(bad)[0]
-        raise Wrong(f"{what} {is_what}{where}, and yours has {number_text(said[i, j])} where "
+        raise Wrong(f"{what}{where}, and yours has {number_text(said[i, j])} where "
                     f"{number_text(true[i, j])} belongs")
 
 

@@ -12,8 +12,8 @@ import sympy as sp
 from sympy.core.function import AppliedUndef
 
 from trajlib.checks.contract import coercion
+from trajlib.checks.contract.tolerance import same, share
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
-from trajlib.checks.structure.dual_questions import tolerance_of
 from trajlib.checks.tools.values import number_at, numbers_at
 from trajlib.checks.tools.wording import number_text, where_text
 from trajlib.checks.truths.pairs import general_values
@@ -47,12 +47,12 @@ def canonical_equation(answer, A, B, motion, control, parameters=()):
 def canonical_coordinate(answer, A, B, parameters=()):
     """The row c for which y = c x is the first coordinate of the canonical form by control (2.4)."""
     n, claim = A.rows, coercion.as_expressions(answer, parameters, A.rows)
-    tolerance = tolerance_of(claim)
+    tolerance = share(claim)
     for values in general_values(list(parameters)):
         exact, drive = A.subs(values), B.subs(values)
         row = numbers_at(claim, values, [f"coefficient of x{k}" for k in range(1, n + 1)])
         true = np.array(_first_coordinate(exact, drive).tolist(), dtype=float)[0]
-        if not np.linalg.norm(row - true) <= tolerance * np.linalg.norm(true):
+        if not same(row, true, claim, np.linalg.norm(true)).all():
             A_there, b_there = (np.array(matrix.tolist(), dtype=float) for matrix in (exact, drive))
             _explain_row(row, A_there, b_there[:, 0], tolerance, where_text(values))
     return "the control enters the last derivative alone, with the coefficient 1"
@@ -75,7 +75,7 @@ class _LinearEquation:
 
     def __init__(self, answer, motion, control, parameters):
         (self.time,), self.names = motion.args, (motion.func.__name__, control.func.__name__)
-        self.tolerance = tolerance_of([answer]) if isinstance(answer, sp.Basic) else None
+        self.tolerance = share([answer]) if isinstance(answer, sp.Basic) else None
         sides = [self._own_functions(side, motion, control, parameters) for side in self._sides(answer)]
         self.derivatives = [[sp.Dummy(f"{name}{k}") for k in range(LARGEST_ORDER + 1)] for name in self.names]
         known = {function.diff(self.time, k): symbol for function, symbols in zip((motion, control), self.derivatives)

@@ -14,8 +14,9 @@ import sympy as sp
 from scipy.linalg import expm
 
 from trajlib.checks.contract import coercion
+from trajlib.checks.contract.tolerance import same, share
 from trajlib.checks.contract.verdict import Wrong, judged
-from trajlib.checks.structure.dual_questions import OUTPUT, judge_region, tolerance_of
+from trajlib.checks.structure.dual_questions import OUTPUT, judge_region
 from trajlib.checks.structure.unseen_bases import judge_where_lost
 from trajlib.checks.tools.values import compare_at, matrix_at, spread, value_at
 from trajlib.checks.tools.wording import number_text, rounded_text
@@ -33,8 +34,7 @@ def varying_output(answer, A, H, time, start, parameters):
         x = np.array([values[symbol] for symbol in start])
         matrix, row = _at(A, values), _at(H, values)
         z = float((row @ expm(values[time] * matrix) @ x)[0])
-        compare_at(claim, values, z, "z", np.linalg.norm(row) * np.linalg.norm(x), 5e-3 if claim.has(sp.Float)
-                   else 1e-9)
+        compare_at(claim, values, z, "z", np.linalg.norm(row) * np.linalg.norm(x), share(claim))
     return "it is H(t) x(t) for all starts, moments and parameters tried"
 
 
@@ -43,7 +43,7 @@ def derivative_rows(answer, A, H, time, parameters):
     """The rows N0, ..., N(n-1) with z = N0 x, z' = N1 x, ... along all motions, as a matrix."""
     n = A.rows
     claim = coercion.as_matrix(answer, [time, *parameters], (n, n))
-    slopes, tolerance = [H.diff(time, k) if k else H for k in range(n)], tolerance_of(claim)
+    slopes = [H.diff(time, k) if k else H for k in range(n)]
     for values in _values([time, *parameters], positive=[time]):
         matrix, rows = _at(A, values), [_at(slope, values)[0] for slope in slopes]
         said = matrix_at(claim, values)
@@ -52,13 +52,14 @@ def derivative_rows(answer, A, H, time, parameters):
             true = sum(comb(k, j) * rows[j] @ np.linalg.matrix_power(matrix, k - j) for j in range(k + 1))
             scale = sum(comb(k, j) * np.linalg.norm(rows[j]) * np.linalg.norm(matrix, 2) ** (k - j)
                         for j in range(k + 1))
-            if np.linalg.norm(said[k] - true) <= tolerance * scale:
+            right = same(said[k], true, list(claim[k, :]), scale)
+            if right.all():
                 continue
             if k and np.linalg.norm(said[k] - rows[0] @ np.linalg.matrix_power(matrix, k)) <= 1e-6 * scale:
                 raise Wrong(f"row {k + 1} of your matrix leaves out that H changes with time: the derivative of z = "
                             f"H(t) x has one term "
                             "more")
-            j = int(np.argmax(abs(said[k] - true)))
+            j = int(np.argmax(abs(said[k] - true) * ~right))
             what = "z itself" if k == 0 else "the derivative of z" if k == 1 else f"the derivative of z of order {k}"
             raise Wrong(f"row {k + 1} times x has to be {what}; at {rounded_text(values)} it is not, in column "
                         f"{j + 1}: there your matrix "
@@ -74,14 +75,13 @@ def output_gramian(answer, A, H, time, duration, parameters):
     claim = coercion.as_matrix(answer, parameters, (n, n))
     nodes, weights = np.polynomial.legendre.leggauss(160)
     moments, weights = (nodes + 1) / 2 * float(duration), weights / 2 * float(duration)
-    tolerance = tolerance_of(claim)
     for values in _values(parameters):
         matrix = _at(A, values)
         row = sp.lambdify(time, list(H.subs(values)), "numpy")  # of the data, never of an answer
         measured = np.array([np.broadcast_to(entry, moments.shape) for entry in row(moments)]).T
         rows = np.einsum("ti,tij->tj", measured, expm(moments[:, None, None] * matrix))
         true, said = rows.T @ (weights[:, None] * rows), matrix_at(claim, values)
-        bad = ~(abs(said - true) <= tolerance * np.linalg.norm(true))
+        bad = ~same(said, true, claim, np.linalg.norm(true))
         if bad.any():
             i, j = np.argwhere(bad)[0]
             raise Wrong(f"for {rounded_text(values)} the entry ({i + 1}, {j + 1}) of your matrix is "
@@ -98,7 +98,7 @@ def frozen_determinant(answer, A, H, time, parameters):
         matrix, row = _at(A, values), _at(H, values)
         rows = [(row @ np.linalg.matrix_power(matrix, k))[0] for k in range(A.rows)]
         scale, said = np.prod([np.linalg.norm(r) for r in rows]), value_at(claim, values, "this determinant")
-        if not abs(said - np.linalg.det(rows)) <= (5e-3 if claim.has(sp.Float) else 1e-9) * scale:
+        if not abs(said - np.linalg.det(rows)) <= share(claim) * scale:
             # The rows and not their determinant, which may be the answer itself.
             told = ", ".join(f"({', '.join(map(number_text, r))})" for r in rows)
             raise Wrong(f"at one of the moments tried the rows are {told}; {number_text(said)}, which your expression "

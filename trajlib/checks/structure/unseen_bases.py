@@ -13,8 +13,9 @@ import numpy as np
 import sympy as sp
 
 from trajlib.checks.contract import coercion
+from trajlib.checks.contract.tolerance import in_decimals, rounds_to, share
 from trajlib.checks.contract.verdict import Invalid, Wrong
-from trajlib.checks.structure.dual_questions import how_many, tolerance_of
+from trajlib.checks.structure.dual_questions import how_many
 from trajlib.checks.tools.places import allowed, places
 from trajlib.checks.tools.values import number_at
 from trajlib.checks.tools.wording import number_text, where_text
@@ -26,7 +27,7 @@ def judge_basis(answer, pair, side, at=None):
     does not."""
     n = pair.unknowns
     vectors = as_vectors(answer, n, pair.parameters)
-    tolerance = tolerance_of(*vectors)
+    tolerance = share(*vectors)
     for (values, place), unseen in [*zip(pair.samples, pair.unseen), *_where_vectors_fail(vectors, pair)]:
         where = where_text(values) if at is None else at
         said = np.array([[number_at(entry, values, f"component {i} of your vector {k}")
@@ -154,4 +155,4 @@ def _values_where_lost(pair, parameter):
 
 def _same(value, other):
     """Decimals count to three digits; what is exact has to be right."""
-    return coercion.rounds_to(value, other, scale=1e-3) if value.has(sp.Float) else sp.simplify(value - other) == 0
+    return rounds_to(value, other, size=1) if in_decimals(value) else sp.simplify(value - other).is_zero

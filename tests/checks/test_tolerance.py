@@ -1,0 +1,78 @@
+"""Three significant digits mean the same in every check, and no number hides behind a larger one."""
+
+import numpy as np
+import pytest
+import sympy as sp
+
+from trajlib import checks
+from trajlib.checks.contract.tolerance import EXACT, in_decimals, rounds_to, same, share
+
+k = sp.Symbol("k", positive=True)
+x, v, r, t = sp.symbols("x v r t", real=True)
+
+
+@pytest.mark.parametrize("answer, value, right", [
+    (0.385, 0.3849, True), (0.38, 0.3849, False), (3.49e-6, 3.4873e-6, True), (3.5e-6, 3.4873e-6, False),
+    (-0.385, 0.3849, False), (1.0, 1, True), (0, 0, True), (1e-9, 0, False), (123456, 123111, True),
+    (124000, 123111, False), (9.95, 9.99, False), (9.985, 9.99, True), (float("nan"), 1, False),
+])
+def test_three_significant_digits(answer, value, right):
+    assert rounds_to(answer, value) is right
+    assert same(answer, value, sp.Float(answer)) is right or value == 0 == answer
+
+
+@pytest.mark.parametrize("written, decimals", [
+    (sp.Float(0.5), True), ([k, 2.5 * k], True), (sp.Matrix([[1, 0.0]]), False), ([sp.Rational(1, 2), k], False),
+    (x > 2.5, True), (sp.true, False),
+])
+def test_what_counts_as_decimals(written, decimals):
+    assert in_decimals(written) is decimals
+    assert (share(written) > EXACT) is decimals
+
+
+def test_an_exact_number_has_to_be_right():
+    assert not same(0.3333, 1 / 3, sp.Rational(3333, 10000))
+    assert same(1 / 3, 1 / 3 + 1e-12, sp.Rational(1, 3))
+
+
+def test_a_complex_number_has_the_digits_of_its_modulus():
+    assert same(0.707 + 0.707j, (1 + 1j) / np.sqrt(2), sp.Float(0.707) * (1 + sp.I))
+    assert not same(0.707 + 0.713j, (1 + 1j) / np.sqrt(2), sp.Float(0.707) * (1 + sp.I))
+
+
+def test_rounded_coefficients_of_an_expression_cost_their_share():
+    # 1.11 k is 1.1149 k to three digits; at k = 8.9 the values, 9.879 and 9.923, differ by more than half a unit.
+    assert same(1.11 * 8.9, 1.1149 * 8.9, 1.11 * k)
+    assert not same(9.879, 9.923, sp.Float(9.879))
+
+
+# The same numbers in checks of all kinds: 9.985 is 9.99 within half a unit, 9.95 is not.
+A = sp.Matrix([[sp.Rational(999, 100), 0], [0, 1]])
+H = sp.Matrix([[0, 1]])
+NUMBERS = [
+    lambda number: checks.lost_eigenvalues([number], A, H),
+    lambda number: checks.observability_matrix([[1, 1], [number, 1.0]], A, sp.Matrix([[1, 1]])),
+    lambda number: checks.stationary_value(number, x, [v, sp.Rational(999, 100) - x], [x, v], []),
+    lambda number: checks.stationary_linearisation([[0, 1], [-number, 0]], [v, -sp.Rational(999, 100) * x], [x, v], []),
+    lambda number: checks.equilibria([[number]], [sp.Rational(999, 100) - x], [x]),
+    lambda number: checks.rest_values([number], [v, sp.Rational(999, 100) - x], [x, v]),
+    lambda number: checks.canonical_coordinate([number, 0], sp.Matrix([[0, 1], [0, 0]]),
+                                               sp.Matrix([0, sp.Rational(100, 999)])),
+]
+
+
+@pytest.mark.parametrize("judge", NUMBERS)
+@pytest.mark.parametrize("number, status", [(9.985, "right"), (9.95, "wrong")])
+def test_every_check_counts_the_same_digits(judge, number, status):
+    assert judge(number).status == status, judge(number).message
+
+
+@pytest.mark.parametrize("judge", [
+    lambda one: checks.observability_matrix([[one, 100.0], [one, 200.0]], sp.diag(1, 2), sp.Matrix([[1, 100]])),
+    lambda one: checks.canonical_coordinate([one, 100.0], sp.Matrix([[0, 1], [0, 0]]),
+                                            sp.Matrix([-100, 1])),
+    lambda one: checks.observer_canonical_transformation([[one, 100.0], [-2, -100]], sp.diag(1, 2),
+                                                         sp.Matrix([[1, 100]])),
+])
+def test_no_entry_hides_behind_a_larger_one_of_its_row(judge):
+    assert [judge(one).status for one in (1.0, 1.004, 1.4)] == ["right", "right", "wrong"]

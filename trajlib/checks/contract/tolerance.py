@@ -1,0 +1,65 @@
+"""How far a number of an answer may be off: the only place that knows.
+
+- Exact: what is written without decimals has to be right, up to the rounding of what is computed with it.
+- Decimals: a number counts to three significant digits, which is half a unit of the third digit of the true number. In
+  an expression with symbols, and in what is computed from numbers, they make each term uncertain by such a share of it.
+- Computed: where the truth itself is known to a precision only, as by a search, that stands for `EXACT`.
+
+Numbers are compared by `same`, entry by entry; a residual has no digits of its own, and gets a `share` of its terms.
+"""
+
+import numpy as np
+import sympy as sp
+
+#: What the rounding of our own arithmetic may make of something exact, as a share of its size.
+EXACT = 1e-9
+#: What three digits leave uncertain of a number, at worst: half a unit of the last digit in 1.00.
+DECIMALS = 5e-3
+#: A number that is a smaller share of those beside it than this has the digits that this share would have.
+NEGLIGIBLE = 1e-3
+#: The terms of an expression with symbols may cancel to this share of their size.
+CANCELLED = 0.1
+
+
+def in_decimals(*written):
+    """Whether answers, SymPy objects or lists of them, hold decimals; a zero is exact however it is written."""
+    return any(in_decimals(*part) if isinstance(part, (list, tuple)) else
+               any(not number.is_zero for number in sp.sympify(part).atoms(sp.Float)) for part in written)
+
+
+def share(*written, computed=EXACT):
+    """How large a residual may be, as a share of the size of its terms."""
+    return DECIMALS if in_decimals(*written) else computed
+
+
+def half_unit(size):
+    """Half a unit of the third significant digit of a number of this size; zero for zero."""
+    with np.errstate(divide="ignore"):
+        return 0.5 * (1 + 1e-9) * 10.0 ** (np.floor(np.log10(np.abs(size))) - 2)
+
+
+def rounds_to(said, true, size=0.0):
+    """True if a real number is another to three significant digits; `size` is that of the numbers beside it."""
+    return bool(abs(float(said) - float(true)) <= half_unit(max(abs(float(true)), NEGLIGIBLE * float(size))))
+
+
+def same(said, true, written, size=0.0, computed=EXACT):
+    """Whether numbers, real or complex, that an answer became are the true ones: a bool, or an array of them.
+
+    `written` is the answer, an expression or a matrix of the same shape; `size` that of the numbers that were computed
+    with.
+    """
+    wrong = np.asarray(said) - true
+    allowed = computed * np.maximum(np.abs(true), size)
+    if in_decimals(written):
+        has_symbols = np.vectorize(lambda e: bool(sp.sympify(e).free_symbols), otypes=[bool])(_entries(written))
+        allowed = np.maximum(allowed, np.where(has_symbols, DECIMALS * np.maximum(np.abs(true), CANCELLED * size),
+                                               half_unit(np.maximum(np.abs(true), NEGLIGIBLE * size))))
+    found = (np.abs(wrong.real) <= allowed) & (np.abs(wrong.imag) <= allowed)
+    return found if found.shape else bool(found)
+
+
+def _entries(written):
+    if isinstance(written, sp.MatrixBase):
+        return np.array(list(written), dtype=object).reshape(written.shape)
+    return np.array(written, dtype=object)
