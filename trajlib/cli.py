@@ -259,10 +259,12 @@ def _grade_course(*given):
 
     with ctrl_c_heeded():
         from trajlib.grading.commands import grade_course
-        from trajlib.grading.isolation import NoIsolation
+        from trajlib.grading.isolation import NoIsolation, NotStarted
 
         try:
             return grade_course(*given)
+        except NotStarted as error:
+            raise UserError(str(error)) from None
         except NoIsolation as error:
             raise UserError(f"{error}; --trust-students grades without a sandbox") from None
 

@@ -113,7 +113,7 @@ def test_whatever_ends_in_the_midst_costs_nothing(dask, expected, tmp_path):
     process = start(dask, tmp_path)
     wait_for_results(process, tmp_path, 3)
     process.kill()
-    process.communicate()
+    process.communicate(timeout=60)
     before = count(tmp_path)
     # then it is asked to stop,
     process = start(dask, tmp_path)

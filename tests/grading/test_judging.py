@@ -2,9 +2,12 @@
 what is."""
 
 import json
+import os
 import random
 import re
+import subprocess
 import sys
+import time
 from contextlib import suppress
 from pathlib import Path
 
@@ -381,11 +384,51 @@ def _with_little_memory(taken, allowed):
     receiver, sender = CONTEXT.Pipe(duplex=False)
     sender.send_bytes(handed_over())
     try:
-        judging._judge(receiver, [("data", f"x = bytearray({taken} * 2**20)"), ("check", "x")], ["a"], 60, allowed,
+        judging._judge(receiver, sender, [("data", f"x = bytearray({taken} * 2**20)"), ("check", "x")], ["a"], 60, allowed,
                        None)
     except BaseException as error:
         return [type(error).__name__]
     return ["nothing"]
+
+
+LEFT_ALONE = """
+import os, sys, time
+from trajlib import exercises
+from trajlib.grading import isolation, judging
+real = isolation.system_call
+def late(*given):
+    # The parent ends before this process can ask to end with it.
+    parent = os.getppid()
+    while os.getppid() == parent:
+        time.sleep(0.01)
+    real(*given)
+isolation.system_call = late
+judging.Judging(exercises.find("1.15"))
+(child,) = judging.multiprocessing.active_children()
+print(child.pid, flush=True)
+os._exit(0)
+"""
+
+
+def test_a_judge_whose_grader_dies_at_once_ends_too():
+    done = subprocess.run([sys.executable, "-c", LEFT_ALONE], stdout=subprocess.PIPE, text=True, timeout=60, check=True)
+    give_up = time.monotonic() + 20
+    while Path(f"/proc/{int(done.stdout)}").exists() and time.monotonic() < give_up:
+        time.sleep(0.05)
+    if Path(f"/proc/{int(done.stdout)}").exists():
+        os.kill(int(done.stdout), 9)
+        raise AssertionError("it waits for ever")
+
+
+def test_a_judge_sees_that_nothing_will_come():
+    """It holds no end of its own pipe by which something could."""
+    judge = judging.Judging(EXERCISE)
+    try:
+        judge._first._sender.close()
+        with pytest.raises(RuntimeError):
+            judge._first._child.result(timeout=20)
+    finally:
+        judge._first._child.end()
 
 
 def test_a_failing_check_is_the_graders_affair(monkeypatch):

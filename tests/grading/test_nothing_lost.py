@@ -109,7 +109,7 @@ def test_killed_and_started_again(tmp_path):
             below = descendants(process.pid)
             with suppress(ProcessLookupError):
                 os.killpg(process.pid, signal.SIGKILL)
-            process.communicate()
+            process.communicate(timeout=60)
             kills += 1
             assert count(out) >= before, "a result was lost"
             before = count(out)

@@ -21,6 +21,7 @@ import ordinary  # noqa: E402
 from hostile.reading import READING  # noqa: E402
 
 from trajlib.grading import isolation, watching  # noqa: E402
+from trajlib.grading import sandbox as sandbox_module  # noqa: E402
 from trajlib.grading.sandbox import Limits, Outcome, Sandbox, Trusting  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -347,6 +348,45 @@ def test_refused_in_one_line_where_there_is_no_sandbox(open_folder, does, says):
     trusted = subprocess.run([*command, "--trust-students", "--json"], env=os.environ | {"PATH": path},
                              capture_output=True, text=True, timeout=120)
     assert trusted.returncode == 0 and json.loads(trusted.stdout)["assignments"] == {"hw": {"ada": 0.0}}, trusted.stderr
+
+
+# A child that is killed, or slow, while it starts
+
+
+#: What stands on stderr by then has nothing to do with it.
+NOISE = "echo 'Fontconfig error: No writable cache directories' >&2; "
+
+
+def test_a_worker_that_is_killed_while_it_starts_is_started_again(open_folder, monkeypatch):
+    real = shutil.which("bwrap")
+    open_folder.chmod(0o777)
+    killed_once = f"{NOISE} mkdir {open_folder}/started 2>/dev/null && kill -9 $$; exec {real} \"$@\""
+    monkeypatch.setenv("PATH", bubblewrap_that(open_folder / "bin", killed_once))
+    with Sandbox(TIGHT) as sandbox:
+        assert answers(run(sandbox, "a = 1")) == {"a": 1} and (open_folder / "started").is_dir()
+
+
+@pytest.mark.parametrize("does, says", [(f"{NOISE} kill -9 $$", "was killed (signal 9) while it started, 3 times"),
+                                        (f"{NOISE} exit 137", "was killed (signal 9) while it started, 3 times"),
+                                        (f"{NOISE} exec sleep 60", "was not ready within 0.5 s, 3 times")])
+def test_one_that_always_is_says_what_happened(open_folder, monkeypatch, does, says):
+    monkeypatch.setenv("PATH", f"{bubblewrap_that(open_folder / 'bin', does)}:/usr/bin:/bin")
+    monkeypatch.setattr(sandbox_module, "STARTING", 0.5 if "sleep" in does else 60)
+    with pytest.raises(isolation.NotStarted) as told:
+        Sandbox(TIGHT).__enter__()
+    assert says in str(told.value) and "Fontconfig" not in str(told.value)
+
+
+def test_nobody_is_led_to_drop_the_sandbox_for_it(open_folder):
+    submitted = open_folder / "submitted" / "ada" / "hw"
+    submitted.mkdir(parents=True)
+    shutil.copy(ROOT / "exercises/ch1/p15.ipynb", submitted)
+    path = bubblewrap_that(open_folder / "bin", "kill -9 $$")
+    done = subprocess.run([sys.executable, "-m", "trajlib.cli", "grade", str(open_folder / "submitted"), "--out",
+                           str(open_folder / "graded")], env=os.environ | {"PATH": path, "TERM": "dumb"},
+                          capture_output=True, text=True, timeout=120)
+    (line,) = [line for line in done.stderr.strip().split("\n") if not line.startswith("grading ")]
+    assert done.returncode == 2 and "was killed (signal 9) while it started" in line and "trust" not in line, done.stderr
 
 
 # Trusting

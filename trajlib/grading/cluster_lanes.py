@@ -22,7 +22,7 @@ from trajlib import exercises
 from trajlib.dependencies import module_closure
 from trajlib.grading import bench
 from trajlib.grading.fingerprint import fingerprint
-from trajlib.grading.isolation import NoIsolation, shown_through
+from trajlib.grading.isolation import NoIsolation, NotStarted, shown_through
 from trajlib.grading.lanes import Lane
 
 #: Libraries whose version may decide whether an answer is right.
@@ -174,7 +174,7 @@ def _end(run):
 
 
 def _refusal(error):
-    return json.dumps({"refused": str(error), "sandbox": isinstance(error, NoIsolation)}).encode()
+    return json.dumps({"refused": str(error), "sandbox": isinstance(error, NoIsolation) and not isinstance(error, NotStarted)}).encode()
 
 
 def _compare(expected):

@@ -10,6 +10,7 @@ import shutil
 import signal
 import subprocess
 import sys
+from functools import partial
 from pathlib import Path
 
 PACKAGE = Path(__file__).resolve().parents[1]
@@ -37,6 +38,11 @@ _libc = ctypes.CDLL(None, use_errno=True)
 
 class NoIsolation(RuntimeError):
     """This machine offers no sandbox; the message says what is missing."""
+
+
+class NotStarted(NoIsolation):
+    """A process of the grader ended, or was too slow, while it got ready, again and again: no word on whether the machine
+    offers a sandbox."""
 
 
 def system_call(name, *arguments):
@@ -121,6 +127,8 @@ def spawn(mode, limits):
     # Nothing outside /tmp and /dev/shm can be written, so no notebook leaves anything for the next.
     command += ["--remount-ro", "/dev", "--remount-ro", "/", *_python(mode, limits)]
 
+    grader = os.getpid()
+
     def hand_over():
         if as_root:
             unshare(CLONE_NEWNS)
@@ -132,20 +140,23 @@ def spawn(mode, limits):
             os.setgroups([])
             os.setresgid(NOBODY, NOBODY, NOBODY)
             os.setresuid(NOBODY, NOBODY, NOBODY)
-        end_with_parent()
+        end_with_parent(grader)
 
     return _started(command, hand_over, {})
 
 
 def spawn_without(folder, limits):
     """Start the worker with no sandbox around it, in a session of its own and with an empty `folder` for its home."""
-    return _started(_python("trusting", limits), end_with_parent, ENVIRONMENT
-                    | {"HOME": folder, "TMPDIR": folder, "MPLCONFIGDIR": folder})
+    return _started(_python("trusting", limits), partial(end_with_parent, os.getpid()),
+                    ENVIRONMENT | {"HOME": folder, "TMPDIR": folder, "MPLCONFIGDIR": folder})
 
 
-def end_with_parent():
-    """Let the kernel kill this process when its parent ends, however that ends."""
+def end_with_parent(parent):
+    """Let the kernel kill this process when its parent ends, however that ends; `parent` is the number it had for the
+    one who forks, 0 in a namespace where that one is not to be seen."""
     system_call("prctl", PR_SET_PDEATHSIG, signal.SIGKILL, 0, 0, 0)
+    if os.getppid() != parent:  # it ended before we asked, and nothing would ever tell
+        os._exit(1)
 
 
 def loaded():

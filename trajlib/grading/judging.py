@@ -8,6 +8,7 @@ a lecturer has to look at, never wrong and never right.
 
 import hashlib
 import json
+import multiprocessing
 import re
 import resource
 import sys
@@ -128,7 +129,8 @@ class _Judge:
 
     def __init__(self, cells, names, seconds, megabytes, only=None):
         receiver, self._sender = CONTEXT.Pipe(duplex=False)
-        self._child, self._seconds = Child(_judge, receiver, cells, names, seconds, megabytes, only), seconds
+        self._child = Child(_judge, receiver, self._sender, cells, names, seconds, megabytes, only)
+        self._seconds = seconds
         receiver.close()
 
     def judgement(self, handed_over):
@@ -143,10 +145,11 @@ class _Judge:
         self._child.end()
 
 
-def _judge(receiver, cells, names, seconds, megabytes, only):
+def _judge(receiver, sender, cells, names, seconds, megabytes, only):
     """In the child: read the bytes strictly, keep the answers asked for, judge."""
     if sys.platform == "linux":
-        end_with_parent()
+        end_with_parent(multiprocessing.parent_process().pid)
+    sender.close()  # or its own copy would keep it waiting when the other one is gone
     memory = loaded() + megabytes * 2**20
     resource.setrlimit(resource.RLIMIT_AS, (memory, memory))
     resource.setrlimit(resource.RLIMIT_CPU, (int(seconds) + 1, int(seconds) + 2))

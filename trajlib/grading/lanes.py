@@ -9,12 +9,16 @@ import subprocess
 import sys
 from contextlib import suppress
 
-from trajlib.grading import framing
+from trajlib.grading import framing, sandbox
 from trajlib.grading.bench import Bench, as_plain, from_settings
-from trajlib.grading.isolation import NoIsolation, end_with_parent
+from trajlib.grading.isolation import NoIsolation, NotStarted, end_with_parent
 from trajlib.grading.judging import failed
 
 START = "from trajlib.grading.lanes import work; work()"
+
+
+class Ended(NotStarted):
+    """A lane itself ended while it got ready."""
 
 
 def grade_all(units, count, settings):
@@ -26,8 +30,8 @@ def grade_all(units, count, settings):
     waiting = iter(units)
     lanes = [Lane(settings) for _ in range(count)]
     try:
-        for lane in lanes:
-            lane.greeted()
+        for number in range(count):
+            lanes[number] = _ready(lanes[number], settings)
         busy = {lane: unit for lane in lanes if (unit := lane.take(waiting)) is not None}
         while busy:
             for lane in select.select(list(busy), [], [])[0]:
@@ -35,11 +39,8 @@ def grade_all(units, count, settings):
                 result = lane.result()
                 if result is None:
                     result = as_plain(failed(unit["names"], "one of its processes ended"))
-                    lanes.remove(lane)
                     lane.stop()
-                    lane = Lane(settings)
-                    lanes.append(lane)
-                    lane.greeted()
+                    lanes[lanes.index(lane)] = lane = _ready(Lane(settings), settings)
                 following = lane.take(waiting)  # it goes on while this result is stored
                 if following is not None:
                     busy[lane] = following
@@ -49,13 +50,26 @@ def grade_all(units, count, settings):
             lane.stop()
 
 
+def _ready(lane, settings):
+    """The lane when it is ready, or one in its place if it ended before: it was killed, or the machine is out of memory."""
+    for tries_left in range(sandbox.STARTS - 1, -1, -1):
+        try:
+            lane.greeted()
+            return lane
+        except Ended:
+            lane.stop()
+            if not tries_left:
+                raise
+            lane = Lane(settings)
+
+
 class Lane:
     """The grader's end of one lane."""
 
     def __init__(self, settings):
         # A fresh process, in a session of its own: it inherits neither the grade store nor another lane's pipes, and
         # Ctrl-C reaches the grader alone.
-        self._process = subprocess.Popen([sys.executable, "-c", START], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+        self._process = subprocess.Popen([sys.executable, "-c", START, str(os.getpid())], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                                          start_new_session=True)
         self.send(settings)
 
@@ -63,12 +77,14 @@ class Lane:
         return self._process.stdout.fileno()
 
     def greeted(self):
+        """Wait until it is ready. Raises `NoIsolation` or `NotStarted`."""
         try:
-            said = framing.receive(self.fileno()).decode()
+            said = json.loads(framing.receive(self.fileno()))
         except framing.Broken:
-            said = "a grading process ended before it was ready"
-        if said != "ready":
-            raise NoIsolation(said)
+            raise Ended("a grading process was killed while it started: the machine may be out of memory;"
+                        " the same command goes on from here") from None
+        if "ready" not in said:
+            raise (NotStarted if said["may start yet"] else NoIsolation)(said["refused"])
 
     def take(self, waiting):
         """Send the next unit, if there is one, and return it."""
@@ -108,7 +124,7 @@ class Lane:
 
 def work():
     """The lane's end: grade what comes in until nothing does, or not for as long as the settings say."""
-    end_with_parent()
+    end_with_parent(int(sys.argv[1]))
     signal.signal(signal.SIGTERM, lambda *_: sys.exit())  # so that it tidies up
     # Results have a descriptor of their own: what a check might print does not come between them.
     results = os.dup(1)
@@ -119,10 +135,11 @@ def work():
         patience = settings.get("patience", math.inf)
         try:
             with Bench(limits, bounds, trusting) as bench:
-                framing.send(results, b"ready")
+                framing.send(results, b'{"ready": true}')
                 while True:
                     framing.send(results, json.dumps(bench.grade(json.loads(framing.receive(0, patience)))).encode())
         except NoIsolation as error:
-            framing.send(results, str(error).encode())
+            said = {"refused": str(error), "may start yet": isinstance(error, NotStarted)}
+            framing.send(results, json.dumps(said).encode())
     # From here on Python itself is tidying up, and would tell of an exit in the midst of it.
     signal.signal(signal.SIGTERM, signal.SIG_IGN)

@@ -6,6 +6,7 @@ Only code counts: pictures that a notebook shows may be as large as they like, w
 
 import errno
 import json
+import multiprocessing
 import os
 import re
 import resource
@@ -77,7 +78,7 @@ def number_of_name(stem):
 
 def _within_limits(content):
     """In a child: 200 MB of empty lists would take many times that in memory."""
-    end_with_parent()
+    end_with_parent(multiprocessing.parent_process().pid)
     resource.setrlimit(resource.RLIMIT_AS, (loaded() + MEMORY,) * 2)
     resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS + 1))
     try:

@@ -13,6 +13,8 @@ from trajlib.grading.worker import NOT_NESTED
 
 #: What a ready worker may need longer than the notebook itself: forking, namespaces, collecting.
 GRACE = 10.0
+#: Seconds that a worker may take to get ready, and how often it is started before that is given up.
+STARTING, STARTS = 60.0, 3
 
 
 @dataclass(frozen=True)
@@ -145,14 +147,19 @@ class Sandbox:
         if self._worker is None:
             self._worker, self._greeted = self._spawn(), False
 
-    def _greet(self):
+    def _greet(self, starts_left=STARTS - 1):
         if self._greeted:
             return
         try:
-            greeting = framing.receive(self._worker.stdout.fileno(), timeout=60)
-        except framing.Broken:
-            self._worker.kill()
-            greeting = self._worker.stderr.read().strip().split(b"\n")[-1] or b"it ended without a word"
+            greeting = framing.receive(self._worker.stdout.fileno(), STARTING)
+        except framing.Broken as broken:
+            trouble = self._why_it_did_not_start(str(broken))
+            self._stop()
+            if not (starts_left and isinstance(trouble, isolation.NotStarted)):
+                raise trouble from None
+            self.start()
+            self._greet(starts_left - 1)
+            return
         self._greeted = greeting == b"ready"
         if self._greeted:
             return
@@ -162,6 +169,22 @@ class Sandbox:
         self._once = True
         self.start()
         self._greet()
+
+    def _why_it_did_not_start(self, broken):
+        """The error to raise: what bubblewrap itself says is the machine's affair, everything else may go better next time."""
+        if broken == "time":
+            return isolation.NotStarted(f"the sandbox was not ready within {STARTING:g} s, {STARTS} times: the machine is too slow"
+                                        " or too busy; the same command goes on from here")
+        with suppress(subprocess.TimeoutExpired):
+            self._worker.wait(timeout=5)
+        code = self._worker.returncode
+        signal_number = 9 if code is None else -code if code < 0 else max(code - 128, 0)
+        if signal_number:
+            return isolation.NotStarted(f"the process that runs notebooks was killed (signal {signal_number}) while it started, "
+                                        f"{STARTS} times: the machine may be out of memory; the same command goes on from here")
+        said = self._worker.stderr.read().decode(errors="replace").strip().split("\n")
+        said = [line for line in said if line.startswith("bwrap: ")] or said
+        return isolation.NoIsolation(f"the sandbox does not start here: {said[-1] or 'it ended without a word'}")
 
     def _spawn(self):
         return isolation.spawn("once" if self._once else "nested", asdict(self.limits))

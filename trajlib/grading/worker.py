@@ -75,10 +75,11 @@ def main(mode, limits, in_scratch=()):
     framing.send(1, b"ready")
     if mode == "once":
         _run(limits, 0, 1, mode)
+    this = os.getpid()
     while True:
         keeper = os.fork()
         if keeper == 0:
-            _keep(mode, limits, in_scratch)
+            _keep(mode, limits, in_scratch, this)
         if os.waitpid(keeper, 0)[1] != 0:
             return  # no more requests, or the keeper failed: the grader sees a closed pipe
 
@@ -104,7 +105,7 @@ def _make_ready():
 # The keeper
 
 
-def _keep(mode, limits, in_scratch):
+def _keep(mode, limits, in_scratch, parent):
     """Serve one request and end: 0 if it was answered."""
     code, first, folder = 1, None, "/tmp"
     try:
@@ -113,12 +114,12 @@ def _keep(mode, limits, in_scratch):
         if mode == "nested":
             _enter_namespaces(limits, in_scratch)
         else:
-            end_with_parent()
+            end_with_parent(parent)
             folder = tempfile.mkdtemp()
             system_call("prctl", PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
-        first = os.fork()
+        keeper, first = os.getpid(), os.fork()
         if first == 0:
-            _run(limits, childs_requests, childs_results, mode, folder)
+            _run(limits, childs_requests, childs_results, mode, folder, keeper)
         os.close(childs_requests)
         os.close(childs_results)
         watch = watching.Watch(os.getpid(), results, limits, proc, own_network=mode == "nested")
@@ -188,13 +189,13 @@ def _how_it_died(first):
 # The notebook's own process
 
 
-def _run(limits, requests, results, mode, folder="/tmp"):
+def _run(limits, requests, results, mode, folder="/tmp", keeper=None):
     """Give up everything, run the notebook that comes on `requests`, hand the answers over; never returns."""
     this = os.getpid()
     try:
         results, requests = _keep_only(results, requests)
         try:
-            _confine(limits, mode)
+            _confine(limits, mode, keeper)
             os.chdir(folder)
         except Exception as error:
             framing.send(results, repr(error).encode())
@@ -219,14 +220,14 @@ def _answers(request, limits):
                            "stopped": []}).encode()
 
 
-def _confine(limits, mode):
+def _confine(limits, mode, keeper):
     _limit(limits, mode)
     if mode == "nested":
         mount("tmpfs", "/proc", "tmpfs", MS_NOSUID | MS_NODEV | MS_RDONLY, "nr_inodes=1,mode=555")
     if mode != "once":
         os.setsid()  # or signals to its process group, number 0, would reach the keeper through all namespaces
     if mode == "trusting":
-        end_with_parent()
+        end_with_parent(keeper)
     else:
         _give_up_privileges()
 

@@ -59,13 +59,13 @@ def keep(user, group, limits):
     """As root: run the worker, for notebooks within the limits, as another user, who cannot reach this process, and end
     as the worker ends."""
     isolation.system_call("prctl", worker.PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
-    child = os.fork()
+    this, child = os.getpid(), os.fork()
     if child == 0:
         try:
             os.setgroups([])
             os.setresgid(group, group, group)
             os.setresuid(user, user, user)
-            isolation.end_with_parent()
+            isolation.end_with_parent(this)
             os.umask(0o077)
             # No namespace confines the network here.
             system_calls.FAMILIES = (socket.AF_UNIX,)
