@@ -208,7 +208,7 @@ TEST = {"score": (int, float), "max_score": (int, float), "status": str, "name":
 
 def test_gradescope_json(small):
     ann, bob, cid, dan = small
-    hints = {("1.17", "b_region"): ["Which minors decide?"]}
+    hints = {("1.17", "b_region"): 2}
     result = json.loads(exporting.gradescope_json(bob, hints, ["1.17: notebook: code cell 2: NameError"], 3.5, 12.4))
     assert result == {
         "score": 3.5, "output": "1.17: notebook: code cell 2: NameError", "output_format": "text",
@@ -218,7 +218,7 @@ def test_gradescope_json(small):
             {"name": "1.17 a_region", "score": 2.5, "max_score": 2.5, "status": "passed",
              "output": "right: a_region is right"},
             {"name": "1.17 b_region", "score": 0.0, "max_score": 2.5, "status": "failed",
-             "output": "wrong: b_region is wrong\nHint: Which minors decide?"},
+             "output": "wrong: b_region is wrong\nThe notebook has 2 hints to this answer."},
             {"name": "1.18 a_region", "score": 0.5, "max_score": 1.0, "status": "failed",
              "output": "missing: nothing was submitted for this problem"},
             {"name": "1.18 b_region", "score": 0.0, "max_score": 1.0, "status": "failed",

@@ -364,10 +364,20 @@ def test_without_answers(ended, message, status, whose, final):
 def test_an_answer_that_explodes_costs_only_itself():
     explosive = (1 + k1 + k2) ** 1500 * (2 + k1 - k2) ** 1500 * (3 + 2 * k1 + k2) ** 1500 > 0
     found = judged(handed_over({"a_region": explosive, "b_region": (k2 > 0) & (k1 > k2), "c_region": k1 > 7}),
-                   Bounds(seconds=4, answer_seconds=3))
+                   Bounds(seconds=16, answer_seconds=3))
     assert statuses(found) == {"a_region": UNCHECKED, "b_region": RIGHT, "c_region": WRONG, "d_region": MISSING,
                                "e_region": MISSING}
     assert "took longer than 3 s" in found.verdicts["a_region"].message and found.final == WITHIN_LIMITS
+
+
+def test_a_notebook_full_of_them_costs_no_more_than_its_time():
+    explosive = (1 + k1 + k2) ** 1500 * (2 + k1 - k2) ** 1500 * (3 + 2 * k1 + k2) ** 1500 > 0
+    before = judging._computed_by_children()
+    found = judged(handed_over(dict.fromkeys(NAMES, explosive)), Bounds(seconds=8, answer_seconds=6))
+    assert statuses(found) == dict.fromkeys(NAMES, UNCHECKED) and found.final == WITHIN_LIMITS
+    assert "judging this notebook took longer than 8 s" in found.verdicts["e_region"].message
+    # The kernel counts in whole seconds, once for all answers and once for each alone.
+    assert judging._computed_by_children() - before < 8 + 2 * (1 + len(NAMES))
 
 
 def test_memory_of_the_judge_is_limited():

@@ -74,28 +74,30 @@ def nbgrader_csv(assignment, scores):
     return quoted([header, *rows])
 
 
-def gradescope_json(score, hints, remarks, points, seconds):
-    """results.json for one submission: a test an answer, with its message and the next hint, never the solution.
+def gradescope_json(score, hinted, remarks, points, seconds):
+    """results.json for one submission: a test an answer, with its message, never the solution.
 
-    `hints` maps (problem, answer) to the hints that are open to the student; `points` are those that count, which may
+    `hinted` maps (problem, answer) to how many hints the notebook has to it; `points` are those that count, which may
     be an earlier submission's; `seconds` is how long grading took.
     """
-    tests = [_gradescope_test(answer, hints.get((answer.problem, answer.answer), ())) for answer in score.answers]
+    tests = [_gradescope_test(answer, hinted.get((answer.problem, answer.answer), 0)) for answer in score.answers]
     return json.dumps({"score": round(points, 4), "execution_time": round(seconds), "output": "\n".join(remarks),
                        "output_format": "text",
                        "visibility": "visible", "stdout_visibility": "hidden", "tests": tests}, ensure_ascii=False,
                       indent=1) + "\n"
 
 
-def _gradescope_test(answer, hints):
+def _gradescope_test(answer, hinted):
     status, message = answer.verdict.status, answer.verdict.message
     # Gradescope knows no third state beside passed and failed: the text has to say it.
     waiting = (["It is not judged wrong; it has no points until your lecturer has looked at it."] if status == UNCHECKED
                else [])
+    # Nothing can be folded here, so the hints stay where they are.
+    to_open = [f"The notebook has {hinted} hint{'s' * (hinted > 1)} to this answer."] if hinted else []
     return {"name": f"{answer.problem} {answer.answer}", "score": round(answer.points, 4),
             "max_score": round(answer.max_points, 4),
             "status": "passed" if status == RIGHT else "failed",
-            "output": "\n".join([f"{status}: {message}", *waiting, *(f"Hint: {hint}" for hint in hints)]),
+            "output": "\n".join([f"{status}: {message}", *waiting, *to_open]),
             "output_format": "text", "visibility": "visible"}
 
 

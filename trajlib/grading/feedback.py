@@ -1,4 +1,4 @@
-"""The page a student gets: each answer, what held and what did not, the next hint, a link to the theory; never a
+"""The page a student gets: each answer, what held and what did not, the hints, a link to the theory; never a
 solution."""
 
 from html import escape
@@ -39,9 +39,9 @@ def feedback(assignment, score, site=""):
     return page(assignment.title, score.student, f'{"".join(parts)}<h2>What the marks mean</h2><ul>{legend}</ul>')
 
 
-def open_hints(answer, about, tried):
-    """The hints of an answer that are open to the student: each further attempt opens one more."""
-    return about["hints"].get(answer.answer, [])[:tried] if answer.verdict.status in (WRONG, MISSING, INVALID) else []
+def hints(answer, about):
+    """The hints to an answer that is not there yet, the same as in the notebook."""
+    return about["hints"].get(answer.answer, []) if answer.verdict.status in (WRONG, MISSING, INVALID) else []
 
 
 def _of_problem(problem, about, answers, score):
@@ -57,10 +57,10 @@ def _of_problem(problem, about, answers, score):
                      f'that counts.</p>')
     if attempt is not None and attempt.remarks:
         parts.append(f'<ul class="soft">{"".join(f"<li>{escape(remark)}</li>" for remark in attempt.remarks)}</ul>')
-    return parts + [_answer(answer, about, open_hints(answer, about, score.tried[problem])) for answer in answers]
+    return parts + [_answer(answer, about, hints(answer, about)) for answer in answers]
 
 
-def _answer(answer, about, hints):
+def _answer(answer, about, to_open):
     name, verdict = answer.answer, answer.verdict
     earned = f"{points(answer.points)} / {points(answer.max_points)}"
     parts = [f'<header><span><code>{escape(name)}</code></span><span class="points">{earned}</span></header>',
@@ -71,7 +71,7 @@ def _answer(answer, about, hints):
     if answer.manual is not None:
         parts.append(f"<div><em>Points given by your "
                      f"lecturer{': ' + escape(answer.manual) if answer.manual else ''}</em></div>")
-    parts += [f"<details><summary>Hint {k}</summary>{escape(hint)}</details>" for k, hint in enumerate(hints, start=1)]
+    parts += [f"<details><summary>Hint {k}</summary>{escape(hint)}</details>" for k, hint in enumerate(to_open, start=1)]
     return f'<section class="answer {verdict.status}">{"".join(parts)}</section>'
 
 

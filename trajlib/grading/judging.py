@@ -31,17 +31,24 @@ ENDS = {
     "died": "notebook: its process was ended by what the notebook did",
     "failed": "grader: it failed on this notebook",
 }
+#: Seconds that every honest answer can be judged in: as much is tried for each one while any time is left.
+ENOUGH = 5
 FINAL, WITHIN_LIMITS, NOT_FINAL = "yes", "within limits", "no"
 
 
 @dataclass(frozen=True)
 class Bounds:
-    """What judging one notebook, and then one answer, may take: seconds of computing, three times as many on the
+    """What judging one notebook in all, and one answer of it, may take: seconds of computing, three times as many on the
     clock."""
 
-    seconds: float = 60
+    seconds: float = 90
     answer_seconds: float = 20
     memory_megabytes: int = 4096
+
+    @property
+    def first_seconds(self):
+        """For all answers at once; what is left of `seconds` is for them one by one."""
+        return self.seconds / 2
 
 
 @dataclass(frozen=True)
@@ -74,7 +81,7 @@ class Judging:
 
     def __init__(self, exercise, bounds=Bounds()):
         self._names, self._cells, self._bounds = list(exercise.about["answers"]), exercise.code("data", "check"), bounds
-        self._first = _Judge(self._cells, self._names, bounds.seconds, bounds.memory_megabytes)
+        self._first = _Judge(self._cells, self._names, bounds.first_seconds, bounds.memory_megabytes)
 
     def of(self, outcome):
         if outcome.ended != "done":
@@ -104,24 +111,37 @@ def _without_answers(names, outcome):
 
 
 def _one_by_one(cells, handed_over, names, bounds):
-    """Judge each answer alone: one that explodes costs only itself."""
+    """Judge each answer alone, within what is left for the notebook: one that explodes costs only itself."""
     verdicts, answers, remarks, hashes = {}, {}, (), {}
-    for name in names:
-        judge = _Judge(cells, names, bounds.answer_seconds, bounds.memory_megabytes, only=name)
+    left = bounds.seconds - bounds.first_seconds
+    for waiting, name in zip(range(len(names), 0, -1), names):
+        seconds = min(bounds.answer_seconds, left, max(ENOUGH, left / waiting))
+        if seconds < 1:
+            verdicts[name] = Verdict(UNCHECKED, f"judging this notebook took longer than {bounds.seconds:g} s; "
+                                     "a lecturer has to look at it")
+            continue
+        judge, before = _Judge(cells, names, seconds, bounds.memory_megabytes, only=name), _computed_by_children()
         try:
             alone = judge.judgement(handed_over)
             verdicts[name], remarks = alone.verdicts[name], alone.remarks
             answers |= alone.answers
             hashes |= alone.hashes
         except TimeLimit:
-            verdicts[name] = Verdict(UNCHECKED, f"judging this answer took longer than {bounds.answer_seconds:g} s; a "
-                                                f"lecturer has to look at it")
+            verdicts[name] = Verdict(UNCHECKED, f"judging this answer took longer than {seconds:.3g} s; "
+                                     "a lecturer has to look at it")
         except RuntimeError:
-            verdicts[name] = Verdict(UNCHECKED, "judging this answer needed more memory than allowed, or failed; a "
-                                                "lecturer has to look at it")
+            verdicts[name] = Verdict(UNCHECKED, "judging this answer needed more memory than allowed, or failed; "
+                                     "a lecturer has to look at it")
         finally:
             judge.end()
+        left -= _computed_by_children() - before
     return Judgement(verdicts, answers, remarks, WITHIN_LIMITS, hashes)
+
+
+def _computed_by_children():
+    """Seconds of computing of all children that have ended."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
 
 
 class _Judge:

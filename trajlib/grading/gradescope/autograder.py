@@ -19,7 +19,7 @@ from trajlib import exercises
 from trajlib.grading import assignment as assignments
 from trajlib.grading import belonging, exporting, record, submissions
 from trajlib.grading.bench import unreadable
-from trajlib.grading.feedback import open_hints
+from trajlib.grading.feedback import hints
 from trajlib.grading.gradescope.own_user import OwnUser
 from trajlib.grading.judging import Bounds, judge
 from trajlib.grading.printable import printable
@@ -45,11 +45,11 @@ def main(root=Path("/autograder")):
     # All that was handed in at once is one attempt: of two notebooks for a problem the better one counts.
     score = of_student("student", dataclasses.replace(homework, attempt="best", attempts=None, due=None), attempts,
                        {}, aside)
-    hints = {(answer.problem, answer.answer): open_hints(answer, exercises.find(answer.problem).about, 1 + len(earlier))
-             for answer in score.answers if answer.problem in score.counted}
+    hinted = {(answer.problem, answer.answer): len(hints(answer, exercises.find(answer.problem).about))
+              for answer in score.answers if answer.problem in score.counted}
     remarks += [f"{problem}: {remark}" for problem, attempt in score.counted.items() for remark in attempt.remarks]
     points, said = _that_counts(homework, earlier, score.points)
-    text = exporting.gradescope_json(score, hints, [*said, *remarks], points, time.monotonic() - begun)
+    text = exporting.gradescope_json(score, hinted, [*said, *remarks], points, time.monotonic() - begun)
     record.put(root / "results" / "results.json", text)
 
 
