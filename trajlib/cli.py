@@ -171,6 +171,23 @@ def grade(submitted: Annotated[Path, typer.Argument(help="Folder submitted/<stud
 
 
 @app.command()
+def collect(download: Annotated[Path, typer.Argument(help="All submissions from Moodle or Canvas: .zip or folder.")],
+            homework: Annotated[str, typer.Argument(metavar="ASSIGNMENT", help="The homework's name.")],
+            into: Annotated[Path, typer.Option(help="Folder of all submissions.")] = Path("submitted"),
+            worksheet: Annotated[Path | None, typer.Option(help="Moodle's grading worksheet, for addresses.")
+                                 ] = None):
+    """Put a download from Moodle or Canvas into folders submitted/STUDENT/ASSIGNMENT, as trajlib grade reads them."""
+    from trajlib.grading.collecting import collect as put
+
+    collected, aside = put(download, homework, into, worksheet)
+    for path, why in aside:
+        console.print(f"left aside: {path}: {why}", markup=False, style="yellow")
+    files, students = sum(map(len, collected.values())), len(collected)
+    console.print(f"{into}: {files} file{'s' * (files != 1)} of {students} student{'s' * (students != 1)} "
+                  f"for {homework}", markup=False)
+
+
+@app.command()
 def score(student: Annotated[str, typer.Argument(help="As the student's folder is called.")],
           homework: Annotated[str, typer.Argument(metavar="ASSIGNMENT", help="The homework's name.")],
           problem: Annotated[str, typer.Argument(help='A problem such as "1.15".')],

@@ -300,13 +300,15 @@ def test_a_file_is_found_in_either_spelling(course, here):
     assert grade(course, roster=roster)["assignments"]["été"] == {name: 10 * (name == "renée")
                                                                   for name in ("ann", "bob", "cid", "dan", "renée")}
     assert table(course / "graded" / "été" / "canvas.csv")[2][-1] == "10.00"
-    commands.score_by_hand(course / "graded", normalize("NFD", "renée"), normalize("NFD", "été"), "1.15", "a_region", 1.0)
+    commands.score_by_hand(course / "graded", normalize("NFD", "renée"), normalize("NFD", "été"), "1.15", "a_region",
+                           1.0)
 
 
 def test_versions_beyond_the_attempts_are_not_graded(course, here):
     write_assignment(course, "attempts = 1\n" + HOMEWORK)
     for k in range(5):
-        hand_in(course, "bob", "1.15", RIGHT_1_15 | {"a_region": f"k1 > {k}"}, at=DUE + 100 + k, name=f"ch1-p15-{k}.ipynb")
+        hand_in(course, "bob", "1.15", RIGHT_1_15 | {"a_region": f"k1 > {k}"}, at=DUE + 100 + k,
+                name=f"ch1-p15-{k}.ipynb")
     assert grade(course)["graded"] == 3 and sorted(here) == ["1.15", "1.15", "1.17"]
     write_assignment(course, "attempts = 2\n" + HOMEWORK)
     assert grade(course)["graded"] == 1

@@ -14,8 +14,8 @@ from classroom import RIGHT_1_15, notebook  # noqa: E402
 
 from trajlib import exercises  # noqa: E402
 from trajlib.grading import submissions  # noqa: E402
-from trajlib.grading.sandbox import Limits  # noqa: E402
 from trajlib.grading.bench import Bench, _lacking  # noqa: E402
+from trajlib.grading.sandbox import Limits  # noqa: E402
 
 EXERCISE = exercises.find("1.15")
 NAMES = list(EXERCISE.about["answers"])

@@ -228,8 +228,10 @@ def _odd_answers(symbol):
     """What can be written down and is the answer to nothing; in a symbol of the data, or else its name would tell."""
     x = sp.Symbol(symbol)
     function = sp.Lambda(x, x**2)
-    return {"text": "x", "none": {"none": "none"}, "number": 3, "not real": sp.sqrt(-1 - x**2) > 0, "function": function,
-            "functions": [function, function], "images": sp.ImageSet(function, sp.S.Integers), "delta": sp.DiracDelta(x),
+    return {"text": "x", "none": {"none": "none"}, "number": 3, "not real": sp.sqrt(-1 - x**2) > 0,
+            "function": function,
+            "functions": [function, function], "images": sp.ImageSet(function, sp.S.Integers),
+            "delta": sp.DiracDelta(x),
             "condition on delta": sp.DiracDelta(x) > 0, "gamma": sp.gamma(x) > 0,
             "equal matrices": sp.Eq(sp.Matrix([x]), sp.Matrix([1]))}
 
@@ -245,7 +247,8 @@ def _odd_verdicts(number):
     symbol = next((value.name for value in data.values() if isinstance(value, sp.Symbol)), "x")
     found, examples = [], {name: set() for name in names}
     for what, value in _odd_answers(symbol).items():
-        for name, (status, message) in judge_cells(cells, dict.fromkeys(names, encode(value).decode()), {}, names).items():
+        encoded = dict.fromkeys(names, encode(value).decode())
+        for name, (status, message) in judge_cells(cells, encoded, {}, names).items():
             found += [f"{name}, {what}: {message}"] if status == UNCHECKED else []
             examples[name] |= set(re.findall(r"such as (.+?)(?:, got|;|$)", message)) if status != RIGHT else set()
     for name, told in examples.items():
@@ -394,7 +397,8 @@ def _with_little_memory(taken, allowed):
     receiver, sender = CONTEXT.Pipe(duplex=False)
     sender.send_bytes(handed_over())
     try:
-        judging._judge(receiver, sender, [("data", f"x = bytearray({taken} * 2**20)"), ("check", "x")], ["a"], 60, allowed,
+        judging._judge(receiver, sender, [("data", f"x = bytearray({taken} * 2**20)"), ("check", "x")], ["a"], 60,
+                       allowed,
                        None)
     except BaseException as error:
         return [type(error).__name__]

@@ -30,8 +30,8 @@ def unwritten(name, found):
 
 
 def no_homework(submission, files):
-    """Why a notebook is for no homework where files say which there are, in words that lead to the one it is for; `files` are these by
-    the names of the homeworks."""
+    """Why a notebook is for no homework where files say which there are, in words that lead to the one it is for;
+    `files` are these by the names of the homeworks."""
     name, student = submission.assignment, submission.student
     alike = [one for one in files if one.casefold().strip() == name.casefold().strip()]
     if alike:

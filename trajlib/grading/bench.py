@@ -1,4 +1,4 @@
-"""A bench grades one notebook after the other: a notebook's cells for a problem in, verdicts and remarks out, all plain data."""
+"""A bench grades one notebook after the other: its cells for a problem in, verdicts and remarks out, all plain data."""
 
 import os
 from dataclasses import asdict, replace

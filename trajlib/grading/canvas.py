@@ -23,8 +23,9 @@ def canvas_csv(assignment, scores, roster):
     """
     known = {score.student: score for score in scores}
     # Spelt as the names of students are, which are those of folders.
-    keys = {name: [normalize("NFC", given) for given in roster.column(name)] for name in ("SIS User ID", "SIS Login ID", "ID")}
-    identities = max(keys.values(), key=lambda given: sum(one in known for one in given))
+    keys = [[normalize("NFC", given) for given in roster.column(name)]
+            for name in ("SIS User ID", "SIS Login ID", "ID")]
+    identities = max(keys, key=lambda given: sum(one in known for one in given))
     column = _column(assignment, roster)
     possible = roster.possible(column) or decimal(assignment.max_points)
     rows = [["    Points Possible", *[""] * (roster.width - 1), possible]]

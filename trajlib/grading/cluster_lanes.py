@@ -174,7 +174,8 @@ def _end(run):
 
 
 def _refusal(error):
-    return json.dumps({"refused": str(error), "sandbox": isinstance(error, NoIsolation) and not isinstance(error, NotStarted)}).encode()
+    lacks_sandbox = isinstance(error, NoIsolation) and not isinstance(error, NotStarted)
+    return json.dumps({"refused": str(error), "sandbox": lacks_sandbox}).encode()
 
 
 def _compare(expected):

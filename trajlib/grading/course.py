@@ -8,7 +8,7 @@ from pathlib import Path
 
 from trajlib import exercises
 from trajlib.grading import assignment as assignments
-from trajlib.grading import bench, belonging, isolation, lanes, submissions
+from trajlib.grading import belonging, bench, isolation, lanes, submissions
 from trajlib.grading.fingerprint import fingerprint
 from trajlib.grading.judging import FINAL, NOT_FINAL, WITHIN_LIMITS, Bounds
 from trajlib.grading.sandbox import Limits
@@ -134,8 +134,9 @@ def _plan(copies, aside, known, store, limits):
             skipped += 1
             continue
         exercise = exercises.find(problem)
-        pending[attempt] = {"key": attempt, "problem": problem, "exercise": prints[problem], "trouble": submission.trouble,
-                            "sources": exercise.to_run(submission.cells), "names": list(exercise.about["answers"])}
+        pending[attempt] = {"key": attempt, "problem": problem, "exercise": prints[problem],
+                            "trouble": submission.trouble, "sources": exercise.to_run(submission.cells),
+                            "names": list(exercise.about["answers"])}
     return Plan(tuple(pending.values()), skipped, tuple(aside))
 
 

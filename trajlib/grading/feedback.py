@@ -71,7 +71,7 @@ def _answer(answer, about, to_open):
     if answer.manual is not None:
         parts.append(f"<div><em>Points given by your "
                      f"lecturer{': ' + escape(answer.manual) if answer.manual else ''}</em></div>")
-    parts += [f"<details><summary>Hint {k}</summary>{escape(hint)}</details>" for k, hint in enumerate(to_open, start=1)]
+    parts += [f"<details><summary>Hint {k}</summary>{escape(hint)}</details>" for k, hint in enumerate(to_open, 1)]
     return f'<section class="answer {verdict.status}">{"".join(parts)}</section>'
 
 

@@ -1,4 +1,4 @@
-"""What a stored result depends on besides the notebook itself, as one hash: when it changes, the notebook is graded again."""
+"""What a stored result depends on besides the notebook, as one hash: when it changes, the notebook is graded again."""
 
 import hashlib
 import json

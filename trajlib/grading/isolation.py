@@ -41,8 +41,8 @@ class NoIsolation(RuntimeError):
 
 
 class NotStarted(NoIsolation):
-    """A process of the grader ended, or was too slow, while it got ready, again and again: no word on whether the machine
-    offers a sandbox."""
+    """A process of the grader ended, or was too slow, while it got ready, again and again: no word on whether the
+    machine offers a sandbox."""
 
 
 def system_call(name, *arguments):

@@ -38,8 +38,8 @@ FINAL, WITHIN_LIMITS, NOT_FINAL = "yes", "within limits", "no"
 
 @dataclass(frozen=True)
 class Bounds:
-    """What judging one notebook in all, and one answer of it, may take: seconds of computing, three times as many on the
-    clock."""
+    """What judging one notebook in all, and one answer of it, may take: seconds of computing, three times as many on
+    the clock."""
 
     seconds: float = 90
     answer_seconds: float = 20

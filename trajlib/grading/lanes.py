@@ -51,7 +51,7 @@ def grade_all(units, count, settings):
 
 
 def _ready(lane, settings):
-    """The lane when it is ready, or one in its place if it ended before: it was killed, or the machine is out of memory."""
+    """The lane when it is ready, or one in its place if it ended before: killed, or out of memory."""
     for tries_left in range(sandbox.STARTS - 1, -1, -1):
         try:
             lane.greeted()
@@ -69,8 +69,8 @@ class Lane:
     def __init__(self, settings):
         # A fresh process, in a session of its own: it inherits neither the grade store nor another lane's pipes, and
         # Ctrl-C reaches the grader alone.
-        self._process = subprocess.Popen([sys.executable, "-c", START, str(os.getpid())], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
-                                         start_new_session=True)
+        self._process = subprocess.Popen([sys.executable, "-c", START, str(os.getpid())], stdin=subprocess.PIPE,
+                                         stdout=subprocess.PIPE, start_new_session=True)
         self.send(settings)
 
     def fileno(self):

@@ -22,8 +22,8 @@ def printable_name(path):
 
 
 def person_or_homework(path):
-    """The name of a folder that is a student's or a homework's: a letter with its accent is one letter, however a system
-    spells it."""
+    """The name of a folder that is a student's or a homework's: a letter with its accent is one letter, however a
+    system spells it."""
     return unicodedata.normalize("NFC", printable_name(path))
 
 

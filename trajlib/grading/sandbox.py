@@ -171,17 +171,18 @@ class Sandbox:
         self._greet()
 
     def _why_it_did_not_start(self, broken):
-        """The error to raise: what bubblewrap itself says is the machine's affair, everything else may go better next time."""
+        """The error to raise: what bubblewrap itself says is the machine's affair, all else may go better next time."""
         if broken == "time":
-            return isolation.NotStarted(f"the sandbox was not ready within {STARTING:g} s, {STARTS} times: the machine is too slow"
-                                        " or too busy; the same command goes on from here")
+            return isolation.NotStarted(f"the sandbox was not ready within {STARTING:g} s, {STARTS} times: the machine"
+                                        " is too slow or too busy; the same command goes on from here")
         with suppress(subprocess.TimeoutExpired):
             self._worker.wait(timeout=5)
         code = self._worker.returncode
         signal_number = 9 if code is None else -code if code < 0 else max(code - 128, 0)
         if signal_number:
-            return isolation.NotStarted(f"the process that runs notebooks was killed (signal {signal_number}) while it started, "
-                                        f"{STARTS} times: the machine may be out of memory; the same command goes on from here")
+            return isolation.NotStarted(f"the process that runs notebooks was killed (signal {signal_number}) while it"
+                                        f" started, {STARTS} times: the machine may be out of memory; the same command"
+                                        " goes on from here")
         said = self._worker.stderr.read().decode(errors="replace").strip().split("\n")
         said = [line for line in said if line.startswith("bwrap: ")] or said
         return isolation.NoIsolation(f"the sandbox does not start here: {said[-1] or 'it ended without a word'}")

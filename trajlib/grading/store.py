@@ -107,12 +107,13 @@ class Store:
         return found
 
     def beyond(self, assignment, attempts):
-        """The attempts at a homework that come after the first `attempts` of a student at a problem; None is no limit."""
+        """The attempts that come after the first `attempts` of a student at a problem; None is no limit."""
         if attempts is None:
             return []
         rows = self._database.execute("""
-            SELECT id FROM (SELECT id, row_number() OVER (PARTITION BY student, problem ORDER BY submitted, id) AS number
-                            FROM attempt WHERE assignment = ?) WHERE number > ?""", (assignment, attempts))
+            SELECT id FROM (
+              SELECT id, row_number() OVER (PARTITION BY student, problem ORDER BY submitted, id) AS number
+              FROM attempt WHERE assignment = ?) WHERE number > ?""", (assignment, attempts))
         return [attempt for attempt, in rows]
 
     def versions(self, attempt):

@@ -85,7 +85,8 @@ def decode(data):
 
     The result equals what was encoded, in form too: nothing is computed, and what was left unevaluated stays so.
     Intended differences: NumPy scalars come back as Python numbers and strings, a Fraction and mpmath's numbers as
-    SymPy's, a Float of few digits as one of double precision, DM and sparse matrices as dense arrays and matrices, arrays of objects and `sympy.Array` as nested lists,
+    SymPy's, a Float of few digits as one of double precision, DM and sparse matrices as dense arrays and matrices,
+    arrays of objects and `sympy.Array` as nested lists,
     `UnevaluatedExpr(x)` as `x`, a Poly over the domain that its coefficients suggest, and a Dummy as one that equals
     only Dummies decoded with the same name and number.
 
