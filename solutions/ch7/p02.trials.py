@@ -4,6 +4,7 @@ a_unseen = [0, 0, u, w]  # a change of velocity along the course
 a_unseen = [-y, x, -w, u]  # across the line of sight, where the bearing sees best
 b_condition = sp.Or(sp.Ne(p, 0), sp.Ne(q, 0))  # any manoeuvre
 b_condition = sp.Ne(p*y - q*x, 0)  # the turn compared with the first line of sight
+b_condition = sp.And(sp.Ne(p*(y + w*t) - q*(x + u*t), 0), sp.Ne(p, 0))  # as if a turn needed a part along x
 b_condition = sp.Eq(p*(x + u*t) + q*(y + w*t), 0)  # perpendicular to the line of sight, instead of not along it
 # the range before the turn instead of that at the moment of the bearing
 c_error = delta*((x + u*t)**2 + (y + w*t)**2)/((t - T)*sp.Abs(p*(y + w*t) - q*(x + u*t)))

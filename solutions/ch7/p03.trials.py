@@ -33,5 +33,6 @@ b_unseen = [one + two, one - two]
 c_ranks = (3, 4, 2)  # as a tuple
 c_ranks = [3.0, 4.0, 2.0]  # floats that are whole
 d_insufficient = sp.Eq((n1/n3 - k1/k3)**2 + 4*(n2/n3 - k2/k3)**2, 0)  # the determinant
+d_insufficient = sp.Eq((n1*k1 + n2*k2 + n3*k3)**2, 1)  # unit vectors at an angle of 0 or 180 degrees
 # all three components of the cross product, as a list
 d_insufficient = [sp.Eq(n2*k3 - n3*k2, 0), sp.Eq(n3*k1 - n1*k3, 0), sp.Eq(n1*k2 - n2*k1, 0)]

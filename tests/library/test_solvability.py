@@ -1,6 +1,7 @@
 """Solvability against independent routes: 40- and 50-digit arithmetic, exact transition matrices, finite differences,
 random search for the worst case, and mpmath's intervals."""
 
+import math
 import subprocess
 import sys
 
@@ -552,6 +553,9 @@ MOVE = {"f": lambda t, x: [x[1], 0], "h": lambda t, x: [x[0]], "state": [1.0, 1.
     ({"h": lambda t, x: []}, "no measurement"),
     ({"h": lambda t, x: [np.sqrt(x[0] - 2)]}, "not finite at t = 0"),
     ({"f": lambda t, x: [x[0]**2, 0], "times": [0, 5]}, "could not be continued"),
+    ({"f": lambda t, x: [math.sin(x[0]), 0]}, "not finite at the start.*module `math`"),
+    ({"f": lambda t, x: [np.sqrt(x[0] - 2), 0]}, "not finite at the start"),
+    ({"f": lambda t, x: [-1/np.sqrt(x[0]), 0], "times": [0, 5]}, "could not be continued"),
     ({"reference": np.nan}, "reference"),
     ({"rtol": 0.0}, "rtol"),
     ({"names": ["x"]}, "expected 2"),
@@ -588,6 +592,12 @@ def test_infinite_condition_number():
     assert found.mu == np.inf or found.mu > 1e15
     assert not found.solvable and found.rank == 1 and found.rounding_bound == np.inf
     assert "x0 by" in found.verdict and "x1 by" in found.verdict
+
+
+def test_a_matrix_without_errors_is_said_to_be_taken_as_exact():
+    matrix = np.random.default_rng(1).normal(size=(5, 2))
+    assert "taken as exact" in analyse(matrix).verdict
+    assert "taken as exact" not in analyse(matrix, matrix_error=1e-9).verdict
 
 
 def test_words_name_unknowns_with_their_units():

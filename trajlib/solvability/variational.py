@@ -18,6 +18,8 @@ from .transitions import stack
 TIGHTER = 100
 #: An entry of Phi is not resolved below the tolerance times this; unknowns should have units that avoid such entries.
 SMALLEST = 1e-12
+#: A rate where f is not defined: no step that meets it is accepted.
+_OUTSIDE = 1e100
 
 
 @dataclass(frozen=True)
@@ -72,6 +74,10 @@ def linearise(f, h, state, times, *, reference=None, breaks=(), rtol=1e-10, name
     names, units = read_names(names, m), read_names(units, m, "units")
     rates, measured = _compiled(f, h, m)
     start = np.concatenate([state, np.eye(m).ravel()])
+    if not np.isfinite(rates(reference, start).full()).all():
+        raise ValueError(f"f: it or its derivative is not finite at the start, t = {reference:g}, state "
+                         f"{state.tolist()}; does the motion begin outside the domain of f? (Functions of Python's "
+                         f"module `math` make nan of CasADi symbols: use those of NumPy or CasADi)")
     breaks = np.unique(np.asarray(breaks, dtype=float))
 
     def run(tolerance, absolute):
@@ -162,7 +168,9 @@ def _leg(rates, state, begin, end, at, rtol, atol):
 
     def rate(t, y):
         rate.share = max(rate.share, (t - begin)/(end - begin))
-        return rates(min(max(t, low), high), y).full()[:, 0]
+        # The method halves its step where a trial goes wrong, but nan would never let it end.
+        return np.nan_to_num(rates(min(max(t, low), high), y).full()[:, 0], nan=_OUTSIDE, posinf=_OUTSIDE,
+                             neginf=-_OUTSIDE)
 
     rate.share = 0.0
     asked = np.unique(at)[::1 if end > begin else -1]

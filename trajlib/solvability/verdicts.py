@@ -146,6 +146,8 @@ class Solvability:
         if self.matrix_error:
             lines[0] = (lines[0][:-1] + f" for an exact matrix; this one is wrong by up to {self.matrix_error:.1e} of "
                                         f"its columns.")
+        else:
+            lines[0] = lines[0][:-1] + "; the matrix is taken as exact."
         if self.solvable:
             lines.append(f"Solvable: the smallest singular value {values[-1]:.2e} is above {self.level:.2e}, the "
                          f"level of the errors.")

@@ -92,8 +92,8 @@ def told_split(A, H):
     """`split` for subspaces and decompositions, which have no words of their own: doubt is told by a warning."""
     found = split(A, H)
     if found.rank == len(A) and found.margin < DOUBTFUL:
-        warnings.warn(f"nothing is split off, but a change of the entries by {found.margin:.1e} of their size would take "
-                      "a state away; exact entries (SymPy) would decide", stacklevel=4)
+        warnings.warn(f"nothing is split off, but a change of the entries by {found.margin:.1e} of their size would "
+                      "take a state away; exact entries (SymPy) would decide", stacklevel=4)
     return found
 
 

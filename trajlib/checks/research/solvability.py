@@ -102,8 +102,12 @@ def bearing_tells_range(answer, relative, t, T, turn):
     symbols = _symbols(sp.Matrix(relative), t) + [t, T, *turn]
     claim = coercion.as_condition(answer, symbols)
     random = np.random.default_rng(76)
-    for number in range(40):
+    # in general position, and where one or two of the numbers are zero
+    motion = [s for s in symbols if s not in (t, T)]
+    zeros = [(), *itertools.combinations(motion, 1), *itertools.combinations(motion, 2)]
+    for number, zero in enumerate(nothing for nothing in [*[()]*20, *zeros] for _ in range(2)):
         values = {s: sp.Rational(int(random.choice((-1, 1))*random.integers(1, 30)), 7) for s in symbols}
+        values |= dict.fromkeys(zero, sp.Integer(0))
         values[T], values[t] = abs(values[T]), abs(values[T]) + abs(values[t])
         before = [part.subs(values) for part in relative]
         if number % 2:                    # along the line of sight, forwards or back
@@ -229,16 +233,26 @@ def _pairs_of_stations(matrix, first, second):
     powers = [A**k for k in range(matrix.rows)]
 
     def drawn():
-        return sp.Rational(int(random.choice((-1, 1))*random.integers(1, 12)), int(random.integers(1, 5)))
+        return sp.Rational(int(random.choice((-1, 1))*random.integers(1, 12)), int(random.integers(13, 17)))
 
-    for number in range(24):
-        one, other = [drawn() for _ in first], [drawn() for _ in second]
-        factor = drawn()
+    def unit(a, b, last):
+        """A unit vector with whole ratios: a, b are its stereographic coordinates, `last` the place of the third."""
+        size = 1 + a*a + b*b
+        parts = [2*a/size, 2*b/size]
+        return [*parts[:last], (1 - a*a - b*b)/size, *parts[last:]]
+
+    number = 0
+    while len(found) < 24:
+        a, b, factor, last = drawn(), drawn(), drawn(), (number//3) % 3
+        one, number = unit(a, b, last), number + 1
         if number % 3 == 0:
-            other = [factor*part for part in one]
+            other = [int(random.choice((-1, 1)))*part for part in one]
         elif number % 3 == 1:                # parallel in two components only
-            kept = (number//3) % 3
-            other = [part if k == kept else factor*one[k] for k, part in enumerate(other)]
+            other = unit(factor*a, factor*b, last)
+        else:
+            other = unit(drawn(), drawn(), last)
+        if not all([*one, *other]):
+            continue
         rows = sp.Matrix.vstack(*[sp.Matrix([[*n, *[0]*(matrix.rows - len(n))]])*power for n in (one, other)
                                   for power in powers])
         found.append((dict(zip([*first, *second], [*one, *other])), rows.rank() < matrix.rows))
