@@ -89,6 +89,10 @@ def controllability(A, B=None):
 def _test(A, H, word, orient):
     if isinstance(A, np.ndarray):
         return float_test(A, H, word, orient)
+    if A.free_symbols | H.free_symbols:
+        there = exact.at_a_point(sp.Matrix.vstack(A, H))
+        if there is not None and exact.rank(stacked_powers(there[:A.rows, :], there[A.rows:, :])) == A.rows:
+            return rank_test(A.rows, A.rows, (), word, generic=True)
     N = stacked_powers(A, H)
     rank = exact.rank(N)
     lost = _lost_modes(A, exact.null_columns(N)) if rank < A.rows else ()
