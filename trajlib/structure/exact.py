@@ -40,9 +40,9 @@ def rank(matrix):
         if field_matrix(there).rank() == min(matrix.shape):
             return min(matrix.shape)
         if number_of_terms(matrix) > _MOST_TERMS:
-            raise NotImplementedError(f"A: with {len(matrix.free_symbols)} symbols the rank falls short at random values, "
-                                      "and whether it always does is beyond the methods here; give some of the symbols "
-                                      "values")
+            raise NotImplementedError(f"A: with {len(matrix.free_symbols)} symbols the rank falls short at random "
+                                      "values, and whether it always does is beyond the methods here; give some of the "
+                                      "symbols values")
     return field_matrix(matrix).rank()
 
 

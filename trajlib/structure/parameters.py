@@ -100,8 +100,8 @@ def rank_conditions(N, parameters, below=sp.Integer(1)):
     """`RankConditions` for the full column rank of a matrix, where the denominator `below` of the system does not
     vanish."""
     if len(parameters) > _FEW and exact.number_of_terms(N) > _MANY:
-        raise NotImplementedError(f"parameters: {len(parameters)} of them in a matrix this large are beyond the methods "
-                                  "here; give some of the parameters values")
+        raise NotImplementedError(f"parameters: {len(parameters)} of them in a matrix this large are beyond the "
+                                  "methods here; give some of the parameters values")
     there, back = as_real(N, below)
     real, symbols = N.xreplace(there), tuple(there.get(p, p) for p in parameters)
     generic = exact.rank(real)
