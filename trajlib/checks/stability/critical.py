@@ -14,7 +14,8 @@ import sympy as sp
 from trajlib.checks.contract import coercion
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
 from trajlib.checks.stability.first_approximation import STABILITY
-from trajlib.checks.stability.programs import Motion, compare_condition
+from trajlib.checks.stability.programs import Motion
+from trajlib.checks.tools.conditions import Truth, compare, contrary, read_condition
 from trajlib.checks.tools.values import matrix_at, number_at, numbers_at
 from trajlib.checks.tools.wording import number_text, rounded_text, values_text
 from trajlib.checks.truths.fields import as_text, sample_values
@@ -93,9 +94,9 @@ def stable_parameters(answer, field, state, parameters, program=None, part=None)
                 f"{_distance(matrix, duration)} after "
                 f"{duration:.3g} units of time")
 
-    compare_condition(answer, parameters, lambda values: stability(at(values)) != "unstable", told)
-    return ("for these parameters, and for no others, all motions stay bounded, on both sides of every boundary and "
-            "on it")
+    truth = Truth(at=lambda values: stability(at(values)) != "unstable")
+    agreement = compare(read_condition(answer, parameters), parameters, truth, contrary(told))
+    return f"for these parameters, and for no others, all motions stay bounded: {agreement}"
 
 
 @judged

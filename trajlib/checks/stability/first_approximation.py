@@ -8,7 +8,7 @@ from scipy.integrate import solve_ivp
 
 from trajlib.checks.contract import coercion
 from trajlib.checks.contract.verdict import Wrong, judged
-from trajlib.checks.stability.regions import compare_region, roots_left_of, some_root_right
+from trajlib.checks.stability.regions import compare_region
 from trajlib.checks.tools.values import matrix_at
 from trajlib.checks.tools.wording import other_rate, where_text
 from trajlib.checks.truths.fields import Field, known_field, sample_values
@@ -41,14 +41,14 @@ def linearisation(answer, field, state, at, parameters=()):
 @judged
 def first_approximation_stable(answer, field, state, at, parameters):
     """The parameters for which all eigenvalues of the first approximation at `at` have negative real parts."""
-    return compare_region(answer, _matrix(field, state, at), parameters, roots_left_of, "asymptotically stable")
+    return compare_region(answer, _matrix(field, state, at), parameters, "asymptotically stable")
 
 
 @judged
 def first_approximation_unstable(answer, field, state, at, parameters):
     """The parameters for which some eigenvalue of the first approximation at `at` has a positive real part."""
-    return compare_region(answer, _matrix(field, state, at), parameters, some_root_right,
-                          "unstable by a root with positive real part")
+    return compare_region(answer, _matrix(field, state, at), parameters,
+                          "unstable by a root with positive real part", unstable=True)
 
 
 @judged

@@ -10,8 +10,7 @@ from sympy.core.relational import Relational
 from trajlib.checks.contract import coercion
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
 from trajlib.checks.stability.rest_families import allowed_values
-from trajlib.checks.tools.semialgebraic import Condition, cells, lines
-from trajlib.checks.tools.semialgebraic import as_text as place_text
+from trajlib.checks.tools.conditions import Case, Condition, Truth, compare, exactly, on_borders, place_text
 from trajlib.checks.tools.values import number_at
 from trajlib.checks.tools.wording import values_text
 from trajlib.checks.truths.fields import Field, as_text, sample_values
@@ -41,19 +40,18 @@ def lyapunov_derivative(answer, function, field, state, parameters=()):
 @judged
 def vanishing_set(answer, function, field, state, parameters=()):
     """The set of states where the derivative of V along the motions is zero, for parameters that are not zero."""
-    claim = Condition(coercion.as_condition(answer, state), state)
-    rate = sum(sp.diff(function, x) * f for x, f in zip(state, field))
-    for values in sample_values(parameters, count=4):
-        zero = Condition(sp.Eq(sp.expand(rate.subs(values)), 0), state)
-        for point, direction in lines(state, count=24):
-            inside, on = cells(point, direction, zero.boundaries + claim.boundaries)
-            for place in inside + on:
-                if claim.holds(place) != zero.holds(place):
-                    value = float(rate.subs(values).subs({x: sp.Rational(v.numerator, v.denominator)
-                                                          for x, v in zip(state, place)}))
-                    raise Wrong(f"at {place_text(state, place)} the derivative is {value:.4g}, and your set "
-                                + ("holds this state" if claim.holds(place) else "does not hold it"))
-    return "the derivative is zero at the states of this set and at no others that lines through the plane meet"
+    rate = sp.expand(sum(sp.diff(function, x) * f for x, f in zip(state, field)))
+    (sample,) = sample_values(parameters, count=1) if parameters else ({},)
+    given = sp.And(*(sp.Ne(p, 0) for p in parameters))
+    truth = exactly(sp.Eq(rate, 0), given, tuple(parameters),
+                    lambda values: sp.simplify(rate.subs(sample).subs(values)) == 0)
+
+    def told(values, holds):
+        return (f"at {place_text(values)} the derivative is {'zero' if holds else 'not zero'}, and your set "
+                f"{'does not hold' if holds else 'holds'} this state")
+
+    agreement = compare(coercion.as_condition(answer, state), state, truth, told)
+    return f"the derivative is zero at the states of this set and at no others: {agreement}"
 
 
 @judged
@@ -62,24 +60,22 @@ def departure(answer, function, field, state, parameters=()):
 
     Judged at states of the set alone, so terms that vanish on it may stay or go.
     """
-    claim = coercion.as_expression(answer, [*state, *parameters])
-    rate = sum(sp.diff(function, x) * f for x, f in zip(state, field))
-    for values in sample_values(parameters, count=4):
-        zero = Condition(sp.Eq(sp.expand(rate.subs(values)), 0), state)
-        places = [place for point, direction in lines(state, count=16)
-                  for place in cells(point, direction, zero.boundaries)[1]
-                  if zero.holds(place)]
-        if not places:
-            raise RuntimeError("no state was met where the derivative vanishes")
-        for place in places:
-            at = values | {x: sp.Rational(v.numerator, v.denominator) for x, v in zip(state, place)}
-            true, said = complex(sp.sympify(field[-1]).subs(at).evalf(20)), number_at(claim, at)
-            if not abs(said - true) <= 1e-9 * (abs(true) + max(abs(float(v)) for v in place)):
-                where = "".join(f", {p} = {v}" for p, v in values.items())
-                raise Wrong(f"at {place_text(state, place)}{where} the derivative of V is zero, and {state[-1]} "
-                            f"changes there at the rate "
-                            f"{true.real:.4g}; your expression gives {said.real:.4g}")
-    return "it is this rate at the states where the derivative vanishes"
+    symbols = [*state, *parameters]
+    claim, true = coercion.as_expression(answer, symbols), sp.sympify(field[-1])
+    rate = sp.expand(sum(sp.diff(function, x) * f for x, f in zip(state, field)))
+    zero = Condition(sp.And(sp.Eq(rate, 0), *(sp.Ne(p, 0) for p in parameters)), symbols)
+
+    def at(values):
+        return True if zero.holds(values.values()) else None
+
+    def told(values, holds):
+        said = number_at(claim, values)
+        return (f"at {place_text(values)} the derivative of V is zero, and {state[-1]} changes there at the rate "
+                f"{float(true.subs(values)):.4g}; your expression gives {said.real:.4g}")
+
+    same = Truth((Case(zero.condition),), (Case(sp.false),), at, lambda: on_borders(zero, symbols))
+    agreement = compare(sp.Eq(claim, true), symbols, same, told)
+    return f"it is this rate at the states where the derivative vanishes: {agreement}"
 
 
 @judged
@@ -89,21 +85,23 @@ def proved_stable(answer, function, field, state, parameters):
     That is: V > 0 and V' <= 0 near zero, and V' is not identically zero (that no motion stays where it vanishes is for
     the author of the problem to know). Values that the assumptions of a parameter exclude are left alone.
     """
-    claim = Condition(coercion.as_condition(answer, parameters), parameters)
     circle = 0.1 * _directions(len(state))
     level, rate = _numeric(function, state, parameters), _rate(function, field, state, parameters)
-    for point, direction in lines(parameters, count=8):
-        for place in _places(claim, point, direction):
-            if not _admitted(place, parameters):
-                continue
-            heights, rates = level(circle, place), rate(circle, place)
-            proved = min(heights) > 0 and max(rates) <= 1e-12 and min(rates) < -1e-12
-            if claim.holds(place) != proved:
-                raise Wrong(f"for {place_text(parameters, place)} the derivative of V on the circle of radius 0.1 "
-                            f"lies between "
-                            f"{min(rates):.3g} and {max(rates):.3g}, which {'proves' if proved else 'does not prove'} "
-                            f"asymptotic stability")
-    return "these are the parameters for which the derivative is nowhere positive near zero and not identically zero"
+
+    def at(values):
+        heights, rates = level(circle, values.values()), rate(circle, values.values())
+        return bool(min(heights) > 0 and max(rates) <= 1e-12 and min(rates) < -1e-12)
+
+    def told(values, holds):
+        rates = rate(circle, values.values())
+        return (f"for {place_text(values)} the derivative of V on the circle of radius 0.1 lies between "
+                f"{min(rates):.3g} and {max(rates):.3g}, which {'proves' if holds else 'does not prove'} asymptotic "
+                f"stability")
+
+    near = sum(x**2 for x in state) <= sp.Rational(1, 100)
+    truth = Truth(*_proved(function, field, state, near), at)
+    agreement = compare(coercion.as_condition(answer, parameters), parameters, truth, told)
+    return f"there the derivative is nowhere positive near zero and not identically zero, and only there: {agreement}"
 
 
 @judged
@@ -113,33 +111,52 @@ def proved_global(answer, function, field, state, parameters, given=()):
     That is: V > 0 grows without bound in every direction, and V' <= 0 everywhere, but not identically (that no motion
     stays where it vanishes is for the author of the problem to know). Other symbols get values that satisfy `given`.
     """
-    claim = Condition(coercion.as_condition(answer, parameters), parameters)
     others = set().union(*(sp.sympify(f).free_symbols for f in [*field, function])) - {*state, *parameters}
     (sample,) = allowed_values(sorted(others, key=str), given, 1)
     field, function = [sp.sympify(f).subs(sample) for f in field], sp.sympify(function).subs(sample)
-    directions = _directions(len(state), 60)
     radii = np.geomspace(1e-2, 1e4, 41)
-    points = (radii[:, None, None] * directions).reshape(-1, len(state))
+    points = (radii[:, None, None] * _directions(len(state), 60)).reshape(-1, len(state))
     level, rate = _numeric(function, state, parameters), _rate(function, field, state, parameters)
-    for point, direction in lines(parameters, count=12):
-        for place in _places(claim, point, direction, extra=20):
-            if not _admitted(place, parameters) or 0 < max(map(abs, place)) < 1e-6:
-                continue  # closer to zero the far ends of V lie beyond the states that are looked at
-            lowest = level(points, place).reshape(len(radii), -1).min(axis=1)
-            rates = rate(points, place)
-            reason = ""
-            if min(lowest) <= 0 or np.any(np.diff(lowest) <= 0):
-                worst = int(np.argmax((lowest <= 0) | (np.diff(lowest, prepend=0) <= 0)))
-                reason = ("V does not grow in all directions: "
-                          f"on the circle of radius {radii[worst]:.3g} its least value is {lowest[worst]:.3g}")
-            elif max(rates) > 1e-12 * max(abs(rates)) or min(rates) == 0:
-                reason = f"the derivative of V takes values between {min(rates):.3g} and {max(rates):.3g}"
-            if claim.holds(place) != (not reason):
-                raise Wrong(f"for {place_text(parameters, place)} "
-                            + (reason + ", which proves nothing in the large" if reason else
-                            "V grows without bound in every direction and its derivative is nowhere positive: "
-                            "it proves stability in the large"))
-    return "for these parameters, and for no others, V grows in every direction and its derivative is nowhere positive"
+
+    def reason(values):
+        """Why V proves nothing in the large, or nothing."""
+        lowest = level(points, values.values()).reshape(len(radii), -1).min(axis=1)
+        rates = rate(points, values.values())
+        if min(lowest) <= 0 or np.any(np.diff(lowest) <= 0):
+            worst = int(np.argmax((lowest <= 0) | (np.diff(lowest, prepend=0) <= 0)))
+            return ("V does not grow in all directions: "
+                    f"on the circle of radius {radii[worst]:.3g} its least value is {lowest[worst]:.3g}")
+        if max(rates) > 1e-12 * max(abs(rates)) or min(rates) == 0:
+            return f"the derivative of V takes values between {min(rates):.3g} and {max(rates):.3g}"
+        return ""
+
+    def at(values):
+        # Closer to zero the far ends of V lie beyond the states that are looked at.
+        return None if 0 < max(abs(float(x)) for x in values.values()) < 1e-6 else not reason(values)
+
+    def told(values, holds):
+        why = "" if holds else reason(values) or "V does not grow, or its derivative is positive, far from zero"
+        return f"for {place_text(values)} " + (f"{why}, which proves nothing in the large" if why else (
+            "V grows without bound in every direction and its derivative is nowhere positive: it proves stability in "
+            "the large"))
+
+    grows = sum(x * sp.diff(function, x) for x in state) > 0
+    truth = Truth(*_proved(function, field, state, sp.true, grows), at)
+    agreement = compare(coercion.as_condition(answer, parameters), parameters, truth, told)
+    return f"there V grows in every direction and its derivative is nowhere positive, and only there: {agreement}"
+
+
+def _proved(function, field, state, where, besides=sp.true):
+    """The cases in which V proves stability or does not: V > 0, V' <= 0 and `besides` hold at all states but zero
+    `where` it is asked, and V' is not identically zero."""
+    rate = sp.expand(sum(sp.diff(function, x) * f for x, f in zip(state, field)))
+    if not (rate.is_polynomial(*state) and sp.sympify(function).is_polynomial(*state)):
+        return (), ()
+    nothing = sp.And(*(sp.Eq(c, 0) for c in sp.Poly(rate, *state).coeffs()))
+    asked = sp.And(where, sp.Or(*(sp.Ne(x, 0) for x in state)))
+    proved = sp.And(sp.sympify(function) > 0, rate <= 0)
+    inside = Case(sp.And(sp.Not(nothing), sp.Or(sp.Not(asked), sp.And(proved, besides))), tuple(state), every=True)
+    return (inside,), (Case(sp.And(asked, sp.Not(proved)), tuple(state)), Case(nothing))
 
 
 @judged
@@ -224,20 +241,6 @@ def _numeric(expression, state, parameters=()):
 def _rate(function, field, state, parameters=()):
     """V' at many states."""
     return _numeric(sum(sp.diff(function, x) * f for x, f in zip(state, field)), state, parameters)
-
-
-def _places(claim, point, direction, extra=0):
-    """Places on a line at which to judge a claim: a grid, and the claim's own cells, borders and neighbours of
-    borders."""
-    inside, on = cells(point, direction, claim.boundaries, extra=extra)
-    near = [tuple(x + side * d for x, d in zip(place, direction)) for place in on
-            for side in (Fraction(1, 1000), Fraction(-1, 1000))]
-    grid = [tuple(x + Fraction(k, 8) * d for x, d in zip(point, direction)) for k in range(-24, 25)]
-    return inside + on + near + grid
-
-
-def _admitted(place, parameters):
-    return not any(p.is_positive and x <= 0 or p.is_negative and x >= 0 for p, x in zip(parameters, place))
 
 
 def _stable_systems(function, field, state, parameters, given):

@@ -16,8 +16,7 @@ import sympy as sp
 from trajlib.checks.contract import coercion
 from trajlib.checks.contract.tolerance import same
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
-from trajlib.checks.tools.semialgebraic import Condition, cells
-from trajlib.checks.tools.semialgebraic import as_text as place_text
+from trajlib.checks.tools.conditions import Case, Truth, compare, contrary, exactly, place_text, read_condition
 from trajlib.checks.tools.values import matrix_at, number_at, numbers_at
 from trajlib.checks.tools.wording import number_text, other_rate, values_text, where_text
 from trajlib.checks.truths.fields import STEP, sample_values
@@ -73,10 +72,11 @@ def input_matrix_along(answer, field, state, parameters, program, controls):
 def rest_angles_exist(answer, field, state, parameters):
     """The parameters for which phi'' = f(phi, phi') has stationary solutions at all."""
     angles = _angles(tuple(field), tuple(state), tuple(parameters))
-    compare_condition(answer, parameters, angles.exist,
-                      lambda values: "there f(phi, 0) runs from {:.4g} to {:.4g}".format(*angles.extremes(values)))
-    return ("f(phi, 0) takes the value zero for these parameters and for no others, on both sides of the boundary and "
-            "on it")
+    at_rest = sp.Eq(sp.sympify(field[1]).subs(state[1], 0), 0)
+    truth = Truth((Case(at_rest, (state[0],)),), (Case(sp.Not(at_rest), (state[0],), every=True),), angles.exist)
+    agreement = compare(read_condition(answer, parameters), parameters, truth, contrary(
+        lambda values: "there f(phi, 0) runs from {:.4g} to {:.4g}".format(*angles.extremes(values))))
+    return f"f(phi, 0) takes the value zero for these parameters and for no others: {agreement}"
 
 
 @judged
@@ -130,7 +130,7 @@ def angle_deviations(answer, field, state, parameters, angle, deviations):
 @judged
 def stable_angles(answer, field, state, parameters, angle):
     """The condition on a stationary angle for it to be asymptotically stable."""
-    return _judge_angles(answer, field, state, parameters, angle, lambda sum_, product: sum_ < 0 < product,
+    return _judge_angles(answer, field, state, parameters, angle, lambda sum_, product: (sum_ < 0) & (product > 0),
                          "asymptotically stable")
 
 
@@ -197,82 +197,6 @@ class Motion:
                 return point, numbers
             point[self._free] -= np.linalg.lstsq(self._columns(self._free, point, numbers), residual, rcond=None)[0]
         raise RuntimeError("no motion was found that satisfies the program")
-
-
-def compare_condition(answer, parameters, truth, told, count=8):
-    """Compare a claimed condition with `truth(values)`, which gives True, False, or None where either will do.
-
-    Along lines on which one parameter varies, the places where the truth changes are found by bisection; both
-    conditions are asked there, on both sides, and between all places where the claim can change. `told(values)`
-    explains the truth.
-    """
-    if isinstance(answer, sp.Set) and len(parameters) > 1 and answer.is_subset(sp.S.Reals):
-        answer = coercion.as_condition(answer, parameters[:1])  # a set of numbers: values of the first parameter
-    claim = Condition(coercion.as_condition(answer, parameters), parameters)
-    for k, place in enumerate(_places(parameters, count)):
-        varied = k % len(parameters)
-        for x in _along(place, varied, parameters, claim, truth):
-            there = (*place[:varied], x, *place[varied + 1:])
-            values = _values(parameters, there)
-            holds = truth(values)
-            if holds is not None and claim.holds(there) != holds:
-                says = "holds" if claim.holds(there) else "does not hold"
-                raise Wrong(f"your condition {says} for {place_text(parameters, there)}; {told(values)}")
-
-
-def _along(place, varied, parameters, claim, truth):
-    """Values of one parameter at which to compare: on both sides of every change of either, on it where it is rational,
-    and between."""
-    def point(x):
-        return (*place[:varied], x, *place[varied + 1:])
-
-    def at(x):
-        return truth(_values(parameters, point(x)))
-
-    sizes = [Fraction(float(x)).limit_denominator(1000) for x in np.geomspace(1 / 50, 40, 24)]
-    grid = sorted(x for size in sizes for x in (size, -size) if _allowed(parameters[varied], x))
-    changes = sorted([*_changes(at, grid), *_changes(lambda x: claim.holds(point(x)), grid)])
-    sides = [Fraction(float(x) * (1 + e)).limit_denominator(10**8) for x in changes for e in (1e-3, -1e-3)]
-    between = [Fraction(float(x + y) / 2).limit_denominator(10**8) for x, y in zip(changes, changes[1:])
-               if y - x > abs(x) / 500]
-    rational = [x.limit_denominator(5000) for x in changes]
-    exact = [x for x, change in zip(rational, changes) if abs(x - change) < Fraction(1, 10**9)]
-    direction = tuple(Fraction(int(j == varied)) for j in range(len(parameters)))
-    inside, on = cells(point(Fraction(0)), direction, claim.boundaries)
-    found = {*grid, *sides, *between, *exact, *(there[varied] for there in inside + on)}
-    return sorted(x for x in found if _allowed(parameters[varied], x))
-
-
-def _changes(function, grid):
-    """The places between neighbours of a grid where a function of few values changes, to ten digits."""
-    found, values = [], [function(x) for x in grid]
-    for left, right, value, last in zip(grid, grid[1:], values, values[1:]):
-        # A third value may lie between two others, so the search goes on from each change to the next.
-        while value != last and len(found) < 40:
-            inner, outer = left, right
-            for _ in range(42):
-                middle = (inner + outer) / 2
-                inner, outer = (middle, outer) if function(middle) == value else (inner, middle)
-            found.append(inner)
-            left = outer = outer + (outer - inner)
-            value = function(left)
-    return found
-
-
-def _places(parameters, count):
-    random = np.random.default_rng(12)
-    for _ in range(count):
-        sizes = [Fraction(int(random.integers(1, 60)), 20) for _ in parameters]
-        yield tuple(size if _allowed(p, size) and (not _allowed(p, -size) or random.integers(2)) else -size
-                    for p, size in zip(parameters, sizes))
-
-
-def _allowed(parameter, x):
-    return not (parameter.is_positive and x <= 0 or parameter.is_negative and x >= 0 or parameter.is_nonzero and x == 0)
-
-
-def _values(parameters, place):
-    return {p: sp.Rational(x.numerator, x.denominator) for p, x in zip(parameters, place)}
 
 
 @functools.lru_cache(maxsize=16)
@@ -435,30 +359,36 @@ def _listed(answer, integer):
 
 def _judge_angles(answer, field, state, parameters, angle, kind, word):
     symbols = [angle, *parameters]
-    claim = Condition(coercion.as_condition(answer, symbols), symbols)
+    force, at_rest = sp.sympify(field[1]).subs(state[0], angle), {state[1]: 0}
+    slope, friction = (sp.diff(force, x).subs(at_rest) for x in (angle, state[1]))
     angles = _angles(tuple(field), tuple(state), tuple(parameters))
-    edges = angles.edges
-    for values in [*angles.samples, *(near for near, _ in edges)]:
-        for phi in angles.rest(values):
-            slope, friction = angles.derivatives(values, phi)
-            place = (Fraction(float(phi)), *(Fraction(int(values[p].p), int(values[p].q)) for p in parameters))
-            if claim.holds(place) != kind(friction, -slope):
-                truth, says = ("", "does not hold") if kind(friction, -slope) else ("not ", "holds")
-                raise Wrong(f"the stationary angle {phi:.4g} for {values_text(values)} is {truth}{word}, and your "
-                            f"condition {says} there: "
-                            f"{_roots_told(slope, friction)}")
-    for _, values in edges:
-        for phi in angles.double(values) if values else ():
-            exact = sp.pi * sp.Rational(*Fraction(float(phi / np.pi)).limit_denominator(60).as_integer_ratio())
-            if abs(float(exact) - phi) < 1e-9 and claim.condition.subs(values | {angle: exact}) == True:  # noqa: E712
-                raise Wrong(f"for {values_text(values)} two stationary angles meet in {phi:.4g}: there one root is "
-                            f"zero, deviations to one "
-                            f"side grow and to the other decay, so it is not {word}; your condition holds there")
-    return ("it agrees with the roots of the characteristic equation at all stationary angles of several sets of "
-            "parameters")
+
+    def truth(values):
+        slope, friction = angles.derivatives(values, float(values[angle]))
+        return bool(kind(friction, -slope))
+
+    def points():
+        """Stationary angles in general position, and close to where two of them meet."""
+        for values in [*angles.samples, *(near for near, _ in angles.edges)]:
+            yield from (values | {angle: sp.Rational(float(phi))} for phi in angles.rest(values))
+
+    def told(values, holds):
+        return (f"the stationary angle {float(values[angle]):.4g} for "
+                f"{place_text({p: values[p] for p in parameters})} is {'' if holds else 'not '}{word}, and your "
+                f"condition {'does not hold' if holds else 'holds'} there: "
+                f"{_roots_told(*angles.derivatives(values, float(values[angle])))}")
+
+    exact = exactly(kind(friction, -slope), sp.Eq(force.subs(at_rest), 0), at=truth, points=points)
+    agreement = compare(coercion.as_condition(answer, symbols), symbols, exact, told)
+    return f"it agrees with the roots of the characteristic equation at the stationary angles: {agreement}"
 
 
 def _judge_kind(answer, field, state, parameters, kind, word):
+    phi, rate = state
+    force = sp.sympify(field[1])
+    slope, friction = (sp.diff(force, x).subs(rate, 0) for x in state)
+    border = friction**2 + 4 * slope
+    given = sp.And(sp.Eq(force.subs(rate, 0), 0), slope < 0, sp.Ne(border, 0))
     angles = _angles(tuple(field), tuple(state), tuple(parameters))
 
     def discriminants(values):
@@ -472,11 +402,13 @@ def _judge_kind(answer, field, state, parameters, kind, word):
         return all(map(kind, found))
 
     def told(values):
-        slope, friction = next(pair for pair in discriminants(values)[1] if pair[0] < 0)
+        slope, friction = next((pair for pair in discriminants(values)[1] if pair[0] < 0), (0, 0))
         return _roots_told(slope, friction)
 
-    compare_condition(answer, parameters, truth, told)
-    return f"for these parameters, and for no others, the stationary angles that are no saddles are of the kind {word}"
+    exact = exactly(border < 0 if word == "focus" else border > 0, given, (phi,), truth)
+    agreement = compare(read_condition(answer, parameters), parameters, exact, contrary(told))
+    return (f"for these parameters, and for no others, the stationary angles that are no saddles are of the kind "
+            f"{word}: {agreement}")
 
 
 def _judge_columns(answer, field, state, parameters, program, symbols, true_matrix):

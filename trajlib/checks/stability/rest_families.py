@@ -13,8 +13,7 @@ import sympy as sp
 from trajlib.checks.contract import coercion
 from trajlib.checks.contract.tolerance import rounds_to
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
-from trajlib.checks.tools.semialgebraic import Condition, cells, lines
-from trajlib.checks.tools.semialgebraic import as_text as place_text
+from trajlib.checks.tools.conditions import Case, Truth, compare, contrary
 from trajlib.checks.tools.values import matrix_at, number_at
 from trajlib.checks.tools.wording import number_text
 from trajlib.checks.truths.fields import Field, as_text, sample_values
@@ -106,24 +105,26 @@ def growth_rate(answer, field, state, parameters=(), given=()):
 def single_rest(answer, field, state, parameters):
     """The parameters for which x' = f(x) with polynomial f has one stationary solution only; real roots are counted
     exactly."""
-    claim = Condition(coercion.as_condition(answer, parameters), parameters)
     *others, force = [sp.sympify(f).subs({x: 0 for x in state[1:]}) for f in field]
     if any(other != 0 for other in others):
         raise RuntimeError("this is no equation of second order")
-    poly = sp.Poly(force, state[0])
-    # The number of real roots changes only where two of them meet or one goes to infinity.
-    borders = [sp.Poly(c, *parameters) for c in (sp.discriminant(poly), poly.LC())]
-    for point, direction in lines(parameters):
-        inside, on = cells(point, direction, [p for p in borders if not p.is_ground] + claim.boundaries)
-        for place in inside + on:
-            at = {p: sp.Rational(x.numerator, x.denominator) for p, x in zip(parameters, place)}
-            count = sp.Poly(force.subs(at), state[0]).sqf_part().count_roots()
-            if claim.holds(place) != (count == 1):
-                raise Wrong(f"for {place_text(parameters, place)} the right-hand sides vanish at {count} "
-                            f"value{'s' if count != 1 else ''} "
-                            f"of {state[0]}, and your condition {'holds' if claim.holds(place) else 'does not hold'} "
-                            f"there")
-    return "the number of real roots of the equation of rest agrees on both sides of every boundary and on it"
+    x = state[0]
+    other = sp.Dummy("y", real=True)
+    two = sp.And(sp.Eq(force, 0), sp.Eq(force.subs(x, other), 0), sp.Ne(x, other))
+    # Where there is none at all the first case says too much, which `count` corrects.
+    inside = Case(sp.Not(two), (x, other), every=True)
+    outside = Case(two, (x, other)), Case(sp.Ne(force, 0), (x,), every=True)
+
+    def count(values):
+        return sp.Poly(force.subs(values), x).sqf_part().count_roots()
+
+    def told(values):
+        number = count(values)
+        return f"there the right-hand sides vanish at {number} value{'s' if number != 1 else ''} of {x}"
+
+    truth = Truth((inside,), outside, lambda values: count(values) == 1)
+    agreement = compare(coercion.as_condition(answer, parameters), parameters, truth, contrary(told))
+    return f"the number of real roots of the equation of rest is one there and nowhere else: {agreement}"
 
 
 @judged

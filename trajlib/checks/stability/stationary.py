@@ -17,10 +17,9 @@ import numpy as np
 import sympy as sp
 
 from trajlib.checks.contract import coercion
-from trajlib.checks.contract.tolerance import DECIMALS, in_decimals, same
+from trajlib.checks.contract.tolerance import same
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
-from trajlib.checks.tools.semialgebraic import Condition, cells
-from trajlib.checks.tools.semialgebraic import as_text as place_text
+from trajlib.checks.tools.conditions import Case, Truth, compare, exactly, place_text, read_condition
 from trajlib.checks.tools.values import real_at
 from trajlib.checks.tools.wording import other_rate
 from trajlib.checks.truths.fields import as_text
@@ -302,99 +301,45 @@ def _judge_points(answer, family, noun):
 
 
 def _judge_existence(answer, family, noun):
-    def truth(numbers):
-        return family.settle(numbers, starts=32, steps=40)[1].any(axis=1).astype(float)
+    def at(values):
+        numbers = family.numbers(values)
+        return None if numbers is None else bool(family.settle(numbers, starts=32, steps=40)[1].any())
 
-    def describe(holds):
-        return f"there is {'a' if holds else 'no'} {noun}, yet your condition {'does not hold' if holds else 'holds'}"
+    def told(values, holds):
+        return (f"for {place_text(values)} there is {'a' if holds else 'no'} {noun}, yet your condition "
+                f"{'does not hold' if holds else 'holds'}")
 
-    return _compare(answer, family, truth, describe)
+    given, rest = family.given, family.at_rest
+    truth = Truth((Case(sp.And(given, rest), tuple(family.state)),),
+                  (Case(sp.And(given, sp.Not(rest)), tuple(family.state), every=True),), at)
+    agreement = compare(read_condition(answer, family.parameters), family.parameters, truth, told)
+    return f"there is a {noun} exactly for these parameters: {agreement}"
 
 
 def _judge_roots(answer, family, sign, noun):
     """Compare a condition with the sign of the discriminant at the stationary point: -1 focus, 1 node."""
-    def truth(numbers):
+    def at(values):
+        numbers = family.numbers(values)
+        if numbers is None:
+            return None
         places, exist = family.first_rests(numbers)
-        (a, b), (c, d) = family.jacobian(places, numbers)
+        ((a,), (b,)), ((c,), (d,)) = family.jacobian(places, numbers)
         trace, determinant, size = a + d, a * d - b * c, a**2 + b**2 + c**2 + d**2
         discriminant = trace**2 - 4 * determinant
-        decided = (abs(discriminant) > 1e-9 * size) & (abs(determinant) > 1e-9 * size) & (trace**2 > 1e-9 * size)
-        return np.where(exist & decided, (np.sign(discriminant) == sign) & (determinant > 0), np.nan)
+        decided = abs(discriminant) > 1e-9 * size and abs(determinant) > 1e-9 * size and trace**2 > 1e-9 * size
+        return bool(np.sign(discriminant) == sign and determinant > 0) if exist[0] and decided else None
 
-    def describe(holds):
-        return (f"the stationary point is {'' if holds else 'not '}{noun}, yet your condition "
+    def told(values, holds):
+        return (f"for {place_text(values)} the stationary point is {'' if holds else 'not '}{noun}, yet your condition "
                 f"{'does not hold' if holds else 'holds'}")
 
-    return _compare(answer, family, truth, describe)
-
-
-def _compare(answer, family, truth, describe):
-    """Compare a condition on the parameters with a property that can only be tried: `truth` gives 1, 0, or nan (not
-    asked).
-
-    Along lines on which one parameter alone varies, the property is tried on a grid, and each of its borders is found
-    by bisection: the condition has to change there, and nowhere else. A set of numbers stands for values of the first
-    parameter.
-    """
-    parameters = family.parameters
-    numbers_alone = isinstance(answer, sp.Set) and answer.is_subset(sp.S.Reals)
-    condition = coercion.as_condition(answer, parameters[:1] if numbers_alone else parameters)
-    claim, loose = Condition(condition, parameters), in_decimals(condition)
-    places, borders = _grid(family, truth, claim, margin=2 * DECIMALS if loose else 1e-6)
-    tried = truth(np.array(places, dtype=float).T)
-    checked = 0
-    for place, holds in [*zip(places, tried), *borders]:
-        if np.isnan(holds):
-            continue
-        checked += 1
-        if claim.holds(place) != bool(holds) and not (loose and _rounded_across(place, truth)):
-            raise Wrong(f"for {place_text(parameters, place)} {describe(bool(holds))}")
-    return f"it holds where it should and nowhere else, at {checked} points on both sides of every border"
-
-
-def _grid(family, truth, claim, margin):
-    """Places to try, and pairs (place, truth value) on both sides of each border that bisection finds, `margin` away
-    from it."""
-    places, edges = [], []
-    for k, base, line in family.lines:
-        holds = truth(np.array(line, dtype=float).T)
-        edges += [(low, high, a) for low, high, a, b in zip(line, line[1:], holds, holds[1:]) if a != b
-                  and not np.isnan(a + b)]
-        places += line
-        direction = tuple(Fraction(int(j == k)) for j in range(len(base)))
-        start = tuple(Fraction(0) if j == k else base[j] for j in range(len(base)))
-        for place in sum(cells(start, direction, claim.boundaries), []):
-            if _allowed(float(place[k]), family.parameters[k], family.domain):
-                places.append(place)
-    if not edges:
-        return places, []
-    low, high = (np.array([edge[i] for edge in edges], dtype=float).T for i in (0, 1))
-    before = np.array([edge[2] for edge in edges])
-    for _ in range(22):
-        middle = (low + high) / 2
-        values = truth(middle)
-        stay = (values == before) | np.isnan(values)
-        low, high = np.where(stay, middle, low), np.where(stay, high, middle)
-    sides = []
-    for left, right, value in zip(low.T, high.T, before):
-        outward = np.sign(right - left) * np.maximum(margin * abs(right), 1e-9)
-        sides.append((tuple(map(Fraction, left - outward)), value))
-        sides.append((tuple(map(Fraction, right + outward)), 1 - value))
-    return places, sides
-
-
-def _rounded_across(place, truth):
-    """Whether rounding to three digits can account for a place on the wrong side of the border.
-
-    On the border itself there is nothing to be rounded: u >= 2.0 is as wrong as u >= 2 where u > 2 is right.
-    """
-    def changes(rounding):
-        moved = [[float(x) * (factor if j == k else 1) for j, x in enumerate(place)]
-                 for k in range(len(place)) for factor in (1 - rounding, 1 + rounding)]
-        values = truth(np.array([[float(x) for x in place], *moved]).T)
-        return bool(np.any(values != values[0]))
-
-    return changes(DECIMALS) and not changes(1e-9)
+    matrix = sp.Matrix(family.field).jacobian(family.state)
+    trace, determinant = sp.expand(matrix.trace()), sp.expand(matrix.det())
+    discriminant = sp.expand(trace**2 - 4 * determinant)
+    decided = sp.And(family.given, family.at_rest, *(sp.Ne(x, 0) for x in (trace, determinant, discriminant)))
+    truth = exactly(sp.And(sign * discriminant > 0, determinant > 0), decided, tuple(family.state), at)
+    agreement = compare(read_condition(answer, family.parameters), family.parameters, truth, told)
+    return f"the stationary point is {noun} exactly for these parameters: {agreement}"
 
 
 def _family(field, state, parameters, domain):
@@ -416,6 +361,7 @@ class _Family:
         left = set().union(*(e.free_symbols for e in expressions)) - {*self.state, *self.parameters}
         if left:
             raise ValueError(f"the field still contains {left}")
+        self.field = expressions
         self._square = len(expressions) == len(self.state)
         self._function = self._compiled(expressions)
         # The numerators have the same zeros inside the domain, and Newton's method likes them better.
@@ -538,17 +484,30 @@ class _Family:
     def _rests_of_tries(self):
         return self.rests(self._tries[1])
 
-    @functools.cached_property
-    def lines(self):
-        """Lines on which one parameter alone varies: triples (which one, a place on the line, a grid of places along
-        it)."""
-        random, found = np.random.default_rng(13), []
-        for k, varied in enumerate(self.parameters):
-            for _ in range(4 if len(self.parameters) > 1 else 2):
-                base = [_simple(_draw(random, p, self.domain), p, self.domain) for p in self.parameters]
-                found.append((k, base, [(*base[:k], value, *base[k + 1:])
-                                        for value in _spread(random, varied, self.domain)]))
-        return found
+    @property
+    def given(self):
+        """What the domain says of the parameters, as a condition."""
+        return sp.And(*(_within(p, _interval(p, self.domain)) for p in self.parameters))
+
+    @property
+    def at_rest(self):
+        """That a state lies in the domain and the right-hand sides vanish there, as a condition."""
+        return sp.And(*(_within(x, _interval(x, self.domain)) for x in self.state),
+                      *(sp.Eq(component, 0) for component in self.field))
+
+    def numbers(self, values):
+        """Values of the parameters as one column of floats, or None outside the domain."""
+        if not all(_allowed(float(x), p, self.domain) for p, x in values.items()):
+            return None
+        return np.array([[float(values[p])] for p in self.parameters])
+
+
+def _within(symbol, interval):
+    """That a number lies in an interval; of an angle, by the signs of its sine and cosine, where they tell."""
+    turns = {sp.Interval.Lopen(-sp.pi, sp.pi): sp.true, sp.Interval.open(0, sp.pi): sp.sin(symbol) > 0,
+             sp.Interval.open(-sp.pi, 0): sp.sin(symbol) < 0,
+             sp.Interval.open(-sp.pi / 2, sp.pi / 2): sp.cos(symbol) > 0}
+    return turns[interval] if interval in turns else interval.as_relational(symbol)
 
 
 def _different(places):
@@ -651,19 +610,6 @@ def _draw(random, symbol, domain, share=None):
         return low + size if math.isfinite(low) else high - size
     sign, share = (1, 2 * share - 1) if share > 0.5 else (-1, 1 - 2 * share)
     return sign * math.exp(smallest + share * (largest - smallest))
-
-
-def _spread(random, symbol, domain):
-    """A fine grid of rational values over all that a symbol may be."""
-    low, high = _ends(symbol, domain)
-    shift = random.uniform(0, 1)
-    if math.isfinite(low) and math.isfinite(high):
-        values = low + (high - low) * (np.arange(20) + shift) / 20.5
-    else:
-        sizes = np.geomspace(0.01, 60, 20) * (1 + 0.3 * shift)
-        values = (low + sizes if math.isfinite(low) else high - sizes[::-1] if math.isfinite(high)
-                  else np.concatenate([-sizes[::-1], sizes]))
-    return [_rational(value) for value in values if _allowed(value, symbol, domain)]
 
 
 def _rational(value):

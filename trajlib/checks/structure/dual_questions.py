@@ -14,6 +14,7 @@ import sympy as sp
 from trajlib.checks.contract import coercion
 from trajlib.checks.contract.tolerance import same
 from trajlib.checks.contract.verdict import Invalid, Wrong
+from trajlib.checks.tools.conditions import compare, place_text
 from trajlib.checks.tools.values import matrix_at, number_at
 from trajlib.checks.tools.wording import number_text, where_text
 from trajlib.checks.truths.invariant_subspaces import (
@@ -23,7 +24,6 @@ from trajlib.checks.truths.invariant_subspaces import (
     restricted,
     to_floats,
 )
-from trajlib.checks.truths.pairs import compare_condition, place_text
 
 
 def _output_shows(k, order, number, value):
@@ -85,11 +85,11 @@ def judge_yes_no(answer, pair, side):
             raise Wrong(f"there {how_many(unseen, side)}" if unseen else side.none_free)
         return f"there {how_many(unseen, side)}" if unseen else side.none_free
 
-    def told(place, claimed, dimension):
-        return f"for some values of the parameters there {_number_of(dimension, side)}"
+    def told(values, holds):
+        return f"for some values of the parameters there {_number_of(pair.dimension_at(values), side)}"
 
     try:
-        compare_condition(sp.true, pair, lambda dimension: dimension == 0, told)
+        compare(sp.true, pair.parameters, pair.truth(True), told)
     except Wrong as reason:
         if claim:
             raise
@@ -105,32 +105,33 @@ def judge_region(answer, pair, side, holds):
     """The parameters for which the property holds (or, with `holds` False, fails)."""
     wanted = side.holds if holds else side.fails
 
-    def told(place, claimed, dimension):
+    def told(values, truth):
+        claimed, dimension = not truth, pair.dimension_at(values)
         told = f"there {_number_of(dimension, side)}" if dimension else side.none_free
         if claimed == holds and dimension:
             # An exceptional value itself would be the answer: one parameter of those it depends on stays unsaid.
             hidden = next((p for p in pair.parameters if any(p in poly.free_symbols for poly in pair.boundaries)),
                           pair.parameters[0])
-            shown = [(p, x) for p, x in zip(pair.parameters, place.numbers()) if p != hidden]
+            shown = [(p, x) for p, x in values.items() if p != hidden]
             others = "".join(f"with {p} = {float(x):.4g} "
                              for p, x in shown[:1]) + "".join(f"and {p} = {float(x):.4g} " for p, x in shown[1:])
             return (f"{others}your condition {'holds' if claimed else 'does not hold'} at a value of {hidden} where "
                     f"the system is "
                     f"{side.fails}: {told}")
-        return (f"at {place_text(pair.parameters, place)} your condition {'holds' if claimed else 'does not hold'}, "
+        return (f"at {place_text(values)} your condition {'holds' if claimed else 'does not hold'}, "
                 f"yet the system is "
                 f"{side.fails if dimension else side.holds} there: {told}")
 
     if not holds and len(pair.parameters) == 1:
         answer = _among(answer, pair.parameters[0])
     try:
-        compared = compare_condition(answer, pair, lambda dimension: (dimension == 0) == holds, told)
+        agreement = compare(coercion.as_condition(answer, pair.parameters), pair.parameters, pair.truth(holds), told)
     except Wrong as reason:
         if not holds and isinstance(answer, (list, tuple)) and len(answer) > 1:
             raise Wrong(f"{reason} (the conditions of a list hold all together; "
                         "alternatives are joined by sp.Or)") from None
         raise
-    return f"the system is {wanted} exactly there, at {compared} places compared, all exceptional values among them"
+    return f"the system is {wanted} exactly there: {agreement}"
 
 
 def judge_rank(answer, pair, side):

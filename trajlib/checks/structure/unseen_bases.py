@@ -7,7 +7,6 @@ that of `pairs`: the largest invariant subspace in the kernel of the output, at 
 
 import functools
 import itertools
-from fractions import Fraction
 
 import numpy as np
 import sympy as sp
@@ -16,10 +15,11 @@ from trajlib.checks.contract import coercion
 from trajlib.checks.contract.tolerance import in_decimals, rounds_to, share
 from trajlib.checks.contract.verdict import Invalid, Wrong
 from trajlib.checks.structure.dual_questions import how_many
-from trajlib.checks.tools.places import allowed, places
+from trajlib.checks.tools.conditions import allowed
 from trajlib.checks.tools.values import number_at
 from trajlib.checks.tools.wording import number_text, where_text
 from trajlib.checks.truths.invariant_subspaces import to_floats
+from trajlib.checks.truths.pairs import place_of, special_values
 
 
 def judge_basis(answer, pair, side, at=None):
@@ -61,11 +61,9 @@ def _where_vectors_fail(vectors, pair):
     minors = [sp.numer(sp.together(columns.extract(list(rows), list(range(columns.cols))).det(method="berkowitz")))
               for rows in itertools.combinations(range(columns.rows), columns.cols)]
     critical = [sp.Poly(e, parameter, domain="QQ") for e in (*map(sp.denom, columns), functools.reduce(sp.gcd, minors))]
-    critical = [poly for poly in critical if not poly.is_ground]
-    found = places((Fraction(0),), (Fraction(1),), critical, irrational=False)
-    at_roots = [place for place in found if allowed(place, pair.parameters) and not all(map(place.value, critical))]
-    return [(({parameter: sp.Rational(*place.coordinates[0].as_integer_ratio())}, place), unseen) for place in at_roots
-            if (unseen := pair.unseen_at(place)) is not None]
+    at_roots = [{parameter: value} for value in special_values(critical, parameter)]
+    return [((values, place_of(values)), unseen) for values in at_roots
+            if (unseen := pair.unseen_at(place_of(values))) is not None]
 
 
 def as_vectors(answer, n, parameters):
@@ -143,14 +141,11 @@ def _values_where_lost(pair, parameter):
     """The exceptional values, SymPy rationals."""
     if all(pair.unseen):
         raise ValueError("something is unseen for all values in general position")
-    found = []
-    for place in places((Fraction(0),), (Fraction(1),), pair.boundaries):
-        if allowed(place, [parameter]) and pair.unseen_at(place):
-            if place.irrational:
-                raise ValueError("something is unseen at an irrational value")
-            (value,) = place.coordinates
-            found.append(sp.Rational(value.numerator, value.denominator))
-    return found
+    values = special_values(pair.boundaries, parameter)
+    real = {root for poly in pair.boundaries for root in sp.Poly(poly, parameter).real_roots() if not root.is_Rational}
+    if any(pair.dimension_at({parameter: root}) for root in real if allowed(parameter, 1 if root > 0 else -1)):
+        raise ValueError("something is unseen at an irrational value")
+    return [value for value in values if pair.unseen_at(place_of({parameter: value}))]
 
 
 def _same(value, other):

@@ -8,9 +8,11 @@ subspace of ker H.
 
 import functools
 
+import numpy as np
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
+from trajlib.checks.tools.conditions import Case
 from trajlib.checks.truths.invariant_subspaces import ONE, echelon, kernel, to_floats
 from trajlib.checks.truths.pairs import Pair
 
@@ -48,6 +50,23 @@ class Starts(Pair):
                            self.unknowns + len(hidden))
         found = [relation[:self.unknowns] for relation in relations]
         return found if self._of is None else echelon([[vector[i] for i in self._of] for vector in found])[0]
+
+    def _seen(self, given):
+        """Of what is asked for alone: no u that is unseen has a part in it."""
+        if self._of is None:
+            return super()._seen(given)
+        u = sp.symbols(f"u:{self.unknowns}", real=True, cls=sp.Dummy)
+        unseen = sp.And(given, *(sp.Eq(row, 0) for row in self._derivative_rows().to_Matrix() * sp.Matrix(u)))
+        asked = sp.Or(*(sp.Ne(u[i], 0) for i in self._of))
+        return Case(sp.And(given, sp.Not(sp.And(unseen, asked))), u, every=True), Case(sp.And(unseen, asked), u)
+
+    def dimension_at(self, values):
+        if self._of is None or all(value.is_Rational for value in values.values()):
+            return super().dimension_at(values)
+        rows = self._rows_at(values)
+        others = [i for i in range(self.unknowns) if i not in self._of]
+        rank = int(np.linalg.matrix_rank(rows, tol=1e-9))
+        return len(self._of) - rank + (int(np.linalg.matrix_rank(rows[:, others], tol=1e-9)) if others else 0)
 
     def state_of(self, vector):
         return to_floats(self.starts, self.unknowns) @ vector

@@ -1,22 +1,19 @@
 """A matrix A and an output z = H x whose entries hold parameters: what the output never shows, at any place of the
 parameters.
 
-The property itself is decided at a place, exactly, by `invariant_subspaces`. Kalman's determinant serves only to find
-the places where it may fail; for several outputs two random combinations of the minors take the place of all of them.
+For all places at once the property is that Kalman's determinant is not zero, or for several outputs the sum of the
+squares of all its minors; at one place it is decided, exactly, by `invariant_subspaces`.
 """
 
 import functools
 import itertools
 from fractions import Fraction
-from random import Random
 
+import numpy as np
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
-from trajlib.checks.contract import coercion
-from trajlib.checks.contract.verdict import Wrong
-from trajlib.checks.tools.places import LARGEST_DEGREE, Claim, Rational, allowed, lines, lines_through_meetings, places
-from trajlib.checks.tools.semialgebraic import as_text
+from trajlib.checks.tools.conditions import Case, Truth, allowed
 from trajlib.checks.truths.fields import sample_values
 from trajlib.checks.truths.invariant_subspaces import unseen_subspace
 
@@ -74,8 +71,7 @@ class Pair:
     def samples(self):
         """Pairs (values, place) for the parameters in general position, as their assumptions allow; one empty pair
         without parameters."""
-        found = [(values, Rational(Fraction(int(values[p].p), int(values[p].q)) for p in self.parameters))
-                 for values in general_values(self.parameters)]
+        found = [(values, place_of(values)) for values in general_values(self.parameters)]
         return [(values, place) for values, place in found if self.at(place) is not None]
 
     @functools.cached_property
@@ -87,36 +83,44 @@ class Pair:
     def boundaries(self):
         """Polynomials in the parameters: only where one of them vanishes can the output show fewer states than in
         general."""
-        return [poly for poly in {*self._denominators, self._minors[0]} if not poly.is_ground]
-
-    @functools.cached_property
-    def meetings(self):
-        """Lines through isolated points of a plane of parameters where all minors vanish."""
-        common, *rests = self._minors
-        if len(self.parameters) != 2 or not rests or any(rest.is_ground for rest in rests):
-            return []
-        return list(lines_through_meetings(*rests, self.parameters))
+        return [poly for poly in {*self._denominators, self._determinant} if not poly.is_ground]
 
     @functools.cached_property
     def _denominators(self):
         return {denominator for quotients in self._quotients for _, denominator in quotients}
 
     @functools.cached_property
-    def _minors(self):
-        """The common factor of combinations of the minors of Kalman's matrix of order n, then what each has besides."""
-        told, n = self._derivative_rows(), self.unknowns
-        if told.shape[0] == n:
-            return [self._determinant(told)]
-        random = Random(3)
-        found = []
-        for _ in range(2):
-            mix = DomainMatrix([[told.domain(random.randint(-9, 9)) for _ in range(told.shape[0])] for _ in range(n)],
-                               (n, told.shape[0]), told.domain)
-            found.append(self._determinant(mix * told))
-        if any(poly.is_zero for poly in found):
-            return [found[0] + found[1]]
-        common = found[0].gcd(found[1])
-        return [common, *(poly.quo(common) for poly in found)]
+    def _determinant(self):
+        """Zero where the output does not show all unknowns: Kalman's, or the sum of the squares of all its minors."""
+        told = self._derivative_rows()
+        square = told if told.shape[0] == told.shape[1] else told.transpose() * told
+        return sp.Poly(square.domain.to_sympy(square.charpoly()[-1]), *self.parameters, domain="QQ")
+
+    def truth(self, holds):
+        """The `Truth` of a condition on the parameters under which all unknowns are seen, or with `holds` False are
+        not."""
+        given = sp.And(*(sp.Ne(poly.as_expr(), 0) for poly in self._denominators))
+        all_seen, something_unseen = self._seen(given)
+        inside, outside = (all_seen, something_unseen) if holds else (something_unseen, all_seen)
+
+        def at(values):
+            return None if given.subs(values) == False else (self.dimension_at(values) == 0) == holds  # noqa: E712
+
+        return Truth((inside,), (outside,), at)
+
+    def _seen(self, given):
+        zero = sp.Eq(self._determinant.as_expr(), 0)
+        return Case(sp.And(given, sp.Not(zero))), Case(sp.And(given, zero))
+
+    def dimension_at(self, values):
+        """The number of independent unseen states at exact values of the parameters."""
+        if all(value.is_Rational for value in values.values()):
+            return len(self.unseen_at(place_of(values)))
+        return self.unknowns - int(np.linalg.matrix_rank(self._rows_at(values), tol=1e-9))
+
+    def _rows_at(self, values):
+        rows = np.array(self._derivative_rows().to_Matrix().subs(values).evalf(30), dtype=float)
+        return rows / np.maximum(np.linalg.norm(rows, axis=1, keepdims=True), 1e-300)
 
     def _derivative_rows(self):
         """Kalman's matrix: what the output and its derivatives at t = 0 tell of the unknowns, without denominators."""
@@ -134,56 +138,6 @@ class Pair:
         rows = [entries[k:k + self.order] for k in range(0, len(entries), self.order)]
         return DomainMatrix(rows, (len(rows), self.order), ring)
 
-    def _determinant(self, matrix):
-        return sp.Poly(matrix.domain.to_sympy(matrix.charpoly()[-1]), *self.parameters, domain="QQ")
-
-
-def compare_condition(answer, pair, holds_for, told):
-    """Compare a condition on the parameters with a property at every place that matters; returns how many were
-    compared.
-
-    `holds_for(dimension)` is the property, of the number of independent unseen states; `told(place, claimed,
-    dimension)` the words for a place where the claim differs.
-    """
-    parameters = pair.parameters
-    claim = Claim(coercion.as_condition(answer, parameters), parameters)
-    boundaries = pair.boundaries + claim.boundaries
-    extra, compared = 0 if claim.is_semialgebraic else 60, 0
-    meetings = [*pair.meetings, *_crossings(boundaries, parameters)]
-    for k, (point, direction) in enumerate([*meetings, *lines(parameters)]):
-        for place in places(point, direction, boundaries, extra, irrational=k < len(meetings) + 6):
-            if not allowed(place, parameters):
-                continue
-            unseen = pair.unseen_at(place)
-            if unseen is None:
-                continue  # no system has been given there
-            compared += 1
-            if claim.holds(place) != holds_for(len(unseen)):
-                raise Wrong(told(place, claim.holds(place), len(unseen)))
-    return compared
-
-
-def _crossings(boundaries, parameters):
-    """Lines through rational points of a plane where boundaries may hide an exception: where two cross, or one shrinks
-    to a point."""
-    if len(parameters) != 2:
-        return
-    factors = sorted({factor for poly in boundaries for factor, _ in poly.factor_list()[1]},
-                     key=lambda poly: str(poly.as_expr()))
-    # At an isolated point of a curve, which no other line hits, its derivative vanishes too.
-    slopes = [(factor, factor.diff(parameters[0])) for factor in factors if factor.total_degree() > 1]
-    for one, other in [*itertools.combinations(factors, 2),
-                       *((one, slope) for one, slope in slopes if not slope.is_zero)]:
-        if one.total_degree() * other.total_degree() <= LARGEST_DEGREE:
-            yield from lines_through_meetings(one, other, parameters)
-
-
-def place_text(parameters, place):
-    """A place for a message."""
-    if place.irrational:
-        return ", ".join(f"{p} = {float(x):.6g}" for p, x in zip(parameters, place.numbers()))
-    return as_text(parameters, place.coordinates)
-
 
 def general_values(parameters):
     """Rational values for parameters as `sample_values` gives them, but none a small number or a small multiple of
@@ -193,5 +147,25 @@ def general_values(parameters):
             for values in sample_values(parameters, 6 if parameters else 1)]
 
 
+def place_of(values):
+    """Rational values of the parameters as a place: fractions in a row."""
+    return tuple(Fraction(int(x.p), int(x.q)) for x in values.values())
+
+
+def special_values(polynomials, parameter):
+    """The rational values of a single parameter, as its assumptions allow, at which one of the polynomials vanishes."""
+    roots = {root for poly in polynomials if not poly.is_ground for root in poly.ground_roots()}
+    return sorted(root for root in roots if allowed(parameter, int(sp.sign(root))))
+
+
 def _value(poly, place):
-    return place.value(poly) if not poly.is_ground else Fraction(int(poly.LC().p), int(poly.LC().q))
+    factor, numerator = _compiled(poly)
+    return (numerator if isinstance(numerator, Fraction) else Fraction(numerator(*place))) / factor
+
+
+@functools.lru_cache(maxsize=512)
+def _compiled(poly):
+    """A polynomial with rational coefficients as whole ones over a number: fractions stay fractions in its code."""
+    factor, whole = poly.clear_denoms(convert=True)
+    return Fraction(int(factor)), Fraction(int(whole.LC())) if whole.is_ground else sp.lambdify(poly.gens,
+                                                                                            whole.as_expr(), [])

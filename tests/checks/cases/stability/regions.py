@@ -11,6 +11,9 @@ LINE = (s**2 - k1 * s + 1, [k1])
 t, z = sp.symbols("t", real=True), sp.Function("z")(sp.Symbol("t", real=True))
 SECOND = (z.diff(t, 2) + z.diff(t) + z + k1 * z.diff(t, 2), z, [k1])
 
+TRUE = sp.And(k1 > 0, k1 * k2 > 1)
+ROOTS = (s**2 + s + 2 - k1**2, [k1])
+
 CASES = [
     Case("stability_region", sp.And(k1 > 0, k1 * k2 > 1), CUBIC, "right", "the minors"),
     Case("stability_region", [p > 0, q > 1 / p], CUBIC, "right", "a list, plain symbols, solved for k2"),
@@ -42,6 +45,32 @@ CASES = [
     Case("stability_region", k1, CUBIC, "invalid", "an expression"),
     Case("stability_region", "k1 > 0", CUBIC, "invalid", "text"),
     Case("stability_region", sp.Symbol("q") > 0, CUBIC, "invalid", "a symbol that the problem does not have"),
+    Case("stability_region", sp.And(k1 > 0, k1 * k2 > 1, k1**3 + k2**3 < 10**12), CUBIC, "wrong", "cut off far out"),
+    Case("stability_region", sp.Or(TRUE, (k1 + 3)**2 + (k2 + 3)**2 < sp.Rational(1, 10**6)), CUBIC, "wrong",
+         "a small disc more"),
+    Case("stability_region", sp.Or(TRUE, sp.And(k1 > -1000 - sp.Rational(1, 1000), k1 < -1000, k2 > 5,
+                                                   1000 * k2 < 5001)), CUBIC, "wrong", "a sliver more, far out"),
+    Case("stability_region", sp.And(TRUE, sp.Ne(k1**2 + k2**2, 5)), CUBIC, "wrong", "one circle left out"),
+    Case("stability_region", sp.And(TRUE, sp.Ne(k1, sp.sqrt(2))), CUBIC, "wrong", "an irrational line left out"),
+    Case("stability_region", sp.And(TRUE, sp.Or(sp.Ne(k1, 2), sp.Ne(k2, 2))), CUBIC, "wrong", "one point left out"),
+    Case("stability_region", sp.Or(TRUE, sp.And(sp.Eq(k1, -sp.sqrt(2)), sp.Eq(k2, -sp.sqrt(3)))), CUBIC, "wrong",
+         "one irrational point more"),
+    Case("stability_region", sp.And(k1 > 0, k1 * k2 > 1.004), CUBIC, "right", "a border in decimals, three digits"),
+    Case("stability_region", sp.And(k1 > 0, k1 * k2 > 1.009), CUBIC, "wrong", "a border in decimals, off by 0.9 %"),
+    Case("stability_region", sp.And(k1 > 0, k1 * k2 >= 1.0), CUBIC, "wrong", "the boundary counted in, as a decimal"),
+    Case("stability_region", sp.And(k1**2 < 2.0, k1 > -1.41), ROOTS, "right", "an irrational border in decimals"),
+    Case("stability_region", sp.And(k1**2 < 2.0, k1 > -1.43), ROOTS, "right", "what is cut off besides is empty"),
+    Case("stability_region", sp.Interval.open(-1.42, 1.42), ROOTS, "wrong", "three digits are asked"),
+    Case("stability_region", sp.Or(sp.And(k1 < -3, k2 < 2 * k1 + 2), sp.Eq(k1, k2)), MATRIX, "wrong",
+         "margin 1, a line more", (("margin", 1),)),
+    Case("stability_region", sp.And(k1 < -3, k2 < 2 * k1 + 2, sp.Ne(k2, 3 * k1)), MATRIX, "wrong",
+         "margin 1, a line less", (("margin", 1),)),
+    Case("stability_region", sp.And(k1 <= -3, k2 < 2 * k1 + 2), MATRIX, "right", "margin 1, half of the border",
+         (("margin", 1),)),
+    Case("stability_region", sp.Eq(k1, k2), NEVER, "wrong", "margin 1, an equation instead of the empty set",
+         (("margin", 1),)),
+    Case("instability_region", sp.And(k1 > 0, k1 < 1000), LINE, "wrong", "cut off far out"),
+    Case("instability_region", sp.And(k1 > 0, sp.Ne(k1, sp.sqrt(2))), LINE, "wrong", "an irrational point left out"),
     Case("stable_equation", k1 > -1, SECOND, "right", "the order drops at -1: left out"),
     Case("stable_equation", sp.Interval(-1, sp.oo), SECOND, "right", "the order drops at -1: counted in"),
     Case("stable_equation", k1 > 0, SECOND, "wrong", "the own coefficient forgotten"),
@@ -54,9 +83,5 @@ CASES = [
     Case("instability_region", 3, LINE, "invalid", "a number"),
 ]
 LIMITS = [
-    "Regions are compared on 40 lines through the plane of parameters (exactly on each line): a difference that none "
-    "of "
-    "these lines meets, such as a single point, passes.",
-    "Where a condition is not a rational function of the parameters, 60 more points a line take the place of exact "
-    "cells.",
+    "What is not polynomial (a logarithm), or too large to be decided, is compared at points; the verdict says so.",
 ]

@@ -1,0 +1,142 @@
+"""Conditions are decided, not sampled; what is called wrong was evaluated exactly; the rest is said to be tried."""
+
+import sys
+from fractions import Fraction
+
+import pytest
+import sympy as sp
+
+from trajlib import checks
+from trajlib.checks.contract.verdict import Wrong
+from trajlib.checks.tools import conditions
+from trajlib.checks.tools.conditions import Case, Condition, Truth, compare, exactly
+from trajlib.checks.truths.invariant_subspaces import characteristic_coefficients, kernel, restricted, unseen_subspace
+from trajlib.checks.truths.pairs import pair_of
+
+x, y = sp.symbols("x y", real=True)
+positive = sp.Symbol("p", positive=True)
+ABOVE = exactly(sp.And(x > 0, x * y > 1))
+
+
+def judged(claim, truth=ABOVE, parameters=(x, y)):
+    """What is said of a claim: "proved ...", "agrees at N points", or the place where it is wrong."""
+    try:
+        return compare(claim, list(parameters), truth, lambda values, holds: f"{holds} at {values}")
+    except Wrong as reason:
+        return str(reason)
+
+
+@pytest.mark.parametrize("claim", [
+    sp.And(x > 0, x * y > 1), sp.And(y > 0, x > 1 / y), sp.And(x > 0, sp.sqrt(x) * sp.sqrt(y) > 1),
+    sp.And(x + sp.Abs(x) > 0, sp.Max(x * y, 1) > 1), sp.ITE(x > 0, x * y > 1, sp.false),
+    sp.Xor(x * y > 1, sp.And(x < 0, x * y > 1)), sp.And(x > 0, x * y > 1, x < sp.oo), sp.And(x > 0, x * y > 1.004),
+    sp.And(x > 0, x**2.0 * y > x), sp.And(x > 0, sp.pi * x * y > sp.pi),
+])
+def test_a_right_condition_in_any_form_is_proved(claim):
+    assert judged(claim) == "proved for all values"
+
+
+@pytest.mark.parametrize("claim", [
+    sp.And(x > 0, x * y >= 1), sp.And(x > 0, x * y > 1, sp.Ne(x, sp.pi)), sp.And(x > 0, x * y > 1, sp.Ne(x * x, 2)),
+    sp.And(x > 0, x * y > 1, x**3 + y**3 < 10**12), sp.And(x > 0, x * y > 1.01), sp.And(x > 0, x * y >= 1.0),
+    sp.And(x > 0, x * y > 1, sp.Or(sp.Ne(x**2, 2), sp.Ne(y**2, 3))),
+    sp.Or(sp.And(x > 0, x * y > 1), sp.Eq((x**2 - 2)**2 + (y**2 - 3)**2, 0)),
+])
+def test_a_condition_that_errs_somewhere_is_refuted_there(claim):
+    assert judged(claim).startswith(("True at", "False at"))
+
+
+def test_the_difference_that_is_told_is_one():
+    places = []
+
+    def told(values, holds):
+        places.append((tuple(values.values()), holds))
+        return ""
+
+    claim = sp.And(x > 0, x * y > 1, sp.Or(sp.Ne(x**2, 2), sp.Ne(y**3, 5)))
+    with pytest.raises(Wrong):
+        compare(claim, [x, y], ABOVE, told)
+    ((place, holds),) = places
+    assert holds and sp.And(x > 0, x * y > 1).subs(dict(zip((x, y), place)))
+    assert sp.minimal_polynomial(place[0], x) == x**2 - 2 and sp.minimal_polynomial(place[1], x) == x**3 - 5
+
+
+@pytest.mark.parametrize("condition, high, low", [
+    (sp.Ne(x, sp.sqrt(2)), False, True), (sp.Ne(x**2, 2), False, False), (sp.Ne(sp.Abs(x), sp.sqrt(2)), False, False),
+    (x > 1, True, False), (x * sp.sqrt(2) >= 2, True, False), (sp.Eq(1 / (x**2 - 2), 1), False, False),
+    (sp.Implies(x > 0, sp.Eq(x**2, 2)), True, True), (sp.Ne(x, sp.Rational(141, 100)), True, True),
+    (sp.log(x) > 0, True, False), (sp.Eq(x**4, 2 * x**2), True, True),
+])
+def test_a_condition_at_the_roots_of_two(condition, high, low):
+    claim = Condition(condition, [x])
+    assert (claim.holds([sp.sqrt(2)]), claim.holds([-sp.sqrt(2)])) == (high, low)
+
+
+def test_a_false_difference_of_the_solver_is_never_told(monkeypatch):
+    monkeypatch.setattr(conditions._Question, "answer", lambda *_: (sp.Integer(2), sp.Integer(3)))
+    assert judged(sp.And(x > 0, x * y > 1)).startswith("agrees at ")
+
+
+@pytest.mark.parametrize("hindrance", ["no solver", "too few steps"])
+def test_without_a_decision_the_verdict_says_so(hindrance, monkeypatch):
+    if hindrance == "no solver":
+        monkeypatch.setitem(sys.modules, "z3", None)
+    else:
+        monkeypatch.setattr(conditions, "STEPS", 1)
+    told = judged(sp.And(x > 0, x * y > 1))
+    assert told.startswith("agrees at ") and int(told.split()[2]) > 100
+    assert judged(sp.And(x > 0, y > 0)).startswith("False at")
+    assert judged(sp.And(x > 0, x * y >= 1)).startswith("False at")
+    assert judged(sp.And(x > 0, x * y > 1.004)).startswith("agrees at ")
+
+
+def test_what_is_no_polynomial_is_tried():
+    assert judged(sp.And(x > 0, sp.log(x * y) > 0)).startswith("agrees at ")
+    assert judged(sp.And(x > 0, sp.log(x * y) > sp.Rational(1, 100))).startswith("True at")
+
+
+def test_a_truth_that_says_nothing_anywhere_makes_no_verdict():
+    with pytest.raises(RuntimeError):
+        judged(x > 0, Truth(at=lambda values: None))
+
+
+def test_what_holds_for_every_value_of_an_unknown():
+    """y^2 + x y + 1 > 0 for all y exactly if |x| < 2."""
+    above = y**2 + x * y + 1 > 0
+    truth = Truth((Case(above, (y,), every=True),), (Case(sp.Not(above), (y,)),),
+                  lambda values: bool(values[x]**2 < 4))
+    assert judged(sp.Abs(x) < 2, truth, [x]) == "proved for all values"
+    assert judged(sp.Abs(x) <= 2, truth, [x]).startswith("False at {x: ")
+    assert judged(sp.Abs(x) < 1, truth, [x]).startswith("True at {x: ")
+
+
+def test_an_angle_is_a_point_of_the_circle():
+    truth = exactly(sp.cos(2 * x) > 0)
+    assert judged(sp.Abs(sp.tan(x)) < 1, truth, [x]) == "proved for all values"
+    assert judged(sp.cos(x)**2 > sp.sin(x)**2, truth, [x]) == "proved for all values"
+    assert judged(sp.cos(x) > sp.sin(x), truth, [x]).startswith(("True at", "False at"))
+    assert "at" in judged(sp.Abs(x) < 1, truth, [x])  # an angle beside its sine is tried
+
+
+def test_what_the_data_assume_of_a_symbol_holds():
+    truth = exactly(positive**2 > 4)
+    assert judged(positive > 2, truth, [positive]) == "proved for all values"
+
+
+def test_what_a_system_hides_at_an_irrational_value():
+    """z = 2 x x1 + 2 x2 loses an eigenvalue of [[0, 1], [2, 0]] exactly for x^2 = 2."""
+    pair = pair_of(sp.Matrix([[0, 1], [2, 0]]), sp.Matrix([[2 * x, 2]]), [x])
+    assert [pair.dimension_at({x: value}) for value in (sp.sqrt(2), -sp.sqrt(2), sp.Rational(7, 5))] == [1, 1, 0]
+    data = (pair_of, sp.Matrix([[0, 1], [2, 0]]), sp.Matrix([[2 * x, 2]]), [x])[1:]
+    assert checks.observable_parameters(sp.Ne(x**2, 2), *data).status == "right"
+    for wrong in (True, sp.Ne(x, sp.sqrt(2)), sp.And(sp.Ne(x**2, 2), sp.Ne(x, 1000))):
+        assert checks.observable_parameters(wrong, *data).status == "wrong"
+
+
+def test_the_largest_invariant_subspace():
+    A = [[Fraction(a) for a in row] for row in ([0, 1, 0], [1, 1, 1], [1, 0, 1])]
+    (vector,) = unseen_subspace(A, [[Fraction(0), Fraction(1), Fraction(0)]])
+    assert vector[0] == -vector[2] and vector[1] == 0
+    assert restricted(A, [vector]) == [[0]]
+    assert characteristic_coefficients(A) == [1, -2, 0, 0]
+    assert kernel([], 2) == [[1, 0], [0, 1]]
