@@ -1,4 +1,4 @@
-"""Imports everything heavy once, so that the processes forked by the tests start ready."""
+"""Imports everything heavy once, so that the processes forked by the tests start ready, and notes what a test costs."""
 
 import os
 import sys
@@ -12,8 +12,25 @@ for folder in ("problems", "checks", "library"):
 
 import matplotlib.pyplot  # noqa: E402, F401
 import numpy  # noqa: E402, F401
+import pytest  # noqa: E402
 import scipy.integrate  # noqa: E402, F401
 import sympy  # noqa: E402, F401
+
+_BEGAN = pytest.StashKey()
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_runtest_setup(item):
+    item.stash[_BEGAN] = sum(os.times()[:4])
+
+
+@pytest.hookimpl(wrapper=True, tryfirst=True)
+def pytest_runtest_teardown(item):
+    """What computing a test took, here and in its child processes: `benchmarks/suite_cost.py` adds it up."""
+    try:
+        return (yield)
+    finally:
+        item.user_properties.append(("core seconds", round(sum(os.times()[:4]) - item.stash[_BEGAN], 3)))
 
 
 def pytest_terminal_summary(terminalreporter):

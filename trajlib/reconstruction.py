@@ -26,6 +26,7 @@ carried along, the recursion for P_k adds, multiplies and divides positive numbe
 M is.
 """
 from dataclasses import dataclass, field
+from math import factorial
 
 import numpy as np
 from scipy.interpolate import PPoly
@@ -33,8 +34,6 @@ from scipy.linalg import solveh_banded
 from scipy.linalg.lapack import dtbtrs
 from scipy.optimize import brentq
 
-#: Pieces between neighbouring samples on which the acceleration of the direct method is linear.
-PIECES = 4
 #: Weight of the integral of u^2 in the direct method, in units of rho tau^3: it chooses one of many best motions.
 TIE = 1e-7
 
@@ -192,8 +191,8 @@ def reconstruct(t, h, sigma, *, max_acceleration=None, M=None, method="sweep"):
     `method="sweep"` (the paper): M is found such that max |u| = max_acceleration; `active` is False and M = 0 where
     already the natural spline through all samples keeps the bound. (max |u| need not fall as M grows: where several M
     meet the bound, one of them is found.) `method="direct"`: least misfit among all motions with |u| <=
-    max_acceleration, a quadratic programme with u linear on quarters of each interval; of equally good motions the one
-    with the least integral of u^2.
+    max_acceleration, a convex programme that is exact up to the tolerance of its solver (1e-11); of equally good
+    motions one with a small integral of u^2.
 
     >>> import numpy as np
     >>> t = np.arange(9.0)
@@ -212,7 +211,7 @@ def reconstruct(t, h, sigma, *, max_acceleration=None, M=None, method="sweep"):
         if method == "direct":
             raise ValueError("M belongs to the sweep; the direct method takes max_acceleration alone")
         x, y, u = SweepGains(t, sigma, M).apply(h)
-        return _result(t, h, rho, (t, x, y, u), method, None, float(M), False)
+        return _result(t, h, rho, _cubic(t, x, y, u), method, None, float(M), False)
 
     bound = np.asarray(max_acceleration, dtype=float)
     if not (bound > 0).all():
@@ -227,11 +226,9 @@ def reconstruct(t, h, sigma, *, max_acceleration=None, M=None, method="sweep"):
     columns = h.reshape(t.size, -1)
     solve = _swept if method == "sweep" else _direct
     found = [solve(t, columns[:, k], rho, bounds[k]) for k in range(columns.shape[1])]
-    knots = found[0][0][0] if len({f[0][0].size for f in found}) == 1 else _fine(t)[0]
-    parts = [_on_knots(f[0], knots) for f in found]
-    joined = tuple(np.stack([part[j] for part in parts], axis=-1).reshape(-1, *h.shape[1:]) for j in (1, 2, 3))
     weight, active = (_as_given(np.array([f[j] for f in found]), h) for j in (1, 2))
-    return _result(t, h, rho, (knots, *joined), method, max_acceleration, weight, active)
+    spline = _side_by_side([f[0] for f in found], h.shape[1:])
+    return _result(t, h, rho, spline, method, max_acceleration, weight, active)
 
 
 def sweep_eigenvalues(kappa):
@@ -288,7 +285,7 @@ def _swept(t, h, rho, bound):
     accelerations = _banded(t[seen], h[seen], rho[seen])
     free = accelerations(0.0)
     if np.abs(free).max(initial=0) <= bound:
-        return _interpolant(t, h, seen, free), 0.0, False
+        return _cubic(*_interpolant(t, h, seen, free)), 0.0, False
 
     sigma = np.full(rho.shape, np.inf)
     sigma[seen] = rho[seen]**-0.5
@@ -308,7 +305,7 @@ def _swept(t, h, rho, bound):
     if width > 1 or abs(by_sweep(log_m)) > 1e-9:
         log_m = _root(by_sweep, log_m, width)
     M = float(np.exp(log_m))
-    return (t, *SweepGains(t, sigma, M).apply(h)), M, True
+    return _cubic(t, *SweepGains(t, sigma, M).apply(h)), M, True
 
 
 def _banded(t, h, rho):
@@ -363,73 +360,87 @@ def _interpolant(t, h, seen, u):
 
 
 def _direct(t, h, rho, bound):
-    """Least misfit under |u| <= bound as a sparse quadratic programme in x, y, u at the knots."""
+    """Least misfit under |u| <= bound, exactly, as a convex programme in the states x, y at the times.
+
+    With `bound` as the unit of acceleration, dy = y_1 - y_0 and w = x_1 - x_0 - tau (y_0 + y_1)/2, a control |u| <= 1
+    leads from one state to the next in the time tau if and only if |w| + dy^2/4 <= tau^2/4: the extreme w for a given
+    dy belong to u = +1, then -1, and to the reverse.
+    """
     import casadi
-    from scipy import sparse
 
     seen = np.flatnonzero(rho)
     free = _banded(t[seen], h[seen], rho[seen])(0.0)
     if np.abs(free).max(initial=0) <= bound:
-        return _interpolant(t, h, seen, free), 0.0, False
+        return _cubic(*_interpolant(t, h, seen, free)), 0.0, False
     # Dimensionless: time in mean steps, acceleration in units of the bound, what a straight line leaves of the samples.
     line, slope = (part[:, 0] for part in _straight_line(t, rho, h[:, None]))
-    knots, at = _fine(t)
     unit = np.mean(np.diff(t))
     length = bound*unit**2
-    tau = np.diff(knots)/unit
+    tau = np.diff(t)/unit
     weight = rho/np.median(rho[seen])
     target = np.where(rho > 0, (h - line)/length, 0)
-    n = knots.size
 
-    diagonal = np.zeros(3*n)
-    diagonal[at] = weight
-    gradient = np.zeros(3*n)
-    gradient[at] = -weight*target
-    tie = TIE*sparse.diags([np.append(tau, 0) + np.append(0, tau)], [0])/3 + TIE*sparse.diags([tau/6, tau/6], [1, -1])
-    quadratic = sparse.diags(diagonal) + sparse.block_diag([sparse.csc_matrix((2*n, 2*n)), tie])
-    step = sparse.diags([-np.ones(n), np.ones(n - 1)], [0, 1], shape=(n - 1, n))
-    before = sparse.eye(n - 1, n)
-    after = sparse.diags([np.ones(n - 1)], [1], shape=(n - 1, n))
-    motion = sparse.bmat([
-        [step, -sparse.diags(tau)@before, -sparse.diags(tau**2/3)@before - sparse.diags(tau**2/6)@after],
-        [None, step, -sparse.diags(tau/2)@(before + after)]])
-    quadratic, motion = (_as_dm(matrix, casadi) for matrix in (quadratic, motion))
-    limits = np.concatenate([np.full(2*n, np.inf), np.ones(n)])
-    z = casadi.SX.sym("z", 3*n)
-    problem = {"x": z, "f": casadi.dot(z, quadratic@z)/2 + casadi.dot(gradient, z), "g": motion@z}
+    x, y = casadi.SX.sym("x", t.size), casadi.SX.sym("y", t.size)
+    dy, w = y[1:] - y[:-1], x[1:] - x[:-1] - tau*(y[1:] + y[:-1])/2
+    misfit = casadi.dot(weight*(x - target), x - target)
+    effort = casadi.dot(dy**2, 1/tau) + 12*casadi.dot(w**2, tau**-3)       # the least integral of u^2 without a bound
+    problem = {"x": casadi.vertcat(x, y), "f": (misfit + TIE*effort)/2, "g": casadi.vertcat(dy**2/4 + w, dy**2/4 - w)}
     options = {"print_time": False, "ipopt.print_level": 0, "ipopt.sb": "yes", "ipopt.tol": 1e-11,
-               "ipopt.max_iter": 300,
-               "ipopt.bound_relax_factor": 0.0, "ipopt.mehrotra_algorithm": "yes",
-               "ipopt.hessian_constant": "yes", "ipopt.jac_c_constant": "yes"}
+               "ipopt.max_iter": 300, "ipopt.bound_relax_factor": 0.0}
     solver = casadi.nlpsol("direct", "ipopt", problem, options)
-    found = solver(x0=np.zeros(3*n), lbx=-limits, ubx=limits, lbg=0, ubg=0)
+    found = solver(x0=np.zeros(2*t.size), lbg=-np.inf, ubg=np.tile(tau**2/4, 2))
     if not solver.stats()["success"]:
         raise ArithmeticError(f"the direct method did not converge ({solver.stats()['return_status']}); try "
                               f"method=\"sweep\"")
-    x, y, u = np.asarray(found["x"]).ravel().reshape(3, n)
-    line_at = line[0] + slope[0]*(knots - t[0])
-    return (knots, x*length + line_at, y*length/unit + slope[0], u*bound), 0.0, True
+    x, y = np.asarray(found["x"]).ravel().reshape(2, t.size)
+    lengths, first, last = _least_effort(tau, np.diff(y), np.diff(x) - tau*(y[1:] + y[:-1])/2)
+    spline = _pieces(t, (x*length + line)[:-1], (y*length/unit + slope)[:-1], lengths*unit, first*bound, last*bound)
+    return spline, 0.0, True
 
 
-def _as_dm(matrix, casadi):
-    matrix = matrix.tocsc()
-    matrix.sort_indices()
-    pattern = casadi.Sparsity(*matrix.shape, matrix.indptr.tolist(), matrix.indices.tolist())
-    return casadi.DM(pattern, matrix.data)
+def _least_effort(tau, dy, w):
+    """The control |u| <= 1 with the least integral of u^2 for each interval: lengths, first and last values of three
+    pieces, at one bound, linear, at the other; shapes (N, 3).
+
+    It is a linear function of time, cut off at the bounds. Where w > 0 it falls. For dy >= 0 it reaches the upper bound
+    first; for dy < 0 it is the one for -dy run backwards, with the other sign.
+    """
+    sign, turned = np.where(w < 0, -1.0, 1.0), w*dy < 0
+    turned |= (w == 0) & (dy < 0)
+    dy, w = np.minimum(np.abs(dy), tau), np.abs(w)
+    mean, half = dy/tau, 6*w/tau**2
+    rest = np.maximum(tau - dy, np.finfo(float).tiny)
+    ramp = 1.5*tau - 3*w/rest                                      # upper bound, then linear for this time
+    drop = 2*rest/np.maximum(ramp, np.finfo(float).tiny)
+    half_ramp = np.sqrt(np.maximum(3*(tau**2/4 - dy**2/4 - w), 0))  # linear between both bounds
+    unbounded, one = mean + half <= 1, drop <= 2
+    zero = np.zeros_like(tau)
+    lengths = np.select([unbounded[:, None], one[:, None]], [
+        np.stack([zero, tau, zero], axis=1), np.stack([tau - ramp, ramp, zero], axis=1)],
+        np.stack([(tau + dy)/2 - half_ramp, 2*half_ramp, (tau - dy)/2 - half_ramp], axis=1))
+    begin, end = np.where(unbounded, mean + half, 1), np.select([unbounded, one], [mean - half, 1 - drop], -1)
+    first, last = np.stack([zero + 1, begin, zero - 1], axis=1), np.stack([zero + 1, end, zero - 1], axis=1)
+    turned = turned[:, None]
+    lengths = np.where(turned, lengths[:, ::-1], lengths)
+    first, last = np.where(turned, -last[:, ::-1], first), np.where(turned, -first[:, ::-1], last)
+    return np.maximum(lengths, 0), sign[:, None]*first, sign[:, None]*last
 
 
-def _fine(t):
-    """The times with each interval cut into `PIECES`, and where the times themselves stand among them."""
-    cuts = t[:-1, None] + np.diff(t)[:, None]*np.arange(PIECES)/PIECES
-    return np.append(cuts.ravel(), t[-1]), np.arange(t.size)*PIECES
-
-
-def _on_knots(states, knots):
-    own, *values = states
-    if own.size == knots.size:
-        return states
-    spline = _cubic(*states)
-    return knots, spline(knots), spline(knots, 1), spline(knots, 2)
+def _pieces(t, x, y, lengths, first, last):
+    """The piecewise cubic from the states x, y at the begin of each interval, with u linear on its three pieces."""
+    jerk = (last - first)/np.where(lengths > 0, lengths, 1)
+    states = [(x, y)]
+    for k in range(2):
+        x, y = states[-1]
+        s = lengths[:, k]
+        states.append((x + s*y + s**2*(first[:, k]/2 + s*jerk[:, k]/6), y + s*(first[:, k] + s*jerk[:, k]/2)))
+    x, y = (np.stack(parts, axis=1) for parts in zip(*states))
+    begin = t[:-1, None] + np.cumsum(np.c_[np.zeros(len(lengths)), lengths[:, :2]], axis=1)
+    kept = lengths > 1e-12*np.diff(t)[:, None]
+    begin[np.arange(len(t) - 1), np.argmax(kept, axis=1)] = t[:-1]
+    knots = np.append(begin[kept], t[-1])
+    jerk = (last - first)[kept]/np.diff(knots)
+    return PPoly(np.array([jerk/6, first[kept]/2, y[kept], x[kept]]), knots)
 
 
 def _cubic(t, x, y, u):
@@ -438,14 +449,21 @@ def _cubic(t, x, y, u):
     return PPoly(np.array([np.diff(u, axis=0)/(6*tau), u[:-1]/2, y[:-1], x[:-1]]), t)
 
 
-def _result(t, h, rho, states, method, bound, M, active):
-    spline = _cubic(*states)
+def _side_by_side(splines, shape):
+    """One piecewise cubic of several, with the knots of all of them."""
+    knots = np.unique(np.concatenate([spline.x for spline in splines]))
+    values = [np.stack([spline(knots[:-1], k)/factorial(k) for spline in splines], axis=-1) for k in (3, 2, 1, 0)]
+    return PPoly(np.array(values).reshape(4, -1, *shape), knots)
+
+
+def _result(t, h, rho, spline, method, bound, M, active):
     columns = (1,)*(h.ndim - 1)
     off = np.where(rho.reshape(-1, *columns) > 0, spline(t) - h, 0)
     sigma = np.full(rho.shape, np.inf)
     sigma[rho > 0] = rho[rho > 0]**-0.5
     misfit = np.sum(rho.reshape(-1, *columns)*off**2, axis=0)
-    greatest = np.abs(states[3]).max(axis=0)
+    lengths = np.diff(spline.x).reshape(-1, *columns)
+    greatest = np.maximum(np.abs(2*spline.c[1]), np.abs(2*spline.c[1] + 6*spline.c[0]*lengths)).max(axis=0)
     return Reconstruction(t, h, sigma, method, bound, M, active, _as_given(misfit, h), _as_given(greatest, h), spline)
 
 

@@ -288,7 +288,8 @@ print([hashlib.sha256(encode(v)).hexdigest() for v in values])
 
 def in_process(program, hash_seed="0"):
     env = {**os.environ, "PYTHONHASHSEED": hash_seed}
-    return subprocess.run([sys.executable, "-c", program], env=env, capture_output=True, text=True, check=True).stdout
+    return subprocess.run([sys.executable, "-c", program], env=env, capture_output=True, text=True, check=True,
+                          timeout=120).stdout
 
 
 def test_the_same_bytes_in_every_process():

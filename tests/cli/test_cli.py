@@ -112,7 +112,8 @@ def test_exercises_are_written_anew(tmp_path):
 def test_importing_trajlib_loads_nothing_heavy():
     code = ("import sys, trajlib; print([m for m in ('numpy', 'scipy', 'sympy', 'casadi', 'control', 'matplotlib') if "
             "m in sys.modules])")
-    assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True).stdout.strip() == "[]"
+    assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True,
+                          timeout=120).stdout.strip() == "[]"
 
 
 def test_notebooks_to_work_on(tmp_path):

@@ -77,7 +77,7 @@ class LocalCluster:
         below = set().union(*(descendants(process.pid) for process in self._processes))
         for process in reversed(self._processes):
             process.kill()
-            process.wait()
+            process.wait(timeout=30)
         for number, _ in below:
             if b"dask" in command_of(number) or b"spawn" in command_of(number):
                 os.kill(number, 9)

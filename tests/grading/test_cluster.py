@@ -32,6 +32,7 @@ from trajlib.grading.isolation import NoIsolation  # noqa: E402
 from trajlib.grading.judging import Bounds  # noqa: E402
 from trajlib.grading.sandbox import Limits  # noqa: E402
 
+pytestmark = pytest.mark.xdist_group("cluster")  # they share one
 ROOT = Path(__file__).resolve().parents[2]
 ALIKE = os.environ | {"COLUMNS": "200", "NO_COLOR": "1", "TERM": "dumb"}
 
@@ -42,7 +43,7 @@ def dask(tmp_path_factory):
     with a_cluster(tmp_path_factory.mktemp("cluster")) as made:
         for command, _ in COMMANDS:
             if command.startswith(("openssl", "for name")):
-                subprocess.run(["bash", "-ec", command], cwd=made.here, check=True, capture_output=True)
+                subprocess.run(["bash", "-ec", command], cwd=made.here, check=True, capture_output=True, timeout=60)
             elif command.startswith("dask scheduler"):
                 made.start(command)
             elif command.startswith("dask worker"):
@@ -328,7 +329,7 @@ def test_certificates_that_cannot_be_used_are_refused(dask, tmp_path):
         cluster.check(files(cert="worker.pem"))
     subprocess.run(["openssl", "req", "-x509", "-newkey", "ed25519", "-nodes", "-subj", "/CN=x", "-keyout", "key.pem",
                     "-out", "x.pem"],
-                   cwd=tmp_path, check=True, capture_output=True)
+                   cwd=tmp_path, check=True, capture_output=True, timeout=60)
     with pytest.raises(cluster.ClusterError,
                        match="no scheduler can be reached at tls://127.0.0.1:.*signed by the same CA"):
         next(cluster.grade_all([a_unit(0)], bench.settings(Limits(), Bounds()),
@@ -397,7 +398,7 @@ def test_a_lane_ends_with_its_thread_and_outlives_others(monkeypatch):
         (lane,) = cluster_lanes._all
         passing = threading.Thread(target=cluster_lanes.ready, args=(given,))
         passing.start()
-        passing.join()
+        passing.join(timeout=60)
         (other,) = cluster_lanes._all - {lane}
         give_up = time.monotonic() + 5
         while other.alive() and time.monotonic() < give_up:

@@ -294,7 +294,7 @@ def test_a_slow_machine_costs_nothing(tmp_path):
         finally:
             for other in others:
                 other.kill()
-                other.join()
+                other.join(timeout=30)
     assert full_marks(result), result
     assert time.monotonic() - began > 0.5 * seconds
 

@@ -27,7 +27,7 @@ def test_whole(pipe, message):
     writer = threading.Thread(target=framing.send, args=(into, message))
     writer.start()
     assert framing.receive(out, timeout=10) == message
-    writer.join()
+    writer.join(timeout=30)
 
 
 @pytest.mark.parametrize("written, why", [(b"", "closed"), (b"\0\0", "closed"), (b"\0\0\0\5abc", "closed"),
@@ -63,7 +63,7 @@ def test_trickling_does_not_renew_patience(pipe):
             framing.receive(out, timeout=0.3, look=lambda: looks.append(1), every=0.02)
     finally:
         going_on = False
-        writer.join()
+        writer.join(timeout=30)
     assert time.monotonic() - began < 3 and looks, "it is looked after all the time too"
 
 

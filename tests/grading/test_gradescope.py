@@ -39,6 +39,9 @@ HALF = RIGHT_1_15 | {"a_region": "k1 > 0"}
 STUDENT = 61234
 
 
+pytestmark = pytest.mark.xdist_group("gradescope")  # they share an installed bundle
+
+
 @pytest.fixture(scope="module")
 def archive(tmp_path_factory):
     folder = tmp_path_factory.mktemp("homework")
@@ -57,7 +60,7 @@ def test_what_the_bundle_holds(archive):
         for name in ("setup.sh", "run_autograder"):
             assert stat.S_IMODE(bundled.getinfo(name).external_attr >> 16) == 0o755
             assert bundled.read(name).startswith(b"#!/usr/bin/env bash\n")
-            subprocess.run(["bash", "-n"], input=bundled.read(name), check=True)
+            subprocess.run(["bash", "-n"], input=bundled.read(name), check=True, timeout=30)
         assert ("sympy==" in bundled.read("constraints.txt").decode()
                 and "trajlib" not in bundled.read("constraints.txt").decode())
         with zipfile.ZipFile(io.BytesIO(bundled.read(wheel_name(bundled)))) as wheel:
@@ -136,7 +139,7 @@ def as_root():
     """What runs a command as root: nothing, or sudo that asks for no password."""
     if os.getuid() == 0:
         return []
-    if shutil.which("sudo") and subprocess.run(["sudo", "-n", "true"], capture_output=True).returncode == 0:
+    if shutil.which("sudo") and subprocess.run(["sudo", "-n", "true"], capture_output=True, timeout=30).returncode == 0:
         return ["sudo", "-n"]
     return None
 
@@ -210,7 +213,7 @@ class Container:
     def results(self):
         # Read as root: the autograder has closed the folder to others.
         done = subprocess.run([*as_root(), "cat", str(self.root / "results" / "results.json")], capture_output=True,
-                              check=True)
+                              check=True, timeout=60)
         return json.loads(done.stdout)
 
 
@@ -218,7 +221,7 @@ class Container:
 def container(tmp_path, installed, archive):
     yield Container(tmp_path / "autograder", installed, archive)
     if os.getuid() != 0:
-        subprocess.run([*as_root(), "chown", "-R", str(os.getuid()), str(tmp_path)], check=True)
+        subprocess.run([*as_root(), "chown", "-R", str(os.getuid()), str(tmp_path)], check=True, timeout=60)
 
 
 def test_a_submission(container):
@@ -375,7 +378,7 @@ def test_setup(tmp_path, archive, has, said):
     with zipfile.ZipFile(archive) as bundled:
         script = bundled.read("setup.sh").decode().replace("/opt/trajlib/bin/pip", "echo")
     done = subprocess.run(["bash", "-c", script], env={"PATH": f"{programs}:/usr/bin:/bin"}, capture_output=True,
-                          text=True)
+                          text=True, timeout=60)
     assert said in (log.read_text() if has else done.stderr) and done.returncode == (0 if has else 1)
     if has:
         assert ("install --no-cache-dir --constraint /autograder/source/constraints.txt "

@@ -99,12 +99,12 @@ def _ordinary_work():
     for thread in threads:
         thread.start()
     for thread in threads:
-        thread.join()
+        thread.join(timeout=30)
     solve_ivp(lambda t, x: -x, (0, 1), [1.0], method="LSODA")
     socket.socketpair()
     called = []
     ctypes.CFUNCTYPE(None)(lambda: called.append(1))()
-    return [subprocess.run(["/bin/echo", "fine"], capture_output=True, text=True).stdout, called]
+    return [subprocess.run(["/bin/echo", "fine"], capture_output=True, text=True, timeout=30).stdout, called]
 
 
 def test_computing_goes_on():

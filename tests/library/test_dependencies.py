@@ -22,7 +22,7 @@ PIECES = [
 def test_the_closure_holds_all_that_is_loaded(code):
     show = "import sys; print(' '.join(m for m in sys.modules if m.startswith('trajlib.')))"
     loaded = subprocess.run([sys.executable, "-c", f"{code}\n{show}"], capture_output=True, text=True,
-                            check=True).stdout.split()
+                            check=True, timeout=120).stdout.split()
     # Packages hold lazy names or a docstring: they and the helper behind them say nothing of what a notebook computes.
     expected = {m for m in loaded if not hasattr(importlib.import_module(m), "__path__")} - {"trajlib._lazy"}
     assert expected and expected <= set(module_closure(code))

@@ -40,7 +40,7 @@ def test_importing_changes_and_loads_nothing():
     code = ("import sys; import trajlib.plotting; assert 'matplotlib' not in sys.modules; "
             "import matplotlib as m; before = dict(m.rcParams); import trajlib.plotting; assert dict(m.rcParams) == "
             "before")
-    subprocess.run([sys.executable, "-c", code], check=True)
+    subprocess.run([sys.executable, "-c", code], check=True, timeout=120)
 
 
 def test_style_is_local_and_rcparams_survive_every_function():

@@ -1,5 +1,6 @@
 """Planar syntheses against closed forms, against lower bounds by support functions, and against Bellman's equation."""
 
+import functools
 import warnings
 
 import numpy as np
@@ -9,6 +10,7 @@ from scipy.linalg import expm
 
 from trajlib.pontryagin import Problem, synthesis
 
+pytestmark = pytest.mark.xdist_group("syntheses")  # in one process, so that each is found once
 x1, x2, u, alpha = sp.symbols("x1 x2 u alpha", real=True)
 DOUBLE, OSCILLATOR, SADDLE = np.array([[0, 1], [0, 0]]), np.array([[0, 1], [-1, 0]]), np.array([[0, 1], [1, 0]])
 DAMPED, EXCITED = np.array([[0, 1], [0, -1]]), np.array([[0, 1], [0, 1]])
@@ -180,10 +182,16 @@ CONVEX = {
 }
 
 
+@functools.cache
+def convex(name):
+    A, bounds, terminal, _, side, window, horizon, _ = CONVEX[name]
+    return synthesis(linear(A, terminal, bounds), side=side, window=window, horizon=horizon)
+
+
 @pytest.mark.parametrize("name", CONVEX)
 def test_times_are_the_lower_bounds_by_support_functions(name):
-    A, bounds, terminal, support, side, window, horizon, where = CONVEX[name]
-    found = synthesis(linear(A, terminal, bounds), side=side, window=window, horizon=horizon)
+    A, bounds, _, support, side, window, horizon, where = CONVEX[name]
+    found = convex(name)
     x = starts(window, where=where)
     bound = least_times(A, bounds, support, x, horizon, inside=side == "inside")
     ours = found.time(*x)
@@ -216,7 +224,7 @@ def test_line_has_the_time_of_free_fall():
 
 
 def test_dispersal_curve_has_two_controls_and_equal_times():
-    found = synthesis(problem([x1**2 + x2**2 - 4]), side="inside", window=((-2.1, 2.1), (-2.1, 2.1)), horizon=5)
+    found = convex("from inside")
     (curve,) = found.dispersal_curves
     points, times = curve.points[2:-2:6], curve.times[2:-2:6]
     assert np.abs(found.time(*points.T) - times).max() < 1e-8
@@ -256,7 +264,7 @@ def test_agrees_with_the_solver_of_single_problems():
 
 
 def test_traced_curve_and_parametrisation_agree(to_circle):
-    traced = synthesis(problem([x1**2 + x2**2 - 1]), side="outside", window=to_circle.window, horizon=9)
+    traced = convex("circle")
     x = starts(to_circle.window, where=lambda a, b: a*a + b*b > 1.01)
     assert np.abs(traced.time(*x) - to_circle.time(*x)).max() < 1e-7
 
@@ -313,36 +321,38 @@ def test_questions_outside_the_window_are_refused(to_rest):
         to_rest.regularity()["Z"]
 
 
-def test_barriers_of_both_sides_are_mirror_images():
+@pytest.fixture(scope="module")
+def to_line():
+    return synthesis(problem([x1 - x2]), horizon=8)
+
+
+def test_barriers_of_both_sides_are_mirror_images(to_line):
     """Of the line x1 = x2 (problem 5.10): they end where the extremals touch it, at (1, 1) and (-1, -1)."""
-    found = synthesis(problem([x1 - x2]), horizon=8)
-    one, other = sorted(found.barriers, key=lambda curve: -curve.points[0, 0])
+    one, other = sorted(to_line.barriers, key=lambda curve: -curve.points[0, 0])
     assert np.allclose(one.points, -other.points, atol=1e-9) and np.allclose(one.points[0], [1, 1], atol=1e-9)
     assert np.allclose(one.points[:, 0], (1 + one.points[:, 1]**2)/2, atol=1e-9)
     assert one.jump == pytest.approx(other.jump, rel=1e-3) and np.isfinite(one.jump)
 
 
 @pytest.mark.parametrize("side", [1, -1])
-def test_beside_a_barrier_the_time_is_that_of_the_way_round(side):
-    found = synthesis(problem([x1 - x2]), horizon=8)
+def test_beside_a_barrier_the_time_is_that_of_the_way_round(to_line, side):
     v = np.linspace(0.1, 0.99, 10)
     edge = (1 + v**2)/2
     for beyond in (1e-3, 1e-4):
         x = side*np.array([edge + beyond, v])
-        assert np.allclose(found.time(*x), 1 + v + np.sqrt(v**2 + 2*(edge + beyond) - 1), atol=1e-6)
+        assert np.allclose(to_line.time(*x), 1 + v + np.sqrt(v**2 + 2*(edge + beyond) - 1), atol=1e-6)
 
 
 @pytest.mark.parametrize("side", [1, -1])
-def test_no_point_is_missed_where_a_barrier_meets_the_target(side):
+def test_no_point_is_missed_where_a_barrier_meets_the_target(to_line, side):
     """Next to (1, 1) in problem 5.10 neighbouring extremals meet the line again at different steps."""
-    found = synthesis(problem([x1 - x2]), horizon=8)
     a, b = 1 + starts(((-0.3, 0.3), (-0.3, 0.3)), 2000)
     a, b = a[a > b], b[a > b]
     direct = (b < 1) & (a < (1 + b*b)/2)
     with np.errstate(invalid="ignore"):
         exact = np.where(direct, 1 - b - np.sqrt(1 + b*b - 2*a), 1 + b + np.sqrt(b*b + 2*a - 1))
     assert 10 < direct.sum() < a.size/2
-    assert np.abs(found.time(side*a, side*b) - exact).max() < 1e-6
+    assert np.abs(to_line.time(side*a, side*b) - exact).max() < 1e-6
 
 
 def test_behind_the_target_there_is_no_time():

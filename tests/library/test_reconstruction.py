@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from scipy.interpolate import CubicSpline, make_smoothing_spline
 from scipy.optimize import lsq_linear
 
-from trajlib.reconstruction import PIECES, SweepGains, reconstruct, sweep_eigenvalues
+from trajlib.reconstruction import SweepGains, reconstruct, sweep_eigenvalues
 
 
 def record(seed, n=30, ratio=10.0):
@@ -153,30 +153,45 @@ def test_heavy_smoothing_of_a_long_record_meets_the_bound():
         assert reconstruct(t, h, 2.0, max_acceleration=bound).max_acceleration == pytest.approx(bound, rel=1e-8)
 
 
-def bounded_least_squares(t, h, sigma, bound):
-    """Least misfit by SciPy's solver with u linear on the same pieces: unknowns x_0, y_0 and u at the knots."""
-    knots = np.append((t[:-1, None] + np.diff(t)[:, None]*np.arange(PIECES)/PIECES).ravel(), t[-1])
+def bounded_least_squares(t, h, sigma, bound, pieces):
+    """Least misfit by SciPy's solver with u linear on so many pieces of each interval: unknowns x_0, y_0 and u."""
+    knots = np.append((t[:-1, None] + np.diff(t)[:, None]*np.arange(pieces)/pieces).ravel(), t[-1])
     x, y, rows = np.eye(2, knots.size + 2)[0], np.eye(2, knots.size + 2)[1], []
     for k, tau in enumerate(np.diff(knots)):
         rows.append(x)
         one, two = np.zeros((2, knots.size + 2))
         one[k + 2] = two[k + 3] = 1
         x, y = x + tau*y + tau**2*(2*one + two)/6, y + tau*(one + two)/2
-    matrix = np.array([*rows, x])[::PIECES]
+    matrix = np.array([*rows, x])[::pieces]
     limits = np.append([np.inf, np.inf], np.full(knots.size, bound))
-    found = lsq_linear(matrix/sigma[:, None], h/sigma, (-limits, limits), tol=1e-13, method="bvls")
-    return 2*found.cost, matrix@found.x
+    return 2*lsq_linear(matrix/sigma[:, None], h/sigma, (-limits, limits), tol=1e-13, method="bvls").cost
 
 
 @pytest.mark.parametrize("bound", [0.05, 0.5, 2.0])
 def test_direct_method_against_bounded_least_squares(bound):
-    t, h, sigma = record(2, 20)
-    misfit, positions = bounded_least_squares(t, h, sigma, bound)
+    """Finer and finer pieces come down to the exact minimum, and none of them below it."""
+    t, h, sigma = record(2, 12)
     motion = reconstruct(t, h, sigma, max_acceleration=bound, method="direct")
-    assert motion.misfit == pytest.approx(misfit, rel=1e-6, abs=1e-6)
-    assert np.abs(motion.position(t) - positions).max() < 1e-4
+    coarse, fine = (bounded_least_squares(t, h, sigma, bound, pieces) for pieces in (4, 16))
+    above = np.array([coarse, fine]) - motion.misfit
+    slack = 1e-6*(1 + motion.misfit)
+    assert -slack <= above[1] <= above[0]/4 + slack
     assert motion.max_acceleration <= bound*(1 + 1e-9)
     assert motion.misfit <= reconstruct(t, h, sigma, max_acceleration=bound).misfit
+
+
+@pytest.mark.parametrize("bound", [0.05, 0.5, 2.0])
+def test_direct_motion_is_one_motion_within_the_bound(bound):
+    """Position and velocity go on over all knots, and the states at the samples follow from the acceleration alone."""
+    t, h, sigma = record(5, 30)
+    motion = reconstruct(t, h, sigma, max_acceleration=bound, method="direct")
+    before, after = np.nextafter(motion._spline.x[1:-1], -np.inf), motion._spline.x[1:-1]
+    assert np.abs(motion.position(before) - motion.position(after)).max() < 1e-9
+    assert np.abs(motion.velocity(before) - motion.velocity(after)).max() < 1e-9
+    fine = np.linspace(t[0], t[-1], 5000)
+    assert np.abs(motion.acceleration(fine)).max() <= bound*(1 + 1e-9)
+    rate = np.diff(motion.velocity(fine))/np.diff(fine)
+    assert np.abs(rate).max() <= bound*(1 + 1e-6) and np.abs(rate).max() > 0.99*bound
 
 
 def test_direct_method_finds_the_least_misfit_of_three_samples():

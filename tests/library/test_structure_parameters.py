@@ -9,6 +9,7 @@ from trajlib.structure import (
     controllability_conditions,
     controllability_matrix,
     first_order_form,
+    observability,
     observability_conditions,
     observability_matrix,
     with_measurement_error,
@@ -145,3 +146,12 @@ def test_errors():
     # A curve on which no parameter can be eliminated, with points of lower rank on it: said, not guessed.
     with pytest.raises(NotImplementedError, match="beyond the methods"):
         observability_conditions(sp.zeros(2), M([[a**2 + b**2 - 1, 0], [0, a**2 - b**3]]), [a, b])
+
+
+def test_systems_with_many_symbols_are_decided_or_refused_at_once():
+    A, H = M(4, 4, lambda i, j: sp.Symbol(f"a{i}{j}")), M(1, 4, lambda i, j: sp.Symbol(f"h{j}"))
+    assert observability(A, H).holds
+    for n in (3, 4):
+        inner, row = A[:n, :n], H[:, :n]
+        with pytest.raises(NotImplementedError, match="give some of the parameters values"):
+            observability_conditions(inner, row, sorted(inner.free_symbols | row.free_symbols, key=str))

@@ -21,6 +21,8 @@ class Workbench:
             self.called |= called_functions(source, "answer", solved)
         self.reference = {name: solved[name] for name in master.answers}
         self.calls = {name: call for source in master.code("check") for name, call in check_calls(source).items()}
+        self._alone = {name: compile(_only(source, name), "<check cell>", "exec")
+                       for source in master.code("check") for name in reported_names(source)}
 
     def judge(self, answers):
         """Verdicts on `answers`; those left out are missing."""
@@ -40,10 +42,8 @@ class Workbench:
 
     def judge_one(self, name, value):
         """The verdict on one answer, from its own check cell alone."""
-        (source,) = [s for s in self.master.code("check") if name in reported_names(s)]
-        namespace = self.data | self.reference | {name: value}
         with checks.collecting() as verdicts:
-            execute(ast.unparse(_only(source, name)), "check", namespace)
+            exec(self._alone[name], self.data | self.reference | {name: value})
         return verdicts[name]
 
     def after(self, source):

@@ -12,8 +12,9 @@ from mutants import mutants
 from nonsense import NOT_ASKED, nonsense
 from oracles import is_right
 
+from trajlib import exercises
 from trajlib.checks.contract.encoding import decode, encode
-from trajlib.execution import in_child
+from trajlib.execution import in_child, judge_cells
 from trajlib.masters import master_paths, read
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -54,7 +55,8 @@ def found(master, part):
 
 def test_the_reference_is_right_and_crosses_the_encoder(master):
     seen = found(master, "reference")
-    assert seen["verdicts"] == dict.fromkeys(master.answers, "right"), seen["messages"]
+    for verdicts in (seen["master"], seen["exercise"]):
+        assert {name: status for name, (status, _) in verdicts.items()} == dict.fromkeys(master.answers, "right"), seen
     slow = {name: seconds for name, seconds in seen["seconds"].items()
             if seconds > VERDICT_SECONDS.get(master.number.split(".")[0], 1.0)}
     assert not slow, f"verdicts that take too long: {slow}"
@@ -66,21 +68,23 @@ def test_nobody_waits_long_for_one_problem(master):
 
 
 def _reference(bench):
-    """Comes first, so that the times are those of first verdicts."""
-    answers = {name: decode(data) for name, data in _encoded(bench).items()}
+    """By the master's check cells one at a time, and by those of the student's notebook as a grader judges. Comes
+    first, so that the times are those of first verdicts."""
+    answers = _encoded(bench)
     bench.judge({})  # imports; nothing is known of the answers yet, as at a student's first check
-    seconds = {}
-    for name, value in answers.items():
+    verdicts, seconds = {}, {}
+    for name, text in answers.items():
+        value = decode(text.encode())
         start = time.process_time()  # not the clock on the wall: other tests run on the same machine
-        bench.judge_one(name, value)
+        verdict = bench.judge_one(name, value)
         seconds[name] = time.process_time() - start
-    verdicts = bench.judge(answers)
-    return {"verdicts": {name: v.status for name, v in verdicts.items()}, "seconds": seconds,
-            "messages": {name: v.message for name, v in verdicts.items()}}
+        verdicts[name] = [verdict.status, verdict.message]
+    cells = exercises.find(bench.master.number).code("data", "check")
+    return {"master": verdicts, "exercise": judge_cells(cells, answers, {}, list(answers)), "seconds": seconds}
 
 
 def _encoded(bench):
-    return {name: encode(value) for name, value in bench.reference.items()}
+    return {name: encode(value).decode() for name, value in bench.reference.items()}
 
 
 def test_the_untouched_copy_is_missing(master):
@@ -183,7 +187,7 @@ def _mutants(bench):
 
 def _solved(bench):
     """The answers, to be judged elsewhere, and what was called to find them."""
-    return {"answers": {name: data.decode() for name, data in _encoded(bench).items()}, "called": sorted(bench.called)}
+    return {"answers": _encoded(bench), "called": sorted(bench.called)}
 
 
 PARTS = {"reference": _reference, "untouched": _untouched, "wrong": _wrong, "right": _right, "mutants": _mutants,

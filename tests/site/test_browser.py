@@ -4,11 +4,18 @@ import io
 import json
 import time
 import zipfile
+from pathlib import Path
 from urllib.parse import urljoin
 from urllib.request import urlopen
 
 import pytest
 
+from trajlib.masters import master_paths
+
+SOLUTIONS = Path(__file__).resolve().parents[2] / "solutions"
+#: Number -> the place of a problem's page below the folder of its edition.
+PROBLEMS = {f"{path.parent.name[2:]}.{int(path.stem[1:])}": f"{path.parent.name}/{path.stem}"
+            for path in master_paths(SOLUTIONS)}
 PHONE = 390
 
 
@@ -26,13 +33,16 @@ def test_formulas_are_set_and_nothing_else_is_asked_for(browser, addresses, prob
 
 
 @pytest.mark.parametrize("edition", ["full", "student"])
-def test_every_page_fits_a_phone_without_errors(browser, addresses, editions, pages_of, edition):
+@pytest.mark.parametrize("number", [*PROBLEMS, "the other pages"])
+def test_every_page_fits_a_phone_without_errors(browser, addresses, editions, pages_of, edition, number):
     """All folds open: what is folded away has to fit as well."""
-    root = getattr(editions, edition)
+    root, folder = {"full": (editions.full, "solutions"), "student": (editions.student, "exercises")}[edition]
+    pages = {path.relative_to(root).as_posix() for path in pages_of(root)}
+    problems = {number: f"{folder}/{place}.html" for number, place in PROBLEMS.items()}
     browser.resize(PHONE, 844, phone=True)
     faults = []
-    for path in pages_of(root):
-        page = path.relative_to(root).as_posix()
+    for page in [problems[number]] if number in problems else sorted(pages.difference(problems.values())):
+        assert page in pages
         browser.open(f"{addresses['http' if edition == 'full' else 'student']}/{page}")
         browser.run("document.querySelectorAll('details').forEach(fold => fold.open = true)")
         width = browser.run("document.documentElement.scrollWidth")

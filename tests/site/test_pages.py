@@ -17,7 +17,9 @@ CSS_LOADS = re.compile(r"""(?:url\(\s*|@import\s+)["']?(?:https?:)?//[^"')\s]+""
 JS_LOADS = re.compile(r"""(?:\bsrc\s*=|\bimport\s*\(?|\bimportScripts\(|\bfetch\()\s*["'`](?:https?:)?//[^"'`]+""")
 
 
-@pytest.fixture(scope="module", params=["full", "student"])
+# The tests of an edition stay together: its pages are parsed once.
+@pytest.fixture(scope="module", params=[pytest.param(edition, marks=pytest.mark.xdist_group(f"pages, {edition}"))
+                                        for edition in ("full", "student")])
 def pages(request, editions, pages_of):
     """Path -> parsed page, of one edition."""
     root = getattr(editions, request.param)

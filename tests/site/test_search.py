@@ -18,7 +18,7 @@ def setup(app):
 
 def build(folder):
     done = subprocess.run([sys.executable, "-m", "sphinx", "-q", "-W", folder, folder / "_build"], capture_output=True,
-                          text=True)
+                          text=True, timeout=120)
     assert done.returncode == 0, done.stderr
     text = (folder / "_build" / "searchindex.js").read_text(encoding="utf-8")
     return json.loads(text.removeprefix("Search.setIndex(").removesuffix(")"))["indexentries"]

@@ -2,15 +2,25 @@
 
 With symbols a rank is generic: the one for all values of the symbols but those on which some polynomial vanishes.
 """
+from random import Random
+
 import sympy as sp
 from sympy.core.function import AppliedUndef
 from sympy.functions.elementary.hyperbolic import HyperbolicFunction
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
 from sympy.polys.matrices import DomainMatrix
 
+#: Terms of a matrix beyond which an elimination with symbols may take minutes.
+_MOST_TERMS = 200
+
 
 def field_matrix(matrix):
     """The matrix over the smallest field SymPy finds for its entries, in which it can tell zero exactly."""
+    _refuse_functions(matrix)
+    return DomainMatrix.from_Matrix(matrix, extension=True).to_field()
+
+
+def _refuse_functions(matrix):
     for term in sorted(matrix.atoms(sp.Function, sp.Pow), key=str):
         foreign = term.free_symbols if isinstance(term, sp.Function) else term.exp.free_symbols
         if foreign and not isinstance(term, AppliedUndef):
@@ -19,14 +29,36 @@ def field_matrix(matrix):
             hint = ", or the rational functions of tau = tan(angle/2)" if angle else ""
             raise ValueError(f"A: {plain} stands in the system, and a rank with such functions is not exact here; put "
                              f"symbols for them{hint}")
-    return DomainMatrix.from_Matrix(matrix, extension=True).to_field()
 
 
 def rank(matrix):
-    """Exact rank; generic if there are symbols."""
+    """Exact rank; generic if there are symbols. Raises NotImplementedError where they are too many to decide it."""
     if 0 in matrix.shape:
         return 0
+    if matrix.free_symbols and (there := at_a_point(matrix)) is not None:
+        # Full rank at one point is full rank in general; the elimination is for what falls short.
+        if field_matrix(there).rank() == min(matrix.shape):
+            return min(matrix.shape)
+        if number_of_terms(matrix) > _MOST_TERMS:
+            raise NotImplementedError(f"A: with {len(matrix.free_symbols)} symbols the rank falls short at random "
+                                      "values, and whether it always does is beyond the methods here; give some of the "
+                                      "symbols values")
     return field_matrix(matrix).rank()
+
+
+def number_of_terms(matrix):
+    return sum(len(sp.Add.make_args(sp.numer(sp.together(entry)))) for entry in matrix)
+
+
+def at_a_point(matrix):
+    """The matrix with whole numbers for its symbols, at which its entries are defined; None if they seem not to be."""
+    _refuse_functions(matrix)
+    symbols, random = sorted(matrix.free_symbols, key=str), Random(len(matrix))
+    for _ in range(5):
+        there = matrix.subs({s: (-1 if s.is_negative else 1)*random.randint(2, 10**4)**2 for s in symbols})
+        if not there.has(sp.nan, sp.zoo) and not there.free_symbols:
+            return there
+    return None
 
 
 def determinant(matrix):

@@ -10,6 +10,7 @@ the assumptions (positive=True) allow, is no exception.
 from dataclasses import dataclass
 from itertools import combinations
 from math import comb
+from textwrap import shorten
 
 import numpy as np
 import sympy as sp
@@ -24,6 +25,10 @@ from .popov import LAMBDA, kernels_modulo
 from .reading import read_controlled, read_observed
 
 _MOST_MINORS = 300
+#: Terms of a polynomial modulo which a rank can still be found in seconds.
+_MOST_TERMS = 20
+#: More parameters than these, with more terms in the Kalman matrix than those, take minutes.
+_FEW, _MANY = 6, 150
 
 
 @dataclass(frozen=True)
@@ -94,13 +99,17 @@ def _conditions(A, H, parameters):
 def rank_conditions(N, parameters, below=sp.Integer(1)):
     """`RankConditions` for the full column rank of a matrix, where the denominator `below` of the system does not
     vanish."""
+    if len(parameters) > _FEW and exact.number_of_terms(N) > _MANY:
+        raise NotImplementedError(f"parameters: {len(parameters)} of them in a matrix this large are beyond the "
+                                  "methods here; give some of the parameters values")
     there, back = as_real(N, below)
     real, symbols = N.xreplace(there), tuple(there.get(p, p) for p in parameters)
     generic = exact.rank(real)
     try:
         pieces = _pieces(real, symbols, below.xreplace(there))
     except (_NotSolved, sp.PolynomialError) as problem:
-        raise NotImplementedError(f"parameters: the equation {with_names(str(problem), back)} = 0, on which the rank "
+        where = shorten(with_names(str(problem), back), 200, placeholder=" ...")
+        raise NotImplementedError(f"parameters: the equation {where} = 0, on which the rank "
                                   f"may fall, is "
                                   "beyond the methods here; give some of the parameters values, or study the minors "
                                   "of the "
@@ -197,13 +206,17 @@ def _plain(expression):
 def _some_minor(N, rank):
     """The numerator of a minor of order `rank` that is not identically zero, from the first rows and columns that give
     one."""
-    columns = list(exact.field_matrix(N).rref()[1])
-    rows = list(exact.independent_rows(N.extract(list(range(N.rows)), columns)))
+    there = exact.at_a_point(N)
+    there = N if there is None or exact.rank(there) < rank else there
+    columns = list(exact.field_matrix(there).rref()[1])
+    rows = list(exact.independent_rows(there.extract(list(range(N.rows)), columns)))
     return sp.numer(sp.together(exact.determinant(N.extract(rows, columns))))
 
 
 def _rank_modulo(N, polynomial):
     """The rank on an irreducible hypersurface."""
+    if len(sp.Add.make_args(polynomial)) > _MOST_TERMS:
+        raise _NotSolved(polynomial)
     symbol = max(polynomial.free_symbols, key=str)
     f = sp.Poly(polynomial.subs(symbol, LAMBDA), LAMBDA).to_field().monic()
     (_, kernel), *more = kernels_modulo(N.subs(symbol, LAMBDA), f)

@@ -41,12 +41,15 @@ def visible_symbol(*matrices, names=("lambda", "s", "mu", "lambda_")):
     return sp.Symbol(next(name for name in names if name not in used))
 
 
-def lost_modes(P, determinant):
-    """The `LostMode`s, columns v with P(lambda) v = 0, at the roots of `determinant` (expressions in LAMBDA)."""
+def lost_modes(P, determinant, basis=None):
+    """The `LostMode`s at the roots of `determinant` (expressions in LAMBDA): columns v with P(lambda) v = 0, or, with a
+    `basis`, `basis` v."""
     modes, shown = [], visible_symbol(P)
     for factor, kernel in (pair for f in irreducible_factors(determinant, P) for pair in kernels_modulo(P, f)):
         if not kernel.cols:
             continue
+        if basis is not None:
+            kernel = sp.Matrix.hstack(*(simple_multiple(basis*kernel[:, j]) for j in range(kernel.cols)))
         roots = closed_roots(factor)
         if not roots:
             modes.append(LostMode(factor.replace(LAMBDA, shown), kernel.subs(LAMBDA, shown)))

@@ -89,11 +89,22 @@ def controllability(A, B=None):
 def _test(A, H, word, orient):
     if isinstance(A, np.ndarray):
         return float_test(A, H, word, orient)
-    rank = exact.rank(stacked_powers(A, H))
-    P = sp.Matrix.vstack(A - LAMBDA*sp.eye(A.rows), H)
-    lost = lost_modes(P, characteristic_polynomial(A, LAMBDA)) if rank < A.rows else ()
+    if A.free_symbols | H.free_symbols:
+        there = exact.at_a_point(sp.Matrix.vstack(A, H))
+        if there is not None and exact.rank(stacked_powers(there[:A.rows, :], there[A.rows:, :])) == A.rows:
+            return rank_test(A.rows, A.rows, (), word, generic=True)
+    N = stacked_powers(A, H)
+    rank = exact.rank(N)
+    lost = _lost_modes(A, exact.null_columns(N)) if rank < A.rows else ()
     return rank_test(rank, A.rows, [LostMode(m.eigenvalue, orient(m.vectors)) for m in lost], word,
                      generic=bool(A.free_symbols | H.free_symbols))
+
+
+def _lost_modes(A, unseen):
+    """The modes of A in an invariant subspace, found in its own coordinates: there they all are lost."""
+    rows, columns = list(exact.independent_rows(unseen)), list(range(unseen.cols))
+    inner = exact.product(exact.inverse(unseen.extract(rows, columns)), (A*unseen).extract(rows, columns))
+    return lost_modes(inner - LAMBDA*sp.eye(inner.rows), characteristic_polynomial(inner, LAMBDA), unseen)
 
 
 def rank_test(rank, order, lost, word, margin=None, generic=False, remark=""):
