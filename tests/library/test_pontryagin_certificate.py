@@ -118,7 +118,7 @@ def test_arguments_of_certify():
 
 @pytest.mark.parametrize("problem, error, message", [
     (Problem({x1: x2, x2: x1 + u}, ONE, {x1: 2, x2: 0}, [x1, x2]), Infeasible, "cannot be reached"),
-    (Problem({x: x + u}, ONE, {x: 1.5}, [x]), Infeasible, "missed by 1.5"),
+    (Problem({x: x + u}, ONE, {x: 1.5}, [x]), Infeasible, "x begins at 1.5 and cannot fall below 1.5"),
     (Problem(PLANE, {u: (0, 1)}, {x1: 1, x2: 1}, [x1, x2]), Infeasible, "cannot be reached"),
     (replace(QUADRATIC, duration=1), Infeasible,
      "duration 1 is too short: the least time in which the target is reached is 2"),

@@ -11,7 +11,7 @@ from scipy.linalg import expm
 from trajlib.pontryagin import Problem, compare
 from trajlib.pontryagin.numeric import NumericProblem
 from trajlib.pontryagin.polishing import polish
-from trajlib.pontryagin.searching import first_picture
+from trajlib.pontryagin.searching import search
 from trajlib.pontryagin.structure import detect
 from trajlib.pontryagin.transcription import Picture
 
@@ -296,7 +296,7 @@ def test_perturbed_pictures_lead_to_the_same_extremal(name):
     """Newton's method from states, costates and arcs that are off by some per cent."""
     record = RECORDS[name]
     numeric = NumericProblem(record.problem)
-    picture, _ = first_picture(numeric)
+    picture, _ = search(numeric).pictures[0]
     arcs = detect(numeric, picture)
     random = np.random.default_rng(3)
     for _ in range(3):

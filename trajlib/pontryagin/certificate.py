@@ -11,6 +11,10 @@ import numpy as np
 
 from .evidence import Evidence
 
+# Panels an arc, one number after another, until the integrals agree with the trajectory to within INTEGRATED: a rapid
+# turn needs many. What stays is a defect of the trajectory, not of the formula.
+PANELS, INTEGRATED = (12, 48, 192), 1e-11
+
 
 @dataclass(frozen=True)
 class Certificate:
@@ -76,9 +80,9 @@ def certify(problem, state, costate, control, duration, switching_times=(), mult
 
     `state`, `costate`, `control`: functions of an array of N times with values (n, N), (n, N), (k, N); `duration` and
     `switching_times`: where the control jumps or changes its law; `multiplier`: lambda_0. `arcs`: the kinds of the arcs
-    as in `Extremal.arcs`, for Kelley's sign; `points`: panels an arc (default 12), with twelve points each. Raises
-    ValueError if parameters have no value, or if the functions do not give arrays of these shapes. Source: (5.4) -
-    (5.7) and Theorem 5.2 of the problem book.
+    as in `Extremal.arcs`, for Kelley's sign; `points`: panels an arc, with twelve points each (default 12, more where
+    needed). Raises ValueError if parameters have no value, or if the functions do not give arrays of these shapes.
+    Source: (5.4) - (5.7) and Theorem 5.2 of the problem book.
 
     >>> import numpy as np, sympy as sp
     >>> from trajlib.pontryagin import Problem
@@ -90,8 +94,11 @@ def certify(problem, state, costate, control, duration, switching_times=(), mult
     >>> certify(fall, lambda t: [2 - t], lambda t: [0*t + 1], lambda t: [0*t - 1], duration=2).failures()
     ['maximum', 'stationarity']
     """
-    values = Evidence(problem, state, costate, control, duration, switching_times, multiplier, points or 12)
-    dynamics, adjoint = values.defects()
+    for panels in PANELS if points is None else [points]:
+        values = Evidence(problem, state, costate, control, duration, switching_times, multiplier, panels)
+        dynamics, adjoint = values.defects()
+        if max(dynamics, adjoint) <= INTEGRATED:
+            break
     H = values.hamiltonian(values.y, values.psi, values.u)
     excess, end = values.excess()
     scale_H = 1 + np.max(np.abs(values.psi)*np.abs(values.rates)) + abs(multiplier)*np.max(np.abs(values.densities))

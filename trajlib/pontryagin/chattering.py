@@ -42,9 +42,14 @@ def refuse_chattering(numeric, arcs, end, duration):
 
 
 def _rests_on_arc(numeric, flow, j, end):
-    """Whether the end state lies on the singular arc, with lambda_0 = 1 and a control strictly inside its bounds."""
+    """Whether the end state lies on the singular arc with lambda_0 = 1, H = 0 and a control strictly inside its bounds.
+
+    H = 0, since the final time is free: where the cost runs on along the arc, resting there is not free of charge.
+    """
     n = numeric.n
-    equations = ca.vertcat(flow.entry)
+    # Where its switching function vanishes H does not depend on the singular control.
+    others = [{"u-": numeric.lower[i], "u+": numeric.upper[i]}.get(kind, 0.0) for i, kind in enumerate(flow.kinds)]
+    equations = ca.vertcat(flow.entry, ca.substitute(numeric.hamiltonian, numeric.u, ca.DM(others)))
     unknown = ca.vertcat(numeric.psi, numeric.multiplier)
     matrix = ca.Function("matrix", [numeric.x, unknown], [ca.jacobian(equations, unknown)])(end, np.zeros(n + 1)).full()
     # psi from the equations with lambda_0 = 1; they hold only on the singular surface.

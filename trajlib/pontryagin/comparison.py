@@ -7,7 +7,9 @@ from .extremal import kind_latex, solve
 
 @dataclass(frozen=True)
 class Comparison:
-    """Several extremals of one problem, the best first. `refused`: [(structure, reason)] for what led to none."""
+    """Several extremals of one problem, the best first. `refused`: [(structure or guess, reason)] for what led to
+    none.
+    """
 
     extremals: tuple
     refused: tuple
@@ -24,10 +26,12 @@ class Comparison:
         return f"| arcs | $J$ | $t_k$ | switchings |\n|---|---|---|---|\n{rows}"
 
 
-def compare(problem, structures, guess=None):
-    """The extremals with the structures given, the best first: `Comparison`.
+def compare(problem, structures=(), guess=None, guesses=()):
+    """The extremals with the structures given and those near the guesses, the best first: `Comparison`.
 
-    Structures that lead to no extremal are listed with the reason. Raises `PontryaginError` if none does.
+    `structures`: lists of arcs, each started from `guess`; `guesses`: as for `solve`, the arcs being found. Structures
+    and guesses that lead to no extremal are listed with the reason. Raises ValueError if there is nothing to compare,
+    `PontryaginError` if nothing leads to an extremal.
 
     >>> import sympy as sp
     >>> from trajlib.pontryagin import Problem
@@ -36,14 +40,19 @@ def compare(problem, structures, guess=None):
     >>> found = compare(transfer, [["u-", "u+"], ["u+", "u-"]])
     >>> round(found.best.duration, 9), len(found.refused)
     (2.0, 1)
+    >>> len(compare(transfer, guesses=[{"duration": 2}, {"duration": 5}]).extremals)
+    2
     """
+    attempts = [(structure, guess) for structure in structures] + [(None, one) for one in guesses]
+    if not attempts:
+        raise ValueError("structures, guesses: expected at least one of them")
     extremals, refused = [], []
-    for structure in structures:
+    for structure, start in attempts:
         try:
-            extremals.append(solve(problem, structure, guess))
+            extremals.append(solve(problem, structure, start))
         except PontryaginError as error:
-            refused.append((tuple(structure), str(error)))
+            refused.append((tuple(structure) if structure is not None else (f"guess {start}",), str(error)))
     if not extremals:
-        raise PontryaginError("compare: none of the structures leads to an extremal: "
-                              + "; ".join(reason for _, reason in refused))
+        raise PontryaginError("compare: none of the structures and guesses leads to an extremal: " +
+                              "; ".join(reason for _, reason in refused))
     return Comparison(tuple(sorted(extremals, key=lambda e: -e.cost if problem.maximise else e.cost)), tuple(refused))

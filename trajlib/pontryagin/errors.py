@@ -9,7 +9,7 @@ class PontryaginError(ValueError):
 
 
 class Infeasible(PontryaginError):
-    """No admissible control was found that leads to the target (in the time given)."""
+    """No admissible control leads to the target (in the time given), by a proof that the message names."""
 
 
 class Unbounded(PontryaginError):
@@ -25,7 +25,7 @@ class WrongStructure(PontryaginError):
 
 
 class NotConverged(PontryaginError):
-    """A numerical method gave up; nothing follows about the problem itself."""
+    """No process was found, or none could be computed; nothing follows about the problem itself."""
 
 
 class StartOnTarget(PontryaginError):

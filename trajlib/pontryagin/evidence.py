@@ -3,6 +3,8 @@
 Panels and Gauss's formula for the differential equations, direct comparison of H for the maximum condition; SymPy and
 NumPy only, so that nothing is shared with the numerical solution.
 """
+from functools import cached_property, lru_cache
+
 import numpy as np
 import sympy as sp
 
@@ -37,19 +39,25 @@ class Evidence:
         derived = problem.conditions()
         self.derived, lam = derived, derived.multiplier
         both = [*problem.state, *derived.costate, *problem.control, lam]
-        self._functions = {name: _function(both, expressions) for name, expressions in (
-            ("field", problem.field), ("adjoint", derived.adjoint.values()), ("hamiltonian", [derived.hamiltonian]),
-            ("slopes", [sp.diff(derived.hamiltonian, u) for u in problem.control]),
-            ("curvatures", [sp.diff(derived.hamiltonian, u, 2) for u in problem.control]),
-            ("running", [problem.running]))}
+        self.curved = [u for u in problem.control if u not in derived.switching]
+        # One function for what is wanted once or twice, since making it takes longer than calling it.
+        self._parts, expressions = {}, []
+        for name, group in (("field", problem.field), ("adjoint", derived.adjoint.values()), ("running",
+                                                                                              [problem.running]),
+                            ("slopes", [sp.diff(derived.hamiltonian, u) for u in self.curved]),
+                            ("curvatures", [sp.diff(derived.hamiltonian, u, 2) for u in self.curved])):
+            self._parts[name] = slice(len(expressions), len(expressions) + len(group))
+            expressions += group
+        self._rates, self._hamiltonian = _function(tuple(both), tuple(expressions)), _function(tuple(both),
+                                                                                               (derived.hamiltonian,))
         self.rates = self._at("field", self.y, self.psi, self.u)
         self.densities = self._at("running", self.y, self.psi, self.u)
 
     def _at(self, name, y, psi, u):
-        return self._functions[name](*y, *psi, *u, self.multiplier)
+        return self._rates(*y, *psi, *u, self.multiplier)[self._parts[name]]
 
     def hamiltonian(self, y, psi, u):
-        return self._at("hamiltonian", y, psi, u)[0]
+        return self._hamiltonian(*y, *psi, *u, self.multiplier)[0]
 
     def defects(self):
         results = []
@@ -69,21 +77,27 @@ class Evidence:
             missed.append(abs(self.edges[-1] - float(duration))/(1 + float(duration)))
         return float(max(missed))
 
+    @cached_property
+    def _end_values(self):
+        """At the end: the terminal equations, the gradient of phi_0, and the gradients of the terminal equations."""
+        problem, state = self.problem, self.problem.state
+        expressions = [*problem.terminal, *(sp.diff(problem.final, s) for s in state),
+                       *(sp.diff(g, s) for g in problem.terminal for s in state)]
+        return _function(state, tuple(expressions))(*self.y_edges[:, -1:])[:, 0]
+
     def terminal(self):
         if not self.problem.terminal:
             return 0.0
         end = self.y_edges[:, -1]
-        values = _function(self.problem.state, self.problem.terminal)(*end[:, None])
+        values = self._end_values[:len(self.problem.terminal)]
         return float(np.max(np.abs(values))/(1 + np.max(np.abs(end))))
 
     def transversality(self):
-        problem, state, end = self.problem, self.problem.state, self.y_edges[:, -1]
+        problem, m, n = self.problem, len(self.problem.terminal), len(self.problem.state)
         sign = -1 if problem.maximise else 1
-        gradient = _function(state, [sp.diff(problem.final, s) for s in state])(*end[:, None])[:, 0]
+        gradient, normals = self._end_values[m:m + n], self._end_values[m + n:].reshape(m, n).T
         vector = self.psi_edges[:, -1] + sign*self.multiplier*gradient
-        if problem.terminal:
-            normals = _function(state, [sp.diff(g, s) for g in problem.terminal for s in state])(*end[:, None])
-            normals = normals.reshape(len(problem.terminal), len(state)).T
+        if m:
             vector = vector - normals @ np.linalg.lstsq(normals, vector, rcond=1e-12)[0]
         return float(np.max(np.abs(vector))/(1 + np.max(np.abs(self.psi_edges))))
 
@@ -115,7 +129,8 @@ class Evidence:
         candidates = _candidates(u[j], low, high, linear)
         if not linear:
             with np.errstate(all="ignore"):
-                newton = u[j] - self._at("slopes", y, psi, u)[j]/self._at("curvatures", y, psi, u)[j]
+                place = self.curved.index(self.problem.control[j])
+                newton = u[j] - (self._at("slopes", y, psi, u)/self._at("curvatures", y, psi, u))[place]
             candidates.append(np.clip(np.where(np.isfinite(newton), newton, u[j]), low, high))
         for candidate in candidates:
             trial = u.copy()
@@ -130,7 +145,7 @@ class Evidence:
         """How far the single terminal equation changes its sign before the end, relative to its largest value."""
         if not self.problem.first_return:
             return 0.0
-        values = _function(self.problem.state, self.problem.terminal)(*self.y)[0]
+        values = _function(self.problem.state, tuple(self.problem.terminal))(*self.y)[0]
         side = np.sign(values[np.argmax(np.abs(values))])
         largest = np.max(np.abs(values))
         return float(max(np.max(-side*values), 0.0)/largest) if largest > 0 else 0.0
@@ -150,7 +165,8 @@ class Evidence:
                 b = (-1)**(len(derivatives)//2)*sp.diff(highest, u)
                 both = [*self.problem.state, *self.derived.costate, *self.problem.control, self.derived.multiplier]
                 part = slice(index*per_arc, (index + 1)*per_arc)
-                values = _function(both, [b])(*self.y[:, part], *self.psi[:, part], *self.u[:, part], self.multiplier)
+                values = _function(tuple(both), (b,))(*self.y[:, part], *self.psi[:, part], *self.u[:, part],
+                                                      self.multiplier)
                 worst = max(float(np.max(values)), -np.inf if worst is None else worst)
         return worst
 
@@ -175,10 +191,10 @@ def _values(function, times, rows, name):
     return values
 
 
+@lru_cache(maxsize=64)
 def _function(symbols, expressions):
-    """A NumPy function of arrays: one row for each expression."""
-    expressions = list(expressions)
-    raw = sp.lambdify(list(symbols), expressions, "numpy", cse=True)
+    """A NumPy function of arrays: one row for each expression (tuples of them)."""
+    raw = sp.lambdify(list(symbols), list(expressions), "numpy", cse=True)
 
     def value(*arguments):
         shape = np.broadcast_shapes(*(np.shape(a) for a in arguments))

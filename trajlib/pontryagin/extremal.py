@@ -12,9 +12,12 @@ from .chattering import refuse_chattering
 from .errors import WrongStructure
 from .guesses import read_guess
 from .numeric import NumericProblem
+from .optimality import Optimality, theorem
 from .polishing import arc_lengths, polish
-from .searching import finer_picture, first_picture, refuse_endless, settled_duration
+from .searching import INTERVALS, escaped, finer_picture, refuse_endless, search, settled_duration
+from .second_order import along_extremal, of_picture, second_variation
 from .structure import Arc, detect, name, read_structure
+from .transcription import Picture, target_multipliers
 
 
 @dataclass(frozen=True, eq=False)
@@ -28,6 +31,8 @@ class Extremal:
     - `multiplier`: lambda_0, 1 in the normal case and 0 in the abnormal one (then |psi(0)| = 1)
     - `terminal_multipliers`: lambda_1, ..., lambda_m of the terminal equations
     - `residual`: the largest residual of the boundary value problem that was solved
+    - `optimality`: what is known beyond the necessary conditions, `Optimality`: proved optimal, locally minimal, or
+      best of the extremals found
     - `state(t)`, `costate(t)`, `control(t)`, `switching(t)` = dH/du, `hamiltonian(t)`
     """
 
@@ -40,6 +45,8 @@ class Extremal:
     residual: float
     _numeric: object
     _shot: object
+    _starts: int = 1
+    _found: int = 1
 
     @property
     def switching_times(self):
@@ -75,10 +82,43 @@ class Extremal:
 
     def certificate(self, points=None):
         """Evidence that this is an extremal, from the trajectory alone: `Certificate` (see `certify`)."""
+        return self._certificate if points is None else self._certified(points)
+
+    @cached_property
+    def _certificate(self):
+        return self._certified(None)
+
+    def _certified(self, points):
         from .certificate import certify
 
         return certify(self.problem, self.state, self.costate, self.control, self.duration, self.switching_times,
                        multiplier=self.multiplier, arcs=[kind for kind, _, _ in self.arcs], points=points)
+
+    @cached_property
+    def optimality(self):
+        """What is known beyond the necessary conditions: `Optimality`."""
+        def known(kind, reason):
+            return Optimality(kind, reason, self._starts, self._found)
+
+        proof = theorem(self.problem)
+        if proof and (self.normal or not proof[1]):
+            return known("proved", proof[0])
+        if not self.normal:
+            return known("extremal", "abnormal: the second variation of the cost says nothing")
+        if self._variation.sign > 0:
+            return known("locally minimal", "the second variation is positive"
+                         if self._variation.states is not None else
+                         "no variation keeps to the target to first order")
+        return known("extremal", "the second variation is negative in some direction" if self._variation.sign < 0 else
+                     "the second variation vanishes in some direction")
+
+    @cached_property
+    def _variation(self):
+        duration = self._numeric.duration
+        if duration is None and self._numeric.time_bounds_given:
+            ends = np.array([self._numeric.shortest, self._numeric.longest])
+            duration = self.duration if np.min(np.abs(ends - self.duration)) < 1e-9*(1 + self.duration) else None
+        return along_extremal(self._numeric, self, duration)
 
     def plot(self, axes=None):
         """Phase plane and time plots of states, controls, costates and switching function; returns the Axes."""
@@ -125,9 +165,7 @@ class Extremal:
         rows = "".join(f"| {kind_latex(kind)} | {begin:.9g} | {end:.9g} |\n" for kind, begin, end in self.arcs)
         case = r"normal, $\lambda_0 = 1$" if self.normal else r"abnormal, $\lambda_0 = 0$"
         return (f"$J = {self.cost:.12g}$, $t_k = {self.duration:.12g}$ ({case})\n\n"
-                f"| arc | begin | end |\n|---|---|---|\n{rows}\n"
-                "The conditions are necessary ones: this is an extremal, the best one that was found; a better "
-                "process is not excluded.\n")
+                f"| arc | begin | end |\n|---|---|---|\n{rows}\n{str(self.optimality).capitalize()}.\n")
 
 
 def solve(problem, structure=None, guess=None):
@@ -137,13 +175,16 @@ def solve(problem, structure=None, guess=None):
     found by itself if left out. `guess`: what to start from, an `Extremal` of a similar problem or a dict with any of
     "duration": number, and state or control: a number, a list of values at equal steps, or a function of time.
 
-    The result satisfies the conditions of the maximum principle to about 1e-12; among several extremals it is the one
-    next to the best discrete solution found. For a target given by one equation and a free final time the search starts
-    from several motions. Even so the best of all may be missed (see `compare`).
+    The result satisfies the conditions of the maximum principle to about 1e-12: its own certificate holds. Beyond that
+    `Extremal.optimality` says what is known. For linear plants with a convex cost and a given duration, and for the
+    least time to a point at which a linear plant can be held, the extremal is proved optimal. Otherwise the search
+    goes from several starts, leaves saddles and maxima along the second variation, and returns the best extremal it
+    found; a better one is not excluded (see `compare`).
 
-    Raises ValueError if a parameter has no value; `StartOnTarget`; `Infeasible` (also for a duration that is too
-    short); `Unbounded`; `Chattering`; `WrongStructure` if the arcs asked for cannot be joined; `NotConverged`. All of
-    them are `PontryaginError`. Source: Theorem 5.1 of the problem book.
+    Raises ValueError if a parameter has no value; `StartOnTarget`; `Infeasible` with a proof (also for a duration that
+    is too short); `Unbounded`; `Chattering`; `WrongStructure` if the arcs cannot be joined to an extremal;
+    `NotConverged` if no process was found, which proves nothing. All of them are `PontryaginError`. Source: Theorem
+    5.1 of the problem book.
 
     >>> import sympy as sp
     >>> from trajlib.pontryagin import Problem
@@ -154,36 +195,93 @@ def solve(problem, structure=None, guess=None):
     """
     numeric = NumericProblem(problem)
     kinds = None if structure is None else read_structure(numeric, structure)
-    picture, side = first_picture(numeric, read_guess(numeric, guess), kinds)
-    duration = settled_duration(numeric, picture)
+    found = search(numeric, read_guess(numeric, guess), kinds)
     made = {}
     if kinds is not None:
-        ends = np.concatenate([[0.0], np.cumsum(picture.lengths)])
-        arcs = [Arc(kind, begin, end) for kind, begin, end in zip(kinds, ends, ends[1:])]
-        if min(picture.lengths) < 1e-6*picture.duration:
-            short = int(np.argmin(picture.lengths))
-            raise WrongStructure(f"the arc {name(kinds[short])} (number {short + 1}) shrinks to nothing: the best "
-                                 f"process with these arcs "
-                                 "does not have it. Leave it out, or leave the structure to solve().")
-        return _extremal(problem, numeric, polish(numeric, picture, arcs, duration, made, keep_structure=True))
+        picture, _ = found.pictures[0]
+        arcs = _given_arcs(kinds, picture)
+        shot = polish(numeric, picture, arcs, settled_duration(numeric, picture), made, keep_structure=True)
+        extremal = _extremal(problem, numeric, shot, found)
+        reason = _refused(extremal)
+        if reason:
+            raise WrongStructure(reason)
+        return extremal
     reasons = []
-    for factor in (1, 4, 10):
-        picture = picture if factor == 1 else finer_picture(numeric, picture, side, factor) or picture
+    for picture, side in found.pictures:
+        extremal = _joined(problem, numeric, picture, side, found, made, reasons)
+        if extremal is not None:
+            return extremal
+    picture, side = found.pictures[0]
+    if settled_duration(numeric, picture) is None:
+        refuse_endless(numeric, picture, side)
+    raise WrongStructure("the arcs that the discrete solution shows could not be joined to an extremal: " +
+                         "; ".join(dict.fromkeys(reasons)) + ". Give the structure, or a guess; look at the discrete "
+                         f"cost {-picture.cost if problem.maximise else picture.cost:.6g} to see whether an optimal "
+                         "process exists.")
+
+
+def _given_arcs(kinds, picture):
+    ends = np.concatenate([[0.0], np.cumsum(picture.lengths)])
+    if min(picture.lengths) < 1e-6*picture.duration:
+        short = int(np.argmin(picture.lengths))
+        raise WrongStructure(f"the arc {name(kinds[short])} (number {short + 1}) shrinks to nothing: the best process "
+                             "with these arcs does not have it. Leave it out, or leave the structure to solve().")
+    return [Arc(kind, begin, end) for kind, begin, end in zip(kinds, ends, ends[1:])]
+
+
+def _joined(problem, numeric, picture, side, found, made, reasons):
+    """A certified extremal next to the picture, found on finer and finer grids; None, with the reasons noted."""
+    factor = 1
+    while factor is not None:
+        duration = settled_duration(numeric, picture)
         arcs = detect(numeric, picture)
         refuse_chattering(numeric, arcs, picture.states[-1], duration)
         try:
-            return _extremal(problem, numeric, polish(numeric, picture, arcs, duration, made))
+            extremal = _extremal(problem, numeric, polish(numeric, picture, arcs, duration, made), found)
+            reason = _refused(extremal)
         except WrongStructure as error:
-            reasons.append(str(error))
-    if duration is None:
-        refuse_endless(numeric, picture, side)
-    raise WrongStructure("the arcs that the discrete solution shows could not be joined to an extremal: " +
-                         "; ".join(dict.fromkeys(reasons))
-                         + ". Give the structure, or a guess; look at the discrete cost "
-                         f"{picture.cost:.6g} to see whether an optimal process exists.")
+            reason = str(error)
+        if not reason:
+            if extremal.optimality.proved or not extremal.normal or extremal._variation.sign > 0:
+                return extremal
+            if extremal._variation.sign == 0:
+                # More time may change nothing to second order because it costs nothing more at all.
+                if duration is None:
+                    refuse_endless(numeric, picture, side)
+                return extremal
+            reason = "the extremal found is a saddle: the cost falls along its second variation"
+            better = _beside(numeric, extremal, side)
+            if better is not None:
+                picture, factor = better, 1
+                continue
+        reasons.append(reason)
+        factor = {1: 4, 4: 10, 10: None}[factor]
+        if factor is not None:
+            picture = finer_picture(numeric, picture, side, factor) or picture
+    return None
 
 
-def _extremal(problem, numeric, shot):
+def _refused(extremal):
+    """Why an extremal is not to be returned: conditions that its own certificate finds violated; "" if all hold."""
+    failures = extremal.certificate().failures()
+    if not failures:
+        return ""
+    worst = extremal.certificate().worst
+    return (f"the certificate of the arcs {', '.join(str(kind) for kind, _, _ in extremal.arcs)} fails "
+            f"({', '.join(failures)}; {worst:.1e})")
+
+
+def _beside(numeric, extremal, side):
+    """A discrete picture with less cost than an extremal that is a saddle, or None."""
+    times = np.linspace(0, extremal.duration, INTERVALS + 1)
+    sign = -1 if extremal.problem.maximise else 1
+    picture = Picture(times, extremal.state(times).T, extremal.costate(times).T,
+                      extremal.control((times[1:] + times[:-1])/2).T, sign*extremal.cost)
+    variation = second_variation(numeric, of_picture(numeric, picture, target_multipliers(numeric, picture)))
+    return escaped(numeric, picture, variation, side) if variation.sign < 0 else None
+
+
+def _extremal(problem, numeric, shot, found):
     """An `Extremal` of a converged shot, with lambda_0 scaled to one in the normal case."""
     n = numeric.n
     largest = max(np.max(np.abs(start[n:2*n])) for start in shot.starts)
@@ -200,11 +298,12 @@ def _extremal(problem, numeric, shot):
     arcs = tuple((flow.kinds[0] if numeric.k == 1 else flow.kinds, begin, end)
                  for flow, begin, end in zip(flows, times, times[1:]))
     cost = sum(end[-1] for end in ends) + float(numeric.final_value(ends[-1][:n]))
-    found = Extremal(problem, float(-cost if problem.maximise else cost), times[-1], arcs, shot.multiplier,
-                     tuple(float(v) for v in shot.terminal_multipliers), shot.residual, numeric, shot)
-    if problem.first_return and _passes_target(found):
+    extremal = Extremal(problem, float(-cost if problem.maximise else cost), times[-1], arcs, shot.multiplier,
+                     tuple(float(v) for v in shot.terminal_multipliers), shot.residual, numeric, shot,
+                        found.starts, found.found)
+    if problem.first_return and _passes_target(extremal):
         raise WrongStructure("the trajectory with these arcs meets the target before its end, against first_return")
-    return found
+    return extremal
 
 
 def _passes_target(extremal):

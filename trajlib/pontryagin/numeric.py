@@ -47,6 +47,13 @@ class NumericProblem:
         self.shortest, self.longest = max(_number(low), self.SHORTEST), min(_number(high), 1e6)
         self.time_bounds_given = isinstance(problem.duration, tuple)
 
+    def made(self, what, make):
+        """What `make()` returns, kept under the name `what`: a CasADi function is made once for a problem."""
+        made = self.__dict__.setdefault("_made", {})
+        if what not in made:
+            made[what] = make()
+        return made[what]
+
     @cached_property
     def hamiltonian(self):
         return ca.dot(self.psi, self.field) - self.multiplier*self.density

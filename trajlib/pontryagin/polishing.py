@@ -1,7 +1,6 @@
 """From a discrete picture and its arcs to an extremal: starting values, Newton, step control, and mended structures."""
 from copy import copy
 
-import casadi as ca
 import numpy as np
 
 from .errors import WrongStructure
@@ -9,7 +8,7 @@ from .maximum_condition import wanted_arcs
 from .multipliers import several_multipliers
 from .shooting import CANCELLING, ArcEquations, Shot, build_flows, newton
 from .structure import Arc, name
-from .transcription import Picture
+from .transcription import Picture, target_multipliers
 
 # Largest relative residual of an accepted solution; most end near 1e-15.
 ACCEPTED = 1e-10
@@ -18,6 +17,8 @@ INTEGRATED = 2e-13
 # How far Newton's last step may move the ends of the arcs, relative to the duration.
 DETERMINED = 1e-8
 SAMPLES = 32
+# Segments of one arc, at most.
+MOST_PIECES = 48
 
 
 def polish(numeric, picture, arcs, duration, made, keep_structure=False):
@@ -69,7 +70,7 @@ def shoot(numeric, picture, arcs, duration, made):
     a larger lambda_0; if none is, the abnormal one is looked for.
     """
     flows = build_flows(numeric, [arc.kinds for arc in arcs], made)
-    guess = _cut(_starting_values(numeric, picture, arcs, flows))
+    guess = _starting_values(numeric, picture, arcs, flows)
     shot = _solved(numeric, copy(guess), duration, abnormal=False)
     if not _nearly_abnormal(numeric, shot):
         return shot
@@ -111,19 +112,45 @@ def arc_lengths(shot):
     return np.array(lengths)
 
 
-def _cut(shot):
-    """The shot with arcs cut into segments, so that errors grow by CANCELLING at most along each."""
-    flows, starts, lengths = [], [], []
-    for flow, start, length in zip(shot.flows, shot.starts, shot.lengths):
-        _, by_start, _, _ = flow.transition(start, shot.multiplier, length, 8)
-        growth = np.max(np.abs(by_start))
-        pieces = int(np.clip(np.ceil(np.log(growth)/np.log(CANCELLING)), 1, 12)) if np.isfinite(growth) else 1
-        path = flow.nodes(np.append(start, 0.0), shot.multiplier, length, 8*pieces)[::8, :-1] if pieces > 1 else [start]
-        for i in range(pieces):
-            flows.append(flow)
-            starts.append(np.array(path[i]))
-            lengths.append(length/pieces)
-    return Shot(flows, starts, np.array(lengths), shot.multiplier, shot.terminal_multipliers, [8]*len(flows))
+def _starting_values(numeric, picture, arcs, flows):
+    """A `Shot` from the picture's values, the arcs being cut into segments along which errors grow by CANCELLING at
+    most.
+
+    Every segment begins with the values of the picture: followed from the beginning of a long arc, its errors would
+    grow.
+    """
+    scale = np.linalg.norm(np.append(picture.costates[0], 1.0))
+    made, starts, lengths = [], [], []
+    for arc, flow in zip(arcs, flows):
+        pieces = 1
+        while True:
+            begins = arc.begin + (arc.end - arc.begin)*np.arange(pieces)/pieces
+            points = [_point(picture, flow, begin, (arc.end - arc.begin)/pieces, scale) for begin in begins]
+            growth = _growth(flow, points, 1/scale, (arc.end - arc.begin)/pieces)
+            if growth <= CANCELLING or pieces >= MOST_PIECES:
+                break
+            wanted = np.log(growth)/np.log(CANCELLING) if np.isfinite(growth) else 2
+            pieces = int(min(max(np.ceil(pieces*min(wanted, 4)), pieces + 1), MOST_PIECES))
+        made += [flow]*pieces
+        starts += points
+        lengths += [(arc.end - arc.begin)/pieces]*pieces
+    return Shot(made, starts, np.array(lengths), 1/scale, target_multipliers(numeric, picture, 1/scale), [8]*len(made))
+
+
+def _point(picture, flow, begin, length, scale):
+    """State, costate and interior controls of the picture where a segment begins."""
+    middles = (picture.times[:-1] + picture.times[1:])/2
+    x = [np.interp(begin, picture.times, column) for column in picture.states.T]
+    # The multipliers of the ends of the intervals: the first is not reliable where the start is fixed.
+    psi = [np.interp(begin, picture.times, column)/scale for column in picture.costates.T]
+    w = [np.interp(begin + 0.02*length, middles, picture.controls[:, j]) for j in flow.interior]
+    return np.array(x + psi + w)
+
+
+def _growth(flow, points, multiplier, length):
+    """By how much errors grow along the worst of the segments; infinite if one cannot be followed."""
+    return max(float(np.nan_to_num(np.max(np.abs(flow.transition(point, multiplier, length, 8)[1])), nan=np.inf))
+               for point in points)
 
 
 def _solved(numeric, shot, duration, abnormal):
@@ -153,32 +180,6 @@ def _coarse_arcs(shot):
         if not np.max(np.abs(once - twice)/(1 + np.abs(twice))) < INTEGRATED and shot.steps[i] < 1024:
             coarse.append(i)
     return coarse
-
-
-def _starting_values(numeric, picture, arcs, flows):
-    starts, steps = [], []
-    middles = (picture.times[:-1] + picture.times[1:])/2
-    scale = np.linalg.norm(np.append(picture.costates[0], 1.0))
-    for arc, flow in zip(arcs, flows):
-        x = [np.interp(arc.begin, picture.times, column) for column in picture.states.T]
-        # The multipliers of the ends of the intervals: the first is not reliable where the start is fixed.
-        psi = [np.interp(arc.begin, picture.times, column)/scale for column in picture.costates.T]
-        inside = arc.begin + 0.02*(arc.end - arc.begin)
-        w = [np.interp(inside, middles, picture.controls[:, j]) for j in flow.interior]
-        starts.append(np.array(x + psi + w))
-        steps.append(8)
-    lengths = np.array([arc.end - arc.begin for arc in arcs])
-    return Shot(flows, starts, lengths, 1/scale, _target_multipliers(numeric, picture, 1/scale), steps)
-
-
-def _target_multipliers(numeric, picture, multiplier):
-    """nu from psi + lambda_0 grad phi_0 = -(grad phi)^T nu at the end, in least squares."""
-    if not numeric.m:
-        return np.zeros(0)
-    end = picture.states[-1]
-    slope = ca.Function("final", [numeric.x], [ca.gradient(numeric.final, numeric.x)])(end).full().ravel()
-    normals = numeric.target_value(end)[1].full()
-    return np.linalg.lstsq(normals.T, -multiplier*(picture.costates[-1] + slope), rcond=None)[0]
 
 
 def sampled(numeric, shot):

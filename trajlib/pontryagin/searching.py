@@ -1,93 +1,256 @@
-"""From a statement to a discrete picture of an extremal, or to the reason why there is none."""
+"""From a statement to discrete pictures of extremals, or to the reason why there is none."""
+from dataclasses import dataclass
+from itertools import chain, zip_longest
+
 import numpy as np
 
 from .errors import Infeasible, NotConverged, Unbounded
-from .guesses import guesses, refuse_start_on_target, sides
+from .guesses import guesses, refuse_start_on_target, sides, waves
+from .infeasibility import refuse_infeasible, separated
+from .optimality import held, theorem
+from .second_order import ABNORMAL, of_picture, second_variation
 from .structure import name
-from .transcription import Picture, Transcription
+from .transcription import Picture, Transcription, target_multipliers
 
 INTERVALS = 80
+# Where several starts are compared, they are on fewer intervals; those within this share of the best cost are refined.
+COARSE, CLOSE = 30, 0.05
+# Iterations on few intervals, at most; how many starts of several kinds have to lead to one process to be enough.
+PATIENCE, AGREEING = 100, 3
 
 
-def first_picture(numeric, guess=None, structure=None):
-    """(picture, side): the best picture over the sides of the target. Raises what `explain` finds if there is none."""
+@dataclass(frozen=True)
+class Search:
+    """Discrete pictures, each with its side of the target, the best first; from how many starts, and how many
+    differ.
+    """
+
+    pictures: list
+    starts: int
+    found: int
+
+
+def search(numeric, guess=None, structure=None):
+    """`Search`: the pictures over the sides of the target. Raises what `explain` finds if there is none.
+
+    Where a theorem makes every extremal optimal one picture is enough, and so with a guess or given arcs. Otherwise
+    motions of several kinds are started from, on few intervals, and the best pictures are refined.
+    """
     refuse_start_on_target(numeric)
-    found, failures, closest = [], [], np.inf
+    refuse_infeasible(numeric)
+    attempts = _Attempts(numeric, structure)
+    one = guess is not None or structure is not None or theorem(numeric.problem)
+    pictures = []
     for side in sides(numeric):
-        programme = Transcription(numeric, INTERVALS, structure, side)
-        starts = [guess] if guess is not None else guesses(numeric, INTERVALS, side)
-        # A point is hard to hit by chance: begin with some way to it. A curve is crossed by most motions, each of which
-        # may lead to an extremal of its own: there all of them are tried, and the way that needs little time as well.
-        free = guess is None and numeric.duration is None
-        ladder_first, every = free and numeric.m > 1, free and numeric.m == 1
-        pictures = []
+        pictures += attempts.first(side, guess) if one else attempts.several(side)
+    if not pictures:
+        attempts.explain()
+    pictures = [(_descended(numeric, picture, side, attempts), side) for picture, side in pictures]
+    pictures.sort(key=lambda pair: pair[0].cost)
+    return Search(pictures, attempts.starts, max(attempts.found, 1))
+
+
+class _Attempts:
+    """The starts that were tried, with what failed and the least distance from the target."""
+
+    def __init__(self, numeric, structure):
+        self.numeric, self.structure = numeric, structure
+        self.failures, self.closest, self.starts, self.found = [], np.inf, 0, 0
+        self.nearest, self.convex = None, theorem(numeric.problem) is not None
+
+    def solved(self, programme, start):
+        """The picture that a start leads to, in a list; what fails is noted."""
+        self.starts += 1
+        result = programme.solve(start)
+        if isinstance(result, Picture):
+            return [result]
+        self.failures.append(result)
+        return []
+
+    def first(self, side, guess):
+        """The first picture, from the guess or from the likeliest starts, in a list."""
+        numeric = self.numeric
+        programme = Transcription(numeric, INTERVALS, self.structure, side)
+        # A point is hard to hit by chance: begin with some way to it.
+        ladder_first = guess is None and numeric.duration is None and numeric.m > 1
         for attempt in ("ladder", "guesses") if ladder_first else ("guesses", "ladder"):
             if attempt == "guesses":
-                pictures += _successes(programme, starts, failures, every)
-            elif numeric.m and not _runs_away(numeric, failures):
-                start, distance = reach_target(numeric, structure, side)
-                closest = min(closest, distance)
-                pictures += _successes(programme, [start] if start else [], failures)
-            if pictures and not every:
+                starts = [guess] if guess is not None else guesses(numeric, INTERVALS, side)
+            elif guess is None and numeric.m and not self.runs_away():
+                starts = self.reaching(side)
+            else:
+                starts = []
+            for start in starts:
+                pictures = self.solved(programme, start)
+                if pictures:
+                    self.found += 1
+                    return [(picture, side) for picture in pictures]
+        return []
+
+    def several(self, side):
+        """The best of the pictures from several starts, refined, in a list."""
+        numeric = self.numeric
+        coarse = Transcription(numeric, COARSE, None, side, patience=PATIENCE)
+        fine = Transcription(numeric, INTERVALS, None, side)
+        point = numeric.duration is None and numeric.m > 1
+        starts = chain(self.reaching(side) if point else [], self._spread(side))
+        rough, tried = self._compared(coarse, starts), numeric.m == 0 or point
+        if not rough:
+            # Few intervals may be too long for a plant that is fast or unstable.
+            rough = self._compared(fine, self._spread(side))
+        if not rough and not tried and not self.runs_away():
+            rough = self._compared(fine, self.reaching(side))
+        self.found += len(rough)
+        pictures = []
+        for picture in rough:
+            if len(pictures) == 3 or pictures and picture.cost > pictures[0].cost + CLOSE*abs(pictures[0].cost):
                 break
-        found += [(picture, side) for picture in pictures]
-    if not found:
-        explain(numeric, failures, closest, structure)
-    return min(found, key=lambda pair: pair[0].cost)
+            pictures += [picture] if len(picture.controls) == INTERVALS else self.solved(
+                fine, (picture.duration, picture.states, picture.controls))
+        return [(picture, side) for picture in pictures]
 
+    def _spread(self, side):
+        """Starts of several kinds in turn: motions under constant controls, straight lines, controls that swing."""
+        starts = list(guesses(self.numeric, COARSE, side))
+        swings = waves(self.numeric, COARSE, starts[0][0])
+        return [start for pair in zip_longest(starts, swings) for start in pair if start is not None]
 
-def _successes(programme, starts, failures, every=False):
-    """The pictures that the starts lead to: the first one, or every one; what fails is put to the failures."""
-    pictures = []
-    for start in starts:
-        result = programme.solve(start)
-        if not isinstance(result, Picture):
-            failures.append(result)
-            continue
-        pictures.append(result)
-        if not every:
-            break
-    return pictures
-
-
-def reach_target(numeric, structure=None, side=None):
-    """(guess, distance): a process that ends on the target, or None and the least distance |phi| found.
-
-    A free duration is fixed at one trial value after another, up and down a ladder: with it the search is convex for a
-    linear system, and finds a way if there is one.
-    """
-    programme = Transcription(numeric, INTERVALS//3, structure, side, distance_only=True)
-    _, states, controls = next(iter(guesses(numeric, INTERVALS, side)))
-    best, closest = None, np.inf
-
-    def reached(duration):
-        nonlocal best, closest
-        if numeric.duration is None and not numeric.shortest <= duration <= numeric.longest:
-            return False
-        result = programme.solve((duration, states, controls), duration)
-        if not isinstance(result, Picture):
-            return False
-        distance = float(np.sqrt(max(result.cost, 0.0)))
-        closest = min(closest, distance)
-        if distance < 1e-4:
-            best = (duration, result.states, result.controls)
-        return distance < 1e-4
-
-    if numeric.duration is not None:
-        reached(numeric.duration)
-        return best, closest
-    if reached(1.0):
-        for duration in (0.25, 0.06):
-            if not reached(duration):
+    def _compared(self, programme, starts):
+        """The different pictures that the starts lead to, the best first; enough where AGREEING in a row are the
+        same.
+        """
+        pictures, row = [], 0
+        for start in starts:
+            for picture in self.solved(programme, start):
+                before, pictures = len(pictures), _different([*pictures, picture])
+                row = row + 1 if len(pictures) == before else 1
+            if row == AGREEING:
                 break
-    else:
-        duration = next((d for d in (2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 0.25) if reached(d)), None)
-        if duration is not None and duration > 2:
-            reached(duration/np.sqrt(2))
-    if closest < np.inf and not np.isnan(numeric.start).any():
-        # The start itself may be the closest of all.
-        closest = min(closest, float(np.linalg.norm(numeric.target_value(numeric.start)[0].full())))
-    return best, closest
+        return pictures
+
+    def reaching(self, side):
+        """A process that ends on the target, in a list; empty if none was found, the least distance being noted.
+
+        A free duration is fixed at one trial value after another, up and down a ladder: with it the search is convex
+        for a linear system, and finds a way if there is one.
+        """
+        numeric = self.numeric
+        programme = Transcription(numeric, INTERVALS//3, self.structure, side, distance_only=True)
+        _, states, controls = next(iter(guesses(numeric, INTERVALS, side)))
+        ways = []
+
+        def reached(duration):
+            if numeric.duration is None and not numeric.shortest <= duration <= numeric.longest:
+                return False
+            # Zero control is stationary where the plant has no drift: begin with a motion as well.
+            start = (duration, states, controls)
+            for guess in [start, *waves(numeric, INTERVALS//3, duration)[:1]]:
+                result = programme.solve(guess, duration)
+                if isinstance(result, Picture):
+                    distance = float(np.sqrt(max(result.cost, 0.0)))
+                    if distance < self.closest:
+                        self.closest, self.nearest = distance, (duration, result.states[-1])
+                    if distance < 1e-4:
+                        ways[:] = [(duration, result.states, result.controls)]
+                        return True
+                    if self.convex:
+                        return False
+            return False
+
+        if numeric.duration is not None:
+            reached(numeric.duration)
+        elif reached(1.0):
+            for duration in (0.25, 0.06):
+                if not reached(duration):
+                    break
+        else:
+            duration = next((d for d in (2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 0.25, 128.0, 256.0, 512.0) if reached(d)),
+                            None)
+            if duration is not None and duration > 2:
+                reached(duration/np.sqrt(2))
+        return ways
+
+    def runs_away(self):
+        """The failure in which the cost fell without bound, if there is one."""
+        for failure in self.failures:
+            large = failure.cost < -1e8 or failure.largest_state > 1e12
+            if failure.status == "Diverging_Iterates" or (large and failure.status == "Maximum_Iterations_Exceeded"):
+                return failure
+        return None
+
+    def explain(self):
+        """Raise the reason why no picture was found."""
+        numeric, failure = self.numeric, self.runs_away()
+        if failure:
+            raise Unbounded(f"the cost falls without bound (it passed {_cost(numeric, failure.cost):.3g}): there is no "
+                            "optimal process. Check the sign of the cost, bound the controls, or fix the duration.")
+        what = f" with the arcs {', '.join(map(name, self.structure))}" if self.structure else ""
+        missed = (f"the terminal equations are missed by {self.closest:.3g} at least (least distance found, by "
+                  "local search)" if 1e-4 < self.closest < np.inf else "")
+        if missed and not what:
+            self._refuse_separated(missed)
+        status = f", last status: {self.failures[-1].status}" if self.failures else ""
+        raise NotConverged(f"no process{what} that ends on the target was found from {self.starts} starts"
+                           f"{'; ' + missed if missed else ''} (IPOPT{status}). Nothing is proved by that: give a "
+                           "guess for the duration and the states, or look whether the problem has a solution at all.")
+
+    def _refuse_separated(self, missed):
+        """Raise `Infeasible` if the target is separated from what can be reached in the time given, or in less."""
+        numeric, (duration, end) = self.numeric, self.nearest
+        longest = numeric.duration if numeric.duration is not None else numeric.longest
+        if duration != longest or (numeric.duration is None and not held(numeric.problem)):
+            return
+        if not separated(numeric, duration, end):
+            return
+        text = (f"no admissible control leads to the target in the time {duration:.6g}: a costate separates it from "
+                f"all states that can be reached; {missed}")
+        shortest = _least_time(numeric) if numeric.duration is not None else None
+        if shortest is not None and shortest > numeric.duration:
+            raise Infeasible(f"the duration {duration:.6g} is too short: the least time in which the target is "
+                             f"reached is {shortest:.6g}. {text[0].upper() + text[1:]}.")
+        raise Infeasible(text + ". Try another duration, or a free one.")
+
+
+def _different(pictures):
+    """The pictures without those that show the same process as an earlier one, the best first."""
+    kept = []
+    for picture in pictures:
+        if not any(abs(picture.cost - other.cost) < 1e-4*(1e-3 + abs(other.cost))
+                   and abs(picture.duration - other.duration) < 1e-3*other.duration
+                   and np.max(np.abs(picture.states - other.states)) < 1e-2*(1 + np.max(np.abs(other.states)))
+                   for other in kept):
+            kept.append(picture)
+    return sorted(kept, key=lambda picture: picture.cost)
+
+
+def _descended(numeric, picture, side, attempts):
+    """The picture, or a better one to which the cost falls from it: a saddle is left along its steepest direction."""
+    for _ in range(4):
+        if numeric.m and attempts.structure or np.max(np.abs(picture.costates)) > ABNORMAL:
+            return picture
+        variation = second_variation(numeric, of_picture(numeric, picture, target_multipliers(numeric, picture)))
+        if variation.sign >= 0:
+            return picture
+        better = escaped(numeric, picture, variation, side)
+        if better is None:
+            return picture
+        picture = better
+    return picture
+
+
+def escaped(numeric, picture, variation, side):
+    """A picture of less cost, found along the least direction of the second variation; None if there is none."""
+    programme, best = Transcription(numeric, len(picture.controls), None, side), None
+    width = np.where(np.isfinite(numeric.upper - numeric.lower), (numeric.upper - numeric.lower)/2, 1.0)
+    length = np.max(np.abs(variation.controls)/width,
+                    initial=np.max(np.abs(variation.widths))/np.min(np.diff(picture.times)))
+    for size in (0.3/length, -0.3/length):
+        duration = picture.duration + size*float(variation.widths.sum())
+        result = programme.solve((max(duration, 0.1*picture.duration), picture.states + size*variation.states,
+                                  picture.controls + size*variation.controls))
+        if isinstance(result, Picture) and result.cost < (best or picture).cost - 1e-9*(1 + abs(picture.cost)):
+            best = result
+    return best
 
 
 def finer_picture(numeric, picture, side, factor):
@@ -149,44 +312,6 @@ def refuse_endless(numeric, picture, side):
                     "grows, and not attained. Give a duration.")
 
 
-def explain(numeric, failures, closest, structure=None):
-    """Raise the reason why no picture was found. `closest`: the least distance from the target, infinite if unknown."""
-    failure = _runs_away(numeric, failures)
-    if failure:
-        raise Unbounded(f"the cost falls without bound (it passed {_cost(numeric, failure.cost):.3g}): there is no "
-                        f"optimal process. "
-                        "Check the sign of the cost, bound the controls, or fix the duration.")
-    what = f" with the arcs {', '.join(map(name, structure))}" if structure else ""
-    if 1e-4 < closest < np.inf:
-        raise Infeasible(_infeasible_text(numeric, closest, what))
-    raise NotConverged(f"IPOPT found no solution{what} from {len(failures)} guesses (last status: "
-                       f"{failures[-1].status}). "
-                       "Give a guess for the duration and the states, or look whether the problem has a solution at "
-                       "all.")
-
-
-def _runs_away(numeric, failures):
-    """The failure in which the cost fell without bound, if there is one."""
-    for failure in failures:
-        large = failure.cost < -1e8 or failure.largest_state > 1e12
-        if failure.status == "Diverging_Iterates" or (large and failure.status == "Maximum_Iterations_Exceeded"):
-            return failure
-    return None
-
-
-def _infeasible_text(numeric, closest, what):
-    text = (f"no admissible control{what} leads to the target: the terminal equations are missed by {closest:.3g} "
-            "at least (least distance found, by local search)")
-    if numeric.duration is None or what:
-        return text + ". The target cannot be reached from this start, or the bounds of the controls are too narrow."
-    shortest = _least_time(numeric)
-    if shortest is not None and shortest > numeric.duration:
-        return (f"the duration {numeric.duration:g} is too short: the least time in which the target is reached is "
-                f"{shortest:.6g}. " +
-                text[0].upper() + text[1:] + ".")
-    return text + f" in the given time {numeric.duration:g}. Try another duration, or a free one."
-
-
 def _least_time(numeric):
     """The least time to the target, by transcription; None if none was found."""
     from dataclasses import replace
@@ -194,8 +319,9 @@ def _least_time(numeric):
     from .numeric import NumericProblem
 
     fastest = NumericProblem(replace(numeric.problem, running=1, final=0, duration=None, maximise=False))
-    pictures = _successes(Transcription(fastest, INTERVALS), guesses(fastest, INTERVALS), [])
-    return pictures[0].duration if pictures else None
+    programme = Transcription(fastest, INTERVALS)
+    results = (programme.solve(start) for start in guesses(fastest, INTERVALS))
+    return next((result.duration for result in results if isinstance(result, Picture)), None)
 
 
 def _cost(numeric, value):

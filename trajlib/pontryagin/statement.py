@@ -136,7 +136,10 @@ class Problem:
         """The conditions of the maximum principle, derived and ready to be shown: `Conditions`."""
         from .derivation import conditions
 
-        return conditions(self)
+        # A problem does not change: its conditions are derived once.
+        if "_conditions" not in self.__dict__:
+            object.__setattr__(self, "_conditions", conditions(self))
+        return self._conditions
 
     def solve(self, structure=None, guess=None):
         """An extremal of the problem with its arcs and switching times: `Extremal`; see `extremal.solve`."""

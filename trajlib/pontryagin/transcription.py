@@ -48,7 +48,7 @@ class Transcription:
     from the target instead of the cost.
     """
 
-    def __init__(self, numeric, intervals, structure=None, side=None, distance_only=False):
+    def __init__(self, numeric, intervals, structure=None, side=None, distance_only=False, patience=400):
         self.numeric, self.structure = numeric, structure
         self.groups = 1 if structure is None else len(structure)
         self.each = max(12, intervals//self.groups) if structure else intervals
@@ -78,7 +78,7 @@ class Transcription:
         self.limits["lbx"] = np.concatenate([-free, lower.ravel(), np.full(self.groups, 0.0 if structure else low)])
         self.limits["ubx"] = np.concatenate([free, upper.ravel(), np.full(self.groups, high)])
         options = {"ipopt.print_level": 0, "print_time": False, "ipopt.sb": "yes", "ipopt.tol": 1e-9,
-                   "ipopt.max_iter": 400,
+                   "ipopt.max_iter": patience,
                    "ipopt.bound_relax_factor": 0.0, "ipopt.mu_strategy": "adaptive", "show_eval_warnings": False,
                    "error_on_fail": False}
         self.solver = ca.nlpsol("transcription", "ipopt", {
@@ -139,3 +139,13 @@ def runge_kutta(numeric):
     k3, c3 = rate(x + h/2*k2, u)
     k4, c4 = rate(x + h*k3, u)
     return ca.Function("step", [x, u, h], [x + h/6*(k1 + 2*k2 + 2*k3 + k4), h/6*(c1 + 2*c2 + 2*c3 + c4)])
+
+
+def target_multipliers(numeric, picture, multiplier=1.0):
+    """nu from psi + lambda_0 grad phi_0 = -(grad phi)^T nu at the end of a picture, in least squares, (m,)."""
+    if not numeric.m:
+        return np.zeros(0)
+    end = picture.states[-1]
+    slope = ca.Function("final", [numeric.x], [ca.gradient(numeric.final, numeric.x)])(end).full().ravel()
+    normals = numeric.target_value(end)[1].full()
+    return np.linalg.lstsq(normals.T, -multiplier*(picture.costates[-1] + slope), rcond=None)[0]

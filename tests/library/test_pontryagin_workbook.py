@@ -1,0 +1,373 @@
+"""Problems 5.14 - 5.58 of the book as the engine takes them, with truths that it has no part in.
+
+Each statement has its numbers, its cost and, where there are jumps, its switching times: by hand, or from a computation
+that shares nothing with the engine (a root, an integral, motions with events, a dual bound), as its last entry says.
+"""
+from dataclasses import dataclass
+
+import numpy as np
+import pytest
+import sympy as sp
+from scipy.integrate import quad, solve_ivp
+from scipy.optimize import brentq, fsolve, minimize
+
+from trajlib.pontryagin import Infeasible, NotConverged, PontryaginError, Problem, Unbounded, compare
+
+R = sp.Rational
+x, y, z, u, v, w, t, p, q, m, h, a = sp.symbols("x y z u v w t p q m h a")
+x1, x2 = sp.symbols("x1 x2")
+ONE, FREE = {u: (-1, 1)}, {u: None}
+PLANE, OSCILLATOR, SWING = {x1: x2, x2: u}, {x1: x2, x2: -x1 + u}, {x1: x2, x2: -u*x1}
+BETWEEN = {u: (1, 4)}
+ENERGY = (x1**2 + x2**2)/2
+THRUST = {x: v, y: w, v: sp.cos(u), w: sp.sin(u)}
+AT_REST = dict.fromkeys((x, y, v, w), 0)
+PROVED, LOCAL, EXTREMAL = "proved", "locally minimal", "extremal"
+
+
+@dataclass
+class Statement:
+    """A problem with the truth: cost, switching times (None: not compared), what is known, and where the truth is
+    from.
+    """
+
+    problem: Problem
+    cost: float
+    times: list | None
+    known: str
+    source: str
+    accuracy: float = 1e-11
+
+
+def saturated_energy():
+    """5.17 b from 2: u = -1 until psi = -x tanh(2 - t) reaches -1; then x = c cosh(2 - t)."""
+    s = brentq(lambda s: (2 - s)*np.tanh(2 - s) - 1, 0, 1.9, xtol=1e-15)
+    return ((8 - (2 - s)**3)/3 + s)/2 + (2 - s)**2*np.tanh(2 - s)/2, [s]
+
+
+def away_from_zero():
+    """int u^2 - x^2, 0 -> 0 in time 4: u = -1, then x'' = -x symmetric about t = 2 with x' continuous, tan(2 - s) =
+    1/s.
+    """
+    s = brentq(lambda s: np.tan(2 - s) - 1/s, 0.5, 1.9, xtol=1e-15)
+    r, A = 2 - s, 1/np.sin(2 - s)
+    # Twice: int_0^s (1 - t^2) dt, and A^2 int_0^r (sin^2 - cos^2).
+    return 2*(s - s**3/3) - A**2*np.sin(2*r), [s, 4 - s]
+
+
+def pulled_strip():
+    """5.28 b (read with second derivatives): x'''' = x, x'''(pi/2) = 0."""
+    sinh, cosh = np.sinh(np.pi/2), np.cosh(np.pi/2)
+    D = (1 - sinh)/(2*cosh)
+    B = 1 - D
+
+    def course(s, sign):
+        return sign*(-np.cos(s)/2 + B*np.sin(s)) + np.cosh(s)/2 + D*np.sinh(s)
+
+    return quad(lambda s: course(s, -1)**2 - course(s, 1)**2, 0, np.pi/2, epsabs=1e-14)[0]
+
+
+def two_derivatives(T=3.0):
+    """5.28 c: v = x' has v'' = v + const, int v = 2, v(0) = 0, v(T) = 1."""
+    A, B, C = np.linalg.solve([[0, 1, 1], [np.cosh(T) - 1, np.sinh(T), T], [np.sinh(T), np.cosh(T), 1]], [0, 2, 1])
+    return quad(lambda s: (A*np.cosh(s) + B*np.sinh(s))**2 + (A*np.sinh(s) + B*np.cosh(s) + C)**2, 0, T,
+                epsabs=1e-14)[0]
+
+
+def burn(s):
+    """Speed after burning for s from rest in a vacuum, m = 1 - 3s, exhaust speed 1, g = 1."""
+    return -np.log(1 - 3*s) - s
+
+
+def soft_landing():
+    """5.30: fall freely, then burn for s to stop at the ground."""
+    def missed(s):
+        speed = burn(s)
+        return speed**2/2 + quad(lambda r: speed - burn(r), 0, s, epsabs=1e-15)[0] - 1
+
+    s = brentq(missed, 1e-3, 0.33, xtol=1e-15)
+    return 3*s - 1, [burn(s)]
+
+
+def landing_in_air():
+    """5.52: the fall meets, at equal depth and speed, the burn integrated back from the ground; u = 0 before, 1
+    after.
+    """
+    def fall(time):
+        return solve_ivp(lambda s, z: [z[1], 1 - z[1]**2/2], (0, time), [-1, 0], rtol=1e-12, atol=1e-13,
+                         method="DOP853").y[:, -1]
+
+    def missed(z):
+        start = [*fall(z[0]), 1.0]
+        end = solve_ivp(lambda s, z: [z[1], 1 - (3 + z[1]**2/2)/z[2], -3], (0, z[1]), start, rtol=1e-12, atol=1e-13,
+                        method="DOP853").y[:, -1]
+        return end[:2]
+
+    fallen, burnt = fsolve(missed, [1.1, 0.22], xtol=1e-12)
+    return 3*burnt - 1, [fallen]
+
+
+def linear_tangent():
+    """5.32 and 5.33: with the angle from theta to -theta, T = 2 tan/c, v_x = 2 arsinh(tan)/c, y = (tan sec -
+    arsinh(tan))/c^2.
+    """
+    def rise(tan):
+        return tan*np.hypot(1, tan) - np.arcsinh(tan)
+
+    fixed = brentq(lambda tan: rise(tan)/(4*tan**2) - 0.1, 1e-3, 50, xtol=1e-15)
+    orbit = brentq(lambda tan: rise(tan)/(4*np.arcsinh(tan)**2) - 0.5, 1e-3, 50, xtol=1e-15)
+    return -2*np.arcsinh(fixed)/fixed, orbit/np.arcsinh(orbit)
+
+
+def rendezvous():
+    """5.35: T is least when no p separates rest at the origin from what can be reached, p e^(AT) y(0) + int |p e^(As)
+    B| < 0.
+    """
+    nodes, weights = np.polynomial.legendre.leggauss(300)
+    starts = np.vstack([np.eye(4), -np.eye(4)])
+
+    def room(T):
+        s = (1 + nodes)/2*T
+
+        def value(p):
+            p = p/np.linalg.norm(p)
+            pushed = np.hypot(p[2] + p[0]*s, p[3] + p[1]*s) @ weights*T/2
+            return p @ [1 + T, 2, 1, 0] + pushed
+
+        return min(minimize(value, start, method="BFGS", options={"gtol": 1e-12}).fun for start in starts)
+
+    return brentq(room, 2, 6, xtol=1e-12)
+
+
+def far_flight():
+    """5.37: v = C cos(theta), theta = (t - 1)/C, so that C cos(1/C) = 1."""
+    C = brentq(lambda C: C*np.cos(1/C) - 1, 0.7, 5, xtol=1e-15)
+    return -C*(1/2 + C*np.sin(2/C)/4)
+
+
+def approach():
+    """5.44, omega(0) = 0, k = -1, T = 2: u' = 2 omega (omega^2 - 1), omega' = 2 omega + u, u(2) = 0, not the trivial
+    one.
+    """
+    def run(start):
+        def rate(s, z):
+            return [2*z[1]*(z[1]**2 - 1), 2*z[1] + z[0], np.exp(-2*s)*(z[0]**2 + (1 - z[1]**2)**2)]
+
+        return solve_ivp(rate, (0, 2), [start, 0, 0], rtol=1e-12, atol=1e-13, method="DOP853").y[:, -1]
+
+    grid = np.linspace(0.02, 1.2, 60)
+    ends = [run(g)[0] for g in grid]
+    roots = [brentq(lambda s: run(s)[0], lo, hi, xtol=1e-14) for lo, hi, f, g in zip(grid, grid[1:], ends, ends[1:])
+             if f*g < 0]
+    return min(run(root)[2] for root in roots)
+
+
+def pursuit(dynamics, radius, end, push):
+    """5.54 - 5.56: u = -push until the angle is zero, then straight on; dynamics: (rate of the angle, rate of the
+    radius).
+    """
+    turn, pace = dynamics
+
+    def aligned(s, z):
+        return z[1]
+
+    aligned.terminal = True
+    way = solve_ivp(lambda s, z: [pace(z[1]), turn(z[1])/z[0] - push], (0, 5), [radius, 0.5], events=aligned,
+                    rtol=1e-12,
+                    atol=1e-13, method="DOP853")
+    s = way.t_events[0][0]
+    return s + (end - way.y_events[0][0][0])/pace(0.0), [s]
+
+
+def robot():
+    """5.58 with k_0 = 1/2: a turn by phi at full speed, then a straight way L to (3, 2)."""
+    phi, way = fsolve(lambda z: [np.sin(z[0]) + (np.cos(z[0]) - 1)/2 + z[1]*np.cos(z[0]) - 3,
+                                 1 - np.cos(z[0]) + np.sin(z[0])/2 + z[1]*np.sin(z[0]) - 2], [0.5, 3], xtol=1e-14)
+    return phi + way, [phi]
+
+
+def boundary_layers():
+    """x' = u - x^3, int x^2 + u^2, from 3/2 to 1 in a long time: along each layer H = 0, x' = -+sqrt(x^6 + x^2)."""
+    def root(s):
+        return np.sqrt(s**6 + s**2)
+
+    return sum(quad(lambda s: (s**2 + (s**3 + sign*root(s))**2)/root(s), 0, end, epsabs=1e-14)[0]
+               for sign, end in ((-1, 1.5), (1, 1.0)))
+
+
+def statement(problem, truth, known, source, times=None, **more):
+    cost, times = truth if isinstance(truth, tuple) else (truth, times)
+    return Statement(problem, cost, times, known, source, **more)
+
+
+def of_angle(sign, drift, start, end, **more):
+    """5.54 - 5.56 in one form: rho' = sign (cos beta - drift), beta' = -sign sin(beta)/rho + u."""
+    return Problem({x: sign*(sp.cos(y) - drift), y: -sign*sp.sin(y)/x + u}, {u: (-2, 2)}, {x: start, y: R(1, 2)},
+                   [x - end], **more)
+
+
+SATURATED, FIXED_TIME_SPEED, ORBIT_TIME = np.sqrt(108/23), *linear_tangent()
+STATEMENTS = {
+    "5.14": statement(Problem(SWING, BETWEEN, {x1: 1, x2: 0}, [x2], final=x1, first_return=True), -2.0, LOCAL,
+                      "quarters of a turn, -sqrt(u_max/u_min)", [np.pi/4]),
+    "5.15": statement(Problem(SWING, BETWEEN, {x1: 0, x2: 1}, [x1], final=x2, first_return=True), -2.0, LOCAL,
+                      "the same, out and back", [np.pi/2]),
+    "5.16 a": statement(Problem(OSCILLATOR, ONE, {x1: 3, x2: 0}, [x2], final=-ENERGY, first_return=True), -12.5, LOCAL,
+                        "half a turn around -1", []),
+    "5.16 b": statement(Problem(OSCILLATOR, ONE, {x1: 3, x2: 0}, final=-ENERGY, duration=sp.pi), -12.5, LOCAL,
+                        "the reachable set is the disc of radius 2 around -3", []),
+    "5.17 a": statement(Problem({x: u}, ONE, {x: 1}, running=x**2/2, duration=2), 1/6, PROVED, "by hand", [1]),
+    "5.17 b": statement(Problem({x: u}, ONE, {x: 1}, running=(x**2 + u**2)/2, duration=2), np.tanh(2)/2, PROVED,
+                        "x = cosh(2 - t)/cosh 2", []),
+    "5.17 b, saturated": statement(Problem({x: u}, ONE, {x: 2}, running=(x**2 + u**2)/2, duration=2),
+                                   saturated_energy(),
+                                   PROVED, "a root"),
+    "5.18": statement(Problem(PLANE, ONE, {x1: 0, x2: None}, [x1 - 1], final=-ENERGY, duration=1), -1.625, LOCAL,
+                      "x'(1) = 1 + int s u ds", []),
+    "5.19": statement(Problem(PLANE, ONE, {x1: 0, x2: 0}, [x2], final=x1, duration=1), -1/4, PROVED,
+                      "int (1 - s) u ds", [0.5]),
+    "5.20": statement(Problem(OSCILLATOR, FREE, {x1: 0, x2: 0}, [x1 - 1], running=u**2, duration=sp.pi/2), 4/np.pi,
+                      PROVED,
+                      "1/int sin^2"),
+    "5.21": statement(Problem(PLANE, FREE, {x1: 0, x2: 0}, [x1 - 6, x2 - 3], running=u**2/2, duration=2), 9.0, PROVED,
+                      "2 V^2/T - 6 XV/T^2 + 6 X^2/T^3"),
+    "5.23": statement(Problem(PLANE, ONE, {x1: 0, x2: 0}, [x2], running=x1 + x2, duration=2), -2.0, PROVED,
+                      "half of the time where (2 - s) + (2 - s)^2/2 is larger", [1]),
+    "5.24 a": statement(Problem(OSCILLATOR, ONE, {x1: -2, x2: 0}, [x2], final=-x1, first_return=True), -4.0, LOCAL,
+                        "half a turn around 1", []),
+    "5.24 b": statement(Problem(OSCILLATOR, ONE, {x1: 0, x2: 0}, [x2], final=-x1, first_return=True), -2.0, LOCAL,
+                        "the same", []),
+    "5.24 c": statement(Problem(OSCILLATOR, ONE, {x1: -2, x2: 0}, [x2], final=-x1, duration=sp.pi), -4.0, PROVED,
+                        "2 + int sin(pi - s) u ds", []),
+    "5.25": statement(Problem({x1: x2, x2: p - q}, {p: (0, 1), q: (0, 1)}, {x1: 1, x2: 0}, [x1, x2],
+                              running=1 + R(3, 4)*(p + q)),
+                      np.sqrt(10), LOCAL, "pushes of length s: 5 s/2 + 1/s", [np.sqrt(0.4), 1/np.sqrt(0.4)]),
+    "5.26": statement(Problem(PLANE, ONE, {x1: 1, x2: 0}, [x1, x2], running=1 + u**2/2), 23*SATURATED/18, LOCAL,
+                      "3 T/2 - 2 c/3 with T^2/4 - c^2/3 = 1", [SATURATED/6, 5*SATURATED/6]),
+    "5.27 a": statement(Problem({x: u}, FREE, {x: 1}, running=u**2 + x**2, final=-x**2, duration=1), -1.0, LOCAL,
+                        "int (x' - x)^2 - 1"),
+    "5.27 b, minus": statement(Problem({x: u}, FREE, {x: 1}, running=x**2*u**2, final=-x**2, duration=1), -2.0, LOCAL,
+                               "x = sqrt(1 + 2t)"),
+    "5.27 c": statement(Problem({x: u}, FREE, {x: 0}, [x - 2], running=u**2 - x, duration=2), -1/6, PROVED,
+                        "x'' = -1/2"),
+    "5.27 d": statement(Problem({x: u, t: 1}, FREE, {x: 0, t: 0}, [x], running=t**2*x - u**2, duration=1,
+                                maximise=True),
+                        1/448, LOCAL, "x = (t - t^4)/24"),
+    "5.28 a": statement(Problem(PLANE, FREE, {x1: 0, x2: 0}, running=u**2 - 48*x1, duration=1), -28.8, PROVED,
+                        "x'' = 12 (1 - t)^2"),
+    "5.28 b": statement(Problem(PLANE, FREE, {x1: 0, x2: 1}, [x2 - 1], running=u**2 - x1**2, duration=sp.pi/2),
+                        pulled_strip(),
+                        LOCAL, "x'''' = x"),
+    "5.28 c": statement(Problem(PLANE, FREE, {x1: 0, x2: 0}, [x1 - 2, x2 - 1], running=u**2 + x2**2, duration=3),
+                        two_derivatives(),
+                        PROVED, "v'' = v + const"),
+    "5.29": statement(Problem({h: v, v: 3*p/m - 1, m: -3*p}, {p: (0, 1)}, {h: 0, v: 0, m: 1}, [v, m - R(1, 2)],
+                              final=-h),
+                      -quad(burn, 0, 1/6, epsabs=1e-15)[0] - burn(1/6)**2/2, LOCAL, "burn, then rise", [1/6]),
+    "5.30": statement(Problem({h: v, v: -3*p/m + 1, m: -3*p}, {p: (0, 1)}, {h: -1, v: 0, m: 1}, [v, h], final=-m),
+                      soft_landing(),
+                      LOCAL, "fall, then burn: a root"),
+    "5.32": statement(Problem(THRUST, FREE, AT_REST, [y - R(2, 5), w], final=-v, duration=2), FIXED_TIME_SPEED, LOCAL,
+                      "linear tangent"),
+    "5.33": statement(Problem(THRUST, FREE, AT_REST, [y - R(1, 2), w, v - 1]), ORBIT_TIME, LOCAL, "linear tangent"),
+    "5.34": statement(Problem(THRUST, FREE, {x: 1, y: 2, v: 1, w: 0}, [x, y]),
+                      brentq(lambda T: (1 + T)**2 + 4 - T**4/4, 0.1, 10, xtol=1e-15), LOCAL, "constant direction"),
+    "5.35": statement(Problem(THRUST, FREE, {x: 1, y: 2, v: 1, w: 0}, [x, y, v, w]), rendezvous(), LOCAL,
+                      "separation in the dual", accuracy=1e-9),
+    "5.37": statement(Problem({x: v*sp.cos(u), y: v*sp.sin(u), v: -sp.sin(u)}, FREE, {x: 0, y: 0, v: 1}, final=-x,
+                              duration=1),
+                      far_flight(), LOCAL, "v = C cos(theta)"),
+    "5.40": statement(Problem({x: (1 + y)*sp.cos(u), y: (1 + y)*sp.sin(u)}, FREE, {x: 2, y: 1}, [x, y]),
+                      np.arccosh(9/4), LOCAL,
+                      "distance in the half-plane: cosh T = 1 + |d|^2/(2 y_1 y_2)"),
+    "5.44": statement(Problem({x: -x, w: 2*w + u}, FREE, {x: 1, w: 0}, running=x**2*(u**2 + (1 - w**2)**2),
+                              duration=2), approach(),
+                      LOCAL, "the reduced boundary value problem, all its roots", accuracy=1e-9),
+    "5.46": statement(Problem({x: u}, ONE, {x: 0}, running=x**2, duration=1), 0.0, PROVED, "rest", []),
+    "5.47": statement(Problem({x1: u, x2: -x1**2}, ONE, {x1: 0, x2: 0}, final=x2, duration=1), -1/3, LOCAL,
+                      "|x1| <= t", []),
+    "5.48": statement(Problem({x1: u, x2: -u*x1}, ONE, {x1: 0, x2: 0}, final=x2, duration=1), -1/2, LOCAL,
+                      "J = -x1(1)^2/2", []),
+    "5.49": statement(Problem({x: 1 - y**2, y: u}, ONE, {x: 0, y: -1}, [y - 1], final=-x, duration=3), -7/3, LOCAL,
+                      "across at full speed, down the middle", [1, 2]),
+    "5.52": statement(Problem({h: v, v: -(3*p + v**2/2)/m + 1, m: -3*p}, {p: (0, 1)}, {h: -1, v: 0, m: 1}, [v, h],
+                              final=-m),
+                      landing_in_air(), LOCAL, "fall and burn joined", accuracy=1e-9),
+    "5.54 a": statement(of_angle(-1, 2, 1, 3, maximise=True), pursuit((np.sin, lambda b: 2 - np.cos(b)), 1, 3, 2),
+                        LOCAL,
+                        "motion with an event"),
+    "5.54 b": statement(of_angle(-1, R(1, 2), 2, 1), pursuit((np.sin, lambda b: 0.5 - np.cos(b)), 2, 1, 2), LOCAL,
+                        "the same"),
+    "5.55": statement(of_angle(1, 2, 3, 1, maximise=True), pursuit((lambda b: -np.sin(b), lambda b: np.cos(b) - 2), 3,
+                                                                   1, 2), LOCAL,
+                      "the same"),
+    "5.56": statement(of_angle(1, R(1, 2), 1, 2), pursuit((lambda b: -np.sin(b), lambda b: np.cos(b) - 0.5), 1, 2, 2),
+                      LOCAL,
+                      "the same"),
+    "5.57": statement(Problem({x: v*sp.cos(a), y: v*sp.sin(a), a: w}, {v: (0, 1), w: (-1, 1)}, {x: 0, y: 0, a: 0},
+                              [x - 3, y - 2]),
+                      3 + np.arctan2(3, 4), LOCAL, "a circle and its tangent", [np.arctan2(3, 4)]),
+    "5.58": statement(Problem({x: v*sp.cos(a) - w*sp.sin(a)/2, y: v*sp.sin(a) + w*sp.cos(a)/2, a: w}, {v: (0, 1),
+                                                                                                       w: (-1, 1)},
+                              {x: 0, y: 0, a: 0}, [x - 3, y - 2]), robot(), LOCAL, "a turn and a straight way: two "
+                                                                                   "equations"),
+    # From elsewhere: a stationary start that is a maximum, a far start, boundary layers, a plant without drift.
+    "away from zero": statement(Problem({x: u}, ONE, {x: 0}, {x: 0}, running=u**2 - x**2, duration=4),
+                                away_from_zero(), LOCAL,
+                                "x'' = -x and u = 1"),
+    "far start": statement(Problem(PLANE, ONE, {x1: 1, x2: -30}, [x1, x2]), 30 + 2*np.sqrt(449), PROVED, "by hand",
+                           [30 + np.sqrt(449)]),
+    "hypersensitive": statement(Problem({x: u - x**3}, FREE, {x: R(3, 2)}, [x - 1], running=x**2 + u**2, duration=40),
+                                boundary_layers(), LOCAL, "two quadratures"),
+    "quadratic, 20 units": statement(Problem(PLANE, FREE, {x1: 1, x2: 0}, running=x1**2 + u**2, duration=20),
+                                     np.sqrt(2), PROVED,
+                                     "Riccati, infinite horizon; the rest is 1e-12"),
+    "least area": statement(Problem({x: u, y: v, z: y*u}, {u: None, v: None}, {x: 0, y: 0, z: 0}, [x, y, z - 1],
+                                    running=u**2 + v**2, duration=1), 4*np.pi, EXTREMAL,
+                            "Dido: the length of a circle of area 1; its turns cost the same"),
+}
+
+
+@pytest.mark.parametrize("name", STATEMENTS)
+def test_statement(name):
+    one = STATEMENTS[name]
+    extremal = one.problem.solve()
+    assert extremal.cost == pytest.approx(one.cost, rel=one.accuracy, abs=1e-11)
+    if one.times is not None:
+        assert extremal.switching_times == pytest.approx(one.times, abs=1e-9*(1 + extremal.duration))
+    assert extremal.certificate().holds() and extremal.optimality.kind == one.known
+    assert one.known in str(extremal.optimality)
+
+
+def test_saddles_are_left():
+    """The trivial motions satisfy every first-order condition, and are not returned even when they are the guess."""
+    trivial = {x: 0, u: 0}
+    assert STATEMENTS["away from zero"].problem.solve(guess=trivial).cost < -1.7
+    assert STATEMENTS["5.44"].problem.solve(guess={w: 0, u: 0}).cost < 0.47
+
+
+def test_several_guesses_are_compared():
+    """Fastest way down with air drag: a guess leads to a way that loops, the others to the better one."""
+    way = Problem({x: v*sp.cos(u), y: v*sp.sin(u), v: sp.sin(u) - v**2/5}, FREE, {x: 0, y: 0, v: 0}, [x - 2, y - 1])
+    found = compare(way, guesses=[{"duration": 3, u: 1}, way.solve()])
+    fast, looping = found.extremals
+    assert fast.cost < 2.26 and looping.cost > 2.8 and found.best is fast
+
+
+@pytest.mark.parametrize("problem, error, message", [
+    # The infimum 1/4 belongs to x = sqrt(1 - t), whose rate is not bounded.
+    (Problem({x: u}, FREE, {x: 1}, running=x**2*u**2, final=x**2, duration=1), PontryaginError, "could not be joined"),
+    (Problem({x1: x1 + u, x2: -x2}, ONE, {x1: 0, x2: 1}, [x1, x2], running=u**2, duration=1), Infeasible,
+     "x2 begins at 1 and cannot fall below 0.367879 at the time 1"),
+    (Problem({x: sp.sin(y)*u, y: v, m: -u}, {u: (0, 1), v: (-1, 1)}, {x: 0, y: 0, m: 1}, [m - 2]), Infeasible,
+     "m begins at 1"),
+    # Out of reach, but nothing proves it: the pendulum's plant is not linear.
+    (Problem({x1: x2, x2: -sp.sin(x1) + u/100}, ONE, {x1: 0, x2: 0}, [x1 - 3, x2], running=u**2, duration=1),
+     NotConverged,
+     "Nothing is proved by that"),
+    (Problem(PLANE, FREE, {x1: 0, x2: 0}, [x1 - 6, x2 - 3], running=u**2/2), Unbounded,
+     "as the duration grows|beyond every bound"),
+])
+def test_statements_without_an_extremal(problem, error, message):
+    with pytest.raises(error, match=message):
+        problem.solve()
