@@ -10,7 +10,7 @@ PYTEST := $(BIN)/python -m pytest --dist loadgroup
 SPHINX_FLAGS := -n -W --keep-going
 
 .DEFAULT_GOAL := help
-.PHONY: help book book-student outputs serve test test-quick clean
+.PHONY: help book book-student outputs serve test test-quick test-problem clean
 
 help:  ## this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-14s%s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -48,6 +48,11 @@ test: $(INSTALLED)  ## the style of the code and all tests
 	  trap 'kill $$grader' INT TERM; \
 	  $(PYTEST) -n logical --ignore=tests/grading --junitxml=_build/tests/others.xml; others=$$?; \
 	  wait $$grader; graded=$$?; cat _build/tests/grader.log; exit $$((others | graded))
+
+test-problem: $(INSTALLED)  ## all tests of one problem: make test-problem N=2.30
+	@test -n "$(N)" || { echo "Name the problem: make test-problem N=2.30" >&2; exit 2; }
+	@$(BIN)/trajlib exercises $(N)
+	$(PYTEST) -n 0 tests/problems -k "[$(N)]"
 
 test-quick: $(INSTALLED)  ## the fast layers: without what waits, what is slow and the built site
 	$(PYTEST) -n logical -m "not waits and not slow and not site"

@@ -122,6 +122,22 @@ def write_exercises(numbers: Annotated[list[str] | None,
     print(json.dumps({"changed": changed}) if as_json else "\n".join(changed) or done)
 
 
+@app.command(name="new")
+def begin(number: Annotated[str, typer.Argument(help='A problem that is not there yet, such as "2.30".')]):
+    """Begin a problem (in a checkout): a page and its trials, valid but for the mathematics."""
+    from trajlib.masters import begin as write
+
+    solutions = exercises.CHECKOUT / "solutions"
+    if not solutions.is_dir():
+        raise UserError("there are no masters here: run this in a checkout of the workbook")
+    try:
+        written = write(solutions, number)
+    except (ValueError, FileExistsError) as error:
+        raise UserError(error) from None
+    print("\n".join(str(path.relative_to(exercises.CHECKOUT)) for path in written))
+    print(f"replace what says PLACEHOLDER, and try it by: make test-problem N={number}")
+
+
 @app.command()
 def grade(submitted: Annotated[Path, typer.Argument(help="Folder submitted/<student>/<assignment>/<notebook>.ipynb.")],
           out: Annotated[Path, typer.Option(help="Folder for the grade store, tables and feedback pages.")],

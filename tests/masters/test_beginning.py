@@ -1,0 +1,42 @@
+"""`trajlib new` writes a master that holds the contract, and never writes over one."""
+
+import pytest
+
+from trajlib.masters import begin, read
+from trajlib.masters.trials import trials_file
+
+SECTIONS = {"ch2/p05.md": "§2.2", "ch2/p31.md": "§2.5"}
+
+
+@pytest.fixture
+def solutions(tmp_path):
+    for name, section in SECTIONS.items():
+        path = tmp_path / "solutions" / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(f'---\nproblem: {{section: "{section}"}}\n---\n', encoding="utf-8")
+    return tmp_path / "solutions"
+
+
+@pytest.mark.parametrize("number, name, section", [("2.30", "ch2/p30.md", "§2.2"), ("2.4", "ch2/p04.md", "§2.1"),
+                                                   ("3.1", "ch3/p01.md", "§3.1"), ("2.32", "ch2/p32.md", "§2.5")])
+def test_the_reader_finds_no_fault(solutions, number, name, section):
+    page, trials = begin(solutions, number)
+    master = read(page)
+    assert page == solutions / name and trials == trials_file(page)
+    assert (master.number, master.section) == (number, section)
+    assert {role: len(found) for role, found in master.trials.items()} == {"wrong": 1, "right": 1}
+
+
+def test_nothing_is_written_over(solutions):
+    page, trials = begin(solutions, "2.30")
+    page.unlink()
+    trials.write_text("mine")
+    with pytest.raises(FileExistsError, match="p30.trials.py"):
+        begin(solutions, "2.30")
+    assert trials.read_text() == "mine" and not page.exists()
+
+
+@pytest.mark.parametrize("number", ["2", "2.x", "2.03", "two", "2.0", "../2.3", "2.3/4"])
+def test_what_is_no_number(solutions, number):
+    with pytest.raises(ValueError, match="write it like 2.30"):
+        begin(solutions, number)
