@@ -23,27 +23,21 @@ c_spectra = [[2, 4, -2 + sp.sqrt(3), -2 - sp.sqrt(3)]]  # the saddle left out be
 c_stable = [[2, 4], [-1, 1]]  # eigenvalues of opposite signs taken for stability
 
 # %% right
-a_equilibria = sp.FiniteSet((1, 1), (-1, -1))  # as a set of points
 a_equilibria = [{y2: -1, y1: -1}, {y1: 1, y2: 1}]  # as dicts, the way solve gives them
 # decimals to three digits, the points in the other order
 a_spectra = [[-1, -1, -1.06, 0.693], [1, 1, -1.36 - 1.89j, -1.36 + 1.89j]]
 # exact, by the formula for a quadratic, not simplified
 a_spectra = [[c, c, *((-sp.exp(c) + sign*sp.sqrt(sp.exp(2*c) - 8*c*sp.exp(c)))/2 for sign in (1, -1))] for c in (1, -1)]
-a_stable = [(1, 1)]  # a tuple in the list
 a_stable = [1.0, 1.0]  # the point alone, as decimals
 b_equilibria = sp.Matrix([[3, 2], [0, -1]])  # a matrix with a row for each point
-b_equilibria = [sp.Matrix([0, -1]), sp.Matrix([3, 2])]  # columns
 # the roots of (lambda + 1)**2 = 2 y, not simplified
 b_spectra = [[p, q, -1 + sp.sqrt(2*q), -1 - sp.sqrt(2*q)] for p, q in ((0, -1), (3, 2))]
 # pairs of a point and its eigenvalues, with decimals
 b_spectra = [[(3, 2), (1.0, -3.0)], [(0, -1), (-1 + 1.41j, -1 - 1.41j)]]
-b_stable = sp.FiniteSet((0, -1))  # as a set
 b_stable = [{x: 0, y: -1}]  # as a dict
 c_equilibria = [(2.0, 4.0), (-1.0, 1.0)]  # tuples of floats
-c_equilibria = {(root, root**2) for root in (sp.Integer(-1), sp.Integer(2))}  # computed: y2 as the square of y1
 # a matrix, with the roots written as quotients
 c_spectra = sp.Matrix([[-1, 1, (2 + sp.sqrt(8))/2, (2 - sp.sqrt(8))/2],
                        [2, 4, (-4 + sp.sqrt(12))/2, (-4 - sp.sqrt(12))/2]])
 c_spectra = [[2, 4, -0.268, -3.73], [-1, 1, 2.41, -0.414]]  # decimals to three digits
-c_stable = [sp.Matrix([2, 4])]  # a column
 c_stable = [[2, 4], [2.0, 4.0]]  # twice the same point

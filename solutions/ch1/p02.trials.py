@@ -34,11 +34,6 @@ a_growth = 2*omega**2/(delta + sp.sqrt(delta**2 + 4*omega**2))  # the root in th
 # as sp.solve writes it, with a plain symbol
 d = sp.Symbol("delta")
 a_growth = -d/2 + sp.sqrt(d**2/4 + omega**2)
-b_rate = omega**2*x1*x2 + x2*(-omega**2*x1 - delta*x2)  # not multiplied out
-b_rate = -(delta*x2)*x2  # as a product
 b_null = sp.Eq(x2**2, 0)  # with the square
-b_null = sp.Eq(0, x2)  # turned round
 b_leave = -delta*x2 - omega**2*x1  # with the friction, which vanishes there
-b_leave = -sp.Symbol("x1")*sp.Symbol("omega")**2  # plain symbols
-b_stable = sp.And(0 < delta, delta < sp.oo)  # as an interval of the first parameter
 b_stable = -sp.Symbol("delta") < 0  # the sign of the derivative, with a plain symbol

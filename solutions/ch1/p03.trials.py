@@ -33,7 +33,6 @@ b_basin = sp.And(V > 0, sp.Abs(x1) < 1/sp.sqrt(-b))  # the set where V is positi
 b_basin = x1**2 + x2**2 < -1/b  # the largest disc between the saddles, which is no level set
 
 # %% right
-a_single = sp.Interval(0, sp.oo)  # as an interval
 a_single = sp.Or(b > 0, sp.Eq(b, 0))  # in two pieces
 # as sp.solve writes them, with a plain symbol
 p = sp.Symbol("b")
@@ -42,24 +41,12 @@ a_rest = [(0, 0), (1/sp.sqrt(sp.Abs(b)), 0), (-1/sp.sqrt(sp.Abs(b)), 0)]  # as p
 a_matrices = [[[0, 1], [2, -a]], [[0, 1], [-1, -a]]]  # the other order, nested lists
 # one for each stationary value, the last two alike
 a_matrices = [field.jacobian(state).subs({x1: value, x2: 0}) for value in (0, 1/sp.sqrt(-b), -1/sp.sqrt(-b))]
-a_stable = 0 < a  # turned round
-a_stable = sp.And(sp.Symbol("a") > 0, sp.Or(b > 0, b <= 0))  # with a plain symbol and the empty condition on b
 a_growth = 4/(a + sp.sqrt(a**2 + 8))  # the root in the denominator
 a_growth = -0.5*a + sp.sqrt(0.25*a**2 + 2.0)  # in two terms, with decimals
-a_kinds = {-5.0: "saddle", 0.0: "stable focus", 5.0: "saddle"}  # another order, floats for keys
 # pairs with points of the phase plane, capitals
 a_kinds = [[(0, 0), "Stable focus"], [(5, 0), "Saddle"], [(-5, 0), "Saddle"]]
-a_slopes = (1.0, -2.0)  # floats in a tuple
-a_slopes = [(-1 + sp.sqrt(9))/2, (-1 - sp.sqrt(9))/2]  # by the quadratic formula
-b_rate = (x1 + b*x1**3)*x2 + x2*(-a*x2 - x1 - b*x1**3)  # not multiplied out
-b_rate = -(a*x2)*x2  # as a product
 b_null = sp.Eq(x2**2, 0)  # with the square
-b_null = sp.Eq(0, x2)  # turned round
-b_leave = -x1*(1 + b*x1**2)  # factored
 b_leave = -a*x2 - x1 - b*x1**3  # with the resistance, which vanishes there
-b_global = sp.Interval(0, sp.oo)  # as an interval
-b_global = sp.Not(b < 0)  # as a negation
 b_level = 0.25/sp.Abs(b)  # by the modulus, with a decimal
-b_level = V.subs({x1: 1/sp.sqrt(-b), x2: 0})  # V at a saddle, not simplified
 b_basin = [x2 < (1 + b*x1**2)/sp.sqrt(-2*b), x2 > -(1 + b*x1**2)/sp.sqrt(-2*b)]  # between the two parabolas, in a list
 b_basin = sp.And(-2*b*x2**2 < (1 + b*x1**2)**2, -b*x1**2 < 1)  # without roots and fractions

@@ -32,24 +32,11 @@ b_integral = v2**2 + r0**2*y1**2 - 3*Omega**2*x2**2 + v3**2 + Omega**2*x3**2
 b_stability = "asymptotically stable"  # bounded taken for tending to zero
 
 # %% right
-# nested lists with plain symbols
-w, r = sp.symbols("Omega r0")
-a_matrix = [[0, 0, 0, 1, 0, 0], [0, 0, 0, 0, 1, 0], [0, 0, 0, 0, 0, 1], [0, 0, 0, 0, -2*w/r, 0],
-            [0, 3*w**2, 0, 2*r*w, 0, 0], [0, 0, -w**2, 0, 0, 0]]
-a_matrix = sp.Matrix(a_field).jacobian(a_state)  # as a matrix of partial derivatives
 a_eigenvalues = [(-sp.I*Omega, 2, 2), (sp.I*Omega, 2, 2), (0, 2, 1)]  # in another order, as tuples
-# as a matrix with one row for each
-a_eigenvalues = sp.Matrix([[0, 2, 1], [sp.sqrt(-Omega**2), 2, 2], [-sp.sqrt(-Omega**2), 2, 2]])
 a_growing = [sp.Rational(3, 2)*Omega*h*t/r0, -h, 0, 3*Omega*h/r0/2, 0, 0]  # a list, with the sign of h turned
 # the drift in loops of a satellite that starts faster, with another oscillation across the plane
 a_growing = [h*(4*sp.sin(Omega*t) - 3*Omega*t)/r0, 2*h*(1 - sp.cos(Omega*t)), h*sp.sin(Omega*t)/r0,
              h*Omega*(4*sp.cos(Omega*t) - 3)/r0, 2*h*Omega*sp.sin(Omega*t), h*Omega*sp.cos(Omega*t)/r0]
-# the full matrix with a row and a column struck out
-b_matrix = sp.Matrix([[0, 0, 0, 1, 0], [0, 0, 0, 0, 1], [0, 0, 0, -2*Omega/r0, 0], [3*Omega**2, 0, 2*r0*Omega, 0, 0],
-                      [0, -Omega**2, 0, 0, 0]])
-# nested lists with plain symbols
-w, r = sp.symbols("Omega r0")
-b_matrix = [[0, 0, 0, 1, 0], [0, 0, 0, 0, 1], [0, 0, 0, -2*w/r, 0], [3*w**2, 0, 2*r*w, 0, 0], [0, -w**2, 0, 0, 0]]
 b_eigenvalues = [(sp.I*Omega, 2, 2), (0, 1, 1), (-sp.I*Omega, 2, 2)]  # in another order, as tuples
 b_eigenvalues = {0: (1, 1), sp.I*Omega: (2, 2), -sp.I*Omega: (2, 2)}  # as a dict from the value to its multiplicities
 # other weights of the conserved parts, multiplied out

@@ -31,9 +31,6 @@ a_exists = sp.Abs(4*sp.Symbol("k")/3) <= 1  # by the modulus of the sine, with a
 a_stationary = [(-1)**n*sp.asin(4*k/3)/2 + sp.pi*n/2]  # one formula with a sign that alternates
 # four angles of one turn
 a_stationary = [sp.asin(4*k/3)/2, sp.asin(4*k/3)/2 + sp.pi, sp.pi/2 - sp.asin(4*k/3)/2, 3*sp.pi/2 - sp.asin(4*k/3)/2]
-# by the positive number |k|, with a plain symbol n
-m = sp.Symbol("n")
-a_stationary = [sp.pi*m - sp.asin(-4*k/3)/2, sp.pi*m + sp.pi/2 + sp.asin(-4*k/3)/2]
 a_deviation = Omega*(3*Omega*psi*(1 - 2*sp.sin(phi0)**2) - 2*k*dpsi)  # a common factor taken out
 # with k replaced by what it is at a stationary angle
 a_deviation = -sp.Rational(3, 2)*sp.sin(2*phi0)*Omega*dpsi + 3*Omega**2*sp.cos(2*phi0)*psi
@@ -42,17 +39,12 @@ a_saddle = sp.sin(phi0)**2 < sp.Rational(1, 2)  # by the sine
 a_foci = sp.And(k > -sp.sqrt(sp.sqrt(73) - 8), k < 0)  # solved for k
 # the discriminant as it comes, with the condition of existence
 a_foci = sp.And(k >= -sp.Rational(3, 4), k**2 - 3*sp.sqrt(1 - 16*k**2/9) < 0)
-a_stable = sp.S.EmptySet  # the empty set
-a_stable = ()  # an empty tuple
-b_deviation = -Omega*(2*k1*dpsi - 3*Omega*sp.cos(2*phi0)*psi)  # a common factor taken out
 b_deviation = -2*k1*Omega*dpsi + 3*Omega**2*(2*sp.cos(phi0)**2 - 1)*psi  # with the cosine of the single angle
-b_stable = [sp.pi/2 + sp.asin(-4*k/3)/2 + sp.pi*n]  # by the positive number |k|
 b_stable = {3*sp.pi/4 - sp.acos(-4*k/3)/2, 7*sp.pi/4 - sp.acos(-4*k/3)/2}  # two opposite directions, by the arccosine
 b_unstable = [sp.asin(4*k/3)/2 - sp.pi*n]  # counted backwards
 b_unstable = [sp.pi + sp.asin(4*k/3)/2, 2*sp.pi + sp.asin(4*k/3)/2]  # two opposite directions between 0 and 2 pi
 b_sign = sp.sin(phi0)**2 > sp.Rational(1, 2)  # by the sine
 b_sign = sp.cos(phi0)**2 < sp.sin(phi0)**2  # by squares, turned round
 b_saddle = sp.sin(phi0)**2 < sp.Rational(1, 2)  # by the sine
-b_saddle = sp.Not(sp.cos(2*phi0) <= 0)  # a negation
 b_nodes = k1 > (9 - 16*k**2)**sp.Rational(1, 4)  # solved for k1, with a root, the degenerate node left out
 b_nodes = k1**2 - 3*sp.sqrt(1 - 16*k**2/9) >= 0  # the discriminant as it comes

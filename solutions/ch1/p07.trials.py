@@ -18,7 +18,4 @@ exists = sp.Symbol("P")/(sp.Symbol("m")*sp.Symbol("g")) > 1  # as a ratio of thr
 exists = (P - m*g)/k > 0  # the radicand
 speed = sp.sqrt((sp.Symbol("P") - sp.Symbol("m")*sp.Symbol("g"))/sp.Symbol("k"))  # with plain symbols
 speed = [(P/k - m*g/k)**sp.Rational(1, 2)]  # as a list with one solution, in powers
-deviation = -2*k*sp.sqrt((P - m*g)/k)/m  # by the speed
 deviation = sp.Matrix([[-2.0*sp.sqrt(k*P - k*m*g)/m]])  # as a matrix with one element, a decimal factor
-fall_acceleration = 2*g*(P/(m*g) - 1)  # in units of g
-fall_acceleration = (P + k*(P - m*g)/k)/m - g  # not simplified

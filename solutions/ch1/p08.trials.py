@@ -25,11 +25,7 @@ b_curve = sp.sqrt(-g*sp.sin(theta)/k)  # the thrust forgotten
 b_curve = sp.sqrt((P + g)/k)  # the speed of the dive for all angles
 
 # %% right
-a_point = sp.Matrix([-sp.pi/2, sp.sqrt(sp.Symbol("g"))/sp.sqrt(sp.Symbol("k"))])  # as a column with plain symbols
 a_point = {v: (g/k)**sp.Rational(1, 2), theta: 4.71}  # the angle modulo 2 pi and in decimals, the point as a dict
-a_matrix = [[-g/sp.sqrt(g/k), 0], [0, -2*k*sp.sqrt(g/k)]]  # nested lists, by the speed of the fall
-a_matrix = a_field.jacobian(state).subs({theta: -sp.pi/2, v: sp.sqrt(g/k)})  # the derivatives as they come
-a_curve = sp.sqrt(g/k*sp.cos(theta + sp.pi/2))  # with the angle measured from the axis of the fall
 # for these angles the sine is negative
 a_curve = sp.sqrt(sp.Symbol("g")*sp.Abs(sp.sin(sp.Symbol("theta")))/sp.Symbol("k"))
 # as dicts, in the other order
@@ -39,8 +35,6 @@ b_points = sp.Matrix([[sp.pi/2, sp.sqrt(P/k - g/k)], [3*sp.pi/2, sp.sqrt(P/k + g
 b_up_exists = (sp.Symbol("P") - sp.Symbol("g"))/sp.Symbol("k") > 0  # the square of the speed, plain symbols
 b_up_exists = P/g > 1  # the ratio of thrust and weight
 b_up_matrix = [[g*sp.sqrt(k/(P - g)), 0], [0, -2*sp.sqrt(k*(P - g))]]  # roots written out
-b_up_matrix = b_field.jacobian(state).subs({theta: sp.pi/2, v: sp.sqrt((P - g)/k)})  # the derivatives as they come
-b_down_matrix = [[-g*sp.sqrt(k/(P + g)), 0], [0, -2*sp.sqrt(k*(P + g))]]  # roots written out
 b_down_matrix = -sp.sqrt(k/(P + g))*sp.diag(g, 2.0*(P + g))  # a common factor, a decimal
 b_curve = sp.sqrt(P/k - g/k*sp.sin(theta))  # two terms
 b_curve = [((P - g*sp.sin(theta))/k)**0.5]  # as a list with one branch

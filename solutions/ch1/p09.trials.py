@@ -27,24 +27,15 @@ border = 3*sp.sqrt(g*sp.cos(theta)/k1)  # the right factor outside of the root
 # the angle by its sine, plain symbols
 point = [-sp.asin(sp.Symbol("k")/sp.sqrt(sp.Symbol("k")**2 + sp.Symbol("k1")**2)),
          sp.sqrt(sp.Symbol("g")/sp.sqrt(sp.Symbol("k")**2 + sp.Symbol("k1")**2))]
-# with the two-argument angle, as a column
-point = sp.Matrix([sp.atan2(-k, k1), (g**2/(k**2 + k1**2))**sp.Rational(1, 4)])
 # the derivatives as they come
 matrix = field.jacobian(state).subs({theta: -sp.atan(k/k1), v: sp.sqrt(g)/(k**2 + k1**2)**sp.Rational(1, 4)})
-# nested lists, powers written out
-matrix = [[-k*sp.sqrt(g)*(k**2 + k1**2)**sp.Rational(-1, 4), 2*k1],
-          [-k1*g/sp.sqrt(k**2 + k1**2), -2*k*sp.sqrt(g)*(k**2 + k1**2)**sp.Rational(-1, 4)]]
 focus = k < 2.83*k1  # solved for k, with decimals
 focus = sp.Symbol("k")**2 - 8*sp.Symbol("k1")**2 <= 0  # the discriminant, plain symbols, the border counted in
 node = k1 < k/(2*sp.sqrt(2))  # solved for the lift
 node = sp.Not(k < sp.sqrt(8)*k1)  # not the focus
-angle_curve = sp.sqrt(g/k1)*sp.sqrt(sp.cos(theta))  # by the speed of level flight
 angle_curve = (sp.Symbol("g")*sp.cos(sp.Symbol("theta"))/sp.Symbol("k1"))**0.5  # a decimal power, plain symbols
-speed_curve = sp.sqrt(g/k*sp.sin(-theta))  # the sine of the opposite angle
 speed_curve = [sp.sqrt(-sp.sin(theta))*sp.sqrt(g/k)]  # as a list with one branch
 no_cycles = [-2*v, 6*k*v**2]  # another factor
-no_cycles = (v, sp.diff(v*angle_rate, theta) + sp.diff(v*speed_rate, v))  # the divergence not simplified
 integral = (v*sp.sqrt(k1/g))**3 - 3*v*sp.sqrt(k1/g)*sp.cos(theta)  # in units of the speed of level flight
 integral = sp.exp(v*(k1*v**2 - 3*g*sp.cos(theta))/(10*g))  # a function of a first integral is one as well
-border = sp.sqrt(3)*sp.sqrt(g/k1)*sp.sqrt(sp.cos(theta))  # separate roots
 border = (3*sp.Symbol("g")*sp.cos(sp.Symbol("theta"))/sp.Symbol("k1"))**sp.Rational(1, 2)  # a plain power

@@ -31,15 +31,7 @@ c_heading = k2 > 0  # only a centre of mass ahead of the wheels allowed
 a_program = [V0*t, 0, 0, V0, 0, V0, 0]  # a list, the state first and the controls last
 # a dict from the symbols
 a_program = {x: sp.Symbol("V0")*sp.Symbol("t"), y: 0, alpha: 0, V: V0, omega: 0, u_S: V0, u_D: 0.0}
-# nested lists, the last entry multiplied out
-a_matrix = [[0, 0, 0, 1, 0], [0, 0, V0, 0, k0], [0, 0, 0, 0, 1], [0, 0, 0, -1, 0], [0, 0, 0, 0, -k3 - k2*k3*V0/k1]]
-a_matrix = sp.Matrix(field).jacobian(state).subs({alpha: 0, omega: 0, V: V0})  # by partial derivatives
-a_inputs = [[0, 0], [0, 0], [0, 0], [1, 0], [0, k3/k1]]  # nested lists
-a_inputs = sp.Matrix(field).jacobian(controls)  # by partial derivatives
 b_eigenvalues = [(-1, 1, 1), (0, 1, 1)]  # another order, tuples
-b_eigenvalues = sp.Matrix([[0, 1, 1], [-1, 1, 1]])  # a matrix
-b_limit = [dx0 + dV0, 0]  # a list
-b_limit = sp.Matrix([[sp.Symbol("dV0") + sp.Symbol("dx0"), 0]])  # a row, with plain symbols
 c_eigenvalues = [[-k3*(k1 + k2*V0)/k1, 1, 1], [0, 2, 1]]  # over a common denominator
 c_eigenvalues = {0: (2, 1), -k3 - k2*k3*V0/k1: (1, 1)}  # a dict from the value to its multiplicities
 c_growing = [alpha0 - V0*alpha0*t, -alpha0, 0]  # a list, to the other side and with a displacement at the start

@@ -31,20 +31,9 @@ plus_point = sp.Matrix([sp.sqrt(1 - sp.Symbol("b")**2)/sp.Symbol("ubar"),
 plus_point = {rho: sp.sin(sp.acos(b))/ubar, beta: 2*sp.pi - sp.acos(b)}
 minus_point = (sp.sqrt((1 - b)*(1 + b))/ubar, sp.acos(b))  # factored, a tuple
 minus_point = [sp.sqrt(1 - b**2)/ubar, sp.asin(sp.sqrt(1 - b**2))]  # by the arcsine: the angle is acute
-# the derivatives as they come
-plus_matrix = plus_field.jacobian(state).subs({rho: sp.sqrt(1 - b**2)/ubar, beta: -sp.acos(b)})
-# nested lists, powers
-plus_matrix = [[0, -sp.sin(sp.acos(b))],
-               [ubar**2*(1 - b**2)**(-sp.Rational(1, 2)), ubar*b*(1 - b**2)**(-sp.Rational(1, 2))]]
-# the derivatives as they come
-minus_matrix = minus_field.jacobian(state).subs({rho: sp.sqrt(1 - b**2)/ubar, beta: sp.acos(b)})
-# by the tangent of the angle
-minus_matrix = [[0, sp.sqrt(1 - b**2)], [-ubar**2/sp.sqrt(1 - b**2), ubar/sp.tan(sp.acos(b))]]
 focus = sp.Symbol("b")**2 < 4*(1 - sp.Symbol("b")**2)  # the discriminant, plain symbols
 focus = sp.Interval.open(0, 0.894)  # as an interval, with decimals
 node = sp.And(b >= 2*sp.sqrt(5)/5, b < 1)  # with the range of b, the border counted in
 node = b**2/(1 - b**2) > 4  # the quotient of the discriminant
 no_cycles = (-3*rho, -3*b)  # another factor, a tuple
-no_cycles = [rho, b - sp.cos(beta) + sp.cos(beta)]  # the divergence not simplified
-curve = sp.sin(-sp.Symbol("beta"))/sp.Symbol("ubar")  # the sine of the opposite angle, plain symbols
 curve = sp.Abs(sp.sin(beta))/ubar  # positive for these angles

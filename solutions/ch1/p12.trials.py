@@ -12,11 +12,8 @@ stability = "unstable"  # the control is positive, so growth is expected: it is 
 stability = "stable"  # this holds for the phase, not for r
 
 # %% right
-cycle = sp.Interval.open(2, sp.oo)  # as an interval
 cycle = sp.Symbol("u") - 2 > 0  # the radicand, plain symbol
-amplitude = (sp.Symbol("u") - 2)**0.5  # a decimal power of a plain symbol
 amplitude = [sp.sqrt(u - 2)]  # as a list with one radius
 period = 2*sp.pi*(sp.sqrt(u - 2) - 1)/(u - 3)  # freed from the root in the denominator
 period = 6.28/(1 + sp.sqrt(u - 2))  # with decimals
-deviation = 4 - 2*u  # multiplied out
 deviation = [[u - 2 - 3*sp.sqrt(u - 2)**2]]  # by the amplitude, as a matrix with one element

@@ -34,22 +34,4 @@ a_polar = sp.Matrix([r - r**3, -1])  # multiplied out, as a column
 # not simplified, with the angle still in it
 a_polar = [r*sp.cos(phi)**2 + r*sp.sin(phi)**2 - r**3, -sp.sin(phi)**2 - sp.cos(phi)**2]
 a_motion = r0*sp.exp(t)/sp.sqrt(1 + r0**2*(sp.exp(2*t) - 1))  # with the growing exponential
-# with plain symbols and the power -1/2
-s, q = sp.Symbol("t"), sp.Symbol("r0")
-a_motion = ((q**2 + (1 - q**2)*sp.exp(-2*s))/q**2)**sp.Rational(-1, 2)
-a_cycles = sp.FiniteSet(1)  # a SymPy set
 a_cycles = 1.0  # the only radius, as a number
-a_slope = 3.49e-6  # three digits
-a_slope = 1/sp.exp(sp.pi)**4  # a reciprocal
-b_polar = (r*(r - 1)*(r + 1), -1.0)  # factored into linear factors
-b_polar = [sp.Symbol("r")**3 - sp.Symbol("r"), -1]  # a plain symbol
-b_cycles = {1}  # a Python set
-b_cycles = (1.0,)  # a tuple with a decimal
-b_slope = 2.87e5  # three digits
-b_slope = sp.cosh(4*sp.pi) + sp.sinh(4*sp.pi)  # with hyperbolic functions
-c_polar = [-r**5 + 2*r**3 - r, -1]  # multiplied out
-c_polar = [-r*(1 - r**2)**2, sp.Integer(-1)]  # the bracket turned round
-c_cycles = [sp.sqrt(1)]  # exact, in a list
-c_cycles = sp.FiniteSet(1)  # a SymPy set
-c_slope = 1.0  # a float
-c_slope = sp.exp(0*sp.pi)  # not evaluated

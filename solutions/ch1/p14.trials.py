@@ -11,11 +11,8 @@ d_gains = sp.Ne(k, 0)  # the inequality multiplied by k without asking for its s
 d_gains = sp.And(k > 0, k <= sp.Rational(1, 4))  # real roots demanded
 
 # %% right
-a_gains = sp.Interval.open(-1, sp.oo)  # as an interval
 a_gains = 1 + sp.Symbol("k") > 0  # the coefficient as it comes, with a plain symbol
 b_gains = [1 + k > 0, (1 + k)*1 > 0]  # both minors as they come
-b_gains = -1 < k  # turned round
 c_gains = 1/(1 + k) > 0  # the divided coefficients
 c_gains = k >= -1  # the value of lower order counted in
 d_gains = sp.Interval(0, sp.oo)  # the value of lower order counted in, as an interval
-d_gains = sp.Not(k <= 0)  # as a negation

@@ -19,4 +19,3 @@ c_region = [1/k1 > 0, k2/k1 > 0, 1/k1**2 > k2/k1]  # the divided coefficients as
 d_region = sp.And(k1 > 0, k2 > 0, k2/k1 > 1)  # a quotient
 d_region = sp.And(k1 >= 0, k1 < k2)  # chained, with the line of lower order counted in
 e_region = sp.And(k2 - k1 > 0, k1 > 0, k2 > 0)  # the same wedge with the redundant sign kept
-e_region = sp.And(0 < k1, k2*1 - k1*1 > 0)  # as a difference of products

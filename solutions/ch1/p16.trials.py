@@ -29,7 +29,6 @@ d_region = sp.And(k2 <= -2.0, k2 >= k1 - 1.0)  # with decimals, solved for k2
 e_region = sp.ProductSet(sp.Interval(1, sp.oo), sp.Interval(0, sp.oo))  # as a product of half-lines
 e_region = [k1 > 1, k2 > 0]  # strict
 f_region = sp.S.EmptySet  # the empty set
-f_region = False  # a Python truth value
 f_region = sp.And(k1 > 3, k1 < 3)  # a contradiction between parameters, as an elimination may leave it
 f_repaired_region = sp.And(k1 + k2 + 1 <= 0, k1*k2 - k1 + 2*k2 + 4 >= 0)  # multiplied out
 # strict, with the case distinction of a division by k1 + 2

@@ -14,20 +14,9 @@ b_transformation = sp.Matrix([[1, 0, 0], [0, 1, 0], [1, -1, 1]])  # x = T xi ins
 b_transformation = sp.Matrix([[1, 0, 0], [0, 1, 1], [-1, 2, -1]])
 
 # %% right
-a_canonical = [[0, 1], [2, 0]]  # nested lists
 # floats
 import numpy as np
 a_canonical = np.array([[0.0, 1.0], [2.0, 0.0]])
-a_transformation = ((1, 0), (1, 1))  # nested tuples
-a_transformation = sp.Matrix.vstack(a_output, a_output*a_matrix - a_matrix.trace()*a_output)  # rows from h and hA
-b_canonical = [[0, 1, 0], [2, 0, 1], [2, 0, 0]]  # nested lists
-# the given matrix carried over
-T = sp.Matrix([[1, 0, 0], [0, 1, 0], [-1, 1, 1]])
-b_canonical = T*b_matrix*T.inv()
-# the quotient of the two observability matrices
-N = sp.Matrix([[1, 0, 0], [0, 1, 0], [1, 1, 1]])
-N_canonical = sp.Matrix([[1, 0, 0], [0, 1, 0], [2, 0, 1]])
-b_transformation = N_canonical.inv()*N
 # floats
 import numpy as np
 b_transformation = np.array([[1.0, 0, 0], [0, 1, 0], [-1, 1, 1]])

@@ -14,12 +14,8 @@ transformation = sp.Matrix([[1, -1], [1 - alpha, 1]])/(2 - alpha)  # the way bac
 # %% right
 possible = sp.Or(alpha < 2, alpha > 2)  # two intervals
 possible = sp.Ne(sp.Symbol("alpha") - 2, 0)  # by the determinant, with a plain symbol
-possible = sp.S.Reals - sp.FiniteSet(2)  # as a set
 unseen = {2: [(-0.5, 0.5)]}  # another length and sign
 unseen = {2.0: sp.Matrix([3, -3])}  # a decimal key and a column
-canonical = [[1, 1], [sp.Symbol("alpha"), 0]]  # nested lists with a plain symbol
 # the given matrix carried over, not simplified
 T = sp.Matrix([[1, 1], [alpha - 1, 1]])
 canonical = T*A*T.inv()
-transformation = [[1, 1], [alpha - 1, 1]]  # nested lists
-transformation = (sp.Matrix([[1, -1], [1 - alpha, 1]])/(2 - alpha)).inv()  # the inverse of the way back

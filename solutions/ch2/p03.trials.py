@@ -21,17 +21,11 @@ i_unseen = [[a, 1]]  # the sign lost
 i_unseen = [[1, -1/a]]  # divided by a, which may vanish
 
 # %% right
-a_unseen = ()  # an empty tuple
 a_unseen = sp.zeros(2, 0)  # a matrix without columns
-b_unseen = ()  # an empty tuple
 b_unseen = sp.zeros(2, 0)  # a matrix without columns
-d_unseen = ()  # an empty tuple
 d_unseen = sp.zeros(2, 0)  # a matrix without columns
-e_unseen = ()  # an empty tuple
 e_unseen = sp.zeros(2, 0)  # a matrix without columns
-f_unseen = ()  # an empty tuple
 f_unseen = sp.zeros(2, 0)  # a matrix without columns
-h_unseen = ()  # an empty tuple
 h_unseen = sp.zeros(2, 0)  # a matrix without columns
 c_unseen = [(-2.5, 2.5)]  # another length and sign
 c_unseen = sp.Matrix([1, -1])  # a column

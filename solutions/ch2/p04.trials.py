@@ -20,7 +20,6 @@ a_observable = sp.Ne(1 - p + q, 0)
 a_observable = sp.Or(alpha < 1 + beta, alpha > 1 + beta)  # two half-planes
 a_observable = sp.Not(sp.Eq(beta, alpha - 1))  # a negation, solved for beta
 b_unobservable = sp.Eq((h - 1)*(h - 2), 0)  # the determinant, factored
-b_unobservable = sp.FiniteSet(1, 2)  # a set of numbers
 b_unobservable = sp.Eq(sp.Symbol("h")**2 + 2, 3*sp.Symbol("h"))  # the determinant multiplied out, with a plain symbol
 b_unseen = {2: [[-3, 6]], 1: [[0.5, -0.5]]}  # other lengths, in the other order
 b_unseen = {1: sp.Matrix([1, -1]), 2: sp.Matrix([1, -2])}  # columns

@@ -33,14 +33,11 @@ j_region = True  # the minor thought never to vanish
 j_unseen = {-1: [[1, 0, 1]], -sp.Rational(1, 2): [[1, 3, 2]]}
 
 # %% right
-a_unseen = ()  # an empty tuple
 a_unseen = sp.zeros(3, 0)  # a matrix without columns
-b_unseen = ()  # an empty tuple
 b_unseen = sp.zeros(3, 0)  # a matrix without columns
 c_unseen = [(0, 2.5, -2.5)]  # another length and sign
 c_unseen = sp.Matrix([0, 3, -3])  # a column
 d_unseen = [sp.Matrix([-7, 0, -7])]  # a list of columns
-d_unseen = sp.Matrix([[0, 1, 0], [1, 0, -1]]).nullspace()  # as a solver of linear equations gives it
 # floats of length one
 import numpy as np
 e_unseen = [np.array([1.0, 0.0, 1.0])/np.sqrt(2)]
@@ -50,13 +47,11 @@ f_unseen = sp.Matrix([0, 0, -1])  # a column
 import numpy as np
 f_unseen = np.array([[0, 0, 4]])
 g_region = sp.Ne((alpha + 1)**2*(5*alpha - 1), 0)  # the determinant
-g_region = sp.Complement(sp.S.Reals, sp.FiniteSet(-1, sp.Rational(1, 5)))  # a set, the real numbers without two
 # a list of two conditions, a plain symbol and a decimal
 g_region = [sp.Ne(sp.Symbol("alpha"), -1), sp.Ne(sp.Symbol("alpha"), 0.2)]
 g_unseen = {-1.0: [[1, 1, 1], [1, 0, 1]], 0.2: [[1, -3, -5]]}  # eigenvectors as the basis, a float as the value
 # matrices with the basis as columns
 g_unseen = {sp.Rational(1, 5): sp.Matrix([-1, 3, 5]), sp.Integer(-1): sp.Matrix([[0, 1], [1, 0], [0, 1]])}
-h_region = sp.Not(sp.Eq(alpha, -2))  # a negation
 h_region = sp.Or(alpha < -2, alpha > -2)  # two intervals
 h_unseen = {-2: [[-1, 2, 1], [0, 2, 1]]}  # the two eigenvectors
 h_unseen = {-2: sp.Matrix([[0, 1, -2]]).nullspace()}  # a list of columns
@@ -64,7 +59,6 @@ i_region = sp.Ne((alpha - 1)**2 + ((alpha - 3)*(alpha - 1))**2, 0)  # the sum of
 i_region = sp.Or(sp.Ne(alpha - 1, 0), sp.Ne((alpha - 3)*(alpha - 1), 0))  # one of several minors does not vanish
 i_unseen = {1: [(0, -1, 1)]}  # the other sign, as a tuple
 i_unseen = {1.0: sp.Matrix([0, 5, -5])}  # a column
-j_region = sp.Union(sp.Interval.open(-sp.oo, -1), sp.Interval.open(-1, sp.oo))  # two intervals as a set
 j_region = sp.Ne((1 + alpha)*(1 + alpha**2), 0)  # a factor that never vanishes kept
 j_unseen = {-1: [[2, 0, 2]]}  # another length
 # an array of floats

@@ -19,28 +19,16 @@ e_unseen = [[1, -1, 0, 0]]  # the states where the sum vanishes for a moment
 e_lost = {0}  # what the altimeter loses
 
 # %% right
-a_unseen = []  # an empty list
 a_unseen = sp.zeros(4, 0)  # a matrix without columns
-a_lost = []  # an empty list
-a_lost = sp.EmptySet  # the empty set
 b_unseen = [[-3, 0, 0, 0]]  # another length and sign
 b_unseen = sp.Matrix([r0, 0, 0, 0])  # a column
-b_lost = [0]  # a list
-b_lost = sp.FiniteSet(0)  # a set of SymPy
 c_unseen = [sp.Matrix([7, 0, 0, 0])]  # a list of columns
 # floats
 import numpy as np
 c_unseen = [np.array([1.0, 0.0, 0.0, 0.0])]
-c_lost = [0]  # a list
-c_lost = {0.0}  # a set with a float
 d_unseen = [[0, 1, -3*Omega/(2*r0), 0], [2, 0, 0, 0]]  # the other order, with the height as the unit
 # a shift added to the drift, plain symbols
 w, r = sp.symbols("Omega r0")
 d_unseen = [[1, 0, 0, 0], [5, -2*r, 3*w, 0]]
 d_unseen = sp.Matrix([[1, 1], [0, 2*r0], [0, -3*Omega], [0, 0]])  # the columns of a matrix
-d_lost = [0]  # a list
-d_lost = sp.FiniteSet(0)  # a set of SymPy
-e_unseen = ()  # an empty tuple
 e_unseen = sp.zeros(4, 0)  # a matrix without columns
-e_lost = []  # an empty list
-e_lost = sp.EmptySet  # the empty set

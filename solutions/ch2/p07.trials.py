@@ -29,30 +29,17 @@ d_unseen = [[-2, 1, 0, 0], [0, 0, -2, 1]]  # both directions of the line, as in 
 
 # %% right
 a_roots = {0.57735, -0.57735, 1j, -1j}  # decimals, as a Python set
-a_roots = sp.FiniteSet(sp.I, -sp.I, sp.sqrt(3)/3, -sp.sqrt(3)/3)  # as a SymPy set
-a_lost = sp.S.EmptySet  # the empty set
-a_lost = ()  # an empty tuple
-a_unseen = ()  # an empty tuple
 a_unseen = sp.zeros(4, 0)  # a matrix without columns
 # as an array
 import numpy as np
 b_roots = np.roots([1, 0, 7, 0, -30])
-# powers one half
-b_roots = [3**sp.Rational(1, 2), -3**sp.Rational(1, 2), (-10)**sp.Rational(1, 2), -(-10)**sp.Rational(1, 2)]
 b_lost = [-1.732, 1.732]  # decimals
-b_lost = sp.FiniteSet(sp.sqrt(3), -sp.sqrt(3))  # as a SymPy set
 b_unseen = [[-3, 1, -3*sp.sqrt(3), sp.sqrt(3)], [-3, 1, 3*sp.sqrt(3), -sp.sqrt(3)]]  # the motions of the two roots
 b_unseen = sp.Matrix([[3, 0], [-1, 0], [0, 6], [0, -2]])  # a matrix with the basis as columns
 c_roots = [0, 0, 1, -1]  # the double root twice
-c_roots = {0.0, 1.0, -1.0}  # a Python set of floats
-c_lost = {-1}  # the only root, as a set
-c_lost = [-1.0]  # a float
 c_unseen = [(-2.5, -2.5, 2.5, 2.5)]  # another length and sign
 c_unseen = sp.Matrix([1, 1, -1, -1])  # a column
-d_roots = sp.solve(3*sp.Symbol('q')**4 - 4*sp.Symbol('q')**2 + 1)  # from the polynomial
 d_roots = [1, -1, 0.577, -0.577]  # decimals
-d_lost = sp.FiniteSet(-1)  # as a SymPy set
-d_lost = (-1,)  # a tuple
 d_unseen = [[2, -1, -2, 1]]  # divided by the second component
 # an array of floats
 import numpy as np

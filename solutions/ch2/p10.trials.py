@@ -35,7 +35,6 @@ canonical = [[[0, 1], [2, 0]], [1, 0]]  # lists, the output as a plain list
 # floats
 import numpy as np
 canonical = [np.array([[0, 1.0], [2.0, 0]]), np.array([[1.0, 0]])]
-canonical_coordinates = [[0, 1, 0], [1, 1, -1]]  # lists
 # floats
 import numpy as np
 canonical_coordinates = np.array([[0.0, 1, 0], [1, 1, -1]])

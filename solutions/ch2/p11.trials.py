@@ -57,7 +57,6 @@ f_unseen = sp.Matrix([1, 0, -1])*sp.sqrt(2)  # a column
 f_split = sp.Matrix([[1, 0, 1], [0, -1, 0], [0, 0, 1]])  # the derivative of z itself, and x3
 f_split = [[1, 0, 1], [0, 1, 0], [1, 1, -2]]  # without coupling: a left eigenvector for the hidden coordinate
 g_unseen = [[7, 0, 7]]  # another length
-g_unseen = [sp.Matrix([1, 0, 1])]  # a list of columns
 g_split = sp.Matrix([[1, 0, -1], [0, 1, 0], [0, 0, 1]])  # x3 for the hidden coordinate
 g_split = [[0, 1, 0], [1, 0, -1], [1, 0, 0]]  # the observable coordinates exchanged
 h_unseen = [[-1, -1, 0]]  # the other sign

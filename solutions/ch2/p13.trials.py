@@ -76,6 +76,3 @@ e_split = [[1, 0, 0, 0, 0, 0], [0, 1, 1, 0, 0, 0], [-2, 0, 0, 2, 0, 0], [0, 1, -
 e_split = sp.Matrix([[1, 0, 0, 0, 0, 0], [0, 0, 0, 1, 0, 0], [0, 1, 1, 0, 0, 0], [0, 0, 0, 0, 1, 0],
                      [0, 0, 0, 0, 0, 1], [0, 1, 0, 0, 0, 0]])
 e_eigenvalues = [(2*sp.I, 1, 1), (sp.I, 1, 1), (0, 2, 2), (-sp.I, 1, 1), (-2*sp.I, 1, 1)]  # another order, as tuples
-# a matrix with one row for each
-e_eigenvalues = sp.Matrix([[0, 2, 2], [sp.sqrt(-1), 1, 1], [-sp.sqrt(-1), 1, 1], [sp.sqrt(-4), 1, 1],
-                           [-sp.sqrt(-4), 1, 1]])

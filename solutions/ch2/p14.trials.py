@@ -27,12 +27,9 @@ e_z3 = "distance along the orbit"  # the third axis thought to point along the o
 e_z3 = "vertical speed"  # what the altimeter tells by its derivative
 
 # %% right
-a_unseen_z1 = ()  # an empty tuple
 a_unseen_z1 = sp.zeros(4, 0)  # a matrix without columns
 a_unseen_z3 = [[-2, 0, 0, 2]]  # another length
 a_unseen_z3 = [sp.Matrix([0.5, 0.0, 0.0, -0.5])]  # a column, with floats
-b_part = [[1, 0, 0, 0], [0, -1, 1, 0], [-1, 0, 0, -2], [0, -3, -3, 0]]  # nested lists
-b_part = [[1.0, 0, 0, 0], [0, -1.0, 1.0, 0], [-1.0, 0, 0, -2.0], [0, -3.0, -3.0, 0]]  # floats, as an array's lists
 # z3 and its derivatives as they come, then z1 in another unit
 b_reversed = sp.Matrix([[0, 1, 0, 0], [1, 0, 0, 1], [0, 1, 2, 0], [-5, 0, 0, 0]])
 b_reversed = [[0, 1, 0, 0], [1, 0, 0, 1], [0, 2, 2, 0], [1, 0, 0, 0]]  # the part of z3 in the canonical form (2.5)
@@ -41,9 +38,6 @@ c_parallel = sp.Matrix([[1, 0, 0, 0], [0, -1, 1, 0], [0, 1, 0, 0], [1, 0, 0, 1]]
 c_parallel = sp.Matrix([[1, 0, 0, 0], [0, 0, 1, 0], [0, 1, 0, 0], [0, 0, 0, 1]])  # every coordinate with its momentum
 # pi1 as the second coordinate of z1, floats
 c_parallel = [[1.0, 0, 0, 0], [0, 0, 1.0, 0], [0, 2.0, 0, 0], [1.0, 0, 0, 1.0]]
-d_matrix = [[0, 0, 1, 0], [0, 0, 0, 1], [0, 0, 0, -2], [0, 3, 2, 0]]  # nested lists
-# the partial derivatives, taken by the computer along the motion
-d_matrix = sp.Matrix(polar_field).jacobian(polar_state).subs(circular)
 d_change = [[-1, 0, 0, 0], [0, -1, 0, 0], [0, 1, -1, 0], [-1, 0, 0, -1]]  # all signs changed
 # the deviations at another time, by a matrix that commutes with the system
 d_change = sp.Matrix([[1, 0, 0, 0], [0, 1, 0, 0], [0, -1, 1, 0], [1, 0, 0, 1]])*(3*sp.eye(4) + satellite**2)

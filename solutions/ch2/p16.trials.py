@@ -43,15 +43,10 @@ a_augmented = [sp.Matrix([[-1, 0, 0], [1, 0, 0], [0, 0, 0]]), sp.Matrix([[1, 0, 
 a_augmented = [[[-1, 0, 0], [1, 0, 0], [0, 0, 0]], [1, 0, 1]]  # nested lists, the row flat
 a_unseen = [sp.Matrix([0, -3, 0])]  # another multiple, as a column
 a_unseen = [0.0, 1.0, 0.0]  # floats, without the outer list
-a_amplitude = sp.exp(-t)*(z1*sp.exp(t) + z*sp.exp(t))  # the same with the filter written as a derivative of z e^t
-a_amplitude = (2*z1 + 2*z)/2  # the terms in another order, over 2
 # the error with the opposite sign
 b_augmented = [sp.Matrix([[0, 1, 0], [-1, 0, 0], [0, 0, 1]]), sp.Matrix([[0, 1, -1]])]
-b_augmented = [sp.diag(A_b, 1), [[0, 1, 1]]]  # blocks and a row
 b_amplitude = (sp.cosh(t) - sp.sinh(t))*(z + z2)/2  # written with hyperbolic functions
-b_amplitude = 0.5*(z2 + z)/sp.exp(t)  # as a fraction with floats
 c_augmented = [sp.diag(A_c, alpha), sp.Matrix([[1, 0, 2]])]  # half the error
-c_augmented = [[[-3, -2, 0], [1, 0, 0], [0, 0, alpha]], [[1, 0, 1]]]  # nested lists
 c_region = sp.Ne(alpha**2 + 3*alpha + 2, 0)  # the polynomial
 c_region = sp.Or(alpha < -2, sp.And(alpha > -2, alpha < -1), alpha > -1)  # intervals
 c_unseen = {-2: [[2, -1, -2]], -1: [[3, -3, -3]]}  # other multiples and order
@@ -60,9 +55,6 @@ d_augmented = [sp.diag(A_d, sp.Matrix([[0, 1], [-omega**2, 0]])), sp.Matrix([[1,
 # cosine and sine interchanged, nested lists
 d_augmented = [[[0, 1, 0, 0], [-1, 0, 0, 0], [0, 0, 0, -omega], [0, 0, omega, 0]], [1, 0, 0, 1]]
 d_region = sp.Ne(omega*(omega**2 - 1)**2, 0)  # the determinant of Kalman's matrix
-# a set
-d_region = sp.Union(sp.Interval.open(-sp.oo, -1), sp.Interval.open(-1, 0), sp.Interval.open(0, 1),
-                    sp.Interval.open(1, sp.oo))
 d_state = sp.Ne(omega**2, 1)  # the square
 d_state = sp.Or(sp.Abs(omega) < 1, sp.Abs(omega) > 1)  # the modulus
 d_amplitude = sp.Ne(omega**3 - omega, 0)  # a product

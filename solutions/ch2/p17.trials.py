@@ -25,13 +25,9 @@ gramian = sp.pi*sp.eye(2) + sp.Matrix([[-s, c], [c, s]])/(4*omega)
 
 # %% right
 frozen = sp.sin(omega*t)**2 + sp.cos(omega*t)**2  # not simplified
-frozen = 1.0  # a plain number
 output = sp.sqrt(x10**2 + x20**2)*sp.cos((omega - 1)*t - sp.atan2(x10, x20))  # amplitude and phase
 # as it comes, products of sines and cosines
 output = (x10*sp.cos(t) + x20*sp.sin(t))*sp.sin(omega*t) + (x20*sp.cos(t) - x10*sp.sin(t))*sp.cos(omega*t)
-# factored, as nested lists
-rows = [[sp.sin(omega*t), sp.cos(omega*t)], [(omega - 1)*sp.cos(omega*t), (1 - omega)*sp.sin(omega*t)]]
-rows = sp.Matrix.vstack(H, H.diff(t) + H*A)  # by the definition
 # the double angles written out
 s, c = sp.sin(4*sp.pi*omega), 1 - sp.cos(4*sp.pi*omega)
 gramian = sp.pi*sp.eye(2) + sp.Matrix([[-s, c], [c, s]])/(4*omega - 4)

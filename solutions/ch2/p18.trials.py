@@ -11,12 +11,10 @@ b_lost = {-1: [[1, 1]]}  # only the combination that grows
 b_lost = {1: [[-1, 1]], -1: [[1, 1]], 0: [[1, 0]]}  # what a torque does not change at once, without beta, counted too
 
 # %% right
-a_kalman = [[0, 1], [1, 0]]  # nested lists
 # column beside column, as floats
 import numpy as np
 a_kalman = np.column_stack([[0.0, 1.0], [1.0, 0.0]])
 b_region = sp.Ne(sp.Symbol("beta")**2 - 1, 0)  # the determinant, with a plain symbol
 b_region = sp.Or(beta < -1, sp.And(-1 < beta, beta < 1), beta > 1)  # three intervals
-b_region = sp.S.Reals - sp.FiniteSet(-1, 1)  # a set
 b_lost = {-1: [(0.5, 0.5)], 1: [(1, -1)]}  # other lengths and signs, tuples
 b_lost = {1.0: sp.Matrix([[3, -3]]), -1.0: sp.Matrix([[2, 2]])}  # rows as matrices, decimal keys

@@ -15,17 +15,13 @@ canonical_basis = sp.Matrix([[0, 0, 1], [0, 1, -1], [1, 0, 1]])  # the matrix of
 canonical_basis = sp.Matrix([[3, 0, 1], [1, 1, 0], [1, 0, 0]])  # the coefficient added where it is to be subtracted
 
 # %% right
-basis = [[1, 0, 1], [0, 1, 1], [0, 0, 1]]  # nested lists
 # columns of floats
 import numpy as np
 g = [np.array(b, dtype=float).ravel()]
 for _ in range(2):
     g.append(np.array(A, dtype=float) @ g[-1])
 basis = np.column_stack(g)
-matrix = [[0, 0, 2], [1, 0, 2], [0, 1, 0]]  # nested lists
 # carried over, in floats
 import numpy as np
 P = np.array([[1.0, 0, 1], [0, 1, 1], [0, 0, 1]])
 matrix = np.linalg.solve(P, np.array(A, dtype=float) @ P)
-canonical_basis = sp.Matrix([[0, 0, 1], [0, 1, -1], [1, 0, 1]]).inv()  # the inverse of x3 and its derivatives as rows
-canonical_basis = [[-1.0, 0.0, 1.0], [1.0, 1.0, 0.0], [1.0, 0.0, 0.0]]  # nested lists of floats

@@ -17,22 +17,11 @@ equation = sp.Eq(y.diff(t, 2) - y.diff(t) + (2 - 3*alpha)*y, u)
 
 # %% right
 possible = sp.Or(alpha < -6, alpha > -6)  # two half-lines
-possible = sp.Complement(sp.Reals, sp.FiniteSet(-6))  # as a set
 lost = {-6.0: [sp.Matrix([[-2, 2]])]}  # another length, a row of a matrix
 # the left eigenvector computed
 import numpy as np
 values, rows = np.linalg.eig(np.array([[1.0, -6], [-3, -2]]).T)
 lost = {-6: [rows[:, int(np.argmax(values))]]}
-canonical = [[0, 1], [-sp.Matrix([[1, alpha], [-3, -2]]).det(), -1]]  # nested lists, by trace and determinant
-# a plain symbol
-q = sp.Symbol("alpha")
-canonical = sp.Matrix([[0, 1], [-(3*q - 2), -1]])
-basis = [[2 + alpha, 1], [-4, 1]]  # nested lists
-# the inverse of the rows c, cA
-c = sp.Matrix([[1, -1]])/(alpha + 6)
-basis = sp.Matrix.vstack(c, c*sp.Matrix([[1, alpha], [-3, -2]])).inv()
-coordinate = [1/(6 + alpha), -1/(6 + alpha)]  # a list
-coordinate = sp.Matrix([[1, 1 + alpha], [1, -5]]).inv()[1, :]  # the last row of the inverse of W
 equation = sp.Eq(y.diff(t, 2), (2 - 3*alpha)*y - y.diff(t) + u)  # solved for the second derivative
 # multiplied by a number, with functions of one's own
 s, q = sp.symbols("t alpha")

@@ -22,15 +22,9 @@ possible = sp.Ne(4*beta**2 - 6*beta + 2, 0)  # the determinant
 possible = sp.Union(sp.Interval.open(-sp.oo, 0.5), sp.Interval.open(0.5, 1), sp.Interval.open(1, sp.oo))
 lost = {1: [[-3, 3]], 0.5: [[1, -0.5]]}  # a decimal as the value, other lengths
 lost = {sp.S.Half: [sp.Matrix([[-2, 1]])], sp.S.One: [sp.Matrix([[1, -1]])]}  # rows as matrices
-canonical = [[0, 1], [-3, -4]]  # nested lists
 # an array
 import numpy as np
 canonical = np.array([[0.0, 1], [-3, -4]])
-# nested lists with a plain symbol
-q = sp.Symbol("beta")
-basis = [[5*q - 2, q], [4*q - 1, 1]]
-# W times the matrix of the coefficients
-basis = sp.Matrix([[beta, beta - 2], [1, 4*beta - 5]])*sp.Matrix([[4, 1], [1, 0]])
 coordinate = [1/(6*beta - 4*beta**2 - 2), beta/(4*beta**2 - 6*beta + 2)]  # multiplied out, a list
 coordinate = sp.Matrix([[2, -1]])/(4*beta - 2) - sp.Matrix([[1, -1]])/(2*beta - 2)  # by the modes
 equation = sp.Eq(u, 3*y + 4*y.diff(t) + y.diff(t, 2))  # solved for u

@@ -18,5 +18,3 @@ first_equation = sp.Eq(U, inner.diff(s) - inner + 3*X)
 second_equation = sp.Eq(3*x2.diff(t, 2) - 6*x2.diff(t) + 12*x2 - 3*u1.diff(t) + 3*u1, 0)  # all on one side, times 3
 # a derivative that is not carried out
 second_equation = sp.Eq(sp.Derivative(x2.diff(t) - x2 - u1, t), x2.diff(t) - 4*x2 - u1)
-coordinate = sp.Matrix([[1, 0]])  # a row
-coordinate = sp.Matrix([[0, 1], [1, 1]]).inv()[1, :]  # the last row of the inverse of W

@@ -23,8 +23,6 @@ d_uncontrolled = [[1, -1, 0], [0, 0, 1]]  # a row too many
 
 # %% right
 a_region = sp.Ne(alpha**2*(alpha - 2), 0)  # the determinant
-a_region = sp.Complement(sp.S.Reals, sp.FiniteSet(0, 2))  # a set, the real numbers without two
-a_region = [sp.Ne(sp.Symbol("alpha"), 0), sp.Ne(sp.Symbol("alpha"), 2)]  # a list of two conditions with a plain symbol
 a_uncontrolled = {0: [[1, 1, -1], [2, -1, 1]], 2.0: [[1, -1, -1]]}  # another basis at 0, another length at 2
 # matrices with the basis as columns
 a_uncontrolled = {sp.Integer(0): sp.Matrix([[0, 3], [1, 0], [-1, 0]]), 2: sp.Matrix([-2, 2, 2])}
@@ -34,13 +32,11 @@ b_uncontrolled = {1: [(-1, -1, 1), (-1, 2, 1)], -1: [(1, 2, 1)]}  # the two left
 # a list of rows, floats
 import numpy as np
 b_uncontrolled = {1.0: [sp.Matrix([[0, 1, 0]]), sp.Matrix([[1, 0, -1]])], -1.0: np.array([[0.5, 1.0, 0.5]])}
-c_region = sp.And(sp.Not(sp.Eq(alpha, -1)), sp.Not(sp.Eq(alpha, 2)))  # two negations
 c_region = sp.Ne(alpha**2 - alpha - 2, 0)  # the roots of a parabola
 # as a solver of linear equations gives it
 c_uncontrolled = {-1: [[1, 1, 1]], 2: sp.Matrix([[1, 2, 0], [4, 4, 1], [12, 12, 3]]).nullspace()}
 c_uncontrolled = {2: sp.Matrix([-1, sp.Rational(1, 2), 2]), -1: sp.Matrix([-1, -1, -1])}  # columns of another length
 d_region = sp.S.EmptySet  # the empty set
 d_region = sp.And(alpha < 0, alpha > 1)  # a condition that nothing satisfies
-d_region = False  # Python's own word
 d_uncontrolled = ((-1, 1, 0),)  # the other sign, as a tuple
 d_uncontrolled = [[1 + alpha**2, -1 - alpha**2, 0]]  # a length that depends on alpha but is never zero

@@ -18,12 +18,9 @@ b_uncontrolled = {}  # nothing thought to be lost
 a_region = sp.Or(alpha < 1, alpha > 1)  # two intervals
 # the sum of the squares of two minors, with a plain symbol
 a_region = sp.Ne((sp.Symbol("alpha") - 1)**2 + (sp.Symbol("alpha") - 1)**4, 0)
-a_region = sp.S.Reals - sp.FiniteSet(1)  # as a set
 a_uncontrolled = {1: [(1, 0, -1)]}  # the other sign, as a tuple
 a_uncontrolled = {1.0: sp.Matrix([-3, 0, 3])}  # a decimal key and a column
 b_region = sp.Or(sp.Ne(4*alpha, 0), sp.Ne(-2*alpha, 0))  # one minor or another one is not zero
-b_region = sp.Not(sp.Eq(alpha, 0))  # a negation
-b_region = sp.Union(sp.Interval.open(-sp.oo, 0), sp.Interval.open(0, sp.oo))  # a union of intervals
 b_uncontrolled = {0: sp.Matrix([[2, 0, -2]])}  # a row as a matrix of one row
 # floats of length one
 import numpy as np

@@ -32,20 +32,14 @@ d_uncontrolled = {4: [[2, 1, 0, 0], [0, 0, 2, 1]]}  # another value of beta
 
 # %% right
 a_roots = {0.9595, -0.9595, 1.2331j, -1.2331j}  # decimals, as a Python set
-a_roots = sp.FiniteSet(*sp.solve(5*sp.Symbol('q')**4 + 3*sp.Symbol('q')**2 - 7))  # as a SymPy set, from the polynomial
-a_lost = sp.S.EmptySet  # the empty set
-a_lost = set()  # an empty Python set
 # as an array
 import numpy as np
 b_roots = np.roots([1, 0, 6, 0, -5])
 b_roots = sp.roots(sp.Symbol('q')**4 + 6*sp.Symbol('q')**2 - 5)  # as a dictionary with multiplicities
-b_lost = ()  # an empty tuple
-b_lost = sp.S.EmptySet  # the empty set
 c_region = sp.Ne(k, (13 + sp.sqrt(149))/2) & sp.Ne(k, (13 - sp.sqrt(149))/2)  # the two values excluded one by one
 c_region = (k**2 - 13*k + 5 > 0) | (k**2 - 13*k + 5 < 0)  # as the parts of the real axis
 c_region = sp.Not(sp.Eq(13*k, k**2 + 5))  # the condition negated
 d_roots = [sp.I, -sp.I, sp.I*sp.sqrt(beta - 3), -sp.I*sp.sqrt(beta - 3)]  # the imaginary form of the second pair
-d_roots = sp.FiniteSet(sp.I, -sp.I, sp.sqrt(3 - beta), -sp.sqrt(3 - beta))  # as a SymPy set
 d_region = (beta < 3) | (beta > 3)  # as two open rays
 d_region = sp.Ne(4*(beta - 3)**2, 0)  # from the determinant
 d_uncontrolled = {3: [[2, 1, 2, 1], [0, 0, -4, -2]]}  # another basis of the same rows

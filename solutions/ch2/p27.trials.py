@@ -27,12 +27,10 @@ controllable = sp.Ne(beta**2 - beta, 0)  # the determinant
 # three intervals, with a plain symbol
 v = sp.Symbol("beta")
 controllable = sp.Or(v < 0, sp.And(v > 0, v < 1), v > 1)
-controllable = [sp.Ne(beta, 0), sp.Ne(beta, 1)]  # a list of conditions that hold together
 uncontrolled = {1: sp.Matrix([-2, 2]), 0: sp.Matrix([0, 5])}  # other lengths and signs, columns for rows
 uncontrolled = {0.0: [(0, -0.25)], 1.0: [(0.5, -0.5)]}  # decimals
 observable = sp.Or(alpha < -1, alpha > -1)  # two half-planes
 observable = sp.Ne(-1 - sp.Symbol("alpha"), 0)  # the determinant, with a plain symbol
-observable = sp.Not(sp.Eq(alpha + 1, 0))  # a negation
 unseen = {-1: [(-3, -3)]}  # another length and sign
 unseen = {-1.0: sp.Matrix([0.5, 0.5])}  # a decimal key and a column
 # solved for the second derivative, sorted by the parameters, plain symbols

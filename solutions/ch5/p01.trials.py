@@ -18,7 +18,6 @@ reached = sp.Abs(b - a) <= T  # the distance compared with the time
 
 # %% right
 time = sp.Piecewise(((b - a)/A, b > a), ((a - b)/A, True))  # cases
-time = sp.sqrt((a - b)**2)/A  # a square root, turned round
 control = A*(b - a)/sp.Abs(b - a)  # as a quotient
 control = sp.Piecewise((A, b > a), (-A, True))  # cases
 control = [[A*sp.sign(b - a), sp.Abs(b - a)/A]]  # a list of one arc [value, until]

@@ -24,7 +24,6 @@ costate = sp.sign(x0)*sp.exp(-t)/(1 - sp.Abs(x0))  # the sign turned: H is least
 least_rate = (x**2 - sp.Abs(x))/sp.Abs(x)  # as a quotient
 least_rate = sp.Piecewise((x - 1, x > 0), (-x - 1, True))  # cases
 solvable = sp.And(x0 > -1, x0 < 1, sp.Ne(x0, 0))  # two inequalities, zero left out
-solvable = sp.Interval.open(-1, 1)  # an interval
 solvable = x0**2 < 1  # a square
 time = sp.log(1/(1 - sp.Abs(x0)))  # the logarithm of a quotient
 # cases, plain symbols
@@ -33,7 +32,6 @@ time = sp.Piecewise((-sp.log(1 - p), p > 0), (-sp.log(1 + p), True))
 control = -x0/sp.Abs(x0)  # a quotient
 control = [(-sp.sign(x0), -sp.log(1 - sp.Abs(x0)))]  # a list of one arc
 control = sp.Piecewise((-1, x0 > 0), (1, True))  # cases
-trajectory = x0*sp.exp(t) - sp.sign(x0)*(sp.exp(t) - 1)  # the general solution of a linear equation
 trajectory = sp.sign(x0)*(1 - sp.exp(t + sp.log(1 - sp.Abs(x0))))  # by the least time
 trajectory = sp.Piecewise((1 - (1 - x0)*sp.exp(t), x0 > 0), ((1 + x0)*sp.exp(t) - 1, True))  # cases
 costate = sp.exp(-t)/(x0 - sp.sign(x0))  # without the absolute value

@@ -35,8 +35,6 @@ b_control = sp.Piecewise((0, t < 1), (1, True))  # drifting too long
 b_control = sp.Piecewise((-1, t < sp.Rational(1, 2)), (1, True))  # the lower bound is 0
 
 # %% right
-a_switchings = 1.0  # a float that is whole
-a_switchings = sp.Integer(1)  # a SymPy integer
 a_switching = -sp.sign(x2)*x2**2/2  # with the sign
 a_switching = sp.Piecewise((x2**2/2, x2 < 0), (-x2**2/2, True))  # cases
 a_law = -sp.sign(x1 + x2*sp.Abs(x2)/2)  # the sign of the distance from the curve
@@ -56,7 +54,5 @@ b_solvable = [2*x1 - x2**2 >= 0, x2 < 0]  # a list of conditions
 b_solvable = sp.And(x1 > 0, x2 < 0, x2 >= -sp.sqrt(2*x1))  # solved for x2
 b_law = 1 - sp.Heaviside(x1 - x2**2/2, 0)  # with Heaviside's function
 b_law = sp.Piecewise((1, x2 <= -sp.sqrt(2*x1)), (0, True))  # solved for x2
-b_time = -x1/x2 - x2/2  # two terms
 b_time = (2*x1 + x2**2)/(2*sp.Abs(x2))  # over a common denominator, with the absolute value
 b_control = sp.Piecewise((0, t < sp.Rational(1, 2)), (1, True))  # cases in time
-b_control = [(0.0, 0.5), (1.0, 1.5)]  # decimals

@@ -25,7 +25,5 @@ a_other_time = -sp.sign(x1)*x2 + sp.sqrt(x2**2 - 2*x1*sp.sign(x1))  # with the s
 a_other_time = sp.Piecewise((-x2 + sp.sqrt(x2**2 - 2*x1), x1 > 0), (x2 + sp.sqrt(x2**2 + 2*x1), True))  # case by case
 b_law = sp.Piecewise((-1, x2 > 0), (1, x2 < 0), (0, True))  # two cases
 b_law = 1 - 2*sp.Heaviside(x2)  # a step function
-b_time = sp.sqrt(x2**2)  # a root
 b_time = sp.Max(x2, -x2)  # the larger of two
-b_others = sp.false  # the SymPy constant
 b_others = sp.S.EmptySet  # the empty set

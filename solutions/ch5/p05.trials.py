@@ -43,5 +43,3 @@ crossing = [sp.Matrix([[sp.diff(P[0], alpha), P[1]], [sp.diff(P[1], alpha), valu
 # in factors
 y = sp.sin(alpha)*(R*sp.cos(alpha) - 1)/sp.cos(alpha)
 crossing = [y*(2 - R*sp.cos(alpha)**3)/sp.cos(alpha)**2, -y*R*sp.cos(alpha)]
-barrier = 1 + (R**2 - 1)/2 - x2**2/2  # from the point of contact
-barrier = 0.5*(1 + (R - x2)*(R + x2))  # decimals

@@ -43,8 +43,6 @@ y = sp.sin(alpha) - R*sp.tan(alpha)
 crossing = (2*R*y/sp.cos(alpha)**2 - y*sp.cos(alpha), sp.sin(alpha)*(R - sp.cos(alpha)))
 continuous = sp.Interval.open(1, sp.oo)  # an interval
 continuous = 1 - R**2 <= 0  # a square
-barrier = R**2 + (1 - R**2 - x2**2)/2  # from the point of contact
-barrier = 0.5 + 0.5*R**2 - 0.5*x2**2  # decimals
 law_wide = -x2/sp.Abs(x2)  # a quotient
 law_wide = sp.Piecewise((-1, x2 > 1), (1, True))  # two cases
 # case by case

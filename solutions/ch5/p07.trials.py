@@ -45,8 +45,6 @@ d_time = -sp.log(1 - sp.Abs(x2))  # the time of the unstable mode alone
 d_time = x1 - x2 + 2*sp.log((1 + sp.sqrt(1 - (1 - x2)*sp.exp(x2 - x1)))/(1 - x2))  # one side only
 
 # %% right
-a_interval = 3.14  # three digits
-a_interval = sp.acos(-1)  # an inverse cosine
 a_switching = -sp.sign(x1)*sp.sqrt(sp.Mod(sp.Abs(x1), 2)*(2 - sp.Mod(sp.Abs(x1), 2)))  # a product under the root
 # cases
 q = x1 - 2*sp.floor(x1/2) - 1
@@ -55,19 +53,11 @@ a_switching = sp.Piecewise((-sp.sqrt(1 - q**2), x1 > 0), (sp.sqrt(1 - q**2), Tru
 a_law = -sp.sign(x2 + sp.sign(x1)*sp.sqrt(1 - (sp.Abs(x1) - 2*sp.floor(sp.Abs(x1)/2) - 1)**2))
 # by products under the root
 a_law = sp.Piecewise((-1, x2 > -sp.sign(x1)*sp.sqrt(sp.Mod(sp.Abs(x1), 2)*(2 - sp.Mod(sp.Abs(x1), 2)))), (1, True))
-a_solvable = True  # a Python bool
-a_solvable = x1**2 + x2**2 >= 0  # a condition that always holds
 a_count = sp.ceiling(R/2)  # the ceiling
-a_count = sp.floor((R + 2)/2)  # from the next even number
 # with the remainder of R
 p, k = R - 2*sp.floor(R/2), sp.floor(R/2)
 a_time = k*sp.pi + sp.acos(1 - (p*(2 - p))/(4*(R + 1)*(k + 1))) + sp.acos(1 - p*(R + 2 + 2*k)/(4*(k + 1)))
-# not divided
-k = sp.floor(R/2)
-a_time = sp.pi*k + sp.acos(((2*k + 2)**2 + (1 - (R + 1)**2))/(2*(2*k + 2))) + sp.acos(((2*k + 2)**2 + (R + 1)**2
-                                                                                       - 1)/(2*(2*k + 2)*(R + 1)))
 a_radius = 2.0*n  # a decimal
-a_radius = n*(1 - sp.cos(sp.pi))  # an integral
 b_solvable = sp.And(x1 + x2 < 1, x1 + x2 > -1)  # two inequalities
 b_solvable = (x1 + x2)**2 < 1  # a square
 b_switching = -sp.sign(x1)*sp.sqrt((sp.Abs(x1) + 1)**2 - 1)  # the hyperbola
@@ -85,7 +75,6 @@ b_time = sp.Piecewise((sp.log(3 - m + sp.sqrt(m**2 - 10*m + 9)) - sp.log(2 - 2*x
 g = sp.sign(x2 + sp.sign(x1)*sp.sqrt(x1**2 + 2*sp.Abs(x1)))
 m = (1 - g*x1)**2 - x2**2
 b_time = sp.log((3 - m + sp.sqrt((1 - m)*(9 - m)))/(2*(1 - g*(x1 + x2))))
-c_solvable = True  # a Python bool
 c_solvable = sp.Or(x1 + x2 >= 0, x1 + x2 <= 0)  # a condition that always holds
 c_switching = sp.Piecewise((-x2 - sp.log(1 - x2), x2 < 0), (-x2 + sp.log(1 + x2), True))  # cases
 c_switching = -x2 - sp.sign(x2)*sp.log(1/(1 + sp.Abs(x2)))  # another logarithm
@@ -102,7 +91,6 @@ d_solvable = sp.And(x2 < 1, x2 > -1)  # two inequalities
 d_solvable = x2**2 < 1  # a square
 d_switching = sp.Piecewise((x2 - sp.log(1 + x2), x2 < 0), (x2 + sp.log(1 - x2), True))  # cases
 d_switching = x2 - sp.sign(x2)*sp.log(1/(1 - sp.Abs(x2)))  # another logarithm
-d_law = -sp.sign(x1 - x2 - sp.sign(x2)*sp.log(1 - sp.Abs(x2)))  # the sign of the distance from the curve
 # cases, the curve itself too
 q = x1 - x2 - sp.sign(x2)*sp.log(1 - sp.Abs(x2))
 d_law = sp.Piecewise((-1, q > 0), (1, q < 0), (-sp.sign(x2), True))

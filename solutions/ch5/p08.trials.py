@@ -22,7 +22,6 @@ in_law_all = sp.sign(x2)  # the resonance law
 # %% right
 reached = True  # everywhere, the two points on the axis counted in
 reached = -R*sp.Abs(sp.sin(alpha)) < 0  # by the rate
-curve = [-(1 + R) + sp.cos(sp.pi - alpha), sp.sin(sp.pi - alpha)]  # as the half turns come
 # not simplified
 curve = sp.Matrix([-1 - (R*sp.cos(alpha) + 1)*sp.cos(alpha) - R*sp.sin(alpha)**2,
                    (R*sp.cos(alpha) + 1)*sp.sin(alpha) - R*sp.sin(alpha)*sp.cos(alpha)])
@@ -36,10 +35,6 @@ law = sp.Piecewise((sp.Piecewise((1, x2 < -sp.sqrt(1 - (x1 - R - 1 - 2*m)**2)), 
                    (sp.Piecewise((-1, x2 > sp.sqrt(1 - (x1 + R + 1 + 2*k)**2)), (1, True)), x1 <= -R), (-1,
                                                                                                         x2 > 0), (1,
                                                                                                                   True))
-crossing = [2*sp.sin(alpha) + R*sp.sin(alpha), R*sp.sin(alpha)]  # multiplied out
-# not simplified
-crossing = [sp.sin(alpha)*(value + 1 + R + sp.cos(alpha)) - sp.cos(alpha)*sp.sin(alpha) for value in (1, -1)]
-in_dispersal = sp.sqrt(sp.sqrt(R**4 - 8*R**2 + 16*x1**2 + 16)/2 + R**2/2 - 2 - x1**2)  # the root multiplied out
 # by the radius: r**2 as an expression in x1, decimals
 p = 0.5*((R**2 - 4) + ((R**2 - 4)**2 + 16*x1**2)**0.5)
 in_dispersal = (p - x1**2)**0.5

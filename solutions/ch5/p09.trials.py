@@ -69,7 +69,6 @@ a_switching = sp.Matrix([1 + (R*sp.cos(alpha) - 1)*sp.cosh(s0) - R*sp.sin(alpha)
 a_law = sp.Piecewise((-1, sp.Or(sp.And(x1 < -R, x2 > z), sp.And(sp.Abs(x1) <= R, x2 > 0), sp.And(x1 > R, x2 > -z))),
                      (1, True))
 a_law = -sp.sign(x2 + sp.sign(x1)*sp.Piecewise((z, sp.Abs(x1) > R), (0, True)))  # the height made zero above the disc
-a_barrier = sp.sqrt((1 - x1)**2 + R**2 - 0.5)  # decimals
 a_barrier = sp.sqrt(2*x1**2 - 4*x1 + 1 + 2*R**2)/sp.sqrt(2)  # expanded
 # both borders at once
 w = x1 + x2

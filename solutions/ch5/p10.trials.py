@@ -22,12 +22,7 @@ b_law = sp.Piecewise((sp.Piecewise((-1, sp.And(x2 > 0, x1 > -x2**2/3)), (1, True
 b_law = sp.Piecewise((-sp.sign(x2), x1 < x2**2), (sp.Piecewise((1, sp.And(x2 > 0, x1 < 13*x2**2)), (-1, True)), True))
 
 # %% right
-a_reached = v - 1 < 0  # the rate of g
 a_reached = sp.Interval(-sp.oo, 1)  # an interval
-a_curve = 0.5  # a decimal
-a_curve = x2 - x2 + sp.Rational(1, 2)  # as it comes
-a_barrier = 1 + (x2**2 - 1)/2  # from the point of contact
-a_barrier = x2 + (1 - x2)**2/2  # by g
 # all cases side by side, in plain symbols
 a, b = sp.symbols("x1 x2")
 a_law = sp.Piecewise((1, sp.And(a > b, b <= 0, 2*a < 1)), (1, sp.And(a > b, b > 0, b < 1, 2*a < 1 + b**2)), (-1, a > b),
@@ -45,9 +40,7 @@ a_time = sp.Piecewise((1 + x2 + (x2**2 + 2*x1 - 1)**0.5, sp.Or(x2 >= 1, x1 > 0.5
                       (1 - x2 - (1 + x2**2 - 2*x1)**0.5, True))
 b_reached = True  # the vertex counted in
 b_reached = -v - 2*sp.Abs(v) < 0  # the rate
-b_curve = -3*(x2/3)**2  # by the end point
 b_curve = -0.333*x2**2  # three digits
-b_dispersal = 26*x2*x2/2  # a product
 b_dispersal = 13.0*x2**2  # a decimal
 # four regions
 b_law = sp.Piecewise((-1, sp.And(x2 > 0, x1 > -x2**2/3, x1 < x2**2)), (1, x1 < x2**2),

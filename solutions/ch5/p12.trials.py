@@ -20,12 +20,9 @@ latest = sp.pi/4  # the least time
 latest = sp.pi  # a half-turn
 
 # %% right
-angular_rate = -u*sp.cos(theta)**2 - 1 + sp.cos(theta)**2  # over r^2
 angular_rate = -(u + 1)/2 - (u - 1)/2*sp.cos(2*theta)  # doubled angle
 time = 0.785  # three digits
-time = sp.atan(1)  # an inverse tangent
 control = [[4, sp.pi/4]]  # a list of one arc
-control = sp.Piecewise((4, t < sp.Rational(1, 2)), (4, True))  # cases with the same value
 trajectory = sp.sin(t)*sp.cos(t)  # a product
 trajectory = sp.Matrix([sp.sin(2*t)/2, sp.cos(2*t)])  # both states, a column
 costate = [1 - 2*sp.sin(t)**2, -sp.sin(t)*sp.cos(t)]  # squares and products
@@ -33,4 +30,3 @@ costate = (1.0*sp.cos(2*t), -0.5*sp.sin(2*t))  # a tuple, decimals
 switching = (1 - sp.cos(4*t))/8  # doubled angle
 switching = sp.sin(t)**2*sp.cos(t)**2  # a product
 latest = 1.57  # three digits
-latest = sp.acos(0)  # an inverse cosine

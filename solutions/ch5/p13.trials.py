@@ -20,12 +20,8 @@ switching = sp.cos(2*t)**2/4  # that of Problem 5.11
 
 # %% right
 meeting = 3.1416*n  # decimals
-meeting = 2*sp.pi*n/2  # another factor
 time = 3.14  # three digits
-time = sp.acos(-1)  # an inverse cosine
 control = [[1, sp.pi]]  # a list of one arc
-control = 1.0  # a decimal
-trajectory = sp.sin(t + sp.pi/2)  # a phase
 trajectory = [2*sp.cos(t/2)**2 - 1, -sp.sin(t)]  # both states
 costate = sp.Matrix([sp.sin(t), sp.cos(t)])  # a column
 costate = (2*sp.sin(t/2)*sp.cos(t/2), 1 - 2*sp.sin(t/2)**2)  # half angles, a tuple

@@ -14,17 +14,9 @@ d_digits = 1.649  # the eigenvalue itself
 d_digits = -0.217  # the digits that the smallest eigenvalue wins
 
 # %% right
-a_polynomial = (lam - 1)**4 + kappa*lam*(lam**2 + 4*lam + 1)/6  # not multiplied out
-# as a determinant, plain symbols
-L, K = sp.symbols('lam kappa')
-a_polynomial = (L*sp.eye(4) - transition.subs(kappa, K)).det()
-b_reduced = w**2 + (kappa/6 - 4)*w + 2*kappa/3 + 4  # by powers of w
 b_reduced = w**2 - 4.0*w + 4.0 + kappa*w/6 + kappa*2/3  # decimals
 b_circle = 16*sp.sin(phi/2)**4 + kappa*(1 - sp.Rational(2, 3)*sp.sin(phi/2)**2)  # by the half angle
 b_circle = 6 - 8*sp.cos(phi) + 2*sp.cos(2*phi) + kappa*(sp.cos(phi) + 2)/3  # by the double angle
-c_kappa = 144.0  # a float
-c_kappa = sp.Integer(12)**2  # twelve squared
-d_digits = 0.217  # three digits
 # exact, by the complex root
 z = sp.Rational(95, 48) + sp.I*sp.sqrt(575)/48
 d_digits = sp.log(sp.Abs((z + sp.sqrt(z**2 - 4))/2), 10).evalf(8)

@@ -19,9 +19,6 @@ c_direct = 0  # no miss at all
 
 # %% right
 a_acceleration = ((h0 - 2*h1 + h2)/tau)/(2*tau/3 + 6*M/(rho*tau**2))  # from the equation (R + M G) u = d
-# by kappa
-kappa = rho*tau**3/M
-a_acceleration = 3*kappa*(h0 - 2*h1 + h2)/(2*tau**2*(kappa + 9))
 # over a common denominator
 N = 2*(rho*tau**3 + 9*M)
 q = -3*M*(h0 - 2*h1 + h2)
@@ -29,11 +26,3 @@ a_positions = sp.Matrix([(h0*N + q)/N, (h1*N - 2*q)/N, (h2*N + q)/N])
 # multiplied out, a tuple
 q = sp.expand(-3*M*(h0 - 2*h1 + h2)/(2*(rho*tau**3 + 9*M)))
 a_positions = (h0 + q, h1 - 2*q, q + h2)
-b_limit = 1.5*Delta/tau**2  # decimals
-b_limit = sp.Rational(3, 2)*Delta*tau**-2  # with a negative power
-b_weight = rho*tau*Delta/(6*D) - rho*tau**3/9  # multiplied out
-b_weight = rho*tau**3/9*(3*Delta/(2*tau**2)/D - 1)  # by the limit
-c_sweep = rho*(Delta**2 - 4*Delta*D*tau**2/3 + 4*D**2*tau**4/9)/6  # multiplied out
-c_sweep = rho*(3*Delta - 2*D*tau**2)**2/54  # over 54
-c_direct = sp.expand(rho*(D*tau**2 - Delta)**2/6)  # multiplied out
-c_direct = rho*tau**4*(Delta/tau**2 - D)**2/6  # by the largest second difference

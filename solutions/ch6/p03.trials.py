@@ -22,15 +22,3 @@ c_riccati = -sp.Matrix([[sp.sqrt(rho*M), sp.sqrt(2)*rho**sp.Rational(1, 4)*M**sp
 cut = (rho/M)**sp.Rational(1, 4)
 a_gain = 1/(1 + (omega/cut)**4)
 a_gain = 1 - M*omega**4/(rho + M*omega**4)  # one minus what is lost
-a_decay = sp.sqrt(sp.sqrt(rho/M)/2)  # with square roots
-a_decay = (0.25*rho/M)**0.25  # a decimal power
-b_weight = rho*a/(D*omega**2) - rho/omega**4  # multiplied out
-# over a common denominator, plain symbols
-A, W, R, B = sp.symbols('a omega rho D')
-b_weight = R*(A*W**2 - B)/(B*W**4)
-# nested lists
-q = sp.sqrt(rho*M)
-c_riccati = [[sp.sqrt(2*rho*q), q], [q, sp.sqrt(2*M*q)]]
-# by the cut-off frequency
-cut = (rho/M)**sp.Rational(1, 4)
-c_riccati = M*sp.Matrix([[sp.sqrt(2)*cut**3, cut**2], [cut**2, sp.sqrt(2)*cut]])

@@ -15,17 +15,10 @@ d_worst = delta/R  # the errors with the signs that they have in the formula: th
 d_worst = 4*delta/(g*tau**2)  # right for short arcs only
 
 # %% right
-# sorted by the unknowns
-w = sp.sqrt(g/R)
-a_speed = v0*sp.cos(w*t) - R*eps*(1 - sp.cos(w*t)) - sp.sqrt(g*R)*phi0*sp.sin(w*t) + b*sp.sqrt(R/g)*sp.sin(w*t)
 # plain symbols, by the half angle
 T, G, L, V, P, E, B = sp.symbols('t g R v0 phi0 eps b')
 a_speed = V*sp.cos(T*sp.sqrt(G/L)) - 2*L*E*sp.sin(T*sp.sqrt(G/L)/2)**2 + (B - G*P)*sp.sqrt(L/G)*sp.sin(T*sp.sqrt(G/L))
 b_unseen = sp.Matrix([0, 1/g, 0, 1])  # divided by g, as a column
 b_unseen = (0, -2, 0, -2*g)  # the other way round
-c_error = -b/(R*sp.sqrt(g/R)**2)  # by the frequency
 c_error = -1.0*b/g  # a decimal factor
-# as a sum of absolute values
-k = sp.cos(tau*sp.sqrt(g/R))
-d_worst = delta*(sp.Rational(1, 2) + sp.Rational(1, 2) + sp.Abs(k))/(R - R*k)
 d_worst = delta*(1 + sp.sqrt(sp.cos(tau*sp.sqrt(g/R))**2))/(2*R*sp.sin(tau*sp.sqrt(g/R)/2)**2)  # by the half angle

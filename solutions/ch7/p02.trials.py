@@ -17,7 +17,6 @@ c_error = delta*((x + u*t - p*(t - T))**2 + (y + w*t - q*(t - T))**2)/((t - T)*(
 
 # %% right
 a_unseen = sp.Matrix([-x, -y, -u, -w])/3  # towards the observer, as a column
-a_unseen = list(sp.symbols('x y u w'))  # plain symbols
 b_condition = sp.Ne((t - T)*(q*x + q*u*t - p*y - p*w*t), 0)  # multiplied out, with the time after the turn
 b_condition = (p*(y + w*t) - q*(x + u*t))**2 > 0  # by the square
 # by the way aside

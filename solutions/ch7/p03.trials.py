@@ -17,10 +17,6 @@ d_insufficient = sp.Eq(n1*k1 + n2*k2 + n3*k3, 0)  # perpendicular instead of par
 d_insufficient = sp.Or(sp.Eq(n1*k3, n3*k1), sp.Eq(n2*k3, n3*k2))  # either of the two
 
 # %% right
-# multiplied out
-a_modes = [sp.expand(c) for c in (4*n1*x + 2*n1*vy/omega + n2*y - 2*n2*vx/omega, -3*n2*vy - 6*n2*omega*x,
-                                  -3*n1*x - 2*n1*vy/omega + 2*n2*vx/omega + n3*z,
-                                  n1*vx/omega + 6*n2*x + 4*n2*vy/omega + n3*vz/omega)]
 # a column over a common denominator, plain symbols
 N1, N2, N3, W, X0, Y0, Z0, VX, VY, VZ = sp.symbols('n1 n2 n3 omega x y z vx vy vz')
 a_modes = sp.Matrix([(N1*(4*W*X0 + 2*VY) + N2*(W*Y0 - 2*VX))/W, -3*N2*(VY + 2*W*X0),
@@ -30,8 +26,6 @@ b_unseen = [[n3, 0, -n1, 0, -2*omega*n3, 2*n2*omega], [0, 2*n3, -2*n2, omega*n3,
 one = sp.Matrix([1, 0, -n1/n3, 0, -2*omega, 2*n2*omega/n3])
 two = sp.Matrix([0, 2, -2*n2/n3, omega, 0, -n1*omega/n3])
 b_unseen = [one + two, one - two]
-c_ranks = (3, 4, 2)  # as a tuple
-c_ranks = [3.0, 4.0, 2.0]  # floats that are whole
 d_insufficient = sp.Eq((n1/n3 - k1/k3)**2 + 4*(n2/n3 - k2/k3)**2, 0)  # the determinant
 d_insufficient = sp.Eq((n1*k1 + n2*k2 + n3*k3)**2, 1)  # unit vectors at an angle of 0 or 180 degrees
 # all three components of the cross product, as a list

@@ -13,8 +13,6 @@ d_fooling = 1/(M - 1)  # the square root dropped
 # %% right
 a_error = [0, -1000, 0]  # a greater error
 a_error = sp.Matrix([-sp.Rational(1, 2), 6, 1])  # with small errors of the other measurements, as a column
-b_rows = 51539.0  # a float that is whole
-b_rows = sp.floor((sp.Rational(2061856, 10) - 27)/4)  # rounded down by SymPy
 c_condition = sp.cot(sp.atan(delta)/2)  # by the half angle
 # by the cosine
 c = (1 + delta**2)**sp.Rational(-1, 2)

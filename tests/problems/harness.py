@@ -6,6 +6,8 @@ import sys
 import time
 import traceback
 
+import sympy as sp
+
 from trajlib import checks
 from trajlib.masters.statements import reported_names
 
@@ -57,6 +59,14 @@ class Workbench:
         call = self.calls[name]
         return call.func.attr, [self._value(arg) for arg in call.args[1:]], {k.arg: self._value(k.value)
                                                                              for k in call.keywords}
+
+    def symbols(self, name):
+        """The list of symbols given to the check of an answer that holds those of the answer, if there is one alone."""
+        _, arguments, options = self.check_arguments(name)
+        own = getattr(self.reference[name], "free_symbols", set())
+        lists = [given for given in (*arguments, *options.values()) if isinstance(given, (list, tuple))
+                 and own and own <= {one for one in given if isinstance(one, sp.Symbol)}]
+        return lists[0] if len(lists) == 1 else ()
 
     def _value(self, node):
         return eval(compile(ast.Expression(node), "<argument>", "eval"), self.data | self.reference)

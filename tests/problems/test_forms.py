@@ -3,7 +3,7 @@ as it crosses."""
 
 import collections
 import decimal
-import fractions
+import itertools
 from pathlib import Path
 
 import casadi
@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 import scipy.sparse
 import sympy as sp
+from forms import forms
 from harness import Workbench
 
 from trajlib import exercises
@@ -41,24 +42,6 @@ def elementwise(change):
     return changed
 
 
-def of_objects(value):
-    if isinstance(value, (list, tuple, sp.MatrixBase)):
-        return np.array(value, dtype=object)
-    array = np.empty((), dtype=object)
-    array[()] = value
-    return array
-
-
-def as_sympy_array(value):
-    # SymPy would make flat rows of them
-    several_matrices = isinstance(value, list) and isinstance(value[0], sp.MatrixBase)
-    return sp.Array(value) if isinstance(value, (list, tuple, sp.MatrixBase)) and not several_matrices else value
-
-
-def as_numpy_scalar(value):
-    return {str: np.str_, bool: np.bool_, int: np.int64, float: np.float64}.get(type(value), lambda same: same)(value)
-
-
 def as_set(values):
     try:
         return {tuple(value) if isinstance(value, list) else value for value in values}
@@ -66,26 +49,11 @@ def as_set(values):
         return values
 
 
-def as_fraction(value):
-    return fractions.Fraction(int(value.p), int(value.q)) if isinstance(value, sp.Rational) else value
-
-
 def as_decimal_number(make):
     return lambda value: (make(str(sp.N(value, 30)))
                           if isinstance(value, sp.Expr) and value.is_number and value.is_real else value)
 
 
-#: Other forms of the reference: all of them right.
-ACCEPTED = {
-    "arrays of objects": of_objects,
-    "arrays in lists": lambda value: [of_objects(part) if isinstance(part, (list, tuple)) else part for part in value]
-    if isinstance(value, list) else value,
-    "arrays of words": lambda value: np.array(value) if isinstance(value, str) else value,
-    "SymPy arrays": as_sympy_array,
-    "NumPy scalars": elementwise(as_numpy_scalar),
-    "Fractions": elementwise(as_fraction),
-    "sparse matrices": lambda value: sp.SparseMatrix(value) if isinstance(value, sp.MatrixBase) else value,
-}
 #: Forms whose verdict may be any: decimals where an exact number is asked.
 EITHER = {
     "mpmath": elementwise(as_decimal_number(mpmath.mpf)),
@@ -123,16 +91,27 @@ def _disagreements(number):
     exercise = exercises.find(number)
     bench = Workbench(read(SOLUTIONS / exercise.path.parent.name / f"{exercise.path.stem}.md"))
     found = []
-    for form, change in {**ACCEPTED, **EITHER, **REFUSED}.items():
-        answers = {name: changed for name, value in bench.reference.items() if (changed := change(value)) is not value}
+    for form, answers, expected in _turns(bench):
         here = {name: [verdict.status, verdict.message] for name, verdict in bench.judge(answers).items()}
         graded = judge_cells(exercise.code("data", "check"), *_handed_over(answers), list(bench.reference))
         for name in answers:
-            expected = "right" if form in ACCEPTED else "invalid" if form in REFUSED else here[name][0]
-            if (here[name] != graded[name] or here[name][0] != expected or form in REFUSED
-                and not here[name][1].startswith("answer ")):
+            kept = expected in (here[name][0], "any") and (expected != "invalid" or here[name][1].startswith("answer "))
+            if here[name] != graded[name] or not kept:
                 found.append([form, name, here[name], graded[name]])
     return found
+
+
+def _turns(bench):
+    """(form, answers, verdict): all answers in one form after another, whatever the verdict on it is to be."""
+    accepted = {name: forms(value, bench.master.answers[name].kind, bench.symbols(name))
+                for name, value in bench.reference.items()}
+    for turn in itertools.zip_longest(*(others.items() for others in accepted.values())):
+        tried = {name: other for name, other in zip(accepted, turn) if other is not None}
+        yield [form for form, _ in tried.values()], {name: value for name, (_, value) in tried.items()}, "right"
+    for changes, expected in ((EITHER, "any"), (REFUSED, "invalid")):
+        for form, change in changes.items():
+            others = {name: change(value) for name, value in bench.reference.items()}
+            yield form, {name: other for name, other in others.items() if other is not bench.reference[name]}, expected
 
 
 def _handed_over(answers):

@@ -7,6 +7,7 @@ import time
 from pathlib import Path
 
 import pytest
+from forms import forms
 from harness import called_functions, check_calls, data_of, each_part, execute
 from mutants import mutants
 from nonsense import NOT_ASKED, nonsense
@@ -16,6 +17,8 @@ from trajlib import exercises
 from trajlib.checks.contract.encoding import decode, encode
 from trajlib.execution import in_child, judge_cells
 from trajlib.masters import master_paths, read
+from trajlib.masters.beginning import PLACEHOLDER
+from trajlib.masters.trials import trials_file
 
 ROOT = Path(__file__).resolve().parents[2]
 PATHS = master_paths(ROOT / "solutions")
@@ -123,11 +126,25 @@ def _wrong(bench):
     return {"trials": [_as_data(trial) for name in trials for trial in trials[name]], "harmed": harmed}
 
 
+def test_every_form_of_an_answer_is_right(master):
+    seen = found(master, "forms")
+    assert {name for name, tried in seen["tried"].items() if tried} == set(master.answers)
+    assert seen["refused"] == []
+
+
+def _forms(bench):
+    tried, refused = {}, []
+    for name, text in _encoded(bench).items():
+        others = forms(decode(text.encode()), bench.master.answers[name].kind, bench.symbols(name))
+        tried[name] = list(others)
+        for form, value in others.items():
+            verdict = bench.judge_one(name, value)
+            if verdict.status != "right":
+                refused.append(f"{name}, {form}: {value}: {verdict.status}: {verdict.message}")
+    return {"tried": tried, "refused": refused}
+
+
 def test_right_trials_are_right(master):
-    forms = [trial.name for trial in master.trials["right"]]
-    few = [name for name, answer in master.answers.items()
-           if forms.count(name) < 2 and not answer.kind.startswith(("choice", "yes/no"))]
-    assert not few, f"these answers need two right trials: {few}"
     assert [trial for trial in found(master, "right") if trial["status"] != "right"] == []
 
 
@@ -190,8 +207,15 @@ def _solved(bench):
     return {"answers": _encoded(bench), "called": sorted(bench.called)}
 
 
-PARTS = {"reference": _reference, "untouched": _untouched, "wrong": _wrong, "right": _right, "mutants": _mutants,
-         "solved": _solved}
+PARTS = {"reference": _reference, "untouched": _untouched, "wrong": _wrong, "forms": _forms, "right": _right,
+         "mutants": _mutants, "solved": _solved}
+
+
+def test_nothing_is_left_of_the_template(master):
+    left = [f"{path.name}:{k}: {line.strip()}" for path in (master.path, trials_file(master.path))
+            for k, line in enumerate(path.read_text(encoding="utf-8").split("\n"), start=1) if PLACEHOLDER in line]
+    if left:
+        pytest.fail("\n".join(["to be replaced:", *left]), pytrace=False)
 
 
 def test_check_cells_hold_no_answers(master):
