@@ -3,9 +3,9 @@
 Right first, fast second. Floats: pairs whose unseen states are known by construction (tests/library/known_pairs.py:
 rotated, in bad units, defective, up to 60 states) are judged by everybody, and wrong ranks are counted; then seconds
 for a verdict and a decomposition up to n = 100. The peers: the rank of python-control's Kalman matrix; its `minreal`
-(SLICOT's staircase, only where slycot is installed; as given, and of the system that `control` cannot scale by itself);
-Popov's criterion at SciPy's eigenvalues. Exact: verdicts against sympy.physics.control, which for parameters says True
-or False and never where; conditions in two parameters, which none of them has, up to n = 8.
+(SLICOT's staircase, only where slycot is installed); Popov's criterion at SciPy's eigenvalues. Exact: verdicts against
+sympy.physics.control, which for parameters says True or False and never where; conditions in two parameters, which none
+of them has, up to n = 8 (there a cubic without simple roots comes up, and the system is refused).
 
     .venv/bin/python benchmarks/structure.py [number of pairs, 500 if left out]
 """
@@ -78,7 +78,7 @@ def judged(count):
 
 
 def timed():
-    print("\nseconds for one pair, observable and with a third of the states unseen; the rank of control.obsv beside it")
+    print("\nseconds for one pair, observable and with a third of the states unseen")
     for n in (10, 30, 60, 100):
         rng, row = np.random.default_rng(n), []
         for hidden in (0, n//3):
@@ -113,7 +113,7 @@ def conditions():
     print("\nconditions in two parameters (neither python-control, SciPy nor sympy.physics.control has them): seconds")
     a, b = sp.symbols("a b")
     for n in range(2, 9):
-        # a chain of masses, the outer springs a and b, the last displacement measured
+        # a symmetric chain with a and b at its ends, both of which are measured together
         A = sp.zeros(n)
         for i in range(n - 1):
             A[i, i + 1] = A[i + 1, i] = 1

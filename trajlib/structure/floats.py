@@ -17,6 +17,8 @@ from .scaling import Scaled, balanced
 from .staircase import staircase
 
 _EPS = np.finfo(float).eps
+#: Lost directions are split off together if they are as independent as this.
+_APART = 0.3
 # A margin below this is told: data known to eight digits would not decide.
 DOUBTFUL = np.sqrt(_EPS)
 
@@ -72,20 +74,33 @@ def split(A, H):
         if not stairs.rank:
             break
         inner, outer = stairs.matrix[:stairs.rank, :stairs.rank], scaled.H @ seen
-        sigma, value, vector = nearest(inner, outer, stairs)
+        minima = nearest(inner, outer, stairs)
+        sigma = minima[0][0]
         margin = sigma if margin is None and not unseen.shape[1] else margin
         if sigma > limit:
             break
-        if np.imag(value) and smallest(inner, outer, np.real(value))[0] <= limit:
-            value = np.real(value)
-            sigma = smallest(inner, outer, value)[0]
-        plane = _plane(_kernel(inner, outer, value, max(2*sigma, 20*_EPS)))
+        plane = _lost_plane(inner, outer, minima, limit)
         unseen, seen = np.hstack([unseen, seen @ plane]), seen @ scipy.linalg.null_space(plane.T)
         if not seen.shape[1]:
             break
         # The error of what is split off adds to the data of what remains.
         limit = tolerance(n)*10**min(round_ + 1, 4)
     return Split(scaled, seen, unseen, _whole_margin(scaled, unseen) if margin is None else margin)
+
+
+def _lost_plane(A, H, minima, limit):
+    """Real orthonormal basis of what is lost at the minima that are zero within `limit`."""
+    planes, known = [], []
+    for sigma, value, _ in minima:
+        if np.imag(value) and smallest(A, H, np.real(value))[0] <= limit:
+            value = np.real(value)
+            sigma = smallest(A, H, value)[0]
+        if sigma <= limit and all(abs(value - other) > 1e-3 for other in known):
+            known.append(value)
+            planes.append(_plane(_kernel(A, H, value, max(2*sigma, 20*_EPS))))
+    # Directions that nearly depend on the others are known too poorly here; the next search finds them.
+    axes, weights, _ = np.linalg.svd(np.hstack(planes), full_matrices=False)
+    return axes[:, weights > _APART] if len(planes) > 1 else planes[0]
 
 
 def told_split(A, H):

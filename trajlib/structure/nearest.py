@@ -20,20 +20,20 @@ _DESCENTS, _MEANS, _STEPS = 8, 12, 60
 
 
 def nearest(A, H, stairs):
-    """(least singular value found, its lambda, its unit vector) of a pair of norm 1, in the coordinates of `stairs`."""
+    """Local minima of a pair of norm 1, in the coordinates of `stairs`: triples (least singular value, its lambda, its
+    unit vector), the least first."""
     points = _starts(stairs)
-    best, taken = (np.inf, None, None), []
+    found, taken = [], []
     for index in np.argsort(_rough_values(A, H, points)):
         start = points[index]
         # Near neighbours lead to one minimum; the first three starts are the most promising, however near.
         if len(taken) >= 3 and min(abs(start - other) for other in taken) <= 1e-3:
             continue
         taken.append(start)
-        found = _descend(A, H, start)
-        best = min(best, found, key=lambda one: one[0])
-        if best[0] <= 2*_EPS or len(taken) == _DESCENTS:
+        found.append(_descend(A, H, start))
+        if len(taken) == _DESCENTS:
             break
-    return best
+    return sorted(found, key=lambda one: one[0])
 
 
 def smallest(A, H, value):
