@@ -117,6 +117,9 @@ def test_control_between_its_bounds():
     # Worked example 3 of the book: on x1 = x2 and x1 = -x2.
     (Problem(PLANE, ONE, START, [x1, x2], running=(x1 - x2)**2), 1, ((x1 - x2)*(x1 + x2),), x1, -2*lambda0),
     (Problem({x: u}, ONE, {x: 1}, [x - 1], running=-x**2, duration=2), 1, (x,), 0, 2*lambda0),
+    # 5.54: straight on, where the sine of the angle is zero.
+    (Problem({x1: 2 - sp.cos(x2), x2: sp.sin(x2)/x1 + u}, ONE, START, [x1 - 3], maximise=True), 1, (sp.sin(x2),), 0,
+     sp.Symbol("psi1", real=True)*sp.cos(x2)),
 ])
 def test_singular_arcs(problem, order, surface, control, kelley):
     arc = problem.conditions().singular[u]

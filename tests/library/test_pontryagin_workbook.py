@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 import sympy as sp
-from scipy.integrate import quad, solve_ivp
+from scipy.integrate import quad, solve_bvp, solve_ivp
 from scipy.optimize import brentq, fsolve, minimize
 
 from trajlib.pontryagin import Infeasible, NotConverged, PontryaginError, Problem, Unbounded, compare
@@ -145,6 +145,23 @@ def far_flight():
     return -C*(1/2 + C*np.sin(2/C)/4)
 
 
+def flight_in_air():
+    """5.38 with T = 10, v(0) = 1/2: theta' = cos(theta) (1 + 3 v^2 sin(theta))/v, theta(T) = 0, by collocation.
+
+    The start is the point of rest of the system, 3 v^4 = 1, near which the flight stays.
+    """
+    def rate(s, z):
+        theta, speed, _ = z
+        return np.array([np.cos(theta)*(1 + 3*speed**2*np.sin(theta))/speed, -speed**2 - np.sin(theta),
+                         speed*np.cos(theta)])
+
+    times = np.linspace(0, 10, 201)
+    rest = np.array([-np.arcsin(3**-0.5)*np.ones(201), 3**-0.25*np.ones(201), 0.6*times])
+    found = solve_bvp(rate, lambda a, b: np.array([b[0], a[1] - 0.5, a[2]]), times, rest, tol=1e-9, max_nodes=20000)
+    assert found.success
+    return -found.y[2, -1]
+
+
 def approach():
     """5.44, omega(0) = 0, k = -1, T = 2: u' = 2 omega (omega^2 - 1), omega' = 2 omega + u, u(2) = 0, not the trivial
     one.
@@ -277,6 +294,8 @@ STATEMENTS = {
     "5.37": statement(Problem({x: v*sp.cos(u), y: v*sp.sin(u), v: -sp.sin(u)}, FREE, {x: 0, y: 0, v: 1}, final=-x,
                               duration=1),
                       far_flight(), LOCAL, "v = C cos(theta)"),
+    "5.38": statement(Problem({x: v*sp.cos(u), y: v*sp.sin(u), v: -v**2 - sp.sin(u)}, FREE, {x: 0, y: 0, v: R(1, 2)},
+                              final=-x, duration=10), flight_in_air(), LOCAL, "collocation", accuracy=1e-8),
     "5.40": statement(Problem({x: (1 + y)*sp.cos(u), y: (1 + y)*sp.sin(u)}, FREE, {x: 2, y: 1}, [x, y]),
                       np.arccosh(9/4), LOCAL,
                       "distance in the half-plane: cosh T = 1 + |d|^2/(2 y_1 y_2)"),

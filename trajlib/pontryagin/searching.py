@@ -1,6 +1,6 @@
 """From a statement to discrete pictures of extremals, or to the reason why there is none."""
 from dataclasses import dataclass
-from itertools import chain, zip_longest
+from itertools import zip_longest
 
 import numpy as np
 
@@ -93,8 +93,7 @@ class _Attempts:
         coarse = Transcription(numeric, COARSE, None, side, patience=PATIENCE)
         fine = Transcription(numeric, INTERVALS, None, side)
         point = numeric.duration is None and numeric.m > 1
-        starts = chain(self.reaching(side) if point else [], self._spread(side))
-        rough, tried = self._compared(coarse, starts), numeric.m == 0 or point
+        rough, tried = self._compared(coarse, self._spread(side, point)), numeric.m == 0 or point
         if not rough:
             # Few intervals may be too long for a plant that is fast or unstable.
             rough = self._compared(fine, self._spread(side))
@@ -109,11 +108,16 @@ class _Attempts:
                 fine, (picture.duration, picture.states, picture.controls))
         return [(picture, side) for picture in pictures]
 
-    def _spread(self, side):
-        """Starts of several kinds in turn: motions under constant controls, straight lines, controls that swing."""
+    def _spread(self, side, ladder=False):
+        """Starts of several kinds in turn: motions under constant controls, straight lines, controls that swing.
+
+        `ladder`: a way to the target as the last one, which is looked for only if the others are not enough.
+        """
         starts = list(guesses(self.numeric, COARSE, side))
         swings = waves(self.numeric, COARSE, starts[0][0])
-        return [start for pair in zip_longest(starts, swings) for start in pair if start is not None]
+        yield from (start for pair in zip_longest(starts, swings) for start in pair if start is not None)
+        if ladder:
+            yield from self.reaching(side)
 
     def _compared(self, programme, starts):
         """The different pictures that the starts lead to, the best first; enough where AGREEING in a row are the
@@ -135,7 +139,7 @@ class _Attempts:
         for a linear system, and finds a way if there is one.
         """
         numeric = self.numeric
-        programme = Transcription(numeric, INTERVALS//3, self.structure, side, distance_only=True)
+        programme = Transcription(numeric, INTERVALS//3, self.structure, side, distance_only=True, patience=PATIENCE)
         _, states, controls = next(iter(guesses(numeric, INTERVALS, side)))
         ways = []
 
@@ -212,9 +216,12 @@ class _Attempts:
 
 
 def _different(pictures):
-    """The pictures without those that show the same process as an earlier one, the best first."""
+    """The pictures without those that show the same process as another one, the best first.
+
+    Of the same ones the smoothest is kept: an angle may jump by a whole turn from one interval to the next.
+    """
     kept = []
-    for picture in pictures:
+    for picture in sorted(pictures, key=lambda p: np.sum(np.abs(np.diff(p.controls, axis=0)))):
         if not any(abs(picture.cost - other.cost) < 1e-4*(1e-3 + abs(other.cost))
                    and abs(picture.duration - other.duration) < 1e-3*other.duration
                    and np.max(np.abs(picture.states - other.states)) < 1e-2*(1 + np.max(np.abs(other.states)))

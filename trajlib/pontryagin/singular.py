@@ -140,10 +140,16 @@ def _eliminated(derivatives, derived, surface):
 
 
 def _on(surface, expression, state):
-    """The shortest form of an expression on the surface, one state being eliminated where the surface is linear in
-    it."""
+    """The shortest form of an expression on the surface.
+
+    One state is eliminated where the surface is linear in it; on a surface sin(g) = 0 (cos, tan) the function is zero.
+    """
     candidates = [expression]
     for equation in surface:
+        if isinstance(equation, (sp.sin, sp.cos, sp.tan)):
+            # sin(y) = 0 leaves cos(y) = +-1 on the two branches of the surface.
+            candidates.append(sp.simplify(candidates[-1 if len(surface) > 1 else 0].subs(equation, 0)))
+            continue
         for y in state:
             if equation.is_polynomial(y) and sp.degree(equation, y) == 1:
                 candidates.append(sp.simplify(candidates[-1 if len(surface) > 1

@@ -126,7 +126,10 @@ class Transcription:
         costates[0] = 0
         costates[0, self.fixed] = dual[n*N:n*N + len(self.fixed)]
         times = np.concatenate([[0.0], np.cumsum(np.repeat(lengths/self.each, self.each))])
-        return Picture(times, states, costates, z[n*(N + 1):n*(N + 1) + k*N].reshape(N, k), float(found["f"]), lengths)
+        controls, angles = z[n*(N + 1):n*(N + 1) + k*N].reshape(N, k), self.numeric.angles
+        # IPOPT may turn an angle round many times.
+        controls[:, angles] = np.unwrap(np.mod(controls[:, angles] + np.pi, 2*np.pi) - np.pi, axis=0)
+        return Picture(times, states, costates, controls, float(found["f"]), lengths)
 
 
 def runge_kutta(numeric):
