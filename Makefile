@@ -54,7 +54,7 @@ test-problem: $(INSTALLED)  ## all tests of one problem: make test-problem N=2.3
 	@$(BIN)/trajlib exercises $(N)
 	$(PYTEST) -n 0 tests/problems -k "[$(N)]"
 
-test-quick: $(INSTALLED)  ## the fast layers: without what waits, what is slow and the built site
+test-quick: $(INSTALLED)  ## the fast layers: without the site, the proofs of all problems, and what waits or is slow
 	$(PYTEST) -n logical -m "not waits and not slow and not site"
 
 clean:  ## remove everything built, but not the environment

@@ -10,7 +10,8 @@ from scipy.linalg import expm
 
 from trajlib.pontryagin import Problem, synthesis
 
-pytestmark = pytest.mark.xdist_group("syntheses")  # in one process, so that each is found once
+# In one process, so that each synthesis is found once.
+pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("syntheses")]
 x1, x2, u, alpha = sp.symbols("x1 x2 u alpha", real=True)
 DOUBLE, OSCILLATOR, SADDLE = np.array([[0, 1], [0, 0]]), np.array([[0, 1], [-1, 0]]), np.array([[0, 1], [1, 0]])
 DAMPED, EXCITED = np.array([[0, 1], [0, -1]]), np.array([[0, 1], [0, 1]])

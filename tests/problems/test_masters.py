@@ -20,6 +20,7 @@ from trajlib.masters import master_paths, read
 from trajlib.masters.beginning import PLACEHOLDER
 from trajlib.masters.trials import trials_file
 
+pytestmark = pytest.mark.slow  # all together; `make test-problem N=1.15` runs those of one problem
 ROOT = Path(__file__).resolve().parents[2]
 PATHS = master_paths(ROOT / "solutions")
 #: Seconds that the verdict on one answer may take, by chapter (design: speed matters where people wait).
