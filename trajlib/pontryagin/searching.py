@@ -168,8 +168,10 @@ class _Attempts:
                 if not reached(duration):
                     break
         else:
-            duration = next((d for d in (2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 0.25, 128.0, 256.0, 512.0) if reached(d)),
-                            None)
+            ladder = (2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 0.25, 128.0, 256.0, 512.0)
+            # The longest time allowed is the one in which a point that can be held is reached, if it is reached at all.
+            ladder += (numeric.longest,)*numeric.time_bounds_given
+            duration = next((d for d in ladder if reached(d)), None)
             if duration is not None and duration > 2:
                 reached(duration/np.sqrt(2))
         return ways
