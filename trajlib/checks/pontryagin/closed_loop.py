@@ -3,7 +3,7 @@
 import numpy as np
 
 from trajlib.checks.contract.verdict import Wrong
-from trajlib.checks.tools.samples import bisected
+from trajlib.checks.tools.searching import bisected
 from trajlib.checks.tools.values import real_function
 
 #: A law may be slower than the optimum by this share: its switching curve may be written in decimals.

@@ -14,7 +14,8 @@ import sympy as sp
 from trajlib.checks.contract import coercion
 from trajlib.checks.contract.tolerance import half_unit, in_decimals, rounds_to
 from trajlib.checks.contract.verdict import Wrong, judged
-from trajlib.checks.tools.values import compare_at, random_values, spread, value_at
+from trajlib.checks.tools.samples import random_values, spread
+from trajlib.checks.tools.values import compare_at, value_at
 from trajlib.checks.tools.wording import rounded_text
 
 RECORDS = 6

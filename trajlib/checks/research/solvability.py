@@ -15,7 +15,8 @@ from scipy.linalg import expm
 
 from trajlib.checks.contract import coercion
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
-from trajlib.checks.tools.values import compare_at, random_values, truth_at, value_at
+from trajlib.checks.tools.samples import random_values
+from trajlib.checks.tools.values import compare_at, truth_at, value_at
 from trajlib.checks.tools.wording import rounded_text
 
 MOMENTS = 12

@@ -16,9 +16,9 @@ from trajlib.checks.contract.verdict import Invalid, Wrong, judged
 from trajlib.checks.stability.first_approximation import STABILITY
 from trajlib.checks.stability.programs import Motion
 from trajlib.checks.tools.conditions import Truth, compare, contrary, read_condition
+from trajlib.checks.tools.samples import sample_values
 from trajlib.checks.tools.values import matrix_at, number_at, numbers_at
-from trajlib.checks.tools.wording import number_text, rounded_text, values_text
-from trajlib.checks.truths.fields import as_text, sample_values
+from trajlib.checks.tools.wording import number_text, point_text, rounded_text, where_text
 
 #: Eigenvalues closer together than this, relative to the size of the matrix, are one eigenvalue: a Jordan block of
 #: order m spreads its eigenvalue by the m-th root of the rounding error.
@@ -38,11 +38,10 @@ def eigenvalue_multiplicities(answer, field, state, parameters, program=None, pa
         for k, number in enumerate(numbers):
             off = min(np.linalg.svd(matrix - number * np.eye(n), compute_uv=False))
             if not off <= 1e-9 * size:
-                raise Wrong(f"your {number_text(number)} is no eigenvalue{_where(values)}: A - lambda E is invertible "
-                            f"there, its smallest "
-                            f"singular value is {off:.3g}")
+                raise Wrong(f"your {number_text(number)} is no eigenvalue{where_text(values)}: A - lambda E is "
+                            f"invertible there, its smallest singular value is {off:.3g}")
             if any(abs(number - other) < SPREAD * size for other in numbers[:k]):
-                raise Wrong(f"the eigenvalue {number_text(number)} is listed twice{_where(values)}; give each "
+                raise Wrong(f"the eigenvalue {number_text(number)} is listed twice{where_text(values)}; give each "
                             f"eigenvalue once, with its "
                             "multiplicities")
         if sum(algebraic for _, algebraic, _ in rows) != n:
@@ -54,10 +53,10 @@ def eigenvalue_multiplicities(answer, field, state, parameters, program=None, pa
             if sum(abs(found - number) < SPREAD * size) != algebraic:
                 raise Wrong(f"{number_text(number)} is a root of the characteristic equation, but not of the "
                             f"multiplicity "
-                            f"{algebraic}{_where(values)}")
+                            f"{algebraic}{where_text(values)}")
             if _eigenvectors(matrix, number) != geometric:
                 raise Wrong(f"the number of independent eigenvectors for {number_text(number)} is not "
-                            f"{geometric}{_where(values)}: look at "
+                            f"{geometric}{where_text(values)}: look at "
                             "the rank of A - lambda E")
     return ("they are all roots of the characteristic equation, as often as you say, and A - lambda E has the ranks "
             "that go with your "
@@ -75,8 +74,8 @@ def critical_stability(answer, field, state, parameters, program=None, part=None
     values, matrix, truth = verdicts[0]
     duration = 20 / np.linalg.norm(matrix)
     told = (f"motions that start at distance 1 from zero are at distances of up to {_distance(matrix, duration)} "
-            f"after {duration:.3g} "
-            f"units of time and up to {_distance(matrix, 100 * duration)} after {100 * duration:.3g}{_where(values)}")
+            f"after {duration:.3g} units of time and up to {_distance(matrix, 100 * duration)} "
+            f"after {100 * duration:.3g}{where_text(values)}")
     if claim != truth:
         raise Wrong(f"this does not agree with the motions: {told}")
     return told
@@ -112,7 +111,7 @@ def growing_motion(answer, field, state, parameters, time, constants=(), program
             at = values | {time: moment}
             x, rate = numbers_at(motion, at, part), numbers_at(rates, at, [f"{s}'" for s in part])
             if not np.linalg.norm(x.imag) <= 1e-9 * (1 + np.linalg.norm(x)):
-                raise Wrong(f"this motion is not real{_where(values)}, {time} = {moment}")
+                raise Wrong(f"this motion is not real{where_text(values)}, {time} = {moment}")
             if np.linalg.norm(x) == 0:
                 raise Wrong("this is the state of rest; it does not grow")
             off = abs(matrix @ x - rate)
@@ -120,13 +119,13 @@ def growing_motion(answer, field, state, parameters, time, constants=(), program
                 k = int(np.argmax(off))
                 raise Wrong(f"the equations are not satisfied: {part[k]}' is {rate[k].real:.4g} along your motion, "
                             f"and they ask for "
-                            f"{(matrix @ x)[k].real:.4g}{_where(values)}, {time} = {moment}")
+                            f"{(matrix @ x)[k].real:.4g}{where_text(values)}, {time} = {moment}")
         early, late = (max(_logarithm(motion, values | {time: sp.Integer(moment)}) for moment in moments)
                        for moments in ((0, 1, 7, 10), (10**6, 10**6 + 1)))
         if not late > early + np.log(1e3):
             raise Wrong(f"it satisfies the equations but does not grow: its distance from zero is at most "
                         f"{np.exp(early):.4g} for {time} "
-                        f"up to 10 and {np.exp(late):.4g} for {time} = 1000000{_where(values)}")
+                        f"up to 10 and {np.exp(late):.4g} for {time} = 1000000{where_text(values)}")
     return ("it satisfies the equations, and its distance from zero exceeds every bound; so does every multiple of "
             "it, however small its "
             "start")
@@ -146,9 +145,9 @@ def limit_state(answer, field, state, parameters, start, program=None, part=None
             said = numbers_at(limit, at, [f"limit of {s}" for s in part])
             true = late @ begin
             if not np.linalg.norm(said - true) <= 1e-7 * np.linalg.norm(begin):
-                raise Wrong(f"the motion from {as_text(begin)} has come to {as_text(true + 0.0)} after a long "
-                            f"time{_where(values)}; your "
-                            f"limit is {as_text(said.real)}")
+                raise Wrong(f"the motion from {point_text(begin)} has come to {point_text(true + 0.0)} after a long "
+                            f"time{where_text(values)}; your "
+                            f"limit is {point_text(said.real)}")
     return "motions from several starts come to these states"
 
 
@@ -164,21 +163,21 @@ def conserved_form(answer, field, state, parameters, program=None, part=None):
                         f"second order in them")
         weights = matrix_at(sp.hessian(expanded, part), {})
         if abs(weights.imag).max() > 0:
-            raise Wrong(f"its coefficients are not real{_where(values)}")
+            raise Wrong(f"its coefficients are not real{where_text(values)}")
         weights = weights.real
         rate = weights @ matrix + (weights @ matrix).T
         if not np.linalg.norm(rate) <= 1e-9 * np.linalg.norm(weights) * np.linalg.norm(matrix):
             row, column = np.unravel_index(np.argmax(abs(rate)), rate.shape)
             raise Wrong(f"it is not conserved: its derivative along the motions has the term "
                         f"{part[row]}*{part[column]} with the "
-                        f"coefficient {rate[row, column] / (2 if row == column else 1):.4g}{_where(values)}")
+                        f"coefficient {rate[row, column] / (2 if row == column else 1):.4g}{where_text(values)}")
         lowest = np.linalg.eigvalsh(weights)
         if not lowest[0] > 1e-9 * lowest[-1]:
             direction = np.linalg.eigh(weights)[1][:, 0]
             direction = np.where(abs(direction) < 1e-9, 0, direction)
             told = ", ".join(f"{s} = {x:.3g}" for s, x in zip(part, direction))
             value = "zero" if lowest[0] >= -1e-9 * lowest[-1] else f"{direction @ weights @ direction / 2:.3g}"
-            raise Wrong(f"it is conserved but not positive definite: it is {value} at {told}{_where(values)}")
+            raise Wrong(f"it is conserved but not positive definite: it is {value} at {told}{where_text(values)}")
     return "it is positive away from zero, and its derivative along the motions vanishes identically"
 
 
@@ -276,7 +275,3 @@ def _logarithm(motion, at):
     if length.is_finite is not True:
         raise Wrong(f"your motion is infinite or undefined at {rounded_text(at)}, where it should have a value")
     return float(sp.log(length)) if length != 0 else -np.inf
-
-
-def _where(values):
-    return f" for {values_text(values)}" if values else ""

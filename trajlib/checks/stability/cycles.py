@@ -14,6 +14,7 @@ from sympy.core.relational import Relational
 from trajlib.checks.contract import coercion
 from trajlib.checks.contract.tolerance import in_decimals, rounds_to
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
+from trajlib.checks.tools.members import NUMBERS, members
 from trajlib.checks.tools.values import number_at, value_at
 from trajlib.checks.truths.fields import known_field
 
@@ -71,7 +72,10 @@ def radial_motion(answer, field, state, time, start):
 def limit_cycles(answer, field, state):
     """The radii of all limit cycles that are circles around zero."""
     flow = known_field(tuple(field), tuple(state))
-    radii = [float(r) for r in _radii(answer)]
+    entries = members(answer, "a list of radii", single=(*NUMBERS, Relational))
+    if any(isinstance(entry, Relational) for entry in entries):
+        raise Invalid("expected the radii themselves, without equations")
+    radii = [float(coercion.as_number(entry)) for entry in coercion.as_expressions(entries)]
     found = _circles(flow)
     for radius in radii:
         if radius == 0:
@@ -146,21 +150,6 @@ def return_slope(answer, field, state, radius=None):
                     f"at the mean rate {math.log(float(claim)) / turn:.4g}; linearising r' at the cycle gives another "
                     f"rate")
     return "it agrees with the integral of the divergence over one turn (Liouville's formula)"
-
-
-def _radii(answer):
-    """A list of numbers from a list, a set or a single number."""
-    if isinstance(answer, (set, frozenset, sp.FiniteSet)):
-        answer = list(answer)
-    if answer is sp.S.EmptySet:
-        answer = []
-    if isinstance(answer, dict) or isinstance(answer, str):
-        raise Invalid("expected a list of radii")
-    if not isinstance(answer, (list, tuple, np.ndarray, sp.Tuple, sp.MatrixBase)):
-        answer = [answer]
-    if any(isinstance(entry, Relational) for entry in answer):
-        raise Invalid("expected the radii themselves, without equations")
-    return [coercion.as_number(entry) for entry in coercion.as_expressions(answer)]
 
 
 def _place(r, phi):

@@ -8,9 +8,10 @@ import sympy as sp
 from trajlib.checks.contract import coercion
 from trajlib.checks.contract.tolerance import half_unit, rounds_to
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
+from trajlib.checks.tools.members import in_order
 from trajlib.checks.tools.values import numbers_at
-from trajlib.checks.tools.wording import number_text
-from trajlib.checks.truths.fields import Field, as_text
+from trajlib.checks.tools.wording import number_text, point_text
+from trajlib.checks.truths.fields import Field
 
 
 @judged
@@ -57,11 +58,11 @@ def stable_equilibria(answer, field, state):
         if real_part < 0:
             stable.append(point)
         elif any(_rounds_to(place, point) for place in given):
-            raise Wrong(f"the point {as_text(point)} is listed as stable, but the first approximation there has an "
+            raise Wrong(f"the point {point_text(point)} is listed as stable, but the first approximation there has an "
                         f"eigenvalue with real part {real_part:.4g}")
     for place in given:
         if not any(_rounds_to(place, point) for point in stable):
-            raise Wrong(f"your point {as_text(place)} is not an equilibrium: {_values_told(flow, place)}")
+            raise Wrong(f"your point {point_text(place)} is not an equilibrium: {_values_told(flow, place)}")
     missed = [point for point in stable if not any(_rounds_to(place, point) for place in given)]
     if missed:
         raise Wrong(f"your list holds {len(stable) - len(missed)} of the asymptotically stable equilibria, and there "
@@ -83,20 +84,10 @@ def _places(answer, state):
     """The points of a list (or of a single dict, as `solve` gives it) as arrays in the order of `state`."""
     points = [answer] if isinstance(answer, dict) else answer
     if isinstance(points, (list, tuple, set, frozenset, sp.FiniteSet)):
-        points = [_ordered(point, state) for point in points]
+        points = [in_order(point, state) for point in points]
         if len(state) == 1:  # plain numbers for points with a single coordinate
             points = [point if isinstance(point, (list, tuple, sp.Tuple)) else [point] for point in points]
     return [np.array([float(x) for x in point]) for point in coercion.as_points(points, len(state))]
-
-
-def _ordered(point, state):
-    """The coordinates of a point given as a dict from symbols, in the order of `state`; other points as they are."""
-    if not isinstance(point, dict):
-        return point
-    by_name = {str(symbol): value for symbol, value in point.items()}
-    if set(by_name) != {symbol.name for symbol in state}:
-        raise Invalid(f"expected a value for each of {', '.join(s.name for s in state)} in every point")
-    return [by_name[symbol.name] for symbol in state]
 
 
 def _spectra_by_place(answer, state):
@@ -114,7 +105,7 @@ def _spectra_by_place(answer, state):
             row = [*coercion.as_expressions(row[0], (), n), *coercion.as_expressions(row[1], (), n)]
         numbers = coercion.as_expressions(row, (), 2 * n)
         place = np.array([float(coercion.as_number(x)) for x in numbers[:n]])
-        yield place, numbers_at(numbers[n:], {}, [f"eigenvalue at {as_text(place)}"] * n).tolist()
+        yield place, numbers_at(numbers[n:], {}, [f"eigenvalue at {point_text(place)}"] * n).tolist()
 
 
 def _judge_spectrum(numbers, matrix, point):
@@ -124,12 +115,12 @@ def _judge_spectrum(numbers, matrix, point):
     for number in numbers:
         if not any(_is_eigenvalue(number, value) for value in eigenvalues):
             residual = abs(np.linalg.det(number * np.eye(len(matrix)) - matrix))
-            raise Wrong(f"at {as_text(point)} your number {number_text(number)} is no eigenvalue of the first "
+            raise Wrong(f"at {point_text(point)} your number {number_text(number)} is no eigenvalue of the first "
                         f"approximation: "
                         f"det(lambda E - A) has the modulus {residual:.4g} there, not zero")
         close = [value for value in left if _is_eigenvalue(number, value)]
         if not close:
-            raise Wrong(f"at {as_text(point)} the sum of your eigenvalues is {number_text(sum(numbers))}, "
+            raise Wrong(f"at {point_text(point)} the sum of your eigenvalues is {number_text(sum(numbers))}, "
                         f"while the sum of the diagonal elements of A is {np.trace(matrix):.4g}")
         left.remove(min(close, key=lambda value: abs(value - number)))
 
@@ -144,7 +135,7 @@ def _rest_point(flow, place):
     """The equilibrium that `place` is, to three significant digits."""
     rest = flow.refine(place)
     if rest is None or not _rounds_to(place, rest):
-        raise Wrong(f"your point {as_text(place)} is not an equilibrium: {_values_told(flow, place)}")
+        raise Wrong(f"your point {point_text(place)} is not an equilibrium: {_values_told(flow, place)}")
     return rest
 
 
@@ -152,7 +143,7 @@ def _values_told(flow, place):
     values = flow(place)
     if not np.all(np.isfinite(values)):
         return "the right-hand sides are not defined there"
-    return f"the right-hand sides are {as_text(values)} there, not zero"
+    return f"the right-hand sides are {point_text(values)} there, not zero"
 
 
 def _rounds_to(place, point):

@@ -9,9 +9,10 @@ from scipy.integrate import solve_ivp
 from trajlib.checks.contract import coercion
 from trajlib.checks.contract.verdict import Wrong, judged
 from trajlib.checks.stability.regions import compare_region
+from trajlib.checks.tools.samples import sample_values
 from trajlib.checks.tools.values import matrix_at
 from trajlib.checks.tools.wording import other_rate, where_text
-from trajlib.checks.truths.fields import Field, known_field, sample_values
+from trajlib.checks.truths.fields import Field, known_field
 
 STABILITY = ("asymptotically stable", "stable", "unstable")
 #: Below this a derivative is zero: what complex steps leave of terms of higher order.

@@ -9,11 +9,11 @@ from sympy.core.relational import Relational
 
 from trajlib.checks.contract import coercion
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
-from trajlib.checks.stability.rest_families import allowed_values
 from trajlib.checks.tools.conditions import Case, Condition, Truth, compare, exactly, on_borders, place_text
+from trajlib.checks.tools.samples import allowed_values, joined, sample_values
 from trajlib.checks.tools.values import number_at
-from trajlib.checks.tools.wording import values_text
-from trajlib.checks.truths.fields import Field, as_text, sample_values
+from trajlib.checks.tools.wording import point_text, values_text
+from trajlib.checks.truths.fields import Field
 
 
 @judged
@@ -176,7 +176,7 @@ def basin_level(answer, function, field, state, parameters=(), given=()):
                      for c in (0.994 * number.real, 1.008 * number.real))
         if not np.all(np.isfinite(low)):
             raise Wrong(f"{told}: the set V < c around zero is unbounded in the direction "
-                        f"{as_text(directions[np.argmax(~np.isfinite(low))])}")
+                        f"{point_text(directions[np.argmax(~np.isfinite(low))])}")
         broken = _breaks(rate, directions * low[:, None], others, level, 0.994 * number.real)
         if broken:
             raise Wrong(f"{told}: V does not prove attraction for all of this set: {broken}")
@@ -205,8 +205,8 @@ def basin_estimate(answer, function, field, state, parameters=(), given=()):
         heights = level(border)
         if np.ptp(heights) > 0.01 * np.mean(heights):
             low, high = border[np.argmin(heights)], border[np.argmax(heights)]
-            raise Wrong(f"the boundary is no level line of V: V is {min(heights):.4g} at {as_text(low)} "
-                        f"and {max(heights):.4g} at {as_text(high)}{where}")
+            raise Wrong(f"the boundary is no level line of V: V is {min(heights):.4g} at {point_text(low)} "
+                        f"and {max(heights):.4g} at {point_text(high)}{where}")
         height = np.mean(heights)
         broken = (_breaks(rate, 0.997 * border, others, level, 0.994 * height)
                   or _holds_equilibrium(claim, field, state, values, others))
@@ -246,7 +246,7 @@ def _rate(function, field, state, parameters=()):
 def _stable_systems(function, field, state, parameters, given):
     """(values, V, other equilibria, V') for sampled parameters at which the first approximation is stable."""
     return _sampled(sp.sympify(function), tuple(field), tuple(state), tuple(parameters),
-                    sp.And(*given) if isinstance(given, (list, tuple)) else given)
+                    joined(given))
 
 
 @functools.lru_cache(maxsize=16)
@@ -275,14 +275,14 @@ def _reach(claim, state, directions, where):
         raise Wrong(f"the set does not contain a neighbourhood of zero{where}")
     reach = _border(inside, directions)
     if not np.all(np.isfinite(reach)):
-        raise Wrong(f"the set is unbounded in the direction {as_text(directions[np.argmax(~np.isfinite(reach))])}; "
+        raise Wrong(f"the set is unbounded in the direction {point_text(directions[np.argmax(~np.isfinite(reach))])}; "
                     f"a level set that proves attraction is bounded{where}")
     for fraction in np.geomspace(1.001, 50, 300):
         beyond = fraction * reach[:, None] * directions
         again = inside(beyond)
         if np.any(again):
             place = beyond[np.argmax(again)]
-            raise Wrong(f"the set has a part away from zero, at {as_text(place)} for instance, "
+            raise Wrong(f"the set has a part away from zero, at {point_text(place)} for instance, "
                         f"and motions from there need not come to zero{where}")
     return reach
 
@@ -333,10 +333,10 @@ def _breaks(rate, border, others, level, height):
     rates = rate(points)
     worst = int(np.argmax(rates))
     if rates[worst] > 1e-9 * max(abs(rates)):
-        return f"at {as_text(points[worst])} the derivative is {rates[worst]:.3g}"
+        return f"at {point_text(points[worst])} the derivative is {rates[worst]:.3g}"
     near = 1.01 * max(np.linalg.norm(border, axis=1))
     inside = [point for point in others if level(point[None])[0] < height and np.linalg.norm(point) < near]
-    return f"it contains the equilibrium {as_text(inside[0])}" if inside else ""
+    return f"it contains the equilibrium {point_text(inside[0])}" if inside else ""
 
 
 def _holds_equilibrium(claim, field, state, values, others):
@@ -344,5 +344,5 @@ def _holds_equilibrium(claim, field, state, values, others):
     for point in others:
         exact = {x: sp.Rational(Fraction(float(v)).limit_denominator(1000)) for x, v in zip(state, point)}
         if all(sp.sympify(f).subs(values).subs(exact) == 0 for f in field) and claim.subs(exact) == True:  # noqa: E712
-            return f"it contains the equilibrium {as_text(point)}"
+            return f"it contains the equilibrium {point_text(point)}"
     return ""

@@ -17,9 +17,11 @@ from trajlib.checks.contract import coercion
 from trajlib.checks.contract.tolerance import same
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
 from trajlib.checks.tools.conditions import Case, Truth, compare, contrary, exactly, place_text, read_condition
+from trajlib.checks.tools.members import VECTORS, families, in_order
+from trajlib.checks.tools.samples import sample_values
 from trajlib.checks.tools.values import matrix_at, number_at, numbers_at
 from trajlib.checks.tools.wording import number_text, other_rate, values_text, where_text
-from trajlib.checks.truths.fields import STEP, sample_values
+from trajlib.checks.truths.fields import STEP
 
 #: For how many sets of parameter values the stationary angles are kept: a verdict asks for a thousand, mostly the same.
 MOST_KEPT = 5000
@@ -31,7 +33,7 @@ def program_motion(answer, field, state, parameters, program, controls, time):
     Judged by the equations and by what the program prescribes, at random times and parameters.
     """
     names = [*state, *controls]
-    motion = dict(zip(names, _components(answer, names, [time, *parameters])))
+    motion = dict(zip(names, coercion.as_expressions(in_order(answer, names), [time, *parameters], len(names))))
     rates = [sp.diff(motion[s], time) for s in state]
     random = np.random.default_rng(9)
     for values in sample_values(parameters):
@@ -309,13 +311,16 @@ class _Angles:
 
 
 def _judge_rest_angles(answer, field, state, parameters, integer, wanted, word):
-    families = [coercion.as_expression(part, [*parameters, integer]) for part in _listed(answer, integer)]
+    # A stationary solution may be given as the point (phi0, 0) of the phase plane.
+    parts = [part[0] if isinstance(part, VECTORS) and len(part) == 2 and part[1] == 0 else part
+             for part in families(answer, integer, "a list of angles, as expressions")]
+    claims = [coercion.as_expression(part, [*parameters, integer]) for part in parts]
     angles = _angles(tuple(field), tuple(state), tuple(parameters))
     for values in angles.samples:
         found = angles.rest(values)
         chosen = [phi for phi in found if wanted(*angles.derivatives(values, phi))]
         matched = set()
-        for family in families:
+        for family in claims:
             for number in range(-3, 4) if family.has(integer) else (0,):
                 given = number_at(family, values | {integer: sp.Integer(number)}, "your angle")
                 member = f" ({integer} = {number})" if family.has(integer) else ""
@@ -338,23 +343,6 @@ def _judge_rest_angles(answer, field, state, parameters, integer, wanted, word):
                         f"{values_text(values)}, and your "
                         f"answer gives {len(matched)} of them")
     return f"for several sets of parameters these angles are {word}, and a search of the whole circle finds no other"
-
-
-def _listed(answer, integer):
-    """The expressions of an answer: one alone, a list, a column, or a set as `solveset` gives it."""
-    if isinstance(answer, sp.Union):
-        return [part for one in answer.args for part in _listed(one, integer)]
-    if isinstance(answer, sp.ImageSet) and answer.base_sets == (sp.S.Integers,) and len(answer.lamda.variables) == 1:
-        return [answer.lamda.expr.xreplace({answer.lamda.variables[0]: integer})]
-    if isinstance(answer, (set, frozenset, sp.FiniteSet)) or answer is sp.S.EmptySet:
-        return list(answer)
-    if isinstance(answer, sp.Expr):
-        return [answer]
-    if isinstance(answer, (list, tuple, sp.Tuple, sp.MatrixBase, np.ndarray)):
-        # A stationary solution may be given as the point (phi0, 0) of the phase plane.
-        return [part[0] if isinstance(part, (list, tuple, sp.Tuple)) and len(part) == 2 and part[1] == 0 else part
-                for part in answer]
-    raise Invalid("expected a list of angles, as expressions")
 
 
 def _judge_angles(answer, field, state, parameters, angle, kind, word):
@@ -421,16 +409,6 @@ def _judge_columns(answer, field, state, parameters, program, symbols, true_matr
             if not np.linalg.norm(said[:, k] - true[:, k]) <= 1e-9 * np.linalg.norm(true):
                 raise Wrong(f"{other_rate(symbol, said[:, k], true[:, k])}{where_text(values)}")
     return "for small deviations in every direction the right-hand sides change as the matrix says"
-
-
-def _components(answer, names, symbols):
-    if isinstance(answer, dict):
-        by_name = {str(key): value for key, value in answer.items()}
-        wanted = [s.name for s in names]
-        if set(by_name) != set(wanted):
-            raise Invalid(f"expected a dict with the keys {', '.join(map(repr, wanted))}")
-        answer = [by_name[name] for name in wanted]
-    return coercion.as_expressions(answer, symbols, len(names))
 
 
 def _roots_told(slope, friction):

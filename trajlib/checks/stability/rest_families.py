@@ -14,9 +14,11 @@ from trajlib.checks.contract import coercion
 from trajlib.checks.contract.tolerance import rounds_to
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
 from trajlib.checks.tools.conditions import Case, Truth, compare, contrary
+from trajlib.checks.tools.members import VECTORS, families
+from trajlib.checks.tools.samples import allowed_values, joined
 from trajlib.checks.tools.values import matrix_at, number_at
-from trajlib.checks.tools.wording import number_text
-from trajlib.checks.truths.fields import Field, as_text, sample_values
+from trajlib.checks.tools.wording import number_text, point_text, where_text
+from trajlib.checks.truths.fields import Field
 
 #: Stationary values are compared between -REACH and REACH; families are followed as far as that and a little further.
 REACH = 12.0
@@ -29,29 +31,29 @@ def rest_values(answer, field, state, parameters=(), given=(), integer=None):
 
     Every member is one, and a search finds no other. Also read: SymPy sets, and points (x*, 0).
     """
-    families = _families(answer, state, parameters, integer)
+    claims = _claims(answer, state, parameters, integer)
     for values, flow, found in _systems(field, state, parameters, given):
-        _judge_values(families, values, flow, found, found, integer, "stationary solutions")
+        _judge_values(claims, values, flow, found, found, integer, "stationary solutions")
     return "at each of them the right-hand sides vanish, and a search finds no other"
 
 
 @judged
 def stable_rest_values(answer, field, state, parameters=(), given=(), integer=None):
     """The values of the stationary solutions that Theorem 1.4 proves asymptotically stable."""
-    families = _families(answer, state, parameters, integer)
+    claims = _claims(answer, state, parameters, integer)
     for values, flow, found in _systems(field, state, parameters, given):
         stable = [point for point in found if _growth(flow, point) < 0]
-        _judge_values(families, values, flow, found, stable, integer, "asymptotically stable ones")
+        _judge_values(claims, values, flow, found, stable, integer, "asymptotically stable ones")
     return "there, and nowhere else, all roots of the characteristic equation have negative real parts"
 
 
 @judged
 def unstable_rest_values(answer, field, state, parameters=(), given=(), integer=None):
     """The values of the stationary solutions that Theorem 1.4 proves unstable."""
-    families = _families(answer, state, parameters, integer)
+    claims = _claims(answer, state, parameters, integer)
     for values, flow, found in _systems(field, state, parameters, given):
         unstable = [point for point in found if _growth(flow, point) > 0]
-        _judge_values(families, values, flow, found, unstable, integer, "unstable ones")
+        _judge_values(claims, values, flow, found, unstable, integer, "unstable ones")
     return "there, and nowhere else, a root of the characteristic equation has a positive real part"
 
 
@@ -67,14 +69,15 @@ def deviation_matrices(answer, field, state, parameters=(), given=(), integer=No
                    for matrix in matrices for k in (range(-2, 3) if matrix.has(*_symbols(integer)) else (0,))]
         for matrix in claimed:
             if not any(_same(matrix, other) for _, other in true):
-                raise Wrong(f"the matrix {_matrix_text(matrix)}{_where(values)} belongs to no stationary solution: "
+                raise Wrong(f"the matrix {_matrix_text(matrix)}{where_text(values)} belongs to no stationary solution: "
                             f"none has "
                             "these rates of change of the right-hand sides under small deviations")
         for point, other in true:
             if not any(_same(matrix, other) for matrix in claimed):
-                rates = "; ".join(f"a deviation of {x} alone: {as_text(column)}" for x, column in zip(state, other.T))
+                rates = "; ".join(f"a deviation of {x} alone: {point_text(column)}"
+                                  for x, column in zip(state, other.T))
                 raise Wrong(f"none of your matrices belongs to the stationary solution {state[0]} = "
-                            f"{point[0]:.4g}{_where(values)}, where "
+                            f"{point[0]:.4g}{where_text(values)}, where "
                             f"the right-hand sides change at these rates under {rates}")
     return ("at every stationary solution found one of them gives the rates of change under small deviations, and "
             "none is left over")
@@ -97,7 +100,7 @@ def growth_rate(answer, field, state, parameters=(), given=()):
                     if residual < 1e-9 * np.linalg.norm(matrix) ** len(state) else
                     f"at {state[0]} = {point[0]:.4g} the characteristic determinant has the modulus {residual:.4g} "
                     f"for it, not zero")
-            raise Wrong(f"your expression gives {number_text(number)}{_where(values)}; {told}")
+            raise Wrong(f"your expression gives {number_text(number)}{where_text(values)}; {told}")
     return "it is positive and a root of the characteristic equation at every unstable stationary solution"
 
 
@@ -132,13 +135,16 @@ def rest_kinds(answer, field, state):
     """The kind of every stationary point of a planar portrait, as a dict {x*: word}; the words are `KINDS`."""
     ((_, flow, found),) = _systems(field, state, (), ())
     left = list(found)
-    for value, word in _pairs(answer):
+    pairs = list(answer.items()) if isinstance(answer, dict) else answer
+    if not (isinstance(pairs, (list, tuple)) and all(isinstance(p, (list, tuple)) and len(p) == 2 for p in pairs)):
+        raise Invalid("expected a dict such as {3: 'saddle'}, from the value to the word")
+    for value, word in pairs:
         kind = coercion.as_choice(word, KINDS)
         number = float(coercion.as_number(_first_coordinate(value, state, ())))
         near = [point for point in found if _close(number, point[0])]
         if not near:
             raise Wrong(f"x = {number:.4g} is no stationary solution: the right-hand sides are "
-                        f"{as_text(flow([number, 0.0]))}, not zero")
+                        f"{point_text(flow([number, 0.0]))}, not zero")
         eigenvalues = np.linalg.eigvals(flow.jacobian(near[0]))
         if kind != _kind(eigenvalues):
             told = " and ".join(number_text(number) for number in eigenvalues)
@@ -179,7 +185,7 @@ def saddle_slopes(answer, field, state):
 def _systems(field, state, parameters, given):
     """Triples (values, field, rest points between -REACH and REACH) for four samples of the parameters that satisfy
     `given`."""
-    return _searched(tuple(field), tuple(state), tuple(parameters), _joined(given))
+    return _searched(tuple(field), tuple(state), tuple(parameters), joined(given))
 
 
 @functools.lru_cache(maxsize=16)
@@ -190,48 +196,16 @@ def _searched(field, state, parameters, given):
             for values, flow in flows]
 
 
-def allowed_values(parameters, given, count):
-    """Rational values of both signs for parameters, those only that satisfy the condition or conditions `given`."""
-    if not parameters:
-        return [{}]
-    given = _joined(given)
-    allowed = [values for values in sample_values(parameters, 12 * count) if given.subs(values) == True]  # noqa: E712
-    if len(allowed) < count:
-        raise RuntimeError("no values of the parameters were found that satisfy what is given")
-    return allowed[:count]
-
-
-def _joined(given):
-    return sp.And(*given) if isinstance(given, (list, tuple)) else given
-
-
-def _families(answer, state, parameters, integer):
+def _claims(answer, state, parameters, integer):
     """The expressions of an answer: from an expression, a list, a SymPy set of numbers, or points (x*, 0)."""
     symbols = [*parameters, *_symbols(integer)]
-    if isinstance(answer, sp.Set):
-        return [coercion.as_expression(part, symbols) for part in _of_set(answer, integer)]
-    if isinstance(answer, (sp.Expr, int, float)) and not isinstance(answer, bool):
-        answer = [answer]
-    if not isinstance(answer, (list, tuple, set, frozenset, np.ndarray, sp.Tuple)):
-        answer = coercion.as_expressions(answer, symbols)
-    return [_first_coordinate(part, state, symbols) for part in answer]
-
-
-def _of_set(found, integer):
-    """Expressions in `integer` for a SymPy set made of points and of images of the integers, as `solveset` gives it."""
-    if isinstance(found, sp.FiniteSet) or found is sp.S.EmptySet:
-        return list(found.args)
-    if isinstance(found, sp.Union):
-        return [part for one in found.args for part in _of_set(one, integer)]
-    if (isinstance(found, sp.ImageSet) and found.base_sets == (sp.S.Integers,) and integer is not None
-        and len(found.lamda.variables) == 1):
-        return [found.lamda.expr.xreplace({found.lamda.variables[0]: integer})]
-    raise Invalid("expected the values written out: a list of expressions, or a set as solveset gives it")
+    parts = families(answer, integer, "the values written out: a list of expressions, or a set as solveset gives it")
+    return [_first_coordinate(part, state, symbols) for part in parts]
 
 
 def _first_coordinate(part, state, symbols):
     """The value x* of a number or of a point (x*, 0, ...)."""
-    if isinstance(part, (list, tuple, sp.Tuple, sp.MatrixBase, np.ndarray)) and np.ndim(part) > 0:
+    if isinstance(part, VECTORS) and np.ndim(part) > 0:
         first, *others = coercion.as_expressions(part, symbols, len(state))
         if any(other != 0 for other in others):
             raise Wrong(f"at a stationary solution {', '.join(f'{x} = 0' for x in state[1:])}: nothing moves there")
@@ -239,30 +213,30 @@ def _first_coordinate(part, state, symbols):
     return coercion.as_expression(part, symbols)
 
 
-def _judge_values(families, values, flow, found, wanted, integer, what):
+def _judge_values(claims, values, flow, found, wanted, integer, what):
     claimed = []
-    for family in families:
+    for family in claims:
         for told, number in _members(family, values, integer):
             if abs(number.imag) > 1e-9 * (1 + abs(number)):
-                raise Wrong(f"your value{told} is not real{_where(values)}")
+                raise Wrong(f"your value{told} is not real{where_text(values)}")
             number = number.real
             if abs(number) > REACH:
                 continue
             near = [point for point in found if _close(number, point[0])]
             if not near:
-                rates = as_text(flow([number] + [0.0] * (len(flow.state) - 1)))
-                raise Wrong(f"your value {number:.4g}{told} is no stationary solution{_where(values)}: "
+                rates = point_text(flow([number] + [0.0] * (len(flow.state) - 1)))
+                raise Wrong(f"your value {number:.4g}{told} is no stationary solution{where_text(values)}: "
                             f"the right-hand sides are {rates} there")
             if not any(point is near[0] for point in wanted):
                 rate = _growth(flow, near[0])
                 raise Wrong(f"at your value {number:.4g}{told} the largest real part of a root of the characteristic "
                             f"equation "
-                            f"is {rate:.4g}{_where(values)}")
+                            f"is {rate:.4g}{where_text(values)}")
             claimed.append(number)
     missed = [point for point in wanted if not any(_close(number, point[0]) for number in claimed)]
     if missed:
         raise Wrong(f"not all {what} are there: between -{REACH:g} and {REACH:g} a search finds {len(wanted)} of "
-                    f"them{_where(values)}, "
+                    f"them{where_text(values)}, "
                     f"and your answer gives {len(wanted) - len(missed)} of these")
 
 
@@ -302,14 +276,6 @@ def _list_of_matrices(answer):
     return [answer] if flat else list(answer)
 
 
-def _pairs(answer):
-    if isinstance(answer, dict):
-        return list(answer.items())
-    if isinstance(answer, (list, tuple)) and all(isinstance(part, (list, tuple)) and len(part) == 2 for part in answer):
-        return list(answer)
-    raise Invalid("expected a dict such as {3: 'saddle'}, from the value to the word")
-
-
 def _kind(eigenvalues):
     real, imaginary = eigenvalues.real, max(abs(eigenvalues.imag))
     if min(real) < 0 < max(real):
@@ -333,9 +299,5 @@ def _close(number, value):
             and rounds_to(complex(number).real, value, 1e-3))
 
 
-def _where(values):
-    return f" for {', '.join(f'{p} = {v}' for p, v in values.items())}" if values else ""
-
-
 def _matrix_text(matrix):
-    return "; ".join(as_text(row.real) for row in matrix)
+    return "; ".join(point_text(row.real) for row in matrix)

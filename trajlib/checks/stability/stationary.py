@@ -9,9 +9,7 @@ only one in the domain: a data cell that leaves room for two makes the answer un
 """
 
 import cmath
-import functools
 import math
-from fractions import Fraction
 
 import numpy as np
 import sympy as sp
@@ -20,24 +18,16 @@ from trajlib.checks.contract import coercion
 from trajlib.checks.contract.tolerance import same
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
 from trajlib.checks.tools.conditions import Case, Truth, compare, exactly, place_text, read_condition
+from trajlib.checks.tools.members import VECTORS, in_order
+from trajlib.checks.tools.samples import draw, ends
 from trajlib.checks.tools.values import real_at
-from trajlib.checks.tools.wording import other_rate
-from trajlib.checks.truths.fields import as_text
+from trajlib.checks.tools.wording import other_rate, point_text, sample_text
+from trajlib.checks.truths.rest_points import rest_points
 
 STABILITY = ("asymptotically stable", "stable", "unstable")
 TYPES = tuple(f"{how} {what}" for what in ("node", "star", "degenerate node", "focus")
               for how in ("stable", "unstable"))
 TYPES += ("saddle", "centre")
-#: How many starts Newton's method gets.
-STARTS = 48
-#: For how many sets of parameter values a field's stationary points are kept: a verdict asks for some thirty, mostly
-#: the same.
-MOST_KEPT = 200
-POSITIVE, NEGATIVE = sp.Interval.open(0, sp.oo), sp.Interval.open(-sp.oo, 0)
-#: Closer to an open end of the domain than this, a rest point counts as lying on the end.
-END = 1e-7
-
-
 @judged
 def stationary_points(answer, field, state, parameters, domain=None):
     """All stationary points in the domain, as expressions in the parameters: one point, or a list of points.
@@ -45,46 +35,46 @@ def stationary_points(answer, field, state, parameters, domain=None):
     A point whose formula is not real, or leaves the domain, for some values of the parameters stands for no point
     there.
     """
-    return _judge_points(answer, _family(field, state, parameters, domain), "stationary point")
+    return _judge_points(answer, rest_points(field, state, parameters, domain), "stationary point")
 
 
 @judged
 def nullcline(answer, rate, variable, parameters, domain=None):
     """The curve on which `rate` vanishes, solved for `variable`; the other state variables count as parameters."""
-    return _judge_points(answer, _family([rate], [variable], parameters, domain), "point of the curve")
+    return _judge_points(answer, rest_points([rate], [variable], parameters, domain), "point of the curve")
 
 
 @judged
 def cycle_radius(answer, radial, radius, parameters):
     """The radius of the closed orbit of r' = R(r) in polar coordinates with an angle that keeps turning."""
-    return _judge_points(answer, _family([radial], [radius], parameters, _cycles(radius)), "closed orbit")
+    return _judge_points(answer, rest_points([radial], [radius], parameters, _cycles(radius)), "closed orbit")
 
 
 @judged
 def stationary_exists(answer, field, state, parameters, domain=None):
     """The parameters for which there is a stationary point in the domain."""
-    return _judge_existence(answer, _family(field, state, parameters, domain), "stationary point")
+    return _judge_existence(answer, rest_points(field, state, parameters, domain), "stationary point")
 
 
 @judged
 def cycle_exists(answer, radial, radius, parameters):
     """The parameters for which r' = R(r) has a closed orbit, a circle around zero."""
-    return _judge_existence(answer, _family([radial], [radius], parameters, _cycles(radius)), "closed orbit")
+    return _judge_existence(answer, rest_points([radial], [radius], parameters, _cycles(radius)), "closed orbit")
 
 
 @judged
 def cycle_period(answer, radial, angular, radius, parameters):
     """The period of the closed orbit of r' = R(r), phi' = W(r): at the rate W the angle gains 2 pi in it."""
     claim = coercion.as_expression(answer, parameters)
-    family = _family([radial], [radius], parameters, _cycles(radius))
-    turning = _family([angular], [radius], parameters, _cycles(radius))
+    family = rest_points([radial], [radius], parameters, _cycles(radius))
+    turning = rest_points([angular], [radius], parameters, _cycles(radius))
     for values, numbers, rest in family.samples():
         period = real_at(claim, values)
         if period is None:
-            raise Wrong(f"for {_told(values)} there is a closed orbit, but your expression gives no real number")
+            raise Wrong(f"for {sample_text(values)} there is a closed orbit, but your expression gives no real number")
         rate = float(turning(rest, numbers)[0])
         if period <= 0 or not same(rate * period, math.copysign(2 * math.pi, rate), claim):
-            raise Wrong(f"for {_told(values)} the angle gains {rate * period:.4g} within your time {period:.4g}, "
+            raise Wrong(f"for {sample_text(values)} the angle gains {rate * period:.4g} within your time {period:.4g}, "
                         f"which is not one turn")
     return "in this time the angle gains one full turn on the closed orbit"
 
@@ -96,16 +86,16 @@ def stationary_linearisation(answer, field, state, parameters, domain=None):
     if n == 1 and not isinstance(answer, (list, tuple, sp.MatrixBase, np.ndarray)):
         answer = [[answer]]
     matrix = coercion.as_matrix(answer, parameters, (n, n))
-    family = _family(field, state, parameters, domain)
+    family = rest_points(field, state, parameters, domain)
     for values, numbers, rest in family.samples():
         true = family.jacobian(rest, numbers)
         size = np.linalg.norm(true)
         for k in range(n):
             said = [real_at(entry, values) for entry in matrix[:, k]]
             if any(value is None for value in said):
-                raise Wrong(f"for {_told(values)} your matrix is not real")
+                raise Wrong(f"for {sample_text(values)} your matrix is not real")
             if not same(said, true[:, k], list(matrix[:, k]), size).all():
-                raise Wrong(f"for {_told(values)} {other_rate(state[k], said, true[:, k])}")
+                raise Wrong(f"for {sample_text(values)} {other_rate(state[k], said, true[:, k])}")
     return "small deviations from the stationary solution change the right-hand sides as it says"
 
 
@@ -113,13 +103,13 @@ def stationary_linearisation(answer, field, state, parameters, domain=None):
 def stationary_value(answer, expression, field, state, parameters, domain=None):
     """The value of an expression of the state at the stationary point."""
     claim = coercion.as_expression(answer, parameters)
-    family = _family(field, state, parameters, domain)
-    reading = _family([expression], state, parameters, domain)
+    family = rest_points(field, state, parameters, domain)
+    reading = rest_points([expression], state, parameters, domain)
     for values, numbers, rest in family.samples():
         true, said = float(reading(rest, numbers)[0]), real_at(claim, values)
         if said is None or not same(said, true, claim, _scale(expression, values, state, rest)):
             told = "no real number" if said is None else f"{said:.4g}"
-            raise Wrong(f"for {_told(values)} the value is {true:.4g}; your expression gives {told}")
+            raise Wrong(f"for {sample_text(values)} the value is {true:.4g}; your expression gives {told}")
     return "it is the value at the stationary solution, for sample values of the parameters"
 
 
@@ -127,14 +117,14 @@ def stationary_value(answer, expression, field, state, parameters, domain=None):
 def stationary_stability(answer, field, state, parameters, domain=None):
     """Whether the stationary point is asymptotically stable, stable (and no more) or unstable, by Theorem 1.4."""
     claim = coercion.as_choice(answer, STABILITY)
-    family = _family(field, state, parameters, domain)
+    family = rest_points(field, state, parameters, domain)
     for values, numbers, rest in family.samples():
         eigenvalues = np.linalg.eigvals(family.jacobian(rest, numbers))
         largest = max(eigenvalues.real)
         if abs(largest) < 1e-9 * (1 + max(abs(eigenvalues))):
             raise RuntimeError("the first approximation does not decide here")
         if claim != ("unstable" if largest > 0 else "asymptotically stable"):
-            raise Wrong(f"this does not agree with the first approximation: for {_told(values)} its roots are "
+            raise Wrong(f"this does not agree with the first approximation: for {sample_text(values)} its roots are "
                         f"{_roots_told(eigenvalues)}")
     return "it agrees with the roots of the first approximation, for sample values of the parameters"
 
@@ -145,12 +135,12 @@ def stationary_type(answer, field, state, parameters, domain=None):
     spelled = (answer.lower().replace("center", "centre").replace("star node", "star") if isinstance(answer, str)
                else answer)
     claim = coercion.as_choice(spelled, TYPES)
-    family = _family(field, state, parameters, domain)
+    family = rest_points(field, state, parameters, domain)
     for values, numbers, rest in family.samples():
         matrix = family.jacobian(rest, numbers)
         kind = _kind(matrix)
         if claim != kind:
-            raise Wrong(f"this does not agree with the first approximation: for {_told(values)} its roots are "
+            raise Wrong(f"this does not agree with the first approximation: for {sample_text(values)} its roots are "
                         f"{_roots_told(np.linalg.eigvals(matrix))}")
     return "it agrees with the roots of the first approximation, for sample values of the parameters"
 
@@ -159,14 +149,14 @@ def stationary_type(answer, field, state, parameters, domain=None):
 def focus_region(answer, field, state, parameters, domain=None):
     """The parameters for which the stationary point is a focus; the border, where the roots are equal, counts either
     way."""
-    return _judge_roots(answer, _family(field, state, parameters, domain), -1, "a focus")
+    return _judge_roots(answer, rest_points(field, state, parameters, domain), -1, "a focus")
 
 
 @judged
 def node_region(answer, field, state, parameters, domain=None):
     """The parameters for which the stationary point is a node; the border, where the roots are equal, counts either
     way."""
-    return _judge_roots(answer, _family(field, state, parameters, domain), 1, "a node")
+    return _judge_roots(answer, rest_points(field, state, parameters, domain), 1, "a node")
 
 
 @judged
@@ -177,7 +167,7 @@ def dulac(answer, field, state, parameters, domain=None):
     multiplier, divergence = coercion.as_expressions(answer, symbols, length=2)
     terms = [sp.diff(multiplier * component, x) for component, x in zip(field, state)]
     random = np.random.default_rng(9)
-    places = np.array([[_draw(random, symbol, domain) for _ in range(300)] for symbol in symbols])
+    places = np.array([[draw(random, symbol, domain) for _ in range(300)] for symbol in symbols])
     with np.errstate(all="ignore"):
         parts = np.array([_values(term, symbols, places) for term in (*terms, divergence, multiplier)])
     for k, place in enumerate(places.T):
@@ -207,7 +197,7 @@ def first_integral(answer, field, state, parameters, domain=None):
     claim = coercion.as_expression(answer, symbols)
     slopes = [sp.diff(claim, x) for x in state]
     random = np.random.default_rng(10)
-    places = np.array([[_draw(random, symbol, domain) for _ in range(60)] for symbol in symbols])
+    places = np.array([[draw(random, symbol, domain) for _ in range(60)] for symbol in symbols])
     with np.errstate(all="ignore"):
         levels, *gradient = np.array([_values(part, symbols, places) for part in (claim, *slopes)])
         velocity = np.array([_values(component, symbols, places) for component in field])
@@ -234,14 +224,14 @@ def phase_curve(answer, field, state, parameters, through, domain=None):
     first, second = state
     claim = coercion.as_expression(answer, [first, *parameters])
     slope = sp.diff(claim, first)
-    family = _family(field, state, parameters, domain)
+    family = rest_points(field, state, parameters, domain)
     random = np.random.default_rng(12)
     for values, numbers, _ in family.samples(need_rest=False, count=5):
         scale = 0.0
         for _ in range(6):
-            x = sp.Rational(round(10**4 * _draw(random, first, domain)), 10**4)
+            x = sp.Rational(round(10**4 * draw(random, first, domain)), 10**4)
             y, dy = (real_at(expression, values | {first: x}) for expression in (claim, slope))
-            where = f"for {_told(values)} at {first} = {float(x):.3g}"
+            where = f"for {sample_text(values)} at {first} = {float(x):.3g}"
             if y is None or dy is None or not family.inside(np.array([float(x), y])):
                 raise Wrong(f"{where} your expression gives "
                             + ("no real number" if y is None or dy is None
@@ -254,11 +244,11 @@ def phase_curve(answer, field, state, parameters, through, domain=None):
                             f"slope "
                             f"{velocity[1] / velocity[0]:.4g}")
         for end_x, end_y in through:
-            middle = sum(_ends(first, domain)) / 2
+            middle = sum(ends(first, domain)) / 2
             close = sp.Float(middle + (1 - 1e-8) * (float(end_x) - middle), 25)
             y = real_at(claim, values | {first: close})
             if y is None or not abs(y - float(end_y)) <= 1e-3 * scale:
-                raise Wrong(f"for {_told(values)} your curve does not go through ({end_x}, {end_y}): close to it "
+                raise Wrong(f"for {sample_text(values)} your curve does not go through ({end_x}, {end_y}): close to it "
                             f"{second} is "
                             + ("not real" if y is None else f"{y:.3g}"))
     return "its slope is that of the motions, and it goes through the points asked for"
@@ -286,14 +276,14 @@ def _judge_points(answer, family, noun):
             here = [j for j, rest in enumerate(missed) if family.same(place, rest, point)]
             if not here:
                 if any(family.same(place, rest, point) for rest in rests):
-                    raise Wrong(f"for {_told(values)} two of your points are the same")
+                    raise Wrong(f"for {sample_text(values)} two of your points are the same")
                 rates = family(place, numbers)
                 told = f"sides are {_vector_told(rates)}" if len(rates) > 1 else f"side is {rates[0]:.4g}"
-                raise Wrong(f"for {_told(values)} your answer gives {_place_told(family.state, place)}; "
+                raise Wrong(f"for {sample_text(values)} your answer gives {_place_told(family.state, place)}; "
                             f"the right-hand {told} there, not zero")
             del missed[here[0]]
         if missed:
-            raise Wrong(f"for {_told(values)} there is a {noun} in the domain that your answer does not give: "
+            raise Wrong(f"for {sample_text(values)} there is a {noun} in the domain that your answer does not give: "
                         f"a search finds {len(rests)}, your answer gives {len(rests) - len(missed)} of them{outside}")
     if not all(met):
         raise Wrong(f"point {met.index(False) + 1} of your list lies in the domain for none of the sample values")
@@ -342,215 +332,13 @@ def _judge_roots(answer, family, sign, noun):
     return f"the stationary point is {noun} exactly for these parameters: {agreement}"
 
 
-def _family(field, state, parameters, domain):
-    """The `_Family` of the data, the same for the same data: what it has found serves the next verdict too."""
-    return _known(tuple(map(sp.sympify, field)), tuple(state), tuple(parameters), tuple(dict(domain or {}).items()))
-
-
-@functools.lru_cache(maxsize=16)
-def _known(field, state, parameters, domain):
-    return _Family(field, state, parameters, dict(domain))
-
-
-class _Family:
-    """A field with parameters: its values, first approximation and stationary points for arrays of parameter values."""
-
-    def __init__(self, field, state, parameters, domain):
-        self.state, self.parameters, self.domain = list(state), list(parameters), dict(domain or {})
-        expressions = [sp.sympify(component) for component in field]
-        left = set().union(*(e.free_symbols for e in expressions)) - {*self.state, *self.parameters}
-        if left:
-            raise ValueError(f"the field still contains {left}")
-        self.field = expressions
-        self._square = len(expressions) == len(self.state)
-        self._function = self._compiled(expressions)
-        # The numerators have the same zeros inside the domain, and Newton's method likes them better.
-        self._numerators = self._compiled([sp.numer(sp.together(component)) for component in expressions])
-        self._angles = [x in self.domain and self.domain[x].measure == 2 * sp.pi for x in self.state]
-        self._intervals = [_ends(x, self.domain) for x in self.state]
-        random = np.random.default_rng(14)
-        self._starts = np.array([[_draw(random, x, self.domain) for x in self.state] for _ in range(STARTS)]).T
-        self._settled = {}
-
-    def _compiled(self, expressions):
-        slopes = [sp.diff(component, x) for component in expressions for x in self.state] if self._square else []
-        return sp.lambdify([*self.state, *self.parameters], expressions + slopes, "numpy", cse=True)
-
-    def __call__(self, place, numbers):
-        """The field at places (state first) for parameter values that broadcast with them."""
-        values = _evaluated(self._function, place, numbers)
-        return values[: len(self.state)] if self._square else values
-
-    def jacobian(self, place, numbers):
-        """The partial derivatives, axes (component, variable, ...)."""
-        values = _evaluated(self._function, place, numbers)[len(self.state):]
-        return values.reshape(len(self.state), len(self.state), *values.shape[1:])
-
-    def settle(self, numbers, starts, steps):
-        """Newton's method from many starts for every column of parameter values: places (n, columns, starts) and which
-        of them are stationary points in the domain."""
-        asked = (numbers.tobytes(), numbers.shape, starts, steps)
-        if asked not in self._settled:
-            if len(self._settled) == MOST_KEPT:
-                self._settled.clear()
-            self._settled[asked] = self._settle(numbers, starts, steps)
-        return self._settled[asked]
-
-    def _settle(self, numbers, starts, steps):
-        x = np.repeat(self._starts[:, None, :starts], numbers.shape[1], axis=1)
-        fixed = numbers[:, :, None]
-        for _ in range(steps):
-            move = _newton(_evaluated(self._numerators, x, fixed))
-            trial = x + np.where(np.isfinite(move), move, 0)
-            for k, (low, high) in enumerate(self._intervals):
-                if self._angles[k]:
-                    trial[k] = x[k] + np.clip(trial[k] - x[k], -1, 1)
-                else:
-                    trial[k] = np.maximum(trial[k], low + (x[k] - low) / 4) if low > -math.inf else trial[k]
-                    trial[k] = np.minimum(trial[k], high - (high - x[k]) / 4) if high < math.inf else trial[k]
-            x = trial
-        settled = np.all(abs(_newton(_evaluated(self._function, x, fixed))) < 1e-9 * (1 + abs(x)), axis=0)
-        x = self.reduced(x)
-        return x, settled & self.inside(x)
-
-    def rests(self, numbers):
-        """For every column of parameter values the list of stationary points in the domain."""
-        x, good = self.settle(numbers, starts=STARTS, steps=40)
-        return [_different(x[:, j, good[j]]) for j in range(x.shape[1])]
-
-    def first_rests(self, numbers):
-        """The stationary point for every column of parameter values (n, columns), and where there is one."""
-        x, good = self.settle(numbers, starts=32, steps=40)
-        first = np.take_along_axis(x, np.argmax(good, axis=1)[None, :, None], axis=2)
-        if np.any(good & (abs(x - first) > 1e-5 * (1 + abs(first))).any(axis=0)):
-            raise RuntimeError("there are several stationary points in the domain")
-        return first[:, :, 0], good.any(axis=1)
-
-    def reduced(self, places):
-        """The same places with their angles in their intervals."""
-        places = np.array(places, dtype=float)
-        for k, (low, high) in enumerate(self._intervals):
-            if self._angles[k]:
-                # Rounding must not throw an angle from the closed end of its interval to the open one.
-                margin = END if self.domain[self.state[k]].left_open else -END
-                places[k] = low + margin + (places[k] - low - margin) % (high - low)
-        return places
-
-    def inside(self, places):
-        """Where places lie in the domain; angles always do."""
-        result = np.ones(np.shape(places)[1:], dtype=bool)
-        for k, (low, high) in enumerate(self._intervals):
-            if not self._angles[k]:
-                interval = _interval(self.state[k], self.domain)
-                result &= places[k] > low + (END if interval.left_open else -END)
-                result &= places[k] < high - (END if interval.right_open else -END)
-        return result
-
-    def same(self, place, rest, written):
-        """Whether a claimed place is this rest point: to three significant digits if it is written in decimals."""
-        difference = place - rest
-        for k, angle in enumerate(self._angles):
-            if angle:
-                difference[k] = (difference[k] + math.pi) % (2 * math.pi) - math.pi
-        size = max(np.abs(rest).max(), 1e-12)
-        return all(same(r + d, r, expression, size) for d, r, expression in zip(difference, rest, written))
-
-    def samples(self, count=7, need_rest=True, alone=True):
-        """Triples (exact values, their floats, the stationary point), or with all points of the domain unless
-        `alone`."""
-        tries, numbers = self._tries
-        rests = self._rests_of_tries if need_rest else [[None]] * len(tries)
-        chosen = [k for k, found in enumerate(rests) if found]
-        if not chosen:
-            raise RuntimeError("no sample values of the parameters have a stationary point in the domain")
-        # Samples with the most points first: these are the ones where a point can be missed.
-        for k in sorted(chosen, key=lambda k: -len(rests[k]))[:count] + ([] if alone else chosen[:count]):
-            values = {p: sp.Rational(x.numerator, x.denominator) for p, x in zip(self.parameters, tries[k])}
-            if alone and len(rests[k]) > 1:
-                raise RuntimeError(f"there are {len(rests[k])} stationary points in the domain for {_told(values)}")
-            yield values, numbers[:, k], rests[k][0] if alone else rests[k]
-
-    @functools.cached_property
-    def _tries(self):
-        """Rational values of the parameters to choose samples from, in rows, and their floats, in columns."""
-        count = 30 if self.parameters else 1
-        # Multiples of irrational numbers are spread evenly, every few of them that follow one another.
-        shares = np.outer(np.arange(1, count + 1), np.sqrt([2, 3, 5, 7, 11, 13, 17, 19])[:len(self.parameters)]) % 1
-        tries = [[_simple(_draw(None, p, self.domain, share), p, self.domain) for p, share in zip(self.parameters, row)]
-                 for row in shares]
-        return tries, np.array(tries, dtype=float).T.reshape(len(self.parameters), len(tries))
-
-    @functools.cached_property
-    def _rests_of_tries(self):
-        return self.rests(self._tries[1])
-
-    @property
-    def given(self):
-        """What the domain says of the parameters, as a condition."""
-        return sp.And(*(_within(p, _interval(p, self.domain)) for p in self.parameters))
-
-    @property
-    def at_rest(self):
-        """That a state lies in the domain and the right-hand sides vanish there, as a condition."""
-        return sp.And(*(_within(x, _interval(x, self.domain)) for x in self.state),
-                      *(sp.Eq(component, 0) for component in self.field))
-
-    def numbers(self, values):
-        """Values of the parameters as one column of floats, or None outside the domain."""
-        if not all(_allowed(float(x), p, self.domain) for p, x in values.items()):
-            return None
-        return np.array([[float(values[p])] for p in self.parameters])
-
-
-def _within(symbol, interval):
-    """That a number lies in an interval; of an angle, by the signs of its sine and cosine, where they tell."""
-    turns = {sp.Interval.Lopen(-sp.pi, sp.pi): sp.true, sp.Interval.open(0, sp.pi): sp.sin(symbol) > 0,
-             sp.Interval.open(-sp.pi, 0): sp.sin(symbol) < 0,
-             sp.Interval.open(-sp.pi / 2, sp.pi / 2): sp.cos(symbol) > 0}
-    return turns[interval] if interval in turns else interval.as_relational(symbol)
-
-
-def _different(places):
-    """The columns of an array without those that are close to an earlier one: a list."""
-    found = []
-    while places.shape[1]:
-        first = places[:, 0]
-        found.append(first)
-        places = places[:, ~(np.linalg.norm(places - first[:, None], axis=0) < 1e-6 * (1 + np.linalg.norm(first)))]
-    return found
-
-
-def _evaluated(function, place, numbers):
-    """Values of a compiled list of expressions at places and parameter values that broadcast with them."""
-    with np.errstate(all="ignore"):
-        values = function(*place, *numbers)
-    result = np.empty((len(values), *np.broadcast_shapes(*(np.shape(x) for x in (*place, *numbers)))))
-    for k, value in enumerate(values):
-        result[k] = value
-    return result
-
-
-def _newton(values):
-    """The step -J^-1 f of Newton's method from the values of f and of its derivatives, for one or two equations."""
-    with np.errstate(all="ignore"):
-        if len(values) == 2:
-            return -values[:1] / values[1:]
-        f, g, a, b, c, d = values
-        return -np.stack([d * f - b * g, a * g - c * f]) / (a * d - b * c)
-
-
 def _points(answer, family):
     """A list of points, each a list of expressions, from one point or a list of them."""
-    names = {symbol.name: k for k, symbol in enumerate(family.state)}
-    n = len(names)
+    n = len(family.state)
 
     def single(point):
-        if isinstance(point, dict):
-            by_name = {str(key): value for key, value in point.items()}
-            if set(by_name) != set(names):
-                raise Invalid(f"expected a value for each of {', '.join(names)}")
-            point = [by_name[name] for name in names]
-        if n == 1 and not isinstance(point, (list, tuple, sp.Tuple, sp.MatrixBase, np.ndarray)):
+        point = in_order(point, family.state)
+        if n == 1 and not isinstance(point, VECTORS):
             point = [point]
         return coercion.as_expressions(point, family.parameters, length=n)
 
@@ -558,8 +346,7 @@ def _points(answer, family):
         answer = [list(answer.row(k)) for k in range(answer.rows)]
     if isinstance(answer, (set, frozenset, sp.FiniteSet)):
         return [single(point) for point in answer]
-    vectors = (list, tuple, dict, sp.Tuple, sp.MatrixBase, np.ndarray)
-    if isinstance(answer, (list, tuple)) and (n == 1 or any(isinstance(point, vectors) for point in answer)):
+    if isinstance(answer, (list, tuple)) and (n == 1 or any(isinstance(point, (dict, *VECTORS)) for point in answer)):
         if n > 1 and len(answer) == n and all(isinstance(p, (list, tuple)) and len(p) == 1 for p in answer):
             return [single(answer)]  # a column
         points = [single(point) for point in answer]
@@ -570,57 +357,7 @@ def _points(answer, family):
 
 
 def _cycles(radius):
-    return {radius: POSITIVE}
-
-
-def _interval(symbol, domain):
-    """The values a symbol may take: from the domain, else from its assumptions."""
-    if domain and symbol in domain:
-        return domain[symbol]
-    if symbol.is_positive:
-        return POSITIVE
-    if symbol.is_negative:
-        return NEGATIVE
-    return sp.S.Reals
-
-
-def _ends(symbol, domain):
-    return _ends_of(_interval(symbol, domain))
-
-
-@functools.lru_cache(maxsize=64)
-def _ends_of(interval):
-    return float(interval.start), float(interval.end)
-
-
-def _allowed(value, symbol, domain):
-    low, high = _ends(symbol, domain)
-    return low < value < high
-
-
-def _draw(random, symbol, domain, share=None):
-    """A random value of a symbol, of a moderate size; or that at a share, between 0 and 1, of all its values."""
-    low, high = _ends(symbol, domain)
-    share = random.uniform() if share is None else share
-    if math.isfinite(low) and math.isfinite(high):
-        return low + (0.02 + 0.96 * share) * (high - low)
-    smallest, largest = math.log(0.15), math.log(8)
-    if math.isfinite(low) or math.isfinite(high):
-        size = math.exp(smallest + share * (largest - smallest))
-        return low + size if math.isfinite(low) else high - size
-    sign, share = (1, 2 * share - 1) if share > 0.5 else (-1, 1 - 2 * share)
-    return sign * math.exp(smallest + share * (largest - smallest))
-
-
-def _rational(value):
-    return Fraction(float(value)).limit_denominator(60 if abs(value) > 0.2 else 10**4)
-
-
-def _simple(value, symbol, domain):
-    """A simple rational near a value, for messages that can be checked by hand."""
-    simple = Fraction(value).limit_denominator(9)
-    # Whole numbers are where formulas in a good form happen not to be defined, such as 1/(u - 3).
-    return simple if simple.denominator > 1 and _allowed(float(simple), symbol, domain) else _rational(value)
+    return {radius: sp.Interval.open(0, sp.oo)}
 
 
 def _values(expression, symbols, places):
@@ -664,10 +401,6 @@ def _kind(matrix):
     return f"{how} {'node' if discriminant > 0 else 'focus'}"
 
 
-def _told(values):
-    return ", ".join(f"{p} = {v if v.q < 20 else f'{float(v):.4g}'}" for p, v in values.items()) or "the system given"
-
-
 def _place_told(state, place):
     return ", ".join(f"{s} = {x:.4g}" for s, x in zip(state, place))
 
@@ -675,7 +408,7 @@ def _place_told(state, place):
 def _vector_told(values):
     """Numbers for a message; what rounding leaves of a zero is one."""
     size = max(abs(value) for value in values)
-    return as_text([value if abs(value) > 1e-12 * size else 0.0 for value in values])
+    return point_text([value if abs(value) > 1e-12 * size else 0.0 for value in values])
 
 
 def _roots_told(roots):

@@ -13,8 +13,9 @@ import sympy as sp
 
 from trajlib.checks.contract import coercion
 from trajlib.checks.contract.tolerance import same
-from trajlib.checks.contract.verdict import Invalid, Wrong
+from trajlib.checks.contract.verdict import Wrong
 from trajlib.checks.tools.conditions import compare, place_text
+from trajlib.checks.tools.members import NUMBERS, members
 from trajlib.checks.tools.values import matrix_at, number_at
 from trajlib.checks.tools.wording import number_text, where_text
 from trajlib.checks.truths.invariant_subspaces import (
@@ -187,7 +188,11 @@ def judge_eigenvalues(answer, pair, side):
 
 def compare_eigenvalues(answer, parameters, samples, true, whole, side):
     """Compare a set of numbers with those where the rank falls, at every sample; `whole` are all eigenvalues there."""
-    claims = [coercion.as_expression(part, parameters) for part in _members(answer)]
+    for multiplicity in answer.values() if isinstance(answer, dict) else ():
+        coercion.as_integer(multiplicity)  # as A.eigenvals() gives them
+    parts = members(list(answer) if isinstance(answer, dict) else answer,
+                    "a list or a set of eigenvalues; an empty one if there are none", single=NUMBERS)
+    claims = [coercion.as_expression(part, parameters) for part in parts]
     for values, lost, every in zip(samples, true, whole):
         scale = max([1e-30, *abs(every)])
         said = [number_at(claim, values, f"your value {k}") for k, claim in enumerate(claims, 1)]
@@ -216,27 +221,6 @@ def _among(answer, parameter):
             isinstance(part, (bool, str, sp.logic.boolalg.Boolean)) for part in answer):
         return sp.Or(*[sp.Eq(parameter, coercion.as_number(part)) for part in answer])
     return sp.false if isinstance(answer, (list, tuple, set, frozenset)) and not answer else answer
-
-
-def _members(answer):
-    """The members of a set of numbers in any of its usual forms."""
-    if answer is sp.S.EmptySet:
-        return []
-    if isinstance(answer, (set, frozenset, sp.FiniteSet)):
-        return list(answer)
-    if isinstance(answer, dict):
-        for multiplicity in answer.values():
-            coercion.as_integer(multiplicity)
-        return list(answer)  # as A.eigenvals() gives them
-    if isinstance(answer, np.ndarray):
-        return list(answer.ravel())
-    if isinstance(answer, sp.MatrixBase) and (1 in answer.shape or 0 in answer.shape):
-        return list(answer)
-    if isinstance(answer, (list, tuple, sp.Tuple)):
-        return list(answer)
-    if isinstance(answer, (int, float, complex, sp.Expr)) and not isinstance(answer, bool):
-        return [answer]
-    raise Invalid("expected a list or a set of eigenvalues; an empty one if there are none")
 
 
 def _right_entries(said, true, claim):

@@ -15,7 +15,8 @@ import sympy as sp
 from trajlib.checks.contract import coercion
 from trajlib.checks.contract.verdict import Wrong, judged
 from trajlib.checks.structure.dual_questions import CONTROL, OUTPUT, compare_eigenvalues, judge_region, judge_yes_no
-from trajlib.checks.truths.pairs import general_values, pair_of
+from trajlib.checks.tools.samples import general_values
+from trajlib.checks.truths.pairs import pair_of
 
 LAMBDA = sp.Symbol("lambda")
 PENCIL = "root of det(M lambda^2 + D lambda + K) = 0"

@@ -14,9 +14,9 @@ from sympy.core.function import AppliedUndef
 from trajlib.checks.contract import coercion
 from trajlib.checks.contract.tolerance import same, share
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
+from trajlib.checks.tools.samples import general_values
 from trajlib.checks.tools.values import number_at, numbers_at
 from trajlib.checks.tools.wording import number_text, where_text
-from trajlib.checks.truths.pairs import general_values
 
 LARGEST_ORDER = 12
 

@@ -18,7 +18,8 @@ from trajlib.checks.contract.tolerance import same, share
 from trajlib.checks.contract.verdict import Wrong, judged
 from trajlib.checks.structure.dual_questions import OUTPUT, judge_region
 from trajlib.checks.structure.unseen_bases import judge_where_lost
-from trajlib.checks.tools.values import compare_at, matrix_at, spread, value_at
+from trajlib.checks.tools.samples import signed_values
+from trajlib.checks.tools.values import compare_at, matrix_at, value_at
 from trajlib.checks.tools.wording import number_text, rounded_text
 from trajlib.checks.truths.known_starts import starts_of
 
@@ -30,7 +31,7 @@ MOST_FUNCTIONS = 16
 def varying_output(answer, A, H, time, start, parameters):
     """z(t) along the motion from the start, an expression in the symbols of the start, the time and the parameters."""
     claim = coercion.as_expression(answer, [time, *start, *parameters])
-    for values in _values([time, *start, *parameters], positive=[time]):
+    for values in signed_values([time, *start, *parameters], positive=[time]):
         x = np.array([values[symbol] for symbol in start])
         matrix, row = _at(A, values), _at(H, values)
         z = float((row @ expm(values[time] * matrix) @ x)[0])
@@ -44,7 +45,7 @@ def derivative_rows(answer, A, H, time, parameters):
     n = A.rows
     claim = coercion.as_matrix(answer, [time, *parameters], (n, n))
     slopes = [H.diff(time, k) if k else H for k in range(n)]
-    for values in _values([time, *parameters], positive=[time]):
+    for values in signed_values([time, *parameters], positive=[time]):
         matrix, rows = _at(A, values), [_at(slope, values)[0] for slope in slopes]
         said = matrix_at(claim, values)
         for k in range(n):
@@ -75,7 +76,7 @@ def output_gramian(answer, A, H, time, duration, parameters):
     claim = coercion.as_matrix(answer, parameters, (n, n))
     nodes, weights = np.polynomial.legendre.leggauss(160)
     moments, weights = (nodes + 1) / 2 * float(duration), weights / 2 * float(duration)
-    for values in _values(parameters):
+    for values in signed_values(parameters):
         matrix = _at(A, values)
         row = sp.lambdify(time, list(H.subs(values)), "numpy")  # of the data, never of an answer
         measured = np.array([np.broadcast_to(entry, moments.shape) for entry in row(moments)]).T
@@ -94,7 +95,7 @@ def output_gramian(answer, A, H, time, duration, parameters):
 def frozen_determinant(answer, A, H, time, parameters):
     """The determinant of the rows H(t), H(t) A, ..., H(t) A^(n-1) of one moment, with H taken as it is then."""
     claim = coercion.as_expression(answer, [time, *parameters])
-    for values in _values([time, *parameters], positive=[time]):
+    for values in signed_values([time, *parameters], positive=[time]):
         matrix, row = _at(A, values), _at(H, values)
         rows = [(row @ np.linalg.matrix_power(matrix, k))[0] for k in range(A.rows)]
         scale, said = np.prod([np.linalg.norm(r) for r in rows]), value_at(claim, values, "this determinant")
@@ -153,15 +154,6 @@ def _split(expression, time):
         if coefficient != 0:
             found[function] = found.get(function, 0) + coefficient
     return found
-
-
-def _values(symbols, positive=(), count=8):
-    """Values of both signs for symbols in general position, small and large ones for each."""
-    random = np.random.default_rng(29)
-    columns = {s: spread(random, 0.3, 3.0, count) * (1 if s in positive or s.is_positive
-                                                     else random.permutation([1, -1] * (count // 2)))
-               for s in symbols}
-    return [{s: float(column[k]) for s, column in columns.items()} for k in range(count)]
 
 
 def _at(matrix, values):

@@ -1,7 +1,82 @@
-"""Sample values of parameters, and searches for a change and for the largest value, for many cases side by side."""
+"""Sample values of symbols: exact ones for messages that can be checked by hand, random ones, and all over a domain.
+
+A domain is a dict from symbols to SymPy intervals; what it does not name ranges over all that the assumptions of the
+symbol allow.
+"""
+
+import functools
+import itertools
+import math
+from fractions import Fraction
 
 import numpy as np
 import sympy as sp
+
+POSITIVE, NEGATIVE = sp.Interval.open(0, sp.oo), sp.Interval.open(-sp.oo, 0)
+
+
+def sample_values(parameters, count=6, seed=5):
+    """Rational values for parameters, of both signs unless their assumptions say otherwise: a list of dicts.
+
+    Among any four that follow one another from the start on, a parameter has sizes below and above one, of either sign.
+    """
+    random = np.random.default_rng(seed)
+    samples = []
+    for k in range(count):
+        if k % 4 == 0:
+            kinds = {p: random.permutation(4) for p in parameters}
+        sizes = {p: int(random.integers(14, 40) if kind[k % 4] % 2 else random.integers(3, 13))
+                 for p, kind in kinds.items()}
+        signs = {p: 1 if p.is_positive else -1 if p.is_negative or kind[k % 4] < 2 else 1 for p, kind in kinds.items()}
+        samples.append({p: sp.Rational(signs[p] * sizes[p], 13) for p in parameters})
+    return samples
+
+
+def general_values(parameters):
+    """Rational values for parameters as `sample_values` gives them, but none a small number or a small multiple of
+    another."""
+    primes = (997, 1009, 1013, 1019, 1021, 1031, 1033, 1039)
+    return [{p: value * sp.Rational(prime, 1000) for (p, value), prime in zip(values.items(), itertools.cycle(primes))}
+            for values in sample_values(parameters, 6 if parameters else 1)]
+
+
+def allowed_values(parameters, given, count):
+    """Rational values of both signs for parameters, those only that satisfy the condition or conditions `given`."""
+    if not parameters:
+        return [{}]
+    given = joined(given)
+    allowed = [values for values in sample_values(parameters, 12 * count) if given.subs(values) == True]  # noqa: E712
+    if len(allowed) < count:
+        raise RuntimeError("no values of the parameters were found that satisfy what is given")
+    return allowed[:count]
+
+
+def joined(given):
+    """One condition of several."""
+    return sp.And(*given) if isinstance(given, (list, tuple)) else given
+
+
+def random_values(symbols, seed, count=6):
+    """Random positive values of all symbols, of size one: `count` dicts. Each symbol gets small values and large
+    ones."""
+    random = np.random.default_rng(seed)
+    columns = [spread(random, 0.4, 2.5, count) for _ in symbols]
+    for k in range(count):
+        yield {symbol: float(column[k]) for symbol, column in zip(symbols, columns)}
+
+
+def signed_values(symbols, positive=(), count=8):
+    """Values of both signs for symbols in general position, small and large ones for each."""
+    random = np.random.default_rng(29)
+    columns = {s: spread(random, 0.3, 3.0, count) * (1 if s in positive or s.is_positive
+                                                     else random.permutation([1, -1] * (count // 2)))
+               for s in symbols}
+    return [{s: float(column[k]) for s, column in columns.items()} for k in range(count)]
+
+
+def spread(random, low, high, count):
+    """Random numbers between two bounds, one in each of `count` parts of equal ratio, in random order."""
+    return low * (high / low) ** ((random.permutation(count) + random.uniform(size=count)) / count)
 
 
 def sample_cases(parameters):
@@ -27,62 +102,51 @@ def spread_over(low, high, count=6):
     return 4 * (2 * shares - 1)
 
 
-def largest(function, centre, width, steps, enough=np.inf):
-    """The place of the largest value within centre +- width, each row its own, by golden section; values above `enough`
-    will do.
-
-    `function(places, rows)` gives the values of these rows at these places, one of each. Of few rows many places are
-    asked for in one call, until they are as close together as so many steps bring them: for few rows it is the call
-    that takes the time.
-    """
-    ratio, low, high = (np.sqrt(5) - 1) / 2, centre - width, centre + width
-    count = 15 if len(centre) <= 16 else 7 if len(centre) <= 40 else 2
-    if count > 2:
-        every, rows = np.arange(len(centre)), np.repeat(np.arange(len(centre)), count)
-        for _ in range(int(np.ceil(steps * np.log(ratio) / np.log(2 / (count + 1))))):
-            places = low[:, None] + (high - low)[:, None] * np.arange(count + 2) / (count + 1)
-            values = function(places[:, 1:-1].ravel(), rows).reshape(-1, count)
-            top = values.argmax(axis=1)
-            low, best, high = (places[every, top + k] for k in range(3))
-            if enough < np.inf and (values[every, top] > enough).all():
-                break
-        return best
-    rows = slice(None)
-    a, b = high - ratio * (high - low), low + ratio * (high - low)
-    at_a, at_b = function(a, rows), function(b, rows)
-    for _ in range(steps):
-        if enough < np.inf and (np.maximum(at_a, at_b) > enough).all():
-            break
-        up = at_a < at_b
-        low, high = np.where(up, a, low), np.where(up, high, b)
-        place = np.where(up, low + ratio * (high - low), high - ratio * (high - low))
-        fresh = function(place, rows)
-        a, b = np.where(up, b, place), np.where(up, place, a)
-        at_a, at_b = np.where(up, at_b, fresh), np.where(up, fresh, at_a)
-    return np.where(at_a > at_b, a, b)
+def interval_of(symbol, domain):
+    """The values a symbol may take: from the domain, else from its assumptions."""
+    if domain and symbol in domain:
+        return domain[symbol]
+    if symbol.is_positive:
+        return POSITIVE
+    if symbol.is_negative:
+        return NEGATIVE
+    return sp.S.Reals
 
 
-def bisected(like_first, first, last, turns):
-    """(first, last) after so many halvings, each row its own; `like_first(places, rows)` says at which places all is as
-    at the first.
+def ends(symbol, domain):
+    return _ends_of(interval_of(symbol, domain))
 
-    The middles that the next few halvings may come to are asked about in one call: for few rows it is the call that
-    takes the time.
-    """
-    rows = np.arange(len(first))
-    while turns > 0:
-        depth = min(turns, 6 if len(rows) < 4 else 4 if len(rows) < 10 else 3 if len(rows) < 30 else 2
-                    if len(rows) < 120 else 1)
-        parts = 2**depth
-        ends = np.empty((len(rows), parts + 1, *np.shape(first)[1:]))
-        ends[:, 0], ends[:, -1] = first, last
-        for width in parts // 2**np.arange(depth):
-            ends[:, width // 2::width] = (ends[:, :-1:width] + ends[:, width::width]) / 2
-        asked = ends[:, 1:-1].reshape(-1, *np.shape(first)[1:])
-        like = np.asarray(like_first(asked, np.repeat(rows, parts - 1))).reshape(len(rows), parts - 1)
-        at = np.zeros(len(rows), dtype=int)
-        for width in parts // 2**np.arange(1, depth + 1):
-            at += width * like[rows, at + width - 1]
-        first, last = ends[rows, at], ends[rows, at + 1]
-        turns -= depth
-    return first, last
+
+@functools.lru_cache(maxsize=64)
+def _ends_of(interval):
+    return float(interval.start), float(interval.end)
+
+
+def lies_inside(value, symbol, domain):
+    low, high = ends(symbol, domain)
+    return low < value < high
+
+
+def draw(random, symbol, domain, share=None):
+    """A random value of a symbol, of a moderate size; or that at a share, between 0 and 1, of all its values."""
+    low, high = ends(symbol, domain)
+    share = random.uniform() if share is None else share
+    if math.isfinite(low) and math.isfinite(high):
+        return low + (0.02 + 0.96 * share) * (high - low)
+    smallest, largest = math.log(0.15), math.log(8)
+    if math.isfinite(low) or math.isfinite(high):
+        size = math.exp(smallest + share * (largest - smallest))
+        return low + size if math.isfinite(low) else high - size
+    sign, share = (1, 2 * share - 1) if share > 0.5 else (-1, 1 - 2 * share)
+    return sign * math.exp(smallest + share * (largest - smallest))
+
+
+def rational(value):
+    return Fraction(float(value)).limit_denominator(60 if abs(value) > 0.2 else 10**4)
+
+
+def simple_rational(value, symbol, domain):
+    """A simple rational near a value, for messages that can be checked by hand."""
+    simple = Fraction(value).limit_denominator(9)
+    # Whole numbers are where formulas in a good form happen not to be defined, such as 1/(u - 3).
+    return simple if simple.denominator > 1 and lies_inside(float(simple), symbol, domain) else rational(value)

@@ -17,20 +17,6 @@ from trajlib.checks.contract.verdict import Invalid, Wrong
 from trajlib.checks.tools.wording import rounded_text
 
 
-def random_values(symbols, seed, count=6):
-    """Random positive values of all symbols, of size one: `count` dicts. Each symbol gets small values and large
-    ones."""
-    random = np.random.default_rng(seed)
-    columns = [spread(random, 0.4, 2.5, count) for _ in symbols]
-    for k in range(count):
-        yield {symbol: float(column[k]) for symbol, column in zip(symbols, columns)}
-
-
-def spread(random, low, high, count):
-    """Random numbers between two bounds, one in each of `count` parts of equal ratio, in random order."""
-    return low * (high / low) ** ((random.permutation(count) + random.uniform(size=count)) / count)
-
-
 def number_at(claim, values, what="your expression"):
     """The finite number, real or complex, that an expression becomes; `what` names the expression in a message."""
     number = _put(claim, values)

@@ -29,3 +29,13 @@ def other_rate(symbol, said, true):
     k = max(range(len(said)), key=lambda i: abs(said[i] - true[i]))
     which = "the right-hand side" if len(said) == 1 else f"right-hand side {k + 1}"
     return f"a small deviation of {symbol} alone changes {which} at another rate than yours, {number_text(said[k])}"
+
+
+def sample_text(values):
+    """Values of parameters for a message, as fractions where they are simple."""
+    return ", ".join(f"{p} = {v if v.q < 20 else f'{float(v):.4g}'}" for p, v in values.items()) or "the system given"
+
+
+def point_text(point):
+    """Numbers for a message: `(1, -0.5)`."""
+    return "(" + ", ".join(f"{float(x):.4g}" for x in point) + ")"

@@ -139,25 +139,3 @@ def _solved(matrices, sides):
         with suppress(np.linalg.LinAlgError):
             found[:, k], solved[k] = np.linalg.solve(matrix, side), True
     return found, solved
-
-
-def sample_values(parameters, count=6, seed=5):
-    """Rational values for parameters, of both signs unless their assumptions say otherwise: a list of dicts.
-
-    Among any four that follow one another from the start on, a parameter has sizes below and above one, of either sign.
-    """
-    random = np.random.default_rng(seed)
-    samples = []
-    for k in range(count):
-        if k % 4 == 0:
-            kinds = {p: random.permutation(4) for p in parameters}
-        sizes = {p: int(random.integers(14, 40) if kind[k % 4] % 2 else random.integers(3, 13))
-                 for p, kind in kinds.items()}
-        signs = {p: 1 if p.is_positive else -1 if p.is_negative or kind[k % 4] < 2 else 1 for p, kind in kinds.items()}
-        samples.append({p: sp.Rational(signs[p] * sizes[p], 13) for p in parameters})
-    return samples
-
-
-def as_text(point):
-    """Numbers for a message: `(1, -0.5)`."""
-    return "(" + ", ".join(f"{float(x):.4g}" for x in point) + ")"

@@ -6,7 +6,6 @@ squares of all its minors; at one place it is decided, exactly, by `invariant_su
 """
 
 import functools
-import itertools
 from fractions import Fraction
 
 import numpy as np
@@ -14,7 +13,7 @@ import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
 from trajlib.checks.tools.conditions import Case, Truth, allowed
-from trajlib.checks.truths.fields import sample_values
+from trajlib.checks.tools.samples import general_values
 from trajlib.checks.truths.invariant_subspaces import unseen_subspace
 
 
@@ -137,14 +136,6 @@ class Pair:
         entries = [ring.from_sympy((above * common.quo(below)).as_expr()) for above, below in quotients]
         rows = [entries[k:k + self.order] for k in range(0, len(entries), self.order)]
         return DomainMatrix(rows, (len(rows), self.order), ring)
-
-
-def general_values(parameters):
-    """Rational values for parameters as `sample_values` gives them, but none a small number or a small multiple of
-    another."""
-    primes = (997, 1009, 1013, 1019, 1021, 1031, 1033, 1039)
-    return [{p: value * sp.Rational(prime, 1000) for (p, value), prime in zip(values.items(), itertools.cycle(primes))}
-            for values in sample_values(parameters, 6 if parameters else 1)]
 
 
 def place_of(values):

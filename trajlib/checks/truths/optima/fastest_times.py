@@ -14,7 +14,7 @@ import functools
 
 import numpy as np
 
-from trajlib.checks.tools.samples import largest
+from trajlib.checks.tools.searching import largest
 
 #: Times up to this one are looked at closely, and up to twenty times as long roughly, where it is asked whether a
 #: target is in reach.

@@ -10,7 +10,8 @@ import functools
 import numpy as np
 import sympy as sp
 
-from trajlib.checks.tools.samples import bisected, sample_cases
+from trajlib.checks.tools.samples import sample_cases
+from trajlib.checks.tools.searching import bisected
 from trajlib.checks.truths.optima.convex_targets import ConvexTarget
 from trajlib.checks.truths.optima.fastest_times import HORIZON, FastestTimes, Lanes
 from trajlib.checks.truths.optima.linear_plant import Plant
