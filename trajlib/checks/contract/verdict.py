@@ -1,14 +1,17 @@
 """What a check says of one answer, and how a check is written.
 
-A check is a function `check(answer, *data)` under the decorator `judged`. It returns the sentence that says what
-holds, or raises `Wrong` (a property fails) or `Invalid` (not of the type asked). Whatever else it raises is our
-failure, and the verdict says so: `unchecked`, never wrong, never right.
+A check is a function `check(claim, *data)` under the decorator `judged(Expression("parameters"))`: it is handed the
+answer as a claim of the type declared (`contract.claims`), yields comparisons (`tools.comparisons`), and returns the
+sentence that says what holds. Under `judged` alone it reads the answer itself. It may raise `Wrong` (a property fails)
+or `Invalid` (not of the type asked). Whatever else it raises is our failure, and the verdict says so: `unchecked`,
+never wrong, never right.
 
 A check judges what a grader would receive: the answer encoded as data and decoded again, in a notebook too. What
 cannot be written as data is `invalid` in both, with the same message; the data are used as they are.
 """
 
 import functools
+import inspect
 import warnings
 from contextvars import ContextVar
 from dataclasses import dataclass
@@ -51,7 +54,15 @@ class Unusable:
 
 
 def judged(check):
-    """Turn a check into a function that always returns a `Verdict`, whatever the answer is."""
+    """Turn a check into a function that always returns a `Verdict`, whatever the answer is.
+
+    As `judged(claim)`, with the type as which the answer is read, a decorator that does.
+    """
+    return _judged(check, None) if inspect.isfunction(check) else lambda function: _judged(function, check)
+
+
+def _judged(check, claim):
+    names = inspect.signature(check)
 
     @functools.wraps(check)
     def judge(answer, *data, **options):
@@ -65,7 +76,11 @@ def judged(check):
                 received = decode(encode(answer))
                 if _holds_ellipsis(received):
                     return Verdict(MISSING, "not answered yet")
-                return Verdict(RIGHT, check(received, *data, **options))
+                if claim is not None:
+                    bound = names.bind(None, *data, **options)
+                    bound.apply_defaults()
+                    received = claim.read(received, bound.arguments)
+                return Verdict(RIGHT, _sentence(check(received, *data, **options)))
         except Wrong as failed:
             return Verdict(WRONG, ". ".join([str(failed), *dict.fromkeys(_remarks.get())]))
         except (Invalid, EncodingError) as refused:
@@ -75,6 +90,18 @@ def judged(check):
                                       f"({type(error).__name__}: {str(error)[:200]})")
 
     return judge
+
+
+def _sentence(found):
+    """What a check returns, once all comparisons that it yields have been done."""
+    if not inspect.isgenerator(found):
+        return found
+    while True:
+        try:
+            comparison = next(found)
+        except StopIteration as end:
+            return end.value
+        comparison.judge()
 
 
 def _holds_ellipsis(answer):

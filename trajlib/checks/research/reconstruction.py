@@ -11,11 +11,12 @@ import math
 import numpy as np
 import sympy as sp
 
-from trajlib.checks.contract import coercion
+from trajlib.checks.contract.claims import Expression, Expressions, Matrix, Number
 from trajlib.checks.contract.tolerance import half_unit, in_decimals, rounds_to
 from trajlib.checks.contract.verdict import Wrong, judged
+from trajlib.checks.tools.comparisons import Same
 from trajlib.checks.tools.samples import random_values, spread
-from trajlib.checks.tools.values import compare_at, value_at
+from trajlib.checks.tools.values import value_at
 from trajlib.checks.tools.wording import rounded_text
 
 RECORDS = 6
@@ -24,50 +25,46 @@ SEED = 64
 PIECES = 16
 
 
-@judged
-def transition_polynomial(answer, transition, lam, kappa):
+@judged(Expression("lam", "kappa"))
+def transition_polynomial(claim, transition, lam, kappa):
     """The characteristic polynomial det(lambda E - A) of a transition matrix that depends on kappa."""
-    claim = coercion.as_expression(answer, [lam, kappa])
     random = np.random.default_rng(61)
     for stiffness in spread(random, 0.1, 9, RECORDS):
         at = random.uniform(-3, 3)
         true = np.linalg.det(at*np.eye(transition.rows) - _matrix(transition, kappa, stiffness))
-        compare_at(claim, {lam: at, kappa: stiffness}, true, "det(lambda E - A)", abs(true) + 1)
+        yield Same(claim, true, "det(lambda E - A)", {lam: at, kappa: stiffness}, abs(true) + 1)
     return "it is det(lambda E - A) at random lambda and kappa"
 
 
-@judged
-def reduced_polynomial(answer, transition, w, kappa):
+@judged(Expression("w", "kappa"))
+def reduced_polynomial(claim, transition, w, kappa):
     """The polynomial in w = lambda + 1/lambda whose product with lambda^2 is the characteristic polynomial."""
-    claim = coercion.as_expression(answer, [w, kappa])
     random = np.random.default_rng(62)
     for stiffness in spread(random, 0.1, 9, RECORDS):
         at = random.choice([-1, 1])*random.uniform(0.3, 3)
         true = np.linalg.det(at*np.eye(transition.rows) - _matrix(transition, kappa, stiffness))/at**2
-        compare_at(claim, {w: at + 1/at, kappa: stiffness}, true, f"P(lambda)/lambda^2 at lambda = {at:.3g}",
+        yield Same(claim, true, f"P(lambda)/lambda^2 at lambda = {at:.3g}", {w: at + 1/at, kappa: stiffness},
                    abs(true) + 1)
     return "lambda^2 times it is det(lambda E - A) at random lambda and kappa"
 
 
-@judged
-def on_unit_circle(answer, transition, phi, kappa):
+@judged(Expression("phi", "kappa"))
+def on_unit_circle(claim, transition, phi, kappa):
     """P(e^{i phi}) e^{-2 i phi} of a reciprocal characteristic polynomial, written without the imaginary unit."""
-    claim = coercion.as_expression(answer, [phi, kappa])
     if claim.has(sp.I):
         raise Wrong("the imaginary unit is left in it: an expression whose sign can be read off was asked for")
     random = np.random.default_rng(63)
     for angle, stiffness in zip(spread(random, 0.2, 3, RECORDS), spread(random, 0.1, 9, RECORDS)):
         point = cmath.exp(1j*angle)
         true = (np.linalg.det(point*np.eye(transition.rows) - _matrix(transition, kappa, stiffness))/point**2).real
-        compare_at(claim, {phi: angle, kappa: stiffness}, true, f"P/lambda^2 at lambda = exp({angle:.3g} i)",
+        yield Same(claim, true, f"P/lambda^2 at lambda = exp({angle:.3g} i)", {phi: angle, kappa: stiffness},
                    abs(true) + 1)
     return "on the unit circle it is P(lambda)/lambda^2, at random angles and kappa"
 
 
-@judged
-def multiple_eigenvalues(answer, transition, kappa):
+@judged(Number())
+def multiple_eigenvalues(number, transition, kappa):
     """The kappa > 0 for which eigenvalues coincide, to three digits or exactly."""
-    number = coercion.as_number(answer)
     claim = float(number)
     if claim <= 0:
         raise Wrong(f"kappa = {claim:.4g} is not positive")
@@ -80,10 +77,10 @@ def multiple_eigenvalues(answer, transition, kappa):
     return "here pairs of complex eigenvalues meet on the real axis"
 
 
-@judged
-def digits_lost(answer, transition, kappa, value):
+@judged(Number())
+def digits_lost(claim, transition, kappa, value):
     """By how many decimal digits the error of the forward recursion grows with every sample."""
-    claim = float(coercion.as_number(answer))
+    claim = float(claim)
     greatest = np.abs(np.linalg.eigvals(_matrix(transition, kappa, float(value)))).max()
     if not rounds_to(claim, math.log10(greatest)):
         factor = 10**claim if abs(claim) < 300 else math.inf
@@ -93,42 +90,37 @@ def digits_lost(answer, transition, kappa, value):
     return "powers of the transition matrix grow by this many digits a sample"
 
 
-@judged
-def spline_acceleration(answer, times, samples, rho, M):
+@judged(Expression("times", "samples", "rho", "M"))
+def spline_acceleration(claim, times, samples, rho, M):
     """The acceleration of the motion of least cost at the middle one of three samples of equal weight rho."""
-    claim = coercion.as_expression(answer, _symbols(times, samples, rho, M))
     for values, t, h in _drawn(times, samples, rho, M):
         states = _least_cost(t, h, values[rho], values[M])
-        compare_at(claim, values, _middle(t, *states), "the acceleration at the middle sample", np.abs(h).max()/t[1]**2)
+        yield Same(claim, _middle(t, *states), "the acceleration at the middle sample", values, np.abs(h).max()/t[1]**2)
     return "it is that of the motion with the least cost, for random samples and weights"
 
 
-@judged
-def spline_positions(answer, times, samples, rho, M):
+@judged(Expressions("times", "samples", "rho", "M", length=lambda data: len(data["times"])))
+def spline_positions(claims, times, samples, rho, M):
     """The positions at the samples of the motion of least cost."""
-    claims = coercion.as_expressions(answer, _symbols(times, samples, rho, M), len(times))
     for values, t, h in _drawn(times, samples, rho, M):
         x, _ = _least_cost(t, h, values[rho], values[M])
         for k, claim in enumerate(claims):
-            compare_at(claim, values, x[k], f"x{k}", np.abs(h).max())
+            yield Same(claim, x[k], f"x{k}", values, np.abs(h).max())
     return "they are those of the motion with the least cost, for random samples and weights"
 
 
-@judged
-def interpolant_acceleration(answer, times, samples):
+@judged(Expression("times", "samples"))
+def interpolant_acceleration(claim, times, samples):
     """The greatest acceleration of the motion with the least integral of u^2 through three samples."""
-    claim = coercion.as_expression(answer, _symbols(times, samples))
     for values, t, h in _drawn(times, samples):
-        compare_at(claim, values, abs(_middle(t, *_least_cost(t, h, 1.0, None))),
-                   "the greatest acceleration through the samples",
-                 np.abs(h).max()/t[1]**2)
+        yield Same(claim, abs(_middle(t, *_least_cost(t, h, 1.0, None))),
+                   "the greatest acceleration through the samples", values, np.abs(h).max()/t[1]**2)
     return "it is that of the easiest motion through the samples"
 
 
-@judged
-def weight_for_bound(answer, times, samples, rho, D):
+@judged(Expression("times", "samples", "rho", "D"))
+def weight_for_bound(claim, times, samples, rho, D):
     """The weight M for which the motion of least cost has the greatest acceleration D."""
-    claim = coercion.as_expression(answer, _symbols(times, samples, rho, D))
     for values, t, h in _bounded(times, samples, rho, D):
         weight = value_at(claim, values, "M")
         if weight <= 0:
@@ -141,26 +133,24 @@ def weight_for_bound(answer, times, samples, rho, D):
     return "the motion of least cost with this weight has the greatest acceleration D, for random samples and bounds"
 
 
-@judged
-def spline_misfit(answer, times, samples, rho, D):
+@judged(Expression("times", "samples", "rho", "D"))
+def spline_misfit(claim, times, samples, rho, D):
     """The misfit rho sum (x_k - h_k)^2 of the motion of least cost whose greatest acceleration is D."""
-    claim = coercion.as_expression(answer, _symbols(times, samples, rho, D))
     for values, t, h in _bounded(times, samples, rho, D):
         low, high = math.log(values[rho]*t[1]**3) - 30, math.log(values[rho]*t[1]**3) + 30
         for _ in range(80):
             middle = (low + high)/2
             states = _least_cost(t, h, values[rho], math.exp(middle))
             low, high = (middle, high) if abs(_middle(t, *states)) > values[D] else (low, middle)
-        compare_at(claim, values, values[rho]*np.sum((states[0] - h)**2), "the misfit", values[rho]*np.sum(h**2), 1e-8)
+        yield Same(claim, values[rho]*np.sum((states[0] - h)**2), "the misfit", values, values[rho]*np.sum(h**2), 1e-8)
     return "it is the misfit of the motion whose weight meets the bound, for random samples and bounds"
 
 
-@judged
-def bounded_misfit(answer, times, samples, rho, D):
+@judged(Expression("times", "samples", "rho", "D"))
+def bounded_misfit(claim, times, samples, rho, D):
     """The least misfit rho sum (x_k - h_k)^2 among all motions with |u| <= D."""
     from scipy.optimize import lsq_linear
 
-    claim = coercion.as_expression(answer, _symbols(times, samples, rho, D))
     for values, t, h in _bounded(times, samples, rho, D):
         knots = np.unique(np.concatenate([np.linspace(a, b, PIECES + 1) for a, b in zip(t, t[1:])]))
         step = np.diff(knots)
@@ -170,14 +160,13 @@ def bounded_misfit(answer, times, samples, rho, D):
         free = np.array([np.inf, np.inf])
         limits = np.append(free, np.full(step.size, values[D]))
         found = lsq_linear(rows, h, (-limits, limits), method="bvls", tol=1e-14)
-        compare_at(claim, values, 2*values[rho]*found.cost, "the least misfit", values[rho]*np.sum(h**2), 1e-7)
+        yield Same(claim, 2*values[rho]*found.cost, "the least misfit", values, values[rho]*np.sum(h**2), 1e-7)
     return "no motion within the bound fits better, for random samples and bounds"
 
 
-@judged
-def filter_gain(answer, omega, rho, M):
+@judged(Expression("omega", "rho", "M"))
+def filter_gain(claim, omega, rho, M):
     """The factor g with which x = g cos(omega t) solves M x'''' + rho (x - cos(omega t)) = 0."""
-    claim = coercion.as_expression(answer, [omega, rho, M])
     for values in random_values([omega, rho, M], SEED):
         gain = value_at(claim, values, "the factor")
         left = values[M]*values[omega]**4*gain + values[rho]*(gain - 1)
@@ -186,21 +175,19 @@ def filter_gain(answer, omega, rho, M):
     return "x = g h satisfies the equation, for random frequencies and weights"
 
 
-@judged
-def boundary_decay(answer, rho, M):
+@judged(Expression("rho", "M"))
+def boundary_decay(claim, rho, M):
     """The rate at which the influence of an end dies out: -Re s of the solutions exp(s t) of M x'''' + rho x = 0 that
     decay."""
-    claim = coercion.as_expression(answer, [rho, M])
     for values in random_values([rho, M], SEED):
         roots = np.roots([values[M], 0, 0, 0, values[rho]])
-        compare_at(claim, values, -max(root.real for root in roots if root.real < 0), "the rate of decay", 0)
+        yield Same(claim, -max(root.real for root in roots if root.real < 0), "the rate of decay", values)
     return "the solutions exp(s t) that decay have -Re s equal to it, for random weights"
 
 
-@judged
-def weight_of_harmonic(answer, amplitude, omega, rho, D):
+@judged(Expression("amplitude", "omega", "rho", "D"))
+def weight_of_harmonic(claim, amplitude, omega, rho, D):
     """The weight M for which the reconstruction of `amplitude` cos(omega t) has the greatest acceleration D."""
-    claim = coercion.as_expression(answer, [amplitude, omega, rho, D])
     for values in random_values([amplitude, omega, rho, D], SEED):
         values[D] = values[amplitude]*values[omega]**2*0.8*values[D]/(1 + values[D])
         weight = value_at(claim, values, "M")
@@ -214,10 +201,9 @@ def weight_of_harmonic(answer, amplitude, omega, rho, D):
     return "with this weight the greatest acceleration is D, for random measurements and bounds"
 
 
-@judged
-def steady_costate(answer, rho, M):
+@judged(Matrix("rho", "M", shape=(2, 2)))
+def steady_costate(claim, rho, M):
     """The constant matrix P >= 0 of (psi1, psi2) = c - P (x, y) for steady continuous measurements of weight rho."""
-    claim = coercion.as_matrix(answer, [rho, M], (2, 2))
     A, b = np.array([[0.0, 1], [0, 0]]), np.array([0.0, 1])
     for values in random_values([rho, M], SEED):
         P = np.array([[value_at(claim[i, j], values, f"p{i + 1}{j + 1}") for j in range(2)] for i in range(2)])

@@ -14,9 +14,11 @@ import sympy as sp
 from scipy.linalg import expm
 
 from trajlib.checks.contract import coercion
+from trajlib.checks.contract.claims import ConditionOn, Expression, Expressions, Integer
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
+from trajlib.checks.tools.comparisons import Same
 from trajlib.checks.tools.samples import random_values
-from trajlib.checks.tools.values import compare_at, truth_at, value_at
+from trajlib.checks.tools.values import truth_at, value_at
 from trajlib.checks.tools.wording import rounded_text
 
 MOMENTS = 12
@@ -24,20 +26,18 @@ MOMENTS = 12
 ZERO = 1e-8
 
 
-@judged
-def measured_motion(answer, matrix, output, initial, t):
+@judged(Expression("matrix", "initial", "t"))
+def measured_motion(claim, matrix, output, initial, t):
     """The measured component of the solution of x' = A x through the initial values."""
-    claim = coercion.as_expression(answer, [*_symbols(matrix), *initial, t])
     for values in random_values([*_symbols(matrix), *initial, t], 71):
         states = expm(_array(matrix, values)*values[t])@[values[s] for s in initial]
-        compare_at(claim, values, _seen(output, values, states), "what is measured", np.abs(states).max())
+        yield Same(claim, _seen(output, values, states), "what is measured", values, np.abs(states).max())
     return "it is what is measured along the motion, for random values of all symbols"
 
 
-@judged
-def unseen_direction(answer, matrix, output):
+@judged(Expressions("matrix", length=lambda data: data["matrix"].rows))
+def unseen_direction(claim, matrix, output):
     """A change of the initial state of x' = A x that no measurement sees."""
-    claim = coercion.as_expressions(answer, _symbols(matrix), matrix.rows)
     for values in random_values(_symbols(matrix), 72):
         direction = _direction(claim, values)
         times = np.linspace(0, 3, MOMENTS)
@@ -50,24 +50,22 @@ def unseen_direction(answer, matrix, output):
     return "it changes the state and no measurement, for random values of the symbols"
 
 
-@judged
-def bias_of_estimate(answer, matrix, output, unknowns, wanted, left_out):
+@judged(Expression("matrix", "left_out"))
+def bias_of_estimate(claim, matrix, output, unknowns, wanted, left_out):
     """The error of the estimate of `wanted` when the constant unknown `left_out` is taken for zero."""
-    claim = coercion.as_expression(answer, [*_symbols(matrix), left_out])
     j, k = list(unknowns).index(wanted), list(unknowns).index(left_out)
     kept = [i for i in range(matrix.rows) if i != k]
     for values in random_values([*_symbols(matrix), left_out], 73):
         rows = _rows(matrix, output, values, np.linspace(0, 4, 3*MOMENTS))
         found = np.linalg.lstsq(rows[:, kept], rows[:, k]*values[left_out], rcond=None)[0]
-        compare_at(claim, values, found[kept.index(j)], f"the error of the estimate of {wanted}", abs(values[left_out]),
+        yield Same(claim, found[kept.index(j)], f"the error of the estimate of {wanted}", values, abs(values[left_out]),
                    1e-7)
     return "least squares without this unknown is wrong by it, for random values of the symbols"
 
 
-@judged
-def worst_of_three(answer, matrix, output, unknowns, wanted, tau, delta):
+@judged(Expression("matrix", "tau", "delta"))
+def worst_of_three(claim, matrix, output, unknowns, wanted, tau, delta):
     """The greatest error of `wanted` from three measurements at 0, tau, 2 tau with errors up to delta."""
-    claim = coercion.as_expression(answer, [*_symbols(matrix), tau, delta])
     j = list(unknowns).index(wanted)
     for values in random_values([*_symbols(matrix), tau, delta], 74):
         A = _array(matrix, values)
@@ -76,7 +74,7 @@ def worst_of_three(answer, matrix, output, unknowns, wanted, tau, delta):
         rows = _rows(matrix, output, values, values[tau]*np.arange(3))
         corners = (np.linalg.solve(rows, np.array(signs)*values[delta])[j]
                    for signs in itertools.product((-1, 1), repeat=3))
-        compare_at(claim, values, max(abs(error) for error in corners), f"the greatest error of {wanted}", 0, 1e-7)
+        yield Same(claim, max(abs(error) for error in corners), f"the greatest error of {wanted}", values, 0, 1e-7)
     return "no errors up to delta do worse, and some do as much, for random values of the symbols"
 
 
@@ -97,11 +95,10 @@ def unseen_by_bearings(answer, relative, t):
     return "it changes no bearing to first order, for random motions"
 
 
-@judged
-def bearing_tells_range(answer, relative, t, T, turn):
+@judged(ConditionOn("relative", "t", "T", "turn"))
+def bearing_tells_range(claim, relative, t, T, turn):
     """Condition that one bearing at t > T, after the observer's velocity has changed by `turn`, fixes the range."""
     symbols = _symbols(sp.Matrix(relative), t) + [t, T, *turn]
-    claim = coercion.as_condition(answer, symbols)
     random = np.random.default_rng(76)
     # in general position, and where one or two of the numbers are zero
     motion = [s for s in symbols if s not in (t, T)]
@@ -128,12 +125,11 @@ def bearing_tells_range(answer, relative, t, T, turn):
             "of sight")
 
 
-@judged
-def range_error(answer, relative, t, T, turn, delta):
+@judged(Expression("relative", "t", "T", "turn", "delta"))
+def range_error(claim, relative, t, T, turn, delta):
     """The size of the relative error of the range that an error delta of one bearing after the turn causes, to first
     order."""
     symbols = _symbols(sp.Matrix(relative), t) + [t, T, *turn, delta]
-    claim = coercion.as_expression(answer, symbols)
     random = np.random.default_rng(77)
     for values in random_values(symbols, 78):
         values |= {s: values[s]*float(random.choice((-1, 1))) for s in symbols if s not in (t, T, delta)}
@@ -144,15 +140,14 @@ def range_error(answer, relative, t, T, turn, delta):
         said = value_at(claim, values, "the error")
         if said < 0:
             raise Wrong(f"for {rounded_text(values)} your expression is negative; its size was asked for")
-        compare_at(claim, values, values[delta]/abs(slope), "the relative error of the range", 0)
+        yield Same(claim, values[delta]/abs(slope), "the relative error of the range", values)
     return "it is delta over the sensitivity of the bearing to the range, for random motions and turns"
 
 
-@judged
-def modes_of_range(answer, matrix, sight, initial, rate, t):
+@judged(Expressions("matrix", "sight", "initial", length=4))
+def modes_of_range(claims, matrix, sight, initial, rate, t):
     """The four coefficients of 1, t, cos(rate t), sin(rate t) in the deviation of a range."""
     symbols = [*_symbols(matrix), *sight, *initial]
-    claims = coercion.as_expressions(answer, symbols, 4)
     for values in random_values(symbols, 79):
         now = [value_at(claim, values, "a coefficient") for claim in claims]
         w, start = values[rate], np.array([values[s] for s in initial])
@@ -196,10 +191,9 @@ def unseen_motions(answer, matrix, sight, count):
     return "they are independent and leave the range as it is, for random directions"
 
 
-@judged
-def numbers_seen(answer, matrix, sights):
+@judged(Expressions(length=lambda data: len(data["sights"])))
+def numbers_seen(claims, matrix, sights):
     """How many combinations of the unknowns are determined by ranges along each of the given directions."""
-    claims = coercion.as_expressions(answer, (), len(sights))
     values = next(random_values(_symbols(matrix), 81))
     for number, (claim, sight) in enumerate(zip(claims, sights), 1):
         claim = coercion.as_integer(claim)
@@ -211,11 +205,10 @@ def numbers_seen(answer, matrix, sights):
     return "the stacked matrices of many ranges have these ranks"
 
 
-@judged
-def stations_insufficient(answer, matrix, first, second):
+@judged(ConditionOn("first", "second"))
+def stations_insufficient(claim, matrix, first, second):
     """Condition on two directions, none of whose components vanish, under which ranges along both leave something
     unseen."""
-    claim = coercion.as_condition(answer, [*first, *second])
     for values, insufficient in _pairs_of_stations(sp.ImmutableMatrix(matrix), tuple(first), tuple(second)):
         said = truth_at(claim, values)
         if said != insufficient:
@@ -260,11 +253,10 @@ def _pairs_of_stations(matrix, first, second):
     return found
 
 
-@judged
-def breaks_bound(answer, matrix, state, factor):
+@judged(Expressions(length=lambda data: data["matrix"].rows))
+def breaks_bound(claim, matrix, state, factor):
     """An error e of the measurements for which |dx| exceeds mu |e| |x|/|Z| at least `factor` times, with Z = H x +
     e."""
-    claim = coercion.as_expressions(answer, (), matrix.rows)
     e = np.array([float(coercion.as_number(part)) for part in claim])
     H, x = np.array(matrix.tolist(), dtype=float), np.array([float(part) for part in state])
     if not np.abs(e).max() > 0:
@@ -279,10 +271,9 @@ def breaks_bound(answer, matrix, state, factor):
     return "the estimate is wrong by more than the printed bound, as many times as was asked"
 
 
-@judged
-def most_rows(answer, m, mu, eps):
+@judged(Integer())
+def most_rows(n, m, mu, eps):
     """The greatest number n of rows for which the condition number mu is below the threshold mu*."""
-    n = coercion.as_integer(answer)
     m, mu, eps = int(m), sp.Rational(mu), sp.Rational(eps)
     if n < m:
         raise Wrong(f"{n} rows are fewer than the {m} unknowns")
@@ -297,21 +288,19 @@ def most_rows(answer, m, mu, eps):
     return "with this many rows the condition number is below the threshold, with one more it is not"
 
 
-@judged
-def condition_of_nearly_equal(answer, delta):
+@judged(Expression("delta"))
+def condition_of_nearly_equal(claim, delta):
     """The condition number of two columns of length 1 along h and h + delta g, for perpendicular unit vectors h, g."""
-    claim = coercion.as_expression(answer, [delta])
     for size in (1.0, 0.3, 0.04, 0.003, 2.5, 9.0):
         columns = np.array([[1, 1/math.hypot(1, size)], [0, size/math.hypot(1, size)]])
         values = np.linalg.svd(columns, compute_uv=False)
-        compare_at(claim, {delta: size}, values[0]/values[-1], "the condition number", 0)
+        yield Same(claim, values[0]/values[-1], "the condition number", {delta: size})
     return "it is the ratio of the singular values, for small and large errors"
 
 
-@judged
-def fooling_error(answer, M):
+@judged(Expression("M"))
+def fooling_error(claim, M):
     """The error of a column that is a multiple of another from which on the condition number is below M."""
-    claim = coercion.as_expression(answer, [M])
     for limit in (1.5, 4.0, 30.0, 1e3, 1e5):
         size = value_at(claim, {M: limit}, "the error")
         if size <= 0:

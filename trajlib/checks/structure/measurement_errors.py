@@ -11,11 +11,13 @@ import sympy as sp
 from scipy.linalg import expm
 
 from trajlib.checks.contract import coercion
+from trajlib.checks.contract.claims import Expression
 from trajlib.checks.contract.tolerance import same, share
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
 from trajlib.checks.structure.dual_questions import Side, judge_region, judge_yes_no
 from trajlib.checks.structure.unseen_bases import judge_basis, judge_where_lost
-from trajlib.checks.tools.values import compare_at, matrix_at
+from trajlib.checks.tools.comparisons import Same
+from trajlib.checks.tools.values import matrix_at
 from trajlib.checks.tools.wording import number_text, where_text
 from trajlib.checks.truths.invariant_subspaces import echelon, product, to_floats
 from trajlib.checks.truths.known_starts import starts_of
@@ -108,10 +110,9 @@ def augmented_system(answer, A, H, S, c, start, parameters=()):
             "spared")
 
 
-@judged
-def amplitude_from_output(answer, A, H, S, c, start, outputs, time):
+@judged(Expression("outputs", "time"))
+def amplitude_from_output(claim, A, H, S, c, start, outputs, time):
     """C by z and its derivatives at one moment, the symbols `outputs`, and the time."""
-    claim = coercion.as_expression(answer, [*outputs, time])
     augmented = np.array(sp.diag(A, S), dtype=float)
     row = np.array(H.row_join(c), dtype=float)[0]
     random = np.random.default_rng(17)
@@ -122,8 +123,7 @@ def amplitude_from_output(answer, A, H, S, c, start, outputs, time):
         for symbol in outputs:
             values[symbol] = float(row @ state)
             state = augmented @ state
-        size = 1e-2 * sum(abs(v) for v in values.values())
-        compare_at(claim, values, amplitude, "C", size, share(claim, computed=1e-8))
+        yield Same(claim, amplitude, "C", values, 1e-2 * sum(abs(v) for v in values.values()), 1e-8)
     return "it gives C at every moment of motions with all kinds of starts and errors"
 
 

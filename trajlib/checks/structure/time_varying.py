@@ -14,12 +14,14 @@ import sympy as sp
 from scipy.linalg import expm
 
 from trajlib.checks.contract import coercion
+from trajlib.checks.contract.claims import Expression
 from trajlib.checks.contract.tolerance import same, share
 from trajlib.checks.contract.verdict import Wrong, judged
 from trajlib.checks.structure.dual_questions import OUTPUT, judge_region
 from trajlib.checks.structure.unseen_bases import judge_where_lost
+from trajlib.checks.tools.comparisons import Same
 from trajlib.checks.tools.samples import signed_values
-from trajlib.checks.tools.values import compare_at, matrix_at, value_at
+from trajlib.checks.tools.values import matrix_at, value_at
 from trajlib.checks.tools.wording import number_text, rounded_text
 from trajlib.checks.truths.known_starts import starts_of
 
@@ -27,15 +29,14 @@ from trajlib.checks.truths.known_starts import starts_of
 MOST_FUNCTIONS = 16
 
 
-@judged
-def varying_output(answer, A, H, time, start, parameters):
+@judged(Expression("time", "start", "parameters"))
+def varying_output(claim, A, H, time, start, parameters):
     """z(t) along the motion from the start, an expression in the symbols of the start, the time and the parameters."""
-    claim = coercion.as_expression(answer, [time, *start, *parameters])
     for values in signed_values([time, *start, *parameters], positive=[time]):
         x = np.array([values[symbol] for symbol in start])
         matrix, row = _at(A, values), _at(H, values)
         z = float((row @ expm(values[time] * matrix) @ x)[0])
-        compare_at(claim, values, z, "z", np.linalg.norm(row) * np.linalg.norm(x), share(claim))
+        yield Same(claim, z, "z", values, np.linalg.norm(row) * np.linalg.norm(x))
     return "it is H(t) x(t) for all starts, moments and parameters tried"
 
 
@@ -91,10 +92,9 @@ def output_gramian(answer, A, H, time, duration, parameters):
     return "the entries are the integrals, for all parameters tried"
 
 
-@judged
-def frozen_determinant(answer, A, H, time, parameters):
+@judged(Expression("time", "parameters"))
+def frozen_determinant(claim, A, H, time, parameters):
     """The determinant of the rows H(t), H(t) A, ..., H(t) A^(n-1) of one moment, with H taken as it is then."""
-    claim = coercion.as_expression(answer, [time, *parameters])
     for values in signed_values([time, *parameters], positive=[time]):
         matrix, row = _at(A, values), _at(H, values)
         rows = [(row @ np.linalg.matrix_power(matrix, k))[0] for k in range(A.rows)]

@@ -75,16 +75,6 @@ def truth_at(claim, values):
     return bool(said)
 
 
-def compare_at(claim, values, true, what, scale, tolerance=1e-9):
-    """Raise `Wrong` unless an expression has the value `true` of the quantity `what`, to a part of its size and of
-    `scale`."""
-    said = value_at(claim, values, what)
-    if not cmath.isfinite(true):
-        raise RuntimeError(f"{what} could not be computed")
-    if not abs(said - true) <= tolerance * (abs(true) + scale):
-        raise Wrong(f"for {rounded_text(values)} {what} is {true:.4g}; your expression gives {said:.4g}")
-
-
 def real_function(symbols, expressions):
     """Several expressions as a function of numbers or arrays, to an array with a row for each; nan where one is not a
     real number."""
