@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from trajlib.checks.tools.samples import bisected
+from trajlib.checks.tools.searching import bisected
 
 
 @pytest.mark.parametrize("rows", [1, 12, 50, 300])
