@@ -1,0 +1,19 @@
+"""Code is read without scrolling: the site's column, a printed page and a notebook show 79 characters."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+from trajlib.masters import master_paths
+
+ROOT = Path(__file__).resolve().parents[2]
+CELL = re.compile(r"^(`{3,})\{code-cell\}[^\n]*\n(.*?)^\1[ \t]*$", re.M | re.S)
+PAGES = [*master_paths(ROOT / "solutions"), *sorted((ROOT / "book").glob("ch*.md"))]
+
+
+@pytest.mark.parametrize("path", PAGES, ids=lambda path: f"{path.parent.name}/{path.stem}")
+def test_lines_of_code_cells(path):
+    cells = CELL.findall(path.read_text(encoding="utf-8"))
+    assert cells
+    assert [line for _, cell in cells for line in cell.splitlines() if len(line) > 79] == []
