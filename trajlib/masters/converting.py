@@ -96,7 +96,8 @@ def plain_markdown(text, links, number=""):
     text = re.sub(r"^# Problem \d+\.\d+$", "", text, flags=re.M)  # the exercise's own heading says it with its title
     text = re.sub(r"^\([\w-]+\)=\n", "", text, flags=re.M)
     text = re.sub(r"\[([^\]]+)\]\(#([\w-]+)\)", lambda m: _named(m[1], links.place(m[2])), text)
-    text = re.sub(r"\{(?:ref|numref|prf:ref)\}`([^`<]+?)\s*<([\w-]+)>`", lambda m: _named(m[1], links.place(m[2])), text)
+    text = re.sub(r"\{(?:ref|numref|prf:ref)\}`([^`<]+?)\s*<([\w-]+)>`", lambda m: _named(m[1], links.place(m[2])),
+                  text)
     text = re.sub(r"\{eq\}`eq-([\w-]+)`", lambda m: f"({_tag(m[1])})", text)
     text = re.sub(r"\{problem\}`([\d.]+)`", r"problem \1", text)
     text = re.sub(r"\{cite(?::\w)?\}`[^`]*`", "", text)

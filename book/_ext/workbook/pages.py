@@ -11,9 +11,11 @@ import re
 from docutils import nodes
 from docutils.statemachine import StringList
 from sphinx import addnodes
+from sphinx.transforms.post_transforms import SphinxPostTransform
 from sphinx.util import logging
 from sphinx.util.docutils import SphinxDirective, SphinxRole
 from sphinx.util.index_entries import split_index_msg
+from sphinx_exercise.nodes import exercise_node
 
 from trajlib import exercises
 from workbook import catalogue
@@ -23,6 +25,7 @@ from workbook.downloads import link
 logger = logging.getLogger(__name__)
 
 TITLE = re.compile(r"^# .*$", re.M)
+ITEM = re.compile(r"([a-z])_")  # of an answer's name
 EXERCISE_END = re.compile(r"^(`{3,}|:{3,})\{exercise-end\}[ \t]*\n(?:.*\n)*?\1[ \t]*$", re.M)
 
 
@@ -85,27 +88,66 @@ class ProblemHead(SphinxDirective):
 
 
 class ProblemAnswers(SphinxDirective):
-    """What the student is to assign, each answer with its hints, one fold a hint."""
+    """What the student is to assign: a fold an item, with its answers and their hints, one fold a hint.
+
+    `AnswersBesideItems` puts the fold of an item under its statement; what has no such place stays here.
+    """
 
     def run(self):
         problem = catalogue.of(self.env)[self.env.docname]
+        groups = {}
+        for name in problem.answers:
+            groups.setdefault(ITEM.match(name)[1] if ITEM.match(name) else "", []).append(name)
         box = nodes.container(classes=["problem-answers"])
-        box += nodes.rubric("", "What to answer")
-        for name, (kind, meaning) in problem.answers.items():
-            row = nodes.container(classes=["answer"])
-            row += self._markdown(f"`{name}` {meaning}")
-            row[0] += [nodes.Text(" "), nodes.inline("", kind, classes=["kind"])]
-            for k, hint in enumerate(problem.hints.get(name, []), start=1):
-                fold = details("", summary("", f"Hint {k}"), classes=["hint"])
-                fold += self._markdown(hint)
-                row += fold
-            box += row
+        for item, names in groups.items():
+            title = summary("", "To answer: ")
+            title += [node for name in names for node in (nodes.literal("", name), nodes.Text(" "))]
+            fold = details("", title, classes=["answers"], item=item)
+            fold += [self._row(name, problem) for name in names]
+            box += fold
         return [box]
+
+    def _row(self, name, problem):
+        kind, meaning = problem.answers[name]
+        row = nodes.container(classes=["answer"])
+        row += self._markdown(f"`{name}` {meaning}")
+        row[0] += [nodes.Text(" "), nodes.inline("", kind, classes=["kind"])]
+        for k, hint in enumerate(problem.hints.get(name, []), start=1):
+            fold = details("", summary("", f"Hint {k}"), classes=["hint"])
+            fold += self._markdown(hint)
+            row += fold
+        return row
 
     def _markdown(self, text):
         parsed = nodes.Element()
         self.state.nested_parse(StringList(text.splitlines(), self.env.docname), 0, parsed)
         return parsed.children
+
+
+class AnswersBesideItems(SphinxPostTransform):
+    """The answers of an item go under its statement, with the formulas and the half sentences that belong to it."""
+
+    default_priority = 25  # before solutions are folded
+    formats = ("html",)
+
+    def run(self, **kwargs):
+        folds = [fold for fold in self.document.findall(details) if fold.get("item")]
+        for statement in self.document.findall(exercise_node):
+            for fold in folds:
+                opening = next((p for p in statement.findall(nodes.paragraph)
+                                if re.match(rf"{fold['item']}\)\W", p.astext())), None)
+                if opening is not None:
+                    place, below = opening.parent, opening.parent.index(opening) + 1
+                    while below < len(place) and _goes_on(place[below]):
+                        below += 1
+                    fold.parent.remove(fold)
+                    place.insert(below, fold)
+
+
+def _goes_on(node):
+    """True for a formula, a list, and a paragraph that goes on in the midst of a sentence."""
+    return (isinstance(node, (nodes.math_block, nodes.bullet_list))
+            or isinstance(node, nodes.paragraph) and re.match(r"(?![a-z]\)\W)[a-z]", node.astext()) is not None)
 
 
 class ProblemRole(SphinxRole):
@@ -170,4 +212,5 @@ def setup(app):
     app.connect("doctree-read", _name_labels, priority=900)
     app.add_directive("problem-head", ProblemHead)
     app.add_directive("problem-answers", ProblemAnswers)
+    app.add_post_transform(AnswersBesideItems)
     app.add_role("problem", ProblemRole())

@@ -1,0 +1,67 @@
+"""Pictures with what a reader needs around them: a number, a caption that belongs to them, and words in their place.
+
+A master writes a picture's caption as a paragraph in emphasis under the cell that draws it. In the page both become one
+<figure>: "Figure 5.9a" on a problem's page, "Figure 5.1" in a chapter; whoever cannot see it is told how it begins.
+"""
+
+import re
+from string import ascii_lowercase
+
+from docutils import nodes
+from sphinx.transforms.post_transforms import SphinxPostTransform
+
+from workbook import catalogue
+
+CHAPTER = re.compile(r"book/ch(\d+)")
+
+
+class CaptionFigures(SphinxPostTransform):
+    """After myst-nb has chosen the outputs to show, before it folds the code that made them."""
+
+    default_priority = 150
+    formats = ("html",)
+
+    def run(self, **kwargs):
+        drawn = [cell for cell in self.document.findall(nodes.container)
+                 if cell.get("nb_element") == "cell_code" and any(cell.findall(nodes.image))]
+        for k, cell in enumerate(drawn):
+            *others, last = cell.findall(nodes.image)
+            caption = _caption_below(cell)
+            number = self._number(k, len(drawn))
+            words = _first_sentence(caption) if caption is not None else ""
+            for image in (*others, last):
+                image["alt"] = f"{number}: {words}" if words else number
+            if caption is not None:
+                caption.parent.remove(caption)
+                label = nodes.strong("", f"{number}. ")
+                figure = nodes.figure("", last.deepcopy(), nodes.caption("", "", label, *caption[0].children),
+                                      ids=[nodes.make_id(number)])
+                last.replace_self(figure)
+
+    def _number(self, k, count):
+        problem = catalogue.of(self.env).get(self.env.docname)
+        if problem is not None:
+            return f"Figure {problem.number}{ascii_lowercase[k] if count > 1 else ''}"
+        chapter = CHAPTER.fullmatch(self.env.docname)
+        return f"Figure {chapter[1]}.{k + 1}" if chapter else f"Figure {k + 1}"
+
+
+def _caption_below(cell):
+    """The paragraph under a cell, if emphasis is all there is in it."""
+    following = cell.next_node(siblings=True, descend=False)
+    is_caption = (isinstance(following, nodes.paragraph) and len(following) == 1
+                  and isinstance(following[0], nodes.emphasis))
+    return following if is_caption else None
+
+
+def _first_sentence(caption):
+    """As many sentences as say something: "Item b." alone does not."""
+    sentences = re.split(r"(?<=[.:;])\s+(?=\S)", " ".join(caption.astext().split()))
+    words = sentences.pop(0)
+    while sentences and len(words) < 40:
+        words += " " + sentences.pop(0)
+    return words
+
+
+def setup(app):
+    app.add_post_transform(CaptionFigures)
