@@ -52,6 +52,13 @@ def theorem(problem):
 
     `problem`: without parameters. None means that neither theorem applies, not that extremals are not optimal.
     """
+    # A problem does not change: the theorem is looked for once.
+    if "_theorem" not in problem.__dict__:
+        object.__setattr__(problem, "_theorem", _theorem(problem))
+    return problem._theorem
+
+
+def _theorem(problem):
     y, u = sp.Matrix(problem.state), sp.Matrix(problem.control)
     both = [*y, *u]
     slopes = sp.Matrix(problem.field).jacobian(both)

@@ -233,9 +233,12 @@ def _different(pictures):
 
 
 def _descended(numeric, picture, side, attempts):
-    """The picture, or a better one to which the cost falls from it: a saddle is left along its steepest direction."""
-    for _ in range(4):
-        if numeric.m and attempts.structure or np.max(np.abs(picture.costates)) > ABNORMAL:
+    """The picture, or a better one to which the cost falls from it: a saddle is left along its steepest direction.
+
+    Where a theorem makes every extremal optimal there are no saddles.
+    """
+    for _ in range(0 if attempts.convex else 4):
+        if attempts.structure or np.max(np.abs(picture.costates)) > ABNORMAL:
             return picture
         variation = second_variation(numeric, of_picture(numeric, picture, target_multipliers(numeric, picture)))
         if variation.sign >= 0:
