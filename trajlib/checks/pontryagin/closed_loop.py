@@ -117,8 +117,7 @@ def _closed_loop(law, plant, lanes, steps=48):
         said = law(x[here], case[here])
         for k in np.flatnonzero((said < low - SAME) | (said > high + SAME)):
             raise Wrong(f"a motion under your law comes to ({x[here[k]][0]:.4g}, {x[here[k]][1]:.4g}), where it gives "
-                        f"{said[k]:.4g}, "
-                        "outside the bounds of the control")
+                        f"{said[k]:.4g}, outside the bounds of the control")
         u[here], rest[here] = np.clip(said, low, high), t[here]
         for k in here[np.isnan(said)]:
             near = value(beside(x[k:k + 1]), np.repeat(case[k], 5))

@@ -69,8 +69,7 @@ def _time_optimal(claim, data, curve):
         if truth.beside_barrier(few.take(slice(0, 1)))[0]:
             continue
         raise Wrong(f"{truth.told(few, 0)} your law gives {control} = {law(few.x, few.case)[0]:.4g}, and the fastest "
-                    f"motion from there "
-                    "begins with another value")
+                    f"motion from there begins with another value")
     followed = truth.kept.setdefault("followed", set())
     if (claim, str(curve)) not in followed:
         follow(law, truth, lanes)

@@ -85,8 +85,7 @@ def digits_lost(claim, transition, kappa, value):
     if not rounds_to(claim, math.log10(greatest)):
         factor = 10**claim if abs(claim) < 300 else math.inf
         raise Wrong(f"an error would grow by the factor {factor:.4g} with every sample; multiplying a vector many "
-                    f"times by the "
-                    "transition matrix shows another factor")
+                    f"times by the transition matrix shows another factor")
     return "powers of the transition matrix grow by this many digits a sample"
 
 
@@ -128,8 +127,7 @@ def weight_for_bound(claim, times, samples, rho, D):
         greatest = abs(_middle(t, *_least_cost(t, h, values[rho], weight)))
         if not abs(greatest - values[D]) <= 1e-8*values[D]:
             raise Wrong(f"for {rounded_text(values)} the motion of least cost with your M = {weight:.4g} has the "
-                        f"greatest acceleration "
-                        f"{greatest:.4g}, not {values[D]:.4g}")
+                        f"greatest acceleration {greatest:.4g}, not {values[D]:.4g}")
     return "the motion of least cost with this weight has the greatest acceleration D, for random samples and bounds"
 
 
@@ -215,12 +213,10 @@ def steady_costate(claim, rho, M):
         if not (np.abs(residual) <= 1e-9*size.max()).all():
             i, j = np.unravel_index(np.abs(residual).argmax(), (2, 2))
             raise Wrong(f"for {rounded_text(values)} your P would not stay constant: the element ({i + 1}, {j + 1}) "
-                        f"of its rate is "
-                        f"{-residual[i, j]:.4g}")
+                        f"of its rate is {-residual[i, j]:.4g}")
         if not np.linalg.eigvalsh(P).min() > 0:
             raise Wrong(f"for {rounded_text(values)} your P is constant, but not positive definite: a cost that is "
-                        f"still to come "
-                        "cannot be negative")
+                        f"still to come cannot be negative")
     return "it stays constant under the Riccati equation and is positive definite, for random weights"
 
 

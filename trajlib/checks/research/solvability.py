@@ -45,8 +45,7 @@ def unseen_direction(claim, matrix, output):
             seen = _seen(output, values, move@direction)
             if not abs(seen) <= ZERO:
                 raise Wrong(f"for {rounded_text(values)}, scaled to length 1, your change alters the measurement at t "
-                            f"= {time:.3g} by "
-                            f"{seen:.3g}")
+                            f"= {time:.3g} by {seen:.3g}")
     return "it changes the state and no measurement, for random values of the symbols"
 
 
@@ -90,8 +89,7 @@ def unseen_by_bearings(answer, relative, t):
             turned = (x*dy - y*dx)/(x*x + y*y)
             if not abs(turned) <= ZERO:
                 raise Wrong(f"for {rounded_text(values)}, scaled to length 1, your change turns the bearing at t = "
-                            f"{time:.3g} by "
-                            f"{turned:.3g} rad per unit")
+                            f"{time:.3g} by {turned:.3g} rad per unit")
     return "it changes no bearing to first order, for random motions"
 
 
@@ -157,8 +155,7 @@ def modes_of_range(claims, matrix, sight, initial, rate, t):
             said = now[0] + now[1]*time + now[2]*math.cos(w*time) + now[3]*math.sin(w*time)
             if not abs(said - true) <= ZERO*(abs(true) + np.abs(start).max()*(1 + time)):
                 raise Wrong(f"for {rounded_text(values)} the range at {t} = {time:.3g} deviates by {true:.5g}; your "
-                            f"four terms sum up to "
-                            f"{said:.5g}")
+                            f"four terms sum up to {said:.5g}")
     return "the four terms sum up to the deviation of the range at all times, for random directions and motions"
 
 
@@ -184,8 +181,7 @@ def unseen_motions(answer, matrix, sight, count):
                 seen = float(towards@motion)
                 if not abs(seen) <= ZERO*(1 + np.abs(motion).max()):
                     raise Wrong(f"for {rounded_text(values)} motion number {number}, scaled to length 1, changes the "
-                                f"range at "
-                                f"t = {time:.3g} by {seen:.3g}")
+                                f"range at t = {time:.3g} by {seen:.3g}")
         if not np.linalg.svd(directions, compute_uv=False)[-1] >= 1e-6:
             raise Wrong(f"for {rounded_text(values)} your motions are not independent: a combination of them is zero")
     return "they are independent and leave the range as it is, for random directions"
@@ -266,8 +262,7 @@ def breaks_bound(claim, matrix, state, factor):
     bound = values[0]/values[-1]*np.linalg.norm(e)/np.linalg.norm(H@x + e)*np.linalg.norm(x)
     if not found >= float(factor)*bound*(1 - 1e-9):
         raise Wrong(f"the estimate is wrong by {found:.4g} and the printed bound is {bound:.4g}: it is exceeded "
-                    f"{found/bound:.3g} times, "
-                    f"not {float(factor):g} times")
+                    f"{found/bound:.3g} times, not {float(factor):g} times")
     return "the estimate is wrong by more than the printed bound, as many times as was asked"
 
 

@@ -63,8 +63,7 @@ def radial_motion(answer, field, state, time, start):
             true, said = _polar_velocity(flow, r, ANGLES[0])[0], value_at(slope, values, "r, differentiated,")
             if not abs(said - true) <= 1e-9 * (abs(true) + r) < math.inf:
                 raise Wrong(f"for r0 = {r0:g} your motion is at r = {r:.4g} when t = {t:.3g} and changes at the rate "
-                            f"{said:.4g} there; "
-                            f"the system demands r' = {true:.4g} at this r")
+                            f"{said:.4g} there; the system demands r' = {true:.4g} at this r")
     return "it starts at r0, and everywhere r' is what the system demands of it, for motions from five starts"
 
 
@@ -109,8 +108,7 @@ def cycle_stability(answer, field, state, radius=None):
         claimed = {"stable": ("to", "to"), "unstable": ("from", "from")}.get(claim)
         if claimed is None:
             raise Wrong("semistable means that motions on one side move towards the cycle and motions on the other "
-                        "away from it: "
-                        f"try r = {0.95 * radius:g} and r = {1.05 * radius:g}")
+                        f"away from it: try r = {0.95 * radius:g} and r = {1.05 * radius:g}")
         side, start = ("inside", 0.95 * radius) if inside != claimed[0] else ("outside", 1.05 * radius)
         does = {"to": "towards", "from": "away from"}[inside if side == "inside" else outside]
         raise Wrong(f"this does not agree with the neighbouring motions: the one that starts {side}, at r = {start:g}, "

@@ -116,8 +116,7 @@ def _judge_spectrum(numbers, matrix, point):
         if not any(_is_eigenvalue(number, value) for value in eigenvalues):
             residual = abs(np.linalg.det(number * np.eye(len(matrix)) - matrix))
             raise Wrong(f"at {point_text(point)} your number {number_text(number)} is no eigenvalue of the first "
-                        f"approximation: "
-                        f"det(lambda E - A) has the modulus {residual:.4g} there, not zero")
+                        f"approximation: det(lambda E - A) has the modulus {residual:.4g} there, not zero")
         close = [value for value in left if _is_eigenvalue(number, value)]
         if not close:
             raise Wrong(f"at {point_text(point)} the sum of your eigenvalues is {number_text(sum(numbers))}, "

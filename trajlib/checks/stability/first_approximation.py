@@ -98,8 +98,7 @@ def _by_motions(flow, radius=0.05, duration=200.0):
     if high == np.inf:
         return "unstable", f"a motion that starts at distance {radius} from zero leaves the ball of radius 1"
     told = (f"in motions that start at distance {radius} the amplitude changes by {100 * low:.2g} to {100 * high:.2g} "
-            f"per cent "
-            f"between the times {duration / 2:g} and {duration:g}")
+            f"per cent between the times {duration / 2:g} and {duration:g}")
     if low > 1e-4:
         return "unstable", told
     if high < -1e-4:

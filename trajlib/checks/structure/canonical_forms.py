@@ -158,8 +158,7 @@ def _judge_change(claim, pair, said_rows, by_rows):
                             f"{last}{where}; the "
                             f"coefficient of x{_largest(said[k] - row)} in your row {k + 1} does not fit")
             raise Wrong(f"A times {last} has to be {own} + {free} ({said_rows[0]}){where}; the entry "
-                        f"{_largest(said[k] - row)} of your "
-                        f"{own} does not fit")
+                        f"{_largest(said[k] - row)} of your {own} does not fit")
     return ("z = xi1 and each derivative is as the form says" if by_rows else
             "the control enters the last equation alone and the equations are as the form says")
 

@@ -43,17 +43,14 @@ def canonical_part_coordinates(answer, A, H, parameters=()):
                 j = int(np.argmax(abs(rest)))
                 what = f"xi{k + 1}' - xi{k + 2}" if k + 1 < order else f"xi{k + 1}'"
                 raise Wrong(f"{what} has to be a multiple of z{where}; by your rows it differs from the nearest "
-                            f"multiple by terms such as "
-                            f"{number_text(rest[j])} x{j + 1}")
+                            f"multiple by terms such as {number_text(rest[j])} x{j + 1}")
     return "z = xi1, and the derivatives are as the form (2.5) says"
 
 
 def _same_order(said, true, where):
     if said > true:
         raise Wrong(f"the output and its derivatives do not hold {said} independent combinations of the "
-                    f"coordinates{where}, so not all of "
-                    "yours are observable")
+                    f"coordinates{where}, so not all of yours are observable")
     if said < true:
         raise Wrong(f"the output and its derivatives hold more than {said} independent "
-                    f"combination{'s' if said != 1 else ''} of the "
-                    f"coordinates{where}; yours are too few for them")
+                    f"combination{'s' if said != 1 else ''} of the coordinates{where}; yours are too few for them")

@@ -176,8 +176,7 @@ def similarity(answer, A_from, A_to, parameters=()):
                 raise Wrong("this matrix gives x from y; asked is S in y = S x")
             i, j = np.argwhere(bad)[0]
             raise Wrong(f"for x with x{j + 1} = 1 and zeros elsewhere{where_text(values)} y{i + 1}' is "
-                        f"{number_text(left[i, j])} by the "
-                        f"first system and {number_text(right[i, j])} by the second")
+                        f"{number_text(left[i, j])} by the first system and {number_text(right[i, j])} by the second")
     return "it is invertible, and the derivatives of y agree in both systems"
 
 
@@ -198,8 +197,7 @@ def _judge_split(claim, pair, side):
                         f"first")
         if _vanishes(said.T[:size], space, tolerance):
             raise Wrong(f"the coordinates stand in your matrix the other way, as "
-                        f"{'rows' if side.by_control else 'columns'}; asked is "
-                        f"{side.asked}")
+                        f"{'rows' if side.by_control else 'columns'}; asked is {side.asked}")
         new_A, new_H = said @ A @ np.linalg.inv(said), H @ np.linalg.inv(said)
         raise Wrong(f"{_first_mixed(new_A, new_H, size, side)}{where_text(values)}; xi has as many coordinates as "
                     f"{side.size} says")
@@ -218,8 +216,7 @@ def _judge_system(matrix, output, pair, side):
         if (abs(new_A[:size, size:]) > bound * np.linalg.norm(new_A)).any() or (abs(new_H[:, size:])
                                                                                 > bound * np.linalg.norm(new_H)).any():
             raise Wrong(f"in your system {_first_mixed(new_A, new_H, size, side)}{where_text(values)}; xi has as many "
-                        f"coordinates as "
-                        f"{side.size} says")
+                        f"coordinates as {side.size} says")
         if not _same_system(A, H, new_A, new_H, tolerance):
             why = _why_different(A, new_A, new_A[:size, :size], new_H[:, :size], values, side)
             if size < n and np.allclose(np.poly(new_A), np.poly(A)) and _same_system(A, H, new_A[:size, :size],
@@ -238,8 +235,7 @@ def _judge_part(matrix, output, pair):
         A, H = (to_floats(rows, pair.order) for rows in pair.at(place))
         if matrix.rows != pair.order - len(unseen):
             raise Wrong(f"your subsystem has the order {matrix.rows}; the observable one has the order rank N, and "
-                        f"that is not "
-                        f"{matrix.rows}{where_text(values)}")
+                        f"that is not {matrix.rows}{where_text(values)}")
         new_A, new_H = matrix_at(matrix, values), matrix_at(output, values)
         if not _same_system(A, H, new_A, new_H, tolerance):
             raise Wrong(_why_different(None, new_A, new_A, new_H, values, OUTPUT))
@@ -329,8 +325,7 @@ def _judge_components(claim, pair, side, sequential):
         turns = sorted(range(n), key=lambda k: (part[k] == m, k - np.flatnonzero(part == part[k])[0], part[k]))
         if not sequential and _is_parallel(said[np.argsort(turns)], A, H, part, tolerance, side):
             raise Wrong(f"your {'columns' if side.by_control else 'rows'} stand in the order in which they are taken "
-                        f"by turns; asked is "
-                        "part by part, first all that belong to the first component") from None
+                        f"by turns; asked is part by part, first all that belong to the first component") from None
         raise
     return "the matrix is invertible, and every zero that the decomposition asks for is one"
 
@@ -384,8 +379,7 @@ def _judge_chains(parts, A, H, tolerance, side):
             if len(inside) != power + 1 or np.linalg.norm(inside - inside @ own.T @ own) > 10 * tolerance:
                 name = f"b{k + 1}, A b{k + 1}, ..." if side.by_control else f"h{k + 1}, h{k + 1} A, ..."
                 raise Wrong(f"part {k + 1} is not spanned by its own chain {name}, each up to what is taken with "
-                            f"lower powers of A: it "
-                            f"fails at the power {power}")
+                            f"lower powers of A: it fails at the power {power}")
         lower, ends = upper, ends @ A
 
 

@@ -87,8 +87,7 @@ def augmented_system(answer, A, H, S, c, start, parameters=()):
     matrix = coercion.as_matrix(answer[0], parameters)
     if matrix.rows != matrix.cols or matrix.rows <= n:
         raise Invalid(f"expected a square matrix A' of more than {n} rows, since the coordinates of the error come "
-                      f"after those of x; the "
-                      f"shape of yours is {matrix.shape}")
+                      f"after those of x; the shape of yours is {matrix.shape}")
     row = answer[1] if isinstance(answer[1], sp.MatrixBase) else [answer[1]] if _is_flat(answer[1]) else answer[1]
     row = coercion.as_matrix(row, parameters, (H.rows, matrix.rows))
     tolerance = share(matrix, row)
@@ -140,8 +139,7 @@ def _compare_block(said, true, claim, what, where):
     bad = ~same(said, true, claim, max(abs(true).max(initial=0), 1.0))
     if bad.any():
         i, j = np.argwhere(bad)[0]
-        raise Wrong(f"{what}{where}, and yours has {number_text(said[i, j])} where "
-                    f"{number_text(true[i, j])} belongs")
+        raise Wrong(f"{what}{where}, and yours has {number_text(said[i, j])} where {number_text(true[i, j])} belongs")
 
 
 def _error_derivatives(pair, place, n, count):
@@ -161,8 +159,7 @@ def _compare_errors(S, c, derivatives, where, tolerance):
     order = len(echelon([[x for entry in derivatives[i:i + half] for x in entry] for i in range(half)])[1])
     if size > order:
         raise Wrong(f"your error has {size} coordinates, but fewer are enough for a linear equation of its "
-                    f"own{where}; what is superfluous "
-                    "could not be observed, and would not matter")
+                    f"own{where}; what is superfluous could not be observed, and would not matter")
     rows, row = [], c
     for _ in range(count):
         rows.append(row)
@@ -177,5 +174,4 @@ def _compare_errors(S, c, derivatives, where, tolerance):
     rest = told @ start - wanted
     if not np.linalg.norm(rest) <= 10 * tolerance * np.linalg.norm(wanted):
         raise Wrong(f"from no start do your coordinates of the error give the error of the statement{where}: the "
-                    f"derivatives of z at "
-                    "t = 0 do not agree")
+                    f"derivatives of z at t = 0 do not agree")

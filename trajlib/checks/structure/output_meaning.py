@@ -28,8 +28,7 @@ def judge_meaning(claim, A, H, known, coordinates):
         raise RuntimeError("the equations do not tell the coordinates apart")
     if equations[claim] != seen:
         raise Wrong(f"the {claim} satisfies the linear equation {_told(equations[claim])} and none of lower order, in "
-                    f"all motions; "
-                    "what is measured has motions that do not" if _breaks(equations[claim], A, H) else
+                    f"all motions; what is measured has motions that do not" if _breaks(equations[claim], A, H) else
                     f"the {claim} has motions that break {_told(seen)}, an equation that holds for what is measured "
                     f"in all motions")
     return f"both satisfy {_told(seen)} and no equation of lower order, and no other of the quantities does"

@@ -87,8 +87,7 @@ class _LinearEquation:
         rest = difference.xreplace(dict.fromkeys(sum(self.derivatives, []), sp.S.Zero))
         if rest.has(sp.nan, sp.zoo, sp.oo, -sp.oo, self.time) or rest != 0 and sp.simplify(rest) != 0:
             raise Wrong(f"beside the terms with {self.names[0]}, {self.names[1]} and their derivatives your equation "
-                        f"has another one, so "
-                        "that it fails at rest without control")
+                        f"has another one, so that it fails at rest without control")
 
     def judge(self, A, b, c, values, canonical=False):
         """That the equation has the order of the system and holds for y = c x, in exact matrices of numbers; `values`
@@ -127,8 +126,7 @@ class _LinearEquation:
         if failing[0] >= n and canonical:
             if max(controls, default=0) > 0:
                 raise Wrong(f"a derivative of {u} stands in your equation{where}; into that of the first coordinate "
-                            f"of the form (2.4) {u} "
-                            "enters alone")
+                            f"of the form (2.4) {u} enters alone")
             if controls:
                 raise Wrong(f"without control your equation is right{where}, but {u} has the wrong coefficient; in "
                             f"the form (2.4) {u} "
@@ -147,8 +145,7 @@ class _LinearEquation:
         difference = sum(self._terms(numbers, to_all, state))
         hint = "" if free else "without control it is right; "
         raise Wrong(f"{hint}at x = ({x}) and {control}{where} the derivatives of {y} do not satisfy your equation: "
-                    f"its two sides "
-                    f"differ by {number_text(abs(difference))}")
+                    f"its two sides differ by {number_text(abs(difference))}")
 
     def _terms(self, numbers, to_all, state):
         n = to_all.shape[0] - 1
@@ -167,8 +164,7 @@ class _LinearEquation:
         else:
             y, u = (f"{name}({self.time})" for name in self.names)
             raise Invalid(f"expected an equation sp.Eq(left, right) between {y}, {u} and their derivatives, such as "
-                          f"{y}.diff({self.time}); "
-                          "with == Python compares the sides at once")
+                          f"{y}.diff({self.time}); with == Python compares the sides at once")
         if any(not isinstance(side, sp.Expr) or isinstance(side, sp.MatrixBase)
                or side.has(sp.nan, sp.zoo, sp.oo, -sp.oo)
                for side in sides):
@@ -189,8 +185,7 @@ class _LinearEquation:
         if foreign:
             allowed = ", ".join([str(motion), str(control), *(s.name for s in parameters)])
             raise Invalid(f"the equation contains {', '.join(sorted(foreign))}; expected only {allowed} and "
-                          f"derivatives with respect to "
-                          f"{self.time}")
+                          f"derivatives with respect to {self.time}")
         side = side.xreplace(functions)
         derivatives = side.atoms(sp.Derivative)
         if any(v != self.time or not count.is_Integer for d in derivatives for v, count in d.variable_count):

@@ -59,13 +59,11 @@ def derivative_rows(answer, A, H, time, parameters):
                 continue
             if k and np.linalg.norm(said[k] - rows[0] @ np.linalg.matrix_power(matrix, k)) <= 1e-6 * scale:
                 raise Wrong(f"row {k + 1} of your matrix leaves out that H changes with time: the derivative of z = "
-                            f"H(t) x has one term "
-                            "more")
+                            f"H(t) x has one term more")
             j = int(np.argmax(abs(said[k] - true) * ~right))
             what = "z itself" if k == 0 else "the derivative of z" if k == 1 else f"the derivative of z of order {k}"
             raise Wrong(f"row {k + 1} times x has to be {what}; at {rounded_text(values)} it is not, in column "
-                        f"{j + 1}: there your matrix "
-                        f"has {number_text(said[k, j])}")
+                        f"{j + 1}: there your matrix has {number_text(said[k, j])}")
     return "the rows times x are z and its derivatives, at all moments and parameters tried"
 
 
@@ -87,8 +85,7 @@ def output_gramian(answer, A, H, time, duration, parameters):
         if bad.any():
             i, j = np.argwhere(bad)[0]
             raise Wrong(f"for {rounded_text(values)} the entry ({i + 1}, {j + 1}) of your matrix is "
-                        f"{number_text(said[i, j])}; the "
-                        f"integral is {true[i, j]:.4g}")
+                        f"{number_text(said[i, j])}; the integral is {true[i, j]:.4g}")
     return "the entries are the integrals, for all parameters tried"
 
 
@@ -103,8 +100,7 @@ def frozen_determinant(claim, A, H, time, parameters):
             # The rows and not their determinant, which may be the answer itself.
             told = ", ".join(f"({', '.join(map(number_text, r))})" for r in rows)
             raise Wrong(f"at one of the moments tried the rows are {told}; {number_text(said)}, which your expression "
-                        f"gives, is not their "
-                        "determinant")
+                        f"gives, is not their determinant")
     return "it is the determinant at all moments and parameters tried"
 
 

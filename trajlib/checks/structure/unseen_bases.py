@@ -77,8 +77,7 @@ def as_vectors(answer, n, parameters):
             return []
         if n not in answer.shape:
             raise Invalid(f"expected a list of vectors with {n} components each, or a matrix whose columns they are; "
-                          f"the shape of yours is "
-                          f"{answer.shape}")
+                          f"the shape of yours is {answer.shape}")
         if answer.rows != n:
             answer = answer.T  # an array made of a list of vectors has them as rows
         answer = [list(answer.col(j)) for j in range(answer.cols)]
@@ -129,8 +128,7 @@ def judge_where_lost(answer, pair, side, at_value):
         named[near[0]] = basis
     if len(named) < len(lost):
         raise Wrong(f"the number of values at which the system is {side.fails} is {len(lost)}; your answer names "
-                    f"{len(named) or 'none'} "
-                    "of them")
+                    f"{len(named) or 'none'} of them")
     for value, basis in named.items():
         judge_basis(basis, at_value(value), side, f" for {parameter} = {value}")
     return (f"at these values of the parameter and no others the system is {side.fails}, and the vectors are bases of "

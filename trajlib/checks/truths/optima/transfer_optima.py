@@ -379,8 +379,7 @@ class _Turn(_System):
                     else "by then every admissible control has met the target long before")
         least, most = (self.turned(start, said, s) for s in (True, False))
         return (f"by then the direction of (x, x') has turned by {least:.4g} at least and {most:.4g} at most, "
-                f"depending on the control, "
-                "and the "
+                f"depending on the control, and the "
                 f"target is met when it has turned by {self._angle(start, meetings):.4g}")
 
     def met_between(self, first, second):
