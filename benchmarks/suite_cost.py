@@ -4,7 +4,8 @@
 
 Processor time of each test and of its child processes, so that other programs on the machine change it little. What a
 problem costs is the sum of its proof (all tests in tests/problems under its number), its page (executed in a kernel),
-its part of the Sphinx builds of both editions and of the tests of the built files, and its visits by the browser.
+its part of the Sphinx builds of both editions and of the tests of the built files, and its visits by the browser. What
+a browser computed is known when it is closed, so it counts under "built", a like part for each problem.
 """
 
 import re
