@@ -154,8 +154,14 @@ def _stop(*_):
 def _shell():
     from IPython.core.displayhook import DisplayHook
     from IPython.core.interactiveshell import InteractiveShell
-    from matplotlib_inline.config import InlineBackend
-    from traitlets.config import Config
+    from traitlets import Any
+    from traitlets.config import Config, Configurable
+
+    class InlineBackend(Configurable):
+        """Takes what `%config InlineBackend...` sets: no picture is shown here, and the real one loads Matplotlib."""
+
+        figure_format, figure_formats, print_figure_kwargs, rc = (Any().tag(config=True) for _ in range(4))
+        close_figures = Any().tag(config=True)
 
     class Kept(DisplayHook):
         """The value of a cell's last line is kept as `_`, but made into no text: nobody reads it here."""

@@ -24,7 +24,7 @@ def module_closure(source):
     while waiting:
         module = waiting.pop()
         if module not in closure:
-            path = _path(module)
+            path = path_of(module)
             closure[module] = hashlib.sha256(path.read_bytes()).hexdigest()
             waiting += sorted(_loaded_by(module, path))
     return dict(sorted(closure.items()))
@@ -47,7 +47,7 @@ def _loaded(source, package=None):
             if start.split(".")[0] == "trajlib":
                 for alias in node.names:
                     module = f"{start}.{alias.name}"
-                    if _path(module):
+                    if path_of(module):
                         packages[alias.asname or alias.name] = module
                     else:
                         found.add(_home(start, alias.name) or start)
@@ -73,11 +73,11 @@ def _home(module, name):
 
 
 def _is_package(module):
-    return _path(module).name == "__init__.py"
+    return path_of(module).name == "__init__.py"
 
 
 @lru_cache(maxsize=None)
-def _path(name):
+def path_of(name):
     """The file of a module of trajlib, None if the name is of something else; by its place, since `find_spec` imports
     what is above."""
     place = PACKAGE.joinpath(*name.split(".")[1:])

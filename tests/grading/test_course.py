@@ -11,7 +11,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 from classroom import RIGHT_1_15, hand_in, write_assignment  # noqa: E402
 
 from trajlib.checks.contract.verdict import Verdict  # noqa: E402
-from trajlib.grading import bench, commands, course, fingerprint, lanes  # noqa: E402
+from trajlib.grading import bench, commands, course, fingerprint, lanes, nursery  # noqa: E402
 from trajlib.grading.assignment import BadInput  # noqa: E402
 from trajlib.grading.judging import Judgement, failed  # noqa: E402
 from trajlib.grading.sandbox import Limits  # noqa: E402
@@ -58,9 +58,9 @@ def test_what_the_grader_failed_on_is_graded_again(tmp_path, broken_lanes):
 
 def test_a_lane_that_dies_is_replaced(tmp_path, monkeypatch):
     """For real: every lane ends itself at the first notebook of its life that says so."""
-    monkeypatch.setattr(lanes, "START", "import os\nfrom trajlib.grading import bench\nreal = bench.Bench.grade\n"
+    monkeypatch.setattr(nursery, "START", "import os\nfrom trajlib.grading import bench\nreal = bench.Bench.grade\n"
                         "bench.Bench.grade = lambda bench, unit: os._exit(1) if 'DIE' in ''.join(unit['sources']) "
-                        "else real(bench, unit)\n" + lanes.START)
+                        "else real(bench, unit)\n" + nursery.START)
     for student, answers in (("ada", RIGHT_1_15), ("bela", {"a_region": "'DIE'"}), ("cyd", RIGHT_1_15)):
         hand_in(tmp_path, student, "1.15", answers)
     known, plan, count = course.grade(tmp_path / "submitted", tmp_path, count=1)

@@ -301,8 +301,10 @@ def test_a_slow_machine_costs_nothing(tmp_path):
 
 def test_data_cells_run_once_where_they_stand_first_and_ahead_of_all_else_where_not():
     (data,) = [source for _, source in EXERCISE.code("data")]
-    for begins_with_them in ([data, "a_region = k1 > 0"], [data + "\n"], [data, data]):
+    handed_out = [source for _, source in EXERCISE.cells]
+    assert handed_out[0] != data, "a cell that says how to get the library stands first"
+    for begins_with_them in (handed_out, handed_out[:2], [data, "a_region = k1 > 0"], [data + "\n"], [data, data]):
         assert _lacking(EXERCISE, begins_with_them) == []
     for lacks in ([], ["a_region = k1 > 0"], ["a_region = k1 > 0", data], [data + "\nk1 = 1", ""],
-                  [f"import os\n{data}"]):
+                  [f"import os\n{data}"], ["pass", data], handed_out[:1]):
         assert _lacking(EXERCISE, lacks) == [data.strip()]

@@ -357,7 +357,7 @@ def test_what_a_notebook_leaves_running_ends_with_it(container):
     container.submit("ch1-p17.ipynb", with_cell("1.17", {}, look))
     result, _ = container.grade()
     assert (result["score"] == 10
-            and "1.17: notebook: code cell 6: RuntimeError: 1 process of mine" in result["output"]), result["output"]
+            and "1.17: notebook: code cell 7: RuntimeError: 1 process of mine" in result["output"]), result["output"]
 
 
 # setup.sh

@@ -284,7 +284,7 @@ def test_the_wait_for_a_notebook_is_no_time_of_the_notebook():
 def test_a_sandbox_that_always_fails_says_so(monkeypatch):
     with Sandbox(TIGHT) as sandbox:
         os.killpg(sandbox._worker.pid, signal.SIGKILL)
-        monkeypatch.setattr(isolation, "spawn", _no_sandbox)
+        monkeypatch.setattr(Sandbox, "_spawn", _no_sandbox)
         outcome = run(sandbox, "a = 1")
     assert outcome.ended == "failed" and b"gone" in outcome.handed_over
 

@@ -6,7 +6,7 @@ from dataclasses import asdict, replace
 from trajlib import exercises
 from trajlib.checks.contract.verdict import MISSING, Verdict
 from trajlib.grading.judging import Bounds, Judgement, Judging
-from trajlib.grading.preloading import SYMPY, preload
+from trajlib.grading.preloading import ALWAYS, preload
 from trajlib.grading.sandbox import Limits, Sandbox, Trusting
 
 
@@ -19,14 +19,16 @@ def unreadable(exercise, trouble):
 class Bench:
     """A sandbox and a judge; `grade` takes one unit after the other. Use as a context manager."""
 
-    def __init__(self, limits=Limits(), bounds=Bounds(), trusting=False):
-        self._sandbox, self._bounds = (Trusting if trusting else Sandbox)(limits), bounds
+    def __init__(self, limits=Limits(), bounds=Bounds(), trusting=False, nursery=None):
+        self._sandbox, self._bounds = (Trusting if trusting else Sandbox)(limits, nursery=nursery), bounds
+        self._ready = nursery is not None  # this process was forked with all that judging needs
         self._judging = None
 
     def __enter__(self):
         self._sandbox.start()  # it loads its own while the judging children's is loaded here
         try:
-            preload(*SYMPY, "trajlib.checks.contract.sympy_codec", themes=["checks"])
+            if not self._ready:
+                preload(*ALWAYS, themes=["checks"])
             self._sandbox.__enter__()
         except BaseException:
             self._sandbox.__exit__()
@@ -50,9 +52,17 @@ class Bench:
 
 
 def _lacking(exercise, sources):
-    """The data cells, unless the notebook begins with them: it may have lost, changed or moved its own."""
-    data = [source.strip() for _, source in exercise.code("data")]
-    return [] if [source.strip() for source in sources[:len(data)]] == data else data
+    """The data cells, unless the notebook begins with them: it may have lost, changed or moved its own.
+
+    Cells that say how to get the library may stand before them, as they were handed out.
+    """
+    pristine, data = [], [source.strip() for _, source in exercise.code("data")]
+    for _, source in exercise.cells:
+        pristine.append(source.strip())
+        if pristine[-len(data):] == data:
+            break
+    given = [source.strip() for source in sources[:len(pristine)]]
+    return [] if given == pristine or given[:len(data)] == data else data
 
 
 def as_plain(judgement):

@@ -2,8 +2,9 @@
 next.
 
 A Dask worker has threads and is often a daemon of `multiprocessing`; judging forks, which such a process should not or
-must not do. So it is a fresh process below the worker that builds the sandbox and judges. The kernel ends that process
-when the thread that started it ends (`end_with_parent`), which is right here, since no other thread ever uses it.
+must not do. So below the worker there is a fresh process (`nursery`) from which the lane is forked that builds the
+sandbox and judges. The kernel ends it when the thread that started it ends (`end_with_parent`), which is right here,
+since no other thread ever uses it.
 
 The grader calls `ready`, `grade` and `end` by their names; what goes in and out is bytes of JSON.
 """
@@ -23,7 +24,8 @@ from trajlib.dependencies import module_closure
 from trajlib.grading import bench
 from trajlib.grading.fingerprint import fingerprint
 from trajlib.grading.isolation import NoIsolation, NotStarted, shown_through
-from trajlib.grading.lanes import Lane
+from trajlib.grading.lanes import Lane, modules
+from trajlib.grading.nursery import Nursery
 
 #: Libraries whose version may decide whether an answer is right.
 PACKAGES = ("numpy", "scipy", "sympy", "mpmath", "casadi", "control", "matplotlib", "ipython")
@@ -133,7 +135,12 @@ class _Kept:
         with _guard:
             if self.run in _ended:
                 raise Unfit("the run has ended")
-            self._lane = Lane(self.settings | {"patience": PATIENCE})
+            self._nursery = Nursery.start(modules(given))
+            try:
+                self._lane = Lane(self.settings | {"patience": PATIENCE}, self._nursery)
+            except NotStarted:
+                self._nursery.close()
+                raise
             _all.add(self)
         try:
             with self._using:
@@ -160,6 +167,7 @@ class _Kept:
             self._lane.end(at_once=True)
             self._using.acquire()
         self._lane.stop()
+        self._nursery.close()
         self._using.release()
         with _guard:
             _all.discard(self)

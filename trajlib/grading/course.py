@@ -8,7 +8,7 @@ from pathlib import Path
 
 from trajlib import exercises
 from trajlib.grading import assignment as assignments
-from trajlib.grading import belonging, bench, isolation, lanes, submissions
+from trajlib.grading import belonging, bench, isolation, lanes, preloading, submissions
 from trajlib.grading.fingerprint import fingerprint
 from trajlib.grading.judging import FINAL, NOT_FINAL, WITHIN_LIMITS, Bounds
 from trajlib.grading.sandbox import Limits
@@ -94,7 +94,9 @@ def _judgements(pending, count, limits, bounds, trusting, cluster):
     by_key = {unit["key"]: unit for unit in pending if not unit["trouble"]}
     if not by_key:
         return
-    settings = bench.settings(limits, bounds, trusting)
+    modules = preloading.needed({unit["problem"] for unit in by_key.values()},
+                                [source for unit in by_key.values() for source in unit["sources"]])
+    settings = bench.settings(limits, bounds, trusting) | {"modules": modules}
     if cluster is None:
         grading = lanes.grade_all(by_key.values(), min(count, len(by_key)), settings)
     else:

@@ -5,12 +5,13 @@ read-only, and an empty /tmp. The environment is empty.
 """
 
 import ctypes
+import fcntl
+import json
 import os
 import shutil
 import signal
 import subprocess
 import sys
-from functools import partial
 from pathlib import Path
 
 PACKAGE = Path(__file__).resolve().parents[1]
@@ -31,7 +32,9 @@ CLONE_NEWNS, CLONE_NEWIPC = 0x20000, 0x8000000
 CLONE_NEWUSER, CLONE_NEWPID, CLONE_NEWNET = 0x10000000, 0x20000000, 0x40000000
 MS_RDONLY, MS_NOSUID, MS_NODEV, MS_BIND, MS_REC, MS_PRIVATE = 1, 2, 4, 4096, 16384, 1 << 18
 
-PR_SET_PDEATHSIG = 1
+PR_SET_PDEATHSIG, PR_SET_DUMPABLE = 1, 4
+#: Of a namespace: the user namespace that it belongs to.
+NS_GET_USERNS = 0xB701
 
 _libc = ctypes.CDLL(None, use_errno=True)
 
@@ -94,15 +97,84 @@ def _packages():
             and Path(path).is_dir()]
 
 
-def spawn(mode, limits):
-    """Start the worker in a sandbox, for notebooks within the limits (`sandbox.Limits` as a dict); returns the `Popen`
-    with binary pipes on stdin and stdout.
-
-    Raises `NoIsolation` where bubblewrap is missing or the system forbids what it needs.
-    """
-    bwrap = shutil.which("bwrap")
-    if bwrap is None:
+def bubblewrap():
+    """Where bubblewrap is. Raises `NoIsolation` where there is none."""
+    found = shutil.which("bwrap")
+    if found is None:
         raise NoIsolation("bubblewrap is not installed (on Debian and Ubuntu: apt install bubblewrap)")
+    return found
+
+
+def spawn_once(bwrap, limits):
+    """Start a worker for a single notebook in a sandbox; returns the `Popen` with binary pipes on stdin and stdout.
+
+    For systems that let nobody into a sandbox that is there already, or allow no namespaces inside one. `limits` are
+    those of `sandbox.Limits`, as a dict. Raises `NoIsolation` where bubblewrap cannot be run.
+    """
+    inside = python(f"from trajlib.grading import worker; worker.once({limits!r})")
+    # The first process of a namespace cannot be killed from inside.
+    command, hand_over = _sandbox(bwrap, limits, ["--as-pid-1"], inside)
+    try:
+        # In a session of its own, so that Ctrl-C reaches the grader alone, which then ends its sandboxes.
+        return subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                preexec_fn=hand_over, close_fds=True, start_new_session=True, env={})
+    except (OSError, subprocess.SubprocessError) as error:
+        raise NoIsolation(f"the sandbox does not start here: {error}") from None
+
+
+def enter(bwrap, limits):
+    """Make a sandbox, and go on inside it: this returns in a child of this process, which itself waits for the child
+    and ends as it does. Raises `OSError` where the system lets nobody in.
+
+    For a process that was forked with all that notebooks need, and has nothing else in it.
+    """
+    parent, (told, tell) = os.getppid(), os.pipe()
+    (stays, holds), (hears, says) = os.pipe(), os.pipe()
+    # What holds the sandbox says back what it is told: then bubblewrap has done its work. It ends with its input.
+    command, hand_over = _sandbox(bwrap, limits, ["--info-fd", str(tell)], ["/usr/bin/cat"])
+    holder = subprocess.Popen(command, stdin=stays, stdout=says, preexec_fn=hand_over, pass_fds=[tell], env={})
+    for descriptor in (tell, stays, says):
+        os.close(descriptor)
+    os.write(holds, b"?")
+    if not os.read(hears, 1):
+        code = holder.wait()
+        os._exit(code if code > 0 else 128 - code)
+    with open(told) as file:
+        inside = json.load(file)["child-pid"]
+    if os.getuid() == 0:
+        _become_nobody()
+    _join(inside)
+    end_with_parent(parent)  # which changing what one may do takes back
+    child = os.fork()
+    if child == 0:
+        end_with_parent(0)
+        os.closerange(3, 4096)
+        return
+    os.close(0), os.close(1)  # so that the grader sees the child's end
+    code = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
+    os._exit(code if code >= 0 else 128 - code)
+
+
+def _join(process):
+    """Enter all namespaces of another process; of pids only children of this one do."""
+    kinds = ("mnt", "net", "ipc", "uts", "pid", "user")
+    opened = [os.open(f"/proc/{process}/ns/{kind}", os.O_RDONLY) for kind in kinds]
+    # Bubblewrap makes the others in one user namespace, and then a second one, without its rights, inside that.
+    for namespace in [fcntl.ioctl(opened[0], NS_GET_USERNS), *opened]:
+        system_call("setns", namespace, 0)
+        os.close(namespace)
+    system_call("prctl", PR_SET_DUMPABLE, 1, 0, 0, 0)  # its own /proc is its own again
+
+
+def _become_nobody():
+    os.setgroups([])
+    os.setresgid(NOBODY, NOBODY, NOBODY)
+    os.setresuid(NOBODY, NOBODY, NOBODY)
+    system_call("prctl", PR_SET_DUMPABLE, 1, 0, 0, 0)
+
+
+def _sandbox(bwrap, limits, options, inside):
+    """(command, what its process does first) of a sandbox with the process `inside` in it."""
     folders = visible()
     as_root = os.getuid() == 0
     # Root hands the folders over under /mnt of a mount namespace of its own, since nobody may not enter /root.
@@ -122,11 +194,8 @@ def spawn(mode, limits):
         command += ["--ro-bind", source[path], str(path)]
     for path in covered():
         command += ["--tmpfs", str(path), "--remount-ro", str(path)]
-    # The first process of a namespace cannot be killed from inside.
-    command += ["--as-pid-1"] if mode == "once" else []
     # Nothing outside /tmp and /dev/shm can be written, so no notebook leaves anything for the next.
-    command += ["--remount-ro", "/dev", "--remount-ro", "/", *_python(mode, limits)]
-
+    command += [*options, "--remount-ro", "/dev", "--remount-ro", "/", *inside]
     grader = os.getpid()
 
     def hand_over():
@@ -137,18 +206,10 @@ def spawn(mode, limits):
             for path in folders:
                 _touch_like(path, source[path])
                 mount(str(path), source[path], flags=MS_BIND | MS_REC)
-            os.setgroups([])
-            os.setresgid(NOBODY, NOBODY, NOBODY)
-            os.setresuid(NOBODY, NOBODY, NOBODY)
+            _become_nobody()
         end_with_parent(grader)
 
-    return _started(command, hand_over, {})
-
-
-def spawn_without(folder, limits):
-    """Start the worker with no sandbox around it, in a session of its own and with an empty `folder` for its home."""
-    return _started(_python("trusting", limits), partial(end_with_parent, os.getpid()),
-                    ENVIRONMENT | {"HOME": folder, "TMPDIR": folder, "MPLCONFIGDIR": folder})
+    return command, hand_over
 
 
 def end_with_parent(parent):
@@ -168,24 +229,21 @@ def loaded():
         return 0  # not Linux
 
 
-def _started(command, prepare, environment):
-    try:
-        # In a session of its own, so that Ctrl-C reaches the grader alone, which then ends its sandboxes.
-        return subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                                preexec_fn=prepare,
-                                close_fds=True, start_new_session=True, env=environment)
-    except (OSError, subprocess.SubprocessError) as error:
-        raise NoIsolation(f"the sandbox does not start here: {error}") from None
+def python(code):
+    """The command that runs `code` in a fresh interpreter, isolated from variables, the user's folders and the current
+    one; libraries are found where the grader itself found them."""
+    paths = [str(path) for path in _packages()]
+    found = ("import sys; of_packages = [k for k, path in enumerate(sys.path) if path.endswith('-packages')]\n"
+             # Before all packages, among which may be another trajlib; behind Python's own library.
+             f"sys.path.insert(of_packages[0] if of_packages else len(sys.path), {str(PACKAGE.parent)!r})\n"
+             f"sys.path += [path for path in {paths!r} if path not in sys.path]\n")
+    return [sys.executable, "-I", "-c", found + code]
 
 
-def _python(mode, limits):
-    # Isolated from variables, the user's folders and the current one; libraries are found where the grader itself found
-    # them.
-    paths = [str(path) for path in [*_packages(), PACKAGE.parent]]
-    start = (f"import sys; sys.path += [path for path in {paths!r} if path not in sys.path]; from trajlib.grading "
-             f"import worker; worker.main({mode!r}, {limits!r}")
-    in_scratch = [str(path) for path in visible() if any(path.is_relative_to(folder) for folder in SCRATCH)]
-    return [sys.executable, "-I", "-c", f"{start}, {in_scratch!r})"]
+def environment_outside():
+    """The environment of a process of ours from which notebooks' processes are forked: nothing of the grader's own."""
+    # The list of fonts, which takes a second to make; no folder that others could have prepared, as they could in /tmp.
+    return ENVIRONMENT | {"HOME": "/nonexistent", "MPLCONFIGDIR": os.path.expanduser("~/.cache/matplotlib")}
 
 
 def _touch_like(path, target):

@@ -5,16 +5,15 @@ import math
 import os
 import select
 import signal
-import subprocess
 import sys
 from contextlib import suppress
 
 from trajlib.grading import framing, sandbox
 from trajlib.grading.bench import Bench, as_plain, from_settings
-from trajlib.grading.isolation import NoIsolation, NotStarted, end_with_parent
+from trajlib.grading.isolation import NoIsolation, NotStarted
 from trajlib.grading.judging import failed
-
-START = "from trajlib.grading.lanes import work; work()"
+from trajlib.grading.nursery import Nursery
+from trajlib.grading.preloading import ALWAYS, LIBRARIES
 
 
 class Ended(NotStarted):
@@ -28,8 +27,9 @@ def grade_all(units, count, settings):
     anything is graded if a sandbox cannot be had. Close it (`contextlib.closing`) to end the lanes at once.
     """
     waiting = iter(units)
-    lanes = [Lane(settings) for _ in range(count)]
+    lanes, nursery = [], Nursery.start(modules(settings))
     try:
+        lanes += [Lane(settings, nursery) for _ in range(count)]
         for number in range(count):
             lanes[number] = _ready(lanes[number], settings)
         busy = {lane: unit for lane in lanes if (unit := lane.take(waiting)) is not None}
@@ -40,14 +40,25 @@ def grade_all(units, count, settings):
                 if result is None:
                     result = as_plain(failed(unit["names"], "one of its processes ended"))
                     lane.stop()
-                    lanes[lanes.index(lane)] = lane = _ready(Lane(settings), settings)
+                    if not nursery.alive():  # then this is the first of its lanes that is found dead; the others follow
+                        nursery.close()
+                        nursery = Nursery.start(modules(settings))
+                    lanes[lanes.index(lane)] = lane = _ready(Lane(settings, nursery), settings)
                 following = lane.take(waiting)  # it goes on while this result is stored
                 if following is not None:
                     busy[lane] = following
                 yield unit["key"], result
     finally:
         for lane in lanes:
+            lane.end()
+        for lane in lanes:
             lane.stop()
+        nursery.close()
+
+
+def modules(settings):
+    """What the nursery of lanes with these settings imports."""
+    return settings.get("modules", (*ALWAYS, *LIBRARIES))
 
 
 def _ready(lane, settings):
@@ -60,21 +71,25 @@ def _ready(lane, settings):
             lane.stop()
             if not tries_left:
                 raise
-            lane = Lane(settings)
+            lane = Lane(settings, lane.nursery)
 
 
 class Lane:
     """The grader's end of one lane."""
 
-    def __init__(self, settings):
-        # A fresh process, in a session of its own: it inherits neither the grade store nor another lane's pipes, and
-        # Ctrl-C reaches the grader alone.
-        self._process = subprocess.Popen([sys.executable, "-c", START, str(os.getpid())], stdin=subprocess.PIPE,
-                                         stdout=subprocess.PIPE, start_new_session=True)
-        self.send(settings)
+    def __init__(self, settings, nursery):
+        # It inherits neither the grade store nor another lane's pipes.
+        self.nursery, self._code, self._requests = nursery, None, None
+        bwrap = None if settings["trusting"] else nursery.bubblewrap
+        (theirs, self._requests), (self._results, results) = os.pipe(), os.pipe()
+        try:
+            self._number = nursery.fork("lane", [settings, bwrap], [theirs, results])
+        finally:
+            os.close(theirs)
+            os.close(results)
 
     def fileno(self):
-        return self._process.stdout.fileno()
+        return self._results
 
     def greeted(self):
         """Wait until it is ready. Raises `NoIsolation` or `NotStarted`."""
@@ -95,14 +110,19 @@ class Lane:
 
     def send(self, message):
         with suppress(BrokenPipeError):  # it has died, which its other pipe will tell
-            framing.send(self._process.stdin.fileno(), json.dumps(message).encode())
+            framing.send(self._requests, json.dumps(message).encode())
 
     def alive(self):
-        return self._process.poll() is None
+        if self._code is None:
+            with suppress(NotStarted):
+                self._code = self.nursery.ended(self._number)
+                return self._code is None
+        return False
 
     def end(self, at_once=False):
         """Let it end, from whatever thread; the one that waits for a result gets None."""
-        self._process.kill() if at_once else self._process.terminate()
+        if self.alive():
+            os.kill(self._number, signal.SIGKILL if at_once else signal.SIGTERM)
 
     def result(self):
         """The result at hand; None if the lane has died."""
@@ -110,36 +130,36 @@ class Lane:
             return json.loads(framing.receive(self.fileno()))
 
     def stop(self):
+        if self._requests is None:
+            return
         # What the lane has started ends with it (`end_with_parent`).
         self.end()
-        try:
-            self._process.wait(timeout=5)
-        except subprocess.TimeoutExpired:
-            self._process.kill()
-            self._process.wait()
-        self._process.stdout.close()
-        with suppress(OSError):
-            self._process.stdin.close()
+        with suppress(NotStarted):
+            self._code = self.nursery.end(self._number, within=5)
+        os.close(self._requests)
+        os.close(self._results)
+        self._requests = None
 
 
-def work():
-    """The lane's end: grade what comes in until nothing does, or not for as long as the settings say."""
-    end_with_parent(int(sys.argv[1]))
+def work(settings, bwrap):
+    """The lane's end, in a process forked from a nursery: grade what comes in until nothing does, or not for as long as
+    the settings say."""
+    nursery = Nursery.branch(bwrap)  # before anything of a student's is here
     signal.signal(signal.SIGTERM, lambda *_: sys.exit())  # so that it tidies up
     # Results have a descriptor of their own: what a check might print does not come between them.
     results = os.dup(1)
     os.dup2(2, 1)
     with suppress(framing.Broken):
-        settings = json.loads(framing.receive(0))
         limits, bounds, trusting = from_settings(settings)
         patience = settings.get("patience", math.inf)
         try:
-            with Bench(limits, bounds, trusting) as bench:
+            with Bench(limits, bounds, trusting, nursery) as bench:
                 framing.send(results, b'{"ready": true}')
                 while True:
-                    framing.send(results, json.dumps(bench.grade(json.loads(framing.receive(0, patience)))).encode())
+                    result = bench.grade(json.loads(framing.receive(0, patience)))
+                    if not nursery.alive():
+                        return  # no further sandbox can be had: another lane takes the place of this one
+                    framing.send(results, json.dumps(result).encode())
         except NoIsolation as error:
             said = {"refused": str(error), "may start yet": isinstance(error, NotStarted)}
             framing.send(results, json.dumps(said).encode())
-    # From here on Python itself is tidying up, and would tell of an exit in the midst of it.
-    signal.signal(signal.SIGTERM, signal.SIG_IGN)

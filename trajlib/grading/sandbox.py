@@ -9,6 +9,8 @@ from contextlib import suppress
 from dataclasses import asdict, dataclass
 
 from trajlib.grading import framing, isolation, watching
+from trajlib.grading.nursery import Nursery
+from trajlib.grading.preloading import ALWAYS, LIBRARIES
 from trajlib.grading.worker import NOT_NESTED
 
 #: What a ready worker may need longer than the notebook itself: forking, namespaces, collecting.
@@ -54,9 +56,9 @@ class Sandbox:
     Where the system allows no namespaces inside a sandbox, each notebook gets a sandbox of its own (`once`).
     """
 
-    def __init__(self, limits=Limits(), once=False):
+    def __init__(self, limits=Limits(), once=False, nursery=None):
         self.limits = limits
-        self._once = once
+        self._once, self._nursery, self._own_nursery = once, nursery, None
         self._worker = self._proc = None
         self._greeted = False
 
@@ -67,6 +69,9 @@ class Sandbox:
 
     def __exit__(self, *_):
         self._stop()
+        if self._own_nursery is not None:
+            self._own_nursery.close()
+            self._own_nursery = None
 
     def run(self, sources, names, before=()):
         """Run code cells, those of `before` first, and collect the answers `names`; returns an `Outcome`, whatever the
@@ -188,21 +193,64 @@ class Sandbox:
         return isolation.NoIsolation(f"the sandbox does not start here: {said[-1] or 'it ended without a word'}")
 
     def _spawn(self):
-        return isolation.spawn("once" if self._once else "nested", asdict(self.limits))
+        if self._once:
+            bwrap = self._nursery.bubblewrap if self._nursery is not None else isolation.bubblewrap()
+            return isolation.spawn_once(bwrap, asdict(self.limits))
+        nursery = self._forks()
+        return Forked(nursery, "nested", asdict(self.limits), nursery.bubblewrap, "/tmp")
+
+    def _forks(self):
+        """The nursery: the one that was given, or else one of its own."""
+        if self._nursery is not None:
+            return self._nursery
+        if self._own_nursery is None or not self._own_nursery.alive():
+            self._own_nursery = Nursery.start([*ALWAYS, *LIBRARIES])
+        return self._own_nursery
 
     def _stop(self):
         if self._worker is not None:
-            # Its whole group: while bubblewrap is still starting, its inner half does not yet end with the outer one.
-            if self._worker.returncode is None:
-                with suppress(ProcessLookupError):
-                    os.killpg(self._worker.pid, signal.SIGKILL)
-            self._worker.wait()
+            if isinstance(self._worker, Forked):
+                self._worker.end()
+            else:
+                # Its whole group: while bubblewrap is starting, its inner half does not yet end with the outer one.
+                if self._worker.returncode is None:
+                    with suppress(ProcessLookupError):
+                        os.killpg(self._worker.pid, signal.SIGKILL)
+                self._worker.wait()
             for pipe in (self._worker.stdin, self._worker.stdout, self._worker.stderr):
                 pipe.close()
             self._worker = None
         if self._proc is not None:
             os.close(self._proc)
             self._proc = None
+
+
+class Forked:
+    """A worker forked from a nursery, to be used like a `subprocess.Popen`."""
+
+    def __init__(self, nursery, *given):
+        self._nursery, self.returncode = nursery, None
+        pipes = [os.pipe() for _ in range(3)]
+        inside = [pipes[0][0], pipes[1][1], pipes[2][1]]
+        try:
+            self.pid = nursery.fork("worker", given, inside)
+        finally:
+            for descriptor in inside:
+                os.close(descriptor)
+        self.stdin = open(pipes[0][1], "wb", buffering=0)
+        self.stdout, self.stderr = (open(pipe[0], "rb", buffering=0) for pipe in pipes[1:])
+
+    def wait(self, timeout=None):
+        if self.returncode is None:
+            self.returncode = self._nursery.ended(self.pid, 60 if timeout is None else timeout)
+            if self.returncode is None and timeout is not None:
+                raise subprocess.TimeoutExpired("worker", timeout)
+        return self.returncode
+
+    def end(self):
+        """Kill it with its whole group, and forget it."""
+        with suppress(isolation.NotStarted):
+            self.returncode = self._nursery.end(self.pid)
 
 
 class Trusting(Sandbox):
@@ -221,7 +269,7 @@ class Trusting(Sandbox):
         self._folder.cleanup()
 
     def _spawn(self):
-        return isolation.spawn_without(self._folder.name, asdict(self.limits))
+        return Forked(self._forks(), "trusting", asdict(self.limits), None, self._folder.name)
 
     def _told(self, ended, message):
         return Outcome(ended.decode(), message)

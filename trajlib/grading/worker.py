@@ -5,9 +5,9 @@ namespace of its own, without network, with an empty /tmp and no /proc, without 
 is done, or out of time, everything it left behind ends with it.
 
 The ready process never holds a request or an answer itself: whatever it had read would stand in the memory of every
-later child. A keeper, forked for each notebook, forks the child, hands it the request, watches it and replies. Both are
-there, and the child is confined, before the request comes: while one notebook is judged, the next one's place gets
-ready.
+later child. Nor does any process that it was forked from (`nursery`). A keeper, forked for each notebook, forks the
+child, hands it the request, watches it and replies. Both are there, and the child is confined, before the request
+comes: while one notebook is judged, the next one's place gets ready.
 
 There are three modes: `nested`, as said; `once`, where the system allows no namespaces inside the sandbox: one
 notebook, run by this very process, which a sandbox of its own surrounds; `trusting`, with no sandbox around at all.
@@ -26,7 +26,6 @@ import tempfile
 import time
 from contextlib import suppress
 
-import trajlib
 from trajlib.cells import prepare, run_cells
 from trajlib.grading import framing, system_calls, watching
 from trajlib.grading.isolation import (
@@ -35,6 +34,7 @@ from trajlib.grading.isolation import (
     CLONE_NEWNS,
     CLONE_NEWPID,
     CLONE_NEWUSER,
+    ENVIRONMENT,
     MS_BIND,
     MS_NODEV,
     MS_NOSUID,
@@ -44,12 +44,14 @@ from trajlib.grading.isolation import (
     SCRATCH,
     NoIsolation,
     end_with_parent,
+    enter,
     loaded,
     mount,
     system_call,
     unshare,
+    visible,
 )
-from trajlib.grading.preloading import NOTEBOOKS, SYMPY, preload
+from trajlib.grading.preloading import ALWAYS, LIBRARIES, preload
 
 PR_SET_NO_NEW_PRIVS, PR_CAPBSET_DROP, PR_SET_CHILD_SUBREAPER = 38, 24, 36
 CAPABILITY_VERSION_3 = 0x20080522
@@ -57,24 +59,30 @@ CAPABILITY_VERSION_3 = 0x20080522
 NOT_NESTED = b"not nested"
 
 
-def main(mode, limits, in_scratch=()):
-    """Serve requests, each notebook within the limits (`sandbox.Limits` as a dict).
-
-    `in_scratch` are visible folders (an installation) that lie where notebooks find an empty folder.
-    """
-    try:
-        if mode == "nested" and not _can_nest(limits, in_scratch):
+def begin(mode, limits, bubblewrap, folder):
+    """In a process forked from a nursery: go into a sandbox, and serve requests, each notebook within the limits
+    (`sandbox.Limits` as a dict); or with the mode "trusting" serve them here, with an empty `folder` for a home."""
+    home = {"HOME": folder, "TMPDIR": folder, "MPLCONFIGDIR": folder} if mode == "trusting" else {}
+    # Visible folders (an installation) that lie where notebooks find an empty folder; found while paths are as outside.
+    in_scratch = [str(path) for path in visible() if any(path.is_relative_to(folder) for folder in SCRATCH)]
+    if mode != "trusting":
+        try:
+            system_calls.check_known()
+            enter(bubblewrap, limits)
+            os.chdir("/tmp")
+            _drop_capabilities()
+            if not _can_nest(limits, in_scratch):
+                raise OSError
+        except NoIsolation as error:
+            framing.send(1, str(error).encode())
+            return
+        except OSError:
             framing.send(1, NOT_NESTED)
             return
-        if mode != "trusting":
-            system_calls.check_known()
-    except NoIsolation as error:
-        framing.send(1, str(error).encode())
-        return
-    _make_ready()
+    os.environ.clear()
+    os.environ.update(ENVIRONMENT | home)
+    prepare()
     framing.send(1, b"ready")
-    if mode == "once":
-        _run(limits, 0, 1, mode)
     this = os.getpid()
     while True:
         keeper = os.fork()
@@ -82,6 +90,19 @@ def main(mode, limits, in_scratch=()):
             _keep(mode, limits, in_scratch, this)
         if os.waitpid(keeper, 0)[1] != 0:
             return  # no more requests, or the keeper failed: the grader sees a closed pipe
+
+
+def once(limits):
+    """In a fresh process that a sandbox of its own surrounds, or a user of its own: run a single notebook here."""
+    try:
+        system_calls.check_known()
+    except NoIsolation as error:
+        framing.send(1, str(error).encode())
+        return
+    preload(*ALWAYS, *LIBRARIES)
+    prepare()
+    framing.send(1, b"ready")
+    _run(limits, 0, 1, "once")
 
 
 def _can_nest(limits, in_scratch):
@@ -94,12 +115,6 @@ def _can_nest(limits, in_scratch):
         finally:
             os._exit(1)
     return os.waitpid(child, 0)[1] == 0
-
-
-def _make_ready():
-    """Load what notebooks use, and start the shell for their cells, once; children inherit it."""
-    preload(*SYMPY, *NOTEBOOKS, "trajlib.checks.contract.sympy_codec", themes=trajlib.__all__)
-    prepare()
 
 
 # The keeper
@@ -261,6 +276,11 @@ def _limit(limits, mode):
 def _give_up_privileges():
     """No capability in this user namespace, none to come back by an executable, no system call that would undo the
     sandbox."""
+    _drop_capabilities()
+    system_calls.forbid()
+
+
+def _drop_capabilities():
     system_call("prctl", PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0)
     for capability in range(64):
         try:
@@ -269,4 +289,3 @@ def _give_up_privileges():
             break  # past the last capability this kernel knows, or none to begin with
     header = struct.pack("II", CAPABILITY_VERSION_3, 0)
     system_call("capset", ctypes.c_char_p(header), ctypes.c_char_p(bytes(24)))
-    system_calls.forbid()

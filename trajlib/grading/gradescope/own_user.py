@@ -69,7 +69,7 @@ def keep(user, group, limits):
             os.umask(0o077)
             # No namespace confines the network here.
             system_calls.FAMILIES = (socket.AF_UNIX,)
-            worker.main("once", limits)
+            worker.once(limits)
         except BaseException as error:
             print(repr(error), file=sys.stderr, flush=True)  # the grader reads the last line
         finally:

@@ -1,0 +1,204 @@
+"""A process that has imported what grading needs, and from which others are forked that need not import it again.
+
+It is started afresh with an empty environment, and hears only what to fork, never anything of a student's: whatever it
+held would stand in the memory of every notebook's process. A lane that is forked from it forks, before it hears of its
+first notebook, a nursery of its own, from which its sandboxes come; so nothing that a lane learns is ever inside one.
+"""
+
+import json
+import os
+import signal
+import socket
+import subprocess
+import threading
+import time
+from contextlib import suppress
+from functools import partial
+
+from trajlib.grading import isolation
+from trajlib.grading.isolation import NotStarted, end_with_parent
+from trajlib.grading.preloading import preload
+
+START = "from trajlib.grading import nursery; nursery.main({control}, {modules!r})"
+#: Bytes of a request or an answer.
+LONGEST = 2**16
+#: Seconds that importing everything may take, on a busy machine.
+TO_ANSWER = 120
+HIGHEST_DESCRIPTOR = 4096
+
+
+class Nursery:
+    """The other processes' end: asks for forks. Several threads may."""
+
+    def __init__(self, control, alive, end=lambda: None, bubblewrap=None):
+        self._control, self.alive, self._end, self._asking = control, alive, end, threading.Lock()
+        self._bubblewrap = bubblewrap
+        control.settimeout(TO_ANSWER)
+
+    @classmethod
+    def start(cls, modules):
+        """A fresh process, which imports `modules` (names) and then forks."""
+        ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
+        with theirs:
+            command = isolation.python(START.format(control=theirs.fileno(), modules=list(modules)))
+            # In a session of its own, so that Ctrl-C reaches the grader alone, which then ends it.
+            process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                                       env=isolation.environment_outside(), pass_fds=[theirs.fileno()],
+                                       start_new_session=True, preexec_fn=partial(end_with_parent, os.getpid()))
+        return cls(ours, lambda: process.poll() is None, lambda: (process.kill(), process.wait()))
+
+    @classmethod
+    def branch(cls, bubblewrap):
+        """One that is forked from this very process, which must not have read anything of a student's yet.
+
+        `bubblewrap` is where the grader found it, whose PATH this process has not.
+        """
+        ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
+        this, child = os.getpid(), os.fork()
+        if child == 0:
+            _run_to_the_end(_branch, ours, theirs, this)
+        theirs.close()
+        return cls(ours, lambda: os.waitpid(child, os.WNOHANG)[0] == 0, bubblewrap=bubblewrap)
+
+    @property
+    def bubblewrap(self):
+        """Where bubblewrap is. Raises `NoIsolation` where there is none."""
+        return self._bubblewrap or isolation.bubblewrap()
+
+    def fork(self, kind, given, descriptors):
+        """Fork a process of a `kind` (of `_KINDS`) with these descriptors as its 0, 1, ...; returns its number."""
+        return self._ask({"fork": kind, "given": given}, descriptors)["number"]
+
+    def ended(self, number, within=0.0):
+        """The exit code of a process forked here, negative for a signal; None if it runs on after so many seconds."""
+        return self._ask({"ended": number, "within": within})["code"]
+
+    def end(self, number, within=0.0):
+        """Its exit code; if it runs on after so many seconds, it is killed with all that it started in its session."""
+        return self._ask({"end": number, "within": within})["code"]
+
+    def close(self):
+        """End the nursery; what was forked from it ends too."""
+        self._control.close()
+        self._end()
+
+    def _ask(self, request, descriptors=()):
+        try:
+            with self._asking:
+                socket.send_fds(self._control, [json.dumps(request).encode()], descriptors)
+                answer = self._control.recv(LONGEST)
+        except OSError as error:
+            raise NotStarted(f"the process that others are forked from is gone or too slow ({error})") from None
+        if not answer:
+            raise NotStarted("the process that others are forked from ended: the machine may be out of memory; the same"
+                             " command goes on from here")
+        return json.loads(answer)
+
+
+# In the nursery
+
+
+def main(control, modules):
+    preload(*modules, "trajlib.grading.lanes", "trajlib.grading.worker")
+    _serve(socket.socket(fileno=control))
+
+
+def _branch(ours, theirs, parent):
+    end_with_parent(parent)
+    ours.detach()
+    nothing = os.open("/dev/null", os.O_RDWR)
+    for descriptor in (0, 1):  # the pipes of its parent
+        os.dup2(nothing, descriptor)
+    os.dup2(theirs.detach(), 3)
+    os.closerange(4, HIGHEST_DESCRIPTOR)
+    _serve(socket.socket(fileno=3))
+
+
+def _serve(control):
+    """Fork as asked until nobody is there to ask. Requests are the grader's own; nothing else ever comes in."""
+    this = os.getpid()
+    while True:
+        message, descriptors, _, _ = socket.recv_fds(control, LONGEST, 3)
+        if not message:
+            return
+        request = json.loads(message)
+        if "fork" in request:
+            number = os.fork()
+            if number == 0:
+                control.detach()
+                _run_to_the_end(_become, request["fork"], request["given"], descriptors, this)
+            for descriptor in descriptors:
+                os.close(descriptor)
+            answer = {"number": number}
+        elif "ended" in request:
+            answer = {"code": _code(request["ended"], request["within"])}
+        else:
+            answer = {"code": _end(request["end"], request["within"])}
+        with suppress(BrokenPipeError, ConnectionResetError):
+            control.send(json.dumps(answer).encode())
+
+
+#: Exit codes of processes that have ended, by their numbers.
+_codes = {}
+
+
+def _code(number, within):
+    give_up = time.monotonic() + within
+    while number not in _codes:
+        ended, status = os.waitpid(number, os.WNOHANG)
+        if ended:
+            _codes[number] = os.waitstatus_to_exitcode(status)
+        elif time.monotonic() >= give_up:
+            return None
+        else:
+            time.sleep(0.005)
+    return _codes[number]
+
+
+def _end(number, within):
+    if _code(number, within) is None:
+        with suppress(ProcessLookupError):
+            os.killpg(number, signal.SIGKILL)
+        os.kill(number, signal.SIGKILL)
+        _codes[number] = os.waitstatus_to_exitcode(os.waitpid(number, 0)[1])
+    return _codes.pop(number)
+
+
+def _become(kind, given, descriptors, parent):
+    os.setsid()
+    end_with_parent(parent)
+    for number, descriptor in enumerate(descriptors):
+        os.dup2(descriptor, number)
+    os.closerange(3, HIGHEST_DESCRIPTOR)
+    _codes.clear()
+    _KINDS[kind](*given)
+
+
+def _run_to_the_end(function, *given):
+    """Run what a forked process is for; it ends here, whatever happens, and nothing of its parent's is tidied up."""
+    code = 1
+    try:
+        function(*given)
+        code = 0
+    except SystemExit as asked:
+        code = asked.code if isinstance(asked.code, int) else 0
+    except BaseException as error:
+        with suppress(OSError):
+            os.write(2, f"{error!r}\n".encode(errors="replace"))
+    finally:
+        os._exit(code)
+
+
+def _lane(settings, bubblewrap):
+    from trajlib.grading import lanes
+
+    lanes.work(settings, bubblewrap)
+
+
+def _worker(mode, limits, bubblewrap, folder):
+    from trajlib.grading import worker
+
+    worker.begin(mode, limits, bubblewrap, folder)
+
+
+_KINDS = {"lane": _lane, "worker": _worker}
