@@ -137,7 +137,7 @@ def test_whatever_ends_in_the_midst_costs_nothing(dask, expected, tmp_path):
 
 def test_nothing_runs_on_after_the_grader_has_stopped(dask):
     def begun():
-        return {one for one in dask.lanes() - before if b"worker" in command_of(one[0])}
+        return {one for one in dask.lanes() - before if b"nursery.main" in command_of(one[0])}
 
     before = dask.lanes()  # a killed grader's lanes end by themselves, a little later
     endless = a_unit(1, answers={"a_region": "[None for _ in iter(int, 1)]"})

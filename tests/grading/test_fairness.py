@@ -252,7 +252,7 @@ def test_one_bad_answer_costs_itself(bench, tmp_path):
     result = graded(bench, notebook("1.15", RIGHT_1_15 | {"b_region": "1/0", "c_region": "object()"}), tmp_path)
     assert {name: verdict["status"] for name, verdict in result["verdicts"].items()} == {
         "a_region": "right", "b_region": "missing", "c_region": "invalid", "d_region": "right", "e_region": "right"}
-    assert result["remarks"] == ("notebook: code cell 4: ZeroDivisionError: division by zero",
+    assert result["remarks"] == ("notebook: code cell 5: ZeroDivisionError: division by zero",
                                  ), "numbered as in the notebook"
 
 

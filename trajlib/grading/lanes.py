@@ -141,11 +141,17 @@ class Lane:
         self._requests = None
 
 
+def _tidy_up(*_):
+    # Once: a second exit in the midst of the first would leave things, and be told.
+    signal.signal(signal.SIGTERM, signal.SIG_IGN)
+    sys.exit()
+
+
 def work(settings, bwrap):
     """The lane's end, in a process forked from a nursery: grade what comes in until nothing does, or not for as long as
     the settings say."""
     nursery = Nursery.branch(bwrap)  # before anything of a student's is here
-    signal.signal(signal.SIGTERM, lambda *_: sys.exit())  # so that it tidies up
+    signal.signal(signal.SIGTERM, _tidy_up)
     # Results have a descriptor of their own: what a check might print does not come between them.
     results = os.dup(1)
     os.dup2(2, 1)

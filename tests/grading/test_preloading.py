@@ -1,0 +1,69 @@
+"""What is imported once for all: what the homework's problems and notebooks use, and nothing that a notebook names itself."""
+
+import json
+import os
+import subprocess
+import sys
+
+from trajlib import exercises
+from trajlib.grading.nursery import Nursery
+from trajlib.grading.preloading import ALWAYS, LIBRARIES, needed
+
+
+def libraries(problems, *sources):
+    return {name for name in needed(problems, sources) if name in LIBRARIES}
+
+
+def test_no_library_that_nothing_of_the_homework_uses():
+    assert libraries(["1.15"], "import sympy as sp", "a_region = k1 > 0") == set()
+    assert libraries(["1.15"], "import matplotlib.pyplot as plt") == {"matplotlib.pyplot"}
+    assert libraries(["1.15"], "from scipy import optimize", "import casadi as ca") == {"scipy.optimize", "casadi"}
+
+
+def test_words_of_a_notebook_only_choose_among_ours():
+    named = needed(["1.15"], ["import evil, casadi.evil\nfrom scipy.optimize.evil import x", "__import__('trajlib.evil')"])
+    assert not [name for name in named if "evil" in name]
+    assert {name for name in named if not name.startswith("trajlib.")} <= {*ALWAYS, *LIBRARIES}
+
+
+def test_a_judge_finds_all_that_it_imports():
+    """Whatever modules of ours a check stands on are there before the first answer comes."""
+    code = ("import importlib, json, sys\nfor name in json.loads(sys.argv[1]): importlib.import_module(name)\n"
+            "from trajlib import exercises\nfrom trajlib.execution import judge_cells\nbefore = set(sys.modules)\n"
+            "exercise = exercises.find('1.15')\nnames = list(exercise.about['answers'])\n"
+            "judge_cells(exercise.code('data', 'check'), {}, {}, names)\n"
+            "print([name for name in set(sys.modules) - before if name.startswith('trajlib')])")
+    done = subprocess.run([sys.executable, "-c", code, json.dumps(needed(["1.15"], []))], capture_output=True, text=True,
+                          timeout=120)
+    assert done.stdout == "[]\n", done.stdout + done.stderr
+
+
+def test_a_nursery_has_nothing_of_the_grader(monkeypatch):
+    """Neither its environment nor what it has read: all of that would be in the memory of every notebook's process."""
+    monkeypatch.setenv("COURSE_SECRET", "Tycho-1572")
+    assert exercises.read_all(), "the grader has read things"
+    nursery = Nursery.start(["json"])
+    try:
+        nursery.ended(nursery.fork("worker", ["nothing", {}, None, ""], []), within=60)
+        with open(f"/proc/{nursery_process(nursery)}/environ", "rb") as file:
+            assert b"Tycho" not in file.read()
+        opened = os.listdir(f"/proc/{nursery_process(nursery)}/fd")
+        assert len(opened) == 4, "input, output, messages to people, and where it is asked"
+    finally:
+        nursery.close()
+    assert not nursery.alive()
+
+
+def nursery_process(nursery):
+    (number,) = [number for number in os.listdir("/proc") if number.isdigit() and _is_its(number)]
+    return number
+
+
+def _is_its(number):
+    try:
+        with open(f"/proc/{number}/stat") as file:
+            parent = int(file.read().rpartition(")")[2].split()[1])
+        with open(f"/proc/{number}/cmdline", "rb") as file:
+            return parent == os.getpid() and b"nursery.main" in file.read()
+    except OSError:
+        return False
