@@ -1,4 +1,4 @@
-"""What is imported once for all: what the homework's problems and notebooks use, and nothing that a notebook names itself."""
+"""What is imported once for all: what the homework's problems and notebooks use, and nothing a notebook names itself."""
 
 import json
 import os
@@ -21,7 +21,8 @@ def test_no_library_that_nothing_of_the_homework_uses():
 
 
 def test_words_of_a_notebook_only_choose_among_ours():
-    named = needed(["1.15"], ["import evil, casadi.evil\nfrom scipy.optimize.evil import x", "__import__('trajlib.evil')"])
+    foreign = ["import evil, casadi.evil\nfrom scipy.optimize.evil import x", "__import__('trajlib.evil')"]
+    named = needed(["1.15"], foreign)
     assert not [name for name in named if "evil" in name]
     assert {name for name in named if not name.startswith("trajlib.")} <= {*ALWAYS, *LIBRARIES}
 
@@ -33,8 +34,8 @@ def test_a_judge_finds_all_that_it_imports():
             "exercise = exercises.find('1.15')\nnames = list(exercise.about['answers'])\n"
             "judge_cells(exercise.code('data', 'check'), {}, {}, names)\n"
             "print([name for name in set(sys.modules) - before if name.startswith('trajlib')])")
-    done = subprocess.run([sys.executable, "-c", code, json.dumps(needed(["1.15"], []))], capture_output=True, text=True,
-                          timeout=120)
+    done = subprocess.run([sys.executable, "-c", code, json.dumps(needed(["1.15"], []))], capture_output=True,
+                          text=True, timeout=120)
     assert done.stdout == "[]\n", done.stdout + done.stderr
 
 
