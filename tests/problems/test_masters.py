@@ -28,6 +28,10 @@ VERDICT_SECONDS = {"5": 3.0}
 #: Seconds of computing that the tests of one problem may take: with 194 problems everybody waits for them. In chapter 5
 #: an answer is judged by simulating it.
 PROBLEM_SECONDS = {"5": 60}
+#: Conditions whose verdict rests on samples and says so: basins and fields of motions, bearings, what the controls of
+#: chapter 5 can reach. All others are proved for all values.
+SAMPLED = {"1.3": {"b_basin"}, "1.4": {"b_basin"}, "1.10": {"c_heading"}, "7.2": {"b_condition"},
+           "7.3": {"d_insufficient"}}
 #: Options of checks that may be written as numbers in a check cell.
 TOLERANCES = {"tolerance", "horizon"}
 #: Solvers of other libraries that an answer and its check must not share.
@@ -64,6 +68,23 @@ def test_the_reference_is_right_and_crosses_the_encoder(master):
     slow = {name: seconds for name, seconds in seen["seconds"].items()
             if seconds > VERDICT_SECONDS.get(master.number.split(".")[0], 1.0)}
     assert not slow, f"verdicts that take too long: {slow}"
+
+
+def test_a_condition_is_proved_for_all_values(master):
+    asked = {name for name, answer in master.answers.items() if answer.kind.startswith("condition")}
+    if master.number.startswith("5."):
+        pytest.skip("what the controls can reach is tried")
+    told = found(master, "reference")["messages"] if asked else {}
+    assert {name for name in asked if "proved for all values" not in told[name]} == SAMPLED.get(master.number, set())
+
+
+def test_most_conditions_are_proved():
+    asked = {master.number: [name for name, answer in master.answers.items() if answer.kind.startswith("condition")]
+             for master in map(read, PATHS)}
+    tried = sum(len(SAMPLED.get(number, names if number.startswith("5.") else ())) for number, names in asked.items())
+    assert 1 - tried / sum(map(len, asked.values())) > 0.74
+    first_four = sum(len(names) for number, names in asked.items() if not number.startswith("5."))
+    assert 1 - sum(map(len, SAMPLED.values())) / first_four > 0.9
 
 
 def test_nobody_waits_long_for_one_problem(master):

@@ -16,7 +16,7 @@ from trajlib.checks.contract import coercion
 from trajlib.checks.contract.tolerance import in_decimals, same, share
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
 from trajlib.checks.pontryagin.open_loop import INTEGRATED, Control, Path
-from trajlib.checks.tools.conditions import Truth, compare, contrary, read_condition
+from trajlib.checks.tools.conditions import Truth, compare, contrary
 from trajlib.checks.tools.values import real_at, real_function, truth_at
 from trajlib.checks.tools.wording import values_text
 from trajlib.checks.truths.optima.transfer_optima import SAMPLES, Transfer
@@ -126,7 +126,7 @@ def transfer_starts(answer, dynamics, controls, initial, terminal, parameters):
     """The starts, or parameters, for which the target can be reached; a start on the target may be counted either
     way."""
     transfer = Transfer(dynamics, controls, initial, terminal, parameters)
-    agreement = compare(read_condition(answer, parameters), parameters, Truth(at=transfer.solvable),
+    agreement = compare(answer, parameters, Truth(at=transfer.solvable),
                         contrary(transfer.told_solvable))
     return f"it agrees with what the controls can reach: {agreement}"
 

@@ -15,7 +15,7 @@ from trajlib.checks.contract import coercion
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
 from trajlib.checks.stability.first_approximation import STABILITY
 from trajlib.checks.stability.programs import Motion
-from trajlib.checks.tools.conditions import Truth, compare, contrary, read_condition
+from trajlib.checks.tools.conditions import Truth, compare, contrary
 from trajlib.checks.tools.samples import sample_values
 from trajlib.checks.tools.values import matrix_at, number_at, numbers_at
 from trajlib.checks.tools.wording import number_text, point_text, rounded_text, where_text
@@ -94,7 +94,7 @@ def stable_parameters(answer, field, state, parameters, program=None, part=None)
                 f"{duration:.3g} units of time")
 
     truth = Truth(at=lambda values: stability(at(values)) != "unstable")
-    agreement = compare(read_condition(answer, parameters), parameters, truth, contrary(told))
+    agreement = compare(answer, parameters, truth, contrary(told))
     return f"for these parameters, and for no others, all motions stay bounded: {agreement}"
 
 

@@ -50,7 +50,7 @@ def vanishing_set(answer, function, field, state, parameters=()):
         return (f"at {place_text(values)} the derivative is {'zero' if holds else 'not zero'}, and your set "
                 f"{'does not hold' if holds else 'holds'} this state")
 
-    agreement = compare(coercion.as_condition(answer, state), state, truth, told)
+    agreement = compare(answer, state, truth, told)
     return f"the derivative is zero at the states of this set and at no others: {agreement}"
 
 
@@ -100,7 +100,7 @@ def proved_stable(answer, function, field, state, parameters):
 
     near = sum(x**2 for x in state) <= sp.Rational(1, 100)
     truth = Truth(*_proved(function, field, state, near), at)
-    agreement = compare(coercion.as_condition(answer, parameters), parameters, truth, told)
+    agreement = compare(answer, parameters, truth, told)
     return f"there the derivative is nowhere positive near zero and not identically zero, and only there: {agreement}"
 
 
@@ -142,7 +142,7 @@ def proved_global(answer, function, field, state, parameters, given=()):
 
     grows = sum(x * sp.diff(function, x) for x in state) > 0
     truth = Truth(*_proved(function, field, state, sp.true, grows), at)
-    agreement = compare(coercion.as_condition(answer, parameters), parameters, truth, told)
+    agreement = compare(answer, parameters, truth, told)
     return f"there V grows in every direction and its derivative is nowhere positive, and only there: {agreement}"
 
 

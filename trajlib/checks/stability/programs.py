@@ -16,7 +16,7 @@ import sympy as sp
 from trajlib.checks.contract import coercion
 from trajlib.checks.contract.tolerance import same
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
-from trajlib.checks.tools.conditions import Case, Truth, compare, contrary, exactly, place_text, read_condition
+from trajlib.checks.tools.conditions import Case, Truth, compare, contrary, exactly, place_text
 from trajlib.checks.tools.members import VECTORS, families, in_order
 from trajlib.checks.tools.samples import sample_values
 from trajlib.checks.tools.values import matrix_at, number_at, numbers_at
@@ -76,7 +76,7 @@ def rest_angles_exist(answer, field, state, parameters):
     angles = _angles(tuple(field), tuple(state), tuple(parameters))
     at_rest = sp.Eq(sp.sympify(field[1]).subs(state[1], 0), 0)
     truth = Truth((Case(at_rest, (state[0],)),), (Case(sp.Not(at_rest), (state[0],), every=True),), angles.exist)
-    agreement = compare(read_condition(answer, parameters), parameters, truth, contrary(
+    agreement = compare(answer, parameters, truth, contrary(
         lambda values: "there f(phi, 0) runs from {:.4g} to {:.4g}".format(*angles.extremes(values))))
     return f"f(phi, 0) takes the value zero for these parameters and for no others: {agreement}"
 
@@ -367,7 +367,7 @@ def _judge_angles(answer, field, state, parameters, angle, kind, word):
                 f"{_roots_told(*angles.derivatives(values, float(values[angle])))}")
 
     exact = exactly(kind(friction, -slope), sp.Eq(force.subs(at_rest), 0), at=truth, points=points)
-    agreement = compare(coercion.as_condition(answer, symbols), symbols, exact, told)
+    agreement = compare(answer, symbols, exact, told)
     return f"it agrees with the roots of the characteristic equation at the stationary angles: {agreement}"
 
 
@@ -394,7 +394,7 @@ def _judge_kind(answer, field, state, parameters, kind, word):
         return _roots_told(slope, friction)
 
     exact = exactly(border < 0 if word == "focus" else border > 0, given, (phi,), truth)
-    agreement = compare(read_condition(answer, parameters), parameters, exact, contrary(told))
+    agreement = compare(answer, parameters, exact, contrary(told))
     return (f"for these parameters, and for no others, the stationary angles that are no saddles are of the kind "
             f"{word}: {agreement}")
 

@@ -9,7 +9,6 @@ import numpy as np
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
-from trajlib.checks.contract import coercion
 from trajlib.checks.contract.verdict import judged
 from trajlib.checks.tools.conditions import Case, Truth, compare, place_text
 
@@ -47,7 +46,7 @@ def compare_region(answer, system, parameters, what, margin=0, unstable=False):
 
     With a margin both sides of the border are right, the border being where the largest real part is -margin.
     """
-    claim, spectrum = coercion.as_condition(answer, parameters), _Spectrum(system, parameters, margin)
+    spectrum = _Spectrum(system, parameters, margin)
     if unstable:
         truth = Truth((spectrum.some_root_right,), (spectrum.no_root_right,), spectrum.is_unstable)
     else:
@@ -59,7 +58,7 @@ def compare_region(answer, system, parameters, what, margin=0, unstable=False):
         says = f"outside your region, yet it is {what}" if holds else f"inside your region, yet it is not {what}"
         return f"the point {place_text(values)} lies {says}: {spectrum.describe(values)}"
 
-    return f"agrees with the roots: {compare(claim, parameters, truth, told)}"
+    return f"agrees with the roots: {compare(answer, parameters, truth, told)}"
 
 
 def characteristic_of(equation, motion):

@@ -126,7 +126,7 @@ def single_rest(answer, field, state, parameters):
         return f"there the right-hand sides vanish at {number} value{'s' if number != 1 else ''} of {x}"
 
     truth = Truth((inside,), outside, lambda values: count(values) == 1)
-    agreement = compare(coercion.as_condition(answer, parameters), parameters, truth, contrary(told))
+    agreement = compare(answer, parameters, truth, contrary(told))
     return f"the number of real roots of the equation of rest is one there and nowhere else: {agreement}"
 
 
@@ -238,6 +238,14 @@ def _judge_values(claims, values, flow, found, wanted, integer, what):
         raise Wrong(f"not all {what} are there: between -{REACH:g} and {REACH:g} a search finds {len(wanted)} of "
                     f"them{where_text(values)}, "
                     f"and your answer gives {len(wanted) - len(missed)} of these")
+    if integer is None or any(family.has(integer) for family in families):
+        return
+    for point in wanted:  # a finite list for what comes back with every turn
+        again = np.array([point[0] + 20 * np.pi, *point[1:]])
+        if np.all(abs(flow(again)) < 1e-9 * (1 + abs(again[0]))) and not any(_close(number, again[0])
+                                                                             for number in claimed):
+            raise Wrong(f"not all {what} are there: {again[0]:.4g} is one too{_where(values)}, and a list has an end; "
+                        f"write the family with the integer {integer}")
 
 
 def _members(family, values, integer):

@@ -126,7 +126,7 @@ def judge_region(answer, pair, side, holds):
     if not holds and len(pair.parameters) == 1:
         answer = _among(answer, pair.parameters[0])
     try:
-        agreement = compare(coercion.as_condition(answer, pair.parameters), pair.parameters, pair.truth(holds), told)
+        agreement = compare(answer, pair.parameters, pair.truth(holds), told)
     except Wrong as reason:
         if not holds and isinstance(answer, (list, tuple)) and len(answer) > 1:
             raise Wrong(f"{reason} (the conditions of a list hold all together; "

@@ -67,10 +67,14 @@ def exactly(condition, given=sp.true, unknowns=(), at=None, points=None):
     return Truth(inside, outside, at, points)
 
 
-def read_condition(answer, parameters):
-    """A condition on parameters; a set of numbers stands for values of the first of them."""
-    numbers = isinstance(answer, sp.Set) and len(parameters) > 1 and answer.is_subset(sp.S.Reals)
-    return coercion.as_condition(answer, parameters[:1] if numbers else parameters)
+def read_condition(answer, parameters, truth):
+    """A condition on parameters; a set of numbers stands for values of the one that the truth depends on, or of the
+    first of several."""
+    if isinstance(answer, sp.Set) and len(parameters) > 1 and answer.is_subset(sp.S.Reals):
+        asked = set().union(*(case.condition.free_symbols for case, _ in truth.cases))
+        parameters = [p for p in parameters if p in asked] or parameters
+        return coercion.as_condition(answer, parameters[:1])
+    return coercion.as_condition(answer, parameters)
 
 
 def contrary(reason):
@@ -81,14 +85,14 @@ def contrary(reason):
     return told
 
 
-def compare(claim, parameters, truth, told):
-    """Compare a condition of a student's (read by `coercion.as_condition`) with the truth.
+def compare(answer, parameters, truth, told):
+    """Compare a student's condition, in any form that is read, with the truth.
 
     Returns how the agreement is known, for the end of a sentence. `told(values, holds)` is the message at a place,
     given as SymPy numbers, where the truth is `holds` and the claim says otherwise.
     """
     parameters = list(parameters)
-    readings = _readings(claim)
+    readings = _readings(read_condition(answer, parameters, truth))
     decided, place = _decided(readings[:1], parameters, truth)
     if decided and place and len(readings) > 1:
         # Decimals stand for all numbers that round to them, but a border that they meet exactly is not rounded.
@@ -227,8 +231,15 @@ def _readings(claim):
     exact = claim.xreplace({number: choices[0] for number, choices in zip(decimals, ranges)})
     if not any(len(choices) > 1 for choices in ranges) or len(ranges) > 4:
         return [exact]
-    return [exact, *(claim.xreplace(dict(zip(decimals, chosen)))
-                     for chosen in itertools.product(*(choices[1:] or choices for choices in ranges)))]
+    corners = [dict(zip(decimals, chosen)) for chosen in itertools.product(*(part[1:] or part for part in ranges))]
+    # An equation with decimals stands for one that holds somewhere between the corners.
+    widened = {}
+    for atom in claim.atoms(sp.Eq, sp.Ne):
+        if atom.has(sp.Float):
+            low, high = (atom.lhs.xreplace(corner) - atom.rhs.xreplace(corner) for corner in (corners[0], corners[-1]))
+            widened[atom] = low * high <= 0 if isinstance(atom, sp.Eq) else low * high > 0
+    return [exact, *(claim.xreplace(corner) for corner in corners),
+            *([claim.xreplace(widened).xreplace(corners[0])] if widened else [])]
 
 
 def _with_plain_powers(claim):

@@ -137,15 +137,17 @@ class RestPoints:
         return all(same(r + d, r, expression, size) for d, r, expression in zip(difference, rest, written))
 
     def samples(self, count=7, need_rest=True, alone=True):
-        """Triples (exact values, their floats, the stationary point), or with all points of the domain unless
-        `alone`."""
+        """Triples (exact values, their floats, the stationary point), or unless `alone` with all points of the domain,
+        for values too for which there is none."""
         tries, numbers = self._tries
         rests = self._rests_of_tries if need_rest else [[None]] * len(tries)
         chosen = [k for k, found in enumerate(rests) if found]
         if not chosen:
             raise RuntimeError("no sample values of the parameters have a stationary point in the domain")
         # Samples with the most points first: these are the ones where a point can be missed.
-        for k in sorted(chosen, key=lambda k: -len(rests[k]))[:count] + ([] if alone else chosen[:count]):
+        most = sorted(chosen, key=lambda k: -len(rests[k]))[:count]
+        without = [k for k, found in enumerate(rests) if not found]
+        for k in most if alone else [*most, *chosen[:count], *without[:count]]:
             values = {p: sp.Rational(x.numerator, x.denominator) for p, x in zip(self.parameters, tries[k])}
             if alone and len(rests[k]) > 1:
                 raise RuntimeError(f"there are {len(rests[k])} stationary points in the domain for "

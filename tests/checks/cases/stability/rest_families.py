@@ -23,6 +23,7 @@ CASES = [
     Case("rest_values", -sp.pi * (n + 100), PENDULUM, "right", "counted from elsewhere, downwards"),
     Case("rest_values", 3.142 * n, PENDULUM, "right", "decimals"),
     Case("rest_values", sp.solveset(sp.sin(x), x, sp.S.Reals), PENDULUM, "right", "the set that solveset gives"),
+    Case("rest_values", [k * sp.pi for k in range(-3, 4)], PENDULUM, "wrong", "seven of infinitely many"),
     Case("rest_values", [0, sp.pi], PENDULUM, "wrong", "one period only"),
     Case("rest_values", 2 * sp.pi * n, PENDULUM, "wrong", "one of the two families"),
     Case("rest_values", sp.pi * n / 2, PENDULUM, "wrong", "the quarters taken along"),
