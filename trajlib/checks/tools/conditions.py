@@ -70,7 +70,8 @@ def exactly(condition, given=sp.true, unknowns=(), at=None, points=None):
 def read_condition(answer, parameters, truth):
     """A condition on parameters; a set of numbers stands for values of the one that the truth depends on, or of the
     first of several."""
-    if isinstance(answer, sp.Set) and len(parameters) > 1 and answer.is_subset(sp.S.Reals):
+    numbers = isinstance(answer, sp.Set) and not answer.has(sp.ConditionSet, sp.ProductSet)
+    if numbers and len(parameters) > 1 and answer.is_subset(sp.S.Reals):
         asked = set().union(*(case.condition.free_symbols for case, _ in truth.cases))
         parameters = [p for p in parameters if p in asked] or parameters
         return coercion.as_condition(answer, parameters[:1])

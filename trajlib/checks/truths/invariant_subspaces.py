@@ -1,9 +1,8 @@
 """States that an output never shows, exactly: the largest subspace of ker H that A maps into itself.
 
 A motion x' = A x keeps z = H x equal to zero for all time exactly if it starts in this subspace. It is found by leaving
-out of ker H what A carries away, again and again, in exact elimination: entries are fractions, or residues at an
-irrational value of a parameter (`parameter_places`). What a control cannot reach is the same for the transposed
-matrices.
+out of ker H what A carries away, again and again, in exact elimination of fractions. What a control cannot reach is the
+same for the transposed matrices.
 """
 
 from fractions import Fraction

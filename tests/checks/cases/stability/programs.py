@@ -124,5 +124,5 @@ LIMITS = [
     "What a program leaves open has to be constant along it for the equations in deviations to be judged.",
     "Stationary angles are sought from the signs on a grid of one degree: pairs closer together than this are "
     "overlooked.",
-    "Conditions on parameters are compared along eight lines, on each of which one parameter varies.",
+    "A condition that names an angle beside its sines and cosines is compared at sample angles.",
 ]

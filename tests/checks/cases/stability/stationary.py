@@ -154,9 +154,7 @@ LIMITS = [
     "Stationary points are searched by Newton's method from 48 starts for up to 30 sample values of the parameters: a "
     "point "
     "that attracts none of them would not be missed in an answer.",
-    "Conditions are compared on lines along which one parameter varies; a difference that no line meets, and that is "
-    "not seen "
-    "at a border of the truth, passes.",
+    "A condition with other terms than polynomials, roots, absolute values, sines and cosines is compared at points.",
     "The border between focus and node, where the roots are equal, is not judged.",
     "A multiplier is tried at 300 points of the domain: a divergence whose sign changes in a small part of it only "
     "may pass.",
