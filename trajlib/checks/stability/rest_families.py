@@ -243,8 +243,8 @@ def _judge_values(claims, values, flow, found, wanted, integer, what):
     for point in wanted:  # a finite list for what comes back with every turn
         again = np.array([point[0] + 20 * np.pi, *point[1:]])
         if np.all(abs(flow(again)) < 1e-9 * (1 + abs(again[0]))):
-            raise Wrong(f"not all {what} are there: {again[0]:.4g} is one too{where_text(values)}, and a list has an end; "
-                        f"write the family with the integer {integer}")
+            raise Wrong(f"not all {what} are there: {again[0]:.4g} is one too{where_text(values)}, and a list has "
+                        f"an end; write the family with the integer {integer}")
 
 
 def _members(family, values, integer):
