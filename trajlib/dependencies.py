@@ -52,8 +52,8 @@ def _loaded(source, package=None):
                     else:
                         found.add(_home(start, alias.name) or start)
     for name, module in packages.items():
-        if not _is_package(module):
-            found.add(module)
+        # A package itself says nothing of what a notebook computes, but what it imports at once may.
+        found |= _loaded_by(module, path_of(module)) - {"trajlib._lazy"} if _is_package(module) else {module}
     for node in nodes:
         if isinstance(node, ast.Attribute) and ast.unparse(node.value) in packages:
             home = _home(packages[ast.unparse(node.value)], node.attr)
