@@ -18,6 +18,7 @@ _EXPORTS = {
     "unseen": ["controllable_subspace", "unobservable_subspace"],
     "parameters": ["RankConditions", "controllability_conditions", "observability_conditions"],
     "mechanical": ["first_order_form", "mechanical_controllability", "mechanical_observability"],
+    "lagrange": ["SmallMotions", "small_motions"],
     "canonical": ["CanonicalForm", "controller_canonical_form", "observer_canonical_form"],
     "splitting": ["Decomposition", "controllability_decomposition", "observability_decomposition"],
     "components": ["ComponentDecomposition", "decompose_by_inputs", "decompose_by_outputs"],

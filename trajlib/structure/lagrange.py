@@ -1,0 +1,51 @@
+"""Small motions of a mechanical system with a part that is moved as one likes: M q'' + K q = L u from the energies.
+
+With the kinetic energy T(q, q', v) and the potential energy V(q), where v is the speed of the driven part (a cart, a
+table) and u = v' its acceleration, Lagrange's equations are d/dt T_q' - T_q + V_q = 0. Near a position of rest q = 0
+
+    M = T_q'q',   K = V_qq,   L = -T_q'v   at q = 0, q' = 0, v = 0:
+
+the terms with v alone, v T_q'vq q' from the first part and T_q from the second, cancel each other.
+"""
+
+from typing import NamedTuple
+
+import sympy as sp
+
+__all__ = ["SmallMotions", "small_motions"]
+
+
+class SmallMotions(NamedTuple):
+    """M q'' + K q = L u: `M`, `K` are n x n (kg m^2 and N m for angles), `L` is a column."""
+
+    M: sp.Matrix
+    K: sp.Matrix
+    L: sp.Matrix
+
+
+def small_motions(kinetic, potential, coordinates, rates, speed):
+    """The equations of small motions near `coordinates` = 0, driven by the derivative u of `speed`.
+
+    `kinetic`: an expression in coordinates, their rates and the speed; `potential`: one in the coordinates; other
+    symbols are parameters. Returns `SmallMotions`. Raises ValueError if the numbers of coordinates and rates differ, or
+    if q = 0 is no position of rest.
+
+    >>> import sympy as sp
+    >>> m, l, g = sp.symbols("m l g", positive=True)
+    >>> phi, rate, v = sp.symbols("phi w v", real=True)
+    >>> kinetic = m*((v + l*rate*sp.cos(phi))**2 + (l*rate*sp.sin(phi))**2)/2      # an inverted pendulum on a cart
+    >>> small_motions(kinetic, m*g*l*sp.cos(phi), [phi], [rate], v)
+    SmallMotions(M=Matrix([[l**2*m]]), K=Matrix([[-g*l*m]]), L=Matrix([[-l*m]]))
+    """
+    if len(coordinates) != len(rates):
+        raise ValueError(f"rates: expected one for each of the {len(coordinates)} coordinates, got {len(rates)}")
+    rest = dict.fromkeys([*coordinates, *rates, speed], 0)
+    force = [sp.simplify(sp.diff(potential, q).subs(rest)) for q in coordinates]
+    if any(force):
+        raise ValueError(f"potential: the position 0 is no position of rest, its slope there is {force}")
+
+    def second(function, first, other):
+        return sp.Matrix([[sp.expand(sp.diff(function, a, b).subs(rest)) for b in other] for a in first])
+
+    return SmallMotions(second(kinetic, rates, rates), second(potential, coordinates, coordinates),
+                        -second(kinetic, rates, [speed]))
