@@ -1,4 +1,4 @@
-"""What is imported once for all: what problems and notebooks of the homework use, and nothing a notebook names itself."""
+"""What is imported once for all: what problems and notebooks of a homework use, and nothing a notebook names itself."""
 
 import json
 import os
