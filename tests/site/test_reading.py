@@ -88,3 +88,24 @@ def test_the_answers_of_an_item_stand_under_its_statement(editions):
         names = re.findall(r"\w+", " ".join(fold.summary.get_text().partition(":")[2] for fold in folds))
         assert len(names) == len(set(names)) == len(page.select("details.answers .answer"))
     assert moved > 100
+
+
+def test_a_comma_stays_with_its_formula(editions, pages_of):
+    """A browser breaks the line between a formula and the sign after it unless both stand in one unbroken span."""
+    torn = {}
+    for path in pages_of(editions.full):
+        page = BeautifulSoup(path.read_text(encoding="utf-8"), "html.parser")
+        signs = [formula.next_sibling for formula in page.select("article span.math")
+                 if "unbroken" not in formula.parent.get("class", [])]
+        found = [sign[:20] for sign in signs if isinstance(sign, str) and sign[:1] in tuple(".,;:!?)")]
+        if found:
+            torn[path.name] = found
+    assert not torn
+
+
+def test_a_problem_without_items_has_one_solution_without_a_letter(editions):
+    for path in editions.full.glob("solutions/ch*/p*.html"):
+        page = BeautifulSoup(path.read_text(encoding="utf-8"), "html.parser")
+        titles = [fold.summary.get_text() for fold in page.select("details.solution")]
+        assert titles and (titles[0].startswith("Worked solution") and "item" not in titles[0] if len(titles) == 1 else
+                           all("item" in title for title in titles)), (path.name, titles)

@@ -46,13 +46,13 @@ class FoldSolutions(SphinxPostTransform):
     def run(self, **kwargs):
         for exercise in self.document.findall(exercise_node):
             exercise[0].children = [nodes.Text("Problem")]
-        for solution in list(self.document.findall(solution_node)):
-            if "dropdown" in solution["classes"]:
-                item = self._item(solution)
-                title = "Worked solution" + (f", item {item})" if item else "")
-                # A link to what is inside opens a fold, one to the fold itself does not.
-                solution[1]["ids"], solution["ids"] = solution["ids"], []
-                solution.replace_self(details("", summary("", title), *solution.children[1:], classes=["solution"]))
+        solutions = [node for node in self.document.findall(solution_node) if "dropdown" in node["classes"]]
+        for solution in solutions:
+            item = self._item(solution) if len(solutions) > 1 else ""  # the only one is that of the whole problem
+            title = "Worked solution" + (f", item {item})" if item else "")
+            # A link to what is inside opens a fold, one to the fold itself does not.
+            solution[1]["ids"], solution["ids"] = solution["ids"], []
+            solution.replace_self(details("", summary("", title), *solution.children[1:], classes=["solution"]))
 
     def _item(self, solution):
         """The letter of sol-1-15-a; several items solved together keep all theirs, sol-1-15-ab."""

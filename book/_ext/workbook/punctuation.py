@@ -19,7 +19,8 @@ class KeepWithFormula(SphinxPostTransform):
             if signs:
                 rest = after.astext()[signs.end():]
                 after.parent.replace(after, [nodes.Text(rest)] if rest else [])
-                formula.replace_self(nodes.inline("", "", formula.deepcopy(), nodes.Text(signs[0]), classes=["unbroken"]))
+                together = formula.deepcopy(), nodes.Text(signs[0])
+                formula.replace_self(nodes.inline("", "", *together, classes=["unbroken"]))
 
 
 def setup(app):
