@@ -75,7 +75,7 @@ def test_other_limits_grade_again_what_met_the_former_ones(tmp_path):
     known, plan, _ = course.grade(tmp_path / "submitted", tmp_path, limits=Limits(cpu_seconds=2, wall_seconds=60))
     assert len(plan.pending) == 2 and points(tmp_path, known) == {"ada": 5.0, "bela": 4.0}
     with Store(tmp_path / "grades.sqlite") as store:
-        assert store.attempts("hw1")[1].remarks == ("limits: code cell 2 was stopped: it took half of the time that "
+        assert store.attempts("hw1")[1].remarks == ("limits: code cell 3 was stopped: it took half of the time that "
                                                     "was left",)
     assert course.grade(tmp_path / "submitted", tmp_path,
                         limits=Limits(cpu_seconds=2, wall_seconds=60))[1].pending == ()

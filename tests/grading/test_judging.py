@@ -141,6 +141,7 @@ def _watched(messages, numbers):
     import casadi  # noqa: F401, so that nothing is left to be imported
     import matplotlib.pyplot  # noqa: F401
     import scipy.optimize  # noqa: F401
+    import z3  # noqa: F401
     found = []
     for number in numbers:
         exercise = exercises.find(number)
@@ -207,8 +208,8 @@ def _what_a_watch_sees():
 #: By problem, what is right although it looks like nothing: there are no such angles in 1.6, and where a system is
 #: observable (or controllable) no state is unseen and no eigenvalue lost. Eigenvalues may come as a dictionary with
 #: their multiplicities.
-EMPTY_AND_RIGHT = {"1.6": [[], ()], **dict.fromkeys(["2.3", "2.5", "2.14"], [[], ()]),
-                   **dict.fromkeys(["2.6", "2.7", "2.26"], [[], (), {}])}
+EMPTY_AND_RIGHT = {**dict.fromkeys(["2.3", "2.5", "2.14"], [[], ()]),
+                   **dict.fromkeys(["1.6", "2.6", "2.7", "2.26", "2.32", "2.37"], [[], (), {}])}
 NOTHING = [float("nan"), float("inf"), -float("inf"), sp.nan, sp.zoo, sp.oo, -sp.oo, complex(float("nan"), 1),
            10**1999, [], {}, (), "", "right", [sp.nan] * 2,
            sp.Matrix([[sp.nan, sp.nan], [sp.nan, sp.nan]]), [[float("nan")] * 2] * 2, sp.Eq(k1, sp.nan, evaluate=False),

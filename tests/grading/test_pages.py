@@ -156,7 +156,8 @@ def at_the_ends():
 def test_what_the_checks_say_of_wrong_answers_gives_nothing_away(number):
     master, exercise = read(ROOT / "solutions" / master_file(number)), exercises.find(number)
     reference = run_notebook(master.code("data", "answer"), master.answers)
-    run = run_notebook(master.code("data", "answer", "wrong"), master.answers)
+    wrong = [trial.source for trial in master.trials["wrong"]]
+    run = run_notebook([*master.code("data", "answer"), *wrong], master.answers)
     verdicts = judge(exercise.code("data", "check"), run, master.answers)
     assert WRONG in {verdict.status for verdict in verdicts.values()}
     page = page_of(number, verdicts, {name: describe(decode(data)) for name, data in run.encoded.items()})

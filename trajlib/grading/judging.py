@@ -195,7 +195,8 @@ def _described(answer):
     if isinstance(answer, Unusable):
         return f"({printable(answer.reason[:400])})"
     # Matrices are printed over several lines; a line break in a text is an escape already.
-    return printable(re.sub(r"\s*\n\s*", " ", describe(answer).replace("[\n", "[")))
+    # They pad their columns, too.
+    return printable(re.sub(r"\s+", " ", describe(answer).replace("[\n", "[")))
 
 
 def _read(handed_over, names):

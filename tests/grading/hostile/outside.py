@@ -84,10 +84,13 @@ OUTSIDE = [
            "every notebook has a process of its own", harmed_others, (
                """
                import threading, time, trajlib.checks.stability.regions as regions
+               from trajlib.checks.contract.verdict import Wrong
+               def refuse(*given, **more):
+                   raise Wrong("not for you")
                def spoil():
                    give_up = time.time() + 15
                    while time.time() < give_up:
-                       regions.roots_left_of = lambda coefficients: False
+                       regions.compare_region = refuse
                        time.sleep(0.001)
                threading.Thread(target=spoil, daemon=True).start()
                """, WRONG)),

@@ -23,7 +23,7 @@ PATCHING = [
            "checks run where no student's code ever ran", gained, (
                """
                import trajlib.checks.stability.regions as regions
-               regions.compare_region.__globals__["cells"] = lambda *given, **more: ([], [])
+               regions.compare_region = lambda *given, **more: "as it should be"
                """, WRONG)),
     Attack("patches SymPy", "makes every polynomial another one", "the check computes with the patched library",
            "the judge has a SymPy of its own", gained, (
@@ -38,8 +38,13 @@ PATCHING = [
     Attack("patches for all who follow", "makes the check refuse whatever comes later",
            "the next students are marked in the same process",
            "every notebook has a process of its own", harmed_others, (
-               "import trajlib.checks.stability.regions as regions\n"
-               "regions.roots_left_of = lambda coefficients: False", WRONG)),
+               """
+               import trajlib.checks.stability.regions as regions
+               from trajlib.checks.contract.verdict import Wrong
+               def refuse(*given, **more):
+                   raise Wrong("not for you")
+               regions.compare_region = refuse
+               """, WRONG)),
     Attack("replaces modules", "puts a module of its own in the place of trajlib.checks", "the next import finds it",
            "imports of the judge find the real one", gained, (
                """
