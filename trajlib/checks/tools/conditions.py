@@ -562,11 +562,12 @@ def _along(base, varied, parameters, conditions, at):
     far = [1e3, 1e6] if len(conditions) > 1 else []
     sizes = [_near(x, 1000) for x in [*np.geomspace(1 / 50, 40, 24), *far]]
     grid = sorted(x for size in sizes for x in (size, -size) if fits(x))
-    changes = [*_changes(lambda x: at(dict(zip(parameters, place(x)))), grid),
-               *_changes(lambda x: conditions[0].holds(place(x)), grid)]
-    roots = [_near(x, 10**12) for condition in conditions for x in condition.borders(base, varied)]
-    # What bisection finds is a root again, or a border that the truth knows less well.
-    ordered = sorted({*roots, *(x for x in changes if all(abs(x - root) > abs(x) / 500 for root in roots))})
+    true, claimed = (_changes(lambda x: at(dict(zip(parameters, place(x)))), grid),
+                     _changes(lambda x: conditions[0].holds(place(x)), grid))
+    changes, roots = [*true, *claimed], [_near(x, 10**12) for c in conditions for x in c.borders(base, varied)]
+    # What bisection finds in the truth is one of these again, or a border that the truth knows less well.
+    exact = [*roots, *claimed]
+    ordered = sorted({*exact, *(x for x in true if all(abs(x - root) > abs(x) / 500 for root in exact))})
     sides = [_near(float(x) * (1 + e), 10**9) for x in changes for e in (1e-3, -1e-3)]
     between = [(x + y) / 2 for x, y in itertools.pairwise(ordered) if y - x > (1 + abs(x)) / 10**9]
     on = [near for x in {*roots, *changes} if abs(x - (near := _near(x, 5000))) < sp.Rational(1, 10**9)]
@@ -577,7 +578,7 @@ def _along(base, varied, parameters, conditions, at):
 def on_borders(condition, symbols):
     """Places along lines where a condition changes and its terms are rational: to be tried where it means an equation.
     """
-    for base, varied in _lines(symbols, 24):
+    for base, varied in _lines(symbols, 60):
         for x in condition.borders(base, varied):
             yield dict(zip(symbols, (*base[:varied], _near(x, 5000), *base[varied + 1:])))
 
