@@ -380,9 +380,13 @@ def test_a_notebook_full_of_them_costs_no_more_than_its_time():
     before = judging._computed_by_children()
     found = judged(handed_over(dict.fromkeys(NAMES, explosive)), Bounds(seconds=8, answer_seconds=6))
     assert statuses(found) == dict.fromkeys(NAMES, UNCHECKED) and found.final == WITHIN_LIMITS
-    assert "judging this notebook took longer than 8 s" in found.verdicts["e_region"].message
+    assert all("took longer than" in verdict.message for verdict in found.verdicts.values())
     # The kernel counts in whole seconds, once for all answers and once for each alone.
     assert judging._computed_by_children() - before < 8 + 2 * (1 + len(NAMES))
+    # Where less than a second is left for the answers one by one, none of them is begun.
+    found = judged(handed_over(dict.fromkeys(NAMES, explosive)), Bounds(seconds=1.5))
+    assert {verdict.message.partition(";")[0] for verdict in found.verdicts.values()} == {
+        "judging this notebook took longer than 1.5 s"}
 
 
 def test_memory_of_the_judge_is_limited():
