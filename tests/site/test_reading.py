@@ -85,6 +85,9 @@ def test_the_answers_of_an_item_stand_under_its_statement(editions):
         folds = page.select("details.answers")
         assert folds, path
         moved += len(page.select("div.exercise details.answers"))
+        items = {p.get_text()[0] for p in page.select("div.exercise p") if re.match(r"[a-l]\)(\W|$)", p.get_text())}
+        outside = [fold for fold in folds if not fold.find_parent(class_="exercise")]
+        assert [fold for fold in outside if re.match(rf"[{''.join(items) or '-'}]_", fold.code.get_text())] == [], path
         names = re.findall(r"\w+", " ".join(fold.summary.get_text().partition(":")[2] for fold in folds))
         assert len(names) == len(set(names)) == len(page.select("details.answers .answer"))
     assert moved > 100

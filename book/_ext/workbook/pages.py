@@ -135,7 +135,7 @@ class AnswersBesideItems(SphinxPostTransform):
         for statement in self.document.findall(exercise_node):
             for fold in folds:
                 opening = next((p for p in statement.findall(nodes.paragraph)
-                                if re.match(rf"{fold['item']}\)\W", p.astext())), None)
+                                if re.match(rf"{fold['item']}\)(\W|$)", p.astext())), None)
                 if opening is not None:
                     place, below = opening.parent, opening.parent.index(opening) + 1
                     while below < len(place) and _goes_on(place[below]):
@@ -147,7 +147,7 @@ class AnswersBesideItems(SphinxPostTransform):
 def _goes_on(node):
     """True for a formula, a list, and a paragraph that goes on in the midst of a sentence."""
     return (isinstance(node, (nodes.math_block, nodes.bullet_list))
-            or isinstance(node, nodes.paragraph) and re.match(r"(?![a-z]\)\W)[a-z]", node.astext()) is not None)
+            or isinstance(node, nodes.paragraph) and re.match(r"(?![a-z]\)(\W|$))[a-z]", node.astext()) is not None)
 
 
 class ProblemRole(SphinxRole):
