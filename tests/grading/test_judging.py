@@ -415,11 +415,10 @@ LEFT_ALONE = """
 import os, sys, time
 from trajlib import exercises
 from trajlib.grading import isolation, judging
-real = isolation.system_call
+real, grader = isolation.system_call, os.getpid()
 def late(*given):
     # The parent ends before this process can ask to end with it.
-    parent = os.getppid()
-    while os.getppid() == parent:
+    while os.getppid() == grader:
         time.sleep(0.01)
     real(*given)
 isolation.system_call = late
