@@ -12,8 +12,7 @@ import sys
 from dataclasses import replace
 from pathlib import Path
 
-from trajlib import cli
-from trajlib.grading import judging, lanes
+from trajlib.grading import judging, lanes, nursery
 from trajlib.grading.sandbox import Sandbox
 
 SPENT = "trajlib_spent"
@@ -21,14 +20,22 @@ BEGIN, END = "import time; trajlib_began = time.perf_counter()", f"{SPENT} = tim
 
 
 def main(log, *arguments):
+    from trajlib import cli
+
     folder = str(Path(__file__).resolve().parent)
-    lanes.START = (f"import sys; sys.path.insert(0, {folder!r}); import cell_clock; "
-                   f"cell_clock.work({str(Path(log).resolve())!r})")
+    nursery.START = (f"import sys; sys.path.insert(0, {folder!r}); import cell_clock; "
+                     f"cell_clock.serve({str(Path(log).resolve())!r}, {{control}}, {{modules!r}})")
     sys.argv[1:] = arguments
     cli.main()
 
 
-def work(log):
+def serve(log, control, modules):
+    """What a nursery of the grader does; the lanes that it forks have a clock."""
+    nursery._KINDS["lane"] = lambda *given: work(log, *given)
+    nursery.main(control, modules)
+
+
+def work(log, *given):
     """What a lane of the grader does, with a clock."""
     hand_in, outcome, judge_answers = Sandbox.hand_in, Sandbox.outcome, judging.judge_answers
 
@@ -48,7 +55,7 @@ def work(log):
                               for each in ([start, cell, stop] if cell[0] == "check" else [cell])], *rest)
 
     Sandbox.hand_in, Sandbox.outcome, judging.judge_answers = clocked_hand_in, clocked_outcome, clocked_judge_answers
-    lanes.work()
+    lanes.work(*given)
 
 
 def note(log, seconds):

@@ -46,8 +46,8 @@ def ours(name):
     case = CASES[name]
     start = time.perf_counter()
     x, u = sp.symbols(f"x1:{len(case.start) + 1}"), sp.Symbol("u")
-    extremal = Problem(dict(zip(x, case.field(x, u))), {u: (-1, 1)}, dict(zip(x, case.start)), dict(zip(x, case.end)),
-                       running=case.density(x, u), duration=case.duration).solve()
+    extremal = Problem(dict(zip(x, case.field(x, u))), {u: (-1, 1)}, dict(zip(x, case.start)),
+                       {x[i]: end for i, end in case.fixed}, running=case.density(x, u), duration=case.duration).solve()
     seconds = time.perf_counter() - start
     again = time.perf_counter()
     extremal.problem.solve()
@@ -108,7 +108,8 @@ def main():
     python = environment(arguments.environment.resolve())
     for name in arguments.problem or CASES:
         case = CASES[name]
-        print(f"\n{name}: J = {case.cost:.12f}, switchings {', '.join(f'{t:.10f}' for t in case.switchings)}")
+        print(f"\n{name}: J = {case.cost:.12f}, switchings "
+              f"{', '.join(f'{t:.10f}' for t in case.switchings) or 'not compared'}")
         print(f"{'':38} {'error of J':>11} {'of switchings':>14} {'seconds':>9}", flush=True)
         best = measured(python, name, case)
         mine = best.pop("trajlib")
@@ -119,9 +120,14 @@ def main():
                 print(f"{peer:38} {one:>11}")
             else:
                 line(peer, case, one, switchings(case, one["times"], one["controls"]),
-                     f"with the guess {one['guess']:g} of the time" if one["guess"] != GUESSES[0] else "")
+                     f"with the guess {one['guess']:g} of the time" if one["guess"] != guesses(case)[0] else "")
         seconds, peer = min((one["seconds"], peer) for peer, one in best.items() if not isinstance(one, str))
         print(f"the fastest peer takes {seconds/mine['seconds']:.2f} times as long as trajlib ({peer})", flush=True)
+
+
+def guesses(case):
+    """A user's guesses of the time for the peers, in turn."""
+    return (case.guess,) if case.guess else GUESSES[:1] if case.duration else GUESSES
 
 
 def measured(python, name, case):
@@ -133,7 +139,7 @@ def measured(python, name, case):
         for peer in PEERS:
             if isinstance(best.get(peer), str) or (turn and "dymos" in peer):
                 continue
-            for guess[peer] in [guess[peer]] if peer in guess else GUESSES[:1] if case.duration else GUESSES:
+            for guess[peer] in [guess[peer]] if peer in guess else guesses(case):
                 results[peer] = run([python, HERE/"pontryagin_peers.py", peer, name, str(guess[peer])])
                 if results[peer] != "fails":
                     break
@@ -146,7 +152,7 @@ def measured(python, name, case):
 
 
 def line(solver, case, one, times, remark):
-    error = max(abs(a - b) for a, b in zip(times, case.switchings))
+    error = max((abs(a - b) for a, b in zip(times, case.switchings)), default=float("nan"))
     remark = f"   ({remark})" if remark else ""
     print(f"{solver:38} {abs(one['cost'] - case.cost):11.1e} {error:14.1e} {one['seconds']:9.3f}{remark}", flush=True)
 

@@ -14,8 +14,8 @@ from math import cos, exp, pi, sin, sqrt
 
 @dataclass(frozen=True)
 class Case:
-    """min of int f_0 dt, x' = f(x, u), |u| <= 1, start and end given; free time if `duration` is None; with its
-    solution."""
+    """min of int f_0 dt, x' = f(x, u), |u| <= 1, start and end given (None: free); free time if `duration` is None;
+    with its solution. Without `levels` the switching times are not compared; `guess`: of the time, for the peers."""
 
     field: object
     density: object
@@ -25,6 +25,17 @@ class Case:
     levels: tuple           # the control on the arcs in turn; "line" for one that joins its neighbours linearly
     switchings: tuple
     cost: float
+    guess: float | None = None
+
+    @property
+    def fixed(self):
+        """(component, value) of the ends that are given."""
+        return [(i, end) for i, end in enumerate(self.end) if end is not None]
+
+    @property
+    def ways(self):
+        """(start, end) of the straight lines that are a guess of the states."""
+        return [(begin, begin if end is None else end) for begin, end in zip(self.start, self.end)]
 
 
 def oscillator(damping, lengths):
@@ -48,6 +59,22 @@ def plane(x, u):
     return x[1], u
 
 
+def goddard(x, u):
+    """Goddard's rocket (COPS), the thrust from 0 to 3.5."""
+    h, v, m = x
+    thrust, drag = 1.75*(1 + u), 310*v**2*exponential(-500*(h - 1))
+    return v, (thrust - drag)/m - 1/h**2, -2*thrust
+
+
+def exponential(z):
+    """For the numbers and symbols of every peer."""
+    if type(z).__module__.startswith("sympy"):
+        import sympy as library
+    else:
+        import numpy as library
+    return library.exp(z)
+
+
 r, c = sqrt(1.08), sqrt(3*(2.1**2/4 - 1))
 CASES = {
     "double integrator": Case(plane, lambda x, u: 1, (1.0, 0.4), (0.0, 0.0), None, (-1.0, 1.0), (0.4 + r,), 0.4 + 2*r),
@@ -57,6 +84,9 @@ CASES = {
     "damped oscillator": oscillator(1.0, [0.9, 2*pi/sqrt(3), 1.4]),
     "saturated quadratic": Case(plane, lambda x, u: u**2, (1.0, 0.0), (0.0, 0.0), 2.1, (-1.0, "line", 1.0),
                                 (1.05 - c, 1.05 + c), 2.1 - 4*c/3),
+    # The height by the feedback law of the singular surface, from an integration of its own.
+    "Goddard": Case(goddard, lambda x, u: -x[1], (1.0, 0.0, 1.0), (None, None, 0.6), None, (), (),
+                    1 - 1.0128369183174954, guess=0.2),
 }
 N = 100
 # A user's guesses of the time, for the peers alone: the next is taken where one leads nowhere. States: the straight
@@ -82,10 +112,11 @@ def casadi_rk4():
         opti.subject_to(X[:, 1:] == end)
         opti.subject_to(opti.bounded(-1, U, 1))
         opti.subject_to(X[:, 0] == ca.DM(case.start))
-        opti.subject_to(X[:, -1] == ca.DM(case.end))
+        for i, end in case.fixed:
+            opti.subject_to(X[i, -1] == end)
         opti.subject_to(T == case.duration if case.duration else opti.bounded(0.01, T, 100))
         opti.set_initial(T, case.duration or guess_time)
-        opti.set_initial(X, ca.DM([[a + (b - a)*i/N for i in range(N + 1)] for a, b in zip(case.start, case.end)]))
+        opti.set_initial(X, ca.DM([[a + (b - a)*i/N for i in range(N + 1)] for a, b in case.ways]))
         opti.solver("ipopt", {"expand": True, "print_time": False}, {"print_level": 0, "sb": "yes", "tol": 1e-10})
         found = opti.solve()
         T = float(found.value(T))
@@ -100,12 +131,13 @@ def rockit():
     def solve(case, guess_time):
         ocp = Ocp(t0=0, T=case.duration or FreeTime(guess_time))
         x, u = [ocp.state() for _ in case.start], ocp.control()
-        for one, rate, begin, end in zip(x, case.field(x, u), case.start, case.end):
+        for i, end in case.fixed:
+            ocp.subject_to(ocp.at_tf(x[i]) == end)
+        for one, rate, (begin, end) in zip(x, case.field(x, u), case.ways):
             ocp.set_der(one, rate)
             ocp.subject_to(ocp.at_t0(one) == begin)
-            ocp.subject_to(ocp.at_tf(one) == end)
             ocp.set_initial(one, begin + (end - begin)*ocp.t/(case.duration or guess_time))
-        ocp.add_objective(ocp.integral(case.density(x, u)) if case.duration else ocp.T)
+        ocp.add_objective(ocp.integral(case.density(x, u)) if case.duration or case.guess else ocp.T)
         ocp.subject_to(-1 <= (u <= 1))
         ocp.solver("ipopt", {"ipopt.tol": 1e-10, "ipopt.print_level": 0, "ipopt.sb": "yes", "print_time": False})
         ocp.method(MultipleShooting(N=N, intg="rk"))
@@ -136,10 +168,11 @@ def yapss(segments=10, points=10):
         low.initial_time.lower = low.initial_time.upper = 0
         low.final_time.lower, low.final_time.upper = (case.duration,)*2 if case.duration else (0.01, 100)
         low.initial_state.lower[:] = low.initial_state.upper[:] = case.start
-        low.final_state.lower[:] = low.final_state.upper[:] = case.end
+        for i, end in case.fixed:
+            low.final_state.lower[i] = low.final_state.upper[i] = end
         low.control.lower[:], low.control.upper[:] = -1, 1
         guess.time = [0, case.duration or guess_time]
-        guess.state, guess.control = [list(pair) for pair in zip(case.start, case.end)], [[0, 0]]
+        guess.state, guess.control = list(map(list, case.ways)), [[0, 0]]
         p.derivatives.method, p.derivatives.order = "auto", "second"
         p.mesh.phase[0].collocation_points, p.mesh.phase[0].fraction = segments*(points,), segments*(1/segments,)
         p.ipopt_options.print_level, p.ipopt_options.tol = 0, 1e-10
@@ -191,15 +224,16 @@ def dymos():
             phase.set_time_options(fix_initial=True, fix_duration=True)
         else:
             phase.set_time_options(fix_initial=True, duration_bounds=(0.1, 100))
-        for name in names:
-            phase.add_state(name, fix_initial=True, fix_final=True, rate_source=name + "_rate", targets=[name])
+        for name, end in zip(names, case.end):
+            phase.add_state(name, fix_initial=True, fix_final=end is not None, rate_source=name + "_rate",
+                            targets=[name])
         phase.add_state("J", fix_initial=True, rate_source="J_rate")
         phase.add_control("u", lower=-1, upper=1, continuity=False, rate_continuity=False, targets=["u"])
         phase.add_objective("J", loc="final")
         p.setup()
         phase.set_time_val(0, case.duration or guess_time)
-        for name, begin, end in zip(names, case.start, case.end):
-            phase.set_state_val(name, [begin, end])
+        for name, way in zip(names, case.ways):
+            phase.set_state_val(name, way)
         phase.set_state_val("J", [0, 1])
         phase.set_control_val("u", [0, 0])
         dm.run_problem(p, run_driver=True, simulate=False)

@@ -5,12 +5,16 @@ rotated, in bad units, defective, up to 60 states) are judged by everybody, and 
 for a verdict and a decomposition up to n = 100. The peers: the rank of python-control's Kalman matrix; its `minreal`
 (SLICOT's staircase, only where slycot is installed); Popov's criterion at SciPy's eigenvalues. Exact: verdicts against
 sympy.physics.control, which for parameters says True or False and never where; conditions in two parameters, which none
-of them has, up to n = 8 (there a cubic without simple roots comes up, and the system is refused).
+of them has, up to n = 8 (there a cubic without simple roots comes up, and the system is refused). Proved distances to
+the nearest unobservable pair, which none of them has.
 
     .venv/bin/python benchmarks/structure.py [number of pairs, 500 if left out]
+
+SLICOT joins when slycot is in the environment (.venv/bin/pip install slycot).
 """
 import sys
 import warnings
+from importlib.util import find_spec
 from pathlib import Path
 
 import control
@@ -20,7 +24,12 @@ import sympy as sp
 from stopwatch import seconds
 from sympy.physics.control import StateSpace
 
-from trajlib.structure import observability, observability_conditions, observability_decomposition
+from trajlib.structure import (
+    distance_to_unobservable,
+    observability,
+    observability_conditions,
+    observability_decomposition,
+)
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "library"))
 from known_pairs import known_pair  # noqa: E402
@@ -51,10 +60,9 @@ def ours(A, H):
 def judged(count):
     """Wrong ranks (verdicts for Popov's criterion) of each method."""
     peers = {"trajlib": ours, "rank of control.obsv": kalman}
-    try:
-        import slycot  # noqa: F401
+    if find_spec("slycot"):
         peers["control.minreal (SLICOT)"] = slicot
-    except ImportError:
+    else:
         print("slycot is not installed: SLICOT's staircase is left out")
     wrong, failed = dict.fromkeys([*peers, "Popov at SciPy's eigenvalues"], 0), dict.fromkeys(peers, 0)
     yes, rng = dict.fromkeys(wrong, 0), np.random.default_rng(16)
@@ -127,9 +135,22 @@ def conditions():
             print(f"  n = {n}: refused: {str(error)[:90]}")
 
 
+def distances():
+    print("\ndistance to the nearest unobservable pair, proved within 1 % (no peer has it): seconds")
+    for n in (5, 10, 20, 30):
+        rng = np.random.default_rng(n)
+        pairs = {"chain": (np.diag(np.ones(n - 1), 1), np.eye(n)[[0]]),
+                 "random, 1 output": (rng.normal(size=(n, n)), rng.normal(size=(1, n))),
+                 "random, 3 outputs": (rng.normal(size=(n, n)), rng.normal(size=(3, n)))}
+        for name, (A, H) in pairs.items():
+            taken, found = seconds(lambda: distance_to_unobservable(A, H), 1), distance_to_unobservable(A, H)
+            print(f"  n = {n:2} {name:17}: {taken:6.2f}   {found.lower:.5f} to {found.upper:.5f}")
+
+
 if __name__ == "__main__":
     warnings.simplefilter("ignore")
     judged(int(sys.argv[1]) if len(sys.argv) > 1 else 500)
     timed()
     exact()
     conditions()
+    distances()

@@ -195,11 +195,11 @@ def explain(notebook, error):
 
 
 def missing_picture(notebook):
-    """The first figure cell that shows nothing: its caption would stand under an empty place."""
+    """The first figure or drawing cell that shows nothing: its caption would stand under an empty place."""
     for number, cell in enumerate(notebook.cells):
-        if "figure" in cell.metadata.get("tags", []):
-            if not any(output.output_type in ("display_data", "execute_result") for output in cell.outputs):
-                return f"{place(notebook, number)}: this figure cell shows no picture"
+        for role in {"figure", "drawing"}.intersection(cell.metadata.get("tags", [])):
+            if not any(form.startswith("image/") for output in cell.outputs for form in output.get("data", ())):
+                return f"{place(notebook, number)}: this {role} cell shows no picture"
     return None
 
 

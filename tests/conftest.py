@@ -1,6 +1,8 @@
-"""Imports everything heavy once, so that the processes forked by the tests start ready, and notes what a test costs."""
+"""Imports everything heavy once, so that the processes forked by the tests start ready, keeps tests together that share
+what one of them has found, and notes what a test costs."""
 
 import os
+import re
 import sys
 from pathlib import Path
 
@@ -16,7 +18,29 @@ import pytest  # noqa: E402
 import scipy.integrate  # noqa: E402, F401
 import sympy  # noqa: E402, F401
 
+#: Tests that share what costs much: the proof of a problem, the parsed pages of an edition, syntheses, a cluster, an
+#: installed bundle. The tests of a group are those with the same parts in their ids.
+TOGETHER = re.compile(r"(problems/test_masters).*\[([\d.]+)\]|(site/)\S*\[(full|student)\]"
+                      r"|(library/test_pontryagin_synthesis|grading/test_cluster|grading/test_gradescope)\.py")
 _BEGAN = pytest.StashKey()
+
+
+def together(nodeid):
+    """The group of a test; most are alone."""
+    found = TOGETHER.search(nodeid)
+    return " ".join(filter(None, found.groups())) if found else nodeid
+
+
+def pytest_xdist_make_scheduler(config, log):
+    """Each group to one process. The groups that pytest-xdist itself makes of marks are lost in pytest 9.2 without a
+    word: every proof ran twice."""
+    from xdist.scheduler import LoadScopeScheduling
+
+    class InGroups(LoadScopeScheduling):
+        def _split_scope(self, nodeid):
+            return together(nodeid)
+
+    return InGroups(config, log)
 
 
 @pytest.hookimpl(tryfirst=True)

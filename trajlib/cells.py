@@ -139,8 +139,9 @@ class _Patience:
         try:
             yield
         finally:
-            for timer, _ in TIMERS[:len(self._ends)]:
+            for timer, kind in TIMERS[:len(self._ends)]:
                 signal.setitimer(timer, 0)
+                signal.signal(kind, signal.SIG_IGN)  # it may also come from whoever watches this process
 
 
 CLOCKS = (time.process_time, time.monotonic)

@@ -308,10 +308,13 @@ def _show(name, verdict):
     colour = COLOURS[verdict.status]
     console.print(f"  [{colour}]{MARKS[verdict.status]} {verdict.status:<9}[/{colour}] ", end="")
     console.print(f"{name}: {verdict.message}", markup=False)
+    for line in verdict.mistake.splitlines():
+        console.print(f"    {line}", markup=False)
 
 
 def _plain(verdicts):
-    return {name: {"verdict": verdict.status, "message": verdict.message} for name, verdict in verdicts.items()}
+    return {name: {"verdict": verdict.status, "message": verdict.message}
+            | ({"mistake": verdict.mistake} if verdict.mistake else {}) for name, verdict in verdicts.items()}
 
 
 def _code(verdicts):

@@ -120,7 +120,7 @@ def _serve(sender, function, args):
 
 
 def judge_cells(cells, encoded, unreadable, names):
-    """In this very process: {name: [status, message]} for encoded answers (for a child only)."""
+    """In this very process: {name: [status, message, mistake]} for encoded answers (for a child only)."""
     return judge_answers(cells, lambda: decoded(encoded, unreadable, names), names)
 
 
@@ -144,7 +144,8 @@ def judge_answers(cells, answers, names):
             with suppress(Exception):  # a check cell that fails leaves its own answers unchecked, and no others
                 exec(compile(source, "<check cell>", "exec"), namespace)
     unchecked = Verdict(UNCHECKED, "no check cell could judge this answer; the fault is the check's, not yours")
-    return {name: [verdict.status, verdict.message] for name in names for verdict in [verdicts.get(name, unchecked)]}
+    return {name: [verdict.status, verdict.message, verdict.mistake]
+            for name in names for verdict in [verdicts.get(name, unchecked)]}
 
 
 def decoded(encoded, unreadable, names):

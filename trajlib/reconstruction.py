@@ -29,10 +29,6 @@ from dataclasses import dataclass, field
 from math import factorial
 
 import numpy as np
-from scipy.interpolate import PPoly
-from scipy.linalg import solveh_banded
-from scipy.linalg.lapack import dtbtrs
-from scipy.optimize import brentq
 
 #: Weight of the integral of u^2 in the direct method, in units of rho tau^3: it chooses one of many best motions.
 TIE = 1e-7
@@ -134,7 +130,7 @@ class Reconstruction:
     active: bool | np.ndarray
     misfit: float | np.ndarray
     max_acceleration: float | np.ndarray
-    _spline: PPoly = field(repr=False)
+    _spline: object = field(repr=False)
 
     def position(self, t):
         """x at the times `t`: an array of the shape of `t` (and of the columns)."""
@@ -273,6 +269,8 @@ def _riccati(tau, rho, M):
 
 
 def _substitute(band, right, transpose):
+    from scipy.linalg.lapack import dtbtrs
+
     solution, info = dtbtrs(band, right, uplo="U", trans="T" if transpose else "N", diag="U")
     if info:
         raise ArithmeticError(f"the banded substitution failed ({info})")
@@ -310,6 +308,8 @@ def _swept(t, h, rho, bound):
 
 def _banded(t, h, rho):
     """M -> u at the samples, from (R + M G) u = second differences: five diagonals, positive definite (Reinsch)."""
+    from scipy.linalg import solveh_banded
+
     tau = np.diff(t)
     second = np.diff(np.diff(h)/tau)
     left, right = 1/tau[:-1], 1/tau[1:]
@@ -336,6 +336,8 @@ def _banded(t, h, rho):
 
 def _root(excess, start, width):
     """The logarithm of M at which max |u| passes the bound, searched from `start` with growing steps."""
+    from scipy.optimize import brentq
+
     here = excess(start)
     while abs(start) < 600:
         there = start + (width if here > 0 else -width)
@@ -428,6 +430,8 @@ def _least_effort(tau, dy, w):
 
 def _pieces(t, x, y, lengths, first, last):
     """The piecewise cubic from the states x, y at the begin of each interval, with u linear on its three pieces."""
+    from scipy.interpolate import PPoly
+
     jerk = (last - first)/np.where(lengths > 0, lengths, 1)
     states = [(x, y)]
     for k in range(2):
@@ -445,12 +449,16 @@ def _pieces(t, x, y, lengths, first, last):
 
 def _cubic(t, x, y, u):
     """The piecewise cubic with the states x, y and the accelerations u at its knots."""
+    from scipy.interpolate import PPoly
+
     tau = np.diff(t).reshape(-1, *(1,)*(x.ndim - 1))
     return PPoly(np.array([np.diff(u, axis=0)/(6*tau), u[:-1]/2, y[:-1], x[:-1]]), t)
 
 
 def _side_by_side(splines, shape):
     """One piecewise cubic of several, with the knots of all of them."""
+    from scipy.interpolate import PPoly
+
     knots = np.unique(np.concatenate([spline.x for spline in splines]))
     values = [np.stack([spline(knots[:-1], k)/factorial(k) for spline in splines], axis=-1) for k in (3, 2, 1, 0)]
     return PPoly(np.array(values).reshape(4, -1, *shape), knots)

@@ -21,3 +21,23 @@ addEventListener("DOMContentLoaded", () => {
     link.append(picture);
   }
 });
+
+/* What the theme and the extensions tell screen readers, where it is not what stands on the page. */
+addEventListener("DOMContentLoaded", () => {
+  const each = (selector, act) => document.querySelectorAll(selector).forEach(act);
+  // The words on a button are its name.
+  each(".search-button-field, details.hide > summary", (button) => button.removeAttribute("aria-label"));
+  // Font Awesome draws the icons, with titles, before this or after: what holds them is hidden, drawn or not.
+  each(".theme-switch-button", (button) => {
+    const icons = document.createElement("span");
+    icons.ariaHidden = "true";
+    icons.append(...button.childNodes);
+    button.append(icons);
+  });
+  each("nav li > details > summary", (fold) => {
+    fold.ariaLabel = `Pages of ${fold.closest("li").querySelector("a").textContent.trim()}`;
+  });
+  each(".navbar-brand.logo", (title) => { title.parentElement.role = "navigation"; title.parentElement.ariaLabel = "First page"; });
+  // Entries of the bibliography are paragraphs: as list and items they would hold what no list may.
+  each(".citation-list, .citation, .citation [role='doc-backlink']", (entry) => entry.removeAttribute("role"));
+});

@@ -1,26 +1,31 @@
 # %% wrong
-a_equilibria = [[1, 1]]  # the negative root of y2**2 = 1 forgotten
-a_equilibria = [[1, 1], [1, -1], [-1, 1], [-1, -1]]  # signs combined freely, though the second equation ties y1 to y2
-# the logarithm taken to vanish where its argument does
+a_equilibria = [[1, 1]]  # Has the quadratic equation for y2 only one root? (hint 2)
+# May the signs of the two coordinates be chosen freely, or does the second equation tie one to the other? (hint 1)
+a_equilibria = [[1, 1], [1, -1], [-1, 1], [-1, -1]]
+# Is a logarithm zero where its argument is zero? (hint 2)
 a_equilibria = [[sp.sqrt(2), sp.sqrt(2)], [-sp.sqrt(2), -sp.sqrt(2)]]
-# the matrix of the point (1, 1) used at both points
+# Was the matrix of one point used at the other one too? (hint 1)
 a_spectra = [[*point, *sp.Matrix([[0, -2], [sp.E, -sp.E]]).eigenvals()] for point in ([1, 1], [-1, -1])]
-# the inner derivative -2 y2 of the logarithm forgotten
+# Was the argument of the logarithm differentiated as well? (hint 1)
 a_spectra = [[c, c, *sp.Matrix([[0, 1], [sp.exp(c), -sp.exp(c)]]).eigenvals()] for c in (1, -1)]
-a_stable = [[1, 1], [-1, -1]]  # a negative trace taken for sufficient
-a_stable = [[-1, -1]]  # the two points confused
-b_equilibria = [[2, 3], [-1, 0]]  # the coordinates given in the order y, x
-b_equilibria = [[y_root - 1, y_root] for y_root in (0, 1)]  # a sign lost in x = y + 1
-# the derivative of y**2 - x by x taken with the wrong sign
+a_stable = [[1, 1], [-1, -1]]  # Is a negative trace enough? What does the determinant say at each point? (hint 1)
+a_stable = [[-1, -1]]  # Have the two points changed places? Compare trace and determinant at each of them. (hint 1)
+b_equilibria = [[2, 3], [-1, 0]]  # In which order are the coordinates asked for? (hint 2)
+# Was a sign lost when one unknown was expressed by the other? Put the points into the linear equation. (hint 1)
+b_equilibria = [[y_root - 1, y_root] for y_root in (0, 1)]
+# Which sign has the derivative of the denominator y^2 - x by x? (hint 1)
 b_spectra = [[3, 2, sp.sqrt(5), -sp.sqrt(5)], [0, -1, sp.I, -sp.I]]
-b_spectra = [[3, 2, 1, -3], [0, -1, -1 + sp.sqrt(2), -1 - sp.sqrt(2)]]  # the imaginary unit lost under the root
-b_stable = [[3, 2], [0, -1]]  # one negative eigenvalue taken for sufficient
-b_stable = []  # complex eigenvalues taken for instability
-c_equilibria = [[0, 0], [1, 1]]  # ln 3 overlooked: the argument set to 1
-c_equilibria = [[-2, 4], [1, 1]]  # signs of the roots of the quadratic turned
-c_spectra = [[2, 4, -1, -3], [-1, 1, 3, -1]]  # the logarithm differentiated without division by its argument
-c_spectra = [[2, 4, -2 + sp.sqrt(3), -2 - sp.sqrt(3)]]  # the saddle left out because it is unstable anyway
-c_stable = [[2, 4], [-1, 1]]  # eigenvalues of opposite signs taken for stability
+# Did the imaginary unit get lost under a root? Look at the discriminant once more. (hint 1)
+b_spectra = [[3, 2, 1, -3], [0, -1, -1 + sp.sqrt(2), -1 - sp.sqrt(2)]]
+b_stable = [[3, 2], [0, -1]]  # Is one negative eigenvalue enough? (hint 1)
+b_stable = []  # Are complex eigenvalues a sign of instability, or does their real part decide? (hint 1)
+c_equilibria = [[0, 0], [1, 1]]  # Is the argument of the logarithm set to 1 here? The other side is not zero. (hint 2)
+# Did the roots of the quadratic get their signs turned? Test them in the equation. (hint 1)
+c_equilibria = [[-2, 4], [1, 1]]
+# Was the logarithm differentiated without dividing by its argument? (hint 1)
+c_spectra = [[2, 4, -1, -3], [-1, 1, 3, -1]]
+c_spectra = [[2, 4, -2 + sp.sqrt(3), -2 - sp.sqrt(3)]]  # Are the eigenvalues of an unstable point asked for as well?
+c_stable = [[2, 4], [-1, 1]]  # Can eigenvalues of opposite signs mean stability? (hint 1)
 
 # %% right
 a_equilibria = [{y2: -1, y1: -1}, {y1: 1, y2: 1}]  # as dicts, the way solve gives them

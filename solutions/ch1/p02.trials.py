@@ -1,22 +1,27 @@
 # %% wrong
-a_rest = [0, sp.pi]  # only the positions within one turn
-a_rest = [2*sp.pi*n]  # the standing pendulum overlooked
-a_rest = [sp.pi*n/2]  # zeros of the cosine taken along
-a_matrices = [sp.Matrix([[0, 1], [-omega**2, -delta]])]  # the equation at x* = 0 used everywhere
-# sin x* differentiated as a constant: no restoring force upright
+a_rest = [0, sp.pi]  # Are these all positions of rest, or only those within one turn? (hint 2)
+a_rest = [2*sp.pi*n]  # Can a pendulum be at rest in one kind of position only? (hint 2)
+a_rest = [sp.pi*n/2]  # Does the sine vanish at all of these values, or were zeros of the cosine taken along? (hint 2)
+# Is the equation in deviations the same at every position of rest? (hint 1)
+a_matrices = [sp.Matrix([[0, 1], [-omega**2, -delta]])]
+# Is there no restoring or driving force when the pendulum stands upright? Differentiate first, then put the position
+# in. (hint 1)
 a_matrices = [sp.Matrix([[0, 1], [-omega**2, -delta]]), sp.Matrix([[0, 1], [0, -delta]])]
-a_stable = [sp.pi*n]  # every position of rest counted as stable, since friction is there
-a_stable = [2*sp.pi*n + sp.pi]  # hanging and standing interchanged
-a_unstable = [sp.pi]  # one turn only
-a_growth = omega  # friction forgotten
-a_growth = (-delta - sp.sqrt(delta**2 + 4*omega**2))/2  # the negative root of the two
-a_growth = (delta + sp.sqrt(delta**2 + 4*omega**2))/2  # the sign of the friction turned
-b_rate = omega**2*x1*x2 - delta*x2**2  # the terms that cancel left in
-b_null = sp.And(sp.Eq(x1, 0), sp.Eq(x2, 0))  # V' taken for negative definite
-b_leave = sp.Integer(0)  # the velocity taken for the acceleration: as if the motion stayed
-b_leave = omega**2*x1  # the sign of the restoring force turned
-b_stable = delta >= 0  # constant energy taken for a proof of asymptotic stability
-b_stable = delta < 0  # the derivative read without its minus
+a_stable = [sp.pi*n]  # Does friction make every position of rest stable? (hint 2)
+a_stable = [2*sp.pi*n + sp.pi]  # Have hanging and standing changed places here? (hint 2)
+a_unstable = [sp.pi]  # Are these all such positions, or only the one within a single turn?
+a_growth = omega  # Is this what comes out if friction is forgotten? (hint 1)
+a_growth = (-delta - sp.sqrt(delta**2 + 4*omega**2))/2  # Which of the two roots makes a deviation grow? (hint 1)
+# Does friction enter the characteristic equation with this sign? (hint 1)
+a_growth = (delta + sp.sqrt(delta**2 + 4*omega**2))/2
+# Do the terms with the product x1 x2 really stay, once both rates are put in? (hint 1)
+b_rate = omega**2*x1*x2 - delta*x2**2
+# Is the derivative of V negative definite? Find a state other than zero where it vanishes. (hint 1)
+b_null = sp.And(sp.Eq(x1, 0), sp.Eq(x2, 0))
+b_leave = sp.Integer(0)  # Is this the velocity of the motion there, and not its acceleration? (hint 1)
+b_leave = omega**2*x1  # In which direction does the restoring force pull? (hint 1)
+b_stable = delta >= 0  # Does a constant energy prove that motions come to rest? (hint 1)
+b_stable = delta < 0  # Was the derivative of V read without its minus? (hint 1)
 
 # %% right
 a_rest = sp.pi*n  # all positions in one expression

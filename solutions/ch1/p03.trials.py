@@ -1,36 +1,43 @@
 # %% wrong
-a_single = b > 0  # the linear spring forgotten
-a_single = b < 0  # hard and soft springs interchanged
-a_rest = [1/sp.sqrt(-b), -1/sp.sqrt(-b)]  # divided by x: the solution zero lost
-a_rest = [0, 1/sp.sqrt(b), -1/sp.sqrt(b)]  # the sign of b forgotten under the root
-a_rest = [0, -1/b, 1/b]  # the root not taken
-# the cube not differentiated: 1 + b x^2 instead of 1 + 3 b x^2
+a_single = b > 0  # What is left of the equation for a linear spring? (hint 2)
+a_single = b < 0  # Have the hard and the soft spring changed places? (hint 2)
+a_rest = [1/sp.sqrt(-b), -1/sp.sqrt(-b)]  # Which solution gets lost when one divides by x? (hint 1)
+a_rest = [0, 1/sp.sqrt(b), -1/sp.sqrt(b)]  # Which sign has b here, and what does this do to the root? (hint 1)
+a_rest = [0, -1/b, 1/b]  # Was the root taken at the end? (hint 1)
+# Was the cube differentiated, or only divided by x? (hint 1)
 a_matrices = [sp.Matrix([[0, 1], [-1, -a]]), sp.Matrix([[0, 1], [0, -a]])]
-a_matrices = [sp.Matrix([[0, 1], [-1, -a]]), sp.Matrix([[0, 1], [-2, -a]])]  # a sign lost at the outer points
-a_stable = sp.And(a > 0, b > 0)  # the hard spring demanded, which the first approximation does not see
-a_stable = a >= 0  # imaginary roots counted as asymptotically stable
-a_growth = (-a - sp.sqrt(a**2 + 8))/2  # the negative root of the two
-a_growth = sp.sqrt(2)  # without resistance
-a_kinds = {0: "stable node", 5: "saddle", -5: "saddle"}  # focus and node interchanged
-a_kinds = {0: "stable focus", 5: "unstable node", -5: "unstable node"}  # every unstable point called a node
-a_kinds = {0: "stable focus", 5: "saddle"}  # one of the saddles overlooked
-a_slopes = [1.414, -1.414]  # symmetric, as without resistance
-a_slopes = [-2, 1]  # those that come and those that leave interchanged
-b_rate = -a*x2  # one factor x2 lost
-b_rate = -a*x2**2 + b*x1**3*x2  # the cubic force left out of the motion
-b_null = sp.And(sp.Eq(x1, 0), sp.Eq(x2, 0))  # V' taken for negative definite
-b_null = sp.Eq(x1, 0)  # the wrong axis
-b_leave = -x1  # the first approximation used far from zero
-b_leave = sp.Integer(0)  # the velocity taken for the acceleration
-b_global = b > 0  # the linear spring forgotten
-b_global = sp.And(b > -sp.oo, b < sp.oo)  # V' <= 0 everywhere taken for enough: soft springs counted in
-b_level = -1/(2*b)  # the term of fourth order forgotten
-b_level = 1/(4*b)  # the sign of b overlooked: a negative level
-b_level = sp.Integer(0)  # the level through the zeros of V on the axis
-b_basin = V < -1/(4*b)  # the parts beyond the saddles taken along
-b_basin = sp.Abs(x1) < 1/sp.sqrt(-b)  # the strip between the saddles taken for the estimate
-b_basin = sp.And(V > 0, sp.Abs(x1) < 1/sp.sqrt(-b))  # the set where V is positive
-b_basin = x1**2 + x2**2 < -1/b  # the largest disc between the saddles, which is no level set
+# Was a sign lost when the outer stationary values were put in? (hint 2)
+a_matrices = [sp.Matrix([[0, 1], [-1, -a]]), sp.Matrix([[0, 1], [-2, -a]])]
+a_stable = sp.And(a > 0, b > 0)  # Does the cubic term enter the first approximation at zero? (hint 1)
+a_stable = a >= 0  # Do imaginary roots make the first approximation asymptotically stable? (hint 1)
+a_growth = (-a - sp.sqrt(a**2 + 8))/2  # Which of the two roots makes a deviation grow? (hint 1)
+a_growth = sp.sqrt(2)  # Is this what comes out without resistance? (hint 1)
+# Are the roots at zero real or complex for these numbers? (hint 1)
+a_kinds = {0: "stable node", 5: "saddle", -5: "saddle"}
+# Is every unstable point a node? Look at the signs of its roots. (hint 2)
+a_kinds = {0: "stable focus", 5: "unstable node", -5: "unstable node"}
+# How many stationary points does the portrait have? The equation is odd in x.
+a_kinds = {0: "stable focus", 5: "saddle"}
+a_slopes = [1.414, -1.414]  # Are these the slopes without resistance? (hint 1)
+a_slopes = [-2, 1]  # Which eigenvalue belongs to motions that leave the saddle? (hint 1)
+b_rate = -a*x2  # Was a factor lost in the derivative of the kinetic part? (hint 1)
+b_rate = -a*x2**2 + b*x1**3*x2  # Was the cubic force left out when x2' was put in? (hint 1)
+# Is the derivative of V negative definite? Find a state other than zero where it vanishes. (hint 1)
+b_null = sp.And(sp.Eq(x1, 0), sp.Eq(x2, 0))
+b_null = sp.Eq(x1, 0)  # Does the derivative of V vanish on this axis, or on the other one? (hint 1)
+b_leave = -x1  # May the first approximation be used far from zero? (hint 1)
+b_leave = sp.Integer(0)  # Is this the velocity of the motion there, and not its acceleration? (hint 1)
+b_global = b > 0  # What does V say about a linear spring? (hint 2)
+b_global = sp.And(b > -sp.oo, b < sp.oo)  # Is a derivative of V that is nowhere positive enough in the large? (hint 1)
+b_level = -1/(2*b)  # Was the term of fourth order left out of V? (hint 2)
+b_level = 1/(4*b)  # Which sign has b here? Can the level be negative? (hint 2)
+b_level = sp.Integer(0)  # Is this the level of V = 0, and does it bound a piece around the origin? (hint 1)
+b_basin = V < -1/(4*b)  # Does this inequality also hold far away from zero? (hint 1)
+# Do all motions in this strip stay in it? The set has to be bounded by a level of V. (hint 1)
+b_basin = sp.Abs(x1) < 1/sp.sqrt(-b)
+# Is it enough that V is positive? The level has to be there too. (hint 1)
+b_basin = sp.And(V > 0, sp.Abs(x1) < 1/sp.sqrt(-b))
+b_basin = x1**2 + x2**2 < -1/b  # Is this disc bounded by a level line of V? (hint 1)
 
 # %% right
 a_single = sp.Or(b > 0, sp.Eq(b, 0))  # in two pieces

@@ -1,15 +1,17 @@
 # %% wrong
-a_matrix = sp.Matrix([[0, 1], [-1, -epsilon]])  # the sign of epsilon lost when the bracket is multiplied out
-a_stable = epsilon > 0  # the equation taken for a damped oscillator
-a_stable = epsilon <= 0  # imaginary roots counted as asymptotically stable
-a_unstable = epsilon >= 0  # everything that is not asymptotically stable called unstable
-a_critical = "asymptotically stable"  # stability taken for asymptotic stability: the circles do not shrink
-b_rate = -epsilon*(x1**2 - 1)*x2  # one factor x2 lost
-b_rate = epsilon*(x1**2 - 1)*x2**2  # the sign of the resistor's term turned
-b_null = sp.Eq(x2, 0)  # the lines x1 = +-1 overlooked
-b_stable = epsilon <= 0  # V' identically zero taken for a proof
-b_basin = sp.Abs(x1) < 1  # the strip where V' <= 0 taken for the estimate
-b_basin = x1**2 + x2**2 < 2  # the level V = 1 instead of the circle of radius 1
+a_matrix = sp.Matrix([[0, 1], [-1, -epsilon]])  # Was the sign kept when the bracket was multiplied out? (hint 2)
+a_stable = epsilon > 0  # Is this a damped oscillator? Ask which sign the friction has near zero. (hint 1)
+a_stable = epsilon <= 0  # Do imaginary roots make the first approximation asymptotically stable? (hint 1)
+a_unstable = epsilon >= 0  # Is everything unstable that is not asymptotically stable? (hint 1)
+a_critical = "asymptotically stable"  # Do the motions come closer to zero, or do they only stay near it? (hint 2)
+b_rate = -epsilon*(x1**2 - 1)*x2  # Was a factor lost in the derivative of the kinetic part? (hint 1)
+# Which sign has the term with epsilon once it stands on the right-hand side? (hint 1)
+b_rate = epsilon*(x1**2 - 1)*x2**2
+b_null = sp.Eq(x2, 0)  # Does this product have another factor that can vanish? (hint 1)
+b_stable = epsilon <= 0  # Is a derivative of V that vanishes everywhere a proof of asymptotic stability? (hint 1)
+b_basin = sp.Abs(x1) < 1  # Do all motions in this strip stay in it? The set has to be bounded by a level of V. (hint 2)
+# Is this disc the one of the level V = 1? Does it lie inside the strip where V does not grow? (hint 2)
+b_basin = x1**2 + x2**2 < 2
 
 # %% right
 a_stable = -epsilon > 0  # the damping coefficient

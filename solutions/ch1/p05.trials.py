@@ -1,35 +1,39 @@
 # %% wrong
-# the Coriolis terms of the first two equations confused
+# Did the Coriolis terms of the first two equations change places?
 a_matrix = sp.Matrix([[0, 0, 0, 1, 0, 0], [0, 0, 0, 0, 1, 0], [0, 0, 0, 0, 0, 1], [0, 0, 0, 0, 2*r0*Omega, 0],
                       [0, 3*Omega**2, 0, -2*Omega/r0, 0, 0], [0, 0, -Omega**2, 0, 0, 0]])
-# the state in the order (x1, v1, x2, v2, x3, v3)
+# In which order does the problem list the state? (hint 1)
 a_matrix = sp.Matrix([[0, 1, 0, 0, 0, 0], [0, 0, 0, -2*Omega/r0, 0, 0], [0, 0, 0, 1, 0, 0],
                       [0, 2*r0*Omega, 3*Omega**2, 0, 0, 0], [0, 0, 0, 0, 0, 1], [0, 0, 0, 0, -Omega**2, 0]])
-# a double eigenvalue taken to have two eigenvectors
+# Has a double eigenvalue always two independent eigenvectors? (hint 2)
 a_eigenvalues = [[0, 2, 2], [sp.I*Omega, 2, 2], [-sp.I*Omega, 2, 2]]
-a_eigenvalues = [[0, 2, 1], [sp.I*Omega, 2, 1], [-sp.I*Omega, 2, 1]]  # every double eigenvalue taken for a Jordan block
-# the Coriolis coupling forgotten: the height alone would have real eigenvalues
+# Has every double eigenvalue only one eigenvector? The motion across the plane is separate. (hint 1)
+a_eigenvalues = [[0, 2, 1], [sp.I*Omega, 2, 1], [-sp.I*Omega, 2, 1]]
+# Was the Coriolis coupling forgotten, so that the height moves alone?
 a_eigenvalues = [[0, 2, 1], [sp.sqrt(3)*Omega, 1, 1], [-sp.sqrt(3)*Omega, 1, 1], [sp.I*Omega, 1, 1],
                  [-sp.I*Omega, 1, 1]]
-a_growing = sp.Matrix([3*Omega*h/(2*r0)*t, h, 0, 3*Omega*h/(2*r0), 0, 0])  # a higher satellite taken to run ahead
-# a motion, but a bounded one: the ellipse of the same period
+# Does a satellite that flies higher run ahead or fall behind? (hint 2)
+a_growing = sp.Matrix([3*Omega*h/(2*r0)*t, h, 0, 3*Omega*h/(2*r0), 0, 0])
+# This is a motion, but does it grow? (hint 1)
 a_growing = sp.Matrix([2*h/r0*sp.cos(Omega*t), h*sp.sin(Omega*t), 0, -2*Omega*h/r0*sp.sin(Omega*t),
                        Omega*h*sp.cos(Omega*t), 0])
-# a drift at constant height zero, which the second equation forbids
+# Does the second equation allow this drift at height zero? (hint 2)
 a_growing = sp.Matrix([h/r0*Omega*t, 0, 0, h/r0*Omega, 0, 0])
-a_stability = "stable"  # no root on the right taken for stability
-# the coordinate x2 struck out in the place of x1
+# Is it enough that no root lies on the right? Ask whether the eigenvalues on the axis are semisimple. (hint 1)
+a_stability = "stable"
+# Was another coordinate struck out than the one asked for? (hint 1)
 b_matrix = sp.Matrix([[0, 0, 0, 1, 0], [0, 0, 0, 0, 1], [0, 0, 0, -2*Omega/r0, 0], [0, 0, 2*r0*Omega, 0, 0],
                       [0, -Omega**2, 0, 0, 0]])
-b_eigenvalues = [[0, 2, 1], [sp.I*Omega, 2, 2], [-sp.I*Omega, 2, 2]]  # the spectrum of the full system kept
-b_eigenvalues = [[sp.I*Omega, 2, 2], [-sp.I*Omega, 2, 2]]  # the eigenvalue 0 taken to leave with x1
-# energies only: zero along x2 : y1 = 2 r0 : -3 Omega, so not positive definite
+# Is this the spectrum of the full system? What leaves with x1? (hint 1)
+b_eigenvalues = [[0, 2, 1], [sp.I*Omega, 2, 2], [-sp.I*Omega, 2, 2]]
+b_eigenvalues = [[sp.I*Omega, 2, 2], [-sp.I*Omega, 2, 2]]  # Do both zero eigenvalues leave with x1? (hint 1)
+# Is this form positive in every direction, or is there one along which it is zero? (hint 1)
 b_integral = v2**2 + (3*Omega*x2 + 2*r0*y1)**2 + v3**2 + Omega**2*x3**2
-# the energy of an oscillator about the undisturbed height
+# About which height does the satellite swing? Ask which combination keeps its value. (hint 2)
 b_integral = v2**2 + Omega**2*x2**2 + r0**2*y1**2 + v3**2 + Omega**2*x3**2
-# the energy in the turning frame: conserved, but indefinite
+# This keeps its value, but is it positive definite?
 b_integral = v2**2 + r0**2*y1**2 - 3*Omega**2*x2**2 + v3**2 + Omega**2*x3**2
-b_stability = "asymptotically stable"  # bounded taken for tending to zero
+b_stability = "asymptotically stable"  # Do bounded motions have to tend to zero? (hint 1)
 
 # %% right
 a_eigenvalues = [(-sp.I*Omega, 2, 2), (sp.I*Omega, 2, 2), (0, 2, 1)]  # in another order, as tuples

@@ -1,29 +1,35 @@
 # %% wrong
-a_exists = k >= -sp.Rational(3, 2)  # the factor 2 lost: sin(2 phi0) = 2k/3
-a_exists = k > -sp.Rational(3, 4)  # the border left out, where the two families meet
-a_stationary = [sp.asin(4*k/3)/2 + sp.pi*n]  # only the main value of the arcsine
-a_stationary = [sp.asin(4*k/3) + 2*sp.pi*n, sp.pi - sp.asin(4*k/3) + 2*sp.pi*n]  # the double angle forgotten
-# a period of 2 pi taken for phi0, while the double angle repeats after 2 pi
+a_exists = k >= -sp.Rational(3, 2)  # Was the factor of the sine lost in the equation of rest? (hint 1)
+a_exists = k > -sp.Rational(3, 4)  # Is there no stationary solution where the two families meet? (hint 1)
+a_stationary = [sp.asin(4*k/3)/2 + sp.pi*n]  # Is the main value of the arcsine the only angle with this sine? (hint 2)
+# Is it the sine of the angle itself that the equation fixes? (hint 1)
+a_stationary = [sp.asin(4*k/3) + 2*sp.pi*n, sp.pi - sp.asin(4*k/3) + 2*sp.pi*n]
+# After how much does the double angle repeat, and what does this mean for the angle itself? (hint 1)
 a_stationary = [sp.asin(4*k/3)/2 + 2*sp.pi*n, sp.pi/2 - sp.asin(4*k/3)/2 + 2*sp.pi*n]
-a_deviation = -2*k*Omega*dpsi + sp.Rational(3, 2)*Omega**2*sp.cos(2*phi0)*psi  # the inner derivative of sin(2 phi) lost
-a_deviation = -2*k*Omega*dpsi + 3*Omega**2*sp.cos(2*phi0)*psi - 2*k*Omega**2  # the constant moment kept
-a_saddle = sp.cos(2*phi0) < 0  # the sign of the restoring term taken as for a pendulum
-a_saddle = sp.sin(2*phi0) < 0  # all unstable angles called saddles
-a_foci = k > -sp.Rational(3, 4)  # the node next to the border of existence overlooked
-a_foci = 4*k**4 + 16*k**2 < 9  # the inner derivative lost in the discriminant: 4 k**4 + 16 k**2 < 9
-a_stable = [sp.pi/2 - sp.asin(4*k/3)/2 + sp.pi*n]  # the sign of the friction 2 k Omega overlooked: k is negative
-b_deviation = -2*k*Omega*dpsi + 3*Omega**2*sp.cos(2*phi0)*psi  # the friction of item a
-b_deviation = -2*k1*Omega*dpsi - 3*Omega**2*sp.cos(2*phi0)*psi  # the restoring term with the sign of a pendulum
-b_stable = [sp.asin(4*k/3)/2 + sp.pi*n]  # the family of saddles
-b_stable = [sp.pi/2 - sp.asin(4*k/3)/2 + 2*sp.pi*n]  # the opposite direction left out
-b_unstable = [sp.asin(4*k/3)/2 + sp.pi*n, sp.pi/2 - sp.asin(4*k/3)/2 + sp.pi*n]  # all stationary angles, as in item a
-b_unstable = [sp.pi/2 - sp.asin(4*k/3)/2 + sp.pi*n]  # the stable family
-b_sign = sp.cos(2*phi0) <= 0  # the border counted in, where the families meet and one root is zero
-b_sign = sp.cos(phi0) < 0  # the cosine of phi0 in the place of that of the double angle
-b_saddle = sp.cos(2*phi0) < 0  # the signs exchanged
-b_saddle = sp.cos(2*phi0) >= 0  # the border counted in: there it is a saddle-node
-b_nodes = sp.And(k > -sp.Rational(3, 4), k1**4 < 9 - 16*k**2)  # the condition for foci
-b_nodes = k1**2 >= 3  # |cos(2 phi0)| taken to be 1
+# Was the inner derivative of the sine of the double angle lost? (hint 1)
+a_deviation = -2*k*Omega*dpsi + sp.Rational(3, 2)*Omega**2*sp.cos(2*phi0)*psi
+# Does a constant moment belong into an equation in deviations? (hint 1)
+a_deviation = -2*k*Omega*dpsi + 3*Omega**2*sp.cos(2*phi0)*psi - 2*k*Omega**2
+a_saddle = sp.cos(2*phi0) < 0  # Has the restoring term the sign it has for a pendulum? (hint 1)
+a_saddle = sp.sin(2*phi0) < 0  # Is every unstable angle a saddle? (hint 1)
+a_foci = k > -sp.Rational(3, 4)  # Are the roots complex right up to the border of existence? (hint 1)
+a_foci = 4*k**4 + 16*k**2 < 9  # Was the inner derivative lost in the discriminant? (hint 1)
+a_stable = [sp.pi/2 - sp.asin(4*k/3)/2 + sp.pi*n]  # Which sign has the friction here? Remember the sign of k. (hint 1)
+b_deviation = -2*k*Omega*dpsi + 3*Omega**2*sp.cos(2*phi0)*psi  # Is this the friction of item a? (hint 1)
+# Was the restoring term written down with the sign it has for a pendulum?
+b_deviation = -2*k1*Omega*dpsi - 3*Omega**2*sp.cos(2*phi0)*psi
+b_stable = [sp.asin(4*k/3)/2 + sp.pi*n]  # Is this the family of the saddles? (hint 2)
+# Is the opposite direction left out? The double angle repeats sooner. (hint 2)
+b_stable = [sp.pi/2 - sp.asin(4*k/3)/2 + 2*sp.pi*n]
+# Are all of them unstable here too, as in item a? (hint 1)
+b_unstable = [sp.asin(4*k/3)/2 + sp.pi*n, sp.pi/2 - sp.asin(4*k/3)/2 + sp.pi*n]
+b_unstable = [sp.pi/2 - sp.asin(4*k/3)/2 + sp.pi*n]  # Is this the other family? (hint 1)
+b_sign = sp.cos(2*phi0) <= 0  # Is there no root at zero where the two families meet? (hint 1)
+b_sign = sp.cos(phi0) < 0  # Is it the cosine of the angle itself that decides, or that of the double angle? (hint 1)
+b_saddle = sp.cos(2*phi0) < 0  # Have the signs changed places? (hint 1)
+b_saddle = sp.cos(2*phi0) >= 0  # Is the point where the families meet still a saddle? One root vanishes there. (hint 1)
+b_nodes = sp.And(k > -sp.Rational(3, 4), k1**4 < 9 - 16*k**2)  # Is this the condition for foci? (hint 1)
+b_nodes = k1**2 >= 3  # Is the cosine of the double angle equal to 1 at these points? (hint 1)
 
 # %% right
 a_exists = sp.Interval.Ropen(-sp.Rational(3, 4), 0)  # as an interval

@@ -1,17 +1,17 @@
 # %% wrong
-exists = P >= m*g  # the hovering rocket counted as a climb
-exists = P > g  # the thrust compared with the acceleration of gravity: the mass forgotten
-exists = sp.Ne(P, m*g)  # both signs of the radicand thought possible
-speed = sp.sqrt((P + m*g)/k)  # the sign of the weight turned
-speed = sp.sqrt((P - g)/k)  # the weight written without the mass
-speed = -sp.sqrt((P - m*g)/k)  # the root of the formula that lies outside its range
-deviation = -sp.sqrt(k*(P - m*g))/m  # the square differentiated without its factor 2
-deviation = 2*sp.sqrt(k*(P - m*g))/m  # the second root put in
-deviation = -2*sp.sqrt(k*(P - m*g))  # the mass lost
-stability = "unstable"  # growth seen in the positive thrust
-stability = "stable"  # the velocity does come back, not only stay close
-fall_acceleration = sp.Integer(0)  # the drag left pointing downwards: the second root taken for a motion
-fall_acceleration = (P - m*g)/m  # the drag forgotten
+exists = P >= m*g  # Is a rocket that hovers climbing? (hint 2)
+exists = P > g  # Which force is the thrust compared with? Do not forget the mass. (hint 1)
+exists = sp.Ne(P, m*g)  # May the radicand have either sign? (hint 1)
+speed = sp.sqrt((P + m*g)/k)  # Which way does the weight act on a climbing rocket? (hint 1)
+speed = sp.sqrt((P - g)/k)  # Is the weight written without the mass? (hint 1)
+speed = -sp.sqrt((P - m*g)/k)  # Does the rocket climb with a velocity of this sign? (hint 2)
+deviation = -sp.sqrt(k*(P - m*g))/m  # Was the square differentiated with its factor? (hint 1)
+deviation = 2*sp.sqrt(k*(P - m*g))/m  # Is this the number for the other root of the quadratic? (hint 1)
+deviation = -2*sp.sqrt(k*(P - m*g))  # Did the mass get lost? (hint 1)
+stability = "unstable"  # Does a positive thrust mean that deviations grow? (hint 1)
+stability = "stable"  # Does the speed come back, or does it only stay near? (hint 1)
+fall_acceleration = sp.Integer(0)  # In which direction does the drag act on a falling rocket? (hint 1)
+fall_acceleration = (P - m*g)/m  # Was the drag forgotten? (hint 2)
 
 # %% right
 exists = sp.Symbol("P")/(sp.Symbol("m")*sp.Symbol("g")) > 1  # as a ratio of thrust and weight, plain symbols

@@ -1,28 +1,31 @@
 # %% wrong
-a_point = [sp.pi/2, sp.sqrt(g/k)]  # the wrong zero of the cosine: there gravity and drag act in one direction
-a_point = [sp.sqrt(g/k), -sp.pi/2]  # the order of the state not kept
-a_point = [-sp.pi/2, g/k]  # the drag taken as proportional to the speed
-a_matrix = -sp.sqrt(g*k)*sp.eye(2)  # the square differentiated without its factor 2: a star
-a_matrix = sp.sqrt(g*k)*sp.diag(1, -2)  # the sine taken as +1
-a_matrix = sp.sqrt(g*k)*sp.diag(-2, -1)  # the order of the state not kept
-a_type = "stable star"  # a diagonal matrix taken for a multiple of the unit matrix
-a_type = "stable focus"  # real roots overlooked
-a_curve = sp.sqrt(g*sp.sin(theta)/k)  # the sign of the weight turned: not real for downward flight
-a_curve = sp.sqrt(g/k)  # the speed of the steady fall for all angles
-b_points = [[-sp.pi/2, sp.sqrt((P + g)/k)]]  # only the dive
-b_points = [[-sp.pi/2, sp.sqrt((P - g)/k)], [sp.pi/2, sp.sqrt((P + g)/k)]]  # the speeds of climb and dive exchanged
-b_up_exists = P >= g  # a speed of zero counted as a motion
-b_up_exists = P > 0  # as the printed problem has it: for every positive thrust
-b_up_matrix = sp.diag(-g/sp.sqrt((P - g)/k), -2*k*sp.sqrt((P - g)/k))  # the sine keeps the sign it has in the dive
-b_up_matrix = sp.sqrt(g*k)*sp.diag(1, -2)  # the speed of the passive fall put in
-b_up_type = "stable node"  # one negative root taken for stability
-b_up_type = "unstable node"  # unstable, but not in every direction
-b_down_matrix = sp.sqrt(g*k)*sp.diag(-1, -2)  # the speed of the passive fall kept
-b_down_matrix = sp.diag(-g/sp.sqrt((g - P)/k), -2*k*sp.sqrt((g - P)/k))  # the thrust thought to work against the fall
-b_down_type = "saddle"  # the types of climb and dive exchanged
-b_down_type = "stable degenerate node"  # equal roots for a certain thrust expected; their ratio is above 2
-b_curve = sp.sqrt(-g*sp.sin(theta)/k)  # the thrust forgotten
-b_curve = sp.sqrt((P + g)/k)  # the speed of the dive for all angles
+a_point = [sp.pi/2, sp.sqrt(g/k)]  # Can gravity and drag balance at this angle? (hint 2)
+a_point = [sp.sqrt(g/k), -sp.pi/2]  # In which order does the problem list the state? (hint 2)
+a_point = [-sp.pi/2, g/k]  # Is the drag proportional to the speed or to its square? (hint 1)
+a_matrix = -sp.sqrt(g*k)*sp.eye(2)  # Was the square differentiated with its factor? (hint 1)
+a_matrix = sp.sqrt(g*k)*sp.diag(1, -2)  # Which sign has the sine at this point? (hint 2)
+a_matrix = sp.sqrt(g*k)*sp.diag(-2, -1)  # In which order does the problem list the state? (hint 1)
+a_type = "stable star"  # Is every diagonal matrix a multiple of the unit matrix? (hint 1)
+a_type = "stable focus"  # Are the roots complex? (hint 1)
+a_curve = sp.sqrt(g*sp.sin(theta)/k)  # For which angles is this root real? (hint 2)
+a_curve = sp.sqrt(g/k)  # Is this the speed of the steady fall, whatever the angle? (hint 1)
+b_points = [[-sp.pi/2, sp.sqrt((P + g)/k)]]  # Is there only the dive for a large thrust? (hint 1)
+# Have the speeds of climb and dive changed places? (hint 2)
+b_points = [[-sp.pi/2, sp.sqrt((P - g)/k)], [sp.pi/2, sp.sqrt((P + g)/k)]]
+b_up_exists = P >= g  # Is a speed of zero a motion? (hint 1)
+b_up_exists = P > 0  # Does every positive thrust lift the body, as the printed problem has it? (hint 1)
+# Does the sine keep the sign that it has in the dive? (hint 1)
+b_up_matrix = sp.diag(-g/sp.sqrt((P - g)/k), -2*k*sp.sqrt((P - g)/k))
+b_up_matrix = sp.sqrt(g*k)*sp.diag(1, -2)  # Is this the speed of the passive fall? (hint 1)
+b_up_type = "stable node"  # Is one negative root enough for stability? (hint 1)
+b_up_type = "unstable node"  # It is unstable, but in every direction? (hint 1)
+b_down_matrix = sp.sqrt(g*k)*sp.diag(-1, -2)  # Is this still the speed of the passive fall? (hint 1)
+# Does the thrust work against the dive? (hint 1)
+b_down_matrix = sp.diag(-g/sp.sqrt((g - P)/k), -2*k*sp.sqrt((g - P)/k))
+b_down_type = "saddle"  # Have the types of climb and dive changed places? (hint 1)
+b_down_type = "stable degenerate node"  # Can the two roots be equal for any thrust? (hint 1)
+b_curve = sp.sqrt(-g*sp.sin(theta)/k)  # Was the thrust forgotten? (hint 1)
+b_curve = sp.sqrt((P + g)/k)  # Is this the speed of the dive, whatever the angle? (hint 1)
 
 # %% right
 a_point = {v: (g/k)**sp.Rational(1, 2), theta: 4.71}  # the angle modulo 2 pi and in decimals, the point as a dict

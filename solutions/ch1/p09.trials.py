@@ -1,27 +1,31 @@
 # %% wrong
-point = [sp.atan(k/k1), sp.sqrt(g)/(k**2 + k1**2)**sp.Rational(1, 4)]  # a climb: the sign of the sine overlooked
-point = [-sp.atan(k1/k), sp.sqrt(g)/(k**2 + k1**2)**sp.Rational(1, 4)]  # lift and drag exchanged
-point = [-sp.atan(k/k1), sp.sqrt(g)/sp.sqrt(k**2 + k1**2)]  # the fourth root taken as a square root
-# the two parts of d(angle rate)/dv cancelled instead of added
+# Does an aircraft without an engine climb? Look at the sign of the sine. (hint 1)
+point = [sp.atan(k/k1), sp.sqrt(g)/(k**2 + k1**2)**sp.Rational(1, 4)]
+point = [-sp.atan(k1/k), sp.sqrt(g)/(k**2 + k1**2)**sp.Rational(1, 4)]  # Did lift and drag change places? (hint 2)
+# Which power of the speed does the sum of the squares give? (hint 2)
+point = [-sp.atan(k/k1), sp.sqrt(g)/sp.sqrt(k**2 + k1**2)]
+# The rate of the angle holds v twice. Do the two parts of its derivative add or cancel? (hint 2)
 matrix = sp.Matrix([[-k*v, 0], [-k1*v**2, -2*k*v]]).subs(v, sp.sqrt(g)/(k**2 + k1**2)**sp.Rational(1, 4))
-# the order of the state not kept
+# In which order does the problem list the state? (hint 1)
 matrix = sp.Matrix([[-2*k*v, -k1*v**2], [2*k1, -k*v]]).subs(v, sp.sqrt(g)/(k**2 + k1**2)**sp.Rational(1, 4))
-stability = "stable"  # the oscillation without drag in mind
-focus = 9*k**2 < 2*(k**2 + k1**2)  # the trace compared with the determinant instead of its fourfold
-focus = k < 8*k1  # the root of 8 forgotten
-node = k**2 < 8*k1**2  # the condition of the focus
-node = k > k1  # more drag than lift taken for enough
-angle_curve = sp.sqrt(g*sp.cos(theta))  # the drag coefficient in the place of the lift
-angle_curve = g*sp.cos(theta)/k1  # the square root forgotten
-speed_curve = sp.sqrt(g*sp.sin(theta)/k)  # the sign of the weight turned
-speed_curve = -g*sp.sin(theta)/k  # the square root forgotten
-no_cycles = [sp.Integer(1), g*sp.sin(theta)/v - 2*k*v]  # no multiplier: the divergence changes its sign
-no_cycles = [v, v*(g*sp.sin(theta)/v - 2*k*v)]  # the multiplier not differentiated
-integral = v**2/2  # the energy of the speed alone
-integral = k1*v**2/2 - g*sp.cos(theta)*sp.log(v)  # the square instead of the cube: the multiplier left out
-integral = g/k1  # a constant is kept, too, but tells nothing
-border = sp.sqrt(g*sp.cos(theta)/k1)  # the curve where the angle rests, taken for a motion
-border = 3*sp.sqrt(g*sp.cos(theta)/k1)  # the right factor outside of the root
+stability = "stable"  # Is this said of the flight without drag? (hint 1)
+focus = 9*k**2 < 2*(k**2 + k1**2)  # Was the trace compared with the determinant instead of its fourfold? (hint 1)
+focus = k < 8*k1  # Was a root forgotten? The discriminant compares squares. (hint 1)
+node = k**2 < 8*k1**2  # Is this the condition for the other type of point? (hint 1)
+node = k > k1  # Is it enough that there is more drag than lift? (hint 1)
+angle_curve = sp.sqrt(g*sp.cos(theta))  # Does the lift or the drag turn the trajectory? (hint 1)
+angle_curve = g*sp.cos(theta)/k1  # Was the square root forgotten? (hint 1)
+speed_curve = sp.sqrt(g*sp.sin(theta)/k)  # Which sign does the sine have in a glide? (hint 1)
+speed_curve = -g*sp.sin(theta)/k  # Was the square root forgotten? (hint 1)
+# Does this divergence keep its sign? Without a multiplier it tells nothing. (hint 1)
+no_cycles = [sp.Integer(1), g*sp.sin(theta)/v - 2*k*v]
+no_cycles = [v, v*(g*sp.sin(theta)/v - 2*k*v)]  # Was the multiplier differentiated as well? (hint 2)
+integral = v**2/2  # Does the speed alone keep its energy? What about the height? (hint 1)
+# Was the multiplier left out, so that a square stands where a cube belongs? (hint 1)
+integral = k1*v**2/2 - g*sp.cos(theta)*sp.log(v)
+integral = g/k1  # A constant keeps its value, but does it tell anything of the motion? (hint 2)
+border = sp.sqrt(g*sp.cos(theta)/k1)  # Is this the curve where the angle rests? It is no motion. (hint 1)
+border = 3*sp.sqrt(g*sp.cos(theta)/k1)  # Does this factor belong inside the root? (hint 2)
 
 # %% right
 # the angle by its sine, plain symbols

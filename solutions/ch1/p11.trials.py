@@ -1,27 +1,29 @@
 # %% wrong
-plus_point = [sp.sqrt(1 - b**2)/ubar, sp.acos(b)]  # the sign of the angle: the distance would be negative
-plus_point = [(1 - b)/ubar, -sp.acos(b)]  # the sine taken as 1 - b
-minus_point = [-sp.sqrt(1 - b**2)/ubar, -sp.acos(b)]  # the negative distance that the sign of u seems to give
-minus_point = [sp.sqrt(1 - b**2)/ubar, -sp.acos(b)]  # the solution for the other control
-# the sign in the derivative of the cosine
+plus_point = [sp.sqrt(1 - b**2)/ubar, sp.acos(b)]  # Can the distance be positive with an angle of this sign? (hint 1)
+plus_point = [(1 - b)/ubar, -sp.acos(b)]  # How does the sine follow from the cosine? (hint 1)
+# Can a distance be negative? Ask for the sign of the angle instead. (hint 1)
+minus_point = [-sp.sqrt(1 - b**2)/ubar, -sp.acos(b)]
+minus_point = [sp.sqrt(1 - b**2)/ubar, -sp.acos(b)]  # Is this the stationary solution for the other control? (hint 2)
+# Which sign has the derivative of the cosine? (hint 2)
 plus_matrix = sp.Matrix([[0, sp.sqrt(1 - b**2)], [ubar**2/sp.sqrt(1 - b**2), b*ubar/sp.sqrt(1 - b**2)]])
-# the derivative of sin(beta)/rho with respect to beta forgotten: a centre
+# Was sin(beta)/rho differentiated by the angle too? (hint 2)
 plus_matrix = sp.Matrix([[0, -sp.sqrt(1 - b**2)], [ubar**2/sp.sqrt(1 - b**2), 0]])
-# the sign of the trace changed along with u
+# Does the trace change its sign together with the control? (hint 1)
 minus_matrix = sp.Matrix([[0, sp.sqrt(1 - b**2)], [-ubar**2/sp.sqrt(1 - b**2), -b*ubar/sp.sqrt(1 - b**2)]])
-# the matrix for the other control
+# Is this the matrix for the other control? (hint 1)
 minus_matrix = sp.Matrix([[0, -sp.sqrt(1 - b**2)], [ubar**2/sp.sqrt(1 - b**2), b*ubar/sp.sqrt(1 - b**2)]])
-stability = "stable"  # the pure rotation in mind: the trace overlooked
-stability = "asymptotically stable"  # the sign of the trace turned
-focus = b < 1/sp.sqrt(2)  # the factor 4 in the discriminant forgotten
-focus = b < 1  # a focus for every ratio of speeds
-node = b < 2/sp.sqrt(5)  # the condition of the focus
-node = b > sp.Rational(4, 5)  # the root not taken
-no_cycles = [sp.Integer(1), sp.cos(beta)/rho]  # no multiplier: the divergence changes its sign
-no_cycles = [rho**2, rho*(2*b - sp.cos(beta))]  # one power too many
-no_cycles = [rho, sp.cos(beta)]  # the multiplier not differentiated
-curve = sp.sin(beta)/ubar  # the sign: negative for these angles
-curve = -ubar*sp.sin(beta)  # multiplied instead of divided by the rate of turn
+stability = "stable"  # Is the motion near the point a pure rotation? Look at the trace. (hint 1)
+stability = "asymptotically stable"  # Did the trace get the wrong sign? (hint 1)
+focus = b < 1/sp.sqrt(2)  # Was the factor 4 in the discriminant forgotten? (hint 1)
+focus = b < 1  # Are the roots complex for every ratio of the speeds? (hint 1)
+node = b < 2/sp.sqrt(5)  # Is this the condition for the other type of point? (hint 1)
+node = b > sp.Rational(4, 5)  # Was the root taken at the end? The condition is about b, not about its square.
+# Does this divergence keep its sign? Without a multiplier it tells nothing. (hint 1)
+no_cycles = [sp.Integer(1), sp.cos(beta)/rho]
+no_cycles = [rho**2, rho*(2*b - sp.cos(beta))]  # Is there one power too many in the multiplier? (hint 2)
+no_cycles = [rho, sp.cos(beta)]  # Was the multiplier differentiated as well? (hint 2)
+curve = sp.sin(beta)/ubar  # Is the distance positive for these angles? (hint 1)
+curve = -ubar*sp.sin(beta)  # Was the rate of turn multiplied instead of divided by? (hint 1)
 
 # %% right
 # plain symbols, the angle by the arctangent, as a column

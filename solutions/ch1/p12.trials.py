@@ -1,15 +1,15 @@
 # %% wrong
-cycle = u >= 2  # the circle of radius zero counted
-cycle = u > 0  # any positive control thought to do
-cycle = u > -2  # the sign of the shift
-amplitude = u - 2  # the root not taken
-amplitude = sp.sqrt(u + 2)  # the sign of the shift
-period = 2*sp.pi/sp.sqrt(u - 2)  # the constant part of the angular rate forgotten
-period = 2*sp.pi  # the linear system at rest: the dependence on r forgotten
-deviation = u - 2  # linearised at rest instead of on the cycle
-deviation = sp.Integer(0)  # the derivative of the cube without its factor 3
-stability = "unstable"  # the control is positive, so growth is expected: it is the state of rest that is unstable
-stability = "stable"  # this holds for the phase, not for r
+cycle = u >= 2  # Is a circle of radius zero a closed trajectory? (hint 1)
+cycle = u > 0  # Does any positive control give a real radius? (hint 1)
+cycle = u > -2  # Did the shift get the wrong sign in the equation for r? (hint 1)
+amplitude = u - 2  # Was the root taken at the end? (hint 1)
+amplitude = sp.sqrt(u + 2)  # Did the shift get the wrong sign in the equation for r? (hint 1)
+period = 2*sp.pi/sp.sqrt(u - 2)  # Was the constant part of the angular rate forgotten? (hint 1)
+period = 2*sp.pi  # Does the rate of the angle depend on the radius? (hint 1)
+deviation = u - 2  # Was the equation linearised at rest instead of on the cycle? (hint 1)
+deviation = sp.Integer(0)  # Was the cube differentiated with its factor? (hint 1)
+stability = "unstable"  # Is this said of the state of rest instead of the cycle? (hint 1)
+stability = "stable"  # Does this hold for the phase, and not for the radius? (hint 1)
 
 # %% right
 cycle = sp.Symbol("u") - 2 > 0  # the radicand, plain symbol

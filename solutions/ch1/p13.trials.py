@@ -1,33 +1,34 @@
 # %% wrong
-a_polar = [-r**2*(r**2 - 1), -1]  # x1 x1' + x2 x2' taken for r', though it is r r'
-a_polar = [-r*(r**2 - 1), 1]  # the sense of rotation turned
-a_polar = [-r*(r**2 - 1), -r]  # the transverse velocity r phi' given for phi'
-a_origin = "stable"  # the 1 in the bracket overlooked: eigenvalues i and -i
-a_origin = "asymptotically stable"  # the sign of -x1*(-1) lost
-a_motion = 1/sp.sqrt(1 + (1/r0**2 - 1)*sp.exp(-t))  # the factor 2 of the exponent lost when the square was substituted
-a_motion = 1 + (1/r0**2 - 1)*sp.exp(-2*t)  # u = 1/r**2 given for r
-a_motion = 1 + (r0 - 1)*sp.exp(-2*t)  # the linearised equation solved instead of the full one
-a_cycles = [0, 1]  # the equilibrium counted as a cycle
-a_cycles = [1, -1]  # both roots of r**2 = 1
-a_kind = "unstable"  # an unstable equilibrium inside taken for a sign of an unstable cycle
-a_slope = sp.exp(-2)  # the factor for a unit of time, not for a turn
-a_slope = -2  # the slope of r' instead of that of the return map
-b_polar = [-r*(r**2 - 1), -1]  # the rates of system a
-b_polar = [r*(r**2 - 1), 1]  # time reversal applied to the rotation as well
-b_origin = "unstable"  # the sign before the bracket taken for that of the linear term
-b_cycles = []  # an unstable cycle taken for none
-b_kind = "stable"  # stable because motions inside do not cross it
-b_slope = sp.exp(-4*sp.pi)  # the slope of system a
-b_slope = sp.exp(2)  # 2*pi forgotten in the exponent
-c_polar = [-r*(r**2 - 1), -1]  # the square of the bracket lost
-c_polar = [-(r*(r**2 - 1))**2, -1]  # the factor r squared along with the bracket
-c_origin = "unstable"  # the square of -1 forgotten
-c_cycles = [1, -1]  # the double zero counted as two cycles
-c_cycles = []  # no cycle, because r' does not change its sign
-c_kind = "stable"  # only the motions outside looked at
-c_kind = "unstable"  # only the motions inside looked at
-c_slope = 0  # the exponent instead of its exponential
-c_slope = sp.exp(-16*sp.pi)  # the second derivative of r' put in where the first one vanishes
+a_polar = [-r**2*(r**2 - 1), -1]  # Is x1 x1' + x2 x2' the rate of r itself? (hint 1)
+a_polar = [-r*(r**2 - 1), 1]  # In which sense do the motions turn? (hint 2)
+a_polar = [-r*(r**2 - 1), -r]  # Is this the transverse velocity instead of the rate of the angle? (hint 2)
+a_origin = "stable"  # Was the 1 in the bracket overlooked? It gives a linear term. (hint 1)
+a_origin = "asymptotically stable"  # Was a sign lost in front of the bracket? (hint 1)
+# Was the factor 2 in the exponent lost with the substitution? (hint 2)
+a_motion = 1/sp.sqrt(1 + (1/r0**2 - 1)*sp.exp(-t))
+a_motion = 1 + (1/r0**2 - 1)*sp.exp(-2*t)  # Is this the new unknown instead of r? (hint 2)
+a_motion = 1 + (r0 - 1)*sp.exp(-2*t)  # Is this the solution of the linearised equation? (hint 1)
+a_cycles = [0, 1]  # Is an equilibrium a limit cycle? (hint 1)
+a_cycles = [1, -1]  # Can a radius be negative? (hint 1)
+a_kind = "unstable"  # Does an unstable equilibrium inside make the cycle unstable? Look at both sides of it. (hint 1)
+a_slope = sp.exp(-2)  # Is this the factor for a unit of time instead of a turn? (hint 1)
+a_slope = -2  # Is this the slope of the rate r' instead of that of the return map? (hint 1)
+b_polar = [-r*(r**2 - 1), -1]  # Are these the rates of system a? (hint 1)
+b_polar = [r*(r**2 - 1), 1]  # Was time reversed for the rotation too? (hint 1)
+b_origin = "unstable"  # Was the sign before the bracket taken for that of the linear term? (hint 1)
+b_cycles = []  # Is an unstable cycle no cycle? (hint 1)
+b_kind = "stable"  # That motions inside do not cross the cycle holds for any cycle. Do they come closer? (hint 1)
+b_slope = sp.exp(-4*sp.pi)  # Is this the slope of system a? (hint 1)
+b_slope = sp.exp(2)  # Does a turn take one unit of time? (hint 1)
+c_polar = [-r*(r**2 - 1), -1]  # Did the square of the bracket get lost? (hint 1)
+c_polar = [-(r*(r**2 - 1))**2, -1]  # Does the square belong to the factor r as well? (hint 1)
+c_origin = "unstable"  # Was the square of -1 forgotten? (hint 1)
+c_cycles = [1, -1]  # Does a double zero make two cycles? (hint 1)
+c_cycles = []  # Is a cycle only there where the rate of r changes its sign? (hint 1)
+c_kind = "stable"  # Were only the motions outside looked at? (hint 1)
+c_kind = "unstable"  # Were only the motions inside looked at? (hint 1)
+c_slope = 0  # Is this the exponent instead of its exponential? (hint 1)
+c_slope = sp.exp(-16*sp.pi)  # Which derivative of r' belongs into the exponent, the first or the second one? (hint 1)
 
 # %% right
 a_polar = sp.Matrix([r - r**3, -1])  # multiplied out, as a column

@@ -1,11 +1,16 @@
 # %% wrong
-a_region = sp.And(k1 > 0, k2 > 0)  # positive coefficients taken for sufficient
-a_region = k1*k2 > 1  # the sign of k1 forgotten: the left-hand branch of the hyperbola taken along
-a_region = sp.And(k1 > 0, k1*k2 >= 1)  # the boundary counted in, where a pair of roots is imaginary
-b_region = sp.And(k2 > 0, k1 < k2)  # the second minor with its sign turned
-c_region = sp.And(k2 > 0, k1*k2 < 1)  # multiplied by k1 without asking for its sign
-d_region = sp.And(k1 > 0, k2 > 1)  # the criterion for leading coefficient 1 used without dividing: 1*k2 > 1
-e_region = sp.And(k1 > 0, k2 > 0)  # only the signs of the coefficients
+# Are positive coefficients enough for a cubic? Which minor was not looked at? (hint 1)
+a_region = sp.And(k1 > 0, k2 > 0)
+a_region = k1*k2 > 1  # Is this the sign of one minor alone? Try a point where both parameters are negative. (hint 2)
+# Does a pair of imaginary roots on the border still make the zero solution asymptotically stable? (hint 2)
+a_region = sp.And(k1 > 0, k1*k2 >= 1)
+# Did the second minor get its sign the wrong way round? Try one point of your region by its roots. (hint 1)
+b_region = sp.And(k2 > 0, k1 < k2)
+# Was the inequality multiplied by a parameter without asking for its sign? (hint 1)
+c_region = sp.And(k2 > 0, k1*k2 < 1)
+# Was the criterion for the leading coefficient 1 used without dividing the equation first? (hint 1)
+d_region = sp.And(k1 > 0, k2 > 1)
+e_region = sp.And(k1 > 0, k2 > 0)  # Are these the signs of the coefficients alone? Which minor can still fail? (hint 2)
 
 # %% right
 a_region = sp.And(k1 > 0, k2 > 1/k1)  # solved for k2

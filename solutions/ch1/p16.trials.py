@@ -1,19 +1,24 @@
 # %% wrong
-a_region = sp.And(k1 < -1, k2 < k1)  # plain asymptotic stability, the margin forgotten
-a_region = sp.And(k1 <= 1, k2 <= 0)  # the roots moved to the wrong side: A - E in the place of A + E
-a_region = sp.And(k1 <= -2, k2 <= 2*k1 + 2)  # the trace of A + E taken as trace A + 1
-b_region = sp.And(k1 <= -2, k2 >= k1 + 1)  # the sign of the determinant turned
-b_region = sp.And(k1 <= -1, k2 <= -1)  # the trace and the determinant of A itself compared with the margin
-c_region = (k1 - 1)*(k2 - 1) >= 1  # the second branch of the hyperbola taken along
-c_region = sp.And(k1 >= 1, k2 >= 1)  # the diagonal alone looked at
-d_region = sp.And(k1 <= -2, k2 <= k1 + 1)  # the answer of item b copied without exchanging the parameters
-d_region = sp.And(k2 < 0, k1 < 0)  # plain asymptotic stability, the margin forgotten
-e_region = sp.And(k1 > -1, k1 + k2 > 0)  # plain asymptotic stability, the margin forgotten
-e_region = sp.And(k1 >= 1, k1 + k2 >= 0)  # the determinant of A, not of A + E
-f_region = 2*k1 - 3*k2 + k1*k2 - 4 < 0  # asymptotic stability, which the printed system can have, taken for the margin
-f_region = -2 - (2 + k2)*(k1 - 3) >= 0  # the determinant of A + E alone
-f_repaired_region = sp.And(k1 + k2 <= -1, (k1 + 2)*(k2 - 1) >= 0)  # the coupling 2*(-3) left out of the determinant
-f_repaired_region = sp.And(k1 + k2 <= -1, k2 - 1 >= -6/(k1 + 2))  # divided by k1 + 2 without asking for its sign
+a_region = sp.And(k1 < -1, k2 < k1)  # Is this plain asymptotic stability, with the margin forgotten? (hint 1)
+a_region = sp.And(k1 <= 1, k2 <= 0)  # Were the roots moved to the wrong side? (hint 1)
+# By how much does the trace of a matrix of order two change with the shift? (hint 1)
+a_region = sp.And(k1 <= -2, k2 <= 2*k1 + 2)
+b_region = sp.And(k1 <= -2, k2 >= k1 + 1)  # Did the determinant get its sign turned? (hint 1)
+# Was the matrix itself compared with the margin, instead of the shifted one? (hint 1)
+b_region = sp.And(k1 <= -1, k2 <= -1)
+c_region = (k1 - 1)*(k2 - 1) >= 1  # Which of the two branches of the hyperbola agrees with the trace? (hint 2)
+c_region = sp.And(k1 >= 1, k2 >= 1)  # Is it enough to look at the diagonal? (hint 1)
+# Is this the region of item b without the exchange of the parameters? (hint 1)
+d_region = sp.And(k1 <= -2, k2 <= k1 + 1)
+d_region = sp.And(k2 < 0, k1 < 0)  # Is this plain asymptotic stability, with the margin forgotten? (hint 1)
+e_region = sp.And(k1 > -1, k1 + k2 > 0)  # Is this plain asymptotic stability, with the margin forgotten? (hint 1)
+e_region = sp.And(k1 >= 1, k1 + k2 >= 0)  # Is this the determinant before the shift? (hint 1)
+f_region = 2*k1 - 3*k2 + k1*k2 - 4 < 0  # Is this plain asymptotic stability? The margin asks for more. (hint 1)
+f_region = -2 - (2 + k2)*(k1 - 3) >= 0  # Was the determinant looked at alone, without the trace? (hint 1)
+# Was the product of the coupling terms left out of the determinant? (hint 1)
+f_repaired_region = sp.And(k1 + k2 <= -1, (k1 + 2)*(k2 - 1) >= 0)
+# Was the inequality divided by a factor without asking for its sign? (hint 2)
+f_repaired_region = sp.And(k1 + k2 <= -1, k2 - 1 >= -6/(k1 + 2))
 
 # %% right
 a_region = sp.And(k1 < -3, k1 > k2/2 - 1)  # strict, solved for k1

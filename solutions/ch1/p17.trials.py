@@ -1,12 +1,13 @@
 # %% wrong
-a_region = epsilon > 0  # friction alone taken for enough
-a_region = epsilon*omega2 > 0  # only the second minor, which is positive in the third quadrant too
-a_region = sp.And(epsilon >= 0, omega2 > 0)  # the side without friction counted in
-a_region = sp.And(epsilon > 0, epsilon**2 < 4*omega2)  # complex roots demanded: a swinging pendulum
-b_region = sp.And(epsilon >= 2, omega2 > 0)  # only the sum of the roots looked at: the overdamped pendulum forgotten
-b_region = sp.And(epsilon >= -2, omega2 >= -epsilon - 1)  # shifted to the wrong side: lambda = mu + 1
-b_region = sp.And(epsilon >= 2, omega2 >= epsilon)  # the last coefficient not shifted in full
-b_region = sp.And(epsilon > 0, omega2 > 0)  # the margin forgotten
+a_region = epsilon > 0  # Is friction alone enough? What does the spring have to do? (hint 1)
+a_region = epsilon*omega2 > 0  # Can this product be positive with both factors negative? (hint 1)
+a_region = sp.And(epsilon >= 0, omega2 > 0)  # Do motions without friction tend to zero? (hint 1)
+a_region = sp.And(epsilon > 0, epsilon**2 < 4*omega2)  # Must the pendulum swing in order to be stable? (hint 1)
+# Is it enough to look at the sum of the roots? One of them may be slow. (hint 1)
+b_region = sp.And(epsilon >= 2, omega2 > 0)
+b_region = sp.And(epsilon >= -2, omega2 >= -epsilon - 1)  # Was the line shifted to the wrong side? (hint 1)
+b_region = sp.And(epsilon >= 2, omega2 >= epsilon)  # Was the last coefficient shifted in full? (hint 1)
+b_region = sp.And(epsilon > 0, omega2 > 0)  # Was the margin forgotten? (hint 1)
 
 # %% right
 a_region = [epsilon > 0, epsilon*omega2 > 0]  # both minors as they come

@@ -1,11 +1,13 @@
 # %% wrong
-a_region = sp.And(k1 > 0, k2 > 0)  # positive coefficients taken for sufficient
-a_region = k1 > 0  # the trace alone: -k1 negative
-a_region = k1*k2 > 1  # the sign of k1 forgotten: the left-hand branch of the hyperbola taken along
-a_region = sp.And(k1 > 0, k1*k2 >= 1)  # the boundary counted in, where a pair of roots is imaginary
-b_region = sp.And(k1 > 0, k2 > k1)  # k1 and k2 exchanged when the coefficients were read off
-b_region = sp.And(k2 >= 0, k1 >= k2)  # the sides counted in, where roots lie on the imaginary axis
-b_region = sp.And(k1 > 0, k2 > 0)  # positive coefficients taken for sufficient
+a_region = sp.And(k1 > 0, k2 > 0)  # Are positive coefficients enough for a cubic? (hint 2)
+a_region = k1 > 0  # Is it enough to look at the sum of the roots? (hint 2)
+a_region = k1*k2 > 1  # Can this product be large with both factors negative? (hint 2)
+# Does a pair of imaginary roots on the border leave the zero solution asymptotically stable? (hint 2)
+a_region = sp.And(k1 > 0, k1*k2 >= 1)
+b_region = sp.And(k1 > 0, k2 > k1)  # Did two coefficients change places when they were read off? (hint 1)
+# Do roots on the imaginary axis leave the zero solution asymptotically stable? (hint 2)
+b_region = sp.And(k2 >= 0, k1 >= k2)
+b_region = sp.And(k1 > 0, k2 > 0)  # Are positive coefficients enough for a cubic? (hint 2)
 
 # %% right
 a_region = sp.And(k1 > 0, k2 > 1/k1)  # solved for k2

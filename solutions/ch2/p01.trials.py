@@ -1,16 +1,22 @@
 # %% wrong
-a_canonical = sp.Matrix([[0, 1], [-2, 0]])  # the coefficient of the polynomial with its own sign
-a_canonical = sp.diag(sp.sqrt(2), -sp.sqrt(2))  # another canonical form: the eigenvalues on the diagonal
-a_canonical = sp.Matrix([[2, 1], [0, 0]])  # the two coefficients in the order of the polynomial's constant term first
-a_transformation = sp.Matrix([[1, 0], [-1, 1]])  # x = T xi instead of xi = T x
-a_transformation = sp.Matrix([[1, 1], [0, 1]])  # the vectors f_i as columns
-# the coefficients in the last row, as in the form by control
+# Which sign do the coefficients of the polynomial have in this form? (hint 2)
+a_canonical = sp.Matrix([[0, 1], [-2, 0]])
+# Is this another canonical form, with the eigenvalues on the diagonal? (hint 1)
+a_canonical = sp.diag(sp.sqrt(2), -sp.sqrt(2))
+a_canonical = sp.Matrix([[2, 1], [0, 0]])  # Do the two coefficients stand in the right order? (hint 1)
+# Does this lead from the new coordinates to the old ones, instead of the other way? (hint 1)
+a_transformation = sp.Matrix([[1, 0], [-1, 1]])
+a_transformation = sp.Matrix([[1, 1], [0, 1]])  # Were the vectors written as columns instead of rows? (hint 1)
+# Is this the form by control, with the coefficients in the last row? (hint 1)
 b_canonical = sp.Matrix([[0, 1, 0], [0, 0, 1], [2, 2, 0]])
-b_canonical = sp.Matrix([[2, 1, 0], [2, 0, 1], [0, 0, 0]])  # the column upside down
-b_canonical = sp.Matrix([[0, 1, 0], [-2, 0, 1], [-2, 0, 0]])  # the coefficients of the polynomial with their own signs
-b_transformation = sp.Matrix([[1, 0, 0], [0, 1, 0], [1, 1, 1]])  # the derivatives of z taken for the coordinates: T = N
-b_transformation = sp.Matrix([[1, 0, 0], [0, 1, 0], [1, -1, 1]])  # x = T xi instead of xi = T x
-# A in the place of its transpose in g2 = A'g1, g3 = A'g2
+b_canonical = sp.Matrix([[2, 1, 0], [2, 0, 1], [0, 0, 0]])  # Is the column of coefficients upside down? (hint 1)
+# Which sign do the coefficients of the polynomial have in this form?
+b_canonical = sp.Matrix([[0, 1, 0], [-2, 0, 1], [-2, 0, 0]])
+# Are these the derivatives of z? The canonical coordinates differ from them. (hint 1)
+b_transformation = sp.Matrix([[1, 0, 0], [0, 1, 0], [1, 1, 1]])
+# Does this lead from the new coordinates to the old ones, instead of the other way? (hint 1)
+b_transformation = sp.Matrix([[1, 0, 0], [0, 1, 0], [1, -1, 1]])
+# Was the matrix used where its transpose belongs? (hint 2)
 b_transformation = sp.Matrix([[1, 0, 0], [0, 1, 1], [-1, 2, -1]])
 
 # %% right

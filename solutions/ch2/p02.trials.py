@@ -1,15 +1,19 @@
 # %% wrong
-possible = sp.Ne(alpha, -2)  # a root -1 sought with the wrong sign: 1 + 1 + alpha
-possible = sp.Eq(alpha, 2)  # the exceptional value itself
-possible = sp.And(alpha > -sp.Rational(1, 4), sp.Ne(alpha, 2))  # real and different roots asked for
-possible = sp.true  # the canonical matrix can be written down for every alpha, so the form exists
-unseen = {2: [[1, 2]]}  # the motion that is seen
-unseen = {-2: [[1, -1]]}  # the value of the sign slip
-unseen = {2: [[1, -1]], 0: [[1, -1]]}  # z = 0 for a moment at another alpha taken for ever
-canonical = sp.Matrix([[-1, 1], [-alpha, 0]])  # the coefficients of the polynomial with their own signs
-canonical = sp.Matrix([[0, 1], [alpha, 1]])  # the matrix as given, with its coefficients in the last row
-transformation = sp.Matrix([[1, 1], [alpha, 2]])  # the second coordinate taken to be dz/dt
-transformation = sp.Matrix([[1, -1], [1 - alpha, 1]])/(2 - alpha)  # the way back, from xi to the state
+possible = sp.Ne(alpha, -2)  # Was a root put into the equation with its sign lost? (hint 2)
+possible = sp.Eq(alpha, 2)  # Is this the exceptional value itself, instead of all others? (hint 1)
+possible = sp.And(alpha > -sp.Rational(1, 4), sp.Ne(alpha, 2))  # Must the roots be real and different? (hint 1)
+# The canonical matrix can always be written down. But can the system always be brought to it? (hint 1)
+possible = sp.true
+unseen = {2: [[1, 2]]}  # Is this the motion that the measurement does see? (hint 1)
+unseen = {-2: [[1, -1]]}  # Was a root put into the equation with its sign lost? (hint 1)
+unseen = {2: [[1, -1]], 0: [[1, -1]]}  # Does z stay zero here for ever, or only for a moment? (hint 1)
+# Which sign do the coefficients of the polynomial have in this form? (hint 1)
+canonical = sp.Matrix([[-1, 1], [-alpha, 0]])
+canonical = sp.Matrix([[0, 1], [alpha, 1]])  # Is this the matrix as it was given? (hint 1)
+# Is the derivative of z the second coordinate, or does something have to be taken off? (hint 2)
+transformation = sp.Matrix([[1, 1], [alpha, 2]])
+# Is this the way back, from the new coordinates to the state? (hint 1)
+transformation = sp.Matrix([[1, -1], [1 - alpha, 1]])/(2 - alpha)
 
 # %% right
 possible = sp.Or(alpha < 2, alpha > 2)  # two intervals

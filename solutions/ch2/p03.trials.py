@@ -1,24 +1,24 @@
 # %% wrong
-a_observable = False  # one measurement cannot tell two numbers: the derivative forgotten
-a_unseen = [[0, 1]]  # what one moment does not see: the states with x1 = 0
-b_observable = False  # a speed taken to say nothing of the position, as for a free body
-b_unseen = [[1, 0]]  # what one moment does not see: the states with x2 = 0
-c_observable = True  # both states enter the measurement, so both are thought to be known
-c_unseen = [[1, 1]]  # the eigenvector that is seen
-c_unseen = [[0, 0]]  # the zero vector belongs to no basis
-d_observable = False  # imaginary eigenvalues thought to hide a motion
-d_unseen = [[0, 1]]  # a vector of the plane, where nothing is unseen
-e_observable = False  # one measurement cannot tell two numbers
-e_unseen = [[1, 0]]  # what one moment does not see
-f_observable = False  # the output of item c, so its verdict too
-f_unseen = [[1, -1]]  # the line where z vanishes for a moment
-g_observable = True  # the system thought observable since A is regular
-g_unseen = [[0, 1]]  # the measured direction instead of the unseen one
-h_observable = False  # a double eigenvalue thought to spoil observability
-h_unseen = [[1, -1]]  # the line where z vanishes for a moment
-i_observable = True  # observable as soon as both states enter, so for a not 0
-i_unseen = [[a, 1]]  # the sign lost
-i_unseen = [[1, -1/a]]  # divided by a, which may vanish
+a_observable = False  # Does one measurement tell only one number? Think of its derivative. (hint 1)
+a_unseen = [[0, 1]]  # Are these the states that a single moment does not show? (hint 1)
+b_observable = False  # Does a speed tell nothing of the position here? The body is not free. (hint 1)
+b_unseen = [[1, 0]]  # Are these the states that a single moment does not show? (hint 1)
+c_observable = True  # Is it enough that both states enter the measurement? (hint 1)
+c_unseen = [[1, 1]]  # Is this the eigenvector that is seen? (hint 2)
+c_unseen = [[0, 0]]  # Can the zero vector belong to a basis? (hint 1)
+d_observable = False  # Do imaginary eigenvalues hide a motion? (hint 1)
+d_unseen = [[0, 1]]  # Does this motion really keep z at zero? (hint 1)
+e_observable = False  # Does one measurement tell only one number? Think of its derivative. (hint 1)
+e_unseen = [[1, 0]]  # Are these the states that a single moment does not show? (hint 1)
+f_observable = False  # The output is that of item c, but is the system? (hint 1)
+f_unseen = [[1, -1]]  # Does z stay zero on this line, or only for a moment? (hint 1)
+g_observable = True  # Does a regular matrix make a system observable? (hint 1)
+g_unseen = [[0, 1]]  # Is this the measured direction instead of the unseen one? (hint 1)
+h_observable = False  # Does a double eigenvalue spoil observability? Count its eigenvectors. (hint 2)
+h_unseen = [[1, -1]]  # Does z stay zero on this line, or only for a moment? (hint 1)
+i_observable = True  # Is it enough that both states enter the output? Look at how the two modes grow. (hint 1)
+i_unseen = [[a, 1]]  # Was a sign lost? Put the vector into the output. (hint 1)
+i_unseen = [[1, -1/a]]  # What becomes of this vector where the divisor vanishes? (hint 2)
 
 # %% right
 a_unseen = sp.zeros(2, 0)  # a matrix without columns

@@ -1,17 +1,19 @@
 # %% wrong
-a_observable = sp.Ne(1 + alpha + beta, 0)  # the root of 1 + s taken to be +1
-a_observable = sp.Ne(1 - alpha - beta, 0)  # the sign of beta lost in the second row of N
-a_observable = sp.And(sp.Ne(alpha - beta, 1), alpha > 0, beta > 0)  # stability asked for as well
-# the double root taken for seen, since z is not zero there
+a_observable = sp.Ne(1 + alpha + beta, 0)  # Which root has the polynomial of the output? Mind its sign. (hint 2)
+a_observable = sp.Ne(1 - alpha - beta, 0)  # Was a sign lost in the second row? (hint 1)
+# Must the motions be stable in order to be seen? (hint 1)
+a_observable = sp.And(sp.Ne(alpha - beta, 1), alpha > 0, beta > 0)
+# Is the motion with the double root seen as a whole? One of the two vanishes in z. (hint 2)
 a_observable = sp.Or(sp.Ne(alpha - beta, 1), sp.Eq(alpha, 2))
-a_observable = sp.Eq(alpha - beta, 1)  # the line where the system is not observable
-b_unobservable = sp.Or(sp.Eq(h, -1), sp.Eq(h, -2))  # the roots themselves instead of their opposites
-b_unobservable = sp.And(sp.Ne(h, 1), sp.Ne(h, 2))  # the values for which the system is observable
-b_unobservable = sp.Eq(h, 1)  # only the value known from item a
-b_unobservable = sp.Eq(h, 0)  # without the position no way to know it, so h = 0
-b_unseen = {1: [[1, -2]], 2: [[1, -1]]}  # the motions at the wrong values
-b_unseen = {1: [[1, 1]], 2: [[2, 1]]}  # the rows of the output instead of the states
-b_unseen = {1: [[1, -1]]}  # one of the two motions overlooked
+a_observable = sp.Eq(alpha - beta, 1)  # Is this where the system is not observable? (hint 2)
+b_unobservable = sp.Or(sp.Eq(h, -1), sp.Eq(h, -2))  # Are these the roots themselves? Put one of them into z. (hint 1)
+b_unobservable = sp.And(sp.Ne(h, 1), sp.Ne(h, 2))  # Are these the values for which the system is observable? (hint 2)
+b_unobservable = sp.Eq(h, 1)  # Is this the only motion that can disappear? (hint 2)
+# Does the output lose a motion without the position? The equation ties both together. (hint 1)
+b_unobservable = sp.Eq(h, 0)
+b_unseen = {1: [[1, -2]], 2: [[1, -1]]}  # Does each value hide this motion, or the other one? (hint 1)
+b_unseen = {1: [[1, 1]], 2: [[2, 1]]}  # Are these the rows of the output instead of the states? (hint 1)
+b_unseen = {1: [[1, -1]]}  # Was one of the two motions overlooked? (hint 1)
 
 # %% right
 # the determinant as it comes, with plain symbols

@@ -1,35 +1,50 @@
 # %% wrong
-a_observable = False  # one measurement thought too little for three unknowns
-a_unseen = [[0, 1, 0], [0, 0, 1]]  # what one moment does not see: the states with x1 = 0
-b_observable = False  # the sign of x3 overlooked, as in example 3
-b_unseen = [[1, 0, -1]]  # the unseen state of example 3
-c_observable = True  # every coordinate acts on another one, so all are thought to be seen
-c_unseen = [[0, 1, 1]]  # what z and its derivative were solved for with a sign lost
-c_unseen = [[0, 1, 0], [0, 0, 1]]  # the states that are unseen at the first moment only
-c_unseen = [[0, 0, 0]]  # the zero vector belongs to no basis
-d_observable = True  # all three coordinates enter z or its derivative
-d_unseen = [[1, 0, -1]]  # the sign lost
-e_observable = True  # the eigenvalues 0 and 1 both show in z, so nothing is thought to be lost
-e_unseen = [[2, -1, 1]]  # the eigenvector that is seen
-e_unseen = [[1, 0, 1], [0, 1, 0]]  # a vector too many
-f_observable = True  # the third coordinate thought to be seen because it listens to the others
-f_unseen = [[1, -1, 0], [0, 0, 1]]  # the states with z = 0 at the first moment
-g_region = sp.Ne(alpha, -1)  # one factor of the determinant overlooked
-g_region = sp.Or(sp.Eq(alpha, -1), sp.Eq(alpha, sp.Rational(1, 5)))  # the exceptional values given
-# inequalities, as if the sign of the determinant mattered
+# Must there be as many measurements as unknowns? What do the derivatives of the measurement tell? (hint 1)
+a_observable = False
+# Are these the states that one moment does not show? Watch them a little longer. (hint 1)
+a_unseen = [[0, 1, 0], [0, 0, 1]]
+# Is one sign in the equations read as in example 3 of the chapter? Write the derivatives of z out once more. (hint 1)
+b_observable = False
+b_unseen = [[1, 0, -1]]  # Is this the unseen state of example 3? The system here differs from it in a sign. (hint 1)
+# Is it enough that every coordinate acts on another one? Two of them may act in the same way always. (hint 1)
+c_observable = True
+# Was a sign lost when z and its derivative were put to zero? Test the vector with both equations. (hint 1)
+c_unseen = [[0, 1, 1]]
+c_unseen = [[0, 1, 0], [0, 0, 1]]  # Do these states stay unseen as time goes on, or only at the first moment? (hint 2)
+c_unseen = [[0, 0, 0]]  # Can the zero vector belong to a basis? (hint 1)
+# Is it enough that all three coordinates enter z or its derivative? They may enter in one combination only. (hint 1)
+d_observable = True
+d_unseen = [[1, 0, -1]]  # Was a sign lost? Put this vector into the derivative of z. (hint 1)
+# Does it follow from the eigenvalues that show in z that nothing is lost? Count the eigenvectors too. (hint 1)
+e_observable = True
+e_unseen = [[2, -1, 1]]  # Does the motion along this eigenvector really give zero for z? (hint 2)
+# Is one vector too many here? Compute the output of each of them and its derivative. (hint 2)
+e_unseen = [[1, 0, 1], [0, 1, 0]]
+f_observable = True  # Does a coordinate that listens to the others have to be seen? Ask whom it acts on. (hint 1)
+f_unseen = [[1, -1, 0], [0, 0, 1]]  # Are these the states with zero output at the first moment only? (hint 1)
+g_region = sp.Ne(alpha, -1)  # Was one factor of the determinant overlooked? (hint 1)
+# Are these the values at which something is lost, instead of those at which nothing is? (hint 1)
+g_region = sp.Or(sp.Eq(alpha, -1), sp.Eq(alpha, sp.Rational(1, 5)))
+# Does the sign of the determinant matter, or only whether it vanishes? (hint 1)
 g_region = sp.And(sp.Ne(alpha, -1), alpha < sp.Rational(1, 5))
-g_unseen = {-1: [[1, 1, 1]], sp.Rational(1, 5): [[-1, 3, 5]]}  # one vector taken for the whole basis at -1
-g_unseen = {-1: [[0, 1, 0], [1, 0, 1]]}  # one value overlooked
-g_unseen = {sp.Rational(1, 5): [[0, 1, 0], [1, 0, 1]], -1: [[-1, 3, 5]]}  # the values interchanged
-h_region = sp.Ne(alpha, 2)  # a sign lost
-h_unseen = {-2: [[-1, 2, 1]]}  # only the eigenvector of the double eigenvalue
-h_unseen = {-2: [[1, 0, 0], [0, 2, 1]], 0: [[1, 0, 0]]}  # a value at which nothing is lost added
-i_region = sp.And(sp.Ne(alpha, 1), sp.Ne(alpha, 3))  # a single minor taken for the whole matrix
-i_unseen = {3: [[0, 1, -1]]}  # the vector that the first output alone does not see, with a wrong value
-i_unseen = {1: [[1, 1, 0]]}  # an eigenvector that is seen
-j_region = sp.And(sp.Ne(alpha, -1), sp.Ne(alpha, -sp.Rational(1, 2)))  # a single minor taken for the whole matrix
-j_region = True  # the minor thought never to vanish
-# the eigenvector that z1 alone does not see, at another value
+# Is one vector a whole basis at each of these values? Count the independent rows that are left. (hint 2)
+g_unseen = {-1: [[1, 1, 1]], sp.Rational(1, 5): [[-1, 3, 5]]}
+g_unseen = {-1: [[0, 1, 0], [1, 0, 1]]}  # Was one of the exceptional values left out? (hint 1)
+# Have the two values changed places? Put each of them into the rows again. (hint 1)
+g_unseen = {sp.Rational(1, 5): [[0, 1, 0], [1, 0, 1]], -1: [[-1, 3, 5]]}
+h_region = sp.Ne(alpha, 2)  # Was a sign lost in the factor of the determinant? (hint 2)
+h_unseen = {-2: [[-1, 2, 1]]}  # Is this the eigenvector alone? How many rows are still independent there? (hint 1)
+# Is anything lost at all at each of the values named here? Compute the determinant there. (hint 1)
+h_unseen = {-2: [[1, 0, 0], [0, 2, 1]], 0: [[1, 0, 0]]}
+# Is this what a single minor says? All of them have to vanish together. (hint 1)
+i_region = sp.And(sp.Ne(alpha, 1), sp.Ne(alpha, 3))
+# Is this what the first output alone does not see? Ask the second output too, and check the value. (hint 1)
+i_unseen = {3: [[0, 1, -1]]}
+i_unseen = {1: [[1, 1, 0]]}  # Is this eigenvector really without any trace in both outputs? (hint 1)
+# Is this what a single minor says? The others may still be different from zero there. (hint 1)
+j_region = sp.And(sp.Ne(alpha, -1), sp.Ne(alpha, -sp.Rational(1, 2)))
+j_region = True  # Does the minor really never vanish? Factor it. (hint 1)
+# Is this the eigenvector that the first output alone does not see? Ask the second one at this value. (hint 1)
 j_unseen = {-1: [[1, 0, 1]], -sp.Rational(1, 2): [[1, 3, 2]]}
 
 # %% right

@@ -1,22 +1,24 @@
 # %% wrong
-a_observable = False  # the longitude thought to tell nothing of the height
-a_unseen = [[0, 1, 0, 0]]  # a constant height taken to leave the longitude at rest
-a_lost = {0, sp.I*Omega, -sp.I*Omega}  # the rank taken to fall wherever the upper square is singular
-b_observable = True  # the height taken to tell everything, as the longitude does
-b_unseen = [[1, 0, 0, 0], [0, 2*r0, -3*Omega, 0]]  # the circular orbit of another height, which an altimeter does see
-b_unseen = [[0, 0, 1, 0]]  # a steady rate at height zero, which the equations do not allow
-b_lost = {sp.I*Omega, -sp.I*Omega}  # the oscillation taken for unseen
-c_observable = True  # the rate integrated, its constant forgotten
-c_unseen = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 0, 1]]  # everything that z does not contain at the first moment
-c_lost = set()  # the row of the measurement written without its factor lambda
-d_observable = True  # the vertical velocity integrated to the height, and this to the rest
-d_unseen = [[1, 0, 0, 0]]  # as many states as Theorem 2.5 finds exceptions
-d_unseen = [[1, 0, 0, 0], [0, 1, 0, 0]]  # the height changed and the rate left as it was
-d_unseen = [[1, 0, 0, 0], [0, 2*r0, 3*Omega, 0]]  # the higher orbit taken to run ahead
-d_lost = {0, sp.I*Omega}  # two unseen states, so two lost numbers sought
-e_observable = False  # each of the two not enough, so neither their sum
-e_unseen = [[1, -1, 0, 0]]  # the states where the sum vanishes for a moment
-e_lost = {0}  # what the altimeter loses
+a_observable = False  # Does the longitude tell nothing of the height? Differentiate it. (hint 1)
+a_unseen = [[0, 1, 0, 0]]  # Does the longitude stay at rest when the height is constant? (hint 1)
+# Does the rank fall wherever the upper square is singular? There is one row more. (hint 2)
+a_lost = {0, sp.I*Omega, -sp.I*Omega}
+b_observable = True  # Does the height tell all that the longitude does? (hint 1)
+b_unseen = [[1, 0, 0, 0], [0, 2*r0, -3*Omega, 0]]  # Does an altimeter really not see this orbit? (hint 2)
+b_unseen = [[0, 0, 1, 0]]  # Do the equations allow a steady rate at height zero? (hint 2)
+b_lost = {sp.I*Omega, -sp.I*Omega}  # Is the oscillation unseen by an altimeter? (hint 1)
+c_observable = True  # Does integrating a rate give the quantity itself, or up to a constant? (hint 1)
+# Is this all that z does not contain at the first moment? Its derivatives tell more. (hint 1)
+c_unseen = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 0, 1]]
+c_lost = set()  # Was the row of the measurement written with its factor lambda? (hint 1)
+d_observable = True  # Does a velocity give the height, and this all the rest? Look at the constants. (hint 1)
+d_unseen = [[1, 0, 0, 0]]  # Must there be as many unseen states as the theorem finds exceptions? (hint 1)
+d_unseen = [[1, 0, 0, 0], [0, 1, 0, 0]]  # Does the height change without any change of the rate? (hint 2)
+d_unseen = [[1, 0, 0, 0], [0, 2*r0, 3*Omega, 0]]  # Does the higher of two satellites run ahead? (hint 2)
+d_lost = {0, sp.I*Omega}  # Must every unseen state have a number of its own? (hint 1)
+e_observable = False  # If neither measurement is enough, can their sum not be enough? (hint 1)
+e_unseen = [[1, -1, 0, 0]]  # Does the sum vanish along this motion for ever, or for a moment? (hint 1)
+e_lost = {0}  # Is this what the altimeter loses? The sum shows it in another way. (hint 1)
 
 # %% right
 a_unseen = sp.zeros(4, 0)  # a matrix without columns

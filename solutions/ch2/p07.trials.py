@@ -1,31 +1,33 @@
 # %% wrong
-a_roots = [1, -1, sp.I/sp.sqrt(3), -sp.I/sp.sqrt(3)]  # the sign of the stiffness lost: 4 s^4 - (s^2 + 1)^2
-a_roots = [1/sp.sqrt(3), -1/sp.sqrt(3)]  # only the real roots
-a_roots = [sp.Rational(1, 3), -1]  # the values of s^2
-a_lost = [-1]  # the zero of the output row, though it is no root
-a_observable = False  # only the first coordinate enters the output
-a_unseen = [[1, -1, -1, 1]]  # the shape that would be lost if -1 were a root
-b_roots = [0, sp.sqrt(11), -sp.sqrt(11)]  # the printed equation with 6 x1
-b_roots = [sp.sqrt(3), -sp.sqrt(3)]  # the negative value of s^2 thought to give no root
-b_lost = [sp.sqrt(3)]  # one root of the lost pair
-b_lost = [sp.I*sp.sqrt(10), -sp.I*sp.sqrt(10)]  # the mode that is seen
-b_observable = True  # both coordinates enter the output, so both are thought to be known
-b_unseen = [[-3, 1, 0, 0]]  # displacements only
-b_unseen = [[1, 3, 0, 0], [0, 0, 1, 3]]  # the output row itself
-c_roots = [1, -1]  # the double root zero overlooked after dividing by s^2
-c_lost = [1, -1]  # a lost shape thought to take both its roots along
-c_lost = [0]  # the root of the coordinate without stiffness
-c_observable = True  # a displacement and a velocity of different coordinates thought never to cancel
-c_unseen = [[1, 1, 0, 0]]  # the initial velocity forgotten
-c_unseen = [[1, 1, 1, 1]]  # the growing motion, which is seen
-d_roots = [1, (-1 + sp.sqrt(13))/6, (-1 - sp.sqrt(13))/6]  # the printed equation with the first derivative of x2
-# the gyroscopic terms left out
+a_roots = [1, -1, sp.I/sp.sqrt(3), -sp.I/sp.sqrt(3)]  # Was the sign of the stiffness lost? (hint 2)
+a_roots = [1/sp.sqrt(3), -1/sp.sqrt(3)]  # Are complex roots asked for as well?
+a_roots = [sp.Rational(1, 3), -1]  # Are these the values of the square of s? (hint 2)
+a_lost = [-1]  # Is this number a root of the system at all? (hint 1)
+a_observable = False  # Does only one coordinate enter the output? (hint 1)
+a_unseen = [[1, -1, -1, 1]]  # Does a motion with this shape exist? It needs a root. (hint 1)
+# Was the printed equation used, with the misprint that the problem mentions? (hint 1)
+b_roots = [0, sp.sqrt(11), -sp.sqrt(11)]
+b_roots = [sp.sqrt(3), -sp.sqrt(3)]  # Does a negative value of the square of s give no root?
+b_lost = [sp.sqrt(3)]  # Does the output treat s and -s differently here? (hint 2)
+b_lost = [sp.I*sp.sqrt(10), -sp.I*sp.sqrt(10)]  # Is this the mode that is seen? (hint 1)
+b_observable = True  # Is it enough that both coordinates enter the output? (hint 1)
+b_unseen = [[-3, 1, 0, 0]]  # Are there only displacements along this line, or velocities too? (hint 1)
+b_unseen = [[1, 3, 0, 0], [0, 0, 1, 3]]  # Is this the row of the output instead of what it sends to zero? (hint 1)
+c_roots = [1, -1]  # Which root gets lost when one divides by the square of s? (hint 1)
+c_lost = [1, -1]  # Does a lost shape take both its roots along? (hint 2)
+c_lost = [0]  # Is this the root of the coordinate without stiffness? Ask the output about its shape. (hint 1)
+c_observable = True  # Can a displacement and a velocity never cancel? (hint 1)
+c_unseen = [[1, 1, 0, 0]]  # What is the initial velocity of this motion? (hint 1)
+c_unseen = [[1, 1, 1, 1]]  # Is this the growing motion, and is it not seen? (hint 1)
+# Was the printed equation used, with the derivative that the problem mends?
+d_roots = [1, (-1 + sp.sqrt(13))/6, (-1 - sp.sqrt(13))/6]
+# Were the gyroscopic terms left out? (hint 1)
 d_roots = [s0 for s0 in sp.solve((3*sp.Symbol('q')**2 - 2)*(sp.Symbol('q')**2 - 1) - 1)]
-d_lost = [0]  # the zero of the output row, though it is no root
-d_lost = [1, -1]  # both signs, as without gyroscopic terms
-d_observable = True  # the velocities of both coordinates thought to be enough
-d_unseen = [[-2, 1, -2, 1]]  # the sign of the velocity lost
-d_unseen = [[-2, 1, 0, 0], [0, 0, -2, 1]]  # both directions of the line, as in item b
+d_lost = [0]  # Is this number a root of the system at all? (hint 1)
+d_lost = [1, -1]  # Do both signs go together when there are gyroscopic terms? (hint 1)
+d_observable = True  # Is it enough that the velocities of both coordinates enter? (hint 1)
+d_unseen = [[-2, 1, -2, 1]]  # Was a sign lost in the initial velocity? (hint 1)
+d_unseen = [[-2, 1, 0, 0], [0, 0, -2, 1]]  # Are all starts along this line unseen, or only one? (hint 1)
 
 # %% right
 a_roots = {0.57735, -0.57735, 1j, -1j}  # decimals, as a Python set

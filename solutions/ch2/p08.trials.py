@@ -1,14 +1,14 @@
 # %% wrong
-region = sp.And(sp.Ne(l1, l2), sp.Ne(l1, 0), sp.Ne(l2, 0))  # an eigenvalue zero thought to hide its mode
-region = sp.And(l1 < 0, l2 < 0)  # observability confused with stability
-region = sp.Ne(l1**2, l2**2)  # the squares compared
-unseen = [[1, 1]]  # the direction that is seen best
-unseen = [[1, 0], [0, 1]]  # both modes taken for unseen because they look alike
-split = sp.Matrix([[1, -1], [1, 1]])  # the unseen coordinate first
-split = sp.eye(2)  # nothing changed: x1 is not observable by itself
-split = sp.Matrix([[1, 1], [2, 2]])  # the second row is twice the first: no coordinates
-split_system = [sp.diag(l, l), sp.Matrix([[1, 1]])]  # the output left as it was
-split_system = [sp.diag(l, 0), sp.Matrix([[1, 0]])]  # the unseen coordinate thought not to change
+region = sp.And(sp.Ne(l1, l2), sp.Ne(l1, 0), sp.Ne(l2, 0))  # Does an eigenvalue zero hide its mode? (hint 2)
+region = sp.And(l1 < 0, l2 < 0)  # Is this stability instead of observability? (hint 1)
+region = sp.Ne(l1**2, l2**2)  # Do opposite eigenvalues give modes that look alike? (hint 1)
+unseen = [[1, 1]]  # Is this the direction that is seen best? (hint 1)
+unseen = [[1, 0], [0, 1]]  # Both modes look alike, but is their sum unseen as well? (hint 1)
+split = sp.Matrix([[1, -1], [1, 1]])  # Which of the two coordinates has to stand first? (hint 1)
+split = sp.eye(2)  # Is the first coordinate observable by itself, as it stands? (hint 1)
+split = sp.Matrix([[1, 1], [2, 2]])  # Can the second row be a multiple of the first? (hint 1)
+split_system = [sp.diag(l, l), sp.Matrix([[1, 1]])]  # How does the output read in the new coordinates? (hint 1)
+split_system = [sp.diag(l, 0), sp.Matrix([[1, 0]])]  # Does the unseen coordinate stay constant? (hint 1)
 
 # %% right
 # the determinant, with plain symbols

@@ -1,14 +1,17 @@
 # %% wrong
-a_region = sp.And(sp.Ne(lam1, lam2), sp.Ne(lam1*lam2, 0))  # an eigenvalue zero excluded needlessly
-a_region = True  # each part is observable, so the whole is thought to be
-b_region = sp.Or(sp.Ne(p, 3), sp.Ne(k, 2))  # only equal oscillators excluded: one common root forgotten to be enough
-b_region = sp.Ne(k, p - 1)  # only the eigenvalue -1 thought of
-b_region = sp.And(sp.Ne(k, -p - 1), sp.Ne(k, -2*p - 4))  # the signs of the eigenvalues of the first oscillator turned
-b_region = k > p**2/4  # complex roots taken for necessary
-c_unseen = [[1, 0, -1, -q]]  # the two eigenvectors subtracted without regard to what the outputs show of them
-c_unseen = [[2, 0, -q, -q**2]]  # the amounts exchanged
-c_unseen = [[q, 0, 2, 2*q]]  # the sign: the outputs add up
-d_observable = False  # the theorem used for two outputs
+a_region = sp.And(sp.Ne(lam1, lam2), sp.Ne(lam1*lam2, 0))  # Does an eigenvalue zero have to be excluded? (hint 1)
+a_region = True  # Is the whole observable as soon as each part is? (hint 1)
+# Must the oscillators be equal for a motion to be lost, or is one common root enough? (hint 2)
+b_region = sp.Or(sp.Ne(p, 3), sp.Ne(k, 2))
+b_region = sp.Ne(k, p - 1)  # Which other eigenvalue has the first block? (hint 1)
+# Were the eigenvalues of the first oscillator taken with the wrong sign? (hint 1)
+b_region = sp.And(sp.Ne(k, -p - 1), sp.Ne(k, -2*p - 4))
+b_region = k > p**2/4  # Must the roots be complex? (hint 1)
+# What does the output show of each of the two eigenvectors? Subtract in such amounts that nothing is left. (hint 2)
+c_unseen = [[1, 0, -1, -q]]
+c_unseen = [[2, 0, -q, -q**2]]  # Have the two amounts changed places? (hint 2)
+c_unseen = [[q, 0, 2, 2*q]]  # Do the outputs add up here instead of cancelling? (hint 2)
+d_observable = False  # Does the theorem speak of two outputs that are measured separately? (hint 1)
 
 # %% right
 # the difference squared, with plain symbols

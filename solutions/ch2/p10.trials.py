@@ -1,24 +1,22 @@
 # %% wrong
-observable = True  # every state acts on another one, so all are thought to be known
-unseen = [[1, 0, -1]]  # what z and dz/dt leave open, with a wrong sign
-unseen = [[1, 0, 0], [0, 0, 1]]  # all that is not measured directly
-# the measured coordinate alone taken for the observable part, the rest left as it is
-split = sp.Matrix([[0, 1, 0], [1, 0, 0], [0, 0, 1]])
-# the matrix of the basis instead of that of the coordinates
+observable = True  # Is it enough that every state acts on another one? (hint 1)
+unseen = [[1, 0, -1]]  # Was a sign lost when z and its derivative were put to zero? (hint 1)
+unseen = [[1, 0, 0], [0, 0, 1]]  # Are all states hidden that are not measured directly? (hint 1)
+split = sp.Matrix([[0, 1, 0], [1, 0, 0], [0, 0, 1]])  # Is the measured coordinate alone the observable part? (hint 1)
+# Is this the matrix of the basis instead of that of the coordinates? (hint 1)
 split = sp.Matrix([[0, 1, 0], [1, 1, -1], [1, 0, 1]]).inv()
-# the rows of N taken as they come, though the third repeats the first
-split = sp.Matrix([[0, 1, 0], [1, 1, -1], [0, 2, 0]])
-# the matrix transposed: eta would act on what is seen
+split = sp.Matrix([[0, 1, 0], [1, 1, -1], [0, 2, 0]])  # Are the three rows independent? (hint 2)
+# Does the hidden coordinate act on what is seen here? Was the matrix transposed? (hint 1)
 split_system = [sp.Matrix([[0, 2, 0], [1, 0, 1], [0, 0, 0]]), sp.Matrix([[1, 0, 0]])]
-# an error of sign in the second equation
+# Was a sign lost in the second equation? (hint 1)
 split_system = [sp.Matrix([[0, 1, 0], [-2, 0, 0], [0, 1, 0]]), sp.Matrix([[1, 0, 0]])]
-# the coefficients in the other order, from the lowest power down
-canonical = [sp.Matrix([[2, 1], [0, 0]]), sp.Matrix([[1, 0]])]
-# the canonical form of the whole matrix, which an unobservable system does not have
+canonical = [sp.Matrix([[2, 1], [0, 0]]), sp.Matrix([[1, 0]])]  # Do the coefficients stand in the right order? (hint 2)
+# Has the whole system a canonical form, or only its observable part? (hint 1)
 canonical = [sp.Matrix([[0, 1, 0], [2, 0, 1], [0, 0, 0]]), sp.Matrix([[1, 0, 0]])]
-canonical = [sp.Matrix([[0, 1], [2, 0]]), sp.Matrix([[0, 1]])]  # the output measures the second coordinate
-canonical_coordinates = sp.Matrix([[0, 2, 0], [2, 2, -2]])  # a scale lost: the first coordinate is no longer the output
-# the second coordinate taken as dz/dt - z, as if alpha_2 were 1
+canonical = [sp.Matrix([[0, 1], [2, 0]]), sp.Matrix([[0, 1]])]  # Which coordinate is measured in the canonical form?
+# Was a factor lost? The first coordinate has to be the output itself. (hint 1)
+canonical_coordinates = sp.Matrix([[0, 2, 0], [2, 2, -2]])
+# Which coefficient is subtracted in the second coordinate? (hint 1)
 canonical_coordinates = sp.Matrix([[0, 1, 0], [1, 0, -1]])
 
 # %% right

@@ -1,32 +1,35 @@
 # %% wrong
-a_observable = True  # z and its derivative contain all three states, so all seem to be known
-a_unseen = [[1, 0, -1]]  # a row of N, which is what is seen, taken for the unseen state
-a_unseen = [[1, 0, 0], [0, 0, 1]]  # what one moment does not see: the states with x2 = 0
-a_split = sp.Matrix([[0, 1, 0], [1, 0, -1], [-1, 0, 1]])  # the matrix N itself, which has no inverse
-a_split = sp.Matrix([[0, 0, 1], [0, 1, 0], [1, 0, -1]])  # z and its derivative, but the hidden coordinate put first
-b_observable = True  # the unknown states act on the measured one, which is taken to suffice
-b_unseen = [[0, 1, 0]]  # the measured coordinate
-b_unseen = [[1, 0, 1]]  # the sign lost
-b_split = sp.Matrix([[0, 1, 0], [1, 0, 0], [1, 1, 1]])  # z and its integral taken for the observable part
-c_observable = True  # A is regular and all states act on each other, so all is thought to be seen
-c_unseen = [[1, 0, -1], [0, 1, 0]]  # what one moment does not see: the plane x1 + x3 = 0
-c_split = sp.Matrix([[1, 1, 1], [0, 1, 0], [1, 0, 0]])  # new coordinates written into the columns
-d_observable = True  # no two rows of N are proportional, so they are thought to be independent
-d_unseen = []  # none, since z and its derivatives contain all states
-d_split = sp.Matrix([[0, 0, 1], [0, 1, -1], [1, 0, -1]])  # x = T (xi; eta), the inverse of what is asked
-e_observable = True  # one slip in the last row of N, and its determinant is not zero
-e_unseen = [[1, 1, 1]]  # the signs lost
-e_split = sp.Matrix([[1, 0, 1], [0, 1, 0], [0, 0, 1]])  # z kept, the other two coordinates as they were
-f_observable = True  # in the long run the state becomes known, which is not observability
-f_unseen = [[1, 0, -1], [0, 0, 0]]  # the zero vector added to the basis
-f_unseen = [[0, 1, 0]]  # the state that the second observable coordinate measures
-f_split = sp.eye(3)  # the variables left as they are
-g_observable = True  # complex eigenvalues thought to make everything visible
-g_unseen = [[1, 0, -1]]  # the measured direction
-g_split = sp.Matrix([[1, 0, -1], [0, 0, 1], [0, 1, 0]])  # the hidden coordinate between the two observable ones
-h_observable = True  # three different eigenvalues thought to suffice for one output
-h_unseen = [[1, -1, 0]]  # the eigenvector with the eigenvalue -1, which is seen
-h_split = sp.Matrix([[1, -1, 0], [1, 0, 1], [1, 1, 0]])  # the eigenvectors written into the rows
+a_observable = True  # Is it enough that z and its derivative contain all states? (hint 1)
+a_unseen = [[1, 0, -1]]  # Is this a row of what is seen instead of an unseen state? (hint 1)
+a_unseen = [[1, 0, 0], [0, 0, 1]]  # Are these the states that a single moment does not show? (hint 1)
+a_split = sp.Matrix([[0, 1, 0], [1, 0, -1], [-1, 0, 1]])  # Has this matrix an inverse? (hint 1)
+a_split = sp.Matrix([[0, 0, 1], [0, 1, 0], [1, 0, -1]])  # Which coordinates have to stand first? (hint 1)
+b_observable = True  # Is it enough that the other states act on the measured one? (hint 1)
+b_unseen = [[0, 1, 0]]  # Is this the measured coordinate? (hint 1)
+b_unseen = [[1, 0, 1]]  # Was a sign lost? Put the state into z and its derivative. (hint 2)
+# Does the integral of z belong to the observable part, or its derivative? (hint 1)
+b_split = sp.Matrix([[0, 1, 0], [1, 0, 0], [1, 1, 1]])
+c_observable = True  # Does it follow from a regular matrix that all is seen? (hint 1)
+c_unseen = [[1, 0, -1], [0, 1, 0]]  # Are these the states that a single moment does not show? (hint 1)
+c_split = sp.Matrix([[1, 1, 1], [0, 1, 0], [1, 0, 0]])  # Were the new coordinates written into the columns? (hint 2)
+d_observable = True  # Can three rows hang on each other although no two do? (hint 2)
+d_unseen = []  # Is nothing hidden as soon as all states occur? Look for a combination that never does. (hint 1)
+# Does this lead from the new coordinates to the old ones, instead of the other way? (hint 1)
+d_split = sp.Matrix([[0, 0, 1], [0, 1, -1], [1, 0, -1]])
+e_observable = True  # Was the last row computed with a slip? Test it with an unseen state. (hint 1)
+e_unseen = [[1, 1, 1]]  # Were the signs lost? Put the state into z and its derivative. (hint 1)
+# Are the other two coordinates fit to stand beside z as they are? (hint 1)
+e_split = sp.Matrix([[1, 0, 1], [0, 1, 0], [0, 0, 1]])
+f_observable = True  # Is it observable if the state becomes known only in the long run? (hint 1)
+f_unseen = [[1, 0, -1], [0, 0, 0]]  # Can the zero vector belong to a basis? (hint 1)
+f_unseen = [[0, 1, 0]]  # Is this what the second observable coordinate measures? (hint 1)
+f_split = sp.eye(3)  # Can the variables be left as they are? (hint 1)
+g_observable = True  # Do complex eigenvalues make everything visible? (hint 1)
+g_unseen = [[1, 0, -1]]  # Is this the measured direction? (hint 1)
+g_split = sp.Matrix([[1, 0, -1], [0, 0, 1], [0, 1, 0]])  # Does the hidden coordinate stand last? (hint 2)
+h_observable = True  # Are different eigenvalues enough for one output? (hint 1)
+h_unseen = [[1, -1, 0]]  # Is this the eigenvector that is seen? (hint 1)
+h_split = sp.Matrix([[1, -1, 0], [1, 0, 1], [1, 1, 0]])  # Were the eigenvectors written into the rows? (hint 1)
 
 # %% right
 a_unseen = [(-2, 0, -2)]  # another length and sign

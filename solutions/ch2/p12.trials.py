@@ -1,30 +1,32 @@
 # %% wrong
-a_observable = True  # each of the two blocks has a variable in z, so all is thought to be seen
-a_unseen = [[0, 1, 0, 0], [0, 0, 1, 0]]  # x2 taken for unseen because it does not stand in z
-a_unseen = [[1, 0, 0, -1]]  # z = 0 at the first moment, but not later
-a_split = sp.eye(4)  # nothing changed: the third coordinate is the unseen one
-# the measured variables first and the others after them, x2 too
+a_observable = True  # Is it enough that each block has a variable in z? (hint 1)
+a_unseen = [[0, 1, 0, 0], [0, 0, 1, 0]]  # Must a variable stand in z to be seen? (hint 1)
+a_unseen = [[1, 0, 0, -1]]  # Does z stay zero here, or only at the first moment? (hint 1)
+a_split = sp.eye(4)  # Can the order stay as it is? Ask which coordinate is unseen. (hint 1)
+# Which variables are seen, though they do not stand in z? (hint 1)
 a_split = sp.Matrix([[1, 0, 0, 0], [0, 0, 0, 1], [0, 0, 1, 0], [0, 1, 0, 0]])
-# the action of x4 on x3 lost on the way
+# Did an action of one variable on another get lost on the way? (hint 1)
 a_split_system = [sp.diag(sp.Matrix([[2, 1], [0, 2]]), 1, 1), sp.Matrix([[1, 0, 1, 0]])]
-a_split_system = [a_matrix, a_output]  # the matrix left as it is
-b_observable = True  # all eigenvalues of the blocks differ, which is not enough
-b_unseen = [[0, 0, 1, 0]]  # the variable at rest thought to be unseen
-b_unseen = [[0, 0, 0, 1], [1, 0, 0, 0]]  # z = 0 at the first moment, but not later
-b_split = sp.Matrix([[0, 0, 0, 1], [1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]])  # the unseen variable first
-b_split = sp.Matrix([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 1], [0, 0, 0, 1]])  # x4 mixed into an observable coordinate
-b_split_system = [b_matrix.T, b_output]  # the transposed matrix
-b_split_system = [sp.diag(b_matrix[:3, :3], 3), b_output]  # a wrong eigenvalue for the unseen part
-c_observable = True  # from every variable a way leads to z
-c_unseen = [[1, -1, 0, 0]]  # the difference that is seen in the second derivative
-c_unseen = [[0, 0, 1, 1]]  # the combination that is seen in the first derivative
-# the differences exchanged: the unseen one stands third
+a_split_system = [a_matrix, a_output]  # Was the matrix written in the new order at all? (hint 1)
+b_observable = True  # Is it enough that the eigenvalues of the blocks differ? (hint 1)
+b_unseen = [[0, 0, 1, 0]]  # Is a variable unseen because it rests? (hint 1)
+b_unseen = [[0, 0, 0, 1], [1, 0, 0, 0]]  # Does z stay zero here, or only at the first moment? (hint 1)
+# Which coordinates have to stand first? (hint 1)
+b_split = sp.Matrix([[0, 0, 0, 1], [1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]])
+# Is an unseen variable mixed into an observable coordinate here? (hint 1)
+b_split = sp.Matrix([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 1], [0, 0, 0, 1]])
+b_split_system = [b_matrix.T, b_output]  # Was the matrix transposed? (hint 1)
+b_split_system = [sp.diag(b_matrix[:3, :3], 3), b_output]  # Does the unseen part have this eigenvalue? (hint 1)
+c_observable = True  # Is it enough that a way leads from every variable to z? (hint 1)
+c_unseen = [[1, -1, 0, 0]]  # Does this difference turn up in the second derivative? (hint 1)
+c_unseen = [[0, 0, 1, 1]]  # Does this combination turn up in the first derivative? (hint 1)
+# Have the two differences changed places? The unseen one has to stand last. (hint 1)
 c_split = half*sp.Matrix([[1, 1, 0, 0], [0, 0, 1, 1], [0, 0, 1, -1], [-1, 1, 0, 0]])
-# the basis vectors y = T (xi, eta) instead of the coordinates
+# Are these the basis vectors instead of the coordinates? (hint 1)
 c_split = sp.Matrix([[1, 0, -1, 0], [1, 0, 1, 0], [0, 1, 0, 1], [0, 1, 0, -1]])
-# the action of z on the unseen coordinate lost
+# Does z act on the unseen coordinate? (hint 1)
 c_split_system = [sp.Matrix([[0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 1, 0], [0, 0, 0, 1]]), sp.Matrix([[1, 0, 0, 0]])]
-# the sign of an eigenvalue turned
+# Did an eigenvalue get the wrong sign? (hint 1)
 c_split_system = [sp.Matrix([[0, 1, 0, 0], [0, 0, 1, 0], [0, 0, -1, 0], [1, 0, 0, 1]]), sp.Matrix([[1, 0, 0, 0]])]
 
 # %% right

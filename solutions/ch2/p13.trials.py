@@ -1,39 +1,42 @@
 # %% wrong
-a_observable = True  # the coupled motion in the plane thought to be the whole
-a_unseen = [[0, 1, 0, 0, 0, 0], [0, 0, 0, 0, 1, 0]]  # only the oscillation across the plane
-# a shift along the orbit whose velocity does not turn with it
+a_observable = True  # Is the coupled motion in the plane the whole motion? (hint 1)
+# Is there another unseen motion beside the oscillation across the plane? (hint 2)
+a_unseen = [[0, 1, 0, 0, 0, 0], [0, 0, 0, 0, 1, 0]]
+# Does the velocity turn with a satellite that is shifted along the orbit? (hint 1)
 a_unseen = [[1, 0, 0, 0, 0, 0], [0, 1, 0, 0, 0, 0], [0, 0, 0, 0, 1, 0]]
-# the motion in the plane taken for the observable part
+# Is the motion in the plane observable as a whole? (hint 1)
 a_split = sp.Matrix([[0, 0, 1, 0, 0, 0], [0, 0, 0, 0, 0, 1], [1, 0, 0, 0, 0, 0], [0, 0, 0, 1, 0, 0],
                      [0, 1, 0, 0, 0, 0], [0, 0, 0, 0, 1, 0]])
-# the unseen coordinates first
+# Which coordinates have to stand first? (hint 1)
 a_split = sp.Matrix([[1, 0, 0, 0, 0, 0], [0, 1, 0, 0, 0, 0], [0, 0, 0, 0, 1, 0], [0, 0, 1, 0, 0, 0],
                      [1, 0, 0, 0, 0, 1], [0, 0, 0, 1, 0, 0]])
-b_observable = True  # all six variables thought to be coupled
-b_unseen = []  # nothing: the four coupled variables taken for the whole state
-# the shift that a measurement of the height would not see
+b_observable = True  # Do all six variables act on each other? (hint 1)
+b_unseen = []  # Are the coupled variables the whole state? (hint 1)
+# Would a measurement of the height miss this shift? Ask what z2 measures. (hint 1)
 b_unseen = [[1, 0, 0, 1, 0, 0], [0, 0, 0, 0, 1, 0], [0, 0, 0, 0, 0, 1]]
-# the oscillator first
+# Which coordinates have to stand first? (hint 1)
 b_split = sp.Matrix([[0, 0, 0, 0, 1, 0], [0, 0, 0, 0, 0, 1], [1, 0, 0, 0, 0, 0], [0, 1, 0, 0, 0, 0],
                      [0, 0, 1, 0, 0, 0], [0, 0, 0, 1, 0, 0]])
-c_hill = sp.eye(6)  # deviations of the absolute velocity taken for relative velocities
-# the frame thought to turn the other way
+c_hill = sp.eye(6)  # Are the deviations of an absolute velocity relative velocities? (hint 1)
+# Does the frame turn this way? (hint 1)
 c_hill = sp.Matrix([[1, 0, 0, 0, 0, 0], [0, 1, 0, 0, 0, 0], [0, 0, 1, 0, 0, 0], [0, 0, 1, 1, 0, 0],
                     [0, 0, 0, 0, 1, 0], [-1, 0, 0, 0, 0, 1]])
-# the variables put in order, without turning the first axis
+# Is it enough to put the variables in order? Look at the directions of the axes. (hint 2)
 c_similarity = sp.Matrix([[1, 0, 0, 0, 0, 0], [0, 0, 0, 1, 0, 0], [0, 0, 1, 0, 0, 0], [0, 0, 0, 0, 0, 1],
                           [0, 1, 0, 0, 0, 0], [0, 0, 0, 0, 1, 0]])
-# x = S y, the inverse of what is asked
+# Does this lead from y to x, instead of from x to y? (hint 3)
 c_similarity = sp.Matrix([[-1, 0, 0, 0, 0, 0], [0, 0, 0, 0, 1, 0], [0, 0, 1, 0, 0, 0], [0, -1, 0, 0, 0, 0],
                           [0, 0, 0, 0, 0, 1], [0, 0, 0, 1, 0, 0]])
-c_similarity = sp.zeros(6, 6)  # no transformation
-d_first = "distance across the plane of the orbit"  # the third axis thought to be the normal of the plane
-d_second = "height"  # the first variable thought to point away from the centre
-e_observable = True  # one coefficient thought to make the difference
-e_unseen = [[0, 0, 0, 0, 1, 0], [0, 0, 0, 0, 0, 1]]  # the unseen states of the system with 2 y3
-e_split = sp.eye(6)  # the variables left as they are, as in item b
-e_eigenvalues = [[0, 2, 1], [sp.I, 2, 2], [-sp.I, 2, 2]]  # the eigenvalues of the satellite
-# the double eigenvalue 0 taken for a Jordan block
+c_similarity = sp.zeros(6, 6)  # Can a change of coordinates take everything to zero? (hint 1)
+d_first = "distance across the plane of the orbit"  # Which axis is the normal of the plane? (hint 1)
+d_second = "height"  # Which way does the first axis point? (hint 1)
+e_observable = True  # Does the printed coefficient make the hidden part visible? (hint 1)
+# Are these the unseen states of the repaired system? The printed one hides more, or less. (hint 1)
+e_unseen = [[0, 0, 0, 0, 1, 0], [0, 0, 0, 0, 0, 1]]
+e_split = sp.eye(6)  # Can the variables be left as they are, as in item b? (hint 1)
+# Are these the eigenvalues of the satellite? The printed system is another one. (hint 1)
+e_eigenvalues = [[0, 2, 1], [sp.I, 2, 2], [-sp.I, 2, 2]]
+# How many eigenvectors has the double eigenvalue? (hint 2)
 e_eigenvalues = [[0, 2, 1], [sp.I, 1, 1], [-sp.I, 1, 1], [2*sp.I, 1, 1], [-2*sp.I, 1, 1]]
 
 # %% right

@@ -1,30 +1,36 @@
 # %% wrong
-a_observable = False  # two measurements thought to be too few for four variables
-a_unseen_z1 = [[0, 1, 1, 0], [0, 0, 0, 1]]  # what z1 and its first derivative do not see
-a_unseen_z3 = []  # z3 thought to see everything, as z1 does
-a_unseen_z3 = [[1, 0, 0, 0]]  # the shift along the orbit, with a velocity that does not turn with it
-b_part = sp.Matrix([[1, 0, 0, 0], [0, -1, 1, 0], [-2, 0, 0, -2], [0, -2, -4, 0]])  # z1 and its derivatives as they come
-# the sign of alpha 3 lost: z'' - z1 instead of z'' + z1
+a_observable = False  # Are two measurements too few for four variables? (hint 1)
+a_unseen_z1 = [[0, 1, 1, 0], [0, 0, 0, 1]]  # Is this what z1 and its first derivative alone do not see? (hint 1)
+a_unseen_z3 = []  # Does this instrument see everything, as the other one does? (hint 1)
+a_unseen_z3 = [[1, 0, 0, 0]]  # Does the velocity turn with a satellite that is shifted along the orbit? (hint 2)
+# Are these the measurement and its derivatives as they come? (hint 2)
+b_part = sp.Matrix([[1, 0, 0, 0], [0, -1, 1, 0], [-2, 0, 0, -2], [0, -2, -4, 0]])
+# Did a coefficient of the polynomial get the wrong sign? (hint 1)
 b_part = sp.Matrix([[1, 0, 0, 0], [0, -1, 1, 0], [-3, 0, 0, -2], [0, -1, -5, 0]])
-b_part = sp.Matrix([[1, 0, 0, 0], [0, -1, 1, 0]])  # only two rows, since two are left for z3
-b_reversed = sp.Matrix([[1, 0, 0, 0], [0, -1, 1, 0], [-1, 0, 0, -2], [0, -3, -3, 0]])  # the order z1, z3
-b_reversed = sp.Matrix([[0, 1, 0, 0], [1, 0, 0, 1], [0, 1, 1, 0], [1, 0, 0, 0]]).inv()  # the inverse, x = T (xi; eta)
-b_reversed = sp.Matrix([[0, 1, 0, 0], [1, 0, 0, 1], [1, 0, 0, 0], [0, -1, 1, 0]])  # the parts shared equally
-# the rows in the order in which they are taken, not part by part
+# How many coordinates does the first instrument see by itself? (hint 1)
+b_part = sp.Matrix([[1, 0, 0, 0], [0, -1, 1, 0]])
+# Is this the decomposition in the other order? (hint 1)
+b_reversed = sp.Matrix([[1, 0, 0, 0], [0, -1, 1, 0], [-1, 0, 0, -2], [0, -3, -3, 0]])
+# Does this lead from the new coordinates to the old ones, instead of the other way? (hint 1)
+b_reversed = sp.Matrix([[0, 1, 0, 0], [1, 0, 0, 1], [0, 1, 1, 0], [1, 0, 0, 0]]).inv()
+# Must the instruments share the coordinates equally here? (hint 1)
+b_reversed = sp.Matrix([[0, 1, 0, 0], [1, 0, 0, 1], [1, 0, 0, 0], [0, -1, 1, 0]])
+# Are the rows sorted by instruments? (hint 2)
 c_parallel = sp.Matrix([[1, 0, 0, 0], [0, 1, 0, 0], [0, -1, 1, 0], [1, 0, 0, 1]])
-# the sequential decomposition, with z1 first
+# Is this the sequential decomposition? (hint 1)
 c_parallel = sp.Matrix([[1, 0, 0, 0], [0, -1, 1, 0], [-1, 0, 0, -2], [0, -3, -3, 0]])
-# the velocities exchanged: z1 with the rate of z3, z3 with the rate of z1
+# Did the rates of the two measurements change places? (hint 2)
 c_parallel = sp.Matrix([[1, 0, 0, 0], [1, 0, 0, 1], [0, 1, 0, 0], [0, -1, 1, 0]])
-# the attraction taken for constant: its change with the height forgotten
+# Does the attraction change with the height? (hint 1)
 d_matrix = sp.Matrix([[0, 0, 1, 0], [0, 0, 0, 1], [0, 0, 0, -2], [0, 1, 2, 0]])
-# the attraction falls with the height, so a restoring sign is expected
+# Which sign has the change of the attraction with the height, together with that of the centrifugal force? (hint 1)
 d_matrix = sp.Matrix([[0, 0, 1, 0], [0, 0, 0, 1], [0, 0, 0, -2], [0, -1, 2, 0]])
-d_change = sp.eye(4)  # absolute velocities taken for those relative to the turning axes
-d_change = sp.Matrix([[1, 0, 0, 0], [0, 1, 0, 0], [0, 1, 1, 0], [-1, 0, 0, 1]])  # the inverse, x = S y
-e_z1 = "height"  # the first axis thought to point outward
-e_z3 = "distance along the orbit"  # the third axis thought to point along the orbit
-e_z3 = "vertical speed"  # what the altimeter tells by its derivative
+d_change = sp.eye(4)  # Are absolute velocities the same as those relative to the turning axes? (hint 2)
+# Does this lead from the deviations to y, instead of from y to them? (hint 2)
+d_change = sp.Matrix([[1, 0, 0, 0], [0, 1, 0, 0], [0, 1, 1, 0], [-1, 0, 0, 1]])
+e_z1 = "height"  # Which way does the first axis point? (hint 1)
+e_z3 = "distance along the orbit"  # Which way does the third axis point? (hint 1)
+e_z3 = "vertical speed"  # Is this the derivative of what is measured? (hint 2)
 
 # %% right
 a_unseen_z1 = sp.zeros(4, 0)  # a matrix without columns

@@ -1,23 +1,28 @@
 # %% wrong
-# the sum and the difference exchanged: each with the other driver
+# Did the sum and the difference change places? Ask which of the two free variables drives each. (hint 2)
 a_change = sp.Matrix([[1, 0, -1, 0], [0, 1, 0, 0], [1, 0, 1, 0], [0, 0, 0, 1]])
-a_change = sp.Matrix([[1, 0, -1, 0], [0, 0, 0, 1], [1, 0, 1, 0], [0, 1, 0, 0]])  # the chain with the eigenvalue 2 first
-# the inverse, x = S y
+# Which chain has to stand first? (hint 1)
+a_change = sp.Matrix([[1, 0, -1, 0], [0, 0, 0, 1], [1, 0, 1, 0], [0, 1, 0, 0]])
+# Does this lead from y to x, instead of from x to y?
 a_change = sp.Matrix([[1, 0, 1, 0], [0, 2, 0, 0], [1, 0, -1, 0], [0, 0, 0, 2]])*sp.Rational(1, 2)
-b_observable = False  # neither instrument sees all, so both together are thought not to
-b_unseen_z1 = [[1, 0, 1, 0]]  # the eigenvector that z1 does see
-b_unseen_z1 = []  # z1 contains both exponentials, so it is thought to see both chains
-b_unseen_z2 = [[1, 0, 1, 0], [0, 0, 0, 1]]  # what z2 does not see at the first moment
-# the difference itself, so that z2 contains x2 of the first part
+b_observable = False  # If neither instrument sees all, can both together not see it? (hint 2)
+b_unseen_z1 = [[1, 0, 1, 0]]  # Is this the eigenvector that z1 does see? (hint 1)
+b_unseen_z1 = []  # Does z1 see both chains because both exponentials occur in it? (hint 1)
+b_unseen_z2 = [[1, 0, 1, 0], [0, 0, 0, 1]]  # Are these the states that z2 does not show at a single moment? (hint 1)
+# Does z2 show this last coordinate without any of the others? (hint 2)
 c_sequential = sp.Matrix([[1, 0, 1, 0], [0, 1, 0, 0], [0, 0, 0, 1], [1, 0, -1, 0]])
-c_sequential = sp.Matrix([[1, 0, 1, 1], [1, 1, 1, 2], [1, 1, -1, 0], [2, 1, -2, 1]])  # the parts of equal size
-c_reversed = sp.Matrix([[1, 0, 1, 0], [0, 1, 0, 0], [0, 0, 0, 1], [1, 1, -1, 0]])  # the order z1, z2
-c_reversed = sp.Matrix([[1, 0, 1, 1], [1, 0, -1, 0], [0, 0, 0, 1], [0, 1, 0, 0]])  # what is left for z1 put first
-# the chains taken for the parts of the instruments
+# Must the two parts be of equal size in this order? (hint 1)
+c_sequential = sp.Matrix([[1, 0, 1, 1], [1, 1, 1, 2], [1, 1, -1, 0], [2, 1, -2, 1]])
+# Is this the decomposition in the other order? (hint 1)
+c_reversed = sp.Matrix([[1, 0, 1, 0], [0, 1, 0, 0], [0, 0, 0, 1], [1, 1, -1, 0]])
+# What has to stand first, and what is left for z1? (hint 1)
+c_reversed = sp.Matrix([[1, 0, 1, 1], [1, 0, -1, 0], [0, 0, 0, 1], [0, 1, 0, 0]])
+# Are the chains the parts of the instruments? (hint 1)
 d_parallel = sp.Matrix([[1, 0, 1, 0], [0, 1, 0, 0], [1, 0, -1, 0], [0, 0, 0, 1]])
-# the rows in the order in which they are taken
+# Are the rows sorted part by part? (hint 2)
 d_parallel = sp.Matrix([[1, 0, 1, 1], [1, 1, -1, 0], [1, 1, 1, 2], [2, 1, -2, 1]])
-d_parallel = sp.Matrix([[1, 0, 1, 1], [1, 1, 1, 2], [1, 2, 1, 4], [1, 1, -1, 0]])  # all that z1 sees, then the rest
+# Is this the sequential decomposition? (hint 1)
+d_parallel = sp.Matrix([[1, 0, 1, 1], [1, 1, 1, 2], [1, 2, 1, 4], [1, 1, -1, 0]])
 
 # %% right
 # nested lists, another freedom: a multiple of the driver added to the head

@@ -1,41 +1,45 @@
 # %% wrong
-# the error thought to push the motion
+# Does the error of an instrument push the motion? (hint 2)
 a_augmented = [sp.Matrix([[-1, 0, 1], [1, 0, 0], [0, 0, 0]]), sp.Matrix([[1, 0, 1]])]
-# the error left out of the output
+# Where does the error enter? Look at the output. (hint 2)
 a_augmented = [sp.Matrix([[-1, 0, 0], [1, 0, 0], [0, 0, 0]]), sp.Matrix([[1, 0, 0]])]
-# a constant taken to have the rate 1
+# At which rate does a constant change? (hint 1)
 a_augmented = [sp.Matrix([[-1, 0, 0], [1, 0, 0], [0, 0, 1]]), sp.Matrix([[1, 0, 1]])]
-a_observable = True  # C and x1 are found, so all is thought to be found
-a_unseen = [[0, 1, -1]]  # two unknown constants thought to be confused with each other
-a_unseen = [[0, 1, 0], [0, 0, 1]]  # a hidden error added to the hidden coordinate
-a_amplitude = z  # the last value of z, which is C only in the end
-a_amplitude = z - z1  # the sign of the rate of decay
-b_augmented = [sp.Matrix([[0, 1, 0], [-1, 0, 0], [0, 0, 0]]), sp.Matrix([[0, 1, 1]])]  # the error taken for a constant
-b_observable = False  # the growing error thought to cover everything
-b_amplitude = (z + z2)*sp.exp(-t)  # the derivatives of the error forgotten
-b_amplitude = (z + z2)/2  # the growth of the error forgotten
-c_augmented = [sp.diag(A_c, 0), sp.Matrix([[1, 0, sp.exp(alpha)]])]  # the coefficient itself where the rate belongs
-# the error in the place of x2
+a_observable = True  # Does it follow that all is found once x1 and the error are? (hint 1)
+a_unseen = [[0, 1, -1]]  # Can two constants be confused if only one of them is measured? (hint 1)
+a_unseen = [[0, 1, 0], [0, 0, 1]]  # Is the error really hidden, too? (hint 1)
+a_amplitude = z  # Is this the error only in the end, when x1 has died out? (hint 1)
+a_amplitude = z - z1  # Which sign has the rate at which x1 decays? (hint 1)
+# Is the error constant here? (hint 1)
+b_augmented = [sp.Matrix([[0, 1, 0], [-1, 0, 0], [0, 0, 0]]), sp.Matrix([[0, 1, 1]])]
+b_observable = False  # Does a growing error cover everything? It moves in another way than the system. (hint 1)
+b_amplitude = (z + z2)*sp.exp(-t)  # Was the error differentiated along with the motion? (hint 1)
+b_amplitude = (z + z2)/2  # Does the error keep its size as time goes on? (hint 1)
+# Does the exponent or its exponential belong into the matrix?
+c_augmented = [sp.diag(A_c, 0), sp.Matrix([[1, 0, sp.exp(alpha)]])]
+# Did the error take the place of a coordinate in the output?
 c_augmented = [sp.Matrix([[-3, -2, 0], [1, 0, 0], [0, 0, alpha]]), sp.Matrix([[1, 1, 0]])]
-c_region = alpha < 0  # the error thought to be harmless only if it decays
-c_region = sp.Ne(alpha, -1)  # one of the two modes overlooked
-c_region = sp.And(sp.Ne(alpha, 1), sp.Ne(alpha, 2))  # the sign of the eigenvalues
-c_unseen = {-1: [[-1, 1, 1]], -2: [[-2, 1, 1]]}  # the eigenvectors, with C = 1 in both cases
-c_unseen = {-1: [[-1, 1, -1]], -2: [[-2, 1, -2]]}  # the eigenvectors, with C of the wrong sign
-c_unseen = {-1: [[0, 0, 1]], -2: [[0, 0, 1]]}  # the error alone thought to be lost
-d_augmented = [sp.diag(A_d, omega), sp.Matrix([[1, 0, 1]])]  # one coordinate for the sine
-# a sign that makes exponentials of the sine
+c_region = alpha < 0  # Is only a decaying error harmless? Ask instead whether it looks like a motion. (hint 2)
+c_region = sp.Ne(alpha, -1)  # How many motions of its own has the system? (hint 2)
+c_region = sp.And(sp.Ne(alpha, 1), sp.Ne(alpha, 2))  # Which sign have the eigenvalues of the system? (hint 2)
+# Does the error have the same size in both cases? Ask what z shows of each eigenvector. (hint 2)
+c_unseen = {-1: [[-1, 1, 1]], -2: [[-2, 1, 1]]}
+c_unseen = {-1: [[-1, 1, -1]], -2: [[-2, 1, -2]]}  # Do motion and error cancel here, or add up? (hint 1)
+c_unseen = {-1: [[0, 0, 1]], -2: [[0, 0, 1]]}  # Is the error lost alone, or together with a motion? (hint 1)
+d_augmented = [sp.diag(A_d, omega), sp.Matrix([[1, 0, 1]])]  # Is one coordinate enough for a sine? (hint 1)
+# Do these two equations give a sine, or exponentials? (hint 2)
 d_augmented = [sp.diag(A_d, sp.Matrix([[0, omega], [omega, 0]])), sp.Matrix([[1, 0, 1, 0]])]
-d_region = sp.Ne(omega, 1)  # the exceptional value of the text-book example alone
-d_region = sp.Ne(omega**2, 1)  # the error that is not there overlooked
-d_region = sp.Ne(omega, 0)  # zero frequency thought to be the only danger
-d_state = sp.And(sp.Ne(omega, 0), sp.Ne(omega**2, 1))  # what holds for the state and the error together
-d_state = sp.true  # the known phase thought to save the state at resonance, too
-d_amplitude = sp.And(sp.Ne(omega, 1), sp.Ne(omega, -1))  # the error that is not there overlooked
-d_unseen = {0: [[0, 0, 1]], 1: [[0, 1, -1]], -1: [[0, 1, -1]]}  # one sign for both resonances
-# as if the phase of the error were unknown
+d_region = sp.Ne(omega, 1)  # Is this the exceptional value of the example alone? (hint 2)
+d_region = sp.Ne(omega**2, 1)  # Is there a frequency at which the error is not there at all? (hint 2)
+d_region = sp.Ne(omega, 0)  # Is zero frequency the only danger? Think of resonance. (hint 1)
+d_state = sp.And(sp.Ne(omega, 0), sp.Ne(omega**2, 1))  # Is this the condition for state and error together? (hint 2)
+d_state = sp.true  # Does the known phase save the state at resonance as well? (hint 1)
+# Can the amplitude be found from an error that is not there? (hint 1)
+d_amplitude = sp.And(sp.Ne(omega, 1), sp.Ne(omega, -1))
+d_unseen = {0: [[0, 0, 1]], 1: [[0, 1, -1]], -1: [[0, 1, -1]]}  # Have both resonances the same sign? (hint 1)
+# Is the phase of the error unknown? (hint 2)
 d_unseen = {0: [[0, 0, 1]], 1: [[0, 1, -1], [1, 0, 0]], -1: [[0, 1, 1], [1, 0, 0]]}
-d_unseen = {1: [[0, 1, -1]], -1: [[0, 1, 1]]}  # the value zero forgotten
+d_unseen = {1: [[0, 1, -1]], -1: [[0, 1, 1]]}  # Was one exceptional value forgotten? (hint 1)
 
 # %% right
 # twice C for the coordinate

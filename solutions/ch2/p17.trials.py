@@ -1,25 +1,25 @@
 # %% wrong
-frozen = 1 - omega  # the derivative of H taken along, which is the other test
-frozen = sp.sin(omega*t)**2 - sp.cos(omega*t)**2  # a sign lost in the second row
-output = x10*sp.sin((omega + 1)*t) + x20*sp.cos((omega + 1)*t)  # the oscillator thought to turn the other way
-output = x10*sp.sin(omega*t) + x20*sp.cos(omega*t)  # the state taken to stay where it was
-output = x10*sp.cos((omega - 1)*t) + x20*sp.sin((omega - 1)*t)  # the two starts interchanged
-rows = sp.Matrix.vstack(H, H*A)  # the frozen rows H and HA
-rows = sp.Matrix.vstack(H, H.diff(t))  # the motion left out of the derivative
-rows = sp.Matrix.vstack(H, H.diff(t) - H*A)  # the derivative with the wrong sign of the motion
-gramian = sp.pi*sp.eye(2)  # as if the interval held whole periods of z
-# the mean in the place of the integral
+frozen = 1 - omega  # Was H differentiated as well? The frozen test takes it as it is. (hint 1)
+frozen = sp.sin(omega*t)**2 - sp.cos(omega*t)**2  # Was a sign lost in the second row? (hint 1)
+output = x10*sp.sin((omega + 1)*t) + x20*sp.cos((omega + 1)*t)  # Does the oscillator turn this way? (hint 1)
+output = x10*sp.sin(omega*t) + x20*sp.cos(omega*t)  # Does the state stay where it was? (hint 1)
+output = x10*sp.cos((omega - 1)*t) + x20*sp.sin((omega - 1)*t)  # Have the two starts changed places? (hint 2)
+rows = sp.Matrix.vstack(H, H*A)  # Are these the frozen rows? The instrument turns, too. (hint 2)
+rows = sp.Matrix.vstack(H, H.diff(t))  # Was the motion left out of the derivative? (hint 2)
+rows = sp.Matrix.vstack(H, H.diff(t) - H*A)  # Which sign has the part of the motion in the derivative? (hint 2)
+gramian = sp.pi*sp.eye(2)  # Does the interval hold whole periods of z for every omega? (hint 2)
+# Is this the mean instead of the integral? (hint 1)
 s, c = sp.sin(4*sp.pi*omega), 1 - sp.cos(4*sp.pi*omega)
 gramian = sp.eye(2)/2 + sp.Matrix([[-s, c], [c, s]])/(8*sp.pi*(omega - 1))
-region = sp.true  # the verdict of the frozen test
-region = sp.And(sp.Ne(omega, 1), sp.Ne(omega, -1))  # both resonances, as if the direction of turning did not matter
-region = sp.Ne(omega, -1)  # the oscillator thought to turn the other way
-region = sp.And(sp.Ne(omega, 0), sp.Ne(omega, 1))  # an instrument at rest thought to see nothing
-unseen = {1: [[0, 1]]}  # what is seen, in the place of what is not
-unseen = {}  # the frozen test: nothing is ever unseen
-unseen = {1: [[1, 0], [0, 1]]}  # both coordinates
-unseen = {1: [[1, 0]], -1: [[1, 0]]}  # both resonances
-# the instrument alone, with the state held fast
+region = sp.true  # Is this the verdict of the frozen test? (hint 2)
+region = sp.And(sp.Ne(omega, 1), sp.Ne(omega, -1))  # Does it matter in which direction the instrument turns? (hint 1)
+region = sp.Ne(omega, -1)  # Does the oscillator turn this way? (hint 1)
+region = sp.And(sp.Ne(omega, 0), sp.Ne(omega, 1))  # Does an instrument at rest see nothing of a moving state? (hint 1)
+unseen = {1: [[0, 1]]}  # Is this what is seen, in the place of what is not? (hint 1)
+unseen = {}  # Is this the verdict of the frozen test? (hint 2)
+unseen = {1: [[1, 0], [0, 1]]}  # Are both coordinates hidden? (hint 1)
+unseen = {1: [[1, 0]], -1: [[1, 0]]}  # Does it matter in which direction the instrument turns? (hint 2)
+# Was the state held fast here, so that only the instrument moves? (hint 1)
 s, c = sp.sin(4*sp.pi*omega), 1 - sp.cos(4*sp.pi*omega)
 gramian = sp.pi*sp.eye(2) + sp.Matrix([[-s, c], [c, s]])/(4*omega)
 

@@ -1,14 +1,14 @@
 # %% wrong
-a_controllable = False  # the control is missing in the first equation
-a_kalman = sp.Matrix([[1, 0], [0, 1]])  # the columns in the opposite order
-a_kalman = sp.Matrix([[0, 1], [1, 1]])  # the second column is b + A b
-b_region = sp.Ne(beta, 1)  # the root -1 of the determinant forgotten
-b_region = sp.Ne(beta, -1)  # the loss of what dies out by itself not counted: the stick can be held up, but not steered
-b_region = sp.Or(beta > 1, beta < -1)  # a determinant that has to be positive
-# the directions in which the control acts, not the combinations that it leaves alone
-b_lost = {1: [[1, 1]], -1: [[-1, 1]]}
-b_lost = {-1: [[1, 1]]}  # only the combination that grows
-b_lost = {1: [[-1, 1]], -1: [[1, 1]], 0: [[1, 0]]}  # what a torque does not change at once, without beta, counted too
+a_controllable = False  # Must the control stand in every equation? (hint 1)
+a_kalman = sp.Matrix([[1, 0], [0, 1]])  # Do the columns stand in the usual order? (hint 1)
+a_kalman = sp.Matrix([[0, 1], [1, 1]])  # What is the second column made of, besides A and b? (hint 1)
+b_region = sp.Ne(beta, 1)  # Has the determinant another root? (hint 2)
+b_region = sp.Ne(beta, -1)  # Does what dies out by itself count as controlled? (hint 2)
+b_region = sp.Or(beta > 1, beta < -1)  # Must the determinant be positive, or only different from zero? (hint 2)
+b_lost = {1: [[1, 1]], -1: [[-1, 1]]}  # Are these the directions in which the control acts? (hint 1)
+b_lost = {-1: [[1, 1]]}  # Is only the combination that grows left alone? (hint 1)
+# Is something lost if the control does not change it at once? (hint 1)
+b_lost = {1: [[-1, 1]], -1: [[1, 1]], 0: [[1, 0]]}
 
 # %% right
 # column beside column, as floats

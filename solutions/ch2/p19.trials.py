@@ -1,18 +1,22 @@
 # %% wrong
-controllable = False  # neither u nor x1 stands in the third equation
-basis = sp.Matrix([[1, 0, 0], [0, 1, 0], [1, 1, 1]])  # the vectors as rows
-basis = sp.eye(3)  # what is new in each vector only, as if any basis of the same subspaces would do
-basis = sp.Matrix.hstack(b, A.T*b, A.T**2*b)  # the transposed matrix applied: the rows of an observability matrix
-matrix = sp.Matrix([[0, 1, 0], [0, 0, 1], [2, 2, 0]])  # the canonical form (2.4), which belongs to another basis
-# the inverse on the wrong side
+controllable = False  # Must the control stand in every equation? Follow what it acts on. (hint 1)
+basis = sp.Matrix([[1, 0, 0], [0, 1, 0], [1, 1, 1]])  # Were the vectors written as rows? (hint 1)
+basis = sp.eye(3)  # Does any basis of the same subspaces do? (hint 1)
+basis = sp.Matrix.hstack(b, A.T*b, A.T**2*b)  # Was the transposed matrix applied? (hint 1)
+# Is this the canonical form, which belongs to another basis? (hint 1)
+matrix = sp.Matrix([[0, 1, 0], [0, 0, 1], [2, 2, 0]])
+# Does the inverse stand on the right side? (hint 1)
 P = sp.Matrix([[1, 0, 1], [0, 1, 1], [0, 0, 1]])
 matrix = P*A*P.inv()
-matrix = sp.Matrix([[0, 0, -2], [1, 0, -2], [0, 1, 0]])  # the coefficients of the polynomial with their own signs
-matrix = sp.Matrix([[0, 0, 0], [1, 0, 2], [0, 1, 2]])  # the coefficients in the order of the powers from above
-# the vectors g^i from the last to the first: the polynomial forgotten
+# Which sign have the coefficients of the polynomial here? (hint 2)
+matrix = sp.Matrix([[0, 0, -2], [1, 0, -2], [0, 1, 0]])
+matrix = sp.Matrix([[0, 0, 0], [1, 0, 2], [0, 1, 2]])  # Do the coefficients stand in the right order? (hint 2)
+# Was the polynomial forgotten, so that these are only the vectors in the opposite order? (hint 2)
 canonical_basis = sp.Matrix([[1, 0, 1], [1, 1, 0], [1, 0, 0]])
-canonical_basis = sp.Matrix([[0, 0, 1], [0, 1, -1], [1, 0, 1]])  # the matrix of the coordinates, zeta from x
-canonical_basis = sp.Matrix([[3, 0, 1], [1, 1, 0], [1, 0, 0]])  # the coefficient added where it is to be subtracted
+# Does this lead from x to the coordinates, instead of from them to x? (hint 1)
+canonical_basis = sp.Matrix([[0, 0, 1], [0, 1, -1], [1, 0, 1]])
+# Is a coefficient added where it has to be subtracted? (hint 1)
+canonical_basis = sp.Matrix([[3, 0, 1], [1, 1, 0], [1, 0, 0]])
 
 # %% right
 # columns of floats

@@ -1,18 +1,21 @@
 # %% wrong
-possible = sp.Ne(alpha, 6)  # a sign in the determinant
-possible = sp.Ne(alpha, sp.Rational(2, 3))  # the determinant of A taken in place of that of W
-possible = True  # the characteristic polynomial exists always, so the form is thought to
-lost = {-6: [[1, 1]]}  # the direction that is controlled in place of the combination that is not
-lost = {-6: [[2, -1]]}  # the right eigenvector of the eigenvalue 4 in place of the left one
-canonical = sp.Matrix([[-1, 1], [2 - 3*alpha, 0]])  # the form by observation
-canonical = sp.Matrix([[0, 1], [3*alpha - 2, 1]])  # the coefficients of the polynomial with their own signs
-basis = sp.Matrix([[1 + alpha, 1], [-5, 1]])  # the columns of W, which lead to another form
-basis = sp.Matrix([[1, alpha + 2], [1, -4]])  # the columns in the order in which they were found
-coordinate = [1, -1]  # the right direction without its factor
-coordinate = [alpha + 2, -4]  # the first column of P in place of the first row of its inverse
-equation = sp.Eq(y.diff(t, 2) + y.diff(t) + (3*alpha - 2)*y, u.diff(t) - 4*u)  # the equation of x2
-equation = sp.Eq(y.diff(t, 2) + y.diff(t) + (3*alpha - 2)*y, (alpha + 6)*u)  # the equation of x1 - x2
-# the last row of the form moved to the left without a change of sign
+possible = sp.Ne(alpha, 6)  # Was a sign lost in the determinant? (hint 2)
+possible = sp.Ne(alpha, sp.Rational(2, 3))  # Is this the determinant of A instead of that of W? (hint 2)
+possible = True  # Is it enough that the characteristic polynomial exists? (hint 1)
+lost = {-6: [[1, 1]]}  # Is this the direction that is controlled? (hint 1)
+lost = {-6: [[2, -1]]}  # Is this a right eigenvector where a left one is needed? (hint 2)
+canonical = sp.Matrix([[-1, 1], [2 - 3*alpha, 0]])  # Is this the form by observation? (hint 1)
+# Which sign have the coefficients of the polynomial in this form? (hint 1)
+canonical = sp.Matrix([[0, 1], [3*alpha - 2, 1]])
+basis = sp.Matrix([[1 + alpha, 1], [-5, 1]])  # Are these the columns of W, which lead to another form? (hint 1)
+basis = sp.Matrix([[1, alpha + 2], [1, -4]])  # Do the columns stand in the right order? (hint 1)
+coordinate = [1, -1]  # Is the direction right and its factor missing? (hint 2)
+coordinate = [alpha + 2, -4]  # Was a column of P taken where a row of its inverse is needed? (hint 1)
+# Is this the equation of another variable? (hint 1)
+equation = sp.Eq(y.diff(t, 2) + y.diff(t) + (3*alpha - 2)*y, u.diff(t) - 4*u)
+# Is a factor of the control left that the canonical coordinate has not? (hint 1)
+equation = sp.Eq(y.diff(t, 2) + y.diff(t) + (3*alpha - 2)*y, (alpha + 6)*u)
+# Did the terms change their sign when they were moved to the left? (hint 1)
 equation = sp.Eq(y.diff(t, 2) - y.diff(t) + (2 - 3*alpha)*y, u)
 
 # %% right

@@ -1,20 +1,24 @@
 # %% wrong
-possible = sp.Ne(beta, 1)  # one of the two roots overlooked
-possible = True  # the form itself is free of beta, so it is thought to exist always
-# the values at which a coefficient of P vanishes
+possible = sp.Ne(beta, 1)  # Was one of the two roots overlooked? (hint 2)
+possible = True  # The form does not depend on the parameter. But can the system always be brought to it? (hint 1)
+# Are these the values at which one element of P vanishes? (hint 2)
 possible = sp.And(sp.Ne(beta, sp.Rational(2, 5)), sp.Ne(beta, sp.Rational(1, 4)))
-lost = {sp.Rational(1, 2): [[1, -1]], 1: [[2, -1]]}  # the two combinations exchanged
-lost = {sp.Rational(1, 2): [[1, 1]], 1: [[1, 2]]}  # right eigenvectors
-canonical = sp.Matrix([[-4, 1], [-3, 0]])  # the form by observation
-canonical = sp.Matrix([[0, 1], [-4, -3]])  # the coefficients of the last row in the order of the polynomial
-basis = sp.Matrix([[-3*beta - 2, beta], [-9, 1]])  # p1 = Ab - 4b: the sign of alpha_2 turned
-basis = sp.Matrix([[1, -beta], [1 - 4*beta, 5*beta - 2]])/(-2*(2*beta - 1)*(beta - 1))  # xi in terms of x
-coordinate = sp.Matrix([[1, -beta]])/(2*(2*beta - 1)*(beta - 1))  # the sign: cAb is -1
-coordinate = sp.Matrix([[beta, 1]])/(2*(2*beta - 1)*(beta - 1))  # c parallel to b, not orthogonal
-equation = sp.Eq(y.diff(t, 2) + 4*y.diff(t) + 3*y, u.diff(t) + (4*beta - 1)*u)  # the equation of x2
-# the last row of the form moved to the left without a change of sign
+lost = {sp.Rational(1, 2): [[1, -1]], 1: [[2, -1]]}  # Have the two combinations changed places? (hint 1)
+lost = {sp.Rational(1, 2): [[1, 1]], 1: [[1, 2]]}  # Are these right eigenvectors where left ones are needed? (hint 2)
+canonical = sp.Matrix([[-4, 1], [-3, 0]])  # Is this the form by observation?
+canonical = sp.Matrix([[0, 1], [-4, -3]])  # In which order do the coefficients stand in the last row? (hint 1)
+# Was a coefficient of the polynomial added instead of subtracted? (hint 1)
+basis = sp.Matrix([[-3*beta - 2, beta], [-9, 1]])
+# Does this lead from x to the new coordinates, instead of from them to x? (hint 1)
+basis = sp.Matrix([[1, -beta], [1 - 4*beta, 5*beta - 2]])/(-2*(2*beta - 1)*(beta - 1))
+coordinate = sp.Matrix([[1, -beta]])/(2*(2*beta - 1)*(beta - 1))  # Which sign must c A b have?
+# Must c be parallel to b, or such that u drops out? (hint 1)
+coordinate = sp.Matrix([[beta, 1]])/(2*(2*beta - 1)*(beta - 1))
+# Is this the equation of one of the given coordinates? (hint 1)
+equation = sp.Eq(y.diff(t, 2) + 4*y.diff(t) + 3*y, u.diff(t) + (4*beta - 1)*u)
+# Did the terms change their sign when they were moved to the left? (hint 1)
 equation = sp.Eq(y.diff(t, 2) - 4*y.diff(t) - 3*y, u)
-equation = sp.Eq(y.diff(t) + 3*y, (beta - 1)*u)  # a single one of the modes: of first order
+equation = sp.Eq(y.diff(t) + 3*y, (beta - 1)*u)  # Is this the equation of a single mode? (hint 1)
 
 # %% right
 possible = sp.Ne(4*beta**2 - 6*beta + 2, 0)  # the determinant

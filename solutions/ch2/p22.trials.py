@@ -1,12 +1,16 @@
 # %% wrong
-first_equation = sp.Eq(x1.diff(t, 2) + 2*x1.diff(t) + 4*x1, u1)  # the sign of the trace
-first_equation = sp.Eq(x1.diff(t, 2) - 2*x1.diff(t) - 2*x1, u1)  # the determinant taken as 1 - 3
-first_equation = sp.Eq(x1.diff(t, 2), x1.diff(t) - 3*x1 + u1)  # x2 forgotten in the second equation
-second_equation = sp.Eq(x2.diff(t, 2) - 2*x2.diff(t) + 4*x2, u1)  # the control not differentiated
-second_equation = sp.Eq(x2.diff(t, 2) - 2*x2.diff(t) + 4*x2, u1.diff(t))  # the control lost where x1 is replaced
-second_equation = sp.Eq(x2.diff(t, 2) - 2*x2.diff(t) + 4*x2, u1.diff(t) + u1)  # a sign where x1 is replaced
-coordinate = [0, 1]  # the coordinate that the control enters
-coordinate = [-1, 0]  # the other sign
+first_equation = sp.Eq(x1.diff(t, 2) + 2*x1.diff(t) + 4*x1, u1)  # Did the trace get the right sign? (hint 2)
+# How do the off-diagonal elements enter the determinant? (hint 2)
+first_equation = sp.Eq(x1.diff(t, 2) - 2*x1.diff(t) - 2*x1, u1)
+first_equation = sp.Eq(x1.diff(t, 2), x1.diff(t) - 3*x1 + u1)  # Was x2 left out of the second equation? (hint 1)
+# Was the control differentiated along with the equation? (hint 2)
+second_equation = sp.Eq(x2.diff(t, 2) - 2*x2.diff(t) + 4*x2, u1)
+# Was the control lost where x1 was replaced? (hint 1)
+second_equation = sp.Eq(x2.diff(t, 2) - 2*x2.diff(t) + 4*x2, u1.diff(t))
+# Was a sign lost where x1 was replaced? (hint 1)
+second_equation = sp.Eq(x2.diff(t, 2) - 2*x2.diff(t) + 4*x2, u1.diff(t) + u1)
+coordinate = [0, 1]  # Is this the coordinate that the control enters at once? (hint 1)
+coordinate = [-1, 0]  # Which sign does the control have in the equation of this coordinate? (hint 2)
 
 # %% right
 first_equation = sp.Eq(x1.diff(t, 2), 2*x1.diff(t) - 4*x1 + u1)  # solved for the second derivative

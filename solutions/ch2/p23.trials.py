@@ -1,24 +1,24 @@
 # %% wrong
-a_region = sp.And(lam1 < 0, lam2 < 0, sp.Ne(lam1, lam2))  # stable rates asked for
-a_region = sp.true  # each part is controllable, so the whole is thought to be
-a_region = sp.Ne(lam1**2, lam2**2)  # rates of opposite sign excluded too
-b_region = sp.false  # equal stiffness taken for a common eigenvalue
-b_region = sp.true  # each house is controllable, so both are thought to be
-b_region = sp.Ne(p, 1)  # the real part of the eigenvalue compared with p
-b_region = sp.And(sp.Ne(p, 2), p**2 < 20)  # a swinging second house asked for
-b_uncontrolled = {2: [[1, 0, -1, 0]]}  # the velocity forgotten: two eigenvalues are common
-b_uncontrolled = {2: [[1, 0, 1, 0], [0, 1, 0, 1]]}  # sums in place of differences, as for outputs that cancel
-# double real roots of the second house thought to be bad as well
+a_region = sp.And(lam1 < 0, lam2 < 0, sp.Ne(lam1, lam2))  # Is stability asked for here as well? (hint 1)
+a_region = sp.true  # Is the whole controllable as soon as each part is? (hint 1)
+a_region = sp.Ne(lam1**2, lam2**2)  # Are rates of opposite sign alike? (hint 1)
+b_region = sp.false  # Does an equal stiffness give a common eigenvalue? (hint 2)
+b_region = sp.true  # Are both controlled as soon as each is? (hint 1)
+b_region = sp.Ne(p, 1)  # Was the real part of an eigenvalue compared with a coefficient? (hint 1)
+b_region = sp.And(sp.Ne(p, 2), p**2 < 20)  # Must the second house swing? (hint 1)
+b_uncontrolled = {2: [[1, 0, -1, 0]]}  # How many eigenvalues are common? Each takes a combination of its own. (hint 2)
+b_uncontrolled = {2: [[1, 0, 1, 0], [0, 1, 0, 1]]}  # Sums or differences: in which of them does u drop out? (hint 1)
+# Does a double root of one house alone spoil anything? (hint 2)
 b_uncontrolled = {2: [[1, 0, -1, 0], [0, 1, 0, -1]], sp.sqrt(20): [[1, 0, -1, 0]]}
-c_uncontrolled = {2: [[1, 0, -1]], 3: [[2, -1, -2]]}  # the shares of the pipe forgotten
-# the content of the lower tank taken for the quantity with the rate -3
+c_uncontrolled = {2: [[1, 0, -1]], 3: [[2, -1, -2]]}  # With which shares does the pipe fill the tanks? (hint 2)
+# Does the content of the lower tank alone obey an equation with one rate? (hint 1)
 c_uncontrolled = {2: [[2, 0, -1]], 3: [[0, 2, -1]]}
-c_uncontrolled = {2: [[2, 0, -1]]}  # only the tank that the pipe fills compared with y
-c_uncontrolled = {2: [[1, 2, -2]], 3: [[0, 1, -1]]}  # columns: what a motion with the common rate looks like
-d_own_pipe = False  # the theorem used for two controls
-d_lower_pipe = sp.true  # any second control thought to repair a common eigenvalue
-d_lower_pipe = sp.And(sp.Ne(r, 2), sp.Ne(r, 3))  # the theorem used for two controls
-d_lower_pipe = sp.Ne(r, 3)  # the pipe into the tank with the rate -3 thought to collide with r = 3
+c_uncontrolled = {2: [[2, 0, -1]]}  # Was only one of the tanks compared with y? (hint 1)
+c_uncontrolled = {2: [[1, 2, -2]], 3: [[0, 1, -1]]}  # Are these motions, columns, where rows are asked for? (hint 1)
+d_own_pipe = False  # Does the theorem used here speak of two controls of this kind? (hint 1)
+d_lower_pipe = sp.true  # Does any second control repair a common eigenvalue? (hint 1)
+d_lower_pipe = sp.And(sp.Ne(r, 2), sp.Ne(r, 3))  # Does the theorem used here speak of a pipe into this tank? (hint 1)
+d_lower_pipe = sp.Ne(r, 3)  # Does the pipe collide with the rate of the tank that it fills? (hint 1)
 
 # %% right
 # the difference squared, with plain symbols

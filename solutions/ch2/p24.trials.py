@@ -1,25 +1,30 @@
 # %% wrong
-a_region = sp.Ne(alpha, 2)  # the complex eigenvalues left out
-a_region = sp.Or(sp.Eq(alpha, 0), sp.Eq(alpha, 2))  # the exceptional values given
-a_region = sp.And(sp.Ne(alpha, 0), alpha < 2)  # inequalities, as if the sign of the determinant mattered
-a_uncontrolled = {0: [[1, 0, 0]], 2: [[-1, 1, 1]]}  # x1 alone taken for the whole oscillator at 0
-a_uncontrolled = {0: [[1, 0, 0], [0, -1, 1]], 2: [[1, 1, 0], [1, 0, 1]]}  # at 2, a basis of what can be reached
-b_uncontrolled = {-1: [[1, 0, 1]], 1: [[0, 1, 0], [-1, 0, 1]]}  # the eigenvector itself for the left one
-b_region = sp.Ne(alpha, 1)  # one factor of the determinant overlooked
-b_region = sp.And(alpha > -1, alpha < 1)  # the sign of a factor lost
-b_uncontrolled = {-1: [[1, 2, 1]], 1: [[-1, 2, 1]]}  # one row taken for the whole basis at 1
-b_uncontrolled = {1: [[1, 2, 1]], -1: [[0, 1, 0], [-1, 0, 1]]}  # the values interchanged
-c_region = sp.And(sp.Ne(alpha, 1), sp.Ne(alpha, -2))  # signs of both roots lost
-c_region = sp.Ne(alpha, -1)  # the double zero thought to be no danger, since nothing grows by it
-# the square in the determinant taken for two lost combinations
+a_region = sp.Ne(alpha, 2)  # Were the complex eigenvalues left out? (hint 1)
+a_region = sp.Or(sp.Eq(alpha, 0), sp.Eq(alpha, 2))  # Are these the exceptional values instead of all others? (hint 1)
+# Does the sign of the determinant matter, or only whether it vanishes? (hint 1)
+a_region = sp.And(sp.Ne(alpha, 0), alpha < 2)
+# Is one combination the whole basis at each of these values? (hint 2)
+a_uncontrolled = {0: [[1, 0, 0]], 2: [[-1, 1, 1]]}
+# Is one of these bases a basis of what can be reached? (hint 1)
+a_uncontrolled = {0: [[1, 0, 0], [0, -1, 1]], 2: [[1, 1, 0], [1, 0, 1]]}
+# Is one of these an eigenvector of A instead of a left one? (hint 1)
+b_uncontrolled = {-1: [[1, 0, 1]], 1: [[0, 1, 0], [-1, 0, 1]]}
+b_region = sp.Ne(alpha, 1)  # Was one factor of the determinant overlooked? (hint 1)
+b_region = sp.And(alpha > -1, alpha < 1)  # Did the sign of a factor decide here, where only its zero should? (hint 1)
+b_uncontrolled = {-1: [[1, 2, 1]], 1: [[-1, 2, 1]]}  # Is one row the whole basis at each of these values? (hint 2)
+b_uncontrolled = {1: [[1, 2, 1]], -1: [[0, 1, 0], [-1, 0, 1]]}  # Have the two values changed places? (hint 2)
+c_region = sp.And(sp.Ne(alpha, 1), sp.Ne(alpha, -2))  # Were the roots taken with the wrong sign? (hint 1)
+c_region = sp.Ne(alpha, -1)  # Is a double eigenvalue without growth no danger? (hint 1)
+# Does a squared factor always mean two lost combinations? (hint 1)
 c_uncontrolled = {-1: [[1, 1, 1]], 2: [[-2, 1, 4], [1, 0, -4]]}
-c_uncontrolled = {-1: [[1, 1, 1]]}  # one value overlooked
-d_region = sp.Ne(2*alpha**2 + 2*alpha + 1, 0)  # only the plane of s and x3 looked at, where nothing is lost
-d_region = sp.Ne(alpha, 1)  # a single value guessed to be the trouble
-d_region = sp.Ne(alpha, 0)  # alpha = 0, for which u enters two equations only
-d_uncontrolled = []  # thought to be controllable in general
-d_uncontrolled = [[1, 1, 0]]  # the sign lost: what the control moves most
-d_uncontrolled = [[1, -1, 0], [0, 0, 1]]  # a row too many
+c_uncontrolled = {-1: [[1, 1, 1]]}  # Was one of the values overlooked? (hint 1)
+d_region = sp.Ne(2*alpha**2 + 2*alpha + 1, 0)  # Was only a part of the coordinates looked at? (hint 1)
+# Is there a single value at which something is lost? Look at the columns of W first. (hint 1)
+d_region = sp.Ne(alpha, 1)
+d_region = sp.Ne(alpha, 0)  # Is it the value at which the control enters fewer equations that matters? (hint 1)
+d_uncontrolled = []  # Is nothing lost? Look for a combination whose derivative does not hold u. (hint 1)
+d_uncontrolled = [[1, 1, 0]]  # Was a sign lost? Does the control enter this combination? (hint 1)
+d_uncontrolled = [[1, -1, 0], [0, 0, 1]]  # Is one row too many here? (hint 2)
 
 # %% right
 a_region = sp.Ne(alpha**2*(alpha - 2), 0)  # the determinant

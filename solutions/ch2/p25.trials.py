@@ -1,18 +1,19 @@
 # %% wrong
-a_region = sp.false  # the minors of each control alone vanish identically, so the system is thought to be lost
-a_region = sp.And(sp.Ne(alpha, 0), sp.Ne(alpha, 1))  # alpha = 0, for which no control enters the third equation
-a_region = sp.Ne(alpha, -1)  # a sign lost
-a_region = sp.Eq(alpha, 1)  # the exceptional value itself
-a_uncontrolled = {1: [[-1, 0, 1], [-1, 1, 1]]}  # everything that u1 has lost, though u2 still drives one of the two
-a_uncontrolled = {1: [[-1, 1, 0], [-1, 0, 1]]}  # the whole plane of the double eigenvalue
-a_uncontrolled = {1: [[1, 0, 1]]}  # what can be reached: x1 and x3 alike
-b_region = sp.true  # two controls thought to be always enough
-b_region = sp.And(sp.Ne(alpha, 0), sp.Ne(alpha, -sp.Rational(1, 2)))  # a zero of one entry of W added
-b_region = sp.false  # a triple eigenvalue thought to need three controls
-b_uncontrolled = {0: [[-2, 1, 0], [-1, 0, 1]]}  # both left eigenvectors
-b_uncontrolled = {0: [[0, 0, 1]]}  # the coordinate that u2 does not enter
-b_uncontrolled = {0: [[1, 2, 0]]}  # an eigenvector for the left eigenvector
-b_uncontrolled = {}  # nothing thought to be lost
+a_region = sp.false  # Must a single control do it? Take minors with columns of both. (hint 1)
+a_region = sp.And(sp.Ne(alpha, 0), sp.Ne(alpha, 1))  # Must every equation hold a control? (hint 1)
+a_region = sp.Ne(alpha, -1)  # Was a sign lost in the exceptional value? (hint 2)
+a_region = sp.Eq(alpha, 1)  # Is this the exceptional value itself, instead of all others? (hint 2)
+# Is this what one control alone has lost? The other one still drives a part of it. (hint 2)
+a_uncontrolled = {1: [[-1, 0, 1], [-1, 1, 1]]}
+a_uncontrolled = {1: [[-1, 1, 0], [-1, 0, 1]]}  # Is the whole plane of the double eigenvalue lost? (hint 2)
+a_uncontrolled = {1: [[1, 0, 1]]}  # Is this what can be reached, in the place of what cannot? (hint 1)
+b_region = sp.true  # Are two controls always enough? Count the left eigenvectors. (hint 1)
+b_region = sp.And(sp.Ne(alpha, 0), sp.Ne(alpha, -sp.Rational(1, 2)))  # Does one vanishing entry of W matter? (hint 2)
+b_region = sp.false  # Must there be as many controls as the eigenvalue has multiplicity? (hint 1)
+b_uncontrolled = {0: [[-2, 1, 0], [-1, 0, 1]]}  # Are both left eigenvectors lost? (hint 2)
+b_uncontrolled = {0: [[0, 0, 1]]}  # Is a coordinate lost because one control does not enter it? (hint 1)
+b_uncontrolled = {0: [[1, 2, 0]]}  # Is this an eigenvector of A instead of a left one? (hint 2)
+b_uncontrolled = {}  # Is nothing lost at any value? (hint 1)
 
 # %% right
 a_region = sp.Or(alpha < 1, alpha > 1)  # two intervals

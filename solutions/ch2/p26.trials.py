@@ -1,34 +1,38 @@
 # %% wrong
-a_roots = sp.solve(5*sp.Symbol('q')**4 + 11*sp.Symbol('q')**2 + 5)  # the sign in front of 2 x2 lost: 5 s^4 + 11 s^2 + 5
-a_roots = [(-3 + sp.sqrt(149))/10, (-3 - sp.sqrt(149))/10]  # the values of s^2
-a_roots = [sp.sqrt((sp.sqrt(149) - 3)/10), -sp.sqrt((sp.sqrt(149) - 3)/10)]  # only the real roots
-a_lost = [1, -1]  # the zeros of one component of the equation without the force, which are no roots
-a_lost = [sp.sqrt((sp.sqrt(149) - 3)/10)]  # a mode that runs away thought to be out of control
-a_controllable = False  # one force thought not to be enough for two coordinates
-b_roots = sp.solve(sp.Symbol('q')**4 + sp.Symbol('q')**2 - 5)  # the terms of first order left out: 5 s^4 + 5 s^2 - 25
-# both terms of first order with a plus: 5 (s^4 - 2 s^3 - 4 s^2 - 5)
+# Was a sign lost in front of a coupling term? (hint 1)
+a_roots = sp.solve(5*sp.Symbol('q')**4 + 11*sp.Symbol('q')**2 + 5)
+a_roots = [(-3 + sp.sqrt(149))/10, (-3 - sp.sqrt(149))/10]  # Are these the values of the square of s? (hint 2)
+a_roots = [sp.sqrt((sp.sqrt(149) - 3)/10), -sp.sqrt((sp.sqrt(149) - 3)/10)]  # Are complex roots asked for as well?
+a_lost = [1, -1]  # Are these numbers roots of the system at all? (hint 2)
+a_lost = [sp.sqrt((sp.sqrt(149) - 3)/10)]  # Is a mode out of control because it runs away? (hint 2)
+a_controllable = False  # Is one force not enough for two coordinates? (hint 1)
+b_roots = sp.solve(sp.Symbol('q')**4 + sp.Symbol('q')**2 - 5)  # Were the terms of first order left out? (hint 1)
+# Do both terms of first order have the same sign? (hint 1)
 import numpy as np
 b_roots = np.roots([1, -2, -4, 0, -5])
-b_roots = [sp.sqrt(sp.sqrt(14) - 3), -sp.sqrt(sp.sqrt(14) - 3)]  # the negative value of s^2 thought to give no root
-b_lost = [-1]  # the zero of the difference of the two components
-b_lost = [sp.sqrt(sp.sqrt(14) - 3)]  # one of the two real roots, because gyroscopic terms treat s and -s differently
-b_controllable = False  # gyroscopic terms thought to stand in the way
-c_controllable = False  # expected to be different from a, or the book would not ask twice
-c_region = sp.Ne(k, (13 + sp.sqrt(149))/2)  # one value overlooked
-c_region = sp.Eq(k**2 - 13*k + 5, 0)  # the exceptional values in place of the others
-c_region = sp.Ne(k, 0)  # force on the second coordinate needed
-c_region = sp.true  # no whole number is excluded, so none at all
-c_region = sp.Ne(5*k**2 - 13*k + 1, 0)  # the row (1, -k) multiplied with P, as if L were (k, 1)
-d_roots = [sp.sqrt(3 - beta), -sp.sqrt(3 - beta)]  # only the factor with beta
-d_roots = [sp.I, -sp.I, sp.sqrt(beta - 3), -sp.sqrt(beta - 3)]  # the sign of beta
-d_region = sp.Ne(beta, 8)  # tested with the shapes, not with the left shapes
-d_region = sp.Ne(beta, 3) & sp.Ne(beta, 4)  # a double root thought to be lost
-d_region = beta > 3  # where the motion without control does not run away
-d_region = sp.Eq(beta, 3)  # where control is lost
-d_uncontrolled = {3: [[0, 0, 2, 1]]}  # only what the rank at the lost root shows
-d_uncontrolled = {3: [[3, -1, 0, 0], [0, 0, 3, -1]]}  # the row p, which combines equations and not coordinates
-d_uncontrolled = {3: [[1, -1, 0, 0], [0, 0, 1, -1]]}  # the shape of the motion in place of the row
-d_uncontrolled = {4: [[2, 1, 0, 0], [0, 0, 2, 1]]}  # another value of beta
+# Does a negative value of the square of s give no root? (hint 2)
+b_roots = [sp.sqrt(sp.sqrt(14) - 3), -sp.sqrt(sp.sqrt(14) - 3)]
+b_lost = [-1]  # Is it the difference of the two components that has to vanish, or each of them? (hint 2)
+b_lost = [sp.sqrt(sp.sqrt(14) - 3)]  # Do gyroscopic terms treat s and -s differently? (hint 1)
+b_controllable = False  # Do gyroscopic terms stand in the way of control? (hint 1)
+c_controllable = False  # Must the verdict differ from that of item a? Compute it. (hint 1)
+c_region = sp.Ne(k, (13 + sp.sqrt(149))/2)  # Was one of the values overlooked? (hint 2)
+c_region = sp.Eq(k**2 - 13*k + 5, 0)  # Are these the exceptional values in the place of the others? (hint 2)
+c_region = sp.Ne(k, 0)  # Must the force act on both coordinates? (hint 1)
+c_region = sp.true  # Is no number excluded because no whole number is? (hint 2)
+c_region = sp.Ne(5*k**2 - 13*k + 1, 0)  # Was the row taken as if the two forces had changed places? (hint 1)
+d_roots = [sp.sqrt(3 - beta), -sp.sqrt(3 - beta)]  # Were the roots of the other factor left out? (hint 1)
+d_roots = [sp.I, -sp.I, sp.sqrt(beta - 3), -sp.sqrt(beta - 3)]  # Which sign has the parameter under the root? (hint 1)
+d_region = sp.Ne(beta, 8)  # Was it tested with the shapes instead of the left shapes? (hint 1)
+d_region = sp.Ne(beta, 3) & sp.Ne(beta, 4)  # Is a double root always lost? (hint 2)
+d_region = beta > 3  # Is it the stability of the motion without control that matters? (hint 2)
+d_region = sp.Eq(beta, 3)  # Is this where control is lost, instead of where it is not? (hint 2)
+d_uncontrolled = {3: [[0, 0, 2, 1]]}  # Does the rank at the lost root show all that is lost? (hint 2)
+# Does this row combine equations, where coordinates are asked for? (hint 1)
+d_uncontrolled = {3: [[3, -1, 0, 0], [0, 0, 3, -1]]}
+d_uncontrolled = {3: [[1, -1, 0, 0], [0, 0, 1, -1]]}  # Is this the shape of a motion in the place of a row? (hint 1)
+# Does this combination belong to another value of the parameter? (hint 1)
+d_uncontrolled = {4: [[2, 1, 0, 0], [0, 0, 2, 1]]}
 
 # %% right
 a_roots = {0.9595, -0.9595, 1.2331j, -1.2331j}  # decimals, as a Python set

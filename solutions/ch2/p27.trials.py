@@ -1,25 +1,28 @@
 # %% wrong
-controllable = sp.Ne(beta, 0)  # the control enters both equations, and that is thought to be enough
-controllable = sp.And(sp.Ne(beta, 0), sp.Ne(beta, -1))  # the left eigenvector of -1 with a wrong sign: (1, 1)
-# the condition of observability mixed in, as the transfer function would have it
+controllable = sp.Ne(beta, 0)  # Is it enough that the control enters both equations? (hint 2)
+controllable = sp.And(sp.Ne(beta, 0), sp.Ne(beta, -1))  # Has the left eigenvector the right sign? (hint 1)
+# Does the output matter for controllability? (hint 1)
 controllable = sp.And(sp.Ne(beta, 0), sp.Ne(beta, 1), sp.Ne(alpha, -1))
-# the hyperbola on which the numerator is a constant
+# Does a constant numerator mean that control is lost? (hint 1)
 controllable = sp.And(sp.Ne(beta, 0), sp.Ne(beta, 1), sp.Ne(alpha*beta, -1))
-uncontrolled = {0: [[1, 0]], 1: [[1, 1]]}  # the controllable directions (columns) in place of what is not controlled
-uncontrolled = {0: [[0, 1]]}  # the equal push overlooked
-uncontrolled = {0: [[1, -1]], 1: [[0, 1]]}  # the combinations exchanged
-observable = sp.Ne(alpha, 0)  # both coordinates have to stand in z
-observable = sp.true  # x2 acts on x1, and x1 stands in z: always observable
-observable = sp.Ne(alpha, 1)  # a sign lost in h A
-observable = sp.And(sp.Ne(alpha, -1), sp.Ne(beta, 0))  # what the control does not move is thought not to be seen
-unseen = {-1: [[1, -1]]}  # the output row in place of the state it does not see
-unseen = {-1: [[1, 0]]}  # the eigenvector of the other eigenvalue
-unseen = {0: [[0, 1]]}  # x2 is thought to be lost where it is not measured
-equation = sp.Eq(z.diff(t, 2) + 3*z.diff(t) + 2*z, (2 - beta + alpha*beta)*u)  # the derivative of the control forgotten
-# the sign of the action of x2 on x1
+# Are these columns, directions that can be controlled, in the place of rows? (hint 1)
+uncontrolled = {0: [[1, 0]], 1: [[1, 1]]}
+uncontrolled = {0: [[0, 1]]}  # Was one of the two left eigenvectors overlooked? (hint 2)
+uncontrolled = {0: [[1, -1]], 1: [[0, 1]]}  # Have the two combinations changed places? (hint 1)
+observable = sp.Ne(alpha, 0)  # Must both coordinates stand in z? (hint 1)
+observable = sp.true  # Is it enough that x2 acts on x1? Think of the motions that z may lose. (hint 2)
+observable = sp.Ne(alpha, 1)  # Was a sign lost in the row h A? (hint 2)
+observable = sp.And(sp.Ne(alpha, -1), sp.Ne(beta, 0))  # Does the control matter for what is seen? (hint 2)
+unseen = {-1: [[1, -1]]}  # Is this the row of the output in the place of a state that it does not see? (hint 1)
+unseen = {-1: [[1, 0]]}  # Is this the eigenvector of the other eigenvalue? (hint 1)
+unseen = {0: [[0, 1]]}  # Is a coordinate lost as soon as it is not measured? (hint 1)
+# Was the derivative of the control forgotten? (hint 1)
+equation = sp.Eq(z.diff(t, 2) + 3*z.diff(t) + 2*z, (2 - beta + alpha*beta)*u)
+# Which sign has the action of x2 on x1? (hint 1)
 equation = sp.Eq(z.diff(t, 2) + 3*z.diff(t) + 2*z, (1 + alpha*beta)*u.diff(t) + (2 + beta + alpha*beta)*u)
-equation = sp.Eq(z.diff(t) + z, (1 - beta)*u)  # what is left on the line alpha = -1, taken for all alpha
-# the two fractions added without a common denominator
+# Does this equation hold for one special value only? It has to be of second order. (hint 2)
+equation = sp.Eq(z.diff(t) + z, (1 - beta)*u)
+# Were the two fractions added without a common denominator? (hint 1)
 equation = sp.Eq(z.diff(t, 2) + 3*z.diff(t) + 2*z, (1 + alpha*beta)*u)
 
 # %% right

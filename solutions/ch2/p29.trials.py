@@ -1,20 +1,21 @@
 # %% wrong
-controllable = True  # the factor cancelled first, and the rest, x' - 2x = u, found to be controllable
-uncontrolled = []  # thought to be controllable
-uncontrolled = [[2, 1]]  # a sign lost: the control enters this combination
-uncontrolled = [[1, 2]]  # the direction in which the control pushes
-split = sp.Matrix([[1, 1], [2, -1]]).T  # the columns written as rows
-split = sp.Matrix([[1, 1], [-1, 2]])  # the uncontrollable coordinate first
-split = sp.Matrix([[0, 1], [1, 1]])  # as if b were (0, 1): the derivative of u dropped from the equation
-split_system = [sp.Matrix([[2, 0], [0, 1]]), sp.Matrix([1, 0])]  # a sign of the lost root
-split_system = [sp.Matrix([[-1, 0], [0, 2]]), sp.Matrix([1, 0])]  # the root 2 taken for the lost one
-split_system = [A, B]  # the system as it was
-region = sp.Ne(a, 1)  # the other root of the left side overlooked
-region = sp.And(sp.Ne(a, -1), sp.Ne(a, 2))  # the roots themselves for their negatives
-region = sp.Or(sp.Eq(a, 1), sp.Eq(a, -2))  # the exceptional values given
-uncontrolled_where = {1: [[-2, 1]]}  # one value overlooked
-uncontrolled_where = {-1: [[-2, 1]], 2: [[1, 1]]}  # the roots for their negatives
-uncontrolled_where = {1: [[1, 1]], -2: [[-2, 1]]}  # the rows interchanged
+controllable = True  # Was a common factor cancelled before the equation became a system? (hint 2)
+uncontrolled = []  # Is nothing lost? Look for a combination whose derivative does not hold u. (hint 1)
+uncontrolled = [[2, 1]]  # Was a sign lost? Does the control enter this combination? (hint 1)
+uncontrolled = [[1, 2]]  # Is this the direction in which the control pushes? (hint 1)
+split = sp.Matrix([[1, 1], [2, -1]]).T  # Were the columns written as rows? (hint 1)
+split = sp.Matrix([[1, 1], [-1, 2]])  # Which coordinate has to stand first? (hint 1)
+split = sp.Matrix([[0, 1], [1, 1]])  # Was the derivative of u dropped from the equation? (hint 1)
+split_system = [sp.Matrix([[2, 0], [0, 1]]), sp.Matrix([1, 0])]  # Which sign has the lost root? (hint 1)
+# Which of the two roots is lost, the one that cancels or the other? (hint 1)
+split_system = [sp.Matrix([[-1, 0], [0, 2]]), sp.Matrix([1, 0])]
+split_system = [A, B]  # Is this the system as it was? (hint 1)
+region = sp.Ne(a, 1)  # Has the left-hand side another root? (hint 2)
+region = sp.And(sp.Ne(a, -1), sp.Ne(a, 2))  # Are these the roots, where their negatives are needed? (hint 2)
+region = sp.Or(sp.Eq(a, 1), sp.Eq(a, -2))  # Are these the exceptional values instead of all others? (hint 1)
+uncontrolled_where = {1: [[-2, 1]]}  # Was one of the values overlooked? (hint 1)
+uncontrolled_where = {-1: [[-2, 1]], 2: [[1, 1]]}  # Are these the roots, where their negatives are needed? (hint 1)
+uncontrolled_where = {1: [[1, 1]], -2: [[-2, 1]]}  # Have the two rows changed places? (hint 1)
 
 # %% right
 uncontrolled = [[1, -sp.Rational(1, 2)]]  # another length and sign

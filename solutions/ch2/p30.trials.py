@@ -1,56 +1,68 @@
 # %% wrong
-a_uncontrolled = [[0, 1, 0]]  # the variable that the control enters
-a_uncontrolled = [[1, 0, -1]]  # a difference for the sum: x2 does not cancel
-a_split = sp.Matrix([[0, 1, 2], [1, 1, 3], [0, -1, -3]]).inv()  # the matrix that gives (xi, eta) from x
-a_split = sp.Matrix([[2, 1, 0], [3, 1, 1], [-3, -1, 0]])  # the uncontrollable coordinate first
-a_split = sp.Matrix.hstack(b_a, A_a*b_a, A_a**2*b_a)  # Kalman's matrix, which has no inverse
-b_uncontrolled = []  # x2 is driven by the control and acts on both others, taken for enough
-b_uncontrolled = [[1, 1, 1]]  # the eigenvalue 0 guessed to belong to the sum of all three
-b_split = sp.Matrix([[0, 1, 1], [1, 0, 0], [0, -1, 0]]).inv()  # the matrix that gives (xi, eta) from x
-b_split = sp.Matrix([[1, 1, 0], [0, 0, 1], [0, -1, 0]])  # the uncontrollable coordinate first
-b_split = sp.eye(3)  # the coordinates as they are
-c_uncontrolled = [[1, 0, -1]]  # the sign of the effect of x2 overlooked
-c_uncontrolled = [[1, 1, -1]]  # the eigenvector of A for that of the transposed matrix
-c_split = sp.Matrix([[0, 1, 1], [1, 1, 0], [0, -1, 0]]).inv()  # the matrix that gives (xi, eta) from x
-c_split = sp.Matrix([[1, 1, 0], [0, 1, 1], [0, -1, 0]])  # the uncontrollable coordinate first
-c_split = sp.Matrix.hstack(b_c, A_c*b_c, A_c**2*b_c)  # Kalman's matrix, which has no inverse
-d_uncontrolled = [[1, -1, 0]]  # the control cancels, but the derivative does not close
-d_uncontrolled = [[1, 1, -1]]  # the eigenvector of A for that of the transposed matrix
-d_split = sp.Matrix([[1, -1, 1], [1, 0, 1], [0, 1, -1]]).inv()  # the matrix that gives (xi, eta) from x
-d_split = sp.Matrix([[1, -1, 1], [1, 0, 1], [-1, 1, 0]])  # the uncontrollable coordinate first
-d_split = sp.Matrix.hstack(b_d, A_d*b_d, A_d**2*b_d)  # Kalman's matrix, which has no inverse
-e_uncontrolled = [[1, 0, 0]]  # x1, into whose equation the control does not enter directly
-e_uncontrolled = [[0, 1, 0], [1, 0, 0]]  # both variables without u in their equations
-e_split = sp.Matrix([[0, 1, 1], [0, 0, 1], [1, 1, 0]]).inv()  # the matrix that gives (xi, eta) from x
-e_split = sp.Matrix([[1, 1, 0], [1, 0, 0], [0, 1, 1]])  # the uncontrollable coordinate first
-e_split = sp.eye(3)  # the coordinates as they are
-f_uncontrolled = [[1, -1, 0]]  # the control cancels in the difference, whose derivative holds other combinations
-f_uncontrolled = [[0, 1, 1]]  # the eigenvector of A for that of the transposed matrix
-f_split = sp.Matrix([[0, 1, 1], [1, -2, 1], [1, 0, 0]])  # the uncontrollable coordinate first
-g_uncontrolled = [[1, -1, 0]]  # a sign lost: x3 acts on the difference
-g_uncontrolled = [[1, 0, 0], [0, 1, 0]]  # both variables without u in their equations
-g_split = sp.Matrix([[1, 1, 0], [0, -1, 0], [0, 1, 1]])  # the uncontrollable coordinate first
-g_split = sp.Matrix.hstack(b_g, A_g*b_g, A_g**2*b_g)  # Kalman's matrix, which has no inverse
-h_uncontrolled = [[0, 1, 0]]  # x2, which carries the lost mode, taken for the combination
-h_uncontrolled = [[1, -1, 0]]  # the derivative does not close
-h_split = sp.Matrix([[1, -1, 0], [1, 0, 1], [0, 1, 0]]).inv()  # the matrix that gives (xi, eta) from x
-h_split = sp.Matrix([[0, -1, 1], [1, 0, 1], [0, 1, 0]])  # the uncontrollable coordinate first
-h_split = sp.eye(3)  # the coordinates as they are
-i_uncontrolled = [[0, 1, 1]]  # the eigenvector of A for that of the transposed matrix
-i_uncontrolled = [[1, -1, 1], [0, 1, -1]]  # one row too many, as the eigenvalue is a triple one
-i_split = sp.Matrix([[1, -1, 1], [1, 0, 0], [0, 1, 0]]).inv()  # the matrix that gives (xi, eta) from x
-i_split = sp.Matrix([[1, -1, 1], [0, 0, 1], [0, 1, 0]])  # the uncontrollable coordinate first
-i_split = sp.Matrix.hstack(b_i, A_i*b_i, A_i**2*b_i)  # Kalman's matrix, which has no inverse
-j_uncontrolled = [[1, 0, -1]]  # a difference for the sum
-j_uncontrolled = [[1, 1, 1]]  # all three equations added: the control stays
-j_split = sp.Matrix([[1, 1, 0], [-1, 1, 1], [1, -1, 0]])  # the uncontrollable coordinate first
-k_uncontrolled = [[0, 1, 0]]  # the variable that the control enters
-k_uncontrolled = []  # thought to be controllable
-k_split = sp.Matrix([[1, 1, 0], [0, 1, 1], [1, -1, 0]])  # the uncontrollable coordinate first
-l_uncontrolled = [[1, -1, 0]]  # the derivative of the difference does not close
-l_uncontrolled = [[1, 1, 0]]  # the direction in which the control pushes
-l_split = sp.Matrix([[0, 0, 1], [0, 1, 1], [1, 1, 0]])  # the uncontrollable coordinate first
-l_split = sp.eye(3)  # the coordinates as they are
+a_uncontrolled = [[0, 1, 0]]  # Is this the variable that the control enters? (hint 1)
+a_uncontrolled = [[1, 0, -1]]  # Does x2 cancel in the difference, or in the sum? (hint 1)
+# Does this lead from x to the new coordinates, instead of from them to x?
+a_split = sp.Matrix([[0, 1, 2], [1, 1, 3], [0, -1, -3]]).inv()
+a_split = sp.Matrix([[2, 1, 0], [3, 1, 1], [-3, -1, 0]])  # Which coordinates have to stand first? (hint 1)
+a_split = sp.Matrix.hstack(b_a, A_a*b_a, A_a**2*b_a)  # Has this matrix an inverse? (hint 1)
+b_uncontrolled = []  # Is it enough that the driven variable acts on both others? (hint 1)
+b_uncontrolled = [[1, 1, 1]]  # Does the sum of all three equations lose the control? (hint 1)
+# Does this lead from x to the new coordinates, instead of from them to x?
+b_split = sp.Matrix([[0, 1, 1], [1, 0, 0], [0, -1, 0]]).inv()
+b_split = sp.Matrix([[1, 1, 0], [0, 0, 1], [0, -1, 0]])  # Which coordinates have to stand first? (hint 1)
+b_split = sp.eye(3)  # Can the coordinates be left as they are? (hint 1)
+c_uncontrolled = [[1, 0, -1]]  # Which sign has the effect of x2 on the other two? (hint 1)
+c_uncontrolled = [[1, 1, -1]]  # Is this an eigenvector of A instead of its transpose?
+# Does this lead from x to the new coordinates, instead of from them to x?
+c_split = sp.Matrix([[0, 1, 1], [1, 1, 0], [0, -1, 0]]).inv()
+c_split = sp.Matrix([[1, 1, 0], [0, 1, 1], [0, -1, 0]])  # Which coordinates have to stand first? (hint 1)
+c_split = sp.Matrix.hstack(b_c, A_c*b_c, A_c**2*b_c)  # Has this matrix an inverse? (hint 1)
+# The control cancels here, but does the derivative hold only the combination itself? (hint 1)
+d_uncontrolled = [[1, -1, 0]]
+d_uncontrolled = [[1, 1, -1]]  # Is this an eigenvector of A instead of its transpose? (hint 1)
+# Does this lead from x to the new coordinates, instead of from them to x?
+d_split = sp.Matrix([[1, -1, 1], [1, 0, 1], [0, 1, -1]]).inv()
+d_split = sp.Matrix([[1, -1, 1], [1, 0, 1], [-1, 1, 0]])  # Which coordinates have to stand first? (hint 1)
+d_split = sp.Matrix.hstack(b_d, A_d*b_d, A_d**2*b_d)  # Has this matrix an inverse? (hint 1)
+e_uncontrolled = [[1, 0, 0]]  # Must the control enter an equation directly? Ask who drives this variable. (hint 1)
+e_uncontrolled = [[0, 1, 0], [1, 0, 0]]  # Are both variables lost that have no u in their equations? (hint 1)
+# Does this lead from x to the new coordinates, instead of from them to x?
+e_split = sp.Matrix([[0, 1, 1], [0, 0, 1], [1, 1, 0]]).inv()
+e_split = sp.Matrix([[1, 1, 0], [1, 0, 0], [0, 1, 1]])  # Which coordinates have to stand first? (hint 1)
+e_split = sp.eye(3)  # Can the coordinates be left as they are? (hint 1)
+# The control cancels here, but does the derivative hold only the combination itself? (hint 1)
+f_uncontrolled = [[1, -1, 0]]
+f_uncontrolled = [[0, 1, 1]]  # Is this an eigenvector of A instead of its transpose? (hint 1)
+f_split = sp.Matrix([[0, 1, 1], [1, -2, 1], [1, 0, 0]])  # Which coordinates have to stand first? (hint 1)
+g_uncontrolled = [[1, -1, 0]]  # Was a sign lost? Does x3 act on this difference? (hint 1)
+g_uncontrolled = [[1, 0, 0], [0, 1, 0]]  # Are both variables lost that have no u in their equations? (hint 1)
+g_split = sp.Matrix([[1, 1, 0], [0, -1, 0], [0, 1, 1]])  # Which coordinates have to stand first? (hint 1)
+g_split = sp.Matrix.hstack(b_g, A_g*b_g, A_g**2*b_g)  # Has this matrix an inverse? (hint 1)
+h_uncontrolled = [[0, 1, 0]]  # Is this variable the lost combination by itself? (hint 1)
+# The control cancels here, but does the derivative hold only the combination itself? (hint 1)
+h_uncontrolled = [[1, -1, 0]]
+# Does this lead from x to the new coordinates, instead of from them to x?
+h_split = sp.Matrix([[1, -1, 0], [1, 0, 1], [0, 1, 0]]).inv()
+h_split = sp.Matrix([[0, -1, 1], [1, 0, 1], [0, 1, 0]])  # Which coordinates have to stand first? (hint 1)
+h_split = sp.eye(3)  # Can the coordinates be left as they are? (hint 1)
+i_uncontrolled = [[0, 1, 1]]  # Is this an eigenvector of A instead of its transpose? (hint 1)
+# Does a multiple eigenvalue mean that as many combinations are lost? (hint 1)
+i_uncontrolled = [[1, -1, 1], [0, 1, -1]]
+# Does this lead from x to the new coordinates, instead of from them to x?
+i_split = sp.Matrix([[1, -1, 1], [1, 0, 0], [0, 1, 0]]).inv()
+i_split = sp.Matrix([[1, -1, 1], [0, 0, 1], [0, 1, 0]])  # Which coordinates have to stand first? (hint 1)
+i_split = sp.Matrix.hstack(b_i, A_i*b_i, A_i**2*b_i)  # Has this matrix an inverse? (hint 1)
+j_uncontrolled = [[1, 0, -1]]  # Does the control cancel in the difference, or in the sum? (hint 1)
+j_uncontrolled = [[1, 1, 1]]  # Does the control cancel when all three equations are added? (hint 1)
+j_split = sp.Matrix([[1, 1, 0], [-1, 1, 1], [1, -1, 0]])  # Which coordinates have to stand first? (hint 1)
+k_uncontrolled = [[0, 1, 0]]  # Is this the variable that the control enters? (hint 1)
+k_uncontrolled = []  # Is nothing lost? Look for a combination whose derivative does not hold u. (hint 1)
+k_split = sp.Matrix([[1, 1, 0], [0, 1, 1], [1, -1, 0]])  # Which coordinates have to stand first? (hint 1)
+# The control cancels here, but does the derivative hold only the combination itself? (hint 1)
+l_uncontrolled = [[1, -1, 0]]
+l_uncontrolled = [[1, 1, 0]]  # Is this the direction in which the control pushes? (hint 1)
+l_split = sp.Matrix([[0, 0, 1], [0, 1, 1], [1, 1, 0]])  # Which coordinates have to stand first? (hint 1)
+l_split = sp.eye(3)  # Can the coordinates be left as they are? (hint 1)
 
 # %% right
 a_uncontrolled = [[-3, 0, -3]]  # another length and sign

@@ -1,24 +1,24 @@
 # %% wrong
-a_controllable = False  # u1 enters the equation of v1 alone, and x2 is thought to be out of its reach
-a_matrix = sp.Matrix.hstack(along, A.T*along, A.T**2*along, A.T**3*along)  # with the transposed matrix
-a_matrix = sp.Matrix.hstack(along, A*along, A*along, A**2*along)  # a column written twice
-b_controllable = True  # the outward thrust thought to be as good as the other one
-b_uncontrolled = [[0, 2*omega, 1, 0]]  # the constant x1' + 2 omega x2 with v1 in the place of x1'
-b_uncontrolled = [[0, 0, 1, 0]]  # v1 alone, since u2 is not in its equation
-b_uncontrolled = []  # thought to be controllable
-b_uncontrolled = [[0, omega, 1, 0], [1, 0, 0, 0]]  # the position along the orbit counted as well
-b_lost = [sp.I*omega, -sp.I*omega]  # the oscillation, which is the part that is kept
-b_lost = [0, sp.I*omega, -sp.I*omega]  # all eigenvalues of A
-b_lost = []  # thought to be controllable
-b_split = sp.Matrix([[1, 0, 0, 0], [0, 1, 0, 0], [omega, 0, 0, 1], [0, omega, 1, 0]])  # (xi, eta) from x
-b_split = sp.eye(4)[:, [0, 1, 3, 2]]  # v1 taken for the constant
-# Kalman's matrix itself, which has no inverse
-b_split = sp.Matrix.hstack(outward, A*outward, A**2*outward, A**3*outward)
-# a constant that drives nothing: the drift forgotten
+a_controllable = False  # Must the control enter every equation? Follow what it acts on. (hint 1)
+a_matrix = sp.Matrix.hstack(along, A.T*along, A.T**2*along, A.T**3*along)  # Was the transposed matrix used? (hint 1)
+a_matrix = sp.Matrix.hstack(along, A*along, A*along, A**2*along)  # Was a column written twice? (hint 1)
+b_controllable = True  # Is the outward thrust as good as the one along the orbit? (hint 1)
+b_uncontrolled = [[0, 2*omega, 1, 0]]  # Is v1 the rate of x1 in these equations? Mind the turning frame. (hint 2)
+b_uncontrolled = [[0, 0, 1, 0]]  # Is this rate constant by itself? Its equation holds other variables. (hint 1)
+b_uncontrolled = []  # Is nothing lost? Look for an equation that can be integrated. (hint 1)
+b_uncontrolled = [[0, omega, 1, 0], [1, 0, 0, 0]]  # Is the position along the orbit lost as well? (hint 1)
+b_lost = [sp.I*omega, -sp.I*omega]  # Is the oscillation lost, or is it what the thruster moves? (hint 1)
+b_lost = [0, sp.I*omega, -sp.I*omega]  # Are all eigenvalues lost? (hint 1)
+b_lost = []  # Is no eigenvalue lost, though a combination stays constant? (hint 1)
+# Does this lead from x to the new coordinates, instead of from them to x?
+b_split = sp.Matrix([[1, 0, 0, 0], [0, 1, 0, 0], [omega, 0, 0, 1], [0, omega, 1, 0]])
+b_split = sp.eye(4)[:, [0, 1, 3, 2]]  # Is v1 the constant? Mind the turning frame. (hint 2)
+b_split = sp.Matrix.hstack(outward, A*outward, A**2*outward, A**3*outward)  # Has this matrix an inverse? (hint 1)
+# Does the constant drive nothing? Think of the drift along the orbit. (hint 1)
 b_split_system = [sp.Matrix([[0, -2*omega, 0, 0], [0, 0, 1, 0], [0, -omega**2, 0, 0], [0]*4]), sp.Matrix([0, 0, 1, 0])]
-# the height without the effect of x1': 3 omega^2 left as it was
+# Was the effect of the motion along the orbit on the height left out? (hint 1)
 b_split_system = [sp.Matrix([[0, 0, 0, 1], [0, 0, 1, 0], [0, 3*omega**2, 0, 0], [0]*4]), sp.Matrix([0, 0, 1, 0])]
-b_split_system = [A, outward]  # the system as it was
+b_split_system = [A, outward]  # Is this the system as it was? (hint 1)
 
 # %% right
 a_matrix = a_matrix.subs(omega, sp.Symbol("omega"))*1  # with a plain symbol

@@ -1,42 +1,45 @@
 # %% wrong
-a_uncontrolled = [[0, 1, 0, 0], [0, 0, 1, 0]]  # both variables without u in their equations, though x1 acts on x2
-a_uncontrolled = [[0, 0, 0, 1]]  # the arrow from x3 to x4 read the wrong way
-a_lost = [1, 2]  # all eigenvalues, as both have Jordan blocks
-a_lost = []  # 1 thought to be kept, since x4 has it too
-a_split = sp.eye(4)  # the variables in the order as they stand
-a_split = sp.eye(4)[:, [2, 0, 1, 3]]  # the uncontrollable variable first
-b_uncontrolled = [[1, 0, 0, 0], [0, 0, 0, 1]]  # both variables without u in their equations, though x2 acts on x1
-b_uncontrolled = [[0, 0, 1, 0]]  # the arrow from x4 to x3 read the wrong way
-b_lost = [3]  # the Jordan block thought to be entered at the wrong end
-b_lost = [2, 3]  # all eigenvalues
-b_split = sp.eye(4)[:, [3, 0, 1, 2]]  # the uncontrollable variable first
-b_split = sp.Matrix.hstack(b_b, A_b*b_b, A_b**2*b_b, A_b**3*b_b)  # Kalman's matrix, which has no inverse
-c_uncontrolled = [[0, 0, 1, 0]]  # the arrow from x4 to x3 read the wrong way
-c_uncontrolled = []  # each eigenvalue of a Jordan block is thought to be reached from any of its places
-c_lost = [2]  # the other Jordan block
-c_lost = []  # 1 thought to be kept, since x3 has it too
-c_split = sp.eye(4)[:, [3, 0, 1, 2]]  # the uncontrollable variable first
-c_split = sp.eye(4)[:, [0, 1, 3, 2]]  # the order of item a
-d_uncontrolled = [[1, 0, 0, 0], [0, 0, 0, 1]]  # both variables without u in their equations
-d_uncontrolled = [[0, 0, 1, -1]]  # a difference that the control enters
-d_lost = [(1 + sp.sqrt(13))/2, (1 - sp.sqrt(13))/2]  # the eigenvalues of x1 and x2, which are kept
-d_lost = []  # 1 thought to be kept, since x3 has it too
-d_split = sp.eye(4)[:, [3, 0, 1, 2]]  # the uncontrollable variable first
-d_split = sp.eye(4)[:, [0, 1, 3, 2]]  # the order of item a
-e_uncontrolled = [[-1, 0, 1, 0]]  # the control cancels in x3 - x1, but its derivative brings in x4
-e_uncontrolled = [[-1, 0, 1, 0], [-1, 1, 0, 0]]  # all differences of the equations that the control enters alike
-e_uncontrolled = []  # no zeros in the matrix, thought to be controllable
-e_lost = [(1 + sp.sqrt(17))/2, (1 - sp.sqrt(17))/2]  # the eigenvalues of the controllable part
-e_lost = [(1 + sp.sqrt(5))/2]  # only the growing one
-e_split = sp.Matrix.hstack(sp.eye(4)[:, 2:], b_e, A_e*b_e)  # the uncontrollable part first
-e_split = sp.Matrix([[1, 0, 0, 0], [1, 2, 0, 0], [1, 0, 1, 0], [0, 0, 0, 1]]).inv()*2 + sp.eye(4)  # a slip in solving
-e_split_system = [A_e, b_e]  # the system as it was
-# the two parts as they are, with the coupling forgotten in one equation
+a_uncontrolled = [[0, 1, 0, 0], [0, 0, 1, 0]]  # Is a variable lost because u does not stand in its equation? (hint 1)
+a_uncontrolled = [[0, 0, 0, 1]]  # Was an arrow read the wrong way? (hint 1)
+a_lost = [1, 2]  # Are all eigenvalues lost where there are Jordan blocks? (hint 1)
+a_lost = []  # Can an eigenvalue be lost although another variable with it is kept? (hint 1)
+a_split = sp.eye(4)  # Can the order stay as it is? (hint 1)
+a_split = sp.eye(4)[:, [2, 0, 1, 3]]  # Which variables have to stand first? (hint 1)
+b_uncontrolled = [[1, 0, 0, 0], [0, 0, 0, 1]]  # Is a variable lost because u does not stand in its equation? (hint 1)
+b_uncontrolled = [[0, 0, 1, 0]]  # Was an arrow read the wrong way? (hint 1)
+b_lost = [3]  # At which end does the control enter the Jordan block? (hint 1)
+b_lost = [2, 3]  # Are all eigenvalues lost? (hint 1)
+b_split = sp.eye(4)[:, [3, 0, 1, 2]]  # Which variables have to stand first? (hint 1)
+b_split = sp.Matrix.hstack(b_b, A_b*b_b, A_b**2*b_b, A_b**3*b_b)  # Has this matrix an inverse?
+c_uncontrolled = [[0, 0, 1, 0]]  # Was an arrow read the wrong way? (hint 1)
+c_uncontrolled = []  # Is a Jordan block reached from any of its places? (hint 1)
+c_lost = [2]  # Is this the eigenvalue of the other block? (hint 1)
+c_lost = []  # Can an eigenvalue be lost although another variable with it is kept? (hint 1)
+c_split = sp.eye(4)[:, [3, 0, 1, 2]]  # Which variables have to stand first? (hint 1)
+c_split = sp.eye(4)[:, [0, 1, 3, 2]]  # Is this the order of item a? (hint 1)
+d_uncontrolled = [[1, 0, 0, 0], [0, 0, 0, 1]]  # Is a variable lost because u does not stand in its equation? (hint 1)
+d_uncontrolled = [[0, 0, 1, -1]]  # Does the control enter this difference? (hint 1)
+d_lost = [(1 + sp.sqrt(13))/2, (1 - sp.sqrt(13))/2]  # Are these the eigenvalues of what is kept?
+d_lost = []  # Can an eigenvalue be lost although another variable with it is kept? (hint 1)
+d_split = sp.eye(4)[:, [3, 0, 1, 2]]  # Which variables have to stand first? (hint 1)
+d_split = sp.eye(4)[:, [0, 1, 3, 2]]  # Is this the order of item a? (hint 1)
+# The control cancels here, but does the derivative hold only such combinations? (hint 1)
+e_uncontrolled = [[-1, 0, 1, 0]]
+e_uncontrolled = [[-1, 0, 1, 0], [-1, 1, 0, 0]]  # Is every difference without u lost? Look at its derivative. (hint 1)
+e_uncontrolled = []  # Does it need zeros in the matrix for something to be lost? (hint 1)
+e_lost = [(1 + sp.sqrt(17))/2, (1 - sp.sqrt(17))/2]  # Are these the eigenvalues of what can be controlled? (hint 1)
+e_lost = [(1 + sp.sqrt(5))/2]  # Is only what grows asked for? (hint 1)
+e_split = sp.Matrix.hstack(sp.eye(4)[:, 2:], b_e, A_e*b_e)  # Which part has to stand first? (hint 1)
+# Is there a slip in solving for the old coordinates? Multiply the matrices. (hint 1)
+e_split = sp.Matrix([[1, 0, 0, 0], [1, 2, 0, 0], [1, 0, 1, 0], [0, 0, 0, 1]]).inv()*2 + sp.eye(4)
+e_split_system = [A_e, b_e]  # Is this the system as it was? (hint 1)
+# Was a coupling between the two parts changed on the way? (hint 1)
 e_split_system = [sp.Matrix([[0, 4, 1, 2], [1, 1, 2, 1], [0, 0, 1, 1], [0, 0, 1, 1]]), sp.Matrix([1, 0, 0, 0])]
-f_uncontrolled = [[-1, 0, 1, 0], [0, 0, 0, 1]]  # the rows of item e
-f_uncontrolled = [[0, 0, 0, 1]]  # the only variable without u in its equation
-f_lost = [(1 + sp.sqrt(5))/2, (1 - sp.sqrt(5))/2]  # the eigenvalues of item e
-f_split = sp.Matrix.hstack(b_f, A_f*b_f, b_f, A_f*b_f)  # two columns repeated to fill up the matrix
+f_uncontrolled = [[-1, 0, 1, 0], [0, 0, 0, 1]]  # Are these the rows of item e? One sign differs here. (hint 1)
+f_uncontrolled = [[0, 0, 0, 1]]  # Is a variable lost because u does not stand in its equation? (hint 1)
+# Are these the eigenvalues of item e? One sign differs here. (hint 1)
+f_lost = [(1 + sp.sqrt(5))/2, (1 - sp.sqrt(5))/2]
+f_split = sp.Matrix.hstack(b_f, A_f*b_f, b_f, A_f*b_f)  # Has this matrix an inverse? (hint 1)
 
 # %% right
 a_uncontrolled = [[0, 0, -7, 0]]  # another length and sign

@@ -1,18 +1,20 @@
 # %% wrong
-uncontrolled = []  # two controls for four coordinates, taken for enough
-uncontrolled = [[0, 1, 1, 0]]  # the sum, into which the controls enter
-uncontrolled = [[0, 1, -1, 0], [1, 0, 0, 0]]  # x1 counted too, since no control stands in its equation
-missed_by_u2 = [[0, 1, -1, 0]]  # what both controls miss, though u2 alone misses more
-missed_by_u2 = [[0, 1, -1, 0], [1, 0, 0, 0]]  # x1 counted, though x2 and x3 act on it
-missed_by_u2 = [[0, 1, 1, -1]]  # what both controls miss forgotten
-sequential = sp.eye(4)  # the coordinates as they are
-sequential = sp.Matrix.hstack(sp.Matrix([0, 1, 0, 0]), b1, A*b1, A**2*b1)  # what is left over put first
-sequential = sp.Matrix.hstack(b1, A*b1, A**2*b1, A**3*b1)  # the chain continued beyond its end: no inverse
-reversed_order = sp.Matrix.hstack(b1, A*b1, A**2*b1, sp.Matrix([0, 1, 0, 0]))  # the first order once more
-reversed_order = sp.Matrix.hstack(b1, b2, A*b2, sp.Matrix([0, 1, 0, 0]))  # the part of u1 first
-parallel = sp.Matrix.hstack(b1, A*b1, A**2*b1, sp.Matrix([0, 1, 0, 0]))  # the sequential one
-parallel = sp.Matrix.hstack(b1, b2, A*b1, sp.Matrix([0, 1, 0, 0]))  # the columns as they are taken, not part by part
-parallel = sp.Matrix.hstack(b1, A*b1, b2, A*b2)  # the column A b2 not left out: no inverse
+uncontrolled = []  # Are two controls always enough? Look for a combination that neither enters. (hint 1)
+uncontrolled = [[0, 1, 1, 0]]  # Do the controls enter this sum? (hint 1)
+uncontrolled = [[0, 1, -1, 0], [1, 0, 0, 0]]  # Is a variable lost because no control stands in its equation?
+missed_by_u2 = [[0, 1, -1, 0]]  # Is this what both controls miss together? One alone may miss more. (hint 1)
+missed_by_u2 = [[0, 1, -1, 0], [1, 0, 0, 0]]  # Is a variable missed although others that are moved act on it? (hint 2)
+missed_by_u2 = [[0, 1, 1, -1]]  # Was something forgotten that both controls miss? (hint 2)
+sequential = sp.eye(4)  # Can the coordinates be left as they are? (hint 1)
+sequential = sp.Matrix.hstack(sp.Matrix([0, 1, 0, 0]), b1, A*b1, A**2*b1)  # Which columns have to stand first? (hint 1)
+sequential = sp.Matrix.hstack(b1, A*b1, A**2*b1, A**3*b1)  # Was the chain continued beyond its end? (hint 1)
+# Is this the decomposition in the other order? (hint 1)
+reversed_order = sp.Matrix.hstack(b1, A*b1, A**2*b1, sp.Matrix([0, 1, 0, 0]))
+reversed_order = sp.Matrix.hstack(b1, b2, A*b2, sp.Matrix([0, 1, 0, 0]))  # Which part has to stand first? (hint 1)
+# Is this the sequential decomposition? (hint 1)
+parallel = sp.Matrix.hstack(b1, A*b1, A**2*b1, sp.Matrix([0, 1, 0, 0]))
+parallel = sp.Matrix.hstack(b1, b2, A*b1, sp.Matrix([0, 1, 0, 0]))  # Are the columns sorted part by part? (hint 1)
+parallel = sp.Matrix.hstack(b1, A*b1, b2, A*b2)  # Was a column kept that depends on those before it? (hint 2)
 
 # %% right
 uncontrolled = [[0, -3, 3, 0]]  # another length and sign

@@ -1,17 +1,20 @@
 # %% wrong
-equations = [sp.diag(l1, l2), g*sp.eye(2), sp.Matrix([-1, -1])]  # pendulums that hang down
-equations = [sp.diag(l1, l2), -g*sp.eye(2), sp.Matrix([1, 1])]  # the force of inertia with the sign of the acceleration
-equations = [sp.diag(l1, l2), -g*sp.eye(2), sp.Matrix([-m1, -m2])]  # a force on the cart for its acceleration
-equations = [sp.diag(l1, l2), -g*sp.eye(2), sp.Matrix([-1, 1])]  # the second pendulum pushed the other way
-region = sp.true  # two controllable parts taken for a controllable whole
-region = l1 > l2  # an order of the lengths asked for
-region = sp.Eq(l1, l2)  # the exceptional case given
-equal_lost = []  # each alone is controllable: taken for enough
-equal_lost = [sp.sqrt(g/l)]  # only the growing mode
-equal_lost = [sp.I*sp.sqrt(g/l), -sp.I*sp.sqrt(g/l)]  # the frequencies of pendulums that hang down
-equal_uncontrolled = [[1, -1, 0, 0]]  # the difference of the angles without its rate
-equal_uncontrolled = [[1, 1, 0, 0], [0, 0, 1, 1]]  # the sum, which the cart moves
-equal_uncontrolled = []  # thought to be controllable
+equations = [sp.diag(l1, l2), g*sp.eye(2), sp.Matrix([-1, -1])]  # Do the pendulums hang down or stand? (hint 1)
+# In which direction does the force of inertia act? (hint 1)
+equations = [sp.diag(l1, l2), -g*sp.eye(2), sp.Matrix([1, 1])]
+# Is the control a force on the cart, or its acceleration? (hint 1)
+equations = [sp.diag(l1, l2), -g*sp.eye(2), sp.Matrix([-m1, -m2])]
+# Does the cart push the two pendulums in opposite directions? (hint 1)
+equations = [sp.diag(l1, l2), -g*sp.eye(2), sp.Matrix([-1, 1])]
+region = sp.true  # Is the whole controllable as soon as each part is? (hint 1)
+region = l1 > l2  # Does it matter which of the two is longer? (hint 1)
+region = sp.Eq(l1, l2)  # Is this the exceptional case instead of all others? (hint 1)
+equal_lost = []  # Is it enough that each pendulum alone can be controlled? (hint 1)
+equal_lost = [sp.sqrt(g/l)]  # Is only the growing mode lost? (hint 1)
+equal_lost = [sp.I*sp.sqrt(g/l), -sp.I*sp.sqrt(g/l)]  # Do the pendulums hang down or stand? (hint 1)
+equal_uncontrolled = [[1, -1, 0, 0]]  # Was the rate of the difference forgotten? (hint 1)
+equal_uncontrolled = [[1, 1, 0, 0], [0, 0, 1, 1]]  # Does the cart move this sum? (hint 1)
+equal_uncontrolled = []  # Is nothing lost when both pendulums are alike? (hint 1)
 
 # %% right
 # multiplied by m l, as Lagrange's equations give them

@@ -1,20 +1,20 @@
 # %% wrong
-time = (b - a)/A  # only for b to the right of a
-time = sp.Abs(b - a)  # the bound forgotten
-time = A*sp.Abs(b - a)  # multiplied by the speed
-control = A  # always to the right
-control = sp.sign(b - a)  # the unit velocity
-control = b - a  # a constant velocity that would need the time 1
-control = A*sp.sign(a - b)  # away from b
-trajectory = a - A*t*sp.sign(b - a)  # away from b
-trajectory = b + A*t*sp.sign(b - a)  # starts at b
-trajectory = a + (b - a)*t  # uniform, but arriving at t = 1
-costate = sp.sign(b - a)  # not normalised: H = 0 does not hold
-costate = -sp.sign(b - a)/A  # the sign turned: H is least then
-costate = t*sp.sign(b - a)/A  # a costate that grows with time
-reached = b - a <= A*T  # to the right only
-reached = sp.Abs(b - a) < A*T  # the border left out, though it is reached at the time T
-reached = sp.Abs(b - a) <= T  # the distance compared with the time
+time = (b - a)/A  # Can b lie on the other side of a as well? (hint 1)
+time = sp.Abs(b - a)  # Was the bound of the speed forgotten? (hint 1)
+time = A*sp.Abs(b - a)  # Is the distance multiplied by the speed here? (hint 1)
+control = A  # Does the way always lead to the right? (hint 2)
+control = sp.sign(b - a)  # Is the bound of the control 1? (hint 1)
+control = b - a  # Does this velocity need just the time 1, whatever the bound? (hint 1)
+control = A*sp.sign(a - b)  # Does this lead away from b? (hint 2)
+trajectory = a - A*t*sp.sign(b - a)  # Does this lead away from b? (hint 1)
+trajectory = b + A*t*sp.sign(b - a)  # Where does the motion begin? (hint 1)
+trajectory = a + (b - a)*t  # Does the motion arrive at the time 1, whatever the bound? (hint 1)
+costate = sp.sign(b - a)  # Does H vanish with this costate? It has to be normalised. (hint 1)
+costate = -sp.sign(b - a)/A  # Is H greatest or least for this sign? (hint 1)
+costate = t*sp.sign(b - a)/A  # Does the costate change with time?
+reached = b - a <= A*T  # Can b lie on the other side of a as well? (hint 1)
+reached = sp.Abs(b - a) < A*T  # Is b reached at the very last moment too? (hint 2)
+reached = sp.Abs(b - a) <= T  # Was the bound of the speed forgotten? (hint 1)
 
 # %% right
 time = sp.Piecewise(((b - a)/A, b > a), ((a - b)/A, True))  # cases

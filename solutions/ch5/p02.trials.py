@@ -1,24 +1,24 @@
 # %% wrong
-least_rate = x - 1  # for positive x only
-least_rate = sp.sign(x)*(x - 1)  # the rate of x with u = -1, which is the least rate of x and not of |x|
-least_rate = sp.Abs(x) + 1  # the greatest rate
-least_rate = -1  # the instability forgotten
-solvable = sp.true  # every start, as the problem book has it
-solvable = sp.Abs(x0) <= 1  # the border counted in, from which the point cannot be moved inwards
-solvable = x0 < 1  # for positive x0 only
-time = sp.log(1 + sp.Abs(x0))  # a stable system assumed, x' = -x + u
-time = -sp.log(1 - x0)  # for positive x0 only
-time = sp.Abs(x0)  # x' = u
-control = sp.sign(x0)  # along with the start instead of against it
-control = -1  # for positive x0 only
-control = -x0  # the control that holds the point where it is
-control = -sp.sign(x0)*(1 + sp.Abs(x0))/2  # arrives, but too late: half the force is left unused for small x0
-trajectory = sp.sign(x0)*((1 + sp.Abs(x0))*sp.exp(-t) - 1)  # a stable system assumed
-trajectory = x0 - t*sp.sign(x0)  # x' = u
-trajectory = 1 - (1 - x0)*sp.exp(t)  # for positive x0 only
-costate = -sp.sign(x0)*sp.exp(t)/(1 - sp.Abs(x0))  # grows like the state
-costate = -sp.sign(x0)*sp.exp(-t)  # not normalised
-costate = sp.sign(x0)*sp.exp(-t)/(1 - sp.Abs(x0))  # the sign turned: H is least then
+least_rate = x - 1  # Does this hold for negative states as well? (hint 2)
+least_rate = sp.sign(x)*(x - 1)  # Is this the rate of x instead of that of its absolute value? (hint 1)
+least_rate = sp.Abs(x) + 1  # Is this the greatest rate instead of the least one? (hint 1)
+least_rate = -1  # Was the instability forgotten? (hint 1)
+solvable = sp.true  # Can the origin be reached from everywhere, as the problem book says? (hint 2)
+solvable = sp.Abs(x0) <= 1  # Can the point be moved inwards from the border? (hint 2)
+solvable = x0 < 1  # Does this hold for negative states as well? (hint 1)
+time = sp.log(1 + sp.Abs(x0))  # Is this the time of a stable system? (hint 1)
+time = -sp.log(1 - x0)  # Does this hold for negative states as well? (hint 1)
+time = sp.Abs(x0)  # Was the instability forgotten? (hint 1)
+control = sp.sign(x0)  # Does this push along with the start instead of against it? (hint 2)
+control = -1  # Does this hold for negative states as well? (hint 2)
+control = -x0  # Is this the control that holds the point where it is? (hint 2)
+control = -sp.sign(x0)*(1 + sp.Abs(x0))/2  # Is a part of the force left unused here? (hint 1)
+trajectory = sp.sign(x0)*((1 + sp.Abs(x0))*sp.exp(-t) - 1)  # Is this the motion of a stable system? (hint 1)
+trajectory = x0 - t*sp.sign(x0)  # Was the instability forgotten? (hint 1)
+trajectory = 1 - (1 - x0)*sp.exp(t)  # Does this hold for negative states as well? (hint 1)
+costate = -sp.sign(x0)*sp.exp(t)/(1 - sp.Abs(x0))  # Does the costate grow like the state? (hint 1)
+costate = -sp.sign(x0)*sp.exp(-t)  # Does H vanish with this costate? It has to be normalised. (hint 1)
+costate = sp.sign(x0)*sp.exp(-t)/(1 - sp.Abs(x0))  # Is H greatest or least for this sign? (hint 1)
 
 # %% right
 least_rate = (x**2 - sp.Abs(x))/sp.Abs(x)  # as a quotient

@@ -1,38 +1,40 @@
 # %% wrong
-a_switchings = 0  # none at all
-a_switchings = 2  # counted as arcs
-a_switching = x2*sp.Abs(x2)/2  # the other branches, which lead away from the origin
-a_switching = -x2*sp.Abs(x2)  # the factor 1/2 of the parabola lost
-a_switching = -x2**2/2  # a parabola on both sides
-a_law = sp.sign(x1 + x2*sp.Abs(x2)/2)  # the sides exchanged
-a_law = -sp.sign(x1 + x2)  # a straight switching line
-a_law = -sp.sign(x1)  # the velocity left out
-a_law = -sp.sign(x1 + x2**2/2)  # a switching parabola without the sign
-a_time = x2 + 2*sp.sqrt(x1 + x2**2/2)  # right of the curve only
-# only the second arc
+a_switchings = 0  # Can a motion from rest to rest go without braking? (hint 1)
+a_switchings = 2  # Were the arcs counted instead of the switchings? (hint 1)
+a_switching = x2*sp.Abs(x2)/2  # Do these branches lead to the origin, or away from it? (hint 2)
+a_switching = -x2*sp.Abs(x2)  # Was a factor of the parabola lost? (hint 2)
+a_switching = -x2**2/2  # Is it one parabola on both sides? (hint 2)
+a_law = sp.sign(x1 + x2*sp.Abs(x2)/2)  # Have the two sides of the curve changed places? (hint 1)
+a_law = -sp.sign(x1 + x2)  # Is the switching line straight? (hint 1)
+a_law = -sp.sign(x1)  # Does the velocity not matter? (hint 1)
+a_law = -sp.sign(x1 + x2**2/2)  # Does the switching parabola look the same for both signs of the velocity? (hint 1)
+a_time = x2 + 2*sp.sqrt(x1 + x2**2/2)  # Does this hold on both sides of the curve? (hint 1)
+# Is this the time of the last arc alone? (hint 2)
 a_time = sp.Piecewise((sp.sqrt(x1 + x2**2/2), x1 + x2*sp.Abs(x2)/2 >= 0), (sp.sqrt(x2**2/2 - x1), True))
-a_time = 2*sp.sqrt(sp.Abs(x1))  # from rest only
-a_control = sp.Piecewise((1, t < 1), (-1, True))  # the controls exchanged
-a_control = sp.Piecewise((-1, t < sp.sqrt(2)), (1, True))  # braking too late
-a_control = -1  # no braking
-a_costate = [1, 1 - t]  # the signs of the costates turned
-a_costate = [1, t - 1]  # psi2' = +psi1
-a_costate = [-1, t - 2]  # the zero not at the switching
-b_solvable = sp.true  # every start, as the problem book has it
-b_solvable = sp.And(x2 < 0, x1 > 0)  # the distance of braking forgotten
-b_solvable = sp.And(x2 < 0, x1 > x2**2/2)  # the border left out, from which braking leads to the origin
-b_solvable = sp.And(x2 <= 0, x1 >= x2**2/2)  # rest counted in, though a point at rest cannot be pushed to the left
-b_solvable = x1 >= x2**2/2  # both signs of the velocity
-b_law = sp.Piecewise((1, x1 > x2**2/2), (0, True))  # the sides exchanged
-b_law = 0  # always drifting
-b_law = 1  # braking at once
-b_law = sp.Piecewise((0, x1 > x2**2), (1, True))  # braking too early
-b_time = -x1/x2  # the drifting alone
-b_time = -x2  # the braking alone
-b_time = -x1/x2 - x2  # drifting all the way, and braking after it
-b_control = [[1, 1], [0, sp.Rational(3, 2)]]  # braking first
-b_control = sp.Piecewise((0, t < 1), (1, True))  # drifting too long
-b_control = sp.Piecewise((-1, t < sp.Rational(1, 2)), (1, True))  # the lower bound is 0
+a_time = 2*sp.sqrt(sp.Abs(x1))  # Does the motion begin at rest here? (hint 2)
+a_control = sp.Piecewise((1, t < 1), (-1, True))  # Have the two controls changed places? (hint 1)
+a_control = sp.Piecewise((-1, t < sp.sqrt(2)), (1, True))  # Does the braking begin too late here? (hint 1)
+a_control = -1  # Does the motion stop at the origin without braking? (hint 1)
+a_costate = [1, 1 - t]  # Have the costates got the wrong sign? (hint 2)
+a_costate = [1, t - 1]  # Which sign has psi1 in the equation for psi2? (hint 1)
+a_costate = [-1, t - 2]  # Is the zero of psi2 at the switching? (hint 1)
+b_solvable = sp.true  # Can the origin be reached from everywhere, as the problem book says? (hint 1)
+b_solvable = sp.And(x2 < 0, x1 > 0)  # Was the distance of braking forgotten? (hint 2)
+# Can the origin be reached from the border itself, by braking alone? (hint 2)
+b_solvable = sp.And(x2 < 0, x1 > x2**2/2)
+b_solvable = sp.And(x2 <= 0, x1 >= x2**2/2)  # Can a point at rest be pushed to the left? (hint 1)
+b_solvable = x1 >= x2**2/2  # Do both signs of the velocity lead to the origin? (hint 1)
+b_law = sp.Piecewise((1, x1 > x2**2/2), (0, True))  # Have the two sides of the curve changed places? (hint 1)
+b_law = 0  # Does drifting alone stop at the origin? (hint 1)
+b_law = 1  # Is it good to brake at once? (hint 1)
+b_law = sp.Piecewise((0, x1 > x2**2), (1, True))  # Does the braking begin too early here? (hint 2)
+b_time = -x1/x2  # Is this the time of drifting alone? (hint 1)
+b_time = -x2  # Is this the time of braking alone? (hint 1)
+b_time = -x1/x2 - x2  # Does the drifting go all the way to the origin? (hint 1)
+b_control = [[1, 1], [0, sp.Rational(3, 2)]]  # Which of the two arcs comes last? (hint 1)
+b_control = sp.Piecewise((0, t < 1), (1, True))  # Does the drifting last too long here? (hint 1)
+# Between which bounds may the control lie in item b? (hint 1)
+b_control = sp.Piecewise((-1, t < sp.Rational(1, 2)), (1, True))
 
 # %% right
 a_switching = -sp.sign(x2)*x2**2/2  # with the sign
@@ -54,5 +56,7 @@ b_solvable = [2*x1 - x2**2 >= 0, x2 < 0]  # a list of conditions
 b_solvable = sp.And(x1 > 0, x2 < 0, x2 >= -sp.sqrt(2*x1))  # solved for x2
 b_law = 1 - sp.Heaviside(x1 - x2**2/2, 0)  # with Heaviside's function
 b_law = sp.Piecewise((1, x2 <= -sp.sqrt(2*x1)), (0, True))  # solved for x2
+# as it is displayed, for the possible starts alone
+b_law = sp.Piecewise((0, sp.And(x1 > x2**2/2, x2 < 0)), (1, sp.And(sp.Eq(x1, x2**2/2), x2 < 0)))
 b_time = (2*x1 + x2**2)/(2*sp.Abs(x2))  # over a common denominator, with the absolute value
 b_control = sp.Piecewise((0, t < sp.Rational(1, 2)), (1, True))  # cases in time

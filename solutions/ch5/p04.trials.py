@@ -1,15 +1,18 @@
 # %% wrong
-a_law = -sp.sign(x1 + x2*sp.Abs(x2)/2)  # the transfer to the origin
-a_law = -sp.sign(x2)  # brake
-a_time = x2 + sp.sqrt(x2**2 + 2*sp.Abs(x1))  # right on one side only
-a_time = sp.sign(x1)*x2 + 2*sp.sqrt(x2**2/2 + sp.Abs(x1))  # the time to the origin
-a_reached = v > 0  # the motion leaves to the right there
-a_others = x2**2 >= 2*sp.Abs(x1)  # motions away from the line counted in
-a_others = False  # the maximum principle taken for sufficient
-a_other_time = sp.Abs(x2) - sp.sqrt(x2**2 - 2*sp.Abs(x1))  # the first meeting with the line, where H = 0 fails
-b_law = -sp.sign(x1)  # towards the line x1 = 0
-b_time = x2  # the sign of the velocity forgotten
-b_others = sp.And(x1*x2 < 0, x2**2 >= 2*sp.Abs(x1))  # as in item a
+# Is this the law of the transfer to the origin? The velocity is free here. (hint 1)
+a_law = -sp.sign(x1 + x2*sp.Abs(x2)/2)
+a_law = -sp.sign(x2)  # Is this a law that only brakes? (hint 1)
+a_time = x2 + sp.sqrt(x2**2 + 2*sp.Abs(x1))  # Does this hold on both sides of the line? (hint 2)
+# Is this the time to the origin, with the velocity stopped? (hint 1)
+a_time = sp.sign(x1)*x2 + 2*sp.sqrt(x2**2/2 + sp.Abs(x1))
+a_reached = v > 0  # Does a motion from the right arrive with such a velocity, or leave? (hint 1)
+a_others = x2**2 >= 2*sp.Abs(x1)  # Do these motions meet the line, or do they run away from it? (hint 1)
+a_others = False  # Is every extremal optimal, so that there is only one? (hint 1)
+# Is this the first meeting with the line? Look at H there. (hint 1)
+a_other_time = sp.Abs(x2) - sp.sqrt(x2**2 - 2*sp.Abs(x1))
+b_law = -sp.sign(x1)  # Is this the law for the other line? (hint 1)
+b_time = x2  # Can the velocity be negative as well? (hint 1)
+b_others = sp.And(x1*x2 < 0, x2**2 >= 2*sp.Abs(x1))  # Is this the condition of item a? (hint 1)
 
 # %% right
 a_law = sp.Piecewise((-1, x1 > 0), (1, True))  # two cases

@@ -1,21 +1,22 @@
 # %% wrong
-reached = sp.Ne(sp.sin(alpha), 0)  # as for R = 1: the whole circle
-# only the parts where the motion comes down on the circle without the control's help
-reached = sp.sin(alpha)*sp.cos(alpha) < 0
-# the control followed forwards instead of backwards
+reached = sp.Ne(sp.sin(alpha), 0)  # Is the whole circle reached from outside, as for a smaller radius? (hint 2)
+reached = sp.sin(alpha)*sp.cos(alpha) < 0  # Can the control help the motion to come inwards? (hint 1)
+# Was the control followed forwards in time instead of backwards? (hint 2)
 curve = [R*sp.cos(alpha) - R*sp.sin(alpha)*sp.tan(alpha) - sp.tan(alpha)**2/2, R*sp.sin(alpha) + sp.tan(alpha)]
-curve = [R*(1/sp.cos(alpha) - sp.tan(alpha)**2/2), R*(sp.sin(alpha) - sp.tan(alpha))]  # the curve for R = 1 scaled up
-law = -sp.sign(x1 + x2*sp.Abs(x2)/2)  # the law of the transfer to the origin
-law = -sp.sign(x2)  # no switching curve
-# one branch of the switching curve forgotten
+# Does the curve for R = 1 simply scale with the circle? (hint 1)
+curve = [R*(1/sp.cos(alpha) - sp.tan(alpha)**2/2), R*(sp.sin(alpha) - sp.tan(alpha))]
+law = -sp.sign(x1 + x2*sp.Abs(x2)/2)  # Is this the law of the transfer to the origin? (hint 1)
+law = -sp.sign(x2)  # Does the law have no switching curve besides the axis? (hint 1)
+# Was one branch of the switching curve forgotten? (hint 2)
 w = sp.sqrt(R**2 + 1 - 2*x1)
 law = sp.Piecewise((-sp.sign(x2 - w*sp.sqrt(1 - 1/(w - R)**2)), x1 < -R), (-sp.sign(x2), True))
-crossing = [2*(R*sp.sin(alpha) - sp.tan(alpha))/sp.cos(alpha)**2, 0]  # the curve taken for a trajectory with u = -1
-# the order turned
+# Is the switching curve itself a trajectory? (hint 1)
+crossing = [2*(R*sp.sin(alpha) - sp.tan(alpha))/sp.cos(alpha)**2, 0]
+# In which order do the columns of the determinant stand? (hint 1)
 crossing = [-R*sp.cos(alpha)*(R*sp.sin(alpha) - sp.tan(alpha)),
             (R*sp.sin(alpha) - sp.tan(alpha))*(2/sp.cos(alpha)**2 - R*sp.cos(alpha))]
-barrier = (R**2 - x2**2)/2  # the trajectory through the top of the circle
-barrier = R - x2**2/2  # the trajectory through (R, 0)
+barrier = (R**2 - x2**2)/2  # Does the trajectory through the top of the circle touch it? (hint 1)
+barrier = R - x2**2/2  # Does the trajectory through this point touch the circle first? (hint 1)
 
 # %% right
 # by angles

@@ -1,21 +1,21 @@
 # %% wrong
-# the normal of a circle
+# Is this the normal of a circle instead of that of the ellipse? (hint 1)
 reached = sp.Or(sp.And(sp.sin(alpha) > 0, R*sp.cos(alpha) < 1), sp.And(sp.sin(alpha) < 0, R*sp.cos(alpha) > -1))
-# only one of the two arcs left out
+# Is there another arc that is not reached? (hint 1)
 reached = sp.And(sp.Ne(sp.sin(alpha), 0), sp.Or(sp.sin(alpha) < 0, sp.cos(alpha) < R))
-# the time to the switching of a circle
+# Is this the time to the switching for a circle? (hint 1)
 curve = [R*sp.cos(alpha) + sp.tan(alpha)*(sp.sin(alpha) - sp.tan(alpha)/2), sp.sin(alpha) - sp.tan(alpha)]
-law = -sp.sign(x2)  # no switching
-# the circle's curve
+law = -sp.sign(x2)  # Does the law have no switching curve besides the axis? (hint 1)
+# Is this the switching curve of the circle? (hint 1)
 W = sp.sqrt(R**2 + 1 + 2*sp.Abs(x1))
 law = sp.Piecewise((-sp.sign(x2 + sp.sign(x1)*W*sp.sqrt(1 - 1/(W - R)**2)), sp.Abs(x1) > R), (-sp.sign(x2), True))
-# the sign of u forgotten in the second determinant
+# Was the sign of the control turned in the second determinant? (hint 1)
 crossing = [(sp.sin(alpha) - R*sp.tan(alpha))*(2*R/sp.cos(alpha)**2 - sp.cos(alpha))]*2
-continuous = R <= 1  # the printed range
-barrier = (1 - x2**2)/2  # the trajectory to the top of the ellipse
-law_wide = -sp.sign(x1 + x2*sp.Abs(x2)/2)  # the transfer to the origin
-law_thin = -sp.sign(x1 + x2*sp.Abs(x2)/2)  # the segment taken for the origin
-law_thin = -sp.sign(x1)  # the segment taken for the whole line x1 = 0
+continuous = R <= 1  # Does the whole range that is printed keep the time continuous? (hint 1)
+barrier = (1 - x2**2)/2  # Does the trajectory through the top of the ellipse touch it? (hint 1)
+law_wide = -sp.sign(x1 + x2*sp.Abs(x2)/2)  # Is this the law of the transfer to the origin? (hint 1)
+law_thin = -sp.sign(x1 + x2*sp.Abs(x2)/2)  # Is the segment the same as the origin? (hint 1)
+law_thin = -sp.sign(x1)  # Is the segment the same as the whole line? (hint 1)
 
 # %% right
 reached = sp.sin(alpha)*sp.cos(alpha) - R*sp.Abs(sp.sin(alpha)) < 0  # the rate itself

@@ -1,48 +1,54 @@
 # %% wrong
-a_interval = 2*sp.pi  # a whole period
-a_interval = sp.pi/2  # a quarter
-# only the semicircles next to the origin, continued by a straight line
+a_interval = 2*sp.pi  # Is this a whole period instead of the time between two zeros? (hint 1)
+a_interval = sp.pi/2  # After how long does a sine change its sign again? (hint 1)
+# Does the curve end in a straight line? (hint 2)
 a_switching = sp.Piecewise((-sp.sign(x1)*sp.sqrt(1 - (sp.Abs(x1) - 1)**2), sp.Abs(x1) < 2), (0, True))
-a_switching = sp.sign(x1)*sp.sqrt(1 - (sp.Abs(x1) - 2*sp.floor(sp.Abs(x1)/2) - 1)**2)  # the other semicircles
-a_law = -sp.sign(x1 + x2*sp.Abs(x2)/2)  # the parabola of the double integrator
-a_law = -sp.sign(x2)  # against the velocity
-a_solvable = x1**2 + x2**2 < 1  # as for real eigenvalues, where all starts in a bounded set
-a_solvable = x1**2 + x2**2 <= 4  # the disc that one switching can deal with
-a_count = 1  # once, as for real eigenvalues
-a_count = sp.floor(R/2)  # the half-turns without the first switching
-a_count = sp.floor(R/2) + 2  # one too many
-a_time = sp.pi*R/2  # only half-turns
-a_time = 2*sp.sqrt(R)  # the time of the double integrator
-a_time = sp.acos(((R + 1)**2 + 3)/(4*(R + 1))) + sp.acos((5 - (R + 1)**2)/4)  # the case R < 2 for every R
-a_radius = n  # half of it
-a_radius = sp.pi*n  # as if the whole force could be used
-b_solvable = sp.true  # every start
-b_solvable = sp.Abs(x1 + x2) <= 1  # the border counted in
-b_solvable = sp.Abs(x1 - x2) < 1  # the decaying mode
-b_solvable = x1 + x2 < 1  # one side only
-b_switching = -sp.sign(x1)*sp.sqrt(sp.Abs(x1**2 - 2*sp.Abs(x1)))  # the hyperbola about the wrong centre
-b_switching = -x1  # the stable direction
-b_law = sp.sign(x2 + sp.sign(x1)*sp.sqrt(x1**2 + 2*sp.Abs(x1)))  # the sides exchanged
-# one side only
+# On which side of the axis does each semicircle lie? (hint 1)
+a_switching = sp.sign(x1)*sp.sqrt(1 - (sp.Abs(x1) - 2*sp.floor(sp.Abs(x1)/2) - 1)**2)
+a_law = -sp.sign(x1 + x2*sp.Abs(x2)/2)  # Is this the parabola of the double integrator? (hint 1)
+a_law = -sp.sign(x2)  # Is it best to push against the velocity always? (hint 1)
+a_solvable = x1**2 + x2**2 < 1  # Is this what one expects of real eigenvalues? (hint 1)
+a_solvable = x1**2 + x2**2 <= 4  # Can there be more than one switching? (hint 1)
+a_count = 1  # Is this what one expects of real eigenvalues? (hint 1)
+a_count = sp.floor(R/2)  # Was the first switching counted? (hint 2)
+a_count = sp.floor(R/2) + 2  # Is one too many counted here? (hint 2)
+a_time = sp.pi*R/2  # Does the motion consist of whole half-turns? (hint 1)
+a_time = 2*sp.sqrt(R)  # Is this the time of the double integrator? (hint 1)
+# Does this hold for large distances as well? (hint 2)
+a_time = sp.acos(((R + 1)**2 + 3)/(4*(R + 1))) + sp.acos((5 - (R + 1)**2)/4)
+a_radius = n  # Is this only half of it? Integrate over a whole half-turn. (hint 1)
+a_radius = sp.pi*n  # Can the whole force be used all the time? (hint 1)
+b_solvable = sp.true  # Can a growing mode be stopped from everywhere? (hint 1)
+b_solvable = sp.Abs(x1 + x2) <= 1  # Can the point be moved inwards from the border? (hint 1)
+b_solvable = sp.Abs(x1 - x2) < 1  # Is this the mode that decays by itself? (hint 1)
+b_solvable = x1 + x2 < 1  # Does the other side have no border? (hint 1)
+# About which centre do the hyperbolas of the last arc run? (hint 1)
+b_switching = -sp.sign(x1)*sp.sqrt(sp.Abs(x1**2 - 2*sp.Abs(x1)))
+b_switching = -x1  # Is this the direction along which free motions decay? (hint 1)
+# Have the two sides of the curve changed places? (hint 1)
+b_law = sp.sign(x2 + sp.sign(x1)*sp.sqrt(x1**2 + 2*sp.Abs(x1)))
+# Does this hold on both sides of the curve? (hint 1)
 b_time = sp.log((3 - (1 - x1)**2 + x2**2
                  + sp.sqrt((1 - (1 - x1)**2 + x2**2)*(9 - (1 - x1)**2 + x2**2)))/(2*(1 - x1 - x2)))
-b_time = -sp.log(1 - sp.Abs(x1 + x2))  # the time of the unstable mode alone
-c_solvable = sp.Abs(x2) < 1  # the strip of system d
-c_solvable = sp.Abs(x1 + x2) < 1  # a strip of the other mode
-c_switching = -x2*sp.Abs(x2)/2  # the parabola without friction
-c_switching = -x2  # the line of free motion
-c_switching = x2 + sp.sign(x2)*sp.log(1 - sp.Abs(x2)/3)  # the curve of system d
-c_law = -sp.sign(x1 + x2*sp.Abs(x2)/2)  # the parabola without friction
-c_time = sp.Abs(x1 + x2)  # the smaller root
-c_time = x1 + x2 + 2*sp.log(1 + sp.sqrt(1 - (1 + x2)*sp.exp(-x1 - x2)))  # one side only
-d_solvable = sp.true  # every start
-d_solvable = sp.Abs(x2) <= 1  # the border counted in
-d_solvable = sp.Abs(x1 - x2) < 1  # the other mode
-d_switching = -x2 + sp.sign(x2)*sp.log(1 + sp.Abs(x2))  # the curve of system c
-d_switching = -x2*sp.Abs(x2)/2  # the parabola without friction
-d_law = -sp.sign(x1 + x2*sp.Abs(x2)/2)  # the parabola without friction
-d_time = -sp.log(1 - sp.Abs(x2))  # the time of the unstable mode alone
-d_time = x1 - x2 + 2*sp.log((1 + sp.sqrt(1 - (1 - x2)*sp.exp(x2 - x1)))/(1 - x2))  # one side only
+b_time = -sp.log(1 - sp.Abs(x1 + x2))  # Is this the time of the unstable mode alone? (hint 1)
+c_solvable = sp.Abs(x2) < 1  # Is this the strip of another system? (hint 1)
+c_solvable = sp.Abs(x1 + x2) < 1  # Does any mode of this system grow? (hint 1)
+c_switching = -x2*sp.Abs(x2)/2  # Was the friction forgotten? (hint 1)
+c_switching = -x2  # Is this the line of free motion? (hint 1)
+c_switching = x2 + sp.sign(x2)*sp.log(1 - sp.Abs(x2)/3)  # Is this the curve of system d? (hint 1)
+c_law = -sp.sign(x1 + x2*sp.Abs(x2)/2)  # Was the friction forgotten? (hint 1)
+c_time = sp.Abs(x1 + x2)  # Can the time be as short as this change alone asks for? (hint 1)
+# Does this hold on both sides of the curve? (hint 1)
+c_time = x1 + x2 + 2*sp.log(1 + sp.sqrt(1 - (1 + x2)*sp.exp(-x1 - x2)))
+d_solvable = sp.true  # Can a growing mode be stopped from everywhere? (hint 1)
+d_solvable = sp.Abs(x2) <= 1  # Can the point be moved inwards from the border? (hint 1)
+d_solvable = sp.Abs(x1 - x2) < 1  # Is this the other mode, which does not grow? (hint 1)
+d_switching = -x2 + sp.sign(x2)*sp.log(1 + sp.Abs(x2))  # Is this the curve of system c? (hint 1)
+d_switching = -x2*sp.Abs(x2)/2  # Was the term with the velocity forgotten in its own equation? (hint 1)
+d_law = -sp.sign(x1 + x2*sp.Abs(x2)/2)  # Was the term with the velocity forgotten in its own equation? (hint 1)
+d_time = -sp.log(1 - sp.Abs(x2))  # Is this the time of the unstable mode alone? (hint 1)
+# Does this hold on both sides of the curve? (hint 1)
+d_time = x1 - x2 + 2*sp.log((1 + sp.sqrt(1 - (1 - x2)*sp.exp(x2 - x1)))/(1 - x2))
 
 # %% right
 a_switching = -sp.sign(x1)*sp.sqrt(sp.Mod(sp.Abs(x1), 2)*(2 - sp.Mod(sp.Abs(x1), 2)))  # a product under the root

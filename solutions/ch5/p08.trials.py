@@ -1,23 +1,23 @@
 # %% wrong
-reached = sp.sin(alpha)*sp.cos(alpha) < 0  # only where the free motion comes down
-curve = [-R*sp.cos(2*alpha), R*sp.sin(2*alpha)]  # turned around the origin instead of around (-1, 0)
-curve = [-1 - sp.cos(alpha), sp.sin(alpha)]  # the switching curve of the transfer to the origin
-# the first semicircle only
+reached = sp.sin(alpha)*sp.cos(alpha) < 0  # Can the control help the motion to come inwards? (hint 1)
+curve = [-R*sp.cos(2*alpha), R*sp.sin(2*alpha)]  # About which centre does the motion turn under this control? (hint 1)
+curve = [-1 - sp.cos(alpha), sp.sin(alpha)]  # Is this the switching curve of the transfer to the origin? (hint 1)
+# Does the switching curve end after the first semicircle? (hint 2)
 law = sp.Piecewise((-sp.sign(x2 + sp.sign(x1)*sp.sqrt(1 - (sp.Abs(x1) - R - 1)**2)),
                     sp.And(sp.Abs(x1) > R, sp.Abs(x1) < R + 2)), (-sp.sign(x2), True))
-# the law to the origin
+# Is this the law of the transfer to the origin? (hint 1)
 n = sp.floor(sp.Abs(x1)/2)
 law = -sp.sign(x2 + sp.sign(x1)*sp.sqrt(1 - (sp.Abs(x1) - 1 - 2*n)**2))
-# the term -x1 of the velocity forgotten
+# Was a term of the velocity forgotten? (hint 1)
 crossing = [sp.sin(alpha)*(1 - sp.cos(alpha)), -sp.sin(alpha)*(1 + sp.cos(alpha))]
-in_dispersal = sp.sqrt(1 - (x1 - R + 1)**2)  # the semicircle of R = 2 for all R
-in_dispersal = 0  # the axis
-in_law = sp.sign(x2)  # push along the velocity: the rate u*x2 made largest at each moment
-in_law = -sp.sign(x2)  # the law from outside
-# the law of R <= 2 used for all R
+in_dispersal = sp.sqrt(1 - (x1 - R + 1)**2)  # Does the semicircle of one radius serve for all? (hint 1)
+in_dispersal = 0  # Is the axis the border between the two controls? (hint 2)
+in_law = sp.sign(x2)  # Is it best to push along the velocity at every moment? (hint 1)
+in_law = -sp.sign(x2)  # Is this the law from outside? (hint 1)
+# Does the law of small circles hold for large ones? (hint 2)
 D = (R**2 - x1**2 - x2**2)/2
 in_law_all = sp.Piecewise((sp.sign(x2 - x1*sp.sqrt(D/(2 - D))), D < 2), (sp.sign(x2), True))
-in_law_all = sp.sign(x2)  # the resonance law
+in_law_all = sp.sign(x2)  # Is it best to push along the velocity at every moment? (hint 3)
 
 # %% right
 reached = True  # everywhere, the two points on the axis counted in

@@ -1,48 +1,50 @@
 # %% wrong
-a_solvable = sp.Abs(x1 + x2) < 1  # as for the origin, for every R
-a_solvable = sp.true  # every start, as printed
-# without the condition on the side
+a_solvable = sp.Abs(x1 + x2) < 1  # Is this the condition for the origin as the target? (hint 2)
+a_solvable = sp.true  # Can the circle be reached from everywhere, as the problem book says? (hint 1)
+# On which side must the start lie for this motion to meet the circle? (hint 2)
 a_solvable = sp.Or(sp.Abs(x1 + x2) < 1, sp.And(R > 1/sp.sqrt(2),
                                                sp.Or(x2**2 - (x1 - 1)**2 <= R**2 - sp.Rational(1, 2),
                                                      x2**2 - (x1 + 1)**2 <= R**2 - sp.Rational(1, 2))))
-a_reached = sp.true  # as for the double integrator, the whole semicircle
-a_reached = sp.cos(alpha) < 0  # the half of it
-# the sign of the time: the arc followed forwards
+a_reached = sp.true  # Is every point of this semicircle an end, as for the double integrator? (hint 1)
+a_reached = sp.cos(alpha) < 0  # Is a part of the arc left out, or too much counted? Put it into H at the end. (hint 1)
+# Was the arc followed forwards in time instead of backwards? (hint 2)
 r = sp.sqrt((sp.cos(alpha) - sp.sin(alpha))/(sp.cos(alpha) + sp.sin(alpha)))
 w0, v0 = 1 + (R*(sp.cos(alpha) + sp.sin(alpha)) - 1)*r, 1 + (R*(sp.cos(alpha) - sp.sin(alpha)) - 1)/r
 a_switching = [(w0 + v0)/2, (w0 - v0)/2]
-# with the other control
+# Which of the two controls belongs to the last arc? (hint 1)
 r = sp.sqrt((sp.cos(alpha) - sp.sin(alpha))/(sp.cos(alpha) + sp.sin(alpha)))
 w0, v0 = -1 + (R*(sp.cos(alpha) + sp.sin(alpha)) + 1)/r, -1 + (R*(sp.cos(alpha) - sp.sin(alpha)) + 1)*r
 a_switching = [(w0 + v0)/2, (w0 - v0)/2]
-a_law = -sp.sign(x2 + sp.sign(x1)*sp.sqrt(x1**2 + 2*sp.Abs(x1)))  # the law for the origin
-a_barrier = 1 - x1  # the border of the strip
-a_barrier = sp.sqrt(x1**2 + R**2)  # the hyperbola of free motion
-b_solvable = sp.Abs(x1 + x2) < 1  # the strip of item a
-b_solvable = sp.And(x1 + x2 > -1, x1 + x2 <= 0)  # the strip alone
-# without the piece for large R
+# Is this the law for the origin as the target? (hint 1)
+a_law = -sp.sign(x2 + sp.sign(x1)*sp.sqrt(x1**2 + 2*sp.Abs(x1)))
+a_barrier = 1 - x1  # Is this the border of the strip instead of a trajectory? (hint 1)
+a_barrier = sp.sqrt(x1**2 + R**2)  # Is this the hyperbola of free motion? (hint 1)
+b_solvable = sp.Abs(x1 + x2) < 1  # Is this the strip of item a, where the bounds are symmetric? (hint 1)
+b_solvable = sp.And(x1 + x2 > -1, x1 + x2 <= 0)  # Can the circle be reached from outside the strip as well? (hint 2)
+# Is a piece missing where the circle is large? (hint 2)
 w = x1 + x2
 b_solvable = sp.Or(sp.And(w > -1, w <= 0), sp.And(w > 0, sp.Or(x1 < 0, x2 < 0), sp.Abs(x1**2 - x2**2) <= R**2))
-# as in item a
+# Is this the condition of item a? (hint 1)
 b_reached = sp.Or(sp.And(sp.sin(alpha) > 0, R*sp.cos(alpha) < sp.Rational(1, 2)),
                   sp.And(sp.sin(alpha) < 0, R*sp.cos(alpha) > -sp.Rational(1, 2)))
-b_reached = sp.Or(sp.sin(alpha) < 0, sp.cos(alpha) < 0)  # the lower semicircle always
-b_left = -x1  # the asymptote
-b_left = sp.sqrt(x1**2 - R**2)  # the arc of free motion
-# the left curve mirrored
+b_reached = sp.Or(sp.sin(alpha) < 0, sp.cos(alpha) < 0)  # Is every point of the lower semicircle an end? (hint 1)
+b_left = -x1  # Is this the asymptote of the curve? (hint 2)
+b_left = sp.sqrt(x1**2 - R**2)  # Is this the arc of free motion? (hint 1)
+# Was the curve on the left simply mirrored? The bounds are not symmetric. (hint 1)
 r = sp.sqrt((sp.cos(alpha) - sp.sin(alpha))/(sp.cos(alpha) + sp.sin(alpha)))
 w0, v0 = R*(sp.cos(alpha) + sp.sin(alpha))/r, R*(sp.cos(alpha) - sp.sin(alpha))*r
 b_right = [(w0 + v0)/2, (w0 - v0)/2]
-# the curve of item a, not mirrored
+# Was the curve of item a taken as it is? (hint 1)
 r = sp.sqrt((sp.cos(alpha) - sp.sin(alpha))/(sp.cos(alpha) + sp.sin(alpha)))
 w0, v0 = 1 + (R*(sp.cos(alpha) + sp.sin(alpha)) - 1)/r, 1 + (R*(sp.cos(alpha) - sp.sin(alpha)) - 1)*r
 b_right = [(w0 + v0)/2, (w0 - v0)/2]
-# the sides exchanged
+# Have the two sides changed places? (hint 1)
 left = sp.sqrt(x1**2 - R**4/x1**2)
 b_law = sp.Piecewise((1, sp.Or(sp.And(x1 <= -R, x2 > left), sp.And(sp.Abs(x1) < R, x2 > 0), sp.And(x1 >= R, x2 > z))),
                      (0, True))
-b_time = sp.log((R**2 + sp.sqrt(R**4 - (x1**2 - x2**2)**2))/(x1 + x2)**2)/2  # the exit from the disc
-b_time = sp.log((R**2 - sp.sqrt(R**4 - (x1**2 - x2**2)**2))/(x1 + x2)**2)  # a factor lost
+# Is this the time of the exit from the disc instead of the entry? (hint 2)
+b_time = sp.log((R**2 + sp.sqrt(R**4 - (x1**2 - x2**2)**2))/(x1 + x2)**2)/2
+b_time = sp.log((R**2 - sp.sqrt(R**4 - (x1**2 - x2**2)**2))/(x1 + x2)**2)  # Was a factor of the time lost? (hint 2)
 
 # %% right
 # with the condition on R

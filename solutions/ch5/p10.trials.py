@@ -1,24 +1,24 @@
 # %% wrong
-a_reached = True  # the whole line
-a_reached = v < 0  # the points where the motion comes down by itself
-a_curve = x2**2/2  # the trajectory to the origin
-a_curve = sp.Rational(3, 2)  # one unit of time forwards
-a_barrier = sp.Rational(1, 2)  # the vertical line continued upwards
-a_barrier = (3 - x2**2)/2  # the trajectory with u = -1 through (1, 1)
-a_law = -sp.sign(x1 - x2)  # towards the line, without a thought for the last unit of time
-# the barrier forgotten
+a_reached = True  # Is every point of the line reached from this side? (hint 1)
+a_reached = v < 0  # Can the control help the motion to come down on the line? (hint 1)
+a_curve = x2**2/2  # Is this the trajectory to the origin? (hint 1)
+a_curve = sp.Rational(3, 2)  # Was the time counted forwards instead of backwards? (hint 1)
+a_barrier = sp.Rational(1, 2)  # Is the vertical line continued upwards? (hint 1)
+a_barrier = (3 - x2**2)/2  # Is this the trajectory with the other control? (hint 1)
+a_law = -sp.sign(x1 - x2)  # Is it best to push towards the line all the time? (hint 1)
+# Was the curve forgotten across which the time jumps? (hint 2)
 h = sp.Rational(1, 2)
 a_law = sp.Piecewise((sp.Piecewise((1, x1 < h), (-1, True)), x1 > x2), (sp.Piecewise((-1, x1 > -h), (1, True)), True))
-a_time = 1 - x2 + sp.sqrt(1 + x2**2 - 2*x1)  # the other zero of g
-a_time = 1 + x2 + sp.sqrt(sp.Abs(x2**2 + 2*x1 - 1))  # the motion that goes round, taken for all starts
-b_reached = v > 0  # the upper branch only
-b_curve = -x2**2/8  # the normal (-1, v)
-b_curve = -x2**2/2  # the trajectory to the vertex
-b_dispersal = x2**2  # the false root of the squared equation
-b_dispersal = 7*x2**2  # the nearer branch in the direction of x2
-# outside right, inside pushed along the velocity
+a_time = 1 - x2 + sp.sqrt(1 + x2**2 - 2*x1)  # Is this the first meeting with the line, or a later one? (hint 2)
+a_time = 1 + x2 + sp.sqrt(sp.Abs(x2**2 + 2*x1 - 1))  # Do all starts have to go round? (hint 1)
+b_reached = v > 0  # Is one branch of the parabola enough? (hint 1)
+b_curve = -x2**2/8  # Was a factor in the normal lost? (hint 1)
+b_curve = -x2**2/2  # Is this the trajectory to the vertex? (hint 1)
+b_dispersal = x2**2  # Is this a false root, brought in by squaring? (hint 1)
+b_dispersal = 7*x2**2  # Do both times really agree on this curve? (hint 1)
+# Is it best to push along the velocity inside? (hint 1)
 b_law = sp.Piecewise((sp.Piecewise((-1, sp.And(x2 > 0, x1 > -x2**2/3)), (1, True)), x1 < x2**2), (sp.sign(x2), True))
-# no switching outside
+# Is there no switching outside? (hint 1)
 b_law = sp.Piecewise((-sp.sign(x2), x1 < x2**2), (sp.Piecewise((1, sp.And(x2 > 0, x1 < 13*x2**2)), (-1, True)), True))
 
 # %% right

@@ -1,22 +1,23 @@
 # %% wrong
-meeting = n*sp.pi/2  # the fastest spring
-meeting = 2*n*sp.pi  # whole periods
-meeting = sp.pi  # the first return only
-time = sp.pi/2  # the fastest spring
-time = 2*sp.pi  # a whole period, past the first return
-time = sp.Integer(10)**6  # no bound, as for the question as printed
-control = 4  # the fastest spring
-control = sp.Piecewise((1, t < sp.pi/2), (4, True))  # stiff half of the time
-control = sp.Rational(1, 4)  # softer than the bound allows
-trajectory = sp.cos(2*t)  # the fastest spring
-trajectory = (3 + sp.cos(2*t))/4  # goes on beyond x = -1 after a first return at half the time
-trajectory = sp.sin(t)  # the start of Problem 5.12
-costate = [-sp.sin(t), -sp.cos(t)]  # the sign of the costates for the least time
-costate = [-sp.sin(2*t)/2, -sp.cos(2*t)/4]  # those of Problem 5.11
-costate = [sp.cos(t), sp.sin(t)]  # the two exchanged
-switching = sp.cos(t)**2  # the sign turned
-switching = -sp.cos(t)  # psi2 alone
-switching = sp.cos(2*t)**2/4  # that of Problem 5.11
+meeting = n*sp.pi/2  # Is this the time of the fastest spring? (hint 1)
+meeting = 2*n*sp.pi  # Are these whole periods instead of half-turns? (hint 2)
+meeting = sp.pi  # Is this the first return, whatever n is? (hint 2)
+time = sp.pi/2  # Is this the time of the fastest spring? (hint 1)
+time = 2*sp.pi  # Is this a whole period, past the first return? (hint 1)
+time = sp.Integer(10)**6  # Is there no bound at all? The velocity has to vanish at some time. (hint 1)
+control = 4  # Is the stiffest spring the slowest? (hint 1)
+# Would a stiff spring for half of the time make the return later? (hint 1)
+control = sp.Piecewise((1, t < sp.pi/2), (4, True))
+control = sp.Rational(1, 4)  # Does the bound allow so soft a spring?
+trajectory = sp.cos(2*t)  # Is this the motion with the fastest spring? (hint 1)
+trajectory = (3 + sp.cos(2*t))/4  # Does this motion start at the place that is given, with this spring? (hint 1)
+trajectory = sp.sin(t)  # Is this the start of problem 5.12? (hint 1)
+costate = [-sp.sin(t), -sp.cos(t)]  # Are these the costates for the least time? (hint 1)
+costate = [-sp.sin(2*t)/2, -sp.cos(2*t)/4]  # Are these the costates of problem 5.11? (hint 1)
+costate = [sp.cos(t), sp.sin(t)]  # Did the two costates change places? (hint 1)
+switching = sp.cos(t)**2  # Did the function get the wrong sign? (hint 1)
+switching = -sp.cos(t)  # Is this psi2 alone? (hint 1)
+switching = sp.cos(2*t)**2/4  # Is this the function of problem 5.11? (hint 1)
 
 # %% right
 meeting = 3.1416*n  # decimals

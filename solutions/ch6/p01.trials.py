@@ -1,17 +1,19 @@
 # %% wrong
-# the signs of the entries (1,4) and (2,4) as they are printed in the paper
+# Are the signs of two entries taken as the paper prints them? (hint 2)
 a_polynomial = lam**4 + (kappa/6 - 4)*lam**3 + (kappa/3 + 6)*lam**2 - (kappa/6 + 4)*lam + 1 + 2*kappa/3
-a_polynomial = (lam - 1)**4  # the eigenvalues of the motion without measurements
-b_reduced = w**2 + (kappa/6 - 4)*w + 2*kappa/3 + 6  # lambda^2 + 1/lambda^2 taken for w^2
-b_reduced = (w - 2)**2 + kappa*(w + 4)  # the factor 6 of kappa lost
-b_circle = (sp.cos(phi) - 2)**2 + kappa/6*(sp.cos(phi) + 4)  # w = cos(phi) instead of 2 cos(phi)
-# P itself, still complex
+a_polynomial = (lam - 1)**4  # Are these the eigenvalues of the motion without measurements? (hint 1)
+# Is the square of w the same as the sum of the two squares? (hint 2)
+b_reduced = w**2 + (kappa/6 - 4)*w + 2*kappa/3 + 6
+b_reduced = (w - 2)**2 + kappa*(w + 4)  # Did a number in front of kappa get lost? (hint 1)
+# What is the sum of lambda and its inverse on the circle? (hint 1)
+b_circle = (sp.cos(phi) - 2)**2 + kappa/6*(sp.cos(phi) + 4)
+# Is this still complex, without the division that makes it real?
 b_circle = (sp.exp(sp.I*phi) - 1)**4 + kappa/6*sp.exp(sp.I*phi)*(sp.exp(2*sp.I*phi) + 4*sp.exp(sp.I*phi) + 1)
-c_kappa = 0  # the trivial zero of the discriminant
-c_kappa = 24  # the zero of the coefficient of w
-d_digits = 0.500  # the natural logarithm
-d_digits = 1.649  # the eigenvalue itself
-d_digits = -0.217  # the digits that the smallest eigenvalue wins
+c_kappa = 0  # Is this the trivial zero of the discriminant? (hint 2)
+c_kappa = 24  # Is this where a coefficient vanishes, instead of the discriminant? (hint 2)
+d_digits = 0.500  # To which base was the logarithm taken? (hint 2)
+d_digits = 1.649  # Is this the eigenvalue itself? How many digits does it cost? (hint 2)
+d_digits = -0.217  # Does an error grow with the smallest eigenvalue or with the greatest? (hint 1)
 
 # %% right
 b_reduced = w**2 - 4.0*w + 4.0 + kappa*w/6 + kappa*2/3  # decimals

@@ -1,21 +1,24 @@
 # %% wrong
-a_acceleration = 3*(h0 - 2*h1 + h2)/(2*tau**2)  # the spline through the samples, whatever M is
-a_acceleration = rho*tau*(h0 - 2*h1 + h2)/(rho*tau**3 + 6*M)  # a constant acceleration between the samples
-a_acceleration = 3*rho*tau*(h0 - 2*h1 + h2)/(2*(rho*tau**3 + 6*M))  # only the middle sample gives way
-# the misses turned round
+# Is this the spline through the samples, whatever the weight is? (hint 2)
+a_acceleration = 3*(h0 - 2*h1 + h2)/(2*tau**2)
+# Is the acceleration constant between the samples? (hint 1)
+a_acceleration = rho*tau*(h0 - 2*h1 + h2)/(rho*tau**3 + 6*M)
+a_acceleration = 3*rho*tau*(h0 - 2*h1 + h2)/(2*(rho*tau**3 + 6*M))  # Does only the middle sample give way? (hint 2)
+# Have the misses got the wrong sign? (hint 2)
 q = 3*M*(h0 - 2*h1 + h2)/(2*(rho*tau**3 + 9*M))
 a_positions = [h0 + q, h1 - 2*q, h2 + q]
-a_positions = [h0, h1, h2]  # the samples themselves
-a_positions = [(5*h0 + 2*h1 - h2)/6, (h0 + h1 + h2)/3, (-h0 + 2*h1 + 5*h2)/6]  # the straight line of M = infinity
-b_limit = Delta/tau**2  # the second difference quotient, which is a mean of u and not its maximum
-b_limit = 3*Delta/tau**2  # Delta taken for the depth of the dip
-b_weight = rho*tau*(3*Delta - 2*D*tau**2)/18  # divided by D on one side only
-b_weight = rho*tau*(2*D*tau**2 - 3*Delta)/(18*D)  # the sign turned
-c_sweep = rho/6*(Delta - D*tau**2)**2  # the direct method's misfit
-c_sweep = rho*(Delta - 2*D*tau**2/3)**2/9  # the middle miss only
-c_direct = rho/6*(Delta - 2*D*tau**2/3)**2  # the misfit of the sweep taken for the least one
-c_direct = rho/4*(Delta - D*tau**2)**2  # the whole rest put on the middle sample
-c_direct = 0  # no miss at all
+a_positions = [h0, h1, h2]  # Are these the samples themselves? (hint 1)
+# Is this the straight line that an infinite weight gives? (hint 1)
+a_positions = [(5*h0 + 2*h1 - h2)/6, (h0 + h1 + h2)/3, (-h0 + 2*h1 + 5*h2)/6]
+b_limit = Delta/tau**2  # Is this a mean of the acceleration instead of its greatest value? (hint 1)
+b_limit = 3*Delta/tau**2  # Is Delta the depth of the dip or the second difference? (hint 1)
+b_weight = rho*tau*(3*Delta - 2*D*tau**2)/18  # Was only one side of the equation divided? (hint 1)
+b_weight = rho*tau*(2*D*tau**2 - 3*Delta)/(18*D)  # Can the weight be negative for a small bound? (hint 1)
+c_sweep = rho/6*(Delta - D*tau**2)**2  # Is this the misfit of the direct method? (hint 1)
+c_sweep = rho*(Delta - 2*D*tau**2/3)**2/9  # Is this the miss of the middle sample alone? (hint 1)
+c_direct = rho/6*(Delta - 2*D*tau**2/3)**2  # Is this the misfit of the sweep? Another motion may do better. (hint 1)
+c_direct = rho/4*(Delta - D*tau**2)**2  # Is it best to put the whole rest on the middle sample? (hint 2)
+c_direct = 0  # Can the bound be kept without any miss? (hint 2)
 
 # %% right
 a_acceleration = ((h0 - 2*h1 + h2)/tau)/(2*tau/3 + 6*M/(rho*tau**2))  # from the equation (R + M G) u = d

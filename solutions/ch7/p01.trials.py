@@ -1,18 +1,18 @@
 # %% wrong
-# the drift without the speed that it brings with it at the start
+# Was the speed forgotten that the drift brings with it at the start? (hint 1)
 a_speed = -R*eps + v0*sp.cos(sp.sqrt(g/R)*t) + (b - g*phi0)*sp.sqrt(R/g)*sp.sin(sp.sqrt(g/R)*t)
-# the frequency turned over
+# Was the frequency turned over? (hint 2)
 a_speed = -R*eps + (v0 + R*eps)*sp.cos(sp.sqrt(R/g)*t) + (b - g*phi0)*sp.sqrt(g/R)*sp.sin(sp.sqrt(R/g)*t)
-a_speed = v0 + (b - g*phi0)*t - g*eps*t**2/2  # without the feedback by the curvature of the Earth
-b_unseen = [0, 1, 0, -g]  # the sign of the tilt
-b_unseen = [-R, 0, 1, 0]  # drift against speed, as if only the constant part mattered
-b_unseen = [0, 0, 0, 0]  # no change at all
-c_error = b/g  # truth minus estimate
-c_error = 0  # the bias is not seen, so it was thought to do no harm
-# the three errors added as if independent
+a_speed = v0 + (b - g*phi0)*t - g*eps*t**2/2  # Was the feedback by the curvature of the Earth left out? (hint 1)
+b_unseen = [0, 1, 0, -g]  # Which sign must the tilt have to hide the bias? (hint 1)
+b_unseen = [-R, 0, 1, 0]  # Does the speed not show the oscillation that this change brings? (hint 1)
+b_unseen = [0, 0, 0, 0]  # Is no change at all a change? (hint 1)
+c_error = b/g  # Is this the truth minus the estimate? (hint 1)
+c_error = 0  # Does an error do no harm because it is not seen? (hint 1)
+# Were the errors added as if they were independent? (hint 2)
 d_worst = delta*sp.sqrt(2 + 4*sp.cos(sp.sqrt(g/R)*tau)**2)/(2*R*(1 - sp.cos(sp.sqrt(g/R)*tau)))
-d_worst = delta/R  # the errors with the signs that they have in the formula: they need not be equal
-d_worst = 4*delta/(g*tau**2)  # right for short arcs only
+d_worst = delta/R  # Can the errors of the three measurements have different signs? (hint 2)
+d_worst = 4*delta/(g*tau**2)  # Does this hold for short arcs only? (hint 1)
 
 # %% right
 # plain symbols, by the half angle

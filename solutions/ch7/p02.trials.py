@@ -1,18 +1,20 @@
 # %% wrong
-a_unseen = [x, y, 0, 0]  # a displacement along the first line of sight
-a_unseen = [0, 0, u, w]  # a change of velocity along the course
-a_unseen = [-y, x, -w, u]  # across the line of sight, where the bearing sees best
-b_condition = sp.Or(sp.Ne(p, 0), sp.Ne(q, 0))  # any manoeuvre
-b_condition = sp.Ne(p*y - q*x, 0)  # the turn compared with the first line of sight
-b_condition = sp.And(sp.Ne(p*(y + w*t) - q*(x + u*t), 0), sp.Ne(p, 0))  # as if a turn needed a part along x
-b_condition = sp.Eq(p*(x + u*t) + q*(y + w*t), 0)  # perpendicular to the line of sight, instead of not along it
-# the range before the turn instead of that at the moment of the bearing
+a_unseen = [x, y, 0, 0]  # Does the line of sight stay where it is? (hint 1)
+a_unseen = [0, 0, u, w]  # Is a bearing blind along the course, or along the line of sight? (hint 1)
+a_unseen = [-y, x, -w, u]  # Is this displacement across the line of sight, where a bearing sees best? (hint 1)
+# Does any manoeuvre do? In which direction are all targets of the family displaced? (hint 1)
+b_condition = sp.Or(sp.Ne(p, 0), sp.Ne(q, 0))
+b_condition = sp.Ne(p*y - q*x, 0)  # Is the turn compared with the line of sight of the right moment? (hint 2)
+b_condition = sp.And(sp.Ne(p*(y + w*t) - q*(x + u*t), 0), sp.Ne(p, 0))  # Must the turn have a part along x? (hint 2)
+# Is it perpendicular to the line of sight, or just not along it, that is needed? (hint 2)
+b_condition = sp.Eq(p*(x + u*t) + q*(y + w*t), 0)
+# At which moment does the range enter, before the turn or at the bearing? (hint 2)
 c_error = delta*((x + u*t)**2 + (y + w*t)**2)/((t - T)*sp.Abs(p*(y + w*t) - q*(x + u*t)))
-# the change of velocity instead of the way aside
+# Is this the change of velocity instead of the way aside? (hint 1)
 c_error = delta*((x + u*t - p*(t - T))**2 + (y + w*t - q*(t - T))**2)/sp.Abs(p*(y + w*t) - q*(x + u*t))
-# the sensitivity instead of the error
+# Is this the sensitivity instead of the error? (hint 1)
 c_error = delta*(t - T)*sp.Abs(p*(y + w*t) - q*(x + u*t))/((x + u*t - p*(t - T))**2 + (y + w*t - q*(t - T))**2)
-# without the absolute value
+# Can the size of an error be negative?
 c_error = delta*((x + u*t - p*(t - T))**2 + (y + w*t - q*(t - T))**2)/((t - T)*(p*(y + w*t) - q*(x + u*t)))
 
 # %% right

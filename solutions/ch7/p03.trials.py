@@ -1,20 +1,22 @@
 # %% wrong
-# three free oscillators, as if Coriolis forces were absent
+# Were the Coriolis forces left out? (hint 2)
 a_modes = [0, n1*vx + n2*vy, n1*x + n2*y + n3*z, (n1*vx + n2*vy + n3*vz)/omega]
-# the drift turned round
+# In which direction does the drift go? (hint 2)
 a_modes = [n1*(4*x + 2*vy/omega) + n2*(y - 2*vx/omega), 3*n2*(vy + 2*omega*x),
            n1*(-3*x - 2*vy/omega) + 2*n2*vx/omega + n3*z, (n1*vx + n3*vz)/omega + 2*n2*(3*x + 2*vy/omega)]
-# displacements across the line of sight, which do not stay there
+# Do displacements across the line of sight stay there? (hint 1)
 b_unseen = [[-n2, n1, 0, 0, 0, 0], [0, -n3, n2, 0, 0, 0]]
-# twice the same motion
+# Are these two states really independent? (hint 2)
 b_unseen = [[1, 0, -n1/n3, 0, -2*omega, 2*n2*omega/n3], [2, 0, -2*n1/n3, 0, -4*omega, 4*n2*omega/n3]]
-# position and velocity both perpendicular to the line of sight
+# Is it enough that position and velocity are perpendicular to the line of sight? (hint 1)
 b_unseen = [[1, 0, -n1/n3, 0, 0, 0], [0, 2, -2*n2/n3, omega, 0, -n1*omega/n3]]
-c_ranks = [4, 4, 4]  # four for every direction
-c_ranks = [2, 2, 2]  # position and velocity of the coordinate itself
-d_insufficient = sp.Eq(n1*k3, n3*k1)  # one equality is not enough
-d_insufficient = sp.Eq(n1*k1 + n2*k2 + n3*k3, 0)  # perpendicular instead of parallel
-d_insufficient = sp.Or(sp.Eq(n1*k3, n3*k1), sp.Eq(n2*k3, n3*k2))  # either of the two
+c_ranks = [4, 4, 4]  # Does every direction show all four functions? (hint 1)
+c_ranks = [2, 2, 2]  # Does a range in one direction tell only of that coordinate? (hint 1)
+d_insufficient = sp.Eq(n1*k3, n3*k1)  # Is one equality enough? (hint 2)
+# Is it perpendicular or parallel that the directions have to be? (hint 2)
+d_insufficient = sp.Eq(n1*k1 + n2*k2 + n3*k3, 0)
+# Do both equalities have to hold, or is either enough? (hint 2)
+d_insufficient = sp.Or(sp.Eq(n1*k3, n3*k1), sp.Eq(n2*k3, n3*k2))
 
 # %% right
 # a column over a common denominator, plain symbols

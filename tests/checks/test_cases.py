@@ -1,11 +1,13 @@
 """The tables of cases: what each check accepts and rejects, row by row."""
 
 import importlib.util
+import inspect
 from pathlib import Path
 
 import pytest
 
 from trajlib import checks
+from trajlib.checks.contract.shapes import COMMON, SHAPES
 
 TABLES = sorted((Path(__file__).parent / "cases").glob("*/*.py"))
 NOT_CHECKS = {"NotYet", "Unusable", "Verdict", "collecting", "judged", "report"}
@@ -34,3 +36,15 @@ def test_every_check_has_its_table(name):
     verdicts = [case.verdict for case in CASES if case.check == name]
     assert verdicts.count("right") >= 2 and verdicts.count("wrong") >= 2 and "invalid" in verdicts, verdicts
     assert all(module.LIMITS is not None for module in MODULES.values())
+
+
+@pytest.mark.parametrize("room", SHAPES)
+def test_every_check_of_a_room_tells_the_shapes_of_its_data(room):
+    told, asked = SHAPES[room], set()
+    for name in set(dir(checks)) - NOT_CHECKS:
+        check = getattr(checks, name)
+        if check.__module__.split(".")[-2] == room:
+            names = list(inspect.signature(check).parameters)[1:]
+            assert all(f"`{argument}`: {told[argument]}" in " ".join(check.__doc__.split()) for argument in names), name
+            asked |= set(names)
+    assert set(told) - set(COMMON) <= asked, "shapes of no check's data"

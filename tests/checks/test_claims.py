@@ -4,8 +4,22 @@ import pytest
 import sympy as sp
 
 from trajlib.checks import judged
-from trajlib.checks.contract.claims import Expression, Expressions, symbols_in
-from trajlib.checks.tools.comparisons import Agrees, Same
+from trajlib.checks.contract.claims import (
+    Choice,
+    Expression,
+    Expressions,
+    Integer,
+    Matrix,
+    Number,
+    Parts,
+    Table,
+    Values,
+    Vectors,
+    YesNo,
+    symbols_in,
+)
+from trajlib.checks.contract.verdict import Invalid, Wrong
+from trajlib.checks.tools.comparisons import Agrees, Entries, Follows, Members, Same, Word
 
 x, k = sp.symbols("x k", positive=True)
 
@@ -56,3 +70,68 @@ def test_a_condition_agrees():
 
 def test_symbols_in_data():
     assert symbols_in([x, {k: sp.Interval(0, 1)}, sp.Matrix([[x * k]]), None, 3]) == [x, k, k, x]
+
+
+A = sp.Matrix([[1, k], [0, 2]])
+
+
+@pytest.mark.parametrize("claim, answer, read", [
+    (YesNo(), "yes", True),
+    (Choice(words=("node", "focus")), "Focus", "focus"),
+    (Choice(words="names"), "the angle", "the angle"),
+    (Vectors("x", size="A"), [[1, x], [0, 1]], [[1, x], [0, 1]]),
+    (Vectors("x", size="A"), sp.Matrix([1, x]), [[1, x]]),
+    (Vectors("x", size=3), [], []),
+    (Matrix("A", shape="A"), A.tolist(), A),
+    (Values("x", expected="values"), {2, x}, {2, x}),
+    (Values("x", expected="values"), x, {x}),
+    (Values("x", expected="values"), {x: 2, sp.Integer(1): 1}, {x, 1}),
+    (Parts(Matrix(shape="A"), Integer(), expected="two"), [[[1, 2], [3, 4]], 5.0], [sp.Matrix([[1, 2], [3, 4]]), 5]),
+    (Table(Number(), YesNo(), "a dict"), {2: "no"}, [(2, False)]),
+])
+def test_what_a_claim_reads(claim, answer, read):
+    found = claim.read(answer, {"x": x, "A": A, "names": {"the angle": 1}})
+    assert (set(found) if isinstance(read, set) else found) == read
+
+
+@pytest.mark.parametrize("claim, answer", [
+    (YesNo(), 3), (Choice(words=("node", "focus")), "saddle"), (Vectors("x", size="A"), [[1, 2, 3]]),
+    (Matrix(shape="A"), [[1, 2]]), (Values("x", expected="values"), "x"), (Values("x", expected="values"), {x: 1.5}),
+    (Parts(Number(), Number(), expected="two"), [1]), (Table(Number(), Number(), "a dict"), [[1, 2]]),
+    (Table(Number(), Number(), lambda data: "a dict"), {"one": 2}),
+])
+def test_what_a_claim_refuses(claim, answer):
+    with pytest.raises(Invalid):
+        claim.read(answer, {"x": x, "A": A})
+
+
+def test_entries():
+    claim, told = sp.Matrix([[1, x], [2, 3]]), lambda said, i, j: f"{i} {j} {said[i, j].real:g}"
+    assert (Entries(claim, [[1, 5], [2, 3]], told, {x: 5}).judge() == [[1, 5], [2, 3]]).all()
+    for true, message in (([[1, 5], [2, 4]], "1 1 3"), ([[1, 4], [5, 5]], "0 1 5")):
+        with pytest.raises(Wrong, match=message):
+            Entries(claim, true, told, {x: 5}).judge()
+
+
+def members(said, **twice):
+    return Members(said, [1, 4, 9], lambda one, other: abs(one - other) < 0.1, lambda one: f"{one} is none",
+                   lambda count, others: f"{count} of them, not {others}", **twice)
+
+
+def test_members():
+    assert members([9.01, 1, 4, 4]).judge() == [9, 1, 4, 4]
+    for said, message in (([1, 4], r"2 of them, not \[9\]"), ([1, 4, 9, 5], "5 is none"), ([], "0 of them")):
+        with pytest.raises(Wrong, match=message):
+            members(said).judge()
+    with pytest.raises(Wrong, match="4 again"):
+        members([1, 4, 4, 9], twice=lambda one: f"{one} again").judge()
+
+
+def test_a_word_and_a_law():
+    assert Word("node", "node", "the roots are real").judge() == "the roots are real"
+    with pytest.raises(Wrong, match="but the roots are real"):
+        Word("focus", "node", "the roots are real", "but ").judge()
+    Follows([1, 2.0], [1, 2.0 + 1e-12], 1.0, lambda k: "").judge()
+    for left, size in (([1, 3], 1.0), ([1, float("nan")], 1.0), ([1, 2], float("inf"))):
+        with pytest.raises(Wrong, match="at"):
+            Follows(left, [1, 2], size, lambda k: f"at {k}").judge()

@@ -5,6 +5,7 @@ import pytest
 import sympy as sp
 
 from trajlib.checks.contract import coercion
+from trajlib.checks.contract.encoding import decode, encode
 from trajlib.checks.contract.verdict import Invalid
 
 x, y = sp.symbols("x y", real=True)
@@ -92,9 +93,65 @@ def test_conditions_that_would_take_for_ever(join):
         assert coercion.as_condition(many, [x, y]) == many, "written out it is no longer than as it stands"
 
 
-def test_no_functions():
-    with pytest.raises(Invalid, match="got a function"):
-        coercion.as_expression(sp.Lambda(x, x**2), [x])
+@pytest.mark.parametrize("function", [
+    sp.Lambda((x, y), x - y**2), sp.Lambda((y, x), x - y**2), sp.Lambda((plain, y), plain - y**2),
+    sp.Lambda(sp.symbols("a b"), sp.Symbol("a") - sp.Symbol("b")**2), sp.Lambda(y, sp.Symbol("x") - y**2),
+])
+def test_a_lambda_is_its_value(function):
+    assert coercion.as_expression(function, [x, y]) == x - y**2
+
+
+@pytest.mark.parametrize("function, said", [
+    (sp.Lambda((x, y), x + y), "or sp.Lambda of x"), (sp.Lambda(x, sp.Matrix([x])), "with one as its value"),
+    (sp.Lambda(((x, y), plain), x), "or sp.Lambda of"), (sp.Lambda(x, sp.Lambda(y, x)), "with a function in it"),
+    (sp.Lambda(y, sp.Symbol("q") * y), "contains q"),
+])
+def test_no_functions(function, said):
+    with pytest.raises(Invalid, match=said):
+        coercion.as_expression(function, [x])
+
+
+@pytest.mark.parametrize("answer", [
+    sp.Contains(plain, sp.Interval.open(0, 1)), sp.And(sp.Contains(plain, sp.Interval(0, 1)), sp.Ne(x, 0), sp.Ne(x, 1)),
+    sp.Piecewise((sp.false, plain <= 0), (plain < 1, True)), sp.Piecewise((sp.true, sp.And(x > 0, x < 1))),
+    sp.Not(sp.Contains(x, sp.Union(sp.Interval(-sp.oo, 0), sp.Interval(1, sp.oo)))),
+])
+def test_conditions_written_as_membership_and_as_cases(answer):
+    condition = coercion.as_condition(decode(encode(answer)), [x])
+    assert [bool(condition.subs(x, value)) for value in (-1, 0, sp.Rational(1, 2), 1, 2)] == [0, 0, 1, 0, 0]
+
+
+@pytest.mark.parametrize("values", [[1, 2], (1, 2), {1, 2}, np.array([1, 2]), np.array([[1.0], [2.0]]),
+                                    sp.Matrix([1, 2]), sp.FiniteSet(1, 2)])
+def test_values_of_a_single_symbol(values):
+    condition = coercion.as_condition(values, [x])
+    assert [bool(condition.subs(x, value)) for value in (0, 1, 2)] == [False, True, True]
+
+
+@pytest.mark.parametrize("answer", [
+    sp.Piecewise((sp.true, x > 0), (1, True)), [1, x > 0], np.array([True, False]),
+    sp.Eq(sp.Piecewise((sp.true, x > 0), (sp.false, True)), 1, evaluate=False),
+    sp.Contains(x, sp.ImageSet(sp.Lambda(y, y**2), sp.S.Integers), evaluate=False),
+])
+def test_what_is_half_a_condition_is_none(answer):
+    with pytest.raises(Invalid):
+        coercion.as_condition(answer, [x])
+
+
+def test_cases_that_are_true_or_false_are_no_expression():
+    with pytest.raises(Invalid, match="True or False"):
+        coercion.as_expression(1 + sp.Piecewise((sp.true, x > 0), (sp.false, True)), [x])
+
+
+def test_a_symbol_may_be_a_case():
+    cases = sp.Piecewise((plain, x > 0), (y, True))
+    assert coercion.as_expression(cases, [x, y]) == sp.Piecewise((x, x > 0), (y, True))
+    with pytest.raises(Invalid):
+        coercion.as_condition(cases, [x, y])
+
+
+def test_the_cardinal_sine_has_its_value_at_zero():
+    assert coercion.as_expression(sp.sinc(plain), [x]).subs(x, 0) == 1
 
 
 def test_intervals_of_a_single_symbol():

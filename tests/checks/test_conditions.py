@@ -140,3 +140,31 @@ def test_the_largest_invariant_subspace():
     assert restricted(A, [vector]) == [[0]]
     assert characteristic_coefficients(A) == [1, -2, 0, 0]
     assert kernel([], 2) == [[1, 0], [0, 1]]
+
+
+angle = sp.Symbol("alpha", real=True)
+COSINE = sp.And(0 <= angle, angle < 2 * sp.pi, sp.cos(angle) < positive)
+
+
+@pytest.mark.parametrize("claim", [
+    sp.cos(angle) < positive, sp.And(angle > sp.acos(positive), angle < 2 * sp.pi - sp.acos(positive)),
+    sp.And(angle > sp.pi / 2 - sp.asin(positive), 2 * angle < 3 * sp.pi + 2 * sp.asin(positive)),
+    sp.And(sp.acos(positive) - angle < 0, -angle > -2 * sp.pi + sp.acos(positive)),
+    sp.And(angle > sp.atan(sp.sqrt(1 - positive**2) / positive), angle + sp.acos(positive) < 2 * sp.pi),
+    sp.Or(sp.And(angle > sp.acos(positive), angle <= sp.pi), sp.And(angle > sp.pi, sp.cos(angle) < positive)),
+])
+def test_angles_are_compared_on_the_circle(claim):
+    truth = Truth(*((Case(sp.And(0 <= angle, angle < 2 * sp.pi, positive < 1, part), angles=(angle,)),)
+                    for part in (COSINE, sp.Not(COSINE))))
+    assert judged(claim, truth, (angle, positive)) == "proved for all values"
+
+
+@pytest.mark.parametrize("claim", [
+    angle > sp.acos(positive), sp.And(angle >= sp.acos(positive), angle < 2 * sp.pi - sp.acos(positive)),
+    sp.And(angle > sp.acos(positive), angle < 6), sp.And(angle > sp.acos(positive), angle < sp.pi + sp.acos(positive)),
+    sp.And(sp.cos(angle) < positive, angle < sp.Rational(157, 25)), sp.And(sp.cos(angle) < positive, sp.Ne(angle, 3)),
+])
+def test_a_condition_on_angles_that_errs_is_refuted(claim):
+    truth = Truth(*((Case(sp.And(0 <= angle, angle < 2 * sp.pi, positive < 1, part), angles=(angle,)),)
+                    for part in (COSINE, sp.Not(COSINE))))
+    assert judged(claim, truth, (angle, positive)).startswith(("True at", "False at"))

@@ -99,7 +99,7 @@ EXPRESSIONS = [
                          sp.cosh, sp.tanh)],
     *[fun(x) for fun in (sp.coth, sp.asinh, sp.acosh, sp.atanh, sp.Abs, sp.sign, sp.re, sp.im, sp.conjugate, sp.arg,
                          sp.floor)],
-    *[fun(x) for fun in (sp.ceiling, sp.Heaviside, sp.DiracDelta, sp.factorial, sp.gamma, sp.erf)],
+    *[fun(x) for fun in (sp.ceiling, sp.Heaviside, sp.DiracDelta, sp.factorial, sp.gamma, sp.erf, sp.sinc)],
     sp.atan2(y, x), sp.Mod(x, 3), sp.binomial(x, 2), sp.Max(x, y, 1), sp.Min(x, sp.Max(y, z)), sp.Heaviside(t, 1),
     sp.DiracDelta(t, 2),
     f(t), f(x, y + 1), g(t) ** 2, f(0), f(t).diff(t), f(t).diff(t, 2), f(x, y).diff(x, 2, y),
@@ -119,6 +119,8 @@ CONDITIONS = [
     sp.And(x, sp.Not(y)),
     sp.Eq(f(t).diff(t), -k * f(t)), sp.Eq(sp.ImmutableMatrix([x, y]), sp.ImmutableMatrix([1, 2])),
     sp.Eq(sp.Tuple(x, y), sp.Tuple(1, 2)),
+    sp.Contains(x, sp.Interval(0, y)), sp.And(sp.Contains(x, sp.Interval(0, 1)), y > 0),
+    sp.Piecewise((sp.true, x > 0), (y > 0, x < -1), (sp.false, True)),
     sp.Eq(sp.Piecewise((x, x > 0), (0, True)), 1), sp.Or(sp.Eq(x, 0), sp.And(x > 0, sp.Or(y < 1, y > 2))),
 ]  # fmt: skip
 SETS = [
@@ -577,6 +579,9 @@ HOSTILE = {
     "relation of sets": text(node("LessThan", {"kind": "Reals"}, X)),
     "number within And": text(node("And", POSITIVE, ONE)),
     "And of one": text(node("And", POSITIVE)),
+    "Contains without a set": text(node("Contains", X, X)),
+    "Contains of a condition": text(node("Contains", POSITIVE, {"kind": "Reals"})),
+    "case of a set": text(node("Piecewise", node("ExprCondPair", {"kind": "Reals"}, POSITIVE))),
     "expression as a condition": text(node("Piecewise", node("ExprCondPair", X, node("Add", X, ONE)))),
     "Piecewise without cases": text(node("Piecewise")),
     "Piecewise of a tuple": text(node("Piecewise", node("Tuple", X, POSITIVE))),

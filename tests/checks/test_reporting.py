@@ -13,6 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from trajlib import checks
+from trajlib.checks.contract import reporting
 from trajlib.checks.contract.encoding import EncodingError, decode, encode
 from trajlib.checks.contract.verdict import Unusable, Verdict, Wrong, judged
 
@@ -42,6 +43,29 @@ def test_anything_else_raises_and_names_every_answer(status):
         checks.report(a=Verdict("right", "fine"), b=Verdict(status, "because"))
     assert raised.value._render_traceback_() == ["✓ a: right: fine", raised.value._render_traceback_()[1]]
     assert f"b: {status}: because" in str(raised.value)
+
+
+def test_formulas_of_a_verdict_are_set_in_a_notebook_and_typed_in_a_terminal():
+    verdict = Verdict("wrong", "at k1 = -2 the root of x**2 + 2*k1*x >= 0 is <b>0.5</b>", "Was lambda left out?")
+    shown, typed = reporting._as_html({"a_region": verdict}), reporting._as_text({"a_region": verdict})
+    assert ("at <i>k</i><sub>1</sub> = −2 the root of <i>x</i><sup>2</sup> + 2\u202f<i>k</i><sub>1</sub>\u202f<i>x</i> "
+            "≥ 0 is &lt;<i>b</i>&gt;0.5&lt;/<i>b</i>&gt;") in shown
+    assert "<code>a_region</code>" in shown and "Was λ left out?" in shown
+    assert typed.splitlines() == [f"✗ a_region: wrong: {verdict.message}", "  Was lambda left out?"]
+
+
+def test_the_mistake_stands_below_what_failed_and_only_where_the_problem_is_known():
+    k1, k2, s = sp.symbols("k1 k2 s")
+
+    def said(*problem, claim):
+        with pytest.raises(checks.NotYet) as raised:
+            checks.report(*problem, a_region=checks.stability_region(claim, s**3 + k1*s**2 + k2*s + 1, [k1, k2]))
+        return str(raised.value).split("\n")
+
+    wrong, question, hint = said("1.15", claim=[k2 > 0, k1 > 0])
+    assert "1/2" in wrong and question.strip().endswith("?") and hint.strip().startswith("Hint 1: ")
+    assert said(claim=[k2 > 0, k1 > 0]) == said("99.1", claim=[k2 > 0, k1 > 0]) == [wrong]
+    assert len(said("1.15", claim=k1 > 7)) == len(said("1.15", claim=...)) == len(said("1.15", claim="no")) == 1
 
 
 def test_right_and_wrong():

@@ -8,7 +8,8 @@ import pytest
 from trajlib import checks
 
 HOUSE = Path(checks.__file__).parent
-FLOORS = [["contract"], ["tools"], ["truths"], ["stability", "structure", "pontryagin", "research"]]
+FLOORS = [["contract"], ["tools"], ["truths"],
+          ["estimation", "feedback", "stability", "structure", "pontryagin", "research"]]
 #: Themes that take from another one, with the reason.
 NEIGHBOURS = {}
 

@@ -52,7 +52,8 @@ def worked(tmp_path, answered):
     stubs = [cell for cell in notebook["cells"] if cell["metadata"].get("tags") == ["answer"]]
     for k, cell in enumerate(stubs):
         if "abcde"[k] in answered:
-            cell["source"] = ("from trajlib.stability import hurwitz_minors\n" if k else "") + sources[k]
+            first = "from trajlib.stability import hurwitz_minors\nfrom trajlib.showing import show\n"
+            cell["source"] = (first if k else "") + sources[k]
     path = tmp_path / "mine.ipynb"
     path.write_text(json.dumps(notebook), encoding="utf-8")
     return path

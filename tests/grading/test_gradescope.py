@@ -1,7 +1,7 @@
 """The Gradescope bundle, in a container like Gradescope's: its /autograder is a folder of the test's, root is root.
 
-setup.sh installs from the network, so its commands are looked at only; what it would install is put in place by hand,
-from the bundle's own wheel.
+setup.sh runs there as it would at Gradescope, but that pip finds the libraries as wheels made of those installed here,
+not on the network, and that the system's own programs (apt-get, useradd) only write down what they are told.
 """
 
 import base64
@@ -15,12 +15,13 @@ import socket
 import stat
 import subprocess
 import sys
-import sysconfig
-import venv
 import zipfile
+from importlib import metadata
 from pathlib import Path
 
 import pytest
+from packaging.requirements import Requirement
+from packaging.utils import canonicalize_name
 
 sys.path.insert(0, str(Path(__file__).parent))
 from classroom import RIGHT_1_15, notebook, write_assignment  # noqa: E402
@@ -29,17 +30,17 @@ from trajlib import exercises  # noqa: E402
 from trajlib.grading import assignment as assignments  # noqa: E402
 from trajlib.grading.assignment import AssignmentError  # noqa: E402
 from trajlib.grading.gradescope import autograder, bundle  # noqa: E402
-from trajlib.masters import read  # noqa: E402
+from trajlib.masters import read, read_all  # noqa: E402
 from trajlib.masters.contract import master_file  # noqa: E402
+from trajlib.masters.mistakes import sentence  # noqa: E402
 
 HOMEWORK = ('title = "Homework 1"\nproblems = ["1.15", "1.17"]\ndue = 2020-01-01T00:00:00Z\nattempts = '
             '3\n[points]\n"1.15" = 10\n')
 HALF = RIGHT_1_15 | {"a_region": "k1 > 0"}
 #: A user that nobody on this machine is.
 STUDENT = 61234
-
-
-pytestmark = pytest.mark.xdist_group("gradescope")  # they share an installed bundle
+PYTHON = f"python3.{sys.version_info.minor}"
+USER_ADDED = "useradd --system --no-create-home --shell /usr/sbin/nologin trajlib-student\n"
 
 
 @pytest.fixture(scope="module")
@@ -68,6 +69,7 @@ def test_what_the_bundle_holds(archive):
             assert {f"trajlib/_exercises/{e.path.parent.name}/{e.path.name}"
                     for e in exercises.read_all()} <= set(names)
             assert "trajlib/grading/gradescope/autograder.py" in names
+            assert {name.replace(".ipynb", ".mistakes") for name in names if name.endswith(".ipynb")} <= set(names)
             assert not any("solutions/" in name or name.endswith((".md", ".trials.py")) for name in names)
             (record,) = [name for name in names if name.endswith("RECORD")]
             listed = {row[0]: row[1] for row in csv.reader(io.StringIO(wheel.read(record).decode()))}
@@ -76,9 +78,16 @@ def test_what_the_bundle_holds(archive):
                 digest = base64.urlsafe_b64encode(hashlib.sha256(wheel.read(name)).digest()).rstrip(b"=").decode()
                 assert name == record or said == f"sha256={digest}"
             text = "\n".join(wheel.read(name).decode() for name in names if name.endswith(".ipynb"))
+            everything = b"\n".join(map(wheel.read, names)).decode(errors="replace")
     for number in ("1.15", "1.17"):
         for source in read(Path(__file__).resolve().parents[2] / "solutions" / master_file(number)).code("answer"):
             assert source not in text
+    for master in read_all(Path(__file__).resolve().parents[2] / "solutions"):
+        for trial in master.trials["wrong"]:  # neither the value nor what is said of it can be read anywhere
+            value = trial.source.rpartition("\n")[2].partition("=")[2].strip()
+            said = sentence(master, trial) or trial.comment
+            assert said.partition("\n")[0] not in everything
+            assert len(value) < 16 or f"{trial.name} = {value}" not in everything
 
 
 def test_the_same_homework_makes_the_same_bundle(archive, tmp_path):
@@ -149,14 +158,46 @@ def installed(archive, tmp_path_factory):
     """/opt/trajlib as setup.sh makes it, with the wheel of the bundle and the libraries of this environment."""
     if shutil.which("bwrap") is None or as_root() is None:
         (pytest.fail if os.environ.get("CI") == "true" else pytest.skip)("the mock container needs bubblewrap and root")
-    folder = tmp_path_factory.mktemp("opt")
-    venv.create(folder, with_pip=False, symlinks=True)
-    (packages,) = folder.glob("lib/python*/site-packages")
-    with zipfile.ZipFile(archive) as bundled, zipfile.ZipFile(io.BytesIO(bundled.read(wheel_name(bundled)))) as wheel:
-        wheel.extractall(packages)
-    (packages / "libraries.pth").write_text(sysconfig.get_paths()["purelib"] + "\n")
-    folder.chmod(0o755)
+    folder, outside = tmp_path_factory.mktemp("opt"), tmp_path_factory.mktemp("outside")
+    wheels = tmp_path_factory.mktemp("wheels")
+    folder.chmod(0o755)  # as a folder in /opt is
+    for name in sorted(stands_on("trajlib") - {"trajlib"}):
+        put_into_wheel(metadata.distribution(name), wheels)
+    programs(outside, PYTHON)
+    (outside / PYTHON).unlink()  # the real one is found behind it
+    container = Container(outside / "autograder", folder, archive)
+    done = container.run("/autograder/source/setup.sh", writable=True, shown={outside, wheels},
+                         environment={"PATH": f"{outside}:{sys.base_prefix}/bin:/usr/bin:/bin", "PIP_NO_INDEX": "1",
+                                      "PIP_FIND_LINKS": str(wheels)})
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert (outside / "log").read_text().endswith(USER_ADDED)
+    shutil.rmtree(wheels)
     return folder
+
+
+def stands_on(name):
+    """A distribution and all that it needs, without extras."""
+    found, waiting = set(), [name]
+    while waiting:
+        name = canonicalize_name(waiting.pop())
+        if name not in found:
+            found.add(name)
+            needed = map(Requirement, metadata.distribution(name).requires or ())
+            waiting += [one.name for one in needed if one.marker is None or one.marker.evaluate({"extra": ""})]
+    return found
+
+
+def put_into_wheel(distribution, folder):
+    """What is installed here as a wheel again, without its scripts and what lies beside the packages."""
+    about = distribution.read_text("WHEEL")
+    tags = [line.removeprefix("Tag: ") for line in about.split("\n") if line.startswith("Tag: ")]
+    name = canonicalize_name(distribution.name).replace("-", "_")
+    with zipfile.ZipFile(folder / f"{name}-{distribution.version}-{tags[-1]}.whl", "w") as wheel:
+        for file in distribution.files:
+            if ".." not in file.parts and file.suffix != ".pyc" and file.name not in ("RECORD", "direct_url.json"):
+                wheel.write(file.locate(), file.as_posix())
+        (place,) = {file.parts[0] for file in distribution.files if file.parts[0].endswith(".dist-info")}
+        wheel.writestr(f"{place}/RECORD", "".join(f"{file},,\n" for file in wheel.namelist()))
 
 
 class Container:
@@ -169,7 +210,8 @@ class Container:
         with zipfile.ZipFile(archive) as bundled:
             bundled.extractall(root / "source")
         shutil.copy(root / "source" / "run_autograder", root / "run_autograder")
-        (root / "run_autograder").chmod(0o755)  # extracting by Python drops the bit that the archive has
+        for path in (root / "run_autograder", root / "source" / "setup.sh"):
+            path.chmod(0o755)  # extracting by Python drops the bit that the archive has
         self.metadata([])
         passwd = root.parent / "passwd"
         passwd.write_text(f"root:x:0:0::/root:/bin/sh\ntrajlib-student:x:{STUDENT}:{STUDENT}::/:/usr/sbin/nologin\n")
@@ -184,24 +226,27 @@ class Container:
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(content if isinstance(content, str) else json.dumps(content), encoding="utf-8")
 
-    def run(self, *command):
-        """Run a command in the container; the finished process."""
-        shown = {Path(sys.base_prefix), Path(os.path.realpath(sys.base_prefix)), Path(sysconfig.get_paths()["purelib"])}
+    def run(self, *command, writable=False, shown=(), environment={"PATH": "/usr/bin:/bin:/usr/sbin"}):
+        """Run a command in the container; the finished process. While it is set up, its /opt/trajlib is `writable`, and
+        more folders are `shown`, these to be written to as well."""
+        writing, shown = shown, {Path(sys.base_prefix), Path(os.path.realpath(sys.base_prefix)), *shown}
         shown = sorted(path for path in shown if not path.is_relative_to("/usr"))
         # Folders on the way are open to all there, as in any container with its interpreter in /usr.
         ways = sorted({way for path in [*shown, Path("/opt/trajlib")] for way in path.parents if way != Path("/")})
         ways = [word for way in ways for word in ("--perms", "0755", "--dir", str(way))]
-        binds = [*ways, *(word for path in shown for word in ("--ro-bind", str(path), str(path)))]
+        binds = [*ways, *(word for path in shown
+                          for word in ("--bind" if path in writing else "--ro-bind", str(path), str(path)))]
+        variables = [word for name, value in environment.items() for word in ("--setenv", name, value)]
         return subprocess.run(
             [*as_root(), "bwrap", "--unshare-pid", "--die-with-parent", "--cap-add", "ALL",
-             "--clearenv", "--setenv", "PATH", "/usr/bin:/bin:/usr/sbin", "--ro-bind", "/usr", "/usr",
+             "--clearenv", *variables, "--ro-bind", "/usr", "/usr",
              "--symlink", "usr/lib", "/lib", "--symlink", "usr/lib64", "/lib64", "--symlink", "usr/bin", "/bin",
              "--ro-bind-try", "/etc/alternatives", "/etc/alternatives", "--ro-bind-try", "/etc/ld.so.cache",
              "/etc/ld.so.cache",
              "--ro-bind", str(self.root.parent / "passwd"), "/etc/passwd", "--proc", "/proc", "--dev", "/dev",
              "--perms", "1777", "--tmpfs", "/tmp", *binds,
-             "--ro-bind", str(self._installed), "/opt/trajlib", "--bind", str(self.root), "/autograder", "--chdir",
-             "/", *command],
+             "--bind" if writable else "--ro-bind", str(self._installed), "/opt/trajlib",
+             "--bind", str(self.root), "/autograder", "--chdir", "/", *command],
             capture_output=True, text=True, timeout=300)
 
     def grade(self):
@@ -367,21 +412,23 @@ def test_what_a_notebook_leaves_running_ends_with_it(container):
                                        ("3.11", "python3.11 -m venv /opt/trajlib"),
                                        ("", "choose Ubuntu 22.04")])
 def test_setup(tmp_path, archive, has, said):
-    """The commands that setup.sh gives, to programs that only write them down."""
-    programs, log = tmp_path / "programs", tmp_path / "log"
-    programs.mkdir()
-    write = f'echo "${{0##*/}} $*" >> {log}\n'
-    apt = f'[[ "$1" == update || "$*" == *"python{has} "* ]] || exit 100\n'
-    for name, body in {"apt-get": apt, "useradd": "", "python3.12": "", "python3.11": ""}.items():
-        (programs / name).write_text(f"#!/bin/bash\n{write}{body}")
-        (programs / name).chmod(0o755)
+    """What setup.sh asks of the system, and where that has no Python it can use."""
+    log = programs(tmp_path, f"python{has}", "python3.12", "python3.11")
     with zipfile.ZipFile(archive) as bundled:
         script = bundled.read("setup.sh").decode().replace("/opt/trajlib/bin/pip", "echo")
-    done = subprocess.run(["bash", "-c", script], env={"PATH": f"{programs}:/usr/bin:/bin"}, capture_output=True,
+    done = subprocess.run(["bash", "-c", script], env={"PATH": f"{tmp_path}:/usr/bin:/bin"}, capture_output=True,
                           text=True, timeout=60)
     assert said in (log.read_text() if has else done.stderr) and done.returncode == (0 if has else 1)
     if has:
         assert ("install --no-cache-dir --constraint /autograder/source/constraints.txt "
                 "/autograder/source/trajlib-*.whl" in done.stdout)
-        assert (log.read_text().strip().split("\n")[-1]
-                == "useradd --system --no-create-home --shell /usr/sbin/nologin trajlib-student")
+        assert log.read_text().endswith(USER_ADDED)
+
+
+def programs(folder, has, *others):
+    """The system's programs, which only write down what they are told; apt-get knows one Python, which it `has`."""
+    apt = f'[[ "$1" == update || "$*" == *"{has} "* ]] || exit 100\n'
+    for name, body in {"apt-get": apt, "useradd": "", **dict.fromkeys((has, *others), "")}.items():
+        (folder / name).write_text(f'#!/bin/bash\necho "${{0##*/}} $*" >> {folder}/log\n{body}')
+        (folder / name).chmod(0o755)
+    return folder / "log"

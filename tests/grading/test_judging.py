@@ -92,7 +92,8 @@ def test_verdicts_are_not_taken_from_a_notebook():
 def test_without_a_check_nothing_is_right():
     answers = {name: encode(value).decode() for name, value in WRONG_ANSWERS.items()}
     data = EXERCISE.code("data")
-    assert {status for status, _ in in_child(judge_cells, data, answers, {}, NAMES, timeout=60).values()} == {UNCHECKED}
+    found = in_child(judge_cells, data, answers, {}, NAMES, timeout=60)
+    assert {status for status, *_ in found.values()} == {UNCHECKED}
     failing = [*EXERCISE.code("data", "check")[:2], ("check", "1/0"), *EXERCISE.code("check")[2:]]
     found = in_child(judge_cells, failing, answers, {}, NAMES, timeout=60)
     assert found["b_region"][0] == UNCHECKED and {found[name][0] for name in NAMES if name != "b_region"} == {WRONG}
@@ -142,6 +143,9 @@ def _watched(messages, numbers):
     import matplotlib.pyplot  # noqa: F401
     import scipy.optimize  # noqa: F401
     import z3  # noqa: F401
+
+    import trajlib.mistakes.likeness
+    import trajlib.mistakes.sealing  # noqa: F401
     found = []
     for number in numbers:
         exercise = exercises.find(number)
@@ -154,7 +158,7 @@ def _watched(messages, numbers):
             encoded, unreadable, _, _ = judging._read(message.encode(), names)
             if not encoded and '"every"' in message:
                 encoded = dict.fromkeys(names, json.loads(message)["encoded"]["every"])
-            for status, _ in judge_cells(cells, encoded, unreadable, names).values():
+            for status, *_ in judge_cells(cells, encoded, unreadable, names).values():
                 if status == RIGHT:
                     found.append(f"{number}: right: {message:.300}")
         found += [f"{number}: {event}" for event in watch.events]
@@ -206,9 +210,11 @@ def _what_a_watch_sees():
 
 
 #: By problem, what is right although it looks like nothing: there are no such angles in 1.6, and where a system is
-#: observable (or controllable) no state is unseen and no eigenvalue lost. Eigenvalues may come as a dictionary with
-#: their multiplicities.
-EMPTY_AND_RIGHT = {**dict.fromkeys(["2.3", "2.5", "2.14"], [[], ()]),
+#: observable (or controllable) no state is unseen and no eigenvalue lost; no parameter makes that of 2.24 d
+#: controllable; where there is no observer there is no gain. Eigenvalues may come as a dictionary with their
+#: multiplicities.
+EMPTY_AND_RIGHT = {**dict.fromkeys(["2.3", "2.5", "2.14", "2.24", "3.1", "3.2", "3.16", "3.17", "3.18", "3.24"],
+                                   [[], ()]),
                    **dict.fromkeys(["1.6", "2.6", "2.7", "2.26", "2.32", "2.37"], [[], (), {}])}
 NOTHING = [float("nan"), float("inf"), -float("inf"), sp.nan, sp.zoo, sp.oo, -sp.oo, complex(float("nan"), 1),
            10**1999, [], {}, (), "", "right", [sp.nan] * 2,
@@ -249,7 +255,7 @@ def _odd_verdicts(number):
     found, examples = [], {name: set() for name in names}
     for what, value in _odd_answers(symbol).items():
         encoded = dict.fromkeys(names, encode(value).decode())
-        for name, (status, message) in judge_cells(cells, encoded, {}, names).items():
+        for name, (status, message, _) in judge_cells(cells, encoded, {}, names).items():
             found += [f"{name}, {what}: {message}"] if status == UNCHECKED else []
             examples[name] |= set(re.findall(r"such as (.+?)(?:, got|;|$)", message)) if status != RIGHT else set()
     for name, told in examples.items():
@@ -327,6 +333,9 @@ def test_any_bytes_are_judged():
 
 def _fuzz(count):
     import z3  # noqa: F401, which is loaded when the first condition is judged
+
+    import trajlib.mistakes.likeness  # and these when the first answer is wrong
+    import trajlib.mistakes.sealing  # noqa: F401
     found = []
     cells = EXERCISE.code("data", "check")
     judge_cells(cells, {}, {}, NAMES)  # what our own cells import, they have imported
@@ -340,7 +349,7 @@ def _fuzz(count):
             given = decoded(encoded, unreadable, NAMES)
             described = {name: judging._described(given[name]) for name in encoded}
             json.dumps([verdicts, described, remarks, stopped], ensure_ascii=False).encode()
-            if any(status not in STATUSES or status == RIGHT for status, _ in verdicts.values()):
+            if any(status not in STATUSES or status == RIGHT for status, *_ in verdicts.values()):
                 found.append(f"{k}: {verdicts} for {message[:300]!r}")
             if not all(remark.startswith(("notebook: ", "limits: ")) for remark in remarks) or len(remarks) > 40:
                 found.append(f"{k}: {remarks}")

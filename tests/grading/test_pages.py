@@ -1,5 +1,6 @@
 """The pages that students and lecturers read: what stands on them, what never does, and how they look."""
 
+import json
 import os
 import re
 import shutil
@@ -8,25 +9,32 @@ from html import unescape
 from pathlib import Path
 
 import pytest
+import sympy as sp
 
 sys.path.insert(0, str(Path(__file__).parent))
 from classroom import an_assignment, graded  # noqa: E402
 
 from trajlib import exercises  # noqa: E402
-from trajlib.checks.contract.encoding import decode, describe  # noqa: E402
+from trajlib.checks.contract.encoding import decode, describe, encode  # noqa: E402
 from trajlib.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG, Verdict  # noqa: E402
 from trajlib.execution import judge, run_notebook  # noqa: E402
+from trajlib.formulas import plain  # noqa: E402
 from trajlib.grading import assignment as assignments  # noqa: E402
+from trajlib.grading import judging  # noqa: E402
+from trajlib.grading.bench import as_plain, from_plain  # noqa: E402
 from trajlib.grading.feedback import feedback  # noqa: E402
+from trajlib.grading.sandbox import Outcome  # noqa: E402
 from trajlib.grading.scores import of_student, scores  # noqa: E402
 from trajlib.grading.store import Attempt  # noqa: E402
 from trajlib.grading.summary import summary  # noqa: E402
 from trajlib.masters import read  # noqa: E402
 from trajlib.masters.contract import master_file  # noqa: E402
+from trajlib.masters.mistakes import sentence  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[2]
 HOMEWORK = 'title = "Homework <1>"\nproblems = ["1.15", "1.17"]\ndue = 2026-10-01T12:00:00Z\n'
 DUE = 1790856000.0
+K1, K2 = sp.symbols("k1 k2")
 #: What a name or an answer may try in a page.
 HOSTILE = "</title><script>alert(1)</script><img src=x onerror=alert(2)>\"'&"
 FIVE = {"a_region": RIGHT, "b_region": WRONG, "c_region": MISSING, "d_region": INVALID, "e_region": UNCHECKED}
@@ -138,7 +146,7 @@ def page_of(number, verdicts, texts=None):
 def test_no_line_of_the_solution_stands_on_a_page_with_all_hints(number):
     master = read(ROOT / "solutions" / master_file(number))
     page = page_of(number, {name: Verdict(MISSING, "not answered yet") for name in master.answers})
-    assert all(hint in shown(page) for hints in exercises.find(number).about["hints"].values() for hint in hints)
+    assert all(plain(hint) in shown(page) for hints in exercises.find(number).about["hints"].values() for hint in hints)
     assert give_away(page, master) == []
     assert ("<section" in page and give_away(page + "\n".join(master.code("answer")),
                                              master)), "the test sees a solution that is there"
@@ -196,6 +204,28 @@ def test_summary(store, homework):
     identical = page.split("Identical wrong answers")[1]
     assert ("k2 &lt; 0" in identical and all(name in identical for name in ("ann", "bob", "cid"))
             and "k1 &gt; 1" not in identical)
+
+
+def test_named_mistakes_are_told_to_the_student_and_counted_for_the_lecturer(store, homework):
+    for student, answers in {"ann": {"a_region": [K2 > 0, K1 > 0]}, "bob": {"a_region": (K2 > 0) & (0 < K1)},
+                             "cid": {"a_region": K1 > 7}, "dan": {"d_region": (K1 > 0) & (K2 > 1)}}.items():
+        exercise = exercises.find("1.15")
+        outcome = {"encoded": {name: encode(value).decode() for name, value in answers.items()}, "unreadable": {},
+                   "errors": [], "stopped": []}
+        judged = judging.judge(exercise, Outcome("done", json.dumps(outcome).encode()))
+        attempt = store.note_attempt(student, "hw1", "1.15", student, DUE - 1)
+        store.record(attempt, "e", from_plain(json.loads(json.dumps(as_plain(judged)))).verdicts, judged.answers, [])
+    master = read(ROOT / "solutions" / master_file("1.15"))
+    few, divided = (sentence(master, master.trials["wrong"][k]) for k in (0, 5))
+    all_scores = scores(store, homework)
+    pages = {score.student: shown(feedback(homework, score)) for score in all_scores}
+    assert few.count("\n") == 1 and all(line in pages["ann"] and line in pages["bob"] for line in few.split("\n"))
+    assert few.split("\n")[0] not in pages["cid"] + pages["dan"] and divided.split("\n")[0] in pages["dan"]
+    talk = re.sub(r"\s+", " ", summary(homework, all_scores)).split("What to talk about")[1].split("<h2>")[0]
+    (first, second) = re.findall(r"<tr><td.*?</tr>", talk)
+    assert re.sub(r"\s+", " ", shown(first)).strip() == (
+        f"2 1.15 a_region {few.partition(chr(10))[0]} ann , bob")
+    assert divided.split("\n")[0] in shown(second) and "dan" in second
 
 
 def test_answers_that_only_look_alike_are_not_identical(store, homework):

@@ -179,7 +179,35 @@ def test_what_one_cell_cannot_have_costs_the_others_nothing(sandbox):
 
 def test_getting_ready_is_not_the_notebooks_time():
     with Sandbox(Limits(cpu_seconds=0.4, wall_seconds=60), once=True) as sandbox:
-        assert answers(run(sandbox, "import time\ntime.sleep(0.5)\na = 1")) == {"a": 1}
+        assert answers(run(sandbox, "import time\ntime.sleep(0.2)\na = 1")) == {"a": 1}
+
+
+def test_a_sleeper_holds_its_place_no_longer_than_one_that_computes():
+    with Sandbox(Limits(cpu_seconds=4, wall_seconds=600)) as sandbox:
+        start = time.monotonic()
+        outcome = run(sandbox, "a = 1", "import time\ntime.sleep(500)", "b = 2", names=("a", "b"))
+        assert answers(outcome) == {"a": 1, "b": 2} and json.loads(outcome.handed_over)["stopped"] == [2]
+        defiant = "import time\nwhile True:\n    try: time.sleep(500)\n    except BaseException: pass"
+        assert run(sandbox, defiant) == Outcome("time", b"")
+        assert time.monotonic() - start < 60
+
+
+@pytest.mark.parametrize("source, wants", [
+    ("import threading, time\nwork = threading.Thread(target=lambda: [sum(range(10**6)) for _ in iter(int, 1)])\n"
+     "work.start()\nprint(flush=True)\nwork.join()", True),  # the first thread only waits for it
+    ("import threading, time\nthreading.Thread(target=time.sleep, args=[99]).start()\nprint(flush=True)\n"
+     "time.sleep(99)", False)])
+def test_who_wants_to_compute(source, wants):
+    with subprocess.Popen([sys.executable, "-c", source], stdout=subprocess.PIPE) as process:
+        try:
+            process.stdout.readline()
+            time.sleep(0.5)
+            proc = os.open("/proc", os.O_RDONLY | os.O_DIRECTORY)
+            below = [one for one in watching._descendants(os.getpid(), proc) if one.number == process.pid]
+            assert watching._wants_to_compute(below, proc) == wants
+        finally:
+            os.close(proc)
+            process.kill()
 
 
 COUNT = """

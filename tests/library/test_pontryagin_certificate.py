@@ -134,11 +134,54 @@ def test_arguments_of_certify():
     (Problem(PLANE, ONE, {x1: 1, x2: 0}, [x1, x2], running=x1**2), Chattering, "switches infinitely often"),
     (Problem(PLANE, ONE, {x1: 1, x2: 0}, running=x1**2, duration=5), Chattering, "order 2"),
     (replace(TRANSFER, initial={x1: 0, x2: 0}), StartOnTarget, "after zero time"),
-    (replace(QUADRATIC, running=sp.Abs(u)), ValueError, "p - q"),
+    (replace(QUADRATIC, running=sp.Abs(u - x1)), ValueError, "p - q"),
 ])
 def test_problems_without_an_extremal(problem, error, message):
     with pytest.raises(error, match=message):
         problem.solve()
+
+
+def fuller(a=1.0):
+    """Cost from (a, 0) and ratio of the arcs: on x1 = -k x2 |x2| arcs repeat on a smaller scale, and cost c |x2|^5.
+
+    k = sqrt((sqrt(33) - 1)/24); the speed falls by q = sqrt((1 + 2k)/(1 - 2k)) from one switching to the next.
+    """
+    k = np.sqrt((np.sqrt(33) - 1)/24)
+    q = np.sqrt((1 + 2*k)/(1 - 2*k))
+
+    def square(x, speed, time):
+        """The integral of (x + speed s + s^2/2)^2, by Gauss's formula."""
+        nodes, weights = np.polynomial.legendre.leggauss(5)
+        s = (1 + nodes)/2*time
+        return (x + speed*s + s**2/2)**2 @ weights*time/2
+
+    c = square(k, -1.0, 1 + 1/q)/(1 - q**-5)
+    # From (a, 0) with u = -1 until a - v^2/2 = k v^2 (mirrored: from -a with u = 1).
+    v = np.sqrt(a/(k + 0.5))
+    return square(-a, 0.0, v) + c*v**5, q
+
+
+@pytest.mark.parametrize("problem, sign", [
+    (Problem(PLANE, ONE, {x1: 1, x2: 0}, [x1, x2], running=x1**2), 1),
+    (Problem(PLANE, ONE, {x1: 1, x2: 0}, [x1, x2], running=-x1**2, maximise=True), -1),
+    (Problem(PLANE, ONE, {x1: 1, x2: 0}, running=x1**2, duration=5), 1),
+])
+def test_numbers_of_chattering(problem, sign):
+    with pytest.raises(Chattering, match="each arc is 4.1301") as caught:
+        problem.solve()
+    numbers, (cost, ratio) = caught.value.numbers, fuller()
+    assert abs(sign*numbers.cost - cost) < numbers.cost_error < 1e-11
+    assert abs(numbers.ratio - ratio) < numbers.ratio_error < 1e-4
+    assert len(numbers.lengths) >= 5
+
+
+def test_chattering_around_other_arcs_has_errors_as_large_as_its_change():
+    """A pendulum is Fuller's plant in the limit only, and its bounds count by their distance from the control there."""
+    pendulum = Problem({x1: x2, x2: u - sp.sin(x1)}, {u: (-2, 2)}, {x1: 1, x2: 0}, [x1, x2], running=x1**2)
+    with pytest.raises(Chattering) as caught:
+        pendulum.solve()
+    numbers = caught.value.numbers
+    assert abs(numbers.ratio - fuller()[1]) < numbers.ratio_error < 0.1
 
 
 def test_fuller_before_the_switchings_accumulate():
@@ -170,7 +213,7 @@ def test_structures_that_are_none(structure, error, message):
 
 
 def test_singular_where_no_derivative_contains_the_control():
-    with pytest.raises(WrongStructure, match="no derivative of its switching function"):
+    with pytest.raises(WrongStructure, match="leaves u open on an arc"):
         TRANSFER.solve(["u-", "singular", "u+"])
     with pytest.raises(PontryaginError, match="none of the structures"):
         compare(TRANSFER, [["u+", "u-"]])

@@ -10,8 +10,7 @@ from scipy.linalg import expm
 
 from trajlib.pontryagin import Problem, synthesis
 
-# In one process, so that each synthesis is found once.
-pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("syntheses")]
+pytestmark = pytest.mark.slow
 x1, x2, u, alpha = sp.symbols("x1 x2 u alpha", real=True)
 DOUBLE, OSCILLATOR, SADDLE = np.array([[0, 1], [0, 0]]), np.array([[0, 1], [-1, 0]]), np.array([[0, 1], [1, 0]])
 DAMPED, EXCITED = np.array([[0, 1], [0, -1]]), np.array([[0, 1], [0, 1]])

@@ -11,7 +11,16 @@ import sympy as sp
 from scipy.integrate import quad, solve_bvp, solve_ivp
 from scipy.optimize import brentq, fsolve, minimize
 
-from trajlib.pontryagin import Infeasible, NotConverged, PontryaginError, Problem, Unbounded, compare
+from trajlib.pontryagin import (
+    Infeasible,
+    NotConverged,
+    NotUnique,
+    PontryaginError,
+    Problem,
+    Unbounded,
+    WrongStructure,
+    compare,
+)
 
 R = sp.Rational
 x, y, z, u, v, w, t, p, q, m, h, a = sp.symbols("x y z u v w t p q m h a")
@@ -203,6 +212,22 @@ def robot():
     return phi + way, [phi]
 
 
+def cart():
+    """5.60, u* = 1, k = 1, alpha(0) = 3/10: four arcs, which the four terminal equations determine."""
+    def run(lengths):
+        angle, rate, place, speed, cost, sign = 0.3, 0.0, 0.0, 0.0, 0.0, -1
+        for s in lengths:
+            path = np.polynomial.Polynomial([place, speed, sign/2])
+            cost += s + (path**2).integ()(s)
+            angle, rate = ((angle + sign)*np.cosh(s) + rate*np.sinh(s) - sign,
+                           (angle + sign)*np.sinh(s) + rate*np.cosh(s))
+            place, speed, sign = path(s), speed + sign*s, -sign
+        return [angle, rate, place, speed], cost
+
+    lengths = fsolve(lambda lengths: run(lengths)[0], [0.9, 2.0, 1.5, 0.5], xtol=1e-12)
+    return run(lengths)[1], list(np.cumsum(lengths)[:-1])
+
+
 def boundary_layers():
     """x' = u - x^3, int x^2 + u^2, from 3/2 to 1 in a long time: along each layer H = 0, x' = -+sqrt(x^6 + x^2)."""
     def root(s):
@@ -221,6 +246,16 @@ def of_angle(sign, drift, start, end, **more):
     """5.54 - 5.56 in one form: rho' = sign (cos beta - drift), beta' = -sign sin(beta)/rho + u."""
     return Problem({x: sign*(sp.cos(y) - drift), y: -sign*sp.sin(y)/x + u}, {u: (-2, 2)}, {x: start, y: R(1, 2)},
                    [x - end], **more)
+
+
+def chaplygin(wind):
+    """5.41, the greatest area of a closed flight in the time 2 pi at the speed 1.
+
+    The heading is normal to the radius from a focus, r^2 phi' is constant: an ellipse of eccentricity e = wind, with
+    the area pi (1 - e^2)^(3/2).
+    """
+    return Problem({x: sp.cos(u) - wind, y: sp.sin(u)}, FREE, {x: 0, y: 0}, [x, y],
+                   running=-(x*sp.sin(u) - y*(sp.cos(u) - wind))/2, duration=2*sp.pi)
 
 
 SATURATED, FIXED_TIME_SPEED, ORBIT_TIME = np.sqrt(108/23), *linear_tangent()
@@ -259,6 +294,8 @@ STATEMENTS = {
     "5.25": statement(Problem({x1: x2, x2: p - q}, {p: (0, 1), q: (0, 1)}, {x1: 1, x2: 0}, [x1, x2],
                               running=1 + R(3, 4)*(p + q)),
                       np.sqrt(10), LOCAL, "pushes of length s: 5 s/2 + 1/s", [np.sqrt(0.4), 1/np.sqrt(0.4)]),
+    "5.25 with |u|": statement(Problem(PLANE, ONE, {x1: 1, x2: 0}, [x1, x2], running=1 + R(3, 4)*sp.Abs(u)),
+                               np.sqrt(10), LOCAL, "the same", [np.sqrt(0.4), 1/np.sqrt(0.4)]),
     "5.26": statement(Problem(PLANE, ONE, {x1: 1, x2: 0}, [x1, x2], running=1 + u**2/2), 23*SATURATED/18, LOCAL,
                       "3 T/2 - 2 c/3 with T^2/4 - c^2/3 = 1", [SATURATED/6, 5*SATURATED/6]),
     "5.27 a": statement(Problem({x: u}, FREE, {x: 1}, running=u**2 + x**2, final=-x**2, duration=1), -1.0, LOCAL,
@@ -299,6 +336,8 @@ STATEMENTS = {
     "5.40": statement(Problem({x: (1 + y)*sp.cos(u), y: (1 + y)*sp.sin(u)}, FREE, {x: 2, y: 1}, [x, y]),
                       np.arccosh(9/4), LOCAL,
                       "distance in the half-plane: cosh T = 1 + |d|^2/(2 y_1 y_2)"),
+    "5.41 in a calm": statement(chaplygin(0), -np.pi, EXTREMAL, "a circle, which may begin anywhere"),
+    "5.41": statement(chaplygin(R(1, 2)), -np.pi*0.75**1.5, EXTREMAL, "an ellipse of eccentricity 1/2"),
     "5.44": statement(Problem({x: -x, w: 2*w + u}, FREE, {x: 1, w: 0}, running=x**2*(u**2 + (1 - w**2)**2),
                               duration=2), approach(),
                       LOCAL, "the reduced boundary value problem, all its roots", accuracy=1e-9),
@@ -330,6 +369,8 @@ STATEMENTS = {
                                                                                                        w: (-1, 1)},
                               {x: 0, y: 0, a: 0}, [x - 3, y - 2]), robot(), LOCAL, "a turn and a straight way: two "
                                                                                    "equations"),
+    "5.60": statement(Problem({a: w, w: a + u, x: v, v: u}, ONE, {a: R(3, 10), w: 0, x: 0, v: 0}, [a, w, x, v],
+                              running=1 + x**2), cart(), LOCAL, "four equations"),
     # From elsewhere: a stationary start that is a maximum, a far start, boundary layers, a plant without drift.
     "away from zero": statement(Problem({x: u}, ONE, {x: 0}, {x: 0}, running=u**2 - x**2, duration=4),
                                 away_from_zero(), LOCAL,
@@ -356,6 +397,53 @@ def test_statement(name):
         assert extremal.switching_times == pytest.approx(one.times, abs=1e-9*(1 + extremal.duration))
     assert extremal.certificate().holds() and extremal.optimality.kind == one.known
     assert one.known in str(extremal.optimality)
+
+
+def test_absolute_values_in_the_cost():
+    problem = STATEMENTS["5.25 with |u|"].problem
+    found = [problem.solve(**more) for more in (
+        {}, {"structure": ["u-", "zero", "u+"]}, {"guess": {"duration": 3, u: lambda s: -1 if s < 1 else 1}})]
+    found.append(problem.solve(guess=found[0]))
+    for extremal in found:
+        assert [kind for kind, _, _ in extremal.arcs] == ["u-", "zero", "u+"]
+        assert extremal.cost == pytest.approx(np.sqrt(10), rel=1e-12) and extremal.problem is problem
+        assert extremal.control([0.1, 1.0, 2.0]).tolist() == [[-1, 0, 1]]
+        # The switching function passes -3/4 and 3/4 at the switchings.
+        assert extremal.switching(np.array(extremal.switching_times))[0] == pytest.approx([-0.75, 0.75])
+    assert len(found[0].plot()) and "$0$" in found[0]._repr_markdown_()
+
+
+def test_absolute_values_of_several_kinds():
+    """Convex, so proved; with u^2 besides an arc may be interior; a control of one sign needs no split."""
+    one = Problem(PLANE, ONE, {x1: 1, x2: 0}, [x1, x2], running=u**2 + sp.Abs(u), duration=3).solve()
+    assert [kind for kind, _, _ in one.arcs] == ["interior", "zero", "interior"]
+    assert one.certificate(proved=True).holds and one.cost in [pytest.approx(float(one.certificate(proved=True).cost))]
+    # x rises at the end; y falls for s, until what is left costs less than falling, 2 (1 - s) (2 - s) = 1/2.
+    s = (3 - np.sqrt(2))/2
+    two = Problem({x: u, y: v}, {u: (0, 1), v: (-1, 1)}, {x: 0, y: 1}, [x - 1], running=sp.Abs(u) + sp.Abs(v)/2 + x**2
+                  + y**2, duration=2).solve()
+    assert [kind for kind, _, _ in two.arcs][0] == ("u-", "u-") and two.optimality.proved
+    assert two.cost == pytest.approx(4/3 + s/2 + (1 - (1 - s)**3)/3 + (1 - s)**2*(2 - s), rel=1e-12)
+
+
+@pytest.mark.parametrize("problem, cost", [
+    # Two axes: the slower one takes the time 2, the other one has time to spare.
+    (Problem({x1: x2, x2: u, y: w, z: v}, {u: (-1, 1), v: (-1, 1), w: (-1, 1)}, {x1: 1, x2: 0, y: R(1, 2), z: 1},
+             [x1, x2, y, z]), 2),
+    # The cost int u is what the end asks for, whenever it is spent.
+    (Problem({x: u}, {u: (0, 1)}, {x: 0}, [x - 1], running=sp.Abs(u), duration=2), 1),
+])
+def test_controls_that_are_not_unique(problem, cost):
+    with pytest.raises(NotUnique, match=f"leaves [uvw] open on an arc.* a cost of about {cost}"):
+        problem.solve()
+
+
+@pytest.mark.parametrize("cost, error, message", [
+    (-sp.Abs(u), WrongStructure, "rewards the absolute value"), (sp.Abs(u - 1), ValueError, "not smooth"),
+])
+def test_absolute_values_that_are_not_split(cost, error, message):
+    with pytest.raises(error, match=message):
+        Problem({x: u}, ONE, {x: 1}, [x], running=cost, duration=3).solve()
 
 
 def test_saddles_are_left():

@@ -39,7 +39,7 @@ OBSERVED = [
     ("2.6b", orbit(Omega, r0), [[0, 1, 0, 0]], [Omega, r0], sp.false, {(sp.true, 3)}),
     ("2.6d", orbit(Omega, r0), [[0, 0, 0, 1]], [Omega, r0], sp.false, {(sp.true, 2)}),
     ("2.6e", orbit(Omega, r0), [[1, 1, 0, 0]], [Omega, r0], sp.true, set()),
-    ("2.6e without signs", orbit(w, k), [[1, 1, 0, 0]], [w, k], Ne(w, 0), {(Eq(w, 0), 2)}),
+    ("2.6e without signs", orbit(w, k), [[1, 1, 0, 0]], [w, k], Ne(w, 0) & Ne(k, 0), {(Eq(w, 0), 2)}),
     ("2.8", sp.diag(l1, l2), [[1, 1]], [l1, l2], Ne(l1, l2), {(Eq(l1, l2), 1)}),
     ("2.16c", *with_measurement_error(M([[-3, -2], [1, 0]]), M([[1, 0]]), M([[a]]), [1]), [a], Ne(a, -1) & Ne(a, -2),
      {(Eq(a, -1), 2), (Eq(a, -2), 2)}),
@@ -59,7 +59,8 @@ OBSERVED = [
      Ne(a**2 + b**2, 1) & Ne(a, b) & Ne(a, -b), None),
     ("all entries unknown", M([[l1, l2], [a, b]]), [[h, k]], [l1, l2, a, b, h, k],
      Ne(l1*h*k + a*k**2, l2*h**2 + b*h*k) , None),
-    ("a denominator is not zero", orbit(w, k), [[0, 0, 0, 1], [1, 0, 0, 0]], [w, k], Ne(w, 0), {(Eq(w, 0), 3)}),
+    ("a denominator is not zero", orbit(w, k), [[0, 0, 0, 1], [1, 0, 0, 0]], [w, k],
+     Ne(w, 0) & Ne(k, 0), {(Eq(w, 0), 3)}),
     ("square roots", M([[0, 1], [a**2 - 2, 0]]), [[0, 1]], [a], Ne(a, sp.sqrt(2)) & Ne(a, -sp.sqrt(2)),
      {(Eq(a, sp.sqrt(2)), 1), (Eq(a, -sp.sqrt(2)), 1)}),
     ("no parameter in it", M([[0, 1], [1, 0]]), [[1, 1]], [a], sp.false, {(sp.true, 1)}),
@@ -116,6 +117,32 @@ def test_ranks_on_a_grid():
         rank = observability_matrix(A, H).subs(values).rank()
         told = min([3, *(r for where, r in found.exceptions if where.subs(values) == sp.true)])
         assert told == rank and (found.region.subs(values) == sp.true) == (rank == 3)
+
+
+RATIONAL = [
+    (M([[0, 1/a], [0, 0]]), [[1, 0]], Eq(a, 0)),
+    (M([[1/a, 1], [0, a]]).T, [[1, 1]], Eq(a, 0)),
+    (M([[1/(a - 1), 0], [1, b/(a + b)]]), [[1, 1/b]], Eq(a, 1) | Eq(b, 0) | Eq(a, -b)),
+    (M([[0, 1], [a**2 + b**2 - 1, 0]]), [[0, 1/(a**2 + b**2 + 1)]], sp.false),
+    (M([[0, 1/(a**2 + b**2 - 1)], [b, a]]), [[1, b/a]], Eq(a, 0) | Eq(a**2 + b**2, 1)),
+]
+
+
+@pytest.mark.parametrize("A, H, undefined", RATIONAL)
+def test_where_an_entry_is_not_defined_is_excluded_and_said(A, H, undefined):
+    found, N = observability_conditions(A, M(H), [a, b]), observability_matrix(A, M(H))
+    below = [sp.denom(sp.together(entry)) for entry in (*A, *M(H))]
+    for values in itertools.product([-2, -1, -half, 0, half, 1, sp.Rational(3, 2), 2], repeat=2):
+        point = dict(zip((a, b), values))
+        nowhere = any(entry.subs(point) == 0 for entry in below)
+        assert (found.undefined.subs(point) == sp.true) == nowhere
+        if nowhere:
+            assert found.region.subs(point) == sp.false
+            continue
+        rank = N.subs(point).rank()
+        told = min([2, *(r for where, r in found.exceptions if where.subs(point) == sp.true)])
+        assert told == rank and (found.region.subs(point) == sp.true) == (rank == 2)
+    assert sp.simplify_logic(sp.Equivalent(found.undefined, undefined)) == sp.true
 
 
 def test_signs_are_used_and_symbols_come_back():

@@ -1,12 +1,15 @@
 """From MyST to a plain Jupyter notebook: what leaves, what stays, what becomes of directives and links."""
 
+import json
 import re
+from base64 import b64decode
+from io import BytesIO
 from pathlib import Path
 
 import pytest
 
 from trajlib import exercises
-from trajlib.masters import Links, read, read_all, student_notebook
+from trajlib.masters import Links, MasterError, read, read_all, student_notebook
 from trajlib.masters.contract import master_file
 from trajlib.masters.converting import plain_markdown
 
@@ -50,7 +53,8 @@ def test_a_notebook_links_to_the_site_only_where_that_has_an_address(links, tmp_
         for number in ("1.15", "2.5", "5.3"):
             master = read(ROOT / "solutions" / master_file(number))
             cells = student_notebook(master, Links(ROOT, base))["cells"]
-            found = [address for cell in cells for address in re.findall(r"\]\(([^)\s]+)\)", cell["source"])]
+            found = [address for cell in cells for address in re.findall(r"\]\(([^)\s]+)\)", cell["source"])
+                     if not address.startswith("attachment:")]  # a drawing, which the notebook itself holds
             assert all(address.startswith("https://example.org/course/") for address in found)
             assert bool(found) == bool(base)
             wheel = re.search(r"%pip install (\S*)trajlib-[\d.]+-py3-none-any\.whl", cells[1]["source"])
@@ -106,6 +110,61 @@ def test_the_students_copy():
     assert len(set(ids)) == len(ids) and len({cell["id"] for cell in notebook["cells"]}) == len(notebook["cells"])
     assert "Moscow, 2012" in notebook["cells"][0]["source"] and "pip install -e ." in notebook["cells"][0]["source"]
     assert not re.search(r"pip install trajlib\b(?!-)", str(notebook)), "no index has it: only the wheel's file"
+
+
+def drawing_of(written, cell):
+    """1.15 with a drawing before its end of the statement: the student's copy."""
+    page = (ROOT / "solutions" / "ch1" / "p15.md").read_text(encoding="utf-8")
+    written.parent.mkdir(parents=True, exist_ok=True)
+    written.write_text(page.replace("```{exercise-end}", f"```{{code-cell}}\n:tags: [drawing]\n{cell}\n```\n"
+                                    "*A rod of the\nlength $l$. More of it.*\n\nIt ends.\n\n```{exercise-end}", 1),
+                       encoding="utf-8")
+    trials = ROOT / "solutions" / "ch1" / "p15.trials.py"
+    written.with_name("p15.trials.py").write_text(trials.read_text(encoding="utf-8"), encoding="utf-8")
+    return read(written)
+
+
+ROD = "from trajlib.drawings import Drawing\n\nd = Drawing((0, 2), (0, 1))\nd.rod((0.2, 0.2), (1.8, 0.8))\nd"
+
+
+def test_a_drawing_becomes_its_picture(tmp_path):
+    from matplotlib.image import imread
+
+    master = drawing_of(tmp_path / "solutions" / "ch1" / "p15.md", ROD)
+    cells = student_notebook(master, Links(ROOT))["cells"]
+    [k] = [k for k, cell in enumerate(cells) if "attachments" in cell]
+    assert cells[k]["source"] == "![A rod of the length l.](attachment:drawing.png)"
+    assert cells[k + 1]["source"] == "*A rod of the\nlength $l$. More of it.*\n\nIt ends."
+    picture = imread(BytesIO(b64decode(cells[k]["attachments"]["drawing.png"]["image/png"])))
+    assert picture.shape[:2] == (120, 240)
+    assert picture[60, 120, :3].max() < 0.2 and picture[20, 40, :3].min() == 1  # the rod runs from below to the right
+    assert "drawings" not in str([cell["source"] for cell in cells])
+
+
+def test_a_picture_is_drawn_anew_when_its_drawing_changes(tmp_path):
+    """And kept otherwise, as another Matplotlib would draw it with other bytes."""
+    path = tmp_path / "solutions" / "ch1" / "p15.md"
+    notebook = student_notebook(drawing_of(path, ROD), Links(ROOT))
+    [shown] = [cell for cell in notebook["cells"] if "attachments" in cell]
+    shown["attachments"]["drawing.png"]["image/png"] = "by another Matplotlib"
+    master = read(path)
+    master.exercise.parent.mkdir(parents=True)
+    master.exercise.write_text(json.dumps(notebook), encoding="utf-8")
+    assert student_notebook(master, Links(ROOT)) == notebook
+    [changed] = [cell for cell in student_notebook(drawing_of(path, ROD.replace("1.8", "1.7")), Links(ROOT))["cells"]
+                 if "attachments" in cell]
+    assert changed["metadata"] != shown["metadata"] and len(changed["attachments"]["drawing.png"]["image/png"]) > 500
+
+
+@pytest.mark.parametrize("cell, said", [
+    (ROD.replace("(0.2, 0.2)", "k1"), "by its own cell alone; NameError: name 'k1' is not defined"),
+    (ROD.removesuffix("\nd"), "the last line of a drawing cell names its Drawing"),
+    ("d = 1\nd", "the last line of a drawing cell names its Drawing"),
+])
+def test_a_drawing_that_cannot_be_drawn_is_named(tmp_path, cell, said):
+    master = drawing_of(tmp_path / "solutions" / "ch1" / "p15.md", cell)
+    with pytest.raises(MasterError, match=rf"p15\.md:\d+: .*{said}"):
+        student_notebook(master, Links(ROOT))
 
 
 def test_converting_is_deterministic():

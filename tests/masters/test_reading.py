@@ -32,7 +32,7 @@ def test_reads_everything():
     assert master.exercise == ROOT / "exercises" / "ch1" / "p15.ipynb"
     assert len(master.code("check")) == 5 and all("checks.report" in source for source in master.code("check"))
     name, source, comment = master.trials["wrong"][0]
-    assert name == "a_region" and comment == "positive coefficients taken for sufficient"
+    assert name == "a_region" and comment.startswith("Are positive coefficients enough")
     assert source == "a_region = sp.And(k1 > 0, k2 > 0)"
 
 
@@ -81,6 +81,33 @@ def test_a_slip_in_the_front_matter_is_one_line(written, old, new, said):
     with pytest.raises(MasterError, match=said) as raised:
         read(written(GOOD.replace(old, new, 1)))
     assert "ch1/p15.md:" in str(raised.value) and "\n" not in str(raised.value)
+
+
+DRAWING = """```{code-cell}
+:tags: [drawing]
+from trajlib.drawings import Drawing
+
+d = Drawing((0, 1), (0, 1))
+d
+```
+"""
+
+
+@pytest.mark.parametrize("place, below, said", [
+    ("```{exercise-end}", "*A sheet.*\n\n", ""),
+    ("```{exercise-end}", "*A sheet\nof $x^*$.*\n\nThe text goes on.\n\n", ""),
+    ("```{exercise-end}", "", "under a drawing stands its caption"),
+    ("```{exercise-end}", "A sheet.\n\n", "under a drawing stands its caption"),
+    ("```{exercise-end}", "**A sheet.**\n\n", "under a drawing stands its caption"),
+    ("```{solution-end}", "*A sheet.*\n\n", "a drawing belongs to the statement"),
+])
+def test_a_drawing_stands_in_the_statement_with_its_caption(written, place, below, said):
+    page = GOOD.replace(place, DRAWING + below + place, 1)
+    if said:
+        with pytest.raises(MasterError, match=rf"p15\.md:{line_of(page, 'from trajlib.drawings')}: {said}"):
+            read(written(page))
+    else:
+        assert len(read(written(page)).code("drawing")) == 1
 
 
 @pytest.mark.parametrize("old, new, at", [

@@ -6,6 +6,7 @@ decimals where they count). Most do both, so that few verdicts try many.
 """
 
 import fractions
+import functools
 import itertools
 
 import numpy as np
@@ -158,8 +159,10 @@ def _plain(part, kind, symbols):
 
 
 def _expression(rewrite):
+    rewritten = functools.cache(rewrite)  # to see whether it changes anything, beside other changes, of another answer
+
     def write(part, kind, symbols):
-        return rewrite(part) if isinstance(part, sp.Expr) and part.free_symbols else part
+        return rewritten(part) if isinstance(part, sp.Expr) and part.free_symbols else part
 
     return write
 
@@ -199,10 +202,15 @@ def _values(part, kind, symbols):
     """The set of those values of the only symbol for which a condition holds."""
     if not isinstance(part, Boolean) or kind != "condition" or len(symbols) != 1 or part.free_symbols != set(symbols):
         return part
+    return _as_set(part)
+
+
+@functools.cache
+def _as_set(condition):
     try:
-        return part.as_set()
+        return condition.as_set()
     except NotImplementedError:  # SymPy cannot solve it
-        return part
+        return condition
 
 
 def _word(part, kind, symbols):

@@ -2,6 +2,7 @@
 
 import ast
 import cProfile
+import functools
 import sys
 import time
 import traceback
@@ -9,7 +10,9 @@ import traceback
 import sympy as sp
 
 from trajlib import checks
+from trajlib.checks.contract.encoding import decode, encode
 from trajlib.masters.statements import reported_names
+from trajlib.systems import Controlled
 
 
 class Workbench:
@@ -54,6 +57,11 @@ class Workbench:
         execute(source, "trial", namespace)
         return namespace
 
+    @functools.cache
+    def given(self, role):
+        """What the trials of a role give their answers, after the encoder."""
+        return [decode(encode(self.after(trial.source)[trial.name])) for trial in self.master.trials[role]]
+
     def check_arguments(self, name):
         """(function name, data arguments, options) of the check of an answer, evaluated."""
         call = self.calls[name]
@@ -64,8 +72,9 @@ class Workbench:
         """The list of symbols given to the check of an answer that holds those of the answer, if there is one alone."""
         _, arguments, options = self.check_arguments(name)
         own = getattr(self.reference[name], "free_symbols", set())
-        lists = [given for given in (*arguments, *options.values()) if isinstance(given, (list, tuple))
-                 and own and own <= {one for one in given if isinstance(one, sp.Symbol)}]
+        given = [one.state if isinstance(one, Controlled) else one for one in (*arguments, *options.values())]
+        lists = [part for part in given if isinstance(part, (list, tuple))
+                 and own and own <= {one for one in part if isinstance(one, sp.Symbol)}]
         return lists[0] if len(lists) == 1 else ()
 
     def _value(self, node):

@@ -15,10 +15,10 @@ EXCHANGED = {sp.sin: sp.cos, sp.cos: sp.sin, sp.sinh: sp.cosh, sp.cosh: sp.sinh,
 
 
 def mutants(value, kind="", most=24):
-    """Up to `most` different mutants of an answer, always the same ones."""
+    """Up to `most` mutants of an answer, always the same ones, each once."""
     found = list(_mutants(value, kind))
     random.Random(7).shuffle(found)
-    return found[:most]
+    return list({repr(mutant): mutant for mutant in found[:most]}.values())
 
 
 def _mutants(value, kind):

@@ -10,6 +10,8 @@ import numpy as np
 import sympy as sp
 from sympy.core.relational import Relational
 
+from trajlib.systems import Controlled
+
 LOGIC = (Relational, sp.And, sp.Or, sp.Not)
 NEVER = sp.Integer(10) ** 9
 #: Without a value, whatever the symbols.
@@ -29,8 +31,12 @@ NOT_ASKED = {
     ("5.2", "x0 < 1"): "the target can be reached from |x0| < 1 alone",
     ("5.3", "x2 < 1"): "the target can be reached from x2 < 1 alone",
     ("5.7", "x2 < 1"): "the target can be reached from |x2| < 1 alone, in item d",
+    ("5.18", "t < 1"): "the process ends at t = 1",
+    ("5.19", "t < 1"): "the process ends at t = 1",
     ("5.9", "x1 > -1"): "starts with -R < x1, and R < 1",
     ("5.12", "t < 1"): "the transfer takes pi/4",
+    ("5.22", "t < 1"): "the transfer of item a takes 1",
+    ("5.28", "t < 1"): "the interval of item a ends at 1, and x(1) is free there",
     ("7.4", "M > 1"): "every condition number is at least 1",
 }
 
@@ -76,6 +82,7 @@ def _only(entry, symbol, condition):
 def _border(symbol, data):
     """A place inside the values of a symbol: inside its interval where the data hold one, else where a condition of
     theirs holds."""
+    data = [part for given in data for part in (given if isinstance(given, Controlled) else [given])]
     for part in data:
         interval = part.get(symbol) if isinstance(part, dict) else None
         if isinstance(interval, (tuple, list)):

@@ -1,6 +1,7 @@
 """The students' notebooks: in step with their masters, free of solutions, judged rightly by `trajlib` and by
 nbgrader."""
 
+import base64
 import json
 import re
 from pathlib import Path
@@ -11,6 +12,8 @@ import pytest
 from trajlib import exercises
 from trajlib.execution import judge, run_notebook
 from trajlib.masters import Links, master_paths, read, student_notebook
+from trajlib.masters.mistakes import origin
+from trajlib.mistakes import file_beside
 
 ROOT = Path(__file__).resolve().parents[2]
 PATHS = master_paths(ROOT / "solutions")
@@ -46,6 +49,20 @@ def test_holds_no_solution(master):
             if len(line) > 30 and line not in "\n".join(master.code("data", "check")):
                 assert line not in "\n".join(cells), f"a line of the solution: {line}"
     assert not re.search(r"```\{|:label:|\{ref\}|solution-start", "\n".join(cells)), "a directive was left"
+
+
+def test_mistakes_are_in_step_and_sealed(master):
+    text = file_beside(master.exercise).read_text(encoding="utf-8")
+    said = json.loads(text)
+    assert said["of"] == origin(master), f"run `trajlib exercises {master.number}`"
+    assert set(said["answers"]) <= set(master.answers)
+    shown = text.encode() + b"".join(base64.b64decode(one) for asked in said["answers"].values()
+                                     for one in asked["told"].values())
+    for trial in master.trials["wrong"]:
+        value = trial.source.rpartition("=")[2].strip()
+        words = [part for part in re.split(r"(?<=[.?]) ", trial.comment) if len(part) > 10]
+        for readable in [*words, *([value] if len(value) > 8 else [])]:
+            assert readable.encode() not in shown, readable
 
 
 def test_untouched_is_missing(master):

@@ -46,7 +46,8 @@ def test_right_half_right_and_untouched(tmp_path, monkeypatch):
         if student == "boris":
             notebook["cells"].insert(1, {"cell_type": "code", "execution_count": None, "id": "mine", "metadata": {},
                                          "outputs": [],
-                                         "source": "from trajlib.stability import hurwitz_minors"})
+                                         "source": "from trajlib.stability import hurwitz_minors\n"
+                                                   "from trajlib.showing import show"})
         (folder / "p15.ipynb").write_text(json.dumps(notebook), encoding="utf-8")
 
     environment = os.environ | {"JUPYTER_CONFIG_DIR": str(tmp_path), "IPYTHONDIR": str(tmp_path / "ipython")}

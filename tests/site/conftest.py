@@ -7,12 +7,14 @@ import shutil
 import subprocess
 import sys
 import threading
+import time
 from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
+from bs4 import BeautifulSoup
 
 ROOT = Path(__file__).resolve().parents[2]
 HERE = Path(__file__).parent
@@ -53,6 +55,13 @@ def _build():
 def pages_of():
     """The pages below a folder; _static holds templates of the theme, which are no pages."""
     return lambda root: sorted(path for path in root.rglob("*.html") if root / "_static" not in path.parents)
+
+
+@pytest.fixture(scope="session", params=["full", "student"])
+def pages(request, editions, pages_of):
+    """The folder of an edition, and path -> parsed page; all tests of an edition share them."""
+    root = getattr(editions, request.param)
+    return root, {path: BeautifulSoup(path.read_text(encoding="utf-8"), "html.parser") for path in pages_of(root)}
 
 
 @pytest.fixture(scope="session")
@@ -116,6 +125,13 @@ class Browser:
     def run(self, script):
         return self.driver.execute_script(f"return {script}")
 
+    def wait_for(self, script, seconds=10):
+        """What the script gives as soon as it is true; its last value after so many seconds."""
+        end = time.monotonic() + seconds
+        while not (found := self.run(script)) and time.monotonic() < end:
+            time.sleep(0.1)
+        return found
+
     def find(self, selector):
         from selenium.webdriver.common.by import By
         return self.driver.find_element(By.CSS_SELECTOR, selector)
@@ -143,3 +159,17 @@ def browser(tmp_path_factory):
     browser = Browser(chromium, driver, tmp_path_factory.mktemp("profile"))
     yield browser
     browser.driver.quit()
+
+
+@pytest.fixture
+def found_by_search(browser):
+    """Types into the search of the open page; the addresses that are found, best first."""
+    from selenium.webdriver.common.keys import Keys
+
+    def found(text):
+        browser.find(".bd-sidebar-primary .search-button-field").click()
+        browser.find("#pst-search-dialog input[type=search]").send_keys(text, Keys.ENTER)
+        return browser.wait_for("""/^Search Results/.test(document.querySelector('#search-results h2')?.innerText || '')
+            && [...document.querySelectorAll('main #search-results ul.search li > a')].map(link => link.href)""")
+
+    return found

@@ -2,7 +2,6 @@
 
 import io
 import json
-import time
 import zipfile
 from pathlib import Path
 from urllib.parse import urljoin
@@ -89,15 +88,18 @@ def test_a_link_to_a_solution_opens_it(browser, addresses, problem):
 
 
 @pytest.mark.parametrize("way", ["file", "http"])
-def test_a_number_typed_into_the_search_finds_the_problem_first(browser, addresses, problem, way):
-    from selenium.webdriver.common.keys import Keys
-
+def test_a_number_typed_into_the_search_finds_the_problem_first(browser, addresses, found_by_search, problem, way):
     browser.open(f"{addresses[way]}/book/index.html")
-    browser.find(".bd-sidebar-primary .search-button-field").click()
-    browser.find("#pst-search-dialog input[type=search]").send_keys(problem.number, Keys.ENTER)
-    first = _wait(lambda: browser.run("document.querySelector('main #search-results ul.search a')?.href"))
-    assert problem.page in first
+    assert problem.page in found_by_search(problem.number)[0]
     assert browser.errors() == []
+
+
+@pytest.mark.parametrize("name, page", [("van der Pol", "ch1/p04"), ("Duffing", "ch1/p03"), ("Riccati", "ch6/p03"),
+                                        ("Clohessy", "ch2/p14"), ("Zhukovsky", "ch1/p09"), ("Schuler", "ch7/p01")])
+def test_a_name_of_the_field_finds_the_problem(browser, addresses, found_by_search, name, page):
+    for edition, folder in (("http", "solutions"), ("student", "exercises")):
+        browser.open(f"{addresses[edition]}/book/index.html")
+        assert [found for found in found_by_search(name)[:10] if f"{folder}/{page}.html" in found]
 
 
 def test_the_students_notebook_is_served(browser, addresses, problem):
@@ -119,11 +121,4 @@ def test_the_wheel_is_served(browser, addresses):
 
 def test_the_first_address_leads_to_the_book(browser, addresses):
     browser.open(addresses["http"] + "/index.html")
-    assert _wait(lambda: browser.run("location.pathname.endsWith('/book/index.html')"))
-
-
-def _wait(condition, seconds=10):
-    end = time.monotonic() + seconds
-    while not (found := condition()) and time.monotonic() < end:
-        time.sleep(0.1)
-    return found
+    assert browser.wait_for("location.pathname.endsWith('/book/index.html')")

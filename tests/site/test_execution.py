@@ -133,10 +133,11 @@ def test_trials_beside_a_page_are_no_part_of_it(book):
     assert "0 of 1 pages" in book.run()[1]
 
 
-def test_a_figure_cell_without_a_picture_is_a_failure(book):
-    book.write("p1", ":tags: [figure]\nx = 1")
+@pytest.mark.parametrize("role, last", [("figure", "x = 1"), ("drawing", "1 + 1")])
+def test_a_cell_that_should_show_a_picture_and_does_not_is_a_failure(book, role, last):
+    book.write("p1", f":tags: [{role}]\n{last}")
     code, _, error = book.run()
-    assert code == 1 and "this figure cell shows no picture" in error
+    assert code == 1 and f"this {role} cell shows no picture" in error
 
 
 def test_a_cell_has_a_time_limit(book):

@@ -6,7 +6,6 @@ from pathlib import Path
 from urllib.parse import unquote, urldefrag, urlsplit
 
 import pytest
-from bs4 import BeautifulSoup
 
 from trajlib import masters
 
@@ -15,15 +14,6 @@ LOADING = {"script": "src", "img": "src", "iframe": "src", "source": "src", "vid
            "embed": "src", "object": "data", "link": "href"}
 CSS_LOADS = re.compile(r"""(?:url\(\s*|@import\s+)["']?(?:https?:)?//[^"')\s]+""")
 JS_LOADS = re.compile(r"""(?:\bsrc\s*=|\bimport\s*\(?|\bimportScripts\(|\bfetch\()\s*["'`](?:https?:)?//[^"'`]+""")
-
-
-# The tests of an edition stay together: its pages are parsed once.
-@pytest.fixture(scope="module", params=[pytest.param(edition, marks=pytest.mark.xdist_group(f"pages, {edition}"))
-                                        for edition in ("full", "student")])
-def pages(request, editions, pages_of):
-    """Path -> parsed page, of one edition."""
-    root = getattr(editions, request.param)
-    return root, {path: BeautifulSoup(path.read_text(encoding="utf-8"), "html.parser") for path in pages_of(root)}
 
 
 def test_every_internal_link_leads_somewhere(pages):
@@ -95,11 +85,13 @@ def test_every_problem_is_listed_under_its_number_and_topics(pages):
                 assert number in term.find_next("dd").get_text()
 
 
-def test_the_student_edition_holds_no_solution(editions):
-    assert not (editions.student / "solutions").exists()
+@pytest.mark.parametrize("pages", ["student"], indirect=True)
+def test_the_student_edition_holds_no_solution(pages):
+    root, parsed = pages
+    assert not (root / "solutions").exists()
     for master in masters.read_all(ROOT / "solutions"):
-        copy = editions.student / master.exercise.relative_to(ROOT)
-        page = BeautifulSoup(copy.with_suffix(".html").read_text(encoding="utf-8"), "html.parser")
+        copy = root / master.exercise.relative_to(ROOT)
+        page = parsed[copy.with_suffix(".html")]
         shown = page.get_text() + copy.read_text(encoding="utf-8")
         assert not page.select("details.solution")
         for line in _lines([*master.code("answer", "figure"), *_trials(master)]) - _lines(master.code("data", "check")):

@@ -88,7 +88,7 @@ def gradescope_json(score, hinted, remarks, points, seconds):
 
 
 def _gradescope_test(answer, hinted):
-    status, message = answer.verdict.status, answer.verdict.message
+    status, message, mistake = answer.verdict.status, answer.verdict.message, answer.verdict.mistake
     # Gradescope knows no third state beside passed and failed: the text has to say it.
     waiting = (["It is not judged wrong; it has no points until your lecturer has looked at it."] if status == UNCHECKED
                else [])
@@ -97,7 +97,7 @@ def _gradescope_test(answer, hinted):
     return {"name": f"{answer.problem} {answer.answer}", "score": round(answer.points, 4),
             "max_score": round(answer.max_points, 4),
             "status": "passed" if status == RIGHT else "failed",
-            "output": "\n".join([f"{status}: {message}", *waiting, *to_open]),
+            "output": "\n".join([f"{status}: {message}", *mistake.splitlines(), *waiting, *to_open]),
             "output_format": "text", "visibility": "visible"}
 
 

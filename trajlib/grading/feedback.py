@@ -7,6 +7,7 @@ from pathlib import Path
 from trajlib import exercises
 from trajlib.checks.contract.reporting import MARKS
 from trajlib.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG
+from trajlib.formulas import plain
 from trajlib.grading.handing_out import spoken
 from trajlib.grading.pages import count, page, points
 
@@ -64,14 +65,16 @@ def _answer(answer, about, to_open):
     name, verdict = answer.answer, answer.verdict
     earned = f"{points(answer.points)} / {points(answer.max_points)}"
     parts = [f'<header><span><code>{escape(name)}</code></span><span class="points">{earned}</span></header>',
-             f'<div class="soft">{escape(about["answers"][name]["text"])}</div>']
+             f'<div class="soft">{escape(plain(about["answers"][name]["text"]))}</div>']
     if answer.text and verdict.status != MISSING:
         parts.append(f"<div>Your answer: <code>{escape(answer.text)}</code></div>")
     parts.append(f"<div>{_mark(verdict.status)}: {escape(verdict.message)}</div>")
+    parts += [f"<div>{escape(line)}</div>" for line in verdict.mistake.splitlines()]
     if answer.manual is not None:
         parts.append(f"<div><em>Points given by your "
                      f"lecturer{': ' + escape(answer.manual) if answer.manual else ''}</em></div>")
-    parts += [f"<details><summary>Hint {k}</summary>{escape(hint)}</details>" for k, hint in enumerate(to_open, 1)]
+    parts += [f"<details><summary>Hint {k}</summary>{escape(plain(hint))}</details>"
+              for k, hint in enumerate(to_open, 1)]
     return f'<section class="answer {verdict.status}">{"".join(parts)}</section>'
 
 

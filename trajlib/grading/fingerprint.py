@@ -4,14 +4,16 @@ import hashlib
 import json
 
 from trajlib.dependencies import module_closure
+from trajlib.mistakes import file_beside
 
 #: What runs a notebook's cells, and reads and judges what they hand over.
 JUDGES = "import trajlib.cells, trajlib.grading.judging"
 
 
 def fingerprint(exercise):
-    """What a result depends on besides the notebook: the exercise's data and check cells, the library under them, and
-    the judge."""
-    cells = exercise.code("data", "check")
+    """What a result depends on besides the notebook: the exercise's data and check cells, its named mistakes, the
+    library under them, and the judge."""
+    cells, mistakes = exercise.code("data", "check"), file_beside(exercise.path)
     closure = module_closure("\n".join([JUDGES, *(source for _, source in cells)]))
-    return hashlib.sha256(json.dumps([cells, closure], sort_keys=True).encode()).hexdigest()
+    return hashlib.sha256(json.dumps([cells, mistakes.read_text(encoding="utf-8") if mistakes.is_file() else "",
+                                      closure], sort_keys=True).encode()).hexdigest()

@@ -186,7 +186,8 @@ def _judge(receiver, sender, cells, names, seconds, megabytes, only):
         return given
 
     verdicts = judge_answers(cells, answers, names)
-    told = {name: [status, printable(message[:2000], keep="\n")] for name, (status, message) in verdicts.items()}
+    told = {name: [status, printable(message[:2000], keep="\n"), mistake]
+            for name, (status, message, mistake) in verdicts.items()}
     return [told, *(found[key] for key in ("texts", "remarks", "stopped", "hashes"))]
 
 

@@ -103,7 +103,7 @@ def _students(scores):
 def _answer(score, answer):
     attempt = score.counted.get(answer.problem)
     return {"problem": answer.problem, "answer": answer.answer, "verdict": answer.verdict.status,
-            "message": answer.verdict.message,
+            "message": answer.verdict.message, "mistake": answer.verdict.mistake,
             "points": answer.points, "max points": answer.max_points, "by hand": answer.manual,
             "points by hand": answer.by_hand,
             # The notebook that counts and the version of the problem it was judged by, each as a hash.

@@ -23,7 +23,8 @@ STARTING, STARTS = 60.0, 3
 class Limits:
     """What one notebook may use, all its processes together: time of computing, memory, and the rest.
 
-    The clock on the wall allows three times the time of computing, since a busy machine is not the student's fault.
+    Time in which nothing of the notebook wants to compute counts as computing. The clock on the wall allows three times
+    as much, since a busy machine is not the student's fault.
     """
 
     cpu_seconds: float = 120

@@ -126,7 +126,7 @@ class Store:
         self._database.execute(
             "INSERT OR REPLACE INTO result (attempt, exercise, verdicts, answers, remarks, graded, hashes) VALUES (?, "
             "?, ?, ?, ?, ?, ?)",
-            (attempt, exercise, json.dumps({name: [v.status, v.message] for name, v in verdicts.items()},
+            (attempt, exercise, json.dumps({name: [v.status, v.message, v.mistake] for name, v in verdicts.items()},
                                            ensure_ascii=False),
              json.dumps(answers, ensure_ascii=False), json.dumps(list(remarks), ensure_ascii=False),
              datetime.now(timezone.utc).isoformat(timespec="seconds"), json.dumps(hashes or {})))

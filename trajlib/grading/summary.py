@@ -1,5 +1,5 @@
-"""The page a lecturer gets: what waits for a look or could not be read, points, hardest answers, common failures,
-identical ones."""
+"""The page a lecturer gets: what waits for a look or could not be read, points, hardest answers, named mistakes, common
+failures, identical ones."""
 
 import re
 import statistics
@@ -25,6 +25,7 @@ def summary(assignment, scores):
     if handed_in:
         parts += ["<h2>Points</h2>", _histogram(assignment, handed_in), "<h2>Answers, hardest first</h2>",
                   _hardest(handed_in),
+                  "<h2>What to talk about: mistakes that have a name</h2>", _mistakes(handed_in),
                   "<h2>Common failures</h2>", _failures(handed_in), "<h2>Identical wrong answers</h2>",
                   _identical(handed_in)]
     return page(assignment.title, "Summary", "".join(parts))
@@ -118,6 +119,19 @@ def _hardest(scores):
                     f'<td><div class="bar">{bar}</div><span '
                     f'class="soft">{", ".join(words for _, words in told)}</span></td></tr>')
     return table(("answer", "right", "verdicts"), rows)
+
+
+def _mistakes(scores):
+    """How many students were asked each question about what may have gone wrong, and who."""
+    whose = defaultdict(list)
+    for score in scores:
+        for answer in score.answers:
+            if answer.verdict.mistake:
+                whose[answer.problem, answer.answer, answer.verdict.mistake.splitlines()[0]].append(score.student)
+    rows = [f'<tr><td class="number">{len(names)}</td>{answer_name(problem, name)}<td>{escape(mistake)}</td>'
+            f"<td>{', '.join(map(person, names))}</td></tr>"
+            for (problem, name, mistake), names in sorted(whose.items(), key=lambda pair: -len(pair[1]))]
+    return table(("students", "answer", "what they were asked", "who"), rows)
 
 
 def _failures(scores, most=10):

@@ -2,11 +2,13 @@
 
 The kernel's own limits bind one process each. What a notebook's whole tree of processes uses is summed up ten times a
 second: memory with what processes share counted once (PSS), processor time, processes and threads, and sockets, whose
-buffers are memory of no process.
+buffers are memory of no process. Time in which none of them wants to compute counts as if one did: a notebook that
+sleeps keeps its place no longer than one that computes, while one that waits for a busy machine does.
 """
 
 import os
 import signal
+import time
 from contextlib import suppress
 
 from trajlib.grading import framing
@@ -30,12 +32,13 @@ class Watch:
     """Over the notebook that runs below the process `keeper` and hands over on `descriptor`.
 
     First wait until it is `prepared`, then give it its request, then wait for its `answers`. `proc` is a descriptor of
-    the /proc in which `keeper` is to be found.
+    the /proc in which `keeper` is to be found. `wake(signal)` reaches the process that runs the cells, if there is a
+    way to it: a cell that sleeps for half of the time left is stopped so, as `cells` does with one that computes.
     """
 
-    def __init__(self, keeper, descriptor, limits, proc, own_network=True):
+    def __init__(self, keeper, descriptor, limits, proc, own_network=True, wake=lambda number: None):
         self._keeper, self._descriptor, self._limits = keeper, descriptor, limits
-        self._proc, self._own_network = proc, own_network
+        self._proc, self._own_network, self._wake = proc, own_network, wake
 
     def prepared(self):
         """Wait until the notebook's process is confined, and note what getting ready took, which is not the
@@ -52,6 +55,7 @@ class Watch:
         "large"), or "died", or "failed" if its process could not be prepared."""
         if self._said != PREPARED:
             return b"failed", self._said
+        self._looked, self._idle, self._idle_at_a_stretch = time.monotonic(), 0.0, 0.0
         try:
             message = framing.receive(self._descriptor, self._limits["wall_seconds"], self._look, INTERVAL)
             return (b"done", message) if len(message) <= LARGEST else (b"large", b"")
@@ -62,9 +66,24 @@ class Watch:
 
     def _look(self):
         processes = _descendants(self._keeper, self._proc)
-        _compare(processes, self._limits, self._seconds, self._proc)
+        _compare(processes, self._limits, self._seconds - self._idle, self._proc)
+        self._count_idle(processes)
         if self._own_network and _sockets(processes, self._proc) > self._sockets + MOST_SOCKETS:
             raise Exceeded("sockets")
+
+
+    def _count_idle(self, processes):
+        now = time.monotonic()
+        since, self._looked = now - self._looked, now
+        if _wants_to_compute(processes, self._proc):
+            self._idle_at_a_stretch = 0.0
+            return
+        self._idle += since
+        self._idle_at_a_stretch += since
+        left = self._limits["cpu_seconds"] - (_seconds(processes) - self._seconds + self._idle)
+        if self._idle_at_a_stretch > left:  # half of what was left when it fell asleep
+            self._idle_at_a_stretch = 0.0
+            self._wake(signal.SIGALRM)
 
 
 def end_descendants(proc):
@@ -91,6 +110,13 @@ def _compare(processes, limits, seconds_before, proc):
         raise Exceeded("memory")
 
 
+def _wants_to_compute(processes, proc):
+    """Whether any thread runs, waits for a processor, or for a disk."""
+    return any(one.state in _AT_WORK or one.threads > 1 and any(
+        _Process(one.number, line).state in _AT_WORK for thread in _listed(f"{one.number}/task", proc)
+        if (line := _read(f"{one.number}/task/{thread}/stat", proc))) for one in processes)
+
+
 def _seconds(processes):
     return sum(one.seconds for one in processes)
 
@@ -101,13 +127,16 @@ def _sockets(processes, proc):
     return int(words[2]) if len(words) == 3 else 0
 
 
+_AT_WORK = (b"R", b"D")
+
+
 class _Process:
     """A line of /proc/<number>/stat."""
 
     def __init__(self, number, line):
         # The name, which the process itself chooses, stands in brackets; after the last one there are only numbers.
         fields = line.rpartition(b")")[2].split()
-        self.number, self.parent, self.threads = number, int(fields[1]), int(fields[17])
+        self.number, self.state, self.parent, self.threads = number, fields[0], int(fields[1]), int(fields[17])
         self.seconds = sum(map(int, fields[11:15])) / TICK  # its own and that of its children already gone
         self.resident = int(fields[21]) * PAGE
 
@@ -136,6 +165,16 @@ def _share(process, proc):
     # It is ending, and by now has nothing resident; or the kernel does not tell.
     now = _process(str(process.number), proc)
     return now.resident if now else 0
+
+
+def _listed(path, proc):
+    with suppress(OSError):
+        folder = os.open(path, os.O_RDONLY | os.O_DIRECTORY, dir_fd=proc)
+        try:
+            return os.listdir(folder)
+        finally:
+            os.close(folder)
+    return []
 
 
 def _read(path, proc):

@@ -137,7 +137,8 @@ def _keep(mode, limits, in_scratch, parent):
             _run(limits, childs_requests, childs_results, mode, folder, keeper)
         os.close(childs_requests)
         os.close(childs_results)
-        watch = watching.Watch(os.getpid(), results, limits, proc, own_network=mode == "nested")
+        watch = watching.Watch(os.getpid(), results, limits, proc, own_network=mode == "nested",
+                               wake=lambda number: os.kill(first, number))
         watch.prepared()
         request = framing.receive(0)
         with suppress(OSError):  # it has died, which its other pipe will tell

@@ -23,7 +23,7 @@ problem:
   level: core
   topics: [PLACEHOLDER topic]
   answers:
-    a_region: "condition: PLACEHOLDER the real k for which the zero solution is asymptotically stable"
+    a_region: "condition: PLACEHOLDER the real $k$ for which the zero solution is asymptotically stable"
   hints:
     a_region: ["PLACEHOLDER Which sign have the coefficients?"]
 ---
@@ -74,7 +74,7 @@ checks.report(a_region=checks.stability_region(a_region, a_poly, [k]))
 
 TRIALS = '''\
 # %% wrong
-a_region = k >= 0  # PLACEHOLDER the border counted in
+a_region = k >= 0  # PLACEHOLDER Do motions on the border come back? (hint 1)
 
 # %% right
 a_region = sp.Ne(k, 0) & (k >= 0)  # PLACEHOLDER the border taken out again

@@ -12,6 +12,7 @@ TYPES = ("number", "integer", "yes/no", "choice", "vector", "matrix", "expressio
          "law", "function", "list of", "dict")
 LEVELS = ("core", "advanced", "starred")
 FIELDS = {"number": str, "title": str, "section": str, "level": str, "topics": list, "answers": dict, "hints": dict}
+SOLUTION = re.compile(r"\{solution-(start|end)\}")
 FORMS = {str: "a text", list: "a list", dict: "names with what belongs to each"}
 
 
@@ -64,6 +65,26 @@ def hold_code(master, lines):
     data = {node.id for cell in cells["data"] for node in _nodes(cell, ast.Name)}
     for cell in cells["check"]:
         _hold_names(master.path, cell, {"checks", *data, *master.answers})
+
+
+def hold_drawings(master):
+    """Raises `MasterError` at a drawing inside a solution, which students do not get, or without a caption."""
+    within = ""
+    for cell, following in zip(master.cells, (*master.cells[1:], None)):
+        if cell.role == "":
+            within = (SOLUTION.findall(cell.source) or [within])[-1]
+        elif cell.role == "drawing":
+            if within == "start":
+                raise MasterError(master.path, cell.line, "a drawing belongs to the statement; in a solution the role "
+                                                          "is figure")
+            if following is None or following.role or not caption_above(following.source):
+                raise MasterError(master.path, cell.line, "under a drawing stands its caption, a paragraph in emphasis")
+
+
+def caption_above(text):
+    """The caption that a text begins with, "" if its first paragraph is none."""
+    first = text.strip().split("\n\n")[0]
+    return first[1:-1] if re.fullmatch(r"\*[^*\s].*[^*\s]\*", first, re.S) else ""
 
 
 def _hold_once(master, lines, rule, done):

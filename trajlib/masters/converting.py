@@ -1,8 +1,8 @@
 """The student's copy of a master: a plain Jupyter notebook without solutions, with nbgrader's metadata.
 
-Data and check cells stand as they are and are locked; each answer cell becomes a stub `name = ...`; everything between
-`solution-start` and `solution-end` leaves. MyST directives become headings and paragraphs, so that the copy reads
-well in any Jupyter.
+Data and check cells stand as they are and are locked; each answer cell becomes a stub `name = ...`; a drawing becomes
+the picture that it makes; everything between `solution-start` and `solution-end` leaves. MyST directives become
+headings and paragraphs, so that the copy reads well in any Jupyter.
 """
 
 import json
@@ -10,10 +10,14 @@ import re
 from pathlib import Path
 
 from trajlib import __version__, exercises
-from trajlib.masters.contract import master_file
+from trajlib.formulas import plain
+from trajlib.masters.contract import caption_above, master_file
+from trajlib.masters.drawn import Drawn
 from trajlib.masters.links import Links
+from trajlib.masters.mistakes import origin, text_of
 from trajlib.masters.reading import read, read_all
 from trajlib.masters.statements import assigned_names, reported_names
+from trajlib.mistakes import file_beside
 
 CREDIT = ("S. S. Lemak, V. M. Morozov, M. Yu. Popelensky, V. V. Tikhomirov, O. Yu. Cherkasov, "
           "*Mechanics of Controlled Systems: Problem Book* (in Russian), ed. V. V. Aleksandrov, Yu. V. Bolotin, "
@@ -37,32 +41,44 @@ SILENT = {"index", "exercise-end", "solution-start", "solution-end"}
 
 
 def write_exercises(root, numbers=()):
-    """Write the students' notebooks below `root`/exercises; returns the paths whose content changed.
+    """Write the students' notebooks below `root`/exercises, with their mistakes beside them; returns the paths whose
+    content changed.
 
-    All of them, or those of the problems `numbers` ("1.15").
+    All of them, or those of the problems `numbers` ("1.15"). Mistakes are found by running the master, which takes
+    seconds: of the problems named, and where what they are made of has changed.
     """
     root = Path(root)
     links, changed = Links(root, baseurl(root)), []
     masters = ([read(root / "solutions" / master_file(number)) for number in numbers] if numbers
                else read_all(root / "solutions"))
     for master in masters:
-        text = json.dumps(student_notebook(master, links), indent=1, ensure_ascii=False) + "\n"
-        if not master.exercise.exists() or master.exercise.read_text(encoding="utf-8") != text:
-            master.exercise.parent.mkdir(parents=True, exist_ok=True)
-            master.exercise.write_text(text, encoding="utf-8")
-            changed.append(master.exercise)
+        mistakes = file_beside(master.exercise)
+        texts = {master.exercise: json.dumps(student_notebook(master, links), indent=1, ensure_ascii=False) + "\n"}
+        if numbers or not (mistakes.exists() and f'"of": "{origin(master)}"' in mistakes.read_text(encoding="utf-8")):
+            texts[mistakes] = text_of(master)
+        for path, text in texts.items():
+            if not path.exists() or path.read_text(encoding="utf-8") != text:
+                path.parent.mkdir(parents=True, exist_ok=True)
+                path.write_text(text, encoding="utf-8")
+                changed.append(path)
     return changed
 
 
 def student_notebook(master, links):
-    """The student's notebook as a dict in nbformat 4.5; the same master always gives the same notebook."""
+    """The student's notebook as a dict in nbformat 4.5; the same master always gives the same notebook.
+
+    A drawing that has not changed keeps the picture that the copy on disk has of it (`trajlib.masters.drawn`).
+    """
     cells, solution = [_origin(master), _code(NEEDS, "setup", [(WHEEL, f"wheels/{WHEEL}")])], False
-    for cell in master.cells:
+    drawn = Drawn(master)
+    for k, cell in enumerate(master.cells):
         if cell.role == "":
             text, solution = _outside_solutions(cell.source, solution)
             text, places = plain_markdown(text, links, master.number)
             if text:
                 cells.append(_markdown(text, places))
+        elif cell.role == "drawing":
+            cells.append(drawn.cell(cell, caption_above(master.cells[k + 1].source)))
         elif cell.role == "answer":
             if stub := _stub(master, cell.source):
                 cells.append(_code(stub, "answer"))
@@ -71,7 +87,8 @@ def student_notebook(master, links):
         elif cell.role == "check":
             names = reported_names(cell.source)
             cells += _hints(master, names)
-            cells.append(_code(cell.source, "check", nbgrader={"grade": True, "locked": True, "points": len(names)}))
+            cells.append(_code(_numbered(cell.source, master.number), "check",
+                               nbgrader={"grade": True, "locked": True, "points": len(names)}))
     for k, cell in enumerate(cells):
         cell["id"] = f"cell-{k:02d}"
         if "nbgrader" in cell["metadata"]:
@@ -156,9 +173,15 @@ def _tag(label):
     return ".".join([chapter, "".join(rest)]) if rest else chapter
 
 
+def _numbered(source, number):
+    """A check cell that says which problem it is for, so that mistakes can be named wherever the notebook is."""
+    return re.sub(r"(checks\.report\()(\s*)(?=\w)",
+                  lambda m: f'{m[1]}{m[2]}"{number}",{m[2] or chr(10) + " " * len(m[1])}', source, count=1)
+
+
 def _stub(master, source):
     """One line `name = ...` for each answer that the cell assigns."""
-    return "\n".join(f"{name} = ...  # {master.answers[name].kind}: {master.answers[name].text}"
+    return "\n".join(f"{name} = ...  # {master.answers[name].kind}: {plain(master.answers[name].text)}"
                      for name in assigned_names(source, master.answers))
 
 

@@ -4,12 +4,12 @@ import ast
 from dataclasses import dataclass
 from pathlib import Path
 
-from trajlib.masters.contract import hold_code, hold_front_matter
+from trajlib.masters.contract import hold_code, hold_drawings, hold_front_matter
 from trajlib.masters.errors import MasterError
 from trajlib.masters.front_matter import read_front_matter
 from trajlib.masters.trials import read_trials, trials_file
 
-ROLES = ("data", "answer", "figure", "check")
+ROLES = ("data", "drawing", "answer", "figure", "check")
 
 
 @dataclass(frozen=True)
@@ -81,6 +81,7 @@ def read(path):
     master = Master(path, said["number"], said["title"], said["section"], said["level"], tuple(said["topics"]), answers,
                     hints, _cells(path, text), read_trials(trials_file(path), answers))
     hold_code(master, lines)
+    hold_drawings(master)
     return master
 
 

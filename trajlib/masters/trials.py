@@ -1,15 +1,16 @@
 """The trials of a master: `p15.trials.py` beside `p15.md` says which answers its checks refuse and which they let pass.
 
     # %% wrong
-    a_region = sp.And(k1 > 0, k2 > 0)  # positive coefficients taken for sufficient
+    a_region = p > 0  # Is it enough that one of them is positive? (hint 1)
 
     # %% right
-    # the second minor under a root
-    minor = sp.sqrt(k1*k2 - 1)
-    a_region = sp.And(k1 > 0, sp.re(minor) > 0)
+    # as one minimum
+    least = sp.Min(p, q)
+    a_region = least > 0
 
 A statement that assigns an answer ends a trial. What stands before it, back to the end of the trial before, is its own
-and is seen by no other. Its comment stands above it or behind its end.
+and is seen by no other. Its comment stands above it or behind its end; that of a wrong one is
+for the student who has it (`trajlib.masters.mistakes`).
 """
 
 import ast

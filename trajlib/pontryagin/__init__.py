@@ -2,7 +2,8 @@
 
 A problem is stated once, in SymPy (`Problem`). `conditions()` derives what a textbook would write down; `solve()` finds
 an extremal (direct transcription, arcs, multiple shooting) whose `certificate()` is computed from the trajectory alone;
-`synthesis` draws planar time-optimal syntheses. Every name is loaded on first use.
+`synthesis` draws planar time-optimal syntheses. `euler_equation`, `natural_conditions` and their neighbours are the
+calculus of variations. Every name is loaded on first use.
 
 Conventions, those of the book: H = psi^T f - lambda_0 f_0 is maximised by the optimal control, psi' = -dH/dy,
 lambda_0 >= 0, and H = 0 along the extremal when the final time is free.
@@ -18,12 +19,15 @@ from trajlib._lazy import lazy_names
 # function.
 _EXPORTS = {
     "statement": ["Problem"],
+    "functionals": ["control_problem", "end_conditions", "euler_equation", "functional_value", "momenta",
+                    "natural_conditions"],
     "derivation": ["Conditions"],
     "extremal": ["Extremal"],
     "comparison": ["Comparison", "compare"],
     "certificate": ["Certificate", "certify"],
-    "errors": ["PontryaginError", "Infeasible", "Unbounded", "Chattering", "WrongStructure", "NotConverged",
-               "StartOnTarget"],
+    "proof": ["Proof", "Enclosure"],
+    "errors": ["PontryaginError", "Infeasible", "Unbounded", "Chattering", "WrongStructure", "NotUnique",
+               "NotConverged", "StartOnTarget"],
     "planar.synthesis": ["Synthesis", "synthesis"],
 }
 __getattr__, __dir__, __all__ = lazy_names(__name__, _EXPORTS)

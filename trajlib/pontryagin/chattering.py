@@ -2,11 +2,13 @@
 
 On a singular arc of even order q with (-1)^q b < 0 and a control inside the bounds, no bang arc can join it with a jump
 of the control: the optimal control switches infinitely often before it gets there (Fuller's problem, q = 2, where the
-arcs shrink by the factor 4.13). No finite list of arcs describes such an extremal, so it is refused.
+arcs shrink by the factor 4.13). No finite list of arcs describes such an extremal, so it is refused, with the numbers
+of `accumulation` where they can be had.
 """
 import casadi as ca
 import numpy as np
 
+from .accumulation import accumulation
 from .errors import Chattering, WrongStructure
 from .flow import ArcFlow
 
@@ -32,13 +34,14 @@ def refuse_chattering(numeric, arcs, end, duration):
             continue
         q = flow.orders[j]
         if q % 2 == 0 and (joined or _rests_on_arc(numeric, flow, j, end)):
+            numbers = accumulation(numeric, arcs, flow, duration)
             lengths = ", ".join(f"{arc.end - arc.begin:.3g}" for arc in arcs if arc.kinds[j] != "singular")
+            told = f"With ever more arcs {numbers}." if numbers else f"First arcs: {lengths}."
             raise Chattering(
                 f"the switchings of {numeric.problem.control[j]} accumulate where the trajectory reaches a singular "
-                f"arc of order {q}: "
-                "a bang arc cannot join a singular arc of even order, so the control switches infinitely often before "
-                f"(first arcs: {lengths}). No list of arcs describes it; bound the number of switchings in another "
-                f"way, for example by a cost on the control.")
+                f"arc of order {q}: a bang arc cannot join a singular arc of even order, so the control switches "
+                f"infinitely often before. {told} No list of arcs describes it; bound the number of switchings in "
+                "another way, for example by a cost on the control.", numbers)
 
 
 def _rests_on_arc(numeric, flow, j, end):

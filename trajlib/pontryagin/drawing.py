@@ -4,8 +4,9 @@ import sympy as sp
 
 from .. import plotting
 
-_BAND = {"u-": plotting.SKY, "u+": plotting.ORANGE, "interior": plotting.GREEN, "singular": plotting.PURPLE}
-_NAME = {"u-": "$u_-$", "u+": "$u_+$"}
+_BAND = {"u-": plotting.SKY, "u+": plotting.ORANGE, "interior": plotting.GREEN, "singular": plotting.PURPLE,
+         "zero": plotting.GREY}
+_NAME = {"u-": "$u_-$", "u+": "$u_+$", "zero": "$0$"}
 _POINTS = 120
 
 

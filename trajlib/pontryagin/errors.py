@@ -17,11 +17,23 @@ class Unbounded(PontryaginError):
 
 
 class Chattering(PontryaginError):
-    """Switchings accumulate: the extremal has infinitely many arcs."""
+    """Switchings accumulate: the extremal has infinitely many arcs.
+
+    `numbers`: the optimal cost and the ratio of the arcs with their errors, `accumulation.Accumulation`; None where
+    there are none.
+    """
+
+    def __init__(self, message, numbers=None):
+        super().__init__(message)
+        self.numbers = numbers
 
 
 class WrongStructure(PontryaginError):
     """The arcs asked for cannot be joined to an extremal."""
+
+
+class NotUnique(WrongStructure):
+    """The maximum principle leaves a control open on an arc: several controls may be equally good."""
 
 
 class NotConverged(PontryaginError):

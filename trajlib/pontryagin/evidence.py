@@ -194,7 +194,8 @@ def _values(function, times, rows, name):
 @lru_cache(maxsize=64)
 def _function(symbols, expressions):
     """A NumPy function of arrays: one row for each expression (tuples of them)."""
-    raw = sp.lambdify(list(symbols), list(expressions), "numpy", cse=True)
+    # The module itself, not its name, for which SymPy would import all that NumPy has, which takes half a second.
+    raw = sp.lambdify(list(symbols), list(expressions), [np], cse=True)
 
     def value(*arguments):
         shape = np.broadcast_shapes(*(np.shape(a) for a in arguments))

@@ -7,9 +7,10 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+import sympy as sp
 
 from .chattering import refuse_chattering
-from .errors import WrongStructure
+from .errors import NotUnique, WrongStructure
 from .guesses import read_guess
 from .numeric import NumericProblem
 from .optimality import Optimality, theorem
@@ -25,8 +26,8 @@ class Extremal:
     """An extremal: a trajectory with a control and a costate that satisfy the conditions of the maximum principle.
 
     - `cost`, `duration`: J and t_k
-    - `arcs`: [(kind, begin, end)], kind being "u-", "u+" (at a bound), "interior" or "singular"; with several controls
-      a tuple of them
+    - `arcs`: [(kind, begin, end)], kind being "u-", "u+" (at a bound), "interior" or "singular", or "zero" (u = 0 where
+      the cost holds |u|); with several controls a tuple of them
     - `switching_times`: the times between the arcs
     - `multiplier`: lambda_0, 1 in the normal case and 0 in the abnormal one (then |psi(0)| = 1)
     - `terminal_multipliers`: lambda_1, ..., lambda_m of the terminal equations
@@ -80,8 +81,16 @@ class Extremal:
         value = self._along(t, lambda flow, y: flow.values("hamiltonian", y, self.multiplier))
         return float(value[0]) if np.ndim(t) == 0 else value[0]
 
-    def certificate(self, points=None):
-        """Evidence that this is an extremal, from the trajectory alone: `Certificate` (see `certify`)."""
+    def certificate(self, points=None, proved=False):
+        """Evidence that this is an extremal, from the trajectory alone: `Certificate` (see `certify`).
+
+        With `proved=True` a `Proof` in ball arithmetic that the exact extremal next to it is optimal, or the reason why
+        there is none (see `proof.prove`). For linear plants and costs that are at most quadratic; needs python-flint.
+        """
+        if proved:
+            from .proof import prove
+
+            return prove(self.problem, self.arcs, self.state(0), self.costate(0), self.multiplier)
         return self._certificate if points is None else self._certified(points)
 
     @cached_property
@@ -172,8 +181,9 @@ def solve(problem, structure=None, guess=None):
     """An extremal of a problem: `Extremal`. Called as `problem.solve(...)`.
 
     `structure`: the arcs, as a list of "u-", "u+", "interior", "singular" (of tuples of them, for several controls);
-    found by itself if left out. `guess`: what to start from, an `Extremal` of a similar problem or a dict with any of
-    "duration": number, and state or control: a number, a list of values at equal steps, or a function of time.
+    with |u| in the running cost also "zero", where u = 0. Found by itself if left out. `guess`: what to start from, an
+    `Extremal` of a similar problem or a dict with any of "duration": number, and state or control: a number, a list of
+    values at equal steps, or a function of time.
 
     The result satisfies the conditions of the maximum principle to about 1e-12: its own certificate holds. Beyond that
     `Extremal.optimality` says what is known. For linear plants with a convex cost and a given duration, and for the
@@ -182,7 +192,8 @@ def solve(problem, structure=None, guess=None):
     found; a better one is not excluded (see `compare`).
 
     Raises ValueError if a parameter has no value; `StartOnTarget`; `Infeasible` with a proof (also for a duration that
-    is too short); `Unbounded`; `Chattering`; `WrongStructure` if the arcs cannot be joined to an extremal;
+    is too short); `Unbounded`; `Chattering`; `WrongStructure` if the arcs cannot be joined to an extremal,
+    `NotUnique` where a control is left open;
     `NotConverged` if no process was found, which proves nothing. All of them are `PontryaginError`. Source: Theorem
     5.1 of the problem book.
 
@@ -193,6 +204,12 @@ def solve(problem, structure=None, guess=None):
     >>> turnpike.solve()
     Extremal(cost=0.375, duration=2, arcs: u- [0, 1], singular [1, 1.5], u+ [1.5, 2])
     """
+    if problem.running.has(sp.Abs):
+        from .absolute import solve_split, split
+
+        pairs = split(problem)
+        if pairs:
+            return solve_split(problem, pairs, structure, guess)
     numeric = NumericProblem(problem)
     kinds = None if structure is None else read_structure(numeric, structure)
     found = search(numeric, read_guess(numeric, guess), kinds)
@@ -214,10 +231,15 @@ def solve(problem, structure=None, guess=None):
     picture, side = found.pictures[0]
     if settled_duration(numeric, picture) is None:
         refuse_endless(numeric, picture, side)
+    cost = -picture.cost if problem.maximise else picture.cost
+    open_control = next((reason for reason in reasons if isinstance(reason, NotUnique)), None)
+    if open_control:
+        raise NotUnique(f"{open_control}. So many controls may be equally good, as where several motions must end at "
+                        f"one moment and only the slowest sets it; one of them has a cost of about {cost:.6g} (a "
+                        "discrete picture). To single one out, give a structure, or the control a small cost.")
     raise WrongStructure("the arcs that the discrete solution shows could not be joined to an extremal: " +
-                         "; ".join(dict.fromkeys(reasons)) + ". Give the structure, or a guess; look at the discrete "
-                         f"cost {-picture.cost if problem.maximise else picture.cost:.6g} to see whether an optimal "
-                         "process exists.")
+                         "; ".join(dict.fromkeys(map(str, reasons))) + ". Give the structure, or a guess; look at the "
+                         f"discrete cost {cost:.6g} to see whether an optimal process exists.")
 
 
 def _given_arcs(kinds, picture):
@@ -240,7 +262,7 @@ def _joined(problem, numeric, picture, side, found, made, reasons):
             extremal = _extremal(problem, numeric, polish(numeric, picture, arcs, duration, made), found)
             reason = _refused(extremal)
         except WrongStructure as error:
-            reason = str(error)
+            reason = error
         if not reason:
             if extremal.optimality.proved or not extremal.normal or extremal._variation.sign > 0:
                 return extremal
@@ -317,4 +339,4 @@ def _passes_target(extremal):
 def kind_latex(kind):
     if not isinstance(kind, str):
         return "(" + ", ".join(map(kind_latex, kind)) + ")"
-    return {"u-": "$u_-$", "u+": "$u_+$"}.get(kind, kind)
+    return {"u-": "$u_-$", "u+": "$u_+$", "zero": "$0$"}.get(kind, kind)

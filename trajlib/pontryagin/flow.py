@@ -13,7 +13,7 @@ from functools import cached_property
 import casadi as ca
 import numpy as np
 
-from .errors import WrongStructure
+from .errors import NotUnique, WrongStructure
 
 KINDS = ("u-", "u+", "interior", "singular")
 _SUBSTEPS = (2, 4, 6, 8)
@@ -155,8 +155,8 @@ def extrapolated_midpoint(rate, start, h):
 def singular_control(numeric, i, control, kinds):
     """The switching function of control i with its derivatives of orders 0 to 2q-1, and the control -a/b.
 
-    Expressions in x, psi, lambda_0; controls at their bounds have the values in `control`. Raises `WrongStructure` if
-    no derivative contains the control, or if another control that is not at a bound acts on them.
+    Expressions in x, psi, lambda_0; controls at their bounds have the values in `control`. Raises `NotUnique` if no
+    derivative contains the control, `WrongStructure` if another control that is not at a bound acts on them.
     """
     if not numeric.affine[i]:
         raise WrongStructure(f"a singular arc of {numeric.problem.control[i]}, in which H is not linear")
@@ -178,8 +178,8 @@ def singular_control(numeric, i, control, kinds):
         if order % 2 == 0 and not _vanishes(numeric, factor):
             return derivatives, -_without(following, u, moving)/_without(factor, u, moving)
         derivatives.append(_without(following, u, moving))
-    raise WrongStructure(f"a singular arc of {numeric.problem.control[i]}: no derivative of its switching function "
-                         f"contains it")
+    raise NotUnique(f"the maximum condition leaves {numeric.problem.control[i]} open on an arc: its switching function "
+                    "vanishes there whatever it does")
 
 
 def _without(expression, u, moving):

@@ -100,9 +100,9 @@ def _refuse_kinks(problem):
     for e in (*problem.field, problem.running):
         for kink in e.atoms(sp.Abs, sp.sign, sp.Max, sp.Min, sp.Piecewise, sp.Heaviside):
             if kink.free_symbols & set(problem.control):
-                raise ValueError(f"solve: {kink} is not smooth in the control. For Abs(u) write u = p - q with the "
-                                 f"controls p, q >= 0 "
-                                 "and p + q in place of Abs(u); otherwise split the control likewise.")
+                raise ValueError(f"solve: {kink} is not smooth in the control. Only Abs(u) of a single control in the "
+                                 "running cost is split here; otherwise split the control likewise: u = p - q with "
+                                 "the controls p, q >= 0, and p + q in place of Abs(u).")
 
 
 def _number(value):

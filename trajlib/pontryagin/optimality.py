@@ -13,7 +13,6 @@ controls and linear terminal equations.
 """
 from dataclasses import dataclass
 
-import numpy as np
 import sympy as sp
 
 
@@ -103,13 +102,11 @@ def _can_be_held(problem, slopes, targets):
         return False
     point = targets.LUsolve(-sp.Matrix(problem.terminal).subs(dict.fromkeys(problem.state, 0)))
     drift = sp.Matrix(problem.field).subs(dict(zip(problem.state, point))).subs(dict.fromkeys(problem.control, 0))
-    gains, drift = (np.array(m.evalf(), dtype=float) for m in (slopes[:, n:], drift))
-    low, high = (np.array([float(b[i]) for b in problem.controls.values()]) for i in (0, 1))
-    if not np.any(drift):
-        return bool(np.all((low <= 0) & (0 <= high)))
-    held = np.linalg.lstsq(gains, -drift.ravel(), rcond=None)[0]
-    return bool(np.allclose(gains @ held, -drift.ravel(), rtol=0, atol=1e-12)
-                and np.all((low <= held) & (held <= high)))
+    gains, bounds = slopes[:, n:], problem.controls.values()
+    # The least control that does it, if any does.
+    hold = -gains.pinv()*drift if any(drift) else sp.zeros(gains.cols, 1)
+    return bool((gains*hold + drift).applyfunc(sp.simplify).is_zero_matrix
+                and all(low <= value <= high for value, (low, high) in zip(hold, bounds)))
 
 
 def _normal(slopes, n):

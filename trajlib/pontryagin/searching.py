@@ -15,8 +15,9 @@ from .transcription import Picture, Transcription, target_multipliers
 INTERVALS = 80
 # Where several starts are compared, they are on fewer intervals; those within this share of the best cost are refined.
 COARSE, CLOSE = 30, 0.05
-# Iterations on few intervals, at most; how many starts of several kinds have to lead to one process to be enough.
-PATIENCE, AGREEING = 100, 3
+# Iterations on few intervals, and from there on many, at most; how many starts of several kinds have to lead to one
+# process to be enough.
+PATIENCE, REFINING, AGREEING = 100, 80, 3
 
 
 @dataclass(frozen=True)
@@ -91,21 +92,22 @@ class _Attempts:
         """The best of the pictures from several starts, refined, in a list."""
         numeric = self.numeric
         coarse = Transcription(numeric, COARSE, None, side, patience=PATIENCE)
-        fine = Transcription(numeric, INTERVALS, None, side)
         point = numeric.duration is None and numeric.m > 1
         rough, tried = self._compared(coarse, self._spread(side, point)), numeric.m == 0 or point
         if not rough:
             # Few intervals may be too long for a plant that is fast or unstable.
+            fine = Transcription(numeric, INTERVALS, None, side)
             rough = self._compared(fine, self._spread(side))
-        if not rough and not tried and not self.runs_away():
-            rough = self._compared(fine, self.reaching(side))
+            if not rough and not tried and not self.runs_away():
+                rough = self._compared(fine, self.reaching(side))
         self.found += len(rough)
-        pictures = []
+        pictures, refined = [], Transcription(numeric, INTERVALS, None, side, patience=REFINING)
         for picture in rough:
             if len(pictures) == 3 or pictures and picture.cost > pictures[0].cost + CLOSE*abs(pictures[0].cost):
                 break
-            pictures += [picture] if len(picture.controls) == INTERVALS else self.solved(
-                fine, (picture.duration, picture.states, picture.controls))
+            # Where IPOPT does not come to an end on many intervals, the picture on few has to do.
+            pictures += ([picture] if len(picture.controls) == INTERVALS else self.solved(
+                refined, (picture.duration, picture.states, picture.controls)) or [picture])
         return [(picture, side) for picture in pictures]
 
     def _spread(self, side, ladder=False):

@@ -104,12 +104,12 @@ def along_extremal(numeric, extremal, duration):
     as zero.
 
     Constant controls on N intervals shift eigenvalues by a multiple of 1/N^2, so that zero (a family of equally good
-    processes, an inflection) shows as a small positive number: the value is extrapolated from N and 2N. On a singular
-    arc the eigenvalues themselves fall like 1/N^2, and their sign is what counts.
+    processes, an inflection) shows as a small number of either sign: the value is extrapolated from N and 2N. On a
+    singular arc the eigenvalues themselves fall like 1/N^2, and their sign is what counts.
     """
     variation = second_variation(numeric, of_extremal(numeric, extremal, duration))
     singular = any("singular" in (kind if isinstance(kind, tuple) else (kind,)) for kind, _, _ in extremal.arcs)
-    if singular or not 0 < variation.least < 1e-2*variation.largest:
+    if singular or not abs(variation.least) < 1e-2*variation.largest:
         return variation
     finer = second_variation(numeric, of_extremal(numeric, extremal, duration, 2*INTERVALS))
     limit = (4*finer.least - variation.least)/3

@@ -22,6 +22,8 @@ from .flow import ArcFlow
 
 # Size of cancelling terms up to which residuals are judged against them: what may grow along a segment.
 CANCELLING = 1e3
+# Share of the largest singular value of the Jacobian below which directions are left out where steps get short.
+RANK = 1e-8
 
 
 @dataclass
@@ -189,32 +191,39 @@ def newton(equations, z, iterations=80):
     equation (at least to one, at most to CANCELLING), the uncertainty relative to the duration.
     """
     r, J = equations.residual(z)
-    size = np.linalg.norm(r)
-    rounding = 1e-12*(1 + np.linalg.norm(z))
     for _ in range(iterations):
         if not np.isfinite(J).all():
             break
-        step = np.linalg.lstsq(J, -r, rcond=1e-13)[0]
-        lengths, change = z[equations.lengths], step[equations.lengths]
-        shrinking = change < 0
-        # An arc loses at most nine tenths of its length in one step.
-        alpha = min(1.0, 0.9*np.min(-lengths[shrinking]/change[shrinking], initial=np.inf))
-        while alpha > 1e-7:
-            trial = z + alpha*step
-            r_trial, J_trial = equations.residual(trial)
-            size_trial = np.linalg.norm(r_trial)
-            if np.isfinite(size_trial) and size_trial < size*(1 - 1e-4*alpha):
-                break
-            # Near rounding error only a full step can still help.
-            alpha = alpha/2 if size > rounding else 0
-        if alpha <= 1e-7:
+        # Steps that have to be shortened much may go along a family of solutions (a closed path may begin anywhere).
+        better = _shortened(equations, z, r, J, 1e-13, 1e-2) or _shortened(equations, z, r, J, RANK, 1e-7)
+        if better is None:
             break
-        z, r, J, size = trial, r_trial, J_trial, size_trial
+        z, r, J = better
     if not np.isfinite(J).all():
         return z, np.inf, np.inf
     step = np.linalg.lstsq(J, -r, rcond=1e-13)[0][equations.lengths]
     return (z, float(np.max(np.abs(r)/np.clip(np.abs(J) @ np.abs(z), 1.0, CANCELLING))),
             float(np.max(np.abs(step))/np.sum(z[equations.lengths])))
+
+
+def _shortened(equations, z, r, J, rank, shortest):
+    """(z, r, J) after a step along which the residual falls, its length being halved down to the shortest; or None."""
+    step, size = np.linalg.lstsq(J, -r, rcond=rank)[0], np.linalg.norm(r)
+    lengths, change = z[equations.lengths], step[equations.lengths]
+    shrinking = change < 0
+    # An arc loses at most nine tenths of its length in one step.
+    alpha = min(1.0, 0.9*np.min(-lengths[shrinking]/change[shrinking], initial=np.inf))
+    while alpha > shortest:
+        trial = z + alpha*step
+        r_trial, J_trial = equations.residual(trial)
+        size_trial = np.linalg.norm(r_trial)
+        if np.isfinite(size_trial) and size_trial < size*(1 - 1e-4*alpha):
+            return trial, r_trial, J_trial
+        # Near rounding error only a full step can still help.
+        if size <= 1e-12*(1 + np.linalg.norm(z)):
+            break
+        alpha /= 2
+    return None
 
 
 def build_flows(numeric, kinds, made):

@@ -15,6 +15,7 @@ from trajlib._lazy import lazy_names
 _EXPORTS = {
     "kalman_matrices": ["controllability_matrix", "observability_matrix"],
     "rank_tests": ["LostMode", "RankTest", "controllability", "observability"],
+    "distance": ["Distance", "distance_to_uncontrollable", "distance_to_unobservable"],
     "unseen": ["controllable_subspace", "unobservable_subspace"],
     "parameters": ["RankConditions", "controllability_conditions", "observability_conditions"],
     "mechanical": ["first_order_form", "mechanical_controllability", "mechanical_observability"],

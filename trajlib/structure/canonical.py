@@ -18,7 +18,7 @@ from . import exact, floats
 from .kalman_matrices import stacked_powers
 from .popov import visible_symbol
 from .reading import read_controlled, read_observed
-from .splitting import inverse, named_matrices
+from .splitting import holds_where, inverse, named_matrices
 
 _WORST_CONDITION = 1e12
 
@@ -29,7 +29,8 @@ class CanonicalForm:
 
     - `matrix`: T A T^-1; `vector`: the row h^T T^-1 = (1, 0, ..., 0) or the column T b = (0, ..., 0, 1);
     - `transformation`: T, n x n; `basis`: its inverse, x = `basis` xi;
-    - `polynomial`: the characteristic polynomial in lambda.
+    - `polynomial`: the characteristic polynomial in lambda;
+    - `where`: the values of the symbols for which there is this form, as in a `Decomposition`.
     """
 
     matrix: object
@@ -41,10 +42,14 @@ class CanonicalForm:
     def basis(self):
         return inverse(self.transformation)
 
+    @property
+    def where(self):
+        return holds_where(self.transformation, self.basis, self.matrix, self.vector)
+
     def _repr_latex_(self):
         row = self.vector.shape[0] == 1 < self.vector.shape[1]
         return named_matrices({"A^0" if row else "A_0": self.matrix, r"h_0^\top" if row else "b_0": self.vector,
-                               "T": self.transformation})
+                               "T": self.transformation}, self.where)
 
 
 def observer_canonical_form(A, h=None):

@@ -48,7 +48,7 @@ import sympy as sp
 
 from . import exact
 from .reading import read_controlled, read_observed
-from .splitting import named_matrices
+from .splitting import holds_where, named_matrices
 
 
 @dataclass(frozen=True)
@@ -60,7 +60,8 @@ class ComponentDecomposition:
     - `sizes`: the number of coordinates of each subsystem, in the order of the components (0 for one that adds
       nothing);
     - `remaining`: the number of coordinates, the last ones, that no component sees (or steers);
-    - `how`: "sequential" or "parallel".
+    - `how`: "sequential" or "parallel";
+    - `where`: the values of the symbols for which all this holds, as in a `Decomposition`.
     """
 
     transformation: sp.Matrix
@@ -75,9 +76,13 @@ class ComponentDecomposition:
     def basis(self):
         return exact.inverse(self.transformation)
 
+    @property
+    def where(self):
+        return holds_where(self.transformation, self.basis, self.matrix, self.outputs, self.inputs)
+
     def _repr_latex_(self):
         return named_matrices({"T": self.transformation, "TAT^{-1}": self.matrix, "HT^{-1}": self.outputs,
-                               "TB": self.inputs})
+                               "TB": self.inputs}, self.where)
 
 
 def decompose_by_outputs(A, H, how):

@@ -10,6 +10,9 @@ from sympy.functions.elementary.hyperbolic import HyperbolicFunction
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
 from sympy.polys.matrices import DomainMatrix
 
+from ..stability.inequalities import equation
+from ..stability.systems import as_real
+
 #: Terms of a matrix beyond which an elimination with symbols may take minutes.
 _MOST_TERMS = 200
 
@@ -88,6 +91,23 @@ def tidy(matrix):
         return sp.factor(sp.cancel(e)) if e.free_symbols else sp.radsimp(sp.expand(e))
 
     return matrix.applyfunc(entry)
+
+
+def denominator(*matrices):
+    """The least common denominator of all entries."""
+    return sp.lcm_list([sp.denom(sp.together(entry)) for matrix in matrices for entry in matrix])
+
+
+def factors(polynomial):
+    """The factors of a polynomial in which there are symbols, each once."""
+    return [factor for factor, _ in sp.factor_list(polynomial)[1] if factor.free_symbols]
+
+
+def where_defined(*matrices):
+    """The values of the symbols, taken as real, for which no entry has a zero denominator: an And of inequations."""
+    below = denominator(*matrices)
+    there, back = as_real(below)
+    return sp.And(*(sp.Not(equation(factor)) for factor in factors(below.xreplace(there)))).xreplace(back)
 
 
 def independent_rows(matrix):

@@ -10,7 +10,6 @@ import warnings
 from dataclasses import dataclass
 
 import numpy as np
-import scipy.linalg
 
 from .nearest import nearest, smallest
 from .scaling import Scaled, balanced
@@ -63,6 +62,8 @@ class Split:
 
 def split(A, H):
     """The unobservable states of a pair of float matrices and the others."""
+    import scipy.linalg
+
     scaled, n = balanced(A, H), len(A)
     seen, unseen, margin, limit = np.eye(n), np.zeros((n, 0)), None, tolerance(n)
     for round_ in range(n):
@@ -158,6 +159,8 @@ def _kernel(A, H, value, limit):
 
 def _plane(vectors):
     """Real orthonormal basis of what complex vectors and their conjugates span."""
+    import scipy.linalg
+
     return scipy.linalg.orth(np.hstack([vectors.real, vectors.imag]), rcond=1e-8)
 
 

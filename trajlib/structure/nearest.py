@@ -30,7 +30,7 @@ def nearest(A, H, stairs):
         if len(taken) >= 3 and min(abs(start - other) for other in taken) <= 1e-3:
             continue
         taken.append(start)
-        found.append(_descend(A, H, start))
+        found.append(descend(A, H, start))
         if len(taken) == _DESCENTS:
             break
     return sorted(found, key=lambda one: one[0])
@@ -75,7 +75,8 @@ def _rough_values(A, H, points):
     return np.sqrt(np.maximum(np.linalg.eigvalsh(squares)[:, 0], 0))
 
 
-def _descend(A, H, value):
+def descend(A, H, value):
+    """(least singular value, its lambda, its unit vector) of a local minimum below the start `value`."""
     value = value if np.imag(value) else np.real(value)
     sigma, u, v = smallest(A, H, value)
     for _ in range(_STEPS):

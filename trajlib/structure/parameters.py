@@ -35,16 +35,20 @@ _FEW, _MANY = 6, 150
 class RankConditions:
     """Where in the space of the parameters a system is observable (controllable).
 
-    - `region`: the condition, `sp.true`, `sp.false` or an And of inequations Ne(...);
+    - `region`: the condition, `sp.true`, `sp.false` or an And of inequations Ne(...); where the system is not defined
+      it is not observable;
     - `exceptions`: tuple of (where, rank): on the piece `where` (Eq(...), And of such, or `sp.true` if the rank falls
       short everywhere) the rank is `rank`, but for smaller pieces of lower rank, which come later in the tuple;
     - `minors`: the factored maximal minors of the Kalman matrix that are not identically zero, each once (the first of
-      them, if there are very many).
+      them, if there are very many);
+    - `undefined`: where an entry of the system has a zero denominator, so that no rank is said: Eq(...), Or of such, or
+      `sp.false`.
     """
 
     region: sp.Basic
     exceptions: tuple
     minors: tuple
+    undefined: sp.Basic = sp.false
 
     def _repr_latex_(self):
         return f"$\\displaystyle {latex_region(self.region)}$"
@@ -55,7 +59,7 @@ def observability_conditions(A, H, parameters):
     hand.)
 
     `A`: n x n, `H`: m x n, SymPy matrices; `parameters`: the symbols in them, taken as real, with their assumptions.
-    Values for which an entry is not defined (a zero denominator) are left out of consideration. Returns
+    Values for which an entry is not defined (a zero denominator) are excluded from the region, and named. Returns
     `RankConditions`. Raises ValueError for symbols that are not named as parameters and for shapes that do not fit,
     NotImplementedError if the minors are no polynomials that can be solved. Source: Theorem 2.1 and its corollary in
     the problem book.
@@ -65,6 +69,9 @@ def observability_conditions(A, H, parameters):
     >>> found = observability_conditions(sp.Matrix([[0, 1], [-beta, -alpha]]), sp.Matrix([[1, 1]]), [alpha, beta])
     >>> found.region, found.exceptions
     (Ne(alpha, beta + 1), ((Eq(alpha, beta + 1), 1),))
+    >>> found = observability_conditions(sp.Matrix([[0, 1/alpha], [0, 0]]), sp.Matrix([[1, 0]]), [alpha])
+    >>> found.region, found.exceptions, found.undefined
+    (Ne(alpha, 0), (), Eq(alpha, 0))
     """
     return _conditions(*read_observed(A, H), parameters)
 
@@ -116,9 +123,11 @@ def rank_conditions(N, parameters, below=sp.Integer(1)):
                                   "Kalman matrix by hand") from None
     whole = [(sp.true, generic)] if generic < N.cols else []
     largest = [p for p in pieces if not any(_inside(p, q) for q in pieces if q is not p)]
-    region = sp.false if whole else sp.And(*(sp.Or(*map(sp.Not, sp.And.make_args(p.where()))) for p in largest))
+    undefined = [equation(factor) for factor in exact.factors(below.xreplace(there))]
+    region = sp.false if whole else sp.And(*map(sp.Not, undefined), *(
+        sp.Or(*map(sp.Not, sp.And.make_args(p.where()))) for p in largest))
     return RankConditions(region.xreplace(back), (*whole, *((p.where().xreplace(back), p.rank) for p in pieces)),
-                          tuple(m.xreplace(back) for m in _maximal_minors(real)))
+                          tuple(m.xreplace(back) for m in _maximal_minors(real)), sp.Or(*undefined).xreplace(back))
 
 
 class _NotSolved(Exception):
@@ -167,7 +176,7 @@ def _fallen(N, symbols, piece, below):
         for values, equations in _zeros([factor], symbols):
             if equations:
                 # No parameter can be eliminated: the rank comes from the arithmetic modulo the polynomial.
-                if sp.rem(below, factor, *sorted(factor.free_symbols, key=str)) == 0:
+                if sp.rem(below*exact.denominator(N), factor, *sorted(factor.free_symbols, key=str)) == 0:
                     continue
                 here = _rank_modulo(N, factor)
                 if here < rank:
@@ -219,7 +228,8 @@ def _rank_modulo(N, polynomial):
         raise _NotSolved(polynomial)
     symbol = max(polynomial.free_symbols, key=str)
     f = sp.Poly(polynomial.subs(symbol, LAMBDA), LAMBDA).to_field().monic()
-    (_, kernel), *more = kernels_modulo(N.subs(symbol, LAMBDA), f)
+    whole = sp.Matrix([(exact.denominator(N[i, :])*N[i, :]).applyfunc(sp.cancel) for i in range(N.rows)])
+    (_, kernel), *more = kernels_modulo(whole.subs(symbol, LAMBDA), f)
     if more:
         raise _NotSolved(polynomial)
     return N.cols - kernel.cols

@@ -28,7 +28,8 @@ class RankTest:
     - `lost`: tuple of `LostMode`, the characteristic numbers at which the rank of Popov's criterion falls;
     - `margin`: for floats the smallest singular value in Popov's criterion that was found, A having the norm 1 and
       every output the length 1 in units that balance the system. A change of that size makes the verdict no; a smaller
-      one may do so too, since the search is not proved to be complete. None for exact systems;
+      one may do so too, since the search is not proved to be complete (`distance_to_unobservable` and
+      `distance_to_uncontrollable` give proved bounds, in the units given). None for exact systems;
     - `reason`: the verdict in words. With symbols everything is generic: true for all values of the symbols but
       exceptional ones, which `observability_conditions` and `controllability_conditions` give.
     """

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
+from ..stability.regions import latex_condition
 from . import exact, floats
 from .kalman_matrices import stacked_powers
 from .reading import read_controlled, read_observed
@@ -23,7 +24,9 @@ class Decomposition:
 
     - `transformation`: T, n x n; `basis`: its inverse, x = `basis` (xi; eta);
     - `matrix`: T A T^-1; `outputs`: H T^-1 = [H1, 0], or `inputs`: T B = [B1; 0] (the other one is None);
-    - `sizes`: (number of xi, number of eta); `part` and `rest`: the pair (A11, H1) or (A11, B1), and A22.
+    - `sizes`: (number of xi, number of eta); `part` and `rest`: the pair (A11, H1) or (A11, B1), and A22;
+    - `where`: the values of the symbols, taken as real, for which all this holds. At the others the coordinates fail or
+      the sizes are different: put such a value into the system and decompose it anew.
     """
 
     transformation: object
@@ -45,9 +48,13 @@ class Decomposition:
     def rest(self):
         return self.matrix[self.sizes[0]:, self.sizes[0]:]
 
+    @property
+    def where(self):
+        return holds_where(self.transformation, self.basis, self.matrix, self.outputs, self.inputs)
+
     def _repr_latex_(self):
         shown = {"T": self.transformation, "TAT^{-1}": self.matrix, "HT^{-1}": self.outputs, "TB": self.inputs}
-        return named_matrices(shown)
+        return named_matrices(shown, self.where)
 
 
 def observability_decomposition(A, H=None):
@@ -125,9 +132,19 @@ def multiply(*matrices):
     return np.linalg.multi_dot(matrices) if isinstance(matrices[0], np.ndarray) else exact.product(*matrices)
 
 
-def named_matrices(shown):
-    """LaTeX of several matrices with their names, those that are None left out."""
+def holds_where(*matrices):
+    """Where coordinates hold that were found for general values of the symbols: T, its inverse and all in them defined.
+
+    Where both T and its inverse are defined their product is E, also after the last cancellation; the system itself is
+    defined there, being made of the others; and the rows that span xi are independent, so that the sizes are right.
+    """
+    return sp.true if isinstance(matrices[0], np.ndarray) else exact.where_defined(*(m for m in matrices if m))
+
+
+def named_matrices(shown, where=sp.true):
+    """LaTeX of several matrices with their names, those that are None left out, and where they hold."""
     def latex(m):
         return sp.latex(sp.Matrix(np.round(m, 6)) if isinstance(m, np.ndarray) else m)
     body = r",\quad ".join(f"{name} = {latex(m)}" for name, m in shown.items() if m is not None)
-    return f"$\\displaystyle {body}$"
+    condition = "" if where == sp.true else rf",\quad {latex_condition(where)}"
+    return f"$\\displaystyle {body}{condition}$"

@@ -6,8 +6,10 @@ listings    the list of all problems and the index by topic, so that no list is 
 downloads   the students' notebooks and the wheel
 boxes       statements; solutions, hints and code folded with the browser's own <details>
 figures     pictures with their number, their caption and words for who cannot see them
+printed     powers and products in what cells print
 punctuation a comma stays with the formula before it
 numbering   numbers of equations and theorems follow their labels
+reference   the pages of the library, from its docstrings, with links to what uses it and back
 cases       the page of the checks, from the tables that are their tests
 freshness   what makes a page outdated, beyond its own text
 offline     nothing is loaded from another host
@@ -24,12 +26,14 @@ from workbook import (
     numbering,
     offline,
     pages,
+    printed,
     punctuation,
+    reference,
 )
 
 
 def setup(app):
-    for part in (catalogue, pages, listings, downloads, boxes, figures, punctuation, numbering, cases, freshness,
-                 offline):
+    for part in (catalogue, pages, listings, downloads, boxes, figures, printed, punctuation, numbering, reference,
+                 cases, freshness, offline):
         part.setup(app)
     return {"version": "1", "env_version": freshness.EXTENSION, "parallel_read_safe": True, "parallel_write_safe": True}

@@ -10,7 +10,7 @@ from sphinx_exercise.nodes import exercise_node, solution_node
 from sphinx_proof.nodes import unenumerable_node
 
 #: The code of these cells is folded, their outputs stay; the other roles (data, check) are shown whole.
-FOLDED_CODE = {"answer": "computation", "figure": "code of the figure"}
+FOLDED_CODE = {"answer": "computation", "figure": "code of the figure", "drawing": "code of the drawing"}
 
 
 class details(nodes.General, nodes.Element):
@@ -61,7 +61,7 @@ class FoldSolutions(SphinxPostTransform):
 
 
 class FoldCode(SphinxPostTransform):
-    """Folds the code of the answer and figure cells by their role.
+    """Folds the code of the answer, figure and drawing cells by their role.
 
     It does what myst-nb's own tag `hide-input` does. Done here and not in the cell's tags, the master says one thing
     once, and the cached outputs, which are found by a cell's text and tags, stay valid.

@@ -28,13 +28,19 @@ class CheckCases(SphinxDirective):
         section = nodes.section("", nodes.title("", theme.replace("_", " ").capitalize()),
                                 ids=[f"checks-{theme.replace('_', '-')}"])
         for name in dict.fromkeys(case.check for case in module.CASES):
-            purpose = " ".join(getattr(checks, name).__doc__.split("\n\n")[0].split())
+            purpose, *more = (" ".join(part.split()) for part in getattr(checks, name).__doc__.split("\n\n"))
             anchor = nodes.target("", "", ids=[f"check-{name}"])
-            section += nodes.paragraph("", "", anchor, nodes.literal("", f"checks.{name}"), nodes.Text(f": {purpose}"))
+            section += nodes.paragraph("", "", anchor, nodes.literal("", f"checks.{name}"), *_with_code(f": {purpose}"))
+            section += [nodes.paragraph("", "", *_with_code(part)) for part in more if part.startswith("Data: ")]
             section += _table([case for case in module.CASES if case.check == name])
         section += nodes.paragraph("", "", nodes.strong("", "Known limits"))
         section += nodes.bullet_list("", *(nodes.list_item("", nodes.paragraph("", limit)) for limit in module.LIMITS))
         return section
+
+
+def _with_code(text):
+    """A sentence of a docstring, what stands between backticks as code."""
+    return [nodes.literal("", part) if k % 2 else nodes.Text(part) for k, part in enumerate(text.split("`"))]
 
 
 def _table(cases):

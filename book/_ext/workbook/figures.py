@@ -1,7 +1,8 @@
 """Pictures with what a reader needs around them: a number, a caption that belongs to them, and words in their place.
 
-A master writes a picture's caption as a paragraph in emphasis under the cell that draws it. In the page both become one
-<figure>: "Figure 5.9a" on a problem's page, "Figure 5.1" in a chapter; whoever cannot see it is told how it begins.
+A master writes a picture's caption as a paragraph in emphasis under the cell that draws it, and so it stands under the
+picture that a student's notebook has in the place of the cell. In the page both become one <figure>: "Figure 5.9a" on a
+problem's page, "Figure 5.1" in a chapter; whoever cannot see it is told how it begins.
 """
 
 import re
@@ -22,8 +23,7 @@ class CaptionFigures(SphinxPostTransform):
     formats = ("html",)
 
     def run(self, **kwargs):
-        drawn = [cell for cell in self.document.findall(nodes.container)
-                 if cell.get("nb_element") == "cell_code" and any(cell.findall(nodes.image))]
+        drawn = [node for node in self.document.findall(lambda node: _makes_pictures(node) or _is_picture(node))]
         for k, cell in enumerate(drawn):
             *others, last = cell.findall(nodes.image)
             caption = _caption_below(cell)
@@ -46,8 +46,19 @@ class CaptionFigures(SphinxPostTransform):
         return f"Figure {chapter[1]}.{k + 1}" if chapter else f"Figure {k + 1}"
 
 
+def _makes_pictures(node):
+    """Whether a node is a code cell that shows pictures."""
+    is_cell = isinstance(node, nodes.container) and node.get("nb_element") == "cell_code"
+    return is_cell and any(node.findall(nodes.image))
+
+
+def _is_picture(node):
+    """Whether a node is a paragraph of nothing but a picture."""
+    return isinstance(node, nodes.paragraph) and len(node) == 1 and isinstance(node[0], nodes.image)
+
+
 def _caption_below(cell):
-    """The paragraph under a cell, if emphasis is all there is in it."""
+    """The paragraph under a cell or a picture, if emphasis is all there is in it."""
     following = cell.next_node(siblings=True, descend=False)
     is_caption = (isinstance(following, nodes.paragraph) and len(following) == 1
                   and isinstance(following[0], nodes.emphasis))

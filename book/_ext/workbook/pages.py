@@ -25,6 +25,7 @@ from workbook.downloads import link
 logger = logging.getLogger(__name__)
 
 TITLE = re.compile(r"^# .*$", re.M)
+NAME = re.compile(r"(?:van der )?[A-Z]\w+")  # of a person, in a topic: what else is written there begins small
 ITEM = re.compile(r"([a-z])_")  # of an answer's name
 EXERCISE_END = re.compile(r"^(`{3,}|:{3,})\{exercise-end\}[ \t]*\n(?:.*\n)*?\1[ \t]*$", re.M)
 
@@ -54,6 +55,9 @@ def _student_page(source, head):
     texts = [cell for cell in notebook["cells"] if cell["cell_type"] == "markdown"]
     for cell in texts:
         cell["source"] = re.sub(r"^##? Problem .*$", "", cell["source"], flags=re.M).strip()
+        for name, forms in cell.get("attachments", {}).items():  # myst-nb does not know them
+            for form, picture in forms.items():
+                cell["source"] = cell["source"].replace(f"attachment:{name}", f"data:{form};base64,{picture}")
     texts[0]["source"] = f"{head}\n:::{{div}} origin\n{texts[0]['source']}\n:::"
     return json.dumps(notebook)
 
@@ -83,8 +87,11 @@ class ProblemHead(SphinxDirective):
         return [index, target, nodes.container("", chips, notebook, classes=["problem-head"])]
 
     def _index_entries(self, problem):
-        # A master brings the entry of its number itself, its copy for students does not.
-        return [f"problem {problem.number}"] + ([] if problem.solved else [problem.number])
+        # A master brings the entry of its number itself, its copy for students does not. The search finds an entry by
+        # one half of it at least, so the names in a topic are entries of their own.
+        names = [name for topic in problem.topics for name in NAME.findall(topic)]
+        entries = [f"problem {problem.number}", *([] if problem.solved else [problem.number]), *problem.topics, *names]
+        return list(dict.fromkeys(entries))
 
 
 class ProblemAnswers(SphinxDirective):

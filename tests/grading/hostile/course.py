@@ -116,7 +116,7 @@ def seen_by_ours(course, results, student, honest, finished):
 
 
 def _right(result):
-    return sum(status == "right" for status, _ in result["verdicts"].values())
+    return sum(status == "right" for status, *_ in result["verdicts"].values())
 
 
 def _read(path):

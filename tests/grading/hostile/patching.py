@@ -15,7 +15,7 @@ PATCHING = [
                """
                from trajlib.checks.contract import reporting
                from trajlib.checks.contract.verdict import Verdict
-               checks.report = lambda **given: reporting._collected.get().update(
+               checks.report = lambda problem="", **given: reporting._collected.get().update(
                    {name: Verdict("right", "") for name in given})
                """, WRONG)),
     Attack("patches the decision", "replaces the function at the bottom of the check",
@@ -64,7 +64,7 @@ PATCHING = [
                    if "verdicts" in frame.f_locals:
                        from trajlib.checks.contract.verdict import Verdict
                        frame.f_locals["verdicts"]["a_region"] = Verdict("right", "")
-                       checks.report = lambda **given: None
+                       checks.report = lambda problem="", **given: None
                    frame = frame.f_back
                """, WRONG)),
     Attack("finds the verdicts", "finds the dictionary of verdicts among all objects", "it is in the same process",

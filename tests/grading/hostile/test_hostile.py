@@ -87,11 +87,11 @@ def _failures(attack, results, seen):
 
 def _told(results):
     """True if a verdict other than `missing` says what is wrong with an answer."""
-    return any(status in ("wrong", "invalid") for result in results for status, _ in result["verdicts"].values())
+    return any(status in ("wrong", "invalid") for result in results for status, *_ in result["verdicts"].values())
 
 
 def _full(results):
-    return (results is not None and len(results) == 1 and {status for status, _ in results[0]["verdicts"].values()}
+    return (results is not None and len(results) == 1 and {status for status, *_ in results[0]["verdicts"].values()}
             == {"right"})
 
 

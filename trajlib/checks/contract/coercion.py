@@ -32,11 +32,41 @@ def as_expression(answer, symbols=()):
         answer = sp.sympify(answer.item() if isinstance(answer, np.number) else answer)
     if not isinstance(answer, sp.Expr):
         raise Invalid(f"expected an expression, got {_named(answer)}")
+    if isinstance(answer, sp.Lambda):
+        answer = _applied(answer, symbols)
     if answer.has(sp.Lambda):
-        raise Invalid("expected an expression, got a function: write its value, x**2 and not Lambda(x, x**2)")
+        raise Invalid("expected an expression, got one with a function in it: write its value, x**2 and not "
+                      "Lambda(x, x**2)")
+    if _has_logical_cases(answer):
+        raise Invalid("expected an expression, got one with cases that are True or False")
+    if answer.has(sp.sinc):
+        answer = answer.replace(sp.sinc, lambda x: sp.Piecewise((sp.sin(x) / x, sp.Ne(x, 0)), (1, True)))
     if answer.has(sp.nan, sp.zoo):
         raise Invalid("the expression contains an undefined value (nan or a division by zero)")
     return with_symbols(answer, symbols)
+
+
+def _applied(function, symbols):
+    """The value of a `Lambda` at the symbols: those of the names of its variables, or else the first ones in order."""
+    known = {symbol.name: symbol for symbol in symbols}
+    variables = function.signature
+    if not all(isinstance(variable, sp.Symbol) for variable in variables) or len(variables) > len(symbols):
+        raise Invalid("expected an expression, or sp.Lambda of "
+                      + (", ".join(known) if known else "nothing: a number is asked"))
+    named = all(variable.name in known for variable in variables)
+    at = [known[v.name] for v in variables] if named else list(symbols)[:len(variables)]
+    value = function.expr.xreplace(dict(zip(variables, at)))
+    if not isinstance(value, sp.Expr) or isinstance(value, sp.MatrixBase):
+        raise Invalid("expected an expression, or sp.Lambda with one as its value")
+    return value
+
+
+def _has_logical_cases(answer):
+    return any(_is_logical(pair.expr) for piecewise in answer.atoms(sp.Piecewise) for pair in piecewise.args)
+
+
+def _is_logical(part):
+    return isinstance(part, sp.logic.boolalg.Boolean) and not isinstance(part, sp.Expr)  # a symbol is both
 
 
 def with_symbols(answer, symbols):
@@ -120,16 +150,23 @@ def as_matrix(answer, symbols=(), shape=None):
 def as_condition(answer, symbols):
     """A SymPy condition (relation, And, Or, ...) in the given symbols.
 
-    Also accepted: a list or set of conditions (all of them hold), a set of values of the symbols, True and False.
+    Also accepted: a list or set of conditions (all of them hold), a set of values of the symbols, a list or an array of
+    the values of a single one, cases that are conditions, True and False.
     """
     if isinstance(answer, (bool, np.bool_)):
         remark(f"What was handed over is a bare {bool(answer)}: in Python x != 1 is True and x == 1 is False at once; "
                "write sp.Ne(x, 1) and sp.Eq(x, 1)")
         return sp.true if answer else sp.false
+    if len(symbols) == 1 and (values := _listed_numbers(answer)) is not None:
+        answer = sp.FiniteSet(*values)
     if isinstance(answer, (list, tuple, set, frozenset)) and answer:
         answer = sp.And(*[as_condition(part, symbols) for part in answer])
     if isinstance(answer, sp.Set):
         answer = _membership(answer, symbols)
+    if isinstance(answer, sp.Piecewise) and _has_logical_cases(answer):
+        answer = _chosen(answer.args)
+    if isinstance(answer, sp.Basic) and answer.has(sp.Contains):
+        answer = answer.xreplace({part: _membership(part.args[1], part.args[:1]) for part in answer.atoms(sp.Contains)})
     if not isinstance(answer, (sp.logic.boolalg.Boolean,
                                sp.core.relational.Relational)) or isinstance(answer, sp.Symbol):
         raise Invalid(f"expected a condition, {EXAMPLE_OF_CONDITION}, got {_named(answer)}")
@@ -140,6 +177,8 @@ def as_condition(answer, symbols):
         if not all(isinstance(side, sp.Expr) and not isinstance(side, sp.MatrixBase) for side in relation.args):
             raise Invalid("a condition compares numbers, not matrices, other conditions, True or False; write the "
                           f"condition itself, {EXAMPLE_OF_CONDITION}")
+        if any(_has_logical_cases(side) for side in relation.args):
+            raise Invalid("the condition compares something with cases that are True or False")
         if any(_is_undefined(side) for side in relation.args):
             raise Invalid("the condition contains an undefined value (nan, a division by zero, or oo - oo)")
     if odd := answer.atoms(*NOT_IN_CONDITIONS):
@@ -149,6 +188,24 @@ def as_condition(answer, symbols):
         return with_symbols(answer, symbols)
     except TypeError:  # SymPy refuses to compare what is not real, once it knows that the symbols are
         raise Invalid("the condition compares numbers that are not real, whatever the symbols are") from None
+
+
+def _listed_numbers(answer):
+    """The numbers in a list, a set, an array or a column, or None for what is not made of numbers."""
+    parts = (list(answer.ravel()) if isinstance(answer, np.ndarray) else list(answer)
+             if isinstance(answer, (list, tuple, set, frozenset, sp.MatrixBase)) else [None])
+    numbers = (int, float, np.number, sp.Expr)
+    return parts if all(isinstance(part, numbers) and not isinstance(part, (bool, np.bool_, sp.MatrixBase))
+                        and not getattr(part, "free_symbols", None) for part in parts) else None
+
+
+def _chosen(cases):
+    """The condition that cases (condition, where) choose: the first that fits, and False where none does."""
+    value, where = cases[0]
+    if not _is_logical(value):
+        raise Invalid("the cases of a condition have to be conditions, True or False")
+    rest = _chosen(cases[1:]) if cases[1:] else sp.false
+    return sp.Or(sp.And(where, value), sp.And(sp.Not(where), rest))
 
 
 def _written_out(condition, known):

@@ -66,8 +66,8 @@ def encode(value):
     >>> encode([0, {"x": lambda t: t}])
     Traceback (most recent call last):
     trajlib.checks.contract.encoding.EncodingError: answer[1]['x'] is a function, and functions are not data: \
-write its formula in SymPy. An answer may be a number, a string, an array, a SymPy expression, relation, \
-set or matrix, or a list or dict of these.
+write its formula in SymPy, or sympy.Lambda((x1, x2), formula). An answer may be a number, a string, an array, \
+a SymPy expression, relation, set or matrix, or a list or dict of these.
     """
     walk = _Encoder()
     try:
@@ -239,7 +239,8 @@ def _refusal(value):
     if hint := _HINTS.get(name):
         return f"{hint}{'' if hint.endswith('?') else '.'} {ALLOWED}"
     if callable(value):
-        return f"is a {name}, and functions are not data: write its formula in SymPy. {ALLOWED}"
+        return (f"is a {name}, and functions are not data: write its formula in SymPy, or "
+                f"sympy.Lambda((x1, x2), formula). {ALLOWED}")
     return (f"is of the type {name}, which is not an answer (nor is a subclass of an allowed type: write list(...) or "
             f"the like). {ALLOWED}")
 

@@ -5,12 +5,14 @@ follows unless all are right (nbgrader and the build want one) is then a single 
 """
 
 import html
-import sys
 from contextlib import contextmanager
 from contextvars import ContextVar
+from dataclasses import replace
 
 from trajlib.checks.contract import first_aid
 from trajlib.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG, Verdict
+from trajlib.formulas import typeset
+from trajlib.showing import in_notebook
 
 MARKS = {RIGHT: "✓", WRONG: "✗", MISSING: "…", INVALID: "?", UNCHECKED: "!"}
 #: Ink and ground of a line, with a contrast of at least 4.5.
@@ -29,17 +31,18 @@ class NotYet(Exception):
 
     def _render_traceback_(self):
         # Jupyter asks for this instead of the traceback: the student reads the verdicts and nothing else.
-        if not _in_jupyter():
+        if not in_notebook():
             return str(self).split("\n")
         right = sum(verdict.status == RIGHT for verdict in self.verdicts.values())
         return [f"Not yet: {right} of {len(self.verdicts)} right."]
 
 
-def report(**verdicts):
+def report(problem="", /, **verdicts):
     """Show a line for each answer; raise `NotYet` unless all are right.
 
     `report(a_region=checks.stability_region(a_region, ...), ...)`: the names are those of the answer variables, the
-    values what the checks return. An error for nbgrader and for the site's build, a polite message in Jupyter.
+    values what the checks return. An error for nbgrader and for the site's build, a polite message in Jupyter. A wrong
+    answer to a `problem`, whose number stands first in the students' notebooks, is told the mistake if that is known.
 
     >>> report(a=Verdict("right", "it solves the equation"))
     ✓ a: right: it solves the equation
@@ -50,12 +53,14 @@ def report(**verdicts):
         elif name in first_aid.stopped:
             verdicts[name] = Verdict(MISSING, "not judged: the cell that assigns it stopped with "
                                               f"{first_aid.stopped[name]}; mend that first")
+        elif problem and verdict.status == WRONG:
+            verdicts[name] = replace(verdict, mistake=_mistake(problem, name, verdict.answer), answer=None)
     collected = _collected.get()
     if collected is not None:
         collected.update(verdicts)
         return
     right = all(verdict.status == RIGHT for verdict in verdicts.values())
-    if _in_jupyter():
+    if in_notebook():
         _display(verdicts)
     elif right:
         print(_as_text(verdicts))
@@ -79,13 +84,26 @@ def collecting():
         _collected.reset(token)
 
 
+def _mistake(problem, name, answer):
+    from trajlib.exercises import UnknownExercise
+    from trajlib.mistakes import name_of
+
+    try:
+        return name_of(problem, name, answer)
+    except UnknownExercise:  # a notebook of another edition
+        return ""
+
+
 def _as_text(verdicts):
-    return "\n".join(f"{MARKS[v.status]} {name}: {v.status}: {v.message}" for name, v in verdicts.items())
+    return "\n".join(line for name, v in verdicts.items() for line in (
+        f"{MARKS[v.status]} {name}: {v.status}: {v.message}", *(f"  {line}" for line in v.mistake.splitlines())))
 
 
 def _as_html(verdicts):
     lines = (f'<div class="trajlib-verdict {v.status}" style="{_style(v.status)}"><span class="mark">{MARKS[v.status]}'
-             f"</span> <code>{html.escape(name)}</code> <span>{v.status}: {html.escape(v.message)}</span></div>"
+             f"</span> <code>{html.escape(name)}</code> <span>{v.status}: {typeset(v.message)}</span>"
+             + "".join(f'<div class="mistake" style="margin-top: .3em">{typeset(line)}</div>'
+                       for line in v.mistake.splitlines()) + "</div>"
              for name, v in verdicts.items())
     return f'<div class="trajlib-report">{"".join(lines)}</div>'
 
@@ -95,12 +113,6 @@ def _style(status):
     ink, ground = COLOURS[status]
     return (f"color: var(--{status}, {ink}); background: var(--{status}-ground, {ground}); padding: .4em .8em; "
             "margin: .3em 0; border-radius: .4em; overflow-wrap: break-word")
-
-
-def _in_jupyter():
-    # IPython is not imported for this: outside a notebook the text is printed.
-    ipython = sys.modules.get("IPython")
-    return ipython is not None and getattr(ipython.get_ipython(), "kernel", None) is not None
 
 
 def _display(verdicts):

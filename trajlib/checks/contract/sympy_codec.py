@@ -60,6 +60,10 @@ def boolean(x):
     return isinstance(x, Boolean)
 
 
+def scalar_or_boolean(x):
+    return scalar(x) or boolean(x)
+
+
 def truth(x):
     return x is sp.true or x is sp.false
 
@@ -164,7 +168,7 @@ _ROWS = [
     *_each(unevaluated, (scalar,), sp.sinh, sp.cosh, sp.tanh, sp.coth, sp.sech, sp.csch),
     *_each(unevaluated, (scalar,), sp.asinh, sp.acosh, sp.atanh, sp.acoth, sp.asech, sp.acsch),
     *_each(unevaluated, (scalar,), sp.Abs, sp.sign, sp.re, sp.im, sp.conjugate, sp.arg, sp.floor, sp.ceiling),
-    *_each(unevaluated, (scalar,), sp.erf, sp.erfc, sp.factorial, sp.gamma),
+    *_each(unevaluated, (scalar,), sp.sinc, sp.erf, sp.erfc, sp.factorial, sp.gamma),
     *_each(unevaluated, (scalar, scalar), sp.atan2, sp.Mod, sp.binomial),
     Node(sp.Heaviside, unevaluated, (scalar,), scalar),  # with its value at zero
     Node(sp.DiracDelta, unevaluated, (scalar,), scalar),  # with the order of its derivative
@@ -175,7 +179,8 @@ _ROWS = [
     Node(sp.Not, unevaluated, (boolean,)),
     Node(sp.Implies, unevaluated, (boolean, boolean)),
     Node(sp.ITE, logical, (boolean, boolean, boolean)),
-    Node(ExprCondPair, bare, (scalar, boolean)),
+    Node(ExprCondPair, bare, (scalar_or_boolean, boolean)),
+    Node(sp.Contains, bare, (scalar, a_set)),
     Node(sp.Piecewise, bare, (case,), case),
     Node(sp.Tuple, bare, (), part),
     Node(sp.Lambda, bare, (signature, part)),

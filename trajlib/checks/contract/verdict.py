@@ -14,9 +14,10 @@ import functools
 import inspect
 import warnings
 from contextvars import ContextVar
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from trajlib.checks.contract.encoding import EncodingError, decode, encode
+from trajlib.checks.contract.shapes import with_shapes
 
 RIGHT, WRONG, MISSING, INVALID, UNCHECKED = STATUSES = ("right", "wrong", "missing", "invalid", "unchecked")
 
@@ -40,10 +41,15 @@ class Invalid(Exception):
 
 @dataclass(frozen=True)
 class Verdict:
-    """One answer judged: `status` is one of `STATUSES`, `message` a sentence for the student."""
+    """One answer judged: `status` is one of `STATUSES`, `message` a sentence for the student.
+
+    `mistake` asks what may have gone wrong, if `answer`, one that is wrong, is known for it (`trajlib.mistakes`).
+    """
 
     status: str
     message: str
+    mistake: str = ""
+    answer: object = field(default=None, compare=False, repr=False)
 
 
 @dataclass(frozen=True)
@@ -69,11 +75,12 @@ def _judged(check, claim):
         if isinstance(answer, Unusable):
             return Verdict(INVALID, answer.reason)
         _remarks.set(())
+        given = None
         try:
             # A warning on stderr would cost the cell its points in nbgrader.
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore")
-                received = decode(encode(answer))
+                given = received = decode(encode(answer))
                 if _holds_ellipsis(received):
                     return Verdict(MISSING, "not answered yet")
                 if claim is not None:
@@ -82,26 +89,28 @@ def _judged(check, claim):
                     received = claim.read(received, bound.arguments)
                 return Verdict(RIGHT, _sentence(check(received, *data, **options)))
         except Wrong as failed:
-            return Verdict(WRONG, ". ".join([str(failed), *dict.fromkeys(_remarks.get())]))
+            return Verdict(WRONG, ". ".join([str(failed), *dict.fromkeys(_remarks.get())]), answer=given)
         except (Invalid, EncodingError) as refused:
             return Verdict(INVALID, str(refused))
         except Exception as error:
             return Verdict(UNCHECKED, "this answer could not be judged; the fault is the check's, not yours "
                                       f"({type(error).__name__}: {str(error)[:200]})")
 
+    judge.__doc__ = with_shapes(check.__doc__, check.__module__, names.parameters)
     return judge
 
 
 def _sentence(found):
-    """What a check returns, once all comparisons that it yields have been done."""
+    """What a check returns, once all comparisons that it yields have been done; each gives back what it found."""
     if not inspect.isgenerator(found):
         return found
+    seen = None
     while True:
         try:
-            comparison = next(found)
+            comparison = found.send(seen)
         except StopIteration as end:
             return end.value
-        comparison.judge()
+        seen = comparison.judge()
 
 
 def _holds_ellipsis(answer):

@@ -1,6 +1,7 @@
 """A feedback law followed from many starts at once, and compared with the fastest times."""
 
 import numpy as np
+import sympy as sp
 
 from trajlib.checks.contract.verdict import Wrong
 from trajlib.checks.tools.searching import bisected
@@ -10,6 +11,8 @@ from trajlib.checks.tools.values import real_function
 SLOWER = 0.004
 #: How close to the target counts as on it, in units of the size of the state.
 CLOSE = 3e-5
+#: How close to a curve counts as on it, where a law is not defined beyond.
+ON_CURVE = 1e-6
 #: Two values of a law this close are one.
 SAME = 1e-6
 #: The part of the fastest time for which a law is followed; whether the rest suffices is asked of the optimum.
@@ -19,9 +22,13 @@ FOLLOWED = 0.97
 class Law:
     """An expression of the state and the parameters, on many states at once."""
 
-    def __init__(self, expression, state, parameters, truth, curve=None):
-        self._function = real_function([*state, *parameters, *([curve[0]] if curve else [])], [expression])
-        self._cases = np.array(truth.cases, dtype=float).reshape(len(truth.cases), len(parameters))
+    def __init__(self, expression, truth, curve=None):
+        symbols = [*truth.state, *truth.parameters, *([curve[0]] if curve else [])]
+        self._function = real_function(symbols, [expression])
+        # What a law says on a curve alone counts where it says nothing beyond, on the border of the starts it is for.
+        self._on_curves = expression.has(sp.Eq) and real_function(symbols, [expression.replace(
+            sp.Eq, lambda a, b: abs(a - b) <= ON_CURVE * (1 + abs(a)))])
+        self._cases = np.array(truth.cases, dtype=float).reshape(len(truth.cases), len(truth.parameters))
         self._abscissa, self._tables = (curve[1], self._tabulated(curve[2], truth)) if curve else (None, [])
 
     @staticmethod
@@ -39,7 +46,10 @@ class Law:
             for k, (first, second) in enumerate(self._tables):
                 ordinate[case == k] = np.interp(places[case == k], first, second, left=np.nan, right=np.nan)
             values.append(ordinate)
-        return self._function(*values)[0]
+        said = self._function(*values)[0]
+        if self._on_curves and np.isnan(said).any():
+            said = np.where(np.isnan(said), self._on_curves(*values)[0], said)
+        return said
 
 
 def follow(law, truth, lanes):

@@ -45,9 +45,9 @@ class Control:
 
         if self._ends is None:
             u = smooth(self._values[0])
-            jumps = _jumps(u, duration)
+            breaks = jumps(u, duration)
             # The value at a jump itself is of no account: it is asked a little inside.
-            return [(a, b, _inside(u, a, b)) for a, b in zip([0.0, *jumps], [*jumps, duration])]
+            return [(a, b, _inside(u, a, b)) for a, b in zip([0.0, *breaks], [*breaks, duration])]
         begin, found = 0.0, []
         for k, (value, until) in enumerate(zip(self._values, self._ends), 1):
             end = _real(until(*numbers), f"the end of your arc number {k}")
@@ -98,7 +98,7 @@ def _is_list(answer):
     return isinstance(answer, (list, tuple, sp.Tuple))
 
 
-def _jumps(u, duration, pieces=360):
+def jumps(u, duration, pieces=360):
     """The instants of (0, duration) where a function of time jumps, by bisection between neighbours that differ."""
     times = np.linspace(0, duration, pieces + 1)
     times[0] += 1e-9 * duration

@@ -3,52 +3,61 @@
 The optimum is that of `fastest_times`: the plant is x' = Ax + bu with u between two bounds, the target a point, a
 segment, a line, or the border of a convex set. A law that does as well is optimal, and one that does not is not.
 
-How data are written. `field`: two expressions, linear in `state` and `control`. `target`: the expressions that vanish
-at the end, [x1, x2] for the origin, [x1**2 + x2**2 - R**2] for a circle; or a list of number pairs, for the segment
-between them. `parameters`: a dict from symbols to SymPy intervals, or finite sets where few cases tell enough. `start`:
-a condition on the initial state, such as x1**2 + x2**2 > R**2.
+How data are written. `system`: a record `trajlib.systems.Controlled`, linear in two states. `target`: the expressions
+that vanish at the end, [x1, x2] for the origin, [x1**2 + x2**2 - R**2] for a circle; or a list of number pairs, for the
+segment between them. `parameters`: a dict from symbols to SymPy intervals, or finite sets where few cases tell enough.
+`start`: a condition on the initial state, such as x1**2 + x2**2 > R**2.
 """
 
 import functools
+import itertools
 
 import numpy as np
 import sympy as sp
 
-from trajlib.checks.contract import coercion
-from trajlib.checks.contract.tolerance import in_decimals, share
+from trajlib.checks.contract.claims import ConditionOn, Expression, Expressions
+from trajlib.checks.contract.tolerance import in_decimals, same, share
 from trajlib.checks.contract.verdict import Wrong, judged
 from trajlib.checks.pontryagin.closed_loop import SAME, Law, follow
+from trajlib.checks.tools.conditions import Case, Truth, compare, place_text, readings
 from trajlib.checks.tools.samples import spread_over
+from trajlib.checks.tools.searching import bisected
 from trajlib.checks.tools.values import real_function, truth_at
+from trajlib.checks.truths.optima import reach
 from trajlib.checks.truths.optima.fastest_times import Lanes
 from trajlib.checks.truths.optima.sampled_optimum import BESIDE, BESIDE_DECIMALS, frozen, sampled_optimum
 from trajlib.checks.truths.optima.target_families import TargetFamily
 
+#: To what share of its coordinates a switching curve is found.
+LOCATED = 1e-4
 
-@judged
-def time_optimal_law(answer, field, state, control, bounds, target, parameters=None, start=None, curve=None):
+
+def of_state(data):
+    """The symbols of the state, which an answer may hold."""
+    return data["system"].state
+
+
+@judged(Expression(of_state, "parameters", lambda data: (data["curve"] or ())[:1]))
+def time_optimal_law(claim, system, target, parameters=None, start=None, curve=None):
     """A law u(state) that brings every start, from which the target can be reached, there in the shortest time.
 
     `curve` = (symbol, abscissa, ends, variable, interval) lets the law use a switching curve that has no elementary
     equation: the symbol is the second coordinate of this curve where its first one is `abscissa`; the rest is as in
     `switching_points`.
     """
-    parameters = dict(parameters or {})
-    claim = coercion.as_expression(answer, [*state, *parameters, *([curve[0]] if curve else [])])
-    curve = curve and (*curve[:2], tuple(sp.sympify(end) for end in curve[2]), *curve[3:])
-    return _time_optimal(claim, frozen(field, state, control, bounds, target, parameters, start), curve)
+    return _time_optimal(claim, frozen(system, target, parameters, start), curve and (
+        *curve[:2], tuple(map(sp.sympify, curve[2])), *curve[3:]))
 
 
 @functools.lru_cache(maxsize=64)
 def _time_optimal(claim, data, curve):
     """The sentence on a law that is optimal: a law is often judged again beside another answer."""
-    field, state, control, bounds, target, parameters, start = data
-    truth, parameters = sampled_optimum(*data), dict(parameters)
-    law = Law(claim, state, list(parameters), truth)
+    truth, control = sampled_optimum(*data), data.control
     if curve:
-        ends = _family(field, state, control, bounds, target, *curve[2:4], parameters | {curve[3]: curve[4]}, start)
-        law = Law(claim, state, list(parameters), truth,
-                  (curve[0], sp.lambdify([*state, *parameters], curve[1], "numpy"), ends))
+        parameters = dict(data.parameters)
+        ends = _family_of(data._replace(parameters=(*data.parameters, curve[3:])), *curve[2:4])
+        curve = curve[0], sp.lambdify([*data.state, *parameters], curve[1], "numpy"), ends
+    law, *others = [Law(reading, truth, curve) for reading in (claim, *readings(claim))]
     decimals = in_decimals(claim)
     lanes = truth.lanes(decimals)
     values = law(lanes.x, lanes.case)
@@ -70,6 +79,8 @@ def _time_optimal(claim, data, curve):
             continue
         raise Wrong(f"{truth.told(few, 0)} your law gives {control} = {law(few.x, few.case)[0]:.4g}, and the fastest "
                     f"motion from there begins with another value")
+    _judge_next_to_curves(others, truth, control)
+    _judge_change(law, truth, lanes, control)
     followed = truth.kept.setdefault("followed", set())
     if (claim, str(curve)) not in followed:
         follow(law, truth, lanes)
@@ -77,14 +88,43 @@ def _time_optimal(claim, data, curve):
     return f"from {len(lanes.x)} starts, some of them next to the switching curve, it needs the shortest time there is"
 
 
-@judged
-def minimal_time(answer, field, state, control, bounds, target, parameters=None, start=None):
+def _judge_next_to_curves(laws, truth, control):
+    """Raise `Wrong` where all readings of a law differ from the optimum next to a switching curve: there it may lose
+    hardly any time."""
+    lanes = truth.next_to_curves()
+    if lanes is None:
+        return
+    said = np.array([law(lanes.x, lanes.case) for law in laws])
+    differ = np.flatnonzero((abs(said - lanes.control) > SAME).all(axis=0))
+    for k in differ[~truth.beside_barrier(lanes.take(differ), far=True)] if len(differ) else ():
+        raise Wrong(f"{truth.told(lanes, k)} your law gives {control} = {said[0][k]:.4g}, and the fastest motion from "
+                    f"there begins with another value")
+
+
+def _judge_change(law, truth, lanes, control):
+    """Raise `Wrong` for a law that goes over from one bound to the other by steps."""
+    said, (low, high) = law(lanes.x, lanes.case), truth.plant.bounds
+    ends = (np.flatnonzero(abs(said - bound) < SAME)[:40] for bound in (low, high))
+    pairs = np.array([(a, b) for a, b in itertools.product(*ends) if lanes.case[a] == lanes.case[b]
+                      and lanes.inside[a] == lanes.inside[b]][::7])
+    if not len(pairs):
+        return
+    case = lanes.case[pairs[:, 0]]
+    ends = bisected(lambda x, rows: law(x, case[rows]) < low + (high - low) / 4, *lanes.x[pairs.T], 45)
+    between = [(low + SAME < law(x, case)) & (law(x, case) < high - SAME) for x in ends]
+    stepped = between[0] & between[1] & truth.allowed(ends[1], case)
+    found = truth.solve(ends[1][stepped], case[stepped])
+    for k in np.flatnonzero(np.isfinite(found.time)):
+        raise Wrong(f"{truth.told(found, k)} your law gives {control} = {law(found.x, found.case)[k]:.4g}, and the "
+                    f"fastest motion from there begins with another value")
+
+
+@judged(Expression(of_state, "parameters"))
+def minimal_time(claim, system, target, parameters=None, start=None):
     """The shortest time to the target as an expression in the initial state, where the target can be reached."""
-    parameters = dict(parameters or {})
-    claim = coercion.as_expression(answer, [*state, *parameters])
-    truth = sampled_optimum(*frozen(field, state, control, bounds, target, parameters, start))
+    truth = sampled_optimum(*frozen(system, target, parameters, start))
     lanes = truth.lanes(in_decimals(claim))
-    said = Law(claim, state, list(parameters), truth)(lanes.x, lanes.case)
+    said = Law(claim, truth)(lanes.x, lanes.case)
     tolerance = share(claim, computed=1e-4)
     good = np.isfinite(said) & (abs(said - lanes.time) <= tolerance * lanes.time + 1e-6)
     for k in np.flatnonzero(~good):
@@ -94,13 +134,11 @@ def minimal_time(answer, field, state, control, bounds, target, parameters=None,
     return f"it is the shortest time from {len(lanes.x)} starts"
 
 
-@judged
-def reachable_starts(answer, field, state, control, bounds, target, parameters=None, start=None):
+@judged(ConditionOn(of_state, "parameters"))
+def reachable_starts(claim, system, target, parameters=None, start=None):
     """The condition on the initial state under which the target can be reached; the border of the set counts either
     way."""
-    parameters = dict(parameters or {})
-    claim = coercion.as_condition(answer, [*state, *parameters])
-    truth = sampled_optimum(*frozen(field, state, control, bounds, target, parameters, start))
+    truth = sampled_optimum(*frozen(system, target, parameters, start))
     lanes = truth.border(in_decimals(claim))
     said = truth.condition(claim)(lanes.x, lanes.case)
     reached = np.isfinite(lanes.time)
@@ -114,41 +152,37 @@ def reachable_starts(answer, field, state, control, bounds, target, parameters=N
 
 
 @judged
-def reached_part(answer, field, state, control, bounds, target, ends, variable, parameters=None, start=None):
+def reached_part(answer, system, target, ends, variable, parameters=None, start=None):
     """The points of the target at which optimal motions end: a condition on `variable`, which numbers the points
     `ends`.
 
     `parameters` gives the interval of `variable` too. The ends of an arc count either way.
     """
-    domain = dict(parameters or {})
-    claim = coercion.as_condition(answer, [variable, *[p for p in domain if p != variable]])
-    family = _family(field, state, control, bounds, target, ends, variable, domain, start)
-    test = sp.lambdify([variable, *family.parameters], claim, "numpy")
-    for values, tried, reached, points in _arrivals(family, 0.006 if in_decimals(claim) else 0.002):
-        with np.errstate(all="ignore"):
-            said = np.broadcast_to(np.asarray(test(tried, *values), dtype=bool), tried.shape)
-        for k in np.flatnonzero(said != reached):
-            raise Wrong(f"{family.told(values, tried[k])}, at the point ({points[k][0]:.4g}, {points[k][1]:.4g}) of "
-                        f"the target, "
-                        + ("optimal motions end" if reached[k]
-                           else "no admissible motion arrives from the side of the starts")
-                        + "; your condition says otherwise")
-    return "optimal motions end there, and no motion can arrive at the rest of the target"
+    family = _family(system, target, ends, variable, parameters, start)
+    arrive, avoid = (Case(part, angles=family.angles) for part in family.reached())
+    truth = Truth((arrive,), (avoid,), family.arrives, functools.partial(_arrivals, family))
+
+    def told(place, holds):
+        how = "optimal motions end" if holds else "no admissible motion arrives from the side of the starts"
+        return (f"for {place_text(place)}, at the point {family.point_text(place)} of the target, {how}; your "
+                "condition says otherwise")
+
+    agreement = compare(answer, [variable, *family.parameters], truth, told)
+    return f"optimal motions end there, and no motion can arrive at the rest of the target: {agreement}"
 
 
-def _family(field, state, control, bounds, target, ends, variable, domain, start):
-    field, state, control, bounds, target, domain, start = frozen(field, state, control, bounds, target, domain, start)
-    return _family_of(field, state, control, bounds, target, tuple(map(sp.sympify, ends)), variable, domain, start)
+def _family(system, target, ends, variable, domain, start):
+    return _family_of(frozen(system, target, domain, start), tuple(map(sp.sympify, ends)), variable)
 
 
 @functools.lru_cache(maxsize=32)
-def _family_of(field, state, control, bounds, target, ends, variable, domain, start):
-    return TargetFamily(field, state, control, bounds, target, ends, variable, dict(domain), start)
+def _family_of(data, ends, variable):
+    return TargetFamily(*data[:5], ends, variable, dict(data.parameters), data.start)
 
 
 @functools.lru_cache(maxsize=32)
-def _arrivals(family, beside):
-    """For each case: its values, places on the target, whether optimal motions end there, the points. No answer changes
+def _arrivals(family, beside=0.002):
+    """Places on the target, many of them on both sides of where the arcs end that are reached. No answer changes
     them."""
     found = []
     for values in family.samples():
@@ -161,19 +195,17 @@ def _arrivals(family, beside):
         tried = np.concatenate([places[abs(rates) > 1e-3 * abs(rates).max()],
                                 *[[c - beside, c + beside] for c in changes]])
         low, high = family.interval
-        tried = tried[(tried > low) & (tried < high)]
-        tried = tried[[all(abs(t - c) > beside / 2 for c in changes) for t in tried]]
-        found.append((values, tried, family.rates(tried, values) < 0, family.point(tried, values)))
+        symbols = family.variable, *family.parameters
+        found += [dict(zip(symbols, map(sp.Rational, (place, *values)))) for place in tried
+                  if low < place < high and all(abs(place - c) > beside / 2 for c in changes)]
     return found
 
 
-@judged
-def switching_points(answer, field, state, control, bounds, target, ends, variable, parameters=None, start=None):
+@judged(Expressions("variable", "parameters", length=2))
+def switching_points(claim, system, target, ends, variable, parameters=None, start=None):
     """The switching curve [x1, x2]: the last switching of the optimal motion that ends at the point `ends` of the
     target."""
-    domain = dict(parameters or {})
-    claim = coercion.as_expressions(answer, [variable, *[p for p in domain if p != variable]], length=2)
-    target = _family(field, state, control, bounds, target, ends, variable, domain, start)
+    target = _family(system, target, ends, variable, parameters, start)
     said = real_function([variable, *target.parameters], claim)
     tolerance = share(*claim, computed=1e-6)
     met = 0
@@ -195,16 +227,14 @@ def switching_points(answer, field, state, control, bounds, target, ends, variab
     return "the optimal motions to the target change their control there, for sample values"
 
 
-@judged
-def switching_crossing(answer, field, state, control, bounds, target, ends, variable, parameters=None, start=None):
+@judged(Expressions("variable", "parameters", length=2))
+def switching_crossing(claim, system, target, ends, variable, parameters=None, start=None):
     """[before, after]: the determinants of (dP/ds, velocity) on the switching curve P(s) with the two controls.
 
     `variable` is the s that numbers the curve by the end points, as in `switching_points`. Equal signs: motions cross
     the curve.
     """
-    domain = dict(parameters or {})
-    claim = coercion.as_expressions(answer, [variable, *[p for p in domain if p != variable]], length=2)
-    target = _family(field, state, control, bounds, target, ends, variable, domain, start)
+    target = _family(system, target, ends, variable, parameters, start)
     said = real_function([variable, *target.parameters], claim)
     tolerance = share(*claim, computed=1e-5)
     for values in target.samples():
@@ -226,52 +256,64 @@ def switching_crossing(answer, field, state, control, bounds, target, ends, vari
     return "these are the determinants, for sample values"
 
 
-@judged
-def switching_curve(answer, field, state, control, bounds, target, domain, parameters=None, start=None):
+@judged(Expression("domain", "parameters"))
+def switching_curve(claim, system, target, domain, parameters=None, start=None):
     """A branch of the switching curve, one state variable as an expression in the other, over the interval that
     `domain` gives."""
-    return _crossed(*_curve_and_data(answer, field, state, control, bounds, target, domain, parameters, start))
+    return _crossed(claim, *domain.items(), frozen(system, target, parameters, start))
 
 
-@judged
-def dispersal_curve(answer, field, state, control, bounds, target, domain, parameters=None, start=None):
+@judged(Expression("domain", "parameters"))
+def dispersal_curve(claim, system, target, domain, parameters=None, start=None):
     """The curve from which two motions are equally fast, written as for `switching_curve`."""
-    return _parting(*_curve_and_data(answer, field, state, control, bounds, target, domain, parameters, start))
+    return _parting(claim, *domain.items(), frozen(system, target, parameters, start))
 
 
-@judged
-def barrier(answer, field, state, control, bounds, target, domain, parameters=None, start=None):
+@judged(Expression("domain", "parameters"))
+def barrier(claim, system, target, domain, parameters=None, start=None):
     """The curve across which the fastest time jumps, written as for `switching_curve`."""
-    return _jumping(*_curve_and_data(answer, field, state, control, bounds, target, domain, parameters, start))
-
-
-def _curve_and_data(answer, field, state, control, bounds, target, domain, parameters, start):
-    parameters = dict(parameters or {})
-    (variable, interval), = domain.items()
-    claim = coercion.as_expression(answer, [variable, *parameters])
-    return claim, variable, interval, frozen(field, state, control, bounds, target, parameters, start)
+    return _jumping(claim, *domain.items(), frozen(system, target, parameters, start))
 
 
 @functools.lru_cache(maxsize=64)
 def _crossed(*curve):
-    for told, one, other, away in _sides_of(*curve, (1.0,)):
-        if one[0].control == other[0].control:
+    places = list(_sides_of(*curve, (1.0,)))
+    for told, (one,), (other,), away in places:
+        if one.control == other.control:
             raise Wrong(f"{told} of your curve the optimal control is the same on both sides")
         if away:
             raise Wrong(f"{told} of your curve the fastest motions leave the curve on both sides: it is no place "
                         f"where they switch")
+    _change_on(places, *curve)
     return "optimal motions cross the curve, or follow it, and change their control there, at sample points"
 
 
 @functools.lru_cache(maxsize=64)
 def _parting(*curve):
-    for told, (one,), (other,), away in _sides_of(*curve, (0.06,)):
+    places = list(_sides_of(*curve, (1.0,)))
+    for told, (one,), (other,), away in places:
         if one.control == other.control or not away:
             raise Wrong(f"{told} of your curve the fastest motions from both sides do not part")
-        if not abs(one.time - other.time) <= 0.12 * one.time + 0.01:
-            raise Wrong(f"{told} of your curve the fastest times differ on the two sides: {one.time:.4g} and "
-                        f"{other.time:.4g}")
+    for (told, *_), one, other in zip(places, *_change_on(places, *curve)):
+        if not abs(one - other) <= 1e-3 * one:
+            raise Wrong(f"{told} of your curve the fastest times differ on the two sides: {one:.4g} and {other:.4g}")
     return "on both sides the fastest motions leave the curve, and their times agree on it, at sample points"
+
+
+def _change_on(places, claim, domain, data):
+    """Raise `Wrong` where the control of the fastest motions changes beside a curve and not on it; else their times
+    just before this change and behind it."""
+    truth, given = sampled_optimum(*data), 1 - data.state.index(domain[0])
+    first, last = (np.array([place[side][0].x for place in places]) for side in (1, 2))
+    control, case = (np.array([getattr(one, name) for _, (one,), *_ in places]) for name in ("control", "case"))
+    on, across = (first + last) / 2, (first - last) / np.linalg.norm(first - last, axis=1)[:, None]
+    first, last = bisected(lambda x, rows: truth.solve(x, case[rows]).control == control[rows], first, last, 24)
+    off = (((first + last) / 2 - on) * across).sum(axis=1) / across[:, given]
+    right = same(on[:, given], on[:, given] + off, claim, np.linalg.norm(on, axis=1), LOCATED)
+    for k in np.flatnonzero(~right):
+        raise Wrong(f"{places[k][0]} of your curve the control of the fastest motions does not change on it, but "
+                    f"beside it")
+    return [truth.solve(x, case).time for x in (first, last)]
 
 
 @functools.lru_cache(maxsize=64)
@@ -290,12 +332,12 @@ def _jumping(*curve):
     return "the fastest time jumps across the curve, at sample points"
 
 
-def _sides_of(claim, variable, interval, data, shares):
+def _sides_of(claim, domain, data, shares):
     """For points of a curve: a text, the optima on one side and on the other at some distances, whether both motions
     move away."""
-    truth, state, parameters = sampled_optimum(*data), data[1], dict(data[5])
+    truth, parameters, (variable, interval) = sampled_optimum(*data), dict(data.parameters), domain
     beside = BESIDE_DECIMALS if in_decimals(claim) else BESIDE / 2
-    index = list(state).index(variable)
+    index = data.state.index(variable)
     function = real_function([variable, *parameters], [claim])
     for case, values in enumerate(truth.cases):
         ends = [float(sp.sympify(end).subs(dict(zip(parameters, values)))) for end in (interval.inf, interval.sup)]
@@ -323,18 +365,18 @@ def _sides_of(claim, variable, interval, data, shares):
                    away[0][k] and away[1][k])
 
 
-@judged
-def continuous_time(answer, field, state, control, bounds, target, ends, variable, parameters, start=None):
+@judged(ConditionOn(lambda data: [p for p in data["parameters"] if p != data["variable"]]))
+def continuous_time(claim, system, target, ends, variable, parameters, start=None):
     """The values of a parameter for which the fastest time is continuous where the target can be reached; borders count
     either way.
 
     Tried next to the extremals that touch the target: from beyond them it is missed.
     """
     (name, interval), = ((p, i) for p, i in parameters.items() if p != variable)
-    claim = coercion.as_condition(answer, [name])
     values = sorted(spread_over(float(interval.inf), float(interval.sup), 8))
-    data = (field, state, control, bounds, target, ends, variable, parameters[variable], start, name)
-    found = [_jump(float(value), *data) for value in values]
+    jump = functools.partial(_jump, data=frozen(system, target, parameters, start), ends=tuple(map(sp.sympify, ends)),
+                             variable=variable, name=name)
+    found = [jump(float(value)) for value in values]
     beside = 0.03 if in_decimals(claim) else 0.016
     tried = list(zip(values, found))
     for low, high, at_low, at_high in zip(values, values[1:], found, found[1:]):
@@ -342,24 +384,26 @@ def continuous_time(answer, field, state, control, bounds, target, ends, variabl
             continue
         while high - low > beside / 2:
             middle = (low + high) / 2
-            low, high = (middle, high) if (_jump(float(middle), *data) > 0) == (at_low > 0) else (low, middle)
+            low, high = (middle, high) if (jump(float(middle)) > 0) == (at_low > 0) else (low, middle)
         tried += [(low - beside, at_low), (high + beside, at_high)]
-    for value, jump in tried:
-        if truth_at(claim, {name: sp.Float(value)}) != (jump == 0):
+    for value, size in tried:
+        if truth_at(claim, {name: sp.Float(value)}) != (size == 0):
             raise Wrong(f"for {name} = {value:.4g} the fastest time "
-                        + ("jumps across a motion that only touches the target" if jump else
+                        + ("jumps across a motion that only touches the target" if size else
                         "jumps nowhere: it is the same on both sides of all motions that touch the target")
                         + "; your condition says otherwise")
     return "next to the motions that touch the target the fastest time jumps for the other values alone"
 
 
 @functools.lru_cache(maxsize=256)
-def _jumps(value, field, state, control, bounds, target, ends, variable, interval, start, name):
+def _jump(value, data, ends, variable, name):
+    """By how much the fastest time jumps next to the motions that touch the target, for a value of a parameter."""
     fixed = {name: sp.Float(value)}
-    target, ends, start = target.subs(fixed), [end.subs(fixed)
-                                               for end in ends], None if start is None else start.subs(fixed)
-    truth = sampled_optimum(*frozen(field, state, control, bounds, [target], {}, start))
-    family = TargetFamily(field, state, control, bounds, target, ends, variable, {variable: interval}, start)
+    data = data._replace(target=tuple(part.subs(fixed) for part in data.target),
+                         start=None if data.start is None else data.start.subs(fixed))
+    truth = sampled_optimum(*data._replace(parameters=()))
+    data = data._replace(parameters=tuple(pair for pair in data.parameters if pair[0] == variable))
+    family = _family_of(data, tuple(end.subs(fixed) for end in ends), variable)
     places = family.places((), count=361)
     rates, jump = family.rates(places, ()), 0.0
     for a, b in zip(places[np.append(rates[:-1] * rates[1:] < 0, False)], places[1:][rates[:-1] * rates[1:] < 0]):
@@ -373,53 +417,71 @@ def _jumps(value, field, state, control, bounds, target, ends, variable, interva
     return jump if jump > 0.05 else 0.0
 
 
-def _jump(value, field, state, control, bounds, target, ends, variable, interval, start, name):
-    target = target[0] if isinstance(target, (list, tuple)) else target
-    return _jumps(value, tuple(field), tuple(state), control, tuple(bounds), target, tuple(map(sp.sympify, ends)),
-                  variable, interval,
-                  start, name)
-
-
 @judged
-def other_extremals(answer, field, state, control, bounds, target, start=None):
+def other_extremals(answer, system, target, start=None):
     """The condition on the start under which there is an extremal to the line besides the fastest one; it may cross the
     line before."""
-    claim = coercion.as_condition(answer, state)
-    lanes, later = _line_extremals(field, state, control, bounds, target, start)
-    said = sampled_optimum(*frozen(field, state, control, bounds, target, {},
-                                   start)).condition(claim)(lanes.x, lanes.case)
-    for k in np.flatnonzero(said != np.isfinite(later)):
-        place = ", ".join(f"{s} = {v:.4g}" for s, v in zip(state, lanes.x[k]))
-        raise Wrong(f"from {place} there is " + (f"another extremal, which takes {later[k]:.4g}"
-                                                 if np.isfinite(later[k]) else
-                    "no other extremal") + f", besides the fastest one of {lanes.time[k]:.4g}")
-    return f"it agrees with the extremals from {len(said)} starts"
+    truth = _second_extremal(system, target, start)
+    agreement = compare(answer, system.state, truth, lambda place, holds: (
+        f"from {place_text(place)} there is {'another' if holds else 'no other'} extremal besides the fastest one"))
+    return f"there is another extremal from these starts and from no others: {agreement}"
 
 
-@judged
-def other_extremal_time(answer, field, state, control, bounds, target, start=None):
+def _second_extremal(system, target, start):
+    """From which starts off the line there are two extremals: decided where the controls on them do not switch."""
+    state, control, bounds = system.state, system.control, system.bounds
+    line, zero = sp.sympify(target[0]), dict.fromkeys([*state, control], 0)
+    plant = sp.Matrix([sp.sympify(f) for f in system.field])
+    first, second = (sp.Dummy(name, real=True) for name in ("T1", "T2"))
+    beyond = reach.beyond_line(plant.jacobian(state), plant.diff(control), list(map(sp.sympify, bounds)), state, line,
+                               first) if not any(plant.subs(zero)) else None
+    if beyond is None:
+        lanes, later = _line_extremals(sampled_optimum(*frozen(system, target, {}, start)))
+        found = {tuple(map(sp.Rational, x)): np.isfinite(T) for x, T in zip(lanes.x, later)}
+        return Truth(at=lambda place: found[tuple(place.values())],
+                     points=lambda: (dict(zip(state, x)) for x in found))
+
+    def ends(time, steepness):
+        """An extremal ends at the time: it crosses the line, or touches it, which counts either way."""
+        return sp.Or(*(sp.And(sp.Eq(F.subs(first, time), 0), steepness(F.diff(first).subs(first, time), 0))
+                       for F in beyond))
+
+    def two(steepness):
+        return sp.And(0 < first, first < second, ends(first, steepness), ends(second, steepness))
+
+    off = sp.And(sp.Ne(line, 0), sp.true if start is None else start)
+
+    def at(place):
+        times = {T for F in beyond for T in sp.Poly(F.subs(place), first).real_roots() if T > 0}
+        crossed, met = (sum(bool(ends(T, steepness).subs(place)) for T in times) >= 2 for steepness in (sp.Gt, sp.Ge))
+        return crossed if crossed == met else None
+
+    return Truth((Case(sp.And(off, two(sp.Gt)), (first, second)),),
+                 (Case(sp.And(off, sp.Not(two(sp.Ge))), (first, second), every=True),), at)
+
+
+@judged(Expression(of_state))
+def other_extremal_time(claim, system, target, start=None):
     """The time that the other extremal of `other_extremals` takes, where there is one."""
-    claim = coercion.as_expression(answer, state)
-    lanes, later = _line_extremals(field, state, control, bounds, target, start)
-    truth = sampled_optimum(*frozen(field, state, control, bounds, target, {}, start))
-    said = Law(claim, state, [], truth)(lanes.x, lanes.case)
+    truth = sampled_optimum(*frozen(system, target, {}, start))
+    lanes, later = _line_extremals(truth)
+    said = Law(claim, truth)(lanes.x, lanes.case)
     tolerance = share(claim, computed=1e-6)
     for k in np.flatnonzero(np.isfinite(later) & ~(abs(said - later) <= tolerance * later)):
-        place = ", ".join(f"{s} = {v:.4g}" for s, v in zip(state, lanes.x[k]))
+        place = ", ".join(f"{s} = {v:.4g}" for s, v in zip(system.state, lanes.x[k]))
         told = f"{said[k]:.4g}" if np.isfinite(said[k]) else "no real number"
         raise Wrong(f"from {place} your expression gives {told}, which is not the time of an extremal slower than the "
                     f"fastest one")
     return "it is the time of the slower extremal, from all sample starts that have one"
 
 
-def _line_extremals(field, state, control, bounds, target, start):
+def _line_extremals(truth):
     """Starts, and the time of the extremal to a line that is next to the fastest one (inf where there is none).
 
     The costate at the end is p = +-c for the line c.y + d = 0, so F(T) = max p.y over R(T) says it all: an extremal
     ends at T if F reaches the line there, and rises, since its rate is the Hamiltonian; the first of all is the fastest
     one. Starts next to a border of their set are left out.
     """
-    truth = sampled_optimum(*frozen(field, state, control, bounds, target, {}, start))
     if "extremals" in truth.kept:
         return truth.kept["extremals"]
     plant, (points, case) = truth.plant, truth._points(1000, seed=7)

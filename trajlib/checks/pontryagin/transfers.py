@@ -1,9 +1,9 @@
 """Fastest and slowest transfers: minimal times, controls and motions in time, costates, starts that can be brought to
 the target.
 
-A transfer is given as a problem states it: `dynamics` {state: right-hand side}, `controls` {u: (lower, upper)},
-`initial` {state: value}, `terminal` expressions that vanish at the end. The values at the start may be parameters, or
-the state symbols themselves where a function of the start is asked for. The optimum comes from `transfer_optima`, where
+A transfer is given as a problem states it: `system`, a record `trajlib.systems.Controlled`, `initial` {state: value},
+`terminal` expressions that vanish at the end. The values at the start may be parameters, or the state symbols
+themselves where a function of the start is asked for. The optimum comes from `transfer_optima`, where
 neither the maximum principle nor a shooting is used.
 """
 
@@ -13,11 +13,12 @@ import numpy as np
 import sympy as sp
 
 from trajlib.checks.contract import coercion
+from trajlib.checks.contract.claims import Claim, Expression, Integer, Number
 from trajlib.checks.contract.tolerance import in_decimals, same, share
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
 from trajlib.checks.pontryagin.open_loop import INTEGRATED, Control, Path
-from trajlib.checks.tools.conditions import Truth, compare, contrary
-from trajlib.checks.tools.values import real_at, real_function, truth_at
+from trajlib.checks.tools.conditions import compare, contrary, exactly, place_text
+from trajlib.checks.tools.values import real_at, real_function
 from trajlib.checks.tools.wording import values_text
 from trajlib.checks.truths.optima.transfer_optima import SAMPLES, Transfer
 
@@ -26,85 +27,110 @@ from trajlib.checks.truths.optima.transfer_optima import SAMPLES, Transfer
 ENDING = 1 - 1e-9
 
 
-@judged
-def fastest_time(answer, dynamics, controls, initial, terminal, parameters=()):
+class Motion(Claim):
+    """All states as functions of time, or the first of them, where the others are its derivatives: x1' = x2."""
+
+    @staticmethod
+    def coerce(answer, symbols, system, time):
+        alone = not isinstance(answer, (list, tuple, sp.MatrixBase, sp.Tuple, np.ndarray))
+        claims, state = coercion.as_expressions([answer] if alone else answer, symbols), system.state
+        if len(claims) not in (1, len(state)):
+            raise Invalid(f"expected {state[0]} as an expression in {time}, or all states")
+        while len(claims) < len(state):
+            if system.dynamics[state[len(claims) - 1]] != state[len(claims)]:
+                raise Invalid("expected all states as expressions in time")
+            claims.append(sp.diff(claims[-1], time))
+        return claims
+
+
+class Costates(Claim):
+    """An expression for each state; of one state the expression alone will do."""
+
+    @staticmethod
+    def coerce(answer, symbols, system):
+        n = len(system.state)
+        alone = n == 1 and not isinstance(answer, (list, tuple, sp.MatrixBase, np.ndarray))
+        return coercion.as_expressions([answer] if alone else answer, symbols, n)
+
+
+@judged(Expression("parameters"))
+def fastest_time(claim, system, initial, terminal, parameters=()):
     """The least time of the transfer, as an expression in the parameters."""
-    return _judge_time(answer, Transfer(dynamics, controls, initial, terminal, parameters))
+    return _judge_time(claim, Transfer(system, initial, terminal, parameters))
 
 
-@judged
-def slowest_time(answer, dynamics, controls, initial, terminal, parameters=()):
+@judged(Expression("parameters"))
+def slowest_time(claim, system, initial, terminal, parameters=()):
     """The greatest time at which the target can be met for the first time."""
-    return _judge_time(answer, Transfer(dynamics, controls, initial, terminal, parameters, slowest=True))
+    return _judge_time(claim, Transfer(system, initial, terminal, parameters, slowest=True))
 
 
 @judged
-def fastest_control(answer, dynamics, controls, initial, terminal, time, parameters=()):
+def fastest_control(answer, system, initial, terminal, time, parameters=()):
     """The control of the fastest transfer: an expression in time and parameters, or a list of arcs [value, until]."""
-    return _judge_control(answer, Transfer(dynamics, controls, initial, terminal, parameters), time)
+    return _judge_control(answer, Transfer(system, initial, terminal, parameters), time)
 
 
 @judged
-def slowest_control(answer, dynamics, controls, initial, terminal, time, parameters=()):
+def slowest_control(answer, system, initial, terminal, time, parameters=()):
     """The control that meets the target for the first time as late as possible, in the same forms."""
-    return _judge_control(answer, Transfer(dynamics, controls, initial, terminal, parameters, slowest=True), time)
+    return _judge_control(answer, Transfer(system, initial, terminal, parameters, slowest=True), time)
 
 
-@judged
-def fastest_motion(answer, dynamics, controls, initial, terminal, time, parameters=()):
+@judged(Motion("time", "parameters", system="system", time="time"))
+def fastest_motion(claim, system, initial, terminal, time, parameters=()):
     """The motion of the fastest transfer: the first state as a function of time, or all states."""
-    return _judge_motion(answer, Transfer(dynamics, controls, initial, terminal, parameters), time)
+    return _judge_motion(claim, Transfer(system, initial, terminal, parameters), time)
 
 
-@judged
-def slowest_motion(answer, dynamics, controls, initial, terminal, time, parameters=()):
+@judged(Motion("time", "parameters", system="system", time="time"))
+def slowest_motion(claim, system, initial, terminal, time, parameters=()):
     """The motion that meets the target for the first time as late as possible."""
-    return _judge_motion(answer, Transfer(dynamics, controls, initial, terminal, parameters, slowest=True), time)
+    return _judge_motion(claim, Transfer(system, initial, terminal, parameters, slowest=True), time)
 
 
-@judged
-def fastest_costate(answer, dynamics, controls, initial, terminal, time, parameters=()):
+@judged(Costates("time", "parameters", system="system"))
+def fastest_costate(claim, system, initial, terminal, time, parameters=()):
     """The costates along the fastest transfer, with lambda_0 = 1: psi.f = 1 along it."""
-    return _judge_costate(answer, Transfer(dynamics, controls, initial, terminal, parameters), time)
+    return _judge_costate(claim, Transfer(system, initial, terminal, parameters), time)
 
 
-@judged
-def slowest_costate(answer, dynamics, controls, initial, terminal, time, parameters=()):
+@judged(Costates("time", "parameters", system="system"))
+def slowest_costate(claim, system, initial, terminal, time, parameters=()):
     """The costates along the slowest transfer, with lambda_0 = 1: psi.f = -1 along it."""
-    return _judge_costate(answer, Transfer(dynamics, controls, initial, terminal, parameters, slowest=True), time)
+    return _judge_costate(claim, Transfer(system, initial, terminal, parameters, slowest=True), time)
 
 
-@judged
-def fastest_switching(answer, dynamics, controls, initial, terminal, time):
+@judged(Expression("time"))
+def fastest_switching(claim, system, initial, terminal, time):
     """The switching function dH/du along the fastest transfer to a line, with lambda_0 = 1, as a function of time."""
-    return _judge_switching(answer, Transfer(dynamics, controls, initial, terminal, ()), time)
+    return _judge_switching(claim, Transfer(system, initial, terminal, ()), time)
 
 
-@judged
-def slowest_switching(answer, dynamics, controls, initial, terminal, time):
+@judged(Expression("time"))
+def slowest_switching(claim, system, initial, terminal, time):
     """The switching function dH/du along the slowest transfer to a line, with lambda_0 = 1."""
-    return _judge_switching(answer, Transfer(dynamics, controls, initial, terminal, (), slowest=True), time)
+    return _judge_switching(claim, Transfer(system, initial, terminal, (), slowest=True), time)
 
 
-@judged
-def fastest_meeting(answer, dynamics, controls, initial, terminal, count):
+@judged(Expression("count"))
+def fastest_meeting(claim, system, initial, terminal, count):
     """The least time of the meeting number `count` with the target, a start on the target being the meeting number
     0."""
-    return _judge_meetings(answer, Transfer(dynamics, controls, initial, terminal, ()), count)
+    return _judge_meetings(claim, Transfer(system, initial, terminal, ()), count)
 
 
-@judged
-def slowest_meeting(answer, dynamics, controls, initial, terminal, count):
+@judged(Expression("count"))
+def slowest_meeting(claim, system, initial, terminal, count):
     """The greatest time of the meeting number `count` with the target, counted in the same way."""
-    return _judge_meetings(answer, Transfer(dynamics, controls, initial, terminal, (), slowest=True), count)
+    return _judge_meetings(claim, Transfer(system, initial, terminal, (), slowest=True), count)
 
 
-@judged
-def turning_rate(answer, dynamics, controls, angle):
+@judged(Expression("angle", lambda data: data["system"].control))
+def turning_rate(claim, system, angle):
     """The rate of the polar angle of the state of a planar system, as an expression in the angle and the control."""
-    (first, second), ((control, bounds),) = dynamics, controls.items()
-    claim = coercion.as_expression(answer, [angle, control])
-    field = sp.lambdify([first, second, control], list(dynamics.values()), "math")
+    (first, second), control, bounds = system.state, system.control, system.bounds
+    field = sp.lambdify([first, second, control], system.field, "math")
     random = np.random.default_rng(9)
     for _ in range(20):
         theta, u, r = random.uniform(-math.pi, math.pi), random.uniform(*map(float, bounds)), random.uniform(0.3, 3)
@@ -122,40 +148,43 @@ def turning_rate(answer, dynamics, controls, angle):
 
 
 @judged
-def transfer_starts(answer, dynamics, controls, initial, terminal, parameters):
+def transfer_starts(answer, system, initial, terminal, parameters):
     """The starts, or parameters, for which the target can be reached; a start on the target may be counted either
     way."""
-    transfer = Transfer(dynamics, controls, initial, terminal, parameters)
-    agreement = compare(answer, parameters, Truth(at=transfer.solvable),
-                        contrary(transfer.told_solvable))
+    transfer = Transfer(system, initial, terminal, parameters)
+    truth = exactly(transfer.solvable_condition(), transfer.off_target(), at=transfer.solvable)
+    agreement = compare(answer, parameters, truth, contrary(transfer.told_solvable))
     return f"it agrees with what the controls can reach: {agreement}"
 
 
 @judged
-def reached_within(answer, dynamics, controls, initial, terminal, duration, parameters):
+def reached_within(answer, system, initial, terminal, duration, parameters):
     """The condition, in the parameters and the symbol `duration`, for the target to be reached in a time not longer
     than it."""
-    symbols = [duration, *parameters]
-    claim = coercion.as_condition(answer, symbols)
-    transfer = Transfer(dynamics, controls, initial, terminal, parameters)
-    for values, best in transfer.samples():
-        exact = sp.nsimplify(sp.Rational(best.duration).limit_denominator(10**4))
-        times = [(sp.Rational(best.duration * x).limit_denominator(10**9), x > 1) for x in (0.3, 0.999, 1.001, 4)]
-        times += [(exact, True)] if abs(exact - best.duration) < 1e-12 else []
-        for time, holds in times:
-            if truth_at(claim, values | {duration: time}) != holds:
-                raise Wrong(f"for {values_text(values | {duration: time})} the target {'can' if holds else 'cannot'} "
-                            f"be reached in time; "
-                            f"your condition {'does not hold' if holds else 'holds'}")
-    return "it tells the times that suffice from those that do not, for several sets of parameters"
+    transfer = Transfer(system, initial, terminal, parameters)
+    found = list(transfer.samples())
+
+    def points():
+        for values, best in found:
+            for part in (0.3, 0.999, 1.001, 4):
+                yield {duration: sp.Rational(best.duration * part).limit_denominator(10**9), **values}
+
+    def in_time(place):
+        values = {p: place[p] for p in parameters}
+        return next(best for known, best in found if known == values).duration <= place[duration]
+
+    truth = exactly(transfer.in_time_condition(duration), at=in_time, points=points)
+    agreement = compare(answer, [duration, *parameters], truth, lambda values, holds: (
+        f"for {place_text(values)} the target {'can' if holds else 'cannot'} be reached in time; your condition "
+        f"{'does not hold' if holds else 'holds'}"))
+    return f"it tells the times that suffice from those that do not: {agreement}"
 
 
-@judged
-def least_rate(answer, quantity, dynamics, controls):
+@judged(Expression(lambda data: data["system"].state))
+def least_rate(claim, quantity, system):
     """The least rate of change of a quantity that an admissible control can give, as an expression in the state."""
-    state, ((control, bounds),) = list(dynamics), controls.items()
-    claim = coercion.as_expression(answer, state)
-    slope = sum(sp.diff(quantity, x) * f for x, f in dynamics.items())
+    state, control, bounds = system.state, system.control, system.bounds
+    slope = sum(sp.diff(quantity, x) * f for x, f in system.dynamics.items())
     random = np.random.default_rng(3)
     for _ in range(20):
         place = {x: sp.Rational(int(random.integers(2, 60)), 13) * int(random.choice((-1, 1))) for x in state}
@@ -170,12 +199,11 @@ def least_rate(answer, quantity, dynamics, controls):
     return "it is the least of the rates that the admissible controls give, at random states of both signs"
 
 
-@judged
-def switchings(answer, dynamics, controls, initial, terminal, parameters):
+@judged(Expression("parameters"))
+def switchings(claim, system, initial, terminal, parameters):
     """How often the fastest control switches, as an expression in the parameters; not asked where all of them are whole
     numbers."""
-    claim = coercion.as_expression(answer, parameters)
-    transfer = Transfer(dynamics, controls, initial, terminal, parameters)
+    transfer = Transfer(system, initial, terminal, parameters)
     for values, best in transfer.samples(4 * SAMPLES):
         if all(value.is_integer for value in values.values()):
             continue  # the number may be another one at exceptional starts: those on a switching curve
@@ -188,11 +216,10 @@ def switchings(answer, dynamics, controls, initial, terminal, parameters):
     return f"it counts the switchings of the fastest control for {4 * SAMPLES} starts"
 
 
-@judged
-def most_switchings(answer, dynamics, controls, initial, terminal, parameters):
+@judged(Integer())
+def most_switchings(claim, system, initial, terminal, parameters):
     """The greatest number of switchings that a fastest transfer needs."""
-    claim = coercion.as_integer(answer)
-    transfer = Transfer(dynamics, controls, initial, terminal, parameters)
+    transfer = Transfer(system, initial, terminal, parameters)
     most = max((best.switchings(), k) for k, (_, best) in enumerate(transfer.samples(4 * SAMPLES)))[0]
     if claim < most:
         raise Wrong(f"there are starts from which the fastest control switches more often than {_times(claim)}")
@@ -202,11 +229,10 @@ def most_switchings(answer, dynamics, controls, initial, terminal, parameters):
     return f"the fastest controls from {4 * SAMPLES} starts confirm it"
 
 
-@judged
-def switching_interval(answer, dynamics, controls, initial, terminal, parameters):
+@judged(Number())
+def switching_interval(claim, system, initial, terminal, parameters):
     """The time between two switchings of fastest controls, where it is the same for all."""
-    claim = coercion.as_number(answer)
-    intervals = [b - a for _, best in Transfer(dynamics, controls, initial, terminal, parameters).samples(4 * SAMPLES)
+    intervals = [b - a for _, best in Transfer(system, initial, terminal, parameters).samples(4 * SAMPLES)
                  for a, b in zip(best.breaks(), best.breaks()[1:])]
     if max(intervals) - min(intervals) > 1e-3 * max(intervals):
         raise RuntimeError("the intervals between switchings differ")
@@ -216,11 +242,10 @@ def switching_interval(answer, dynamics, controls, initial, terminal, parameters
     return f"the fastest controls switch at such intervals, {len(intervals)} times"
 
 
-@judged
-def isochrone_radius(answer, dynamics, controls, terminal, duration, count):
+@judged(Expression("count"))
+def isochrone_radius(claim, system, terminal, duration, count):
     """The radius of the circle of starts whose least time is `duration`, an expression in the whole number `count`."""
-    claim = coercion.as_expression(answer, [count])
-    transfer = Transfer(dynamics, controls, {x: x for x in dynamics}, terminal, list(dynamics))
+    transfer = Transfer(system, {x: x for x in system.state}, terminal, system.state)
     for number in range(1, 6):
         said = real_at(claim, {count: number})
         radii = transfer.reach(float(sp.sympify(duration).subs(count, number)))
@@ -238,8 +263,7 @@ def isochrone_radius(answer, dynamics, controls, terminal, duration, count):
 # How each kind of answer is judged.
 
 
-def _judge_time(answer, transfer):
-    claim = coercion.as_expression(answer, transfer.parameters)
+def _judge_time(claim, transfer):
     value_of = real_function(transfer.parameters, [claim])
     for values, best in transfer.samples(2 * SAMPLES):
         said = float(value_of(*map(float, values.values()))[0])
@@ -273,19 +297,8 @@ def _judge_control(answer, transfer, time):
     return f"it is admissible and meets the target at the {transfer.word} time possible"
 
 
-def _judge_motion(answer, transfer, time):
-    symbols = [time, *transfer.parameters]
-    states = list(transfer.dynamics)
-    single = (isinstance(answer, sp.Basic) and not isinstance(answer, (sp.MatrixBase, sp.Tuple))
-              or isinstance(answer, (int, float)))
-    claims = [coercion.as_expression(answer, symbols)] if single else coercion.as_expressions(answer, symbols)
-    if len(claims) not in (1, len(states)):
-        raise Invalid(f"expected {states[0]} as an expression in {time}, or all states")
-    # The states that are not given are derivatives of the first one: x1' = x2.
-    while len(claims) < len(states):
-        if transfer.dynamics[states[len(claims) - 1]] != states[len(claims)]:
-            raise Invalid("expected all states as expressions in time")
-        claims.append(sp.diff(claims[-1], time))
+def _judge_motion(claims, transfer, time):
+    symbols, states = [time, *transfer.parameters], list(transfer.dynamics)
     rates = [sp.diff(claim, time) for claim in claims]
     rounding = share(*claims, computed=INTEGRATED)
     values_of, rates_of = (real_function(symbols, part) for part in (claims, rates))
@@ -322,12 +335,8 @@ def _judge_motion(answer, transfer, time):
             f"{transfer.word} time")
 
 
-def _judge_costate(answer, transfer, time):
-    states = list(transfer.dynamics)
-    if len(states) == 1 and not isinstance(answer, (list, tuple, sp.MatrixBase, np.ndarray)):
-        answer = [answer]
-    symbols = [time, *transfer.parameters]
-    claims = coercion.as_expressions(answer, symbols, len(states))
+def _judge_costate(claims, transfer, time):
+    states, symbols = list(transfer.dynamics), [time, *transfer.parameters]
     rounding = share(*claims, computed=INTEGRATED)
     values_of, slopes_of = real_function(symbols, claims), real_function(symbols, [sp.diff(claim, time)
                                                                                    for claim in claims])
@@ -369,8 +378,7 @@ def _judge_costate(answer, transfer, time):
     return f"adjoint equations, maximum condition, transversality and H = 0 hold along the {transfer.manner} motion"
 
 
-def _judge_meetings(answer, transfer, count):
-    claim = coercion.as_expression(answer, [count])
+def _judge_meetings(claim, transfer, count):
     for number in (0, 1, 2, 3, 7):
         said = real_at(claim, {count: number})
         best = transfer.at({}, meetings=number)
@@ -384,8 +392,7 @@ def _judge_meetings(answer, transfer, count):
     return f"it is the {transfer.word} time of this meeting, for several numbers"
 
 
-def _judge_switching(answer, transfer, time):
-    claim = coercion.as_expression(answer, [time])
+def _judge_switching(claim, transfer, time):
     best = transfer.at({})
     rounding = share(claim, computed=INTEGRATED)
     value_of = real_function([time], [claim])

@@ -11,7 +11,6 @@ import math
 
 import numpy as np
 import sympy as sp
-from scipy.linalg import expm
 
 from trajlib.checks.contract import coercion
 from trajlib.checks.contract.claims import ConditionOn, Expression, Expressions, Integer
@@ -29,6 +28,8 @@ ZERO = 1e-8
 @judged(Expression("matrix", "initial", "t"))
 def measured_motion(claim, matrix, output, initial, t):
     """The measured component of the solution of x' = A x through the initial values."""
+    from scipy.linalg import expm
+
     for values in random_values([*_symbols(matrix), *initial, t], 71):
         states = expm(_array(matrix, values)*values[t])@[values[s] for s in initial]
         yield Same(claim, _seen(output, values, states), "what is measured", values, np.abs(states).max())
@@ -314,6 +315,8 @@ def _rows(matrix, output, values, times):
 
 def _moves(matrix, values, times):
     """The matrices that take the initial state to the states at the given times, stacked along the first axis."""
+    from scipy.linalg import expm
+
     return expm(_array(matrix, values)*times[:, None, None])
 
 

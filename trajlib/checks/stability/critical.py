@@ -12,9 +12,11 @@ import numpy as np
 import sympy as sp
 
 from trajlib.checks.contract import coercion
+from trajlib.checks.contract.claims import Choice
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
 from trajlib.checks.stability.first_approximation import STABILITY
 from trajlib.checks.stability.programs import Motion
+from trajlib.checks.tools.comparisons import Word
 from trajlib.checks.tools.conditions import Truth, compare, contrary
 from trajlib.checks.tools.samples import sample_values
 from trajlib.checks.tools.values import matrix_at, number_at, numbers_at
@@ -42,31 +44,25 @@ def eigenvalue_multiplicities(answer, field, state, parameters, program=None, pa
                             f"invertible there, its smallest singular value is {off:.3g}")
             if any(abs(number - other) < SPREAD * size for other in numbers[:k]):
                 raise Wrong(f"the eigenvalue {number_text(number)} is listed twice{where_text(values)}; give each "
-                            f"eigenvalue once, with its "
-                            "multiplicities")
+                            "eigenvalue once, with its multiplicities")
         if sum(algebraic for _, algebraic, _ in rows) != n:
             raise Wrong(f"the algebraic multiplicities that you give add up to {sum(a for _, a, _ in rows)}, and the "
-                        f"characteristic "
-                        f"polynomial is of degree {n}")
+                        f"characteristic polynomial is of degree {n}")
         found = np.linalg.eigvals(matrix)
         for number, (_, algebraic, geometric) in zip(numbers, rows):
             if sum(abs(found - number) < SPREAD * size) != algebraic:
                 raise Wrong(f"{number_text(number)} is a root of the characteristic equation, but not of the "
-                            f"multiplicity "
-                            f"{algebraic}{where_text(values)}")
+                            f"multiplicity {algebraic}{where_text(values)}")
             if _eigenvectors(matrix, number) != geometric:
                 raise Wrong(f"the number of independent eigenvectors for {number_text(number)} is not "
-                            f"{geometric}{where_text(values)}: look at "
-                            "the rank of A - lambda E")
+                            f"{geometric}{where_text(values)}: look at the rank of A - lambda E")
     return ("they are all roots of the characteristic equation, as often as you say, and A - lambda E has the ranks "
-            "that go with your "
-            "numbers of eigenvectors")
+            "that go with your numbers of eigenvectors")
 
 
-@judged
-def critical_stability(answer, field, state, parameters, program=None, part=None):
+@judged(Choice(words=STABILITY))
+def critical_stability(claim, field, state, parameters, program=None, part=None):
     """Whether x = 0 of the linear system is asymptotically stable, stable (and no more) or unstable."""
-    claim = coercion.as_choice(answer, STABILITY)
     verdicts = [(values, matrix, stability(matrix))
                 for values, matrix in _matrices(field, state, parameters, program, part)]
     if len({verdict for _, _, verdict in verdicts}) > 1:
@@ -76,9 +72,7 @@ def critical_stability(answer, field, state, parameters, program=None, part=None
     told = (f"motions that start at distance 1 from zero are at distances of up to {_distance(matrix, duration)} "
             f"after {duration:.3g} units of time and up to {_distance(matrix, 100 * duration)} "
             f"after {100 * duration:.3g}{where_text(values)}")
-    if claim != truth:
-        raise Wrong(f"this does not agree with the motions: {told}")
-    return told
+    return (yield Word(claim, truth, told, "this does not agree with the motions: "))
 
 
 @judged
@@ -89,9 +83,8 @@ def stable_parameters(answer, field, state, parameters, program=None, part=None)
     def told(values):
         matrix = at(values)
         duration = 2000 / np.linalg.norm(matrix)
-        return (f"there motions that start at distance 1 from zero are at distances of up to "
-                f"{_distance(matrix, duration)} after "
-                f"{duration:.3g} units of time")
+        return ("there motions that start at distance 1 from zero are at distances of up to "
+                f"{_distance(matrix, duration)} after {duration:.3g} units of time")
 
     truth = Truth(at=lambda values: stability(at(values)) != "unstable")
     agreement = compare(answer, parameters, truth, contrary(told))
@@ -117,18 +110,16 @@ def growing_motion(answer, field, state, parameters, time, constants=(), program
             off = abs(matrix @ x - rate)
             if not max(off) <= 1e-9 * (np.linalg.norm(matrix) * np.linalg.norm(x) + np.linalg.norm(rate)) < np.inf:
                 k = int(np.argmax(off))
-                raise Wrong(f"the equations are not satisfied: {part[k]}' is {rate[k].real:.4g} along your motion, "
-                            f"and they ask for "
-                            f"{(matrix @ x)[k].real:.4g}{where_text(values)}, {time} = {moment}")
+                raise Wrong(f"the equations are not satisfied: {part[k]}' is {rate[k].real:.4g} along your motion, and "
+                            f"they ask for {(matrix @ x)[k].real:.4g}{where_text(values)}, {time} = {moment}")
         early, late = (max(_logarithm(motion, values | {time: sp.Integer(moment)}) for moment in moments)
                        for moments in ((0, 1, 7, 10), (10**6, 10**6 + 1)))
         if not late > early + np.log(1e3):
             raise Wrong(f"it satisfies the equations but does not grow: its distance from zero is at most "
                         f"{np.exp(early):.4g} for {time} "
                         f"up to 10 and {np.exp(late):.4g} for {time} = 1000000{where_text(values)}")
-    return ("it satisfies the equations, and its distance from zero exceeds every bound; so does every multiple of "
-            "it, however small its "
-            "start")
+    return ("it satisfies the equations, and its distance from zero exceeds every bound; so does every multiple of it, "
+            "however small its start")
 
 
 @judged
@@ -146,8 +137,7 @@ def limit_state(answer, field, state, parameters, start, program=None, part=None
             true = late @ begin
             if not np.linalg.norm(said - true) <= 1e-7 * np.linalg.norm(begin):
                 raise Wrong(f"the motion from {point_text(begin)} has come to {point_text(true + 0.0)} after a long "
-                            f"time{where_text(values)}; your "
-                            f"limit is {point_text(said.real)}")
+                            f"time{where_text(values)}; your limit is {point_text(said.real)}")
     return "motions from several starts come to these states"
 
 

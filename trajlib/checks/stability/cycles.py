@@ -12,9 +12,10 @@ import sympy as sp
 from sympy.core.relational import Relational
 
 from trajlib.checks.contract import coercion
+from trajlib.checks.contract.claims import Expression, Expressions, Number
+from trajlib.checks.contract.members import NUMBERS, members
 from trajlib.checks.contract.tolerance import in_decimals, rounds_to
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
-from trajlib.checks.tools.members import NUMBERS, members
 from trajlib.checks.tools.values import number_at, value_at
 from trajlib.checks.truths.fields import known_field
 
@@ -23,10 +24,9 @@ CYCLES = ("stable", "unstable", "semistable")
 ANGLES = 0.4 + 2 * math.pi * np.arange(24) / 24
 
 
-@judged
-def polar_form(answer, field, state, polar):
+@judged(Expressions("polar", length=2))
+def polar_form(rates, field, state, polar):
     """The pair (r', phi') of a planar system, in the polar coordinates `polar`."""
-    rates = coercion.as_expressions(answer, polar, length=2)
     flow = known_field(tuple(field), tuple(state))
     random = np.random.default_rng(8)
     for _ in range(20):
@@ -41,13 +41,12 @@ def polar_form(answer, field, state, polar):
     return "both rates agree with the velocity of the motion at random points"
 
 
-@judged
-def radial_motion(answer, field, state, time, start):
+@judged(Expression("time", "start"))
+def radial_motion(claim, field, state, time, start):
     """The distance r(t) from zero of the motion with r(0) = r0, for t >= 0 as long as the motion lasts.
 
     For fields whose r' does not depend on the angle. Judged by substitution: the initial value and the rate of change.
     """
-    claim = coercion.as_expression(answer, [time, start])
     slope = sp.diff(claim, time)
     flow = known_field(tuple(field), tuple(state))
     for r0 in (0.3, 0.85, 1.0, 1.4, 2.3):
@@ -74,7 +73,8 @@ def limit_cycles(answer, field, state):
     entries = members(answer, "a list of radii", single=(*NUMBERS, Relational))
     if any(isinstance(entry, Relational) for entry in entries):
         raise Invalid("expected the radii themselves, without equations")
-    radii = [float(coercion.as_number(entry)) for entry in coercion.as_expressions(entries)]
+    numbers = [coercion.as_number(entry) for entry in coercion.as_expressions(entries)]
+    radii = list(map(float, numbers))
     found = _circles(flow)
     for radius in radii:
         if radius == 0:
@@ -87,9 +87,27 @@ def limit_cycles(answer, field, state):
                         f"point of it")
     missed = [other for other in found if not any(rounds_to(radius, other) for radius in radii)]
     if missed:
-        raise Wrong(f"your list does not hold all of them: {len(found) - len(missed)} of {len(found)} "
-                    "circles around zero on which r' vanishes")
-    return "on these circles, and on no others, r' vanishes at every angle while phi' does not"
+        raise Wrong("your list does not hold all of them: there is another circle around zero on which r' vanishes")
+    known = "proved" if _proved(numbers, sp.Matrix(field), state) else "agrees at sample angles"
+    return f"on these circles, and on no others, r' vanishes at every angle while phi' does not: {known}"
+
+
+def _proved(radii, field, state):
+    """Whether it can be decided, for a polynomial field, that these are the radii of all circles.
+
+    With x = r cos, y = r sin the rates are polynomials in cos and sin, to the first degree in sin; those of r' have to
+    vanish one by one.
+    """
+    r, c, s = sp.symbols("r c s")
+    rates = field.subs(dict(zip(state, (r * c, r * s))), simultaneous=True).applyfunc(sp.expand)
+    if not all(rate.is_polynomial(r, c, s) for rate in rates):
+        return False
+    f, g = rates
+    outward, around = (sp.Poly(sp.rem(rate, c**2 + s**2 - 1, s), c, s) for rate in (c * f + s * g, c * g - s * f))
+    radial = sp.Poly(functools.reduce(sp.gcd, outward.coeffs()), r)
+    if not around.is_ground or len(set(radii)) != radial.count_roots(0) - (radial.eval(0) == 0):
+        return False
+    return all(radial.eval(radius) == 0 != around.as_expr().subs(r, radius) for radius in radii)
 
 
 @judged
@@ -117,13 +135,12 @@ def cycle_stability(answer, field, state, radius=None):
             f"motions outside {'towards' if outside == 'to' else 'away from'} it")
 
 
-@judged
-def return_slope(answer, field, state, radius=None):
+@judged(Number())
+def return_slope(claim, field, state, radius=None):
     """The slope of the return map r -> P(r) at a limit cycle: by how much one turn multiplies a small deviation.
 
     Judged by Liouville's formula: in the plane it is exp of the integral of the divergence over one turn.
     """
-    claim = coercion.as_number(answer)
     flow = known_field(tuple(field), tuple(state))
     radius = _circle(flow, radius)
     exponent = 0.0
@@ -144,9 +161,8 @@ def return_slope(answer, field, state, radius=None):
                         "not cross")
         turn = _turn(flow, radius)
         raise Wrong(f"a small deviation multiplied by {float(claim):.4g} in each turn of {turn:.4g} units of time "
-                    f"would grow "
-                    f"at the mean rate {math.log(float(claim)) / turn:.4g}; linearising r' at the cycle gives another "
-                    f"rate")
+                    f"would grow at the mean rate {math.log(float(claim)) / turn:.4g}; linearising r' at the cycle "
+                    "gives another rate")
     return "it agrees with the integral of the divergence over one turn (Liouville's formula)"
 
 

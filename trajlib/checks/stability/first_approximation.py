@@ -1,42 +1,49 @@
 """The first approximation at a stationary solution, and what it says of stability."""
 
 import functools
+from dataclasses import dataclass
 
 import numpy as np
 import sympy as sp
-from scipy.integrate import solve_ivp
 
-from trajlib.checks.contract import coercion
+from trajlib.checks.contract.claims import Choice, Matrix
 from trajlib.checks.contract.verdict import Wrong, judged
-from trajlib.checks.stability.regions import compare_region
+from trajlib.checks.tools.comparisons import Word
 from trajlib.checks.tools.samples import sample_values
 from trajlib.checks.tools.values import matrix_at
 from trajlib.checks.tools.wording import other_rate, where_text
 from trajlib.checks.truths.fields import Field, known_field
+from trajlib.checks.truths.spectra import compare_region
 
 STABILITY = ("asymptotically stable", "stable", "unstable")
 #: Below this a derivative is zero: what complex steps leave of terms of higher order.
 FLOOR = 1e-25
 
 
-@judged
-def linearisation(answer, field, state, at, parameters=()):
-    """The matrix A of the equations in deviations x' = A x at the stationary point `at`.
-
-    Judged by what A is for: along every direction h the field changes by A h to first order.
-    """
-    n = len(state)
-    matrix = coercion.as_matrix(answer, parameters, (n, n))
+@judged(Matrix("parameters", shape=lambda data: (len(data["state"]),) * 2))
+def linearisation(claim, field, state, at, parameters=()):
+    """The n x n matrix A of the equations in deviations x' = A x at the stationary point `at` (n expressions)
+    of the field (n expressions in the n symbols `state`)."""
     for values in sample_values(parameters):
-        flow = Field(field, state, values)
-        point = [float(sp.sympify(x).subs(values)) for x in at]
-        claimed = matrix_at(matrix, values)
-        size = max(np.linalg.norm(flow.jacobian(point)), FLOOR)
-        for k, unit in enumerate(np.eye(n)):
-            true = flow.derivative(point, unit)
-            if not np.linalg.norm(claimed @ unit - true) <= 1e-9 * size:
-                raise Wrong(f"{other_rate(state[k], claimed @ unit, true)}{where_text(values)}")
+        true = Field(field, state, values).jacobian([float(sp.sympify(x).subs(values)) for x in at])
+        yield Rates(claim, true, state, values)
     return "for small deviations in every direction the field changes as the matrix says"
+
+
+@dataclass
+class Rates:
+    """A matrix of equations in deviations says at which rates the right-hand sides change with each of the symbols."""
+
+    claim: sp.MatrixBase
+    true: np.ndarray
+    symbols: list
+    values: dict
+
+    def judge(self):
+        said, size = matrix_at(self.claim, self.values), max(np.linalg.norm(self.true), FLOOR)
+        for symbol, own, column in zip(self.symbols, said.T, self.true.T):
+            if not np.linalg.norm(own - column) <= 1e-9 * size:
+                raise Wrong(f"{other_rate(symbol, own, column)}{where_text(self.values)}")
 
 
 @judged
@@ -52,13 +59,12 @@ def first_approximation_unstable(answer, field, state, at, parameters):
                           "unstable by a root with positive real part", unstable=True)
 
 
-@judged
-def zero_stability(answer, field, state):
+@judged(Choice(words=STABILITY))
+def zero_stability(claim, field, state):
     """Whether x = 0 is asymptotically stable, stable (and no more) or unstable.
 
     Decided by the spectrum of the first approximation; where that is silent, by motions that start close to zero.
     """
-    claim = coercion.as_choice(answer, STABILITY)
     flow = known_field(tuple(field), tuple(state))
     real_part = max(np.linalg.eigvals(flow.jacobian([0.0] * len(state))).real)
     if abs(real_part) > 1e-9:
@@ -67,9 +73,7 @@ def zero_stability(answer, field, state):
             f"all eigenvalues of the first approximation have real parts of at most {real_part:.4g}"
     else:
         truth, reason = _by_motions(flow)
-    if claim != truth:
-        raise Wrong(f"this does not agree with the motions near zero: {reason}")
-    return reason
+    return (yield Word(claim, truth, reason, "this does not agree with the motions near zero: "))
 
 
 def _matrix(field, state, at):
@@ -110,6 +114,8 @@ def _by_motions(flow, radius=0.05, duration=200.0):
 
 def _trend(flow, measure, start, duration, escape=1.0):
     """The amplitude of a motion near the end of `duration` divided by that near its middle; inf if it runs away."""
+    from scipy.integrate import solve_ivp
+
     def outside(_, x):
         return escape - np.linalg.norm(x)
 

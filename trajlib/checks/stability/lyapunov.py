@@ -8,6 +8,7 @@ import sympy as sp
 from sympy.core.relational import Relational
 
 from trajlib.checks.contract import coercion
+from trajlib.checks.contract.claims import ConditionOn, Expression
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
 from trajlib.checks.tools.conditions import Case, Condition, Truth, compare, exactly, on_borders, place_text
 from trajlib.checks.tools.samples import allowed_values, joined, sample_values
@@ -16,10 +17,9 @@ from trajlib.checks.tools.wording import point_text, values_text
 from trajlib.checks.truths.fields import Field
 
 
-@judged
-def lyapunov_derivative(answer, function, field, state, parameters=()):
+@judged(Expression("state", "parameters"))
+def lyapunov_derivative(claim, function, field, state, parameters=()):
     """The derivative of V along the motions of x' = f(x) (Definition 1.4), as an expression in the state."""
-    claim = coercion.as_expression(answer, [*state, *parameters])
     random = np.random.default_rng(4)
     for values in sample_values(parameters):
         flow, level = Field(field, state, values), Field([function], state, values)
@@ -43,14 +43,16 @@ def vanishing_set(answer, function, field, state, parameters=()):
     rate = sp.expand(sum(sp.diff(function, x) * f for x, f in zip(state, field)))
     (sample,) = sample_values(parameters, count=1) if parameters else ({},)
     given = sp.And(*(sp.Ne(p, 0) for p in parameters))
-    truth = exactly(sp.Eq(rate, 0), given, tuple(parameters),
-                    lambda values: sp.simplify(rate.subs(sample).subs(values)) == 0)
+    # A factor that is not zero may stay in the equation.
+    kept = [p for p in parameters if p.name in {s.name for s in getattr(answer, "free_symbols", ())}]
+    truth = exactly(sp.Eq(rate, 0), given, tuple(p for p in parameters if p not in kept),
+                    lambda values: sp.simplify(rate.subs(values).subs(sample)) == 0)
 
     def told(values, holds):
         return (f"at {place_text(values)} the derivative is {'zero' if holds else 'not zero'}, and your set "
                 f"{'does not hold' if holds else 'holds'} this state")
 
-    agreement = compare(answer, state, truth, told)
+    agreement = compare(answer, [*state, *kept], truth, told)
     return f"the derivative is zero at the states of this set and at no others: {agreement}"
 
 
@@ -159,11 +161,10 @@ def _proved(function, field, state, where, besides=sp.true):
     return (inside,), (Case(sp.And(asked, sp.Not(proved)), tuple(state)), Case(nothing))
 
 
-@judged
-def basin_level(answer, function, field, state, parameters=(), given=()):
+@judged(Expression("parameters"))
+def basin_level(claim, function, field, state, parameters=(), given=()):
     """The largest level c for which V proves that the part of {V < c} around zero belongs to the basin of
     attraction."""
-    claim = coercion.as_expression(answer, parameters)
     directions = _directions(len(state))
     for values, level, others, rate in _stable_systems(function, field, state, parameters, given):
         number = number_at(claim, values, "your level")
@@ -187,15 +188,14 @@ def basin_level(answer, function, field, state, parameters=(), given=()):
             "this ends")
 
 
-@judged
-def basin_estimate(answer, function, field, state, parameters=(), given=()):
+@judged(ConditionOn("state", "parameters"))
+def basin_estimate(condition, function, field, state, parameters=(), given=()):
     """The largest set {V < c} around zero that V proves to belong to the basin of attraction.
 
     Judged for values of the parameters with an asymptotically stable first approximation: the boundary is a level line
     of V, inside V' <= 0 and no other equilibrium, and a slightly higher level breaks one of these. The set may contain
     the parameters; where V < c has parts away from zero, it has to leave them out.
     """
-    condition = coercion.as_condition(answer, [*state, *parameters])
     directions = _directions(len(state))
     for values, level, others, rate in _stable_systems(function, field, state, parameters, given):
         claim = condition.subs(values)

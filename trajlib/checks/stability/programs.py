@@ -14,17 +14,22 @@ import numpy as np
 import sympy as sp
 
 from trajlib.checks.contract import coercion
+from trajlib.checks.contract.claims import Expression, Matrix
+from trajlib.checks.contract.members import VECTORS, families, in_order
 from trajlib.checks.contract.tolerance import same
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
+from trajlib.checks.stability.first_approximation import Rates
 from trajlib.checks.tools.conditions import Case, Truth, compare, contrary, exactly, place_text
-from trajlib.checks.tools.members import VECTORS, families, in_order
 from trajlib.checks.tools.samples import sample_values
-from trajlib.checks.tools.values import matrix_at, number_at, numbers_at
-from trajlib.checks.tools.wording import number_text, other_rate, values_text, where_text
+from trajlib.checks.tools.values import number_at, numbers_at
+from trajlib.checks.tools.wording import roots_text, values_text
 from trajlib.checks.truths.fields import STEP
 
 #: For how many sets of parameter values the stationary angles are kept: a verdict asks for a thousand, mostly the same.
 MOST_KEPT = 5000
+#: What a right matrix of equations in deviations is told.
+AS_IT_SAYS = "for small deviations in every direction the right-hand sides change as the matrix says"
+
 
 @judged
 def program_motion(answer, field, state, parameters, program, controls, time):
@@ -50,24 +55,27 @@ def program_motion(answer, field, state, parameters, program, controls, time):
             terms = [complex(term.subs(values).subs(place).evalf(20))
                      for term in sp.Add.make_args(sp.expand(right_side))]
             if not abs(left - sum(terms)) <= 1e-9 * (abs(left) + sum(map(abs, terms)) + 1e-3) < np.inf:
-                raise Wrong(f"the equation for {symbol}' does not hold: {where} its left-hand side is "
-                            f"{left.real:.4g}, its right-hand side "
-                            f"{sum(terms).real:.4g}")
+                raise Wrong(f"the equation for {symbol}' does not hold: {where} its left-hand side is {left.real:.4g}, "
+                            f"its right-hand side {sum(terms).real:.4g}")
     return "it is the program, and all equations hold at random times and parameters"
 
 
-@judged
-def linearisation_along(answer, field, state, parameters, program):
-    """The matrix A of the equations in deviations x' = A x + B w from a program motion."""
-    return _judge_columns(answer, field, state, parameters, program, state,
-                          lambda motion, values: motion.matrix(values))
+@judged(Matrix("parameters", shape=lambda data: (len(data["state"]),) * 2))
+def linearisation_along(claim, field, state, parameters, program):
+    """The n x n matrix A of the equations in deviations x' = A x + B w from a program motion (n symbols `state`)."""
+    motion = Motion(field, state, parameters, program)
+    for values in sample_values(parameters):
+        yield Rates(claim, motion.matrix(values), state, values)
+    return AS_IT_SAYS
 
 
-@judged
-def input_matrix_along(answer, field, state, parameters, program, controls):
-    """The matrix B of the equations in deviations x' = A x + B w from a program motion."""
-    return _judge_columns(answer, field, state, parameters, program, controls,
-                          lambda motion, values: motion.input_matrix(values, controls))
+@judged(Matrix("parameters", shape=lambda data: (len(data["state"]), len(data["controls"]))))
+def input_matrix_along(claim, field, state, parameters, program, controls):
+    """The n x s matrix B of the equations in deviations x' = A x + B w from a program motion (s symbols `controls`)."""
+    motion = Motion(field, state, parameters, program)
+    for values in sample_values(parameters):
+        yield Rates(claim, motion.input_matrix(values, controls), controls, values)
+    return AS_IT_SAYS
 
 
 @judged
@@ -91,27 +99,25 @@ def rest_angles(answer, field, state, parameters, integer):
 @judged
 def stable_rest_angles(answer, field, state, parameters, integer):
     """The stationary angles that Theorem 1.4 proves asymptotically stable, in the same form."""
-    return _judge_rest_angles(answer, field, state, parameters, integer, lambda slope, friction: slope < 0
-                              and friction < 0,
-                              "asymptotically stable")
+    return _judge_rest_angles(answer, field, state, parameters, integer,
+                              lambda slope, friction: slope < 0 and friction < 0, "asymptotically stable")
 
 
 @judged
 def unstable_rest_angles(answer, field, state, parameters, integer):
     """The stationary angles that Theorem 1.4 proves unstable, in the same form."""
-    return _judge_rest_angles(answer, field, state, parameters, integer, lambda slope, friction: slope > 0
-                              or friction > 0, "unstable")
+    return _judge_rest_angles(answer, field, state, parameters, integer,
+                              lambda slope, friction: slope > 0 or friction > 0, "unstable")
 
 
-@judged
-def angle_deviations(answer, field, state, parameters, angle, deviations):
+@judged(Expression("deviations", "angle", "parameters"))
+def angle_deviations(claim, field, state, parameters, angle, deviations):
     """The first approximation psi'' = ... of the equation in deviations from a stationary angle, linear in psi and
     psi'.
 
     `angle` is the symbol of the stationary angle, `deviations` those of psi and psi'. It is judged at angles that are
     stationary, so that a parameter may stand for what the equation of rest makes of it.
     """
-    claim = coercion.as_expression(answer, [*deviations, angle, *parameters])
     if not claim.is_polynomial(*deviations) or sp.Poly(claim, *deviations).total_degree() > 1:
         raise Invalid(f"expected an expression that is linear in {deviations[0]} and {deviations[1]}")
     angles = _angles(tuple(field), tuple(state), tuple(parameters))
@@ -124,8 +130,7 @@ def angle_deviations(answer, field, state, parameters, angle, deviations):
                 if not abs(said - true) <= 1e-8 * (abs(slope) + abs(friction)):
                     told = ", ".join(f"{symbol} = {value}" for symbol, value in zip(deviations, deviation))
                     raise Wrong(f"for {values_text(values)} and the stationary angle {phi:.4g} a deviation {told} "
-                                f"changes phi'' by {true:.4g} "
-                                f"to first order; your expression gives {said.real:.4g}")
+                                f"changes phi'' by {true:.4g} to first order; your expression gives {said.real:.4g}")
     return "to first order the right-hand side changes so, at all stationary angles of several sets of parameters"
 
 
@@ -331,17 +336,14 @@ def _judge_rest_angles(answer, field, state, parameters, integer, wanted, word):
                 near = [phi for phi, true in zip(found, turned) if same(given.real, true, family, 2 * np.pi)]
                 if not near:
                     raise Wrong(f"your value {given.real:.4g}{member} is no stationary angle for "
-                                f"{values_text(values)}: f(phi, 0) is "
-                                f"{angles.force(values, given.real):.4g} there")
+                                f"{values_text(values)}: f(phi, 0) is {angles.force(values, given.real):.4g} there")
                 if near[0] not in chosen:
-                    raise Wrong(f"your angle {given.real:.4g}{member} for {values_text(values)} is stationary, but "
-                                f"not {word}: "
-                                f"{_roots_told(*angles.derivatives(values, near[0]))}")
+                    raise Wrong(f"your angle {given.real:.4g}{member} for {values_text(values)} is stationary, but not "
+                                f"{word}: {_roots_told(*angles.derivatives(values, near[0]))}")
                 matched.add(near[0])
         if len(matched) < len(chosen):
-            raise Wrong(f"not all angles are there: {len(chosen)} angles between 0 and 2 pi are {word} for "
-                        f"{values_text(values)}, and your "
-                        f"answer gives {len(matched)} of them")
+            raise Wrong(f"not all angles are there: between 0 and 2 pi there is one that is {word} for "
+                        f"{values_text(values)} and that your answer does not give")
     return f"for several sets of parameters these angles are {word}, and a search of the whole circle finds no other"
 
 
@@ -361,10 +363,9 @@ def _judge_angles(answer, field, state, parameters, angle, kind, word):
             yield from (values | {angle: sp.Rational(float(phi))} for phi in angles.rest(values))
 
     def told(values, holds):
-        return (f"the stationary angle {float(values[angle]):.4g} for "
-                f"{place_text({p: values[p] for p in parameters})} is {'' if holds else 'not '}{word}, and your "
-                f"condition {'does not hold' if holds else 'holds'} there: "
-                f"{_roots_told(*angles.derivatives(values, float(values[angle])))}")
+        return (f"the stationary angle {float(values[angle]):.4g} for {place_text({p: values[p] for p in parameters})} "
+                f"is {'' if holds else 'not '}{word}, and your condition {'does not hold' if holds else 'holds'} "
+                f"there: {_roots_told(*angles.derivatives(values, float(values[angle])))}")
 
     exact = exactly(kind(friction, -slope), sp.Eq(force.subs(at_rest), 0), at=truth, points=points)
     agreement = compare(answer, symbols, exact, told)
@@ -399,18 +400,5 @@ def _judge_kind(answer, field, state, parameters, kind, word):
             f"{word}: {agreement}")
 
 
-def _judge_columns(answer, field, state, parameters, program, symbols, true_matrix):
-    claim = coercion.as_matrix(answer, parameters, (len(state), len(symbols)))
-    motion = Motion(field, state, parameters, program)
-    for values in sample_values(parameters):
-        true = true_matrix(motion, values)
-        said = matrix_at(claim, values)
-        for k, symbol in enumerate(symbols):
-            if not np.linalg.norm(said[:, k] - true[:, k]) <= 1e-9 * np.linalg.norm(true):
-                raise Wrong(f"{other_rate(symbol, said[:, k], true[:, k])}{where_text(values)}")
-    return "for small deviations in every direction the right-hand sides change as the matrix says"
-
-
 def _roots_told(slope, friction):
-    first, second = np.roots([1.0, -friction, -slope]).astype(complex)
-    return f"the roots of the characteristic equation are {number_text(first)} and {number_text(second)}"
+    return f"the roots of the characteristic equation are {roots_text(np.roots([1.0, -friction, -slope]))}"

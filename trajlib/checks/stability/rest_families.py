@@ -11,13 +11,14 @@ import numpy as np
 import sympy as sp
 
 from trajlib.checks.contract import coercion
+from trajlib.checks.contract.claims import Expression
+from trajlib.checks.contract.members import VECTORS, families
 from trajlib.checks.contract.tolerance import rounds_to
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
 from trajlib.checks.tools.conditions import Case, Truth, compare, contrary
-from trajlib.checks.tools.members import VECTORS, families
 from trajlib.checks.tools.samples import allowed_values, joined
 from trajlib.checks.tools.values import matrix_at, number_at
-from trajlib.checks.tools.wording import number_text, point_text, where_text
+from trajlib.checks.tools.wording import number_text, point_text, roots_text, where_text
 from trajlib.checks.truths.fields import Field
 
 #: Stationary values are compared between -REACH and REACH; families are followed as far as that and a little further.
@@ -70,8 +71,7 @@ def deviation_matrices(answer, field, state, parameters=(), given=(), integer=No
         for matrix in claimed:
             if not any(_same(matrix, other) for _, other in true):
                 raise Wrong(f"the matrix {_matrix_text(matrix)}{where_text(values)} belongs to no stationary solution: "
-                            f"none has "
-                            "these rates of change of the right-hand sides under small deviations")
+                            "none has these rates of change of the right-hand sides under small deviations")
         for point, other in true:
             if not any(_same(matrix, other) for matrix in claimed):
                 rates = "; ".join(f"a deviation of {x} alone: {point_text(column)}"
@@ -83,10 +83,9 @@ def deviation_matrices(answer, field, state, parameters=(), given=(), integer=No
             "none is left over")
 
 
-@judged
-def growth_rate(answer, field, state, parameters=(), given=()):
+@judged(Expression("parameters"))
+def growth_rate(claim, field, state, parameters=(), given=()):
     """The positive root of the characteristic equation at the unstable stationary solutions."""
-    claim = coercion.as_expression(answer, parameters)
     for values, flow, found in _systems(field, state, parameters, given):
         number = number_at(claim, values)
         for point in found:
@@ -123,7 +122,8 @@ def single_rest(answer, field, state, parameters):
 
     def told(values):
         number = count(values)
-        return f"there the right-hand sides vanish at {number} value{'s' if number != 1 else ''} of {x}"
+        places = "no value" if not number else "one value only" if number == 1 else "more than one value"
+        return f"there the right-hand sides vanish at {places} of {x}"
 
     truth = Truth((inside,), outside, lambda values: count(values) == 1)
     agreement = compare(answer, parameters, truth, contrary(told))
@@ -147,12 +147,11 @@ def rest_kinds(answer, field, state):
                         f"{point_text(flow([number, 0.0]))}, not zero")
         eigenvalues = np.linalg.eigvals(flow.jacobian(near[0]))
         if kind != _kind(eigenvalues):
-            told = " and ".join(number_text(number) for number in eigenvalues)
-            raise Wrong(f"at x = {number:.4g} the roots of the characteristic equation are {told}: that is no {kind}")
+            raise Wrong(f"at x = {number:.4g} the roots of the characteristic equation are {roots_text(eigenvalues)}: "
+                        f"that is no {kind}")
         left = [point for point in left if point is not near[0]]
     if left:
-        raise Wrong(f"the portrait has {len(found)} stationary points, and your answer names {len(found) - len(left)} "
-                    f"of them")
+        raise Wrong("the portrait has a stationary point that your answer does not name")
     return "at every stationary point the roots of the characteristic equation are as the word says"
 
 
@@ -176,9 +175,8 @@ def saddle_slopes(answer, field, state):
             # Three significant digits of a slope turn the line by at most this angle.
             if not abs(across) <= 0.006 * np.linalg.norm(flow.jacobian(point)) or not along * sign > 0:
                 raise Wrong(f"along the line of slope {slope:.4g} through the saddle at {state[0]} = {point[0]:.4g} "
-                            f"small deviations "
-                            f"change at the rate {along:.3g} along it and {across:.3g} across it: these motions do "
-                            f"not {told} the saddle")
+                            f"small deviations change at the rate {along:.3g} along it and {across:.3g} across it: "
+                            f"these motions do not {told} the saddle")
     return "along these lines the linear field at each saddle points straight away from it and straight to it"
 
 
@@ -230,14 +228,12 @@ def _judge_values(claims, values, flow, found, wanted, integer, what):
             if not any(point is near[0] for point in wanted):
                 rate = _growth(flow, near[0])
                 raise Wrong(f"at your value {number:.4g}{told} the largest real part of a root of the characteristic "
-                            f"equation "
-                            f"is {rate:.4g}{where_text(values)}")
+                            f"equation is {rate:.4g}{where_text(values)}")
             claimed.append(number)
     missed = [point for point in wanted if not any(_close(number, point[0]) for number in claimed)]
     if missed:
-        raise Wrong(f"not all {what} are there: between -{REACH:g} and {REACH:g} a search finds {len(wanted)} of "
-                    f"them{where_text(values)}, "
-                    f"and your answer gives {len(wanted) - len(missed)} of these")
+        raise Wrong(f"not all {what} are there: between -{REACH:g} and {REACH:g} a search finds one that your answer "
+                    f"does not give{where_text(values)}")
     if integer is None or any(family.has(integer) for family in claims):
         return
     for point in wanted:  # a finite list for what comes back with every turn

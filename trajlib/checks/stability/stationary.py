@@ -15,13 +15,14 @@ import numpy as np
 import sympy as sp
 
 from trajlib.checks.contract import coercion
+from trajlib.checks.contract.claims import Choice, Expression
+from trajlib.checks.contract.members import VECTORS, in_order
 from trajlib.checks.contract.tolerance import same
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
 from trajlib.checks.tools.conditions import Case, Truth, compare, exactly, place_text
-from trajlib.checks.tools.members import VECTORS, in_order
 from trajlib.checks.tools.samples import draw, ends
 from trajlib.checks.tools.values import real_at
-from trajlib.checks.tools.wording import other_rate, point_text, sample_text
+from trajlib.checks.tools.wording import other_rate, point_text, roots_text, sample_text
 from trajlib.checks.truths.rest_points import rest_points
 
 STABILITY = ("asymptotically stable", "stable", "unstable")
@@ -62,10 +63,9 @@ def cycle_exists(answer, radial, radius, parameters):
     return _judge_existence(answer, rest_points([radial], [radius], parameters, _cycles(radius)), "closed orbit")
 
 
-@judged
-def cycle_period(answer, radial, angular, radius, parameters):
+@judged(Expression("parameters"))
+def cycle_period(claim, radial, angular, radius, parameters):
     """The period of the closed orbit of r' = R(r), phi' = W(r): at the rate W the angle gains 2 pi in it."""
-    claim = coercion.as_expression(answer, parameters)
     family = rest_points([radial], [radius], parameters, _cycles(radius))
     turning = rest_points([angular], [radius], parameters, _cycles(radius))
     for values, numbers, rest in family.samples():
@@ -99,10 +99,9 @@ def stationary_linearisation(answer, field, state, parameters, domain=None):
     return "small deviations from the stationary solution change the right-hand sides as it says"
 
 
-@judged
-def stationary_value(answer, expression, field, state, parameters, domain=None):
+@judged(Expression("parameters"))
+def stationary_value(claim, expression, field, state, parameters, domain=None):
     """The value of an expression of the state at the stationary point."""
-    claim = coercion.as_expression(answer, parameters)
     family = rest_points(field, state, parameters, domain)
     reading = rest_points([expression], state, parameters, domain)
     for values, numbers, rest in family.samples():
@@ -113,10 +112,9 @@ def stationary_value(answer, expression, field, state, parameters, domain=None):
     return "it is the value at the stationary solution, for sample values of the parameters"
 
 
-@judged
-def stationary_stability(answer, field, state, parameters, domain=None):
+@judged(Choice(words=STABILITY))
+def stationary_stability(claim, field, state, parameters, domain=None):
     """Whether the stationary point is asymptotically stable, stable (and no more) or unstable, by Theorem 1.4."""
-    claim = coercion.as_choice(answer, STABILITY)
     family = rest_points(field, state, parameters, domain)
     for values, numbers, rest in family.samples():
         eigenvalues = np.linalg.eigvals(family.jacobian(rest, numbers))
@@ -125,7 +123,7 @@ def stationary_stability(answer, field, state, parameters, domain=None):
             raise RuntimeError("the first approximation does not decide here")
         if claim != ("unstable" if largest > 0 else "asymptotically stable"):
             raise Wrong(f"this does not agree with the first approximation: for {sample_text(values)} its roots are "
-                        f"{_roots_told(eigenvalues)}")
+                        f"{roots_text(eigenvalues)}")
     return "it agrees with the roots of the first approximation, for sample values of the parameters"
 
 
@@ -141,7 +139,7 @@ def stationary_type(answer, field, state, parameters, domain=None):
         kind = _kind(matrix)
         if claim != kind:
             raise Wrong(f"this does not agree with the first approximation: for {sample_text(values)} its roots are "
-                        f"{_roots_told(np.linalg.eigvals(matrix))}")
+                        f"{roots_text(np.linalg.eigvals(matrix))}")
     return "it agrees with the roots of the first approximation, for sample values of the parameters"
 
 
@@ -241,8 +239,7 @@ def phase_curve(answer, field, state, parameters, through, domain=None):
             if not abs(dy * velocity[0] - velocity[1]) <= 1e-8 * (np.linalg.norm(velocity)
                                                                   + abs(dy * velocity[0])) < math.inf:
                 raise Wrong(f"{where} your curve has the slope {dy:.4g}, but a motion that is there moves along the "
-                            f"slope "
-                            f"{velocity[1] / velocity[0]:.4g}")
+                            f"slope {velocity[1] / velocity[0]:.4g}")
         for end_x, end_y in through:
             middle = sum(ends(first, domain)) / 2
             close = sp.Float(middle + (1 - 1e-8) * (float(end_x) - middle), 25)
@@ -285,8 +282,8 @@ def _judge_points(answer, family, noun):
                             f"the right-hand {told} there, not zero")
             del missed[here[0]]
         if missed:
-            raise Wrong(f"for {sample_text(values)} there is a {noun} in the domain that your answer does not give: "
-                        f"a search finds {len(rests)}, your answer gives {len(rests) - len(missed)} of them{outside}")
+            raise Wrong(f"for {sample_text(values)} there is a {noun} in the domain that your answer does not "
+                        f"give{outside}")
     if not all(met):
         raise Wrong(f"point {met.index(False) + 1} of your list lies in the domain for none of the sample values")
     return f"for sample values of the parameters it gives every {noun} in the domain and nothing else"
@@ -411,12 +408,3 @@ def _vector_told(values):
     """Numbers for a message; what rounding leaves of a zero is one."""
     size = max(abs(value) for value in values)
     return point_text([value if abs(value) > 1e-12 * size else 0.0 for value in values])
-
-
-def _roots_told(roots):
-    def told(root):
-        if abs(root.imag) < 1e-9 * (1 + abs(root)):
-            return f"{root.real:.4g}"
-        return f"{root.real:.4g} {'+' if root.imag > 0 else '-'} {abs(root.imag):.4g}i"
-
-    return " and ".join(told(complex(root)) for root in roots)

@@ -4,6 +4,10 @@ in the basis b, A b, A^2 b, ...
 A form is judged by its shape and by its characteristic polynomial; a change of variables by what it makes of the
 equations. The form by control is the other one of the transposed matrix, with rows and columns in reverse order; the
 matrix in the basis of the chain is the form by observation with rows and columns in reverse order.
+
+Coordinates of the observable part alone are judged by the equations that the form stands for, z = xi1 and xi_k' = (a
+multiple of z) + xi_(k+1), the last one without its second term. With as many rows as the observable part has, the
+multiples are determined.
 """
 
 from collections.abc import Callable
@@ -11,12 +15,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trajlib.checks.contract import coercion
+from trajlib.checks.contract.claims import Matrix
 from trajlib.checks.contract.tolerance import same, share
-from trajlib.checks.contract.verdict import Wrong, judged
+from trajlib.checks.contract.verdict import Invalid, Wrong, judged
+from trajlib.checks.tools.comparisons import Entries
 from trajlib.checks.tools.values import matrix_at
 from trajlib.checks.tools.wording import number_text, where_text
-from trajlib.checks.truths.invariant_subspaces import characteristic_coefficients, to_floats
+from trajlib.checks.truths.invariant_subspaces import characteristic_coefficients
 from trajlib.checks.truths.pairs import pair_of
 
 
@@ -44,60 +49,91 @@ OF_CHAIN = _Form("the shape that A g^i = g^(i+1) gives",
                                                   "this has the shape (2.5)"))
 
 
-@judged
-def observer_canonical_matrix(answer, A, parameters=()):
-    """The matrix of the canonical form by observation (2.5): its first column, ones above the diagonal, and the
-    eigenvalues of A."""
-    claim = coercion.as_matrix(answer, parameters, A.shape)
+@judged(Matrix("parameters", shape="A"))
+def observer_canonical_matrix(claim, A, parameters=()):
+    """The n x n matrix of the canonical form by observation (2.5): its first column, ones above the diagonal, and the
+    eigenvalues of A (n x n)."""
     return judge_form(claim, pair_of(A, A[:1, :], parameters), BY_OBSERVATION)
 
 
-@judged
-def controller_canonical_matrix(answer, A, parameters=()):
-    """The matrix of the canonical form by control (2.4): its last row, ones above the diagonal, and the eigenvalues of
-    A."""
-    claim = coercion.as_matrix(answer, parameters, A.shape)
-    return judge_form(_flipped(claim), pair_of(A.T, A.T[:1, :], parameters), BY_CONTROL)
+@judged(Matrix("parameters", shape="A"))
+def controller_canonical_matrix(claim, A, parameters=()):
+    """The n x n matrix of the canonical form by control (2.4): its last row, ones above the diagonal, and the
+    eigenvalues of A (n x n)."""
+    return judge_form(claim.T[::-1, ::-1], pair_of(A.T, A.T[:1, :], parameters), BY_CONTROL)
 
 
-@judged
-def observer_canonical_transformation(answer, A, H, parameters=()):
+@judged(Matrix("parameters", shape="A"))
+def observer_canonical_transformation(claim, A, H, parameters=()):
     """The matrix T of xi = T x that leads to the canonical form by observation (2.5): z = xi1, xi1' = alpha_n xi1 +
-    xi2, and so on."""
-    claim = coercion.as_matrix(answer, parameters, A.shape)
+    xi2, and so on (A: n x n, H: 1 x n)."""
     said = [f"xi{k}" for k in range(1, A.rows + 1)]
     return _judge_change(claim, pair_of(A, H, parameters), said, by_rows=True)
 
 
-@judged
-def controller_canonical_basis(answer, A, B, parameters=()):
-    """The matrix P of x = P xi that leads to the canonical form by control (2.4): its last column is b, and A P = P
-    A0."""
-    claim = coercion.as_matrix(answer, parameters, A.shape)
+@judged(Matrix("parameters", shape="A"))
+def controller_canonical_basis(claim, A, B, parameters=()):
+    """The matrix P of x = P xi that leads to the canonical form by control (2.4): its last column is b, and A P = P A0
+    (A: n x n, B: n x 1)."""
     said = [f"column {k}" for k in range(A.rows, 0, -1)]
     return _judge_change(claim.T[::-1, :], pair_of(A.T, B.T, parameters), said, by_rows=False)
 
 
-@judged
-def chain_basis_matrix(answer, A, B, parameters=()):
-    """The matrix of a controllable system with one control in the basis g^1 = b, g^2 = A b, ..., g^n = A^(n-1) b.
+@judged(Matrix("parameters", shape="A"))
+def chain_basis_matrix(claim, A, B, parameters=()):
+    """The matrix of a controllable system with one control (A: n x n, B: n x 1) in the basis g^1 = b, g^2 = A b, ...,
+    g^n = A^(n-1) b.
 
     Column i holds the coordinates of A g^i: ones below the diagonal, and the last column as the eigenvalues of A
     demand.
     """
-    claim, pair = coercion.as_matrix(answer, parameters, A.shape), pair_of(A.T, B.T, parameters)
+    pair = pair_of(A.T, B.T, parameters)
     if pair.outputs != 1 or any(pair.unseen):
         raise ValueError("b, A b, A^2 b, ... are no basis")
     return judge_form(claim[::-1, ::-1], pair, OF_CHAIN)
+
+
+@judged(Matrix("parameters"))
+def canonical_part_coordinates(claim, A, H, parameters=()):
+    """The matrix F (rank N x n) of coordinates xi = F x in which the observable part of the system has the form (2.5)
+    (A: n x n, H: 1 x n)."""
+    if claim.cols != A.rows:
+        raise Invalid(f"expected a matrix with {A.rows} columns, one for each coordinate of x; the shape of yours is "
+                      f"{claim.shape}")
+    pair = pair_of(A, H, parameters)
+    if pair.outputs != 1:
+        raise ValueError("the canonical form belongs to one output")
+    for values, A_there, (h,), unseen in pair.systems:
+        where, order = where_text(values), pair.order - len(unseen)
+        if claim.rows > order:
+            raise Wrong(f"the output and its derivatives do not hold {claim.rows} independent combinations of the "
+                        f"coordinates{where}, so not all of yours are observable")
+        if claim.rows < order:
+            raise Wrong(f"the output and its derivatives hold more than {claim.rows} independent "
+                        f"combination{'s' if claim.rows != 1 else ''} of the coordinates{where}; yours are too few for "
+                        "them")
+        yield Entries(claim[0, :], h[None, :], lambda said, _, j: (
+            f"z has to be xi1 alone{where}; your xi1 holds {number_text(said[0, j])} x{j + 1}"), values,
+            np.linalg.norm(h))
+        said = matrix_at(claim, values)
+        for k, (row, following) in enumerate(zip(said, [*said[1:], 0 * h])):
+            rate = row @ A_there
+            rest = rate - following - h * ((rate - following) @ h) / (h @ h)
+            if not np.linalg.norm(rest) <= share(claim) * (np.linalg.norm(rate) + np.linalg.norm(following)):
+                j = int(np.argmax(abs(rest)))
+                what = f"xi{k + 1}' - xi{k + 2}" if k + 1 < order else f"xi{k + 1}'"
+                raise Wrong(f"{what} has to be a multiple of z{where}; by your rows it differs from the nearest "
+                            f"multiple by terms such as {number_text(rest[j])} x{j + 1}")
+    return "z = xi1, and the derivatives are as the form (2.5) says"
 
 
 def judge_form(claim, pair, form):
     """Shape and characteristic polynomial of a matrix that is to be the form by observation of the pair's A."""
     tolerance = share(claim)
     for values, place in pair.samples:
-        said, rows = matrix_at(claim, values), pair.at(place)[0]
+        said = matrix_at(claim, values)
         shape_of_form(said, tolerance, form, where_text(values))
-        true = np.array([float(c) for c in characteristic_coefficients(rows)])
+        true = np.array([float(c) for c in characteristic_coefficients(pair.at(place)[0])])
         own = np.array([1, *(0 - said[:, 0])])  # not -said: a zero would be told as -0
         if not same(own[1:], true[1:], list(claim[:, 0]), max(abs(true))).all():
             at = max((0, 1, -1, 2, -2, 3, 5),
@@ -130,52 +166,31 @@ def _has_shape(matrix, pattern, tolerance):
 def _judge_change(claim, pair, said_rows, by_rows):
     """The rows r of a change of variables: r1 = h, and r_k A = alpha r1 + r_(k+1) with the coefficients of A's
     polynomial."""
-    n, tolerance = pair.order, share(claim)
-    for values, place in pair.samples:
-        if pair.unseen_at(place):
-            raise ValueError("there is no canonical form: the system loses an eigenvalue")
-        where = where_text(values)
-        exact_rows, H = pair.at(place)
-        A, h = to_floats(exact_rows, n), to_floats(H, n)[0]
-        alpha = [-float(c) for c in characteristic_coefficients(exact_rows)[1:]]
-        said = matrix_at(claim, values)
-        true = [h]
-        for k in range(n - 1):
-            true.append(true[-1] @ A - alpha[k] * h)
-        right = same(said, np.array(true), claim, np.linalg.norm(true, axis=1)[:, None])
-        for k, row in enumerate(true):
-            if right[k].all():
-                continue
-            _hint_at_inverse(said, np.array(true), tolerance, by_rows)
+    n = pair.order
+    if any(pair.unseen):
+        raise ValueError("there is no canonical form: the system loses an eigenvalue")
+    for (values, A, (h,), _), (_, place) in zip(pair.systems, pair.samples):
+        where, true = where_text(values), [h]
+        for coefficient in characteristic_coefficients(pair.at(place)[0])[1:-1]:
+            true.append(true[-1] @ A + float(coefficient) * h)
+        true = np.array(true)
+
+        def told(said, k, j):
+            own, wanted = (said, true) if by_rows else (said[::-1].T, true[::-1].T)
+            if np.linalg.cond(wanted) < 1e12 and np.linalg.norm(own @ wanted - np.eye(n)) <= 10 * share(claim):
+                return "this is the inverse of the matrix asked: it gives " + (
+                    "x from xi; asked is T in xi = T x" if by_rows else "xi from x; asked is P in x = P xi")
             if k == 0:
-                raise Wrong((f"z has to be xi1 alone{where}, so the first row of T times x has to be z" if by_rows else
-                             f"the control has to enter xi{n}' alone, with the coefficient 1{where}, so the last "
-                             f"column is not free")
-                            + f"; the entry {_largest(said[0] - row)} of yours does not fit")
+                return (f"z has to be xi1 alone{where}, so the first row of T times x has to be z" if by_rows else
+                        f"the control has to enter xi{n}' alone, with the coefficient 1{where}, so the last column is "
+                        "not free") + f"; the entry {j + 1} of yours does not fit"
             last, own, free = said_rows[k - 1], said_rows[k], f"alpha_{n + 1 - k}"
             if by_rows:
-                raise Wrong(f"by {last}' = {free} xi1 + {own}, {own} as a combination of x is determined by "
-                            f"{last}{where}; the "
-                            f"coefficient of x{_largest(said[k] - row)} in your row {k + 1} does not fit")
-            raise Wrong(f"A times {last} has to be {own} + {free} ({said_rows[0]}){where}; the entry "
-                        f"{_largest(said[k] - row)} of your {own} does not fit")
+                return (f"by {last}' = {free} xi1 + {own}, {own} as a combination of x is determined by {last}{where}; "
+                        f"the coefficient of x{j + 1} in your row {k + 1} does not fit")
+            return (f"A times {last} has to be {own} + {free} ({said_rows[0]}){where}; the entry {j + 1} of your {own} "
+                    "does not fit")
+
+        yield Entries(claim, true, told, values, np.linalg.norm(true, axis=1)[:, None])
     return ("z = xi1 and each derivative is as the form says" if by_rows else
             "the control enters the last equation alone and the equations are as the form says")
-
-
-def _hint_at_inverse(said, true, tolerance, by_rows):
-    own, wanted = (said, true) if by_rows else (said[::-1].T, true[::-1].T)
-    with np.errstate(all="ignore"):
-        if np.linalg.cond(wanted) < 1e12 and np.linalg.norm(own @ wanted - np.eye(len(true))) <= 10 * tolerance:
-            raise Wrong("this is the inverse of the matrix asked: it gives "
-                        + ("x from xi; asked is T in xi = T x" if by_rows else
-                                                                                 "xi from x; asked is P in x = P xi"))
-
-
-def _largest(difference):
-    return int(np.argmax(abs(difference))) + 1
-
-
-def _flipped(matrix):
-    """The form by control as the form by observation: transposed, rows and columns in reverse order."""
-    return matrix.T[::-1, ::-1]

@@ -23,12 +23,14 @@ import numpy as np
 import sympy as sp
 
 from trajlib.checks.contract import coercion
+from trajlib.checks.contract.claims import Matrix
 from trajlib.checks.contract.tolerance import half_unit, share
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
 from trajlib.checks.structure.canonical_forms import BY_OBSERVATION, shape_of_form
 from trajlib.checks.tools.values import matrix_at
 from trajlib.checks.tools.wording import number_text, where_text
-from trajlib.checks.truths.invariant_subspaces import echelon, product, to_floats, unseen_subspace
+from trajlib.checks.truths.exceptional_values import judge_everywhere
+from trajlib.checks.truths.invariant_subspaces import echelon, product, unseen_subspace
 from trajlib.checks.truths.pairs import pair_of
 
 
@@ -59,18 +61,18 @@ OUTPUT = _Side("observable", "unobservable", "rank N", "T in (xi; eta) = T x", "
 CONTROL = _Side("controllable", "uncontrollable", "rank W", "P in x = P (xi; eta)", "(xi; eta) from x", True)
 
 
-@judged
-def observability_split(answer, A, H, parameters=()):
+@judged(Matrix("parameters", shape="A"))
+def observability_split(claim, A, H, parameters=()):
     """A matrix T of (xi; eta) = T x that leads to the form (2.7): neither xi' nor z contains eta, and xi has rank N
-    coordinates."""
-    return _judge_split(coercion.as_matrix(answer, parameters, A.shape), pair_of(A, H, parameters), OUTPUT)
+    coordinates (A: n x n, H: m x n)."""
+    return _judge_split(claim, pair_of(A, H, parameters), OUTPUT)
 
 
-@judged
-def controllability_split(answer, A, B, parameters=()):
+@judged(Matrix("parameters", shape="A"))
+def controllability_split(claim, A, B, parameters=()):
     """A matrix P of x = P (xi; eta) that leads to the form (2.6): eta' contains neither xi nor u, and xi has rank W
-    coordinates."""
-    return _judge_split(coercion.as_matrix(answer, parameters, A.shape).T, pair_of(A.T, B.T, parameters), CONTROL)
+    coordinates (A: n x n, B: n x s)."""
+    return _judge_split(claim.T, pair_of(A.T, B.T, parameters), CONTROL)
 
 
 @judged
@@ -111,58 +113,62 @@ def canonical_observable_part(answer, A, H, parameters=()):
     return _judge_part(matrix, output, pair)
 
 
-@judged
-def sequential_outputs(answer, A, H):
+@judged(Matrix(shape="A"))
+def sequential_outputs(claim, A, H):
     """A matrix T of new coordinates T x in parts: part 1 is all that z1 sees, part 2 what z2 adds, and so on, the
     unseen rest last.
 
     The derivatives of part i contain the parts 1..i alone; z_i shows part i alone, unless it adds nothing to those
     before.
     """
-    return _judge_components(coercion.as_matrix(answer, (), A.shape), pair_of(A, H), OUTPUT, sequential=True)
+    return _judge_components(claim, pair_of(A, H), OUTPUT, sequential=True)
 
 
-@judged
-def parallel_outputs(answer, A, H):
+@judged(Matrix(shape="A"))
+def parallel_outputs(claim, A, H):
     """A matrix T of new coordinates T x in parts, one an output: z_i shows part i alone and makes it observable, the
     unseen rest last.
 
     Part i is spanned by the rows of its chain that are taken when h1, h2, h1 A, h2 A, ... are taken by turns while
     independent, each up to those with lower powers of A.
     """
-    return _judge_components(coercion.as_matrix(answer, (), A.shape), pair_of(A, H), OUTPUT, sequential=False)
+    return _judge_components(claim, pair_of(A, H), OUTPUT, sequential=False)
 
 
-@judged
-def sequential_inputs(answer, A, B):
+@judged(Matrix(shape="A"))
+def sequential_inputs(claim, A, B):
     """A matrix P of x = P xi with xi in parts: part 1 is all that u1 reaches, part 2 what u2 adds, and so on, the rest
     last.
 
     The derivatives of part i contain the parts from i on; u_i enters part i alone, unless it adds nothing to those
     before.
     """
-    return _judge_components(coercion.as_matrix(answer, (), A.shape).T, pair_of(A.T, B.T), CONTROL, sequential=True)
+    return _judge_components(claim.T, pair_of(A.T, B.T), CONTROL, sequential=True)
 
 
-@judged
-def parallel_inputs(answer, A, B):
+@judged(Matrix(shape="A"))
+def parallel_inputs(claim, A, B):
     """A matrix P of x = P xi with xi in parts, one a control: u_i enters part i alone and makes it controllable, the
     rest last.
 
     Part i is spanned by the columns of its chain that are taken when b1, b2, A b1, A b2, ... are taken by turns while
     independent, each up to those with lower powers of A.
     """
-    return _judge_components(coercion.as_matrix(answer, (), A.shape).T, pair_of(A.T, B.T), CONTROL, sequential=False)
+    return _judge_components(claim.T, pair_of(A.T, B.T), CONTROL, sequential=False)
 
 
-@judged
-def similarity(answer, A_from, A_to, parameters=()):
-    """A matrix S of y = S x that turns x' = A_from x into y' = A_to y: it is invertible and S A_from = A_to S."""
-    claim = coercion.as_matrix(answer, parameters, A_from.shape)
+@judged(Matrix("parameters", shape="A_from"))
+def similarity(claim, A_from, A_to, parameters=()):
+    """A matrix S of y = S x that turns x' = A_from x into y' = A_to y: it is invertible and S A_from = A_to S (all n x
+    n)."""
+    return judge_similarity(claim, A_from, A_to, parameters)
+
+
+def judge_similarity(claim, A_from, A_to, parameters=()):
+    """The sentence for a matrix that is read, or `Wrong`; also for equations that another check has derived."""
     tolerance = share(claim)
     given, wanted = pair_of(A_from, A_from[:1, :], parameters), pair_of(A_to, A_to[:1, :], parameters)
-    for values, place in given.samples:
-        one, other = (to_floats(pair.at(place)[0], pair.order) for pair in (given, wanted))
+    for (values, one, _, _), (_, other, _, _) in zip(given.systems, wanted.systems):
         said = matrix_at(claim, values)
         _invertible(said, tolerance, values)
         left, right = said @ one, other @ said
@@ -171,23 +177,23 @@ def similarity(answer, A_from, A_to, parameters=()):
         bad = ~(abs(left - right) <= tolerance * size)
         if bad.any():
             inverse = np.linalg.inv(said)
-            if (np.linalg.norm(inverse @ one - other @ inverse)
-                <= tolerance * np.linalg.norm(inverse) * np.linalg.norm(one)):
+            off = np.linalg.norm(inverse @ one - other @ inverse)
+            if off <= tolerance * np.linalg.norm(inverse) * np.linalg.norm(one):
                 raise Wrong("this matrix gives x from y; asked is S in y = S x")
             i, j = np.argwhere(bad)[0]
             raise Wrong(f"for x with x{j + 1} = 1 and zeros elsewhere{where_text(values)} y{i + 1}' is "
                         f"{number_text(left[i, j])} by the first system and {number_text(right[i, j])} by the second")
+    judge_everywhere(claim, given.parameters, lambda: sp.true, "your matrix is undefined", "your matrix has no inverse")
     return "it is invertible, and the derivatives of y agree in both systems"
 
 
 def _judge_split(claim, pair, side):
     """The rows of T for the pair: the first ones vanish on the unseen states."""
     n, tolerance = pair.order, share(claim)
-    for (values, place), unseen in zip(pair.samples, pair.unseen):
-        A, H = (to_floats(rows, n) for rows in pair.at(place))
+    for values, A, H, unseen in pair.systems:
         said, size = matrix_at(claim, values), n - len(unseen)
         _invertible(said, tolerance, values)
-        space, _ = np.linalg.qr(to_floats(unseen, n).T)
+        space, _ = np.linalg.qr(unseen.T)
         if _vanishes(said[:size], space, tolerance):
             continue
         if _vanishes(np.linalg.inv(said)[:size], space, tolerance):
@@ -201,6 +207,8 @@ def _judge_split(claim, pair, side):
         new_A, new_H = said @ A @ np.linalg.inv(said), H @ np.linalg.inv(said)
         raise Wrong(f"{_first_mixed(new_A, new_H, size, side)}{where_text(values)}; xi has as many coordinates as "
                     f"{side.size} says")
+    judge_everywhere(claim, pair.parameters, lambda: pair.in_general, "your matrix is undefined",
+                     "your matrix has no inverse")
     return f"it is invertible, and in the new coordinates the {side.part} part stands apart as the form asks"
 
 
@@ -209,37 +217,47 @@ def _judge_system(matrix, output, pair, side):
     n, tolerance = pair.order, share(matrix, output)
     if matrix.rows != n:
         raise Invalid(f"expected the matrices of the whole system of order {n}; the order of yours is {matrix.rows}")
-    for (values, place), unseen in zip(pair.samples, pair.unseen):
-        A, H = (to_floats(rows, n) for rows in pair.at(place))
+    for values, A, H, unseen in pair.systems:
         new_A, new_H, size = matrix_at(matrix, values), matrix_at(output, values), n - len(unseen)
         bound = max(tolerance, 1e-9)
-        if (abs(new_A[:size, size:]) > bound * np.linalg.norm(new_A)).any() or (abs(new_H[:, size:])
-                                                                                > bound * np.linalg.norm(new_H)).any():
+        if ((abs(new_A[:size, size:]) > bound * np.linalg.norm(new_A)).any()
+                or (abs(new_H[:, size:]) > bound * np.linalg.norm(new_H)).any()):
             raise Wrong(f"in your system {_first_mixed(new_A, new_H, size, side)}{where_text(values)}; xi has as many "
                         f"coordinates as {side.size} says")
         if not _same_system(A, H, new_A, new_H, tolerance):
-            why = _why_different(A, new_A, new_A[:size, :size], new_H[:, :size], values, side)
-            if size < n and np.allclose(np.poly(new_A), np.poly(A)) and _same_system(A, H, new_A[:size, :size],
-                                                                                     new_H[:, :size], tolerance):
-                why = (f"your {side.part} part is that of the given system, but no change of variables gives the rest "
-                       f"of your "
-                       f"equations{where_text(values)}: look at eta, and at how the two parts act on each other")
-            raise Wrong(why)
+            part = new_A[:size, :size], new_H[:, :size]
+            if size < n and np.allclose(np.poly(new_A), np.poly(A)) and _same_system(A, H, *part, tolerance):
+                raise Wrong(f"your {side.part} part is that of the given system, but no change of variables gives the "
+                            f"rest of your equations{where_text(values)}: look at eta, and at how the two parts act on "
+                            "each other")
+            raise Wrong(_why_different(A, new_A, *part, values, side))
+    _serves_everywhere(matrix, output, pair, side)
     return "the blocks are zero where they have to be, and a change of variables turns the given system into yours"
 
 
 def _judge_part(matrix, output, pair):
     """An observable system of order rank N that is the image of the pair's."""
     tolerance = share(matrix, output)
-    for (values, place), unseen in zip(pair.samples, pair.unseen):
-        A, H = (to_floats(rows, pair.order) for rows in pair.at(place))
+    for values, A, H, unseen in pair.systems:
         if matrix.rows != pair.order - len(unseen):
             raise Wrong(f"your subsystem has the order {matrix.rows}; the observable one has the order rank N, and "
                         f"that is not {matrix.rows}{where_text(values)}")
         new_A, new_H = matrix_at(matrix, values), matrix_at(output, values)
         if not _same_system(A, H, new_A, new_H, tolerance):
             raise Wrong(_why_different(None, new_A, new_A, new_H, values, OUTPUT))
+    _serves_everywhere(matrix, output, pair, OUTPUT)
     return "its outputs are those of the given system, and it is observable"
+
+
+def _serves_everywhere(matrix, output, pair, side):
+    """That a system is defined, and as much of it observable as of the pair, for all values of the parameters."""
+    rows = [output]
+    while len(rows) < matrix.rows and pair.parameters:
+        rows.append(rows[-1] * matrix)
+    seen = sp.Matrix.vstack(*rows)[:, :pair.order - len(pair.unseen[0])]
+    judge_everywhere(matrix, pair.parameters, lambda: pair.in_general, "your system is undefined")
+    judge_everywhere(seen, pair.parameters, lambda: pair.in_general, "your system is undefined",
+                     f"less of your system than of the given one is {side.part}")
 
 
 def _same_system(A, H, new_A, new_H, tolerance):
@@ -311,10 +329,8 @@ def _why_different(A, new_A, part, part_output, values, side):
 def _judge_components(claim, pair, side, sequential):
     """Zeros outside the blocks that a decomposition by components leaves, in the form by observation."""
     tolerance, n, m = share(claim), pair.order, pair.outputs
-    ((_, place),) = pair.samples
-    exact_A, exact_H = pair.at(place)
-    A, H = to_floats(exact_A, n), to_floats(exact_H, n)
-    sizes = (_sizes_in_turn if sequential else _sizes_by_turns)(exact_A, exact_H)
+    ((_, A, H, _),), ((_, place),) = pair.systems, pair.samples
+    sizes = (_sizes_in_turn if sequential else _sizes_by_turns)(*pair.at(place))
     part = np.repeat(np.arange(m + 1), [*sizes, n - sum(sizes)])  # of every coordinate; m is the rest
     said = matrix_at(claim, {})
     _invertible(said, tolerance, {})

@@ -7,23 +7,23 @@ are found here exactly, and so no answer to an earlier question is needed.
 
 import sympy as sp
 
-from trajlib.checks.contract import coercion
+from trajlib.checks.contract.claims import Choice, Matrix
 from trajlib.checks.contract.verdict import judged
-from trajlib.checks.structure.decompositions import similarity
+from trajlib.checks.structure.decompositions import judge_similarity
 from trajlib.checks.structure.output_meaning import judge_meaning
 
 
-@judged
-def change_to_deviations(answer, A, field, state, motion):
-    """A matrix S with y = S x: it turns x' = A x into the equations in the deviations y of the state from a motion."""
-    return similarity.__wrapped__(answer, A, _along(field, state, motion))
+@judged(Matrix(shape="A"))
+def change_to_deviations(claim, A, field, state, motion):
+    """A matrix S with y = S x: it turns x' = A x (A: n x n) into the equations in the deviations y of the n symbols
+    `state` from a motion, {symbol: function of time}."""
+    return judge_similarity(claim, A, _along(field, state, motion))
 
 
-@judged
-def measured_quantity(answer, A, H, field, state, motion, quantities):
+@judged(Choice(words="quantities"))
+def measured_quantity(claim, A, H, field, state, motion, quantities):
     """Which of the `quantities` (name: expression in the state) the measurement z = H x of x' = A x is, deviations from
     a motion meant."""
-    claim = coercion.as_choice(answer, tuple(quantities))
     rows = {name: _along([quantity], state, motion) for name, quantity in quantities.items()}
     return judge_meaning(claim, A, H, _along(field, state, motion), rows)
 

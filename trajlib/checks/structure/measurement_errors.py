@@ -8,14 +8,13 @@ augmented matrix, which allows errors of any start w(0).
 
 import numpy as np
 import sympy as sp
-from scipy.linalg import expm
 
 from trajlib.checks.contract import coercion
-from trajlib.checks.contract.claims import Expression
+from trajlib.checks.contract.claims import Expression, Vectors, YesNo
 from trajlib.checks.contract.tolerance import same, share
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
 from trajlib.checks.structure.dual_questions import Side, judge_region, judge_yes_no
-from trajlib.checks.structure.unseen_bases import judge_basis, judge_where_lost
+from trajlib.checks.structure.unseen_bases import bases_by_value, judge_basis, judge_where_lost
 from trajlib.checks.tools.comparisons import Same
 from trajlib.checks.tools.values import matrix_at
 from trajlib.checks.tools.wording import number_text, where_text
@@ -37,43 +36,43 @@ AMPLITUDE = Side("such that z determines C", "such that z does not determine C",
                  "eigenvector v of A with H v = 0")
 
 
-@judged
-def observable_with_error(answer, A, H, S, c, start):
+@judged(YesNo())
+def observable_with_error(claim, A, H, S, c, start):
     """Whether z determines both the state and the amplitude of the error."""
-    return judge_yes_no(answer, _starts(A, H, S, c, start), BOTH)
+    return judge_yes_no(claim, _starts(A, H, S, c, start), BOTH)
 
 
 @judged
 def observable_with_error_parameters(answer, A, H, S, c, start, parameters):
     """The condition on the parameters under which z determines both the state and the amplitude; exact at isolated
     values."""
-    return judge_region(answer, _starts(A, H, S, c, start, parameters), BOTH, holds=True)
+    return judge_region(answer, _starts(A, H, S, c, start, parameters), BOTH)
 
 
 @judged
 def state_found_parameters(answer, A, H, S, c, start, parameters):
     """The condition under which z determines the state, whether or not the amplitude of the error is found."""
-    return judge_region(answer, _starts(A, H, S, c, start, parameters, tuple(range(A.rows))), STATE, holds=True)
+    return judge_region(answer, _starts(A, H, S, c, start, parameters, tuple(range(A.rows))), STATE)
 
 
 @judged
 def amplitude_found_parameters(answer, A, H, S, c, start, parameters):
     """The condition under which z determines the amplitude of the error, whether or not the state is found."""
-    return judge_region(answer, _starts(A, H, S, c, start, parameters, (A.rows,)), AMPLITUDE, holds=True)
+    return judge_region(answer, _starts(A, H, S, c, start, parameters, (A.rows,)), AMPLITUDE)
 
 
-@judged
-def unseen_with_error(answer, A, H, S, c, start):
+@judged(Vectors(size=lambda data: data["A"].rows + 1))
+def unseen_with_error(claim, A, H, S, c, start):
     """A basis of the vectors (x1(0), ..., xn(0), C) that give z = 0 for all time; an empty list if zero is the only
     one."""
-    return judge_basis(answer, _starts(A, H, S, c, start), BOTH)
+    return judge_basis(claim, _starts(A, H, S, c, start), BOTH)
 
 
-@judged
-def unseen_with_error_where_lost(answer, A, H, S, c, start, parameter):
+@judged(bases_by_value(BOTH, more=1))
+def unseen_with_error_where_lost(claim, A, H, S, c, start, parameter):
     """Every real value of the parameter at which not all is found, as {value: basis of the vectors (x(0), C) with z =
     0}."""
-    return judge_where_lost(answer, _starts(A, H, S, c, start, (parameter,)), BOTH,
+    return judge_where_lost(claim, _starts(A, H, S, c, start, (parameter,)), BOTH,
                             lambda value: _starts(*(matrix.subs(parameter, value) for matrix in (A, H, S, c)), start))
 
 
@@ -112,6 +111,8 @@ def augmented_system(answer, A, H, S, c, start, parameters=()):
 @judged(Expression("outputs", "time"))
 def amplitude_from_output(claim, A, H, S, c, start, outputs, time):
     """C by z and its derivatives at one moment, the symbols `outputs`, and the time."""
+    from scipy.linalg import expm
+
     augmented = np.array(sp.diag(A, S), dtype=float)
     row = np.array(H.row_join(c), dtype=float)[0]
     random = np.random.default_rng(17)

@@ -1,8 +1,9 @@
-"""Observability and controllability of mechanical systems M x'' + D x' + K x = L u, z = H1 x + H2 x'.
+"""Mechanical systems M x'' + D x' + K x = L u, z = H1 x + H2 x', given as a record `trajlib.systems.Mechanical`.
 
 The rank of Theorem 2.5 falls exactly where all maximal minors of its matrix vanish together, so the values of lambda
 are the roots of their greatest common divisor, a polynomial with rational coefficients. That holds for a singular M
-too. What depends on parameters is decided at every exceptional value of theirs by the states (x, x') that stay unseen.
+too. What depends on parameters is decided at every exceptional value of theirs by the states (x, x') that stay unseen;
+the roots and the motions that no output shows are found in these states as well.
 """
 
 import dataclasses
@@ -12,11 +13,23 @@ import itertools
 import numpy as np
 import sympy as sp
 
-from trajlib.checks.contract import coercion
-from trajlib.checks.contract.verdict import Wrong, judged
-from trajlib.checks.structure.dual_questions import CONTROL, OUTPUT, compare_eigenvalues, judge_region, judge_yes_no
+from trajlib.checks.contract.claims import Vectors, YesNo
+from trajlib.checks.contract.verdict import judged
+from trajlib.checks.structure.dual_questions import (
+    CONTROL,
+    EIGENVALUES,
+    OUTPUT,
+    compare_eigenvalues,
+    judge_region,
+    judge_yes_no,
+    known_roots,
+)
+from trajlib.checks.structure.unseen_bases import judge_basis
+from trajlib.checks.tools.comparisons import Word
 from trajlib.checks.tools.samples import general_values
+from trajlib.checks.truths.invariant_subspaces import characteristic_coefficients, different_roots
 from trajlib.checks.truths.pairs import pair_of
+from trajlib.systems import Mechanical
 
 LAMBDA = sp.Symbol("lambda")
 PENCIL = "root of det(M lambda^2 + D lambda + K) = 0"
@@ -25,85 +38,111 @@ SEEN = dataclasses.replace(OUTPUT, pencil="(M lambda^2 + D lambda + K; H1 + lamb
                                   "v = 0")
 DRIVEN = dataclasses.replace(CONTROL, pencil="(M lambda^2 + D lambda + K, L)", spectrum=PENCIL,
                              vector="row w other than 0 with w (M lambda^2 + D lambda + K) = 0 and w L = 0")
+#: A root is a value at which the square matrix loses its rank: the question of Theorem 2.5 with an output that shows
+#: nothing.
+ALONE = dataclasses.replace(OUTPUT, pencil="M lambda^2 + D lambda + K", spectrum=PENCIL,
+                            vector="vector v other than 0 with (M lambda^2 + D lambda + K) v = 0")
 
 
-@judged
-def mechanical_observable(answer, M, D, K, H1, H2, parameters=()):
-    """Whether the mechanical system is observable by Theorem 2.5; with parameters, for all values that their
+@judged(YesNo())
+def mechanical_observable(claim, system, parameters=()):
+    """Whether the `Mechanical` system is observable by Theorem 2.5; with parameters, for all values that their
     assumptions allow."""
-    return _judge_yes_no(answer, (M, D, K, H1, H2), parameters, SEEN)
+    return _judge_yes_no(claim, system, parameters, SEEN)
 
 
-@judged
-def mechanical_controllable(answer, M, D, K, L, parameters=()):
-    """Whether the mechanical system is controllable by Theorem 2.6; with parameters, for all values that their
+@judged(YesNo())
+def mechanical_controllable(claim, system, parameters=()):
+    """Whether the `Mechanical` system is controllable by Theorem 2.6; with parameters, for all values that their
     assumptions allow."""
-    return _judge_yes_no(answer, _transposed(M, D, K, L), parameters, DRIVEN)
+    return _judge_yes_no(claim, _dual(system), parameters, DRIVEN)
 
 
 @judged
-def mechanical_controllable_parameters(answer, M, D, K, L, parameters):
-    """The condition on the parameters under which the mechanical system is controllable: true exactly there, at
+def mechanical_controllable_parameters(answer, system, parameters):
+    """The condition on the parameters under which the `Mechanical` system is controllable: true exactly there, at
     isolated values too.
 
     Where M becomes singular the order of the equations drops; what is said of these values does not count.
     """
-    return judge_region(answer, first_order(*_transposed(M, D, K, L), parameters), CONTROL, holds=True)
+    return judge_region(answer, _in_states(_dual(system), parameters), CONTROL)
 
 
-@judged
-def mechanical_lost_eigenvalues(answer, M, D, K, H1, H2, parameters=()):
+@judged(EIGENVALUES)
+def mechanical_lost_eigenvalues(claim, system, parameters=()):
     """The different values of lambda at which the rank of Theorem 2.5 falls; an empty list or set if there are none.
 
     With parameters: for their values in general position, as the assumptions allow.
     """
-    return _judge_eigenvalues(answer, (M, D, K, H1, H2), parameters, SEEN)
+    return compare_eigenvalues(claim, _spectra(system, parameters), SEEN, (LAMBDA, _polynomials(system)[0]))
 
 
-@judged
-def mechanical_uncontrolled_eigenvalues(answer, M, D, K, L, parameters=()):
+@judged(EIGENVALUES)
+def mechanical_uncontrolled_eigenvalues(claim, system, parameters=()):
     """The different values of lambda at which the rank of Theorem 2.6 falls; an empty list or set if there are none.
 
     With parameters: for their values in general position, as the assumptions allow.
     """
-    return _judge_eigenvalues(answer, _transposed(M, D, K, L), parameters, DRIVEN)
+    return compare_eigenvalues(claim, _spectra(_dual(system), parameters), DRIVEN,
+                               (LAMBDA, _polynomials(_dual(system))[0]))
 
 
-def _judge_yes_no(answer, system, parameters, side):
+@judged(EIGENVALUES)
+def mechanical_roots(claim, system, parameters=()):
+    """The different roots of det(M lambda^2 + D lambda + K), also complex ones, with invertible M; with parameters for
+    their values in general position."""
+    pair = _in_states(system, parameters)
+    roots = [different_roots(characteristic_coefficients(pair.at(place)[0])) for _, place in pair.samples]
+    spectra = [(values, found, found) for (values, _), found in zip(pair.samples, roots)]
+    yield from compare_eigenvalues(claim, spectra, ALONE)
+    known = known_roots(claim, LAMBDA, _pencil(system).det())
+    return f"the determinant vanishes at each of them and nowhere else: {known}"
+
+
+@judged(Vectors(size=lambda data: 2 * data["system"].M.rows))
+def mechanical_unseen_states(claim, system):
+    """A basis of the initial states (x, x') whose motions give z = H1 x + H2 x' = 0 for all time, with invertible M; an
+    empty list if zero is the only one."""
+    return judge_basis(claim, _in_states(system, ()), OUTPUT)
+
+
+def _judge_yes_no(claim, system, parameters, side):
     if parameters:
-        return judge_yes_no(answer, first_order(*system, parameters), OUTPUT if side is SEEN else CONTROL)
-    claim = coercion.as_yes_no(answer)
-    lost, _ = _spectra(system, {})
-    reason = (f"the rank of {side.pencil} falls at {len(lost)} value{'s' if len(lost) > 1 else ''} of lambda"
-              if len(lost) else \
-         f"the rank of {side.pencil} is full at every {side.spectrum}")
-    if claim != (not len(lost)):
-        raise Wrong(reason)
-    return reason
+        return (yield from judge_yes_no(claim, _in_states(system, parameters), OUTPUT if side is SEEN else CONTROL))
+    ((_, lost, _),) = _spectra(system, ())
+    falls = "falls at some lambda" if len(lost) else f"is full at every {side.spectrum}"
+    return (yield Word(claim, not len(lost), f"the rank of {side.pencil} {falls}"))
 
 
-def _judge_eigenvalues(answer, system, parameters, side):
-    samples = general_values(parameters)
-    lost, every = zip(*(_spectra(system, values) for values in samples))
-    return compare_eigenvalues(answer, parameters, samples, lost, every, side)
-
-
-def _spectra(system, values):
-    """(the values of lambda where the rank of Theorem 2.5 falls, all roots of the characteristic equation), each
+def _spectra(system, parameters):
+    """(values, those of lambda where the rank of Theorem 2.5 falls, all roots of the characteristic equation), each
     once."""
-    return _known_spectra(tuple(sp.ImmutableMatrix(part).subs(values) for part in system))
+    return [(values, *_known_spectra(system.subs(values))) for values in general_values(parameters)]
 
 
 @functools.lru_cache(maxsize=64)
 def _known_spectra(system):
-    M, D, K, H1, H2 = (part.applyfunc(lambda x: sp.nsimplify(x, rational=True)) for part in system)
-    n = M.rows
-    rows = (M * LAMBDA**2 + D * LAMBDA + K).col_join(H1 + LAMBDA * H2)
-    minors = [sp.Poly(rows.extract(list(chosen), list(range(n))).det(method="berkowitz"), LAMBDA, domain="QQ")
-              for chosen in itertools.combinations(range(rows.rows), n)]
+    return tuple(map(_roots, _polynomials(system)))
+
+
+@functools.lru_cache(maxsize=64)
+def _polynomials(system):
+    """The polynomials in lambda that vanish where the rank of Theorem 2.5 falls, and where the square matrix alone
+    loses its rank."""
+    rows = _pencil(system).col_join((system.H1 + LAMBDA * system.H2).applyfunc(_exact))
+    minors = [sp.Poly(rows.extract(list(chosen), list(range(rows.cols))).det(method="berkowitz"), LAMBDA)
+              for chosen in itertools.combinations(range(rows.rows), rows.cols)]
     if minors[0].is_zero:
         raise ValueError("det(M lambda^2 + D lambda + K) vanishes identically: the equations do not determine a motion")
-    return _roots(functools.reduce(sp.gcd, minors)), _roots(minors[0])
+    return functools.reduce(sp.gcd, minors), minors[0]
+
+
+def _pencil(system):
+    return (system.M * LAMBDA**2 + system.D * LAMBDA + system.K).applyfunc(_exact)
+
+
+def _exact(x):
+    return sp.nsimplify(x, rational=True)
 
 
 def _roots(poly):
@@ -111,12 +150,13 @@ def _roots(poly):
             else np.array([]))
 
 
-def _transposed(M, D, K, L):
-    return M.T, D.T, K.T, L.T, sp.zeros(L.cols, L.rows)
+def _dual(system):
+    """The system whose output shows what the control of this one reaches."""
+    return Mechanical(system.M.T, system.D.T, system.K.T, H1=system.L.T)
 
 
-def first_order(M, D, K, H1, H2, parameters):
+def _in_states(system, parameters):
     """The `Pair` in the state (x, x')."""
-    n, inverse = M.rows, M.inv(method="ADJ")
-    A = sp.zeros(n).row_join(sp.eye(n)).col_join((-inverse * K).row_join(-inverse * D))
-    return pair_of(A, H1.row_join(H2), parameters)
+    n, inverse = system.M.rows, system.M.inv(method="ADJ")
+    A = sp.zeros(n).row_join(sp.eye(n)).col_join((-inverse * system.K).row_join(-inverse * system.D))
+    return pair_of(A, system.H1.row_join(system.H2), parameters)

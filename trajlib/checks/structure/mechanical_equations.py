@@ -5,36 +5,37 @@ and this is compared.
 """
 
 import numpy as np
+import sympy as sp
 
-from trajlib.checks.contract import coercion
+from trajlib.checks.contract.claims import Matrix, Parts
 from trajlib.checks.contract.tolerance import share
-from trajlib.checks.contract.verdict import Invalid, Wrong, judged
+from trajlib.checks.contract.verdict import Wrong, judged
+from trajlib.checks.tools.comparisons import Follows
+from trajlib.checks.tools.samples import general_values
 from trajlib.checks.tools.values import matrix_at
 from trajlib.checks.tools.wording import number_text, where_text
-from trajlib.checks.truths.pairs import general_values
+from trajlib.checks.truths.exceptional_values import judge_everywhere
 
 
-@judged
-def mechanical_equations(answer, M, K, L, parameters=()):
-    """The list [M, K, L] of equations M q'' + K q = L u with the accelerations of the given ones (M, K: n x n; L: n x
-    s)."""
-    if not isinstance(answer, (list, tuple)) or len(answer) != 3:
-        raise Invalid("expected a list of three matrices, [M, K, L] of M q'' + K q = L u")
-    claim = [coercion.as_matrix(part, parameters, true.shape) for part, true in zip(answer, (M, K, L))]
-    tolerance = max(share(*claim), 1e-9)
+def _like(name):
+    return Matrix("parameters", shape=lambda data: getattr(data["system"], name).shape)
+
+
+@judged(Parts(_like("M"), _like("K"), _like("L"),
+              expected="a list of three matrices, [M, K, L] of M q'' + K q = L u"))
+def mechanical_equations(claim, system, parameters=()):
+    """The list [M, K, L] of equations M q'' + K q = L u with the accelerations of the `Mechanical` system."""
     for values in general_values(parameters):
-        mass, stiffness, push = (matrix_at(part, values) for part in claim)
+        mass, *said = (matrix_at(part, values) for part in claim)
         if not np.linalg.cond(mass) < 1e12:
             raise Wrong(f"your equations do not determine the accelerations: M has no inverse{where_text(values)}")
-        true_mass, *true = (np.array(part.subs(values), dtype=float) for part in (M, K, L))
-        for said, right, what in zip((stiffness, push), true, ("q{}", "u{}")):
-            own, wanted = np.linalg.solve(mass, said), np.linalg.solve(true_mass, right)
-            bad = ~(abs(own - wanted) <= tolerance * max(abs(wanted).max(), 1e-300))
-            if bad.any():
-                i, j = np.argwhere(bad)[0]
-                sign = -1 if what[0] == "q" else 1
-                name = what.format(j + 1) if what[0] == "q" or L.cols > 1 else "u"
-                raise Wrong(f"by your equations {name} enters the acceleration of q{i + 1} with the coefficient "
-                            f"{number_text(sign * own[i, j])}{where_text(values)}, and that is not what the energies "
-                            "give")
+        true_mass, *true = (np.array(part.subs(values), dtype=float) for part in (system.M, system.K, system.L))
+        for own, wanted, name, sign in zip(said, true, "qu", (-1, 1)):
+            own, wanted = np.linalg.solve(mass, own), np.linalg.solve(true_mass, wanted)
+            yield Follows(own, wanted, max(abs(wanted).max(), 1e-300), lambda place: (
+                f"by your equations {name}{place[1] + 1 if own.shape[1] > 1 or name == 'q' else ''} enters the "
+                f"acceleration of q{place[0] + 1} with the coefficient {number_text(sign * own[place])}"
+                f"{where_text(values)}, and that is not what the energies give"), share(*claim))
+    judge_everywhere(claim[0], parameters, lambda: sp.true, "your equations are undefined",
+                     "your equations do not determine the accelerations, since M has no inverse,")
     return "solved for the accelerations they are the equations that the energies give"

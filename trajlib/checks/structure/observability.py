@@ -1,13 +1,9 @@
-"""Observability of x' = A x, z = H x: yes or no, for which parameters, what stays unseen and which eigenvalues are
-lost.
+"""Observability of x' = A x, z = H x with A: n x n and H: m x n, for the `parameters` (a list of symbols) in them."""
 
-The truth does not come from the rank of Kalman's matrix but from the states it is about: the largest subspace of ker H
-that A maps into itself, exactly (`invariant_subspaces`), at every exceptional value of a parameter too (`pairs`).
-"""
-
-from trajlib.checks.contract import coercion
+from trajlib.checks.contract.claims import Integer, Matrix, Vectors, YesNo
 from trajlib.checks.contract.verdict import judged
 from trajlib.checks.structure.dual_questions import (
+    EIGENVALUES,
     OUTPUT,
     judge_eigenvalues,
     judge_kalman,
@@ -15,22 +11,22 @@ from trajlib.checks.structure.dual_questions import (
     judge_region,
     judge_yes_no,
 )
-from trajlib.checks.structure.unseen_bases import judge_basis, judge_where_lost
+from trajlib.checks.structure.unseen_bases import bases_by_value, judge_basis, judge_where_lost
 from trajlib.checks.truths.pairs import pair_of
 
 
-@judged
-def observable(answer, A, H, parameters=()):
-    """Whether x' = A x, z = H x is observable; with parameters, whether it is for all values that their assumptions
-    allow."""
-    return judge_yes_no(answer, pair_of(A, H, parameters), OUTPUT)
+@judged(YesNo())
+def observable(claim, A, H, parameters=()):
+    """Whether x' = A x, z = H x (A: n x n, H: m x n) is observable; with parameters, whether it is for all values that
+    their assumptions allow."""
+    return judge_yes_no(claim, pair_of(A, H, parameters), OUTPUT)
 
 
 @judged
 def observable_parameters(answer, A, H, parameters):
     """The condition on the parameters under which the system is observable: true exactly there, at isolated values
     too."""
-    return judge_region(answer, pair_of(A, H, parameters), OUTPUT, holds=True)
+    return judge_region(answer, pair_of(A, H, parameters), OUTPUT)
 
 
 @judged
@@ -40,43 +36,41 @@ def unobservable_parameters(answer, A, H, parameters):
     return judge_region(answer, pair_of(A, H, parameters), OUTPUT, holds=False)
 
 
-@judged
-def observability_matrix(answer, A, H, parameters=()):
-    """Kalman's matrix N of Definition 2.3: the rows of H, then those of H A, and so on to H A^(n-1)."""
-    pair = pair_of(A, H, parameters)
-    return judge_kalman(coercion.as_matrix(answer, parameters, (pair.order * pair.outputs, pair.order)), pair, OUTPUT)
+@judged(Matrix("parameters", shape=lambda data: (data["A"].rows * data["H"].rows, data["A"].rows)))
+def observability_matrix(claim, A, H, parameters=()):
+    """Kalman's matrix N (n m x n) of Definition 2.3: the rows of H, then those of H A, and so on to H A^(n-1)."""
+    return judge_kalman(claim, pair_of(A, H, parameters), OUTPUT)
 
 
-@judged
-def observability_rank(answer, A, H):
+@judged(Integer())
+def observability_rank(claim, A, H):
     """The rank of N: the order of the system less the number of independent states that the output never shows."""
-    return judge_rank(answer, pair_of(A, H), OUTPUT)
+    return judge_rank(claim, pair_of(A, H), OUTPUT)
 
 
-@judged
-def unseen_states(answer, A, H, parameters=()):
+@judged(Vectors("parameters", size="A"))
+def unseen_states(claim, A, H, parameters=()):
     """A basis of the initial states whose motions give z = 0 for all time; an empty list if zero is the only one.
 
-    With parameters: for their values in general position, as the assumptions allow; with one, also where the answer
-    might fail.
+    With parameters: for their values in general position, as the assumptions allow, and wherever as much is unseen.
     """
-    return judge_basis(answer, pair_of(A, H, parameters), OUTPUT)
+    return judge_basis(claim, pair_of(A, H, parameters), OUTPUT)
 
 
-@judged
-def unseen_where_lost(answer, A, H, parameter):
+@judged(bases_by_value(OUTPUT))
+def unseen_where_lost(claim, A, H, parameter):
     """Every real value of the parameter for which the system is not observable, as {value: basis of the unseen states}.
 
     For systems that lose observability at finitely many values, all of them rational.
     """
-    return judge_where_lost(answer, pair_of(A, H, (parameter,)), OUTPUT,
+    return judge_where_lost(claim, pair_of(A, H, (parameter,)), OUTPUT,
                             lambda value: pair_of(A.subs(parameter, value), H.subs(parameter, value)))
 
 
-@judged
-def lost_eigenvalues(answer, A, H, parameters=()):
+@judged(EIGENVALUES)
+def lost_eigenvalues(claim, A, H, parameters=()):
     """The different eigenvalues of A at which the rank of Theorem 2.3 falls; an empty list or set if there are none.
 
     With parameters: for their values in general position, as the assumptions allow.
     """
-    return judge_eigenvalues(answer, pair_of(A, H, parameters), OUTPUT)
+    return judge_eigenvalues(claim, pair_of(A, H, parameters), OUTPUT)

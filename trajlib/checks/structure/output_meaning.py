@@ -9,15 +9,15 @@ arithmetic.
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
-from trajlib.checks.contract import coercion
+from trajlib.checks.contract.claims import Choice
 from trajlib.checks.contract.verdict import Wrong, judged
 
 
-@judged
-def measured_coordinate(answer, A, H, known, coordinates):
-    """Which of the `coordinates` (name: row) of the system with the matrix `known` the measurement H of the system A
-    is."""
-    return judge_meaning(coercion.as_choice(answer, tuple(coordinates)), A, H, known, coordinates)
+@judged(Choice(words="coordinates"))
+def measured_coordinate(claim, A, H, known, coordinates):
+    """Which of the `coordinates` {name: row} of the system with the matrix `known` the measurement H (1 x n) of the
+    system A (n x n) is."""
+    return judge_meaning(claim, A, H, known, coordinates)
 
 
 def judge_meaning(claim, A, H, known, coordinates):

@@ -11,12 +11,14 @@ import numpy as np
 import sympy as sp
 from sympy.core.function import AppliedUndef
 
-from trajlib.checks.contract import coercion
+from trajlib.checks.contract.claims import Expressions
 from trajlib.checks.contract.tolerance import same, share
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
 from trajlib.checks.tools.samples import general_values
 from trajlib.checks.tools.values import number_at, numbers_at
 from trajlib.checks.tools.wording import number_text, where_text
+from trajlib.checks.truths.exceptional_values import judge_everywhere
+from trajlib.checks.truths.pairs import pair_of
 
 LARGEST_ORDER = 12
 
@@ -28,6 +30,7 @@ def scalar_equation(answer, A, B, output, motion, control, parameters=()):
     claim = _LinearEquation(answer, motion, control, parameters)
     for values in general_values(list(parameters)):
         claim.judge(A.subs(values), B.subs(values), output.subs(values), values)
+    claim.judge_everywhere(A.rows, parameters, lambda: pair_of(A, output, parameters).in_general)
     return "it is linear, of the order of the system, and satisfied at random states and controls"
 
 
@@ -39,22 +42,21 @@ def canonical_equation(answer, A, B, motion, control, parameters=()):
     for values in general_values(list(parameters)):
         there, b = A.subs(values), B.subs(values)
         claim.judge(there, b, _first_coordinate(there, b), values, canonical=True)
+    claim.judge_everywhere(A.rows, parameters, lambda: pair_of(A.T, B.T, parameters).in_general)
     return ("it is linear, of the order of the system, and the first canonical coordinate satisfies it at random "
             "states and controls")
 
 
-@judged
-def canonical_coordinate(answer, A, B, parameters=()):
-    """The row c for which y = c x is the first coordinate of the canonical form by control (2.4)."""
-    n, claim = A.rows, coercion.as_expressions(answer, parameters, A.rows)
-    tolerance = share(claim)
+@judged(Expressions("parameters", length="A"))
+def canonical_coordinate(claim, A, B, parameters=()):
+    """The row c (of n entries) for which y = c x is the first coordinate of the canonical form by control (2.4) (A: n x
+    n, B: n x 1)."""
     for values in general_values(list(parameters)):
-        exact, drive = A.subs(values), B.subs(values)
-        row = numbers_at(claim, values, [f"coefficient of x{k}" for k in range(1, n + 1)])
-        true = np.array(_first_coordinate(exact, drive).tolist(), dtype=float)[0]
+        there, b = A.subs(values), B.subs(values)
+        row = numbers_at(claim, values, [f"coefficient of x{k}" for k in range(1, A.rows + 1)])
+        true = _floats(_first_coordinate(there, b))[0]
         if not same(row, true, claim, np.linalg.norm(true)).all():
-            A_there, b_there = (np.array(matrix.tolist(), dtype=float) for matrix in (exact, drive))
-            _explain_row(row, A_there, b_there[:, 0], tolerance, where_text(values))
+            _explain_row(row, _floats(there), _floats(b)[:, 0], share(claim), where_text(values))
     return "the control enters the last derivative alone, with the coefficient 1"
 
 
@@ -88,6 +90,13 @@ class _LinearEquation:
         if rest.has(sp.nan, sp.zoo, sp.oo, -sp.oo, self.time) or rest != 0 and sp.simplify(rest) != 0:
             raise Wrong(f"beside the terms with {self.names[0]}, {self.names[1]} and their derivatives your equation "
                         f"has another one, so that it fails at rest without control")
+
+    def judge_everywhere(self, order, parameters, given):
+        """That the equation is defined, and its highest derivative does not fall out, wherever `given()`."""
+        of_motion, of_control = self.coefficients
+        judge_everywhere(sp.Matrix([of_motion + of_control]), parameters, given, "your equation is undefined")
+        judge_everywhere(sp.Matrix([of_motion[order]]), parameters, given, "your equation is undefined",
+                         "the highest derivative falls out of your equation")
 
     def judge(self, A, b, c, values, canonical=False):
         """That the equation has the order of the system and holds for y = c x, in exact matrices of numbers; `values`
@@ -128,10 +137,9 @@ class _LinearEquation:
                 raise Wrong(f"a derivative of {u} stands in your equation{where}; into that of the first coordinate "
                             f"of the form (2.4) {u} enters alone")
             if controls:
-                raise Wrong(f"without control your equation is right{where}, but {u} has the wrong coefficient; in "
-                            f"the form (2.4) {u} "
-                            f"enters the last equation with the coefficient 1, and {y} is the first coordinate of "
-                            f"that form, no multiple")
+                raise Wrong(f"without control your equation is right{where}, but {u} has the wrong coefficient; in the "
+                            f"form (2.4) {u} enters the last equation with the coefficient 1, and {y} is the first "
+                            "coordinate of that form, no multiple")
         random, free = np.random.default_rng(220), failing[0] < n
         for _ in range(20):
             state = random.integers(1, 6, n + highest + 1) * random.choice((-1.0, 1.0), n + highest + 1)
@@ -238,6 +246,10 @@ def _first_coordinate(A, b):
     if W.det() == 0:
         raise ValueError("there is no canonical form: the control does not reach every state")
     return W.T.LUsolve(sp.Matrix([0] * (A.rows - 1) + [1])).T
+
+
+def _floats(matrix):
+    return np.array(matrix.tolist(), dtype=float)
 
 
 def _derivative(name, k):

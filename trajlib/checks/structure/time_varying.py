@@ -11,17 +11,15 @@ from math import comb
 
 import numpy as np
 import sympy as sp
-from scipy.linalg import expm
 
-from trajlib.checks.contract import coercion
-from trajlib.checks.contract.claims import Expression
-from trajlib.checks.contract.tolerance import same, share
+from trajlib.checks.contract.claims import Expression, Matrix
+from trajlib.checks.contract.tolerance import share
 from trajlib.checks.contract.verdict import Wrong, judged
 from trajlib.checks.structure.dual_questions import OUTPUT, judge_region
-from trajlib.checks.structure.unseen_bases import judge_where_lost
-from trajlib.checks.tools.comparisons import Same
+from trajlib.checks.structure.unseen_bases import bases_by_value, judge_where_lost
+from trajlib.checks.tools.comparisons import Entries, Same
 from trajlib.checks.tools.samples import signed_values
-from trajlib.checks.tools.values import matrix_at, value_at
+from trajlib.checks.tools.values import value_at
 from trajlib.checks.tools.wording import number_text, rounded_text
 from trajlib.checks.truths.known_starts import starts_of
 
@@ -32,6 +30,8 @@ MOST_FUNCTIONS = 16
 @judged(Expression("time", "start", "parameters"))
 def varying_output(claim, A, H, time, start, parameters):
     """z(t) along the motion from the start, an expression in the symbols of the start, the time and the parameters."""
+    from scipy.linalg import expm
+
     for values in signed_values([time, *start, *parameters], positive=[time]):
         x = np.array([values[symbol] for symbol in start])
         matrix, row = _at(A, values), _at(H, values)
@@ -40,39 +40,35 @@ def varying_output(claim, A, H, time, start, parameters):
     return "it is H(t) x(t) for all starts, moments and parameters tried"
 
 
-@judged
-def derivative_rows(answer, A, H, time, parameters):
-    """The rows N0, ..., N(n-1) with z = N0 x, z' = N1 x, ... along all motions, as a matrix."""
+@judged(Matrix("time", "parameters", shape="A"))
+def derivative_rows(claim, A, H, time, parameters):
+    """The n x n matrix of the rows N0, ..., N(n-1) with z = N0 x, z' = N1 x, ... along all motions (H: 1 x n)."""
     n = A.rows
-    claim = coercion.as_matrix(answer, [time, *parameters], (n, n))
     slopes = [H.diff(time, k) if k else H for k in range(n)]
     for values in signed_values([time, *parameters], positive=[time]):
-        matrix, rows = _at(A, values), [_at(slope, values)[0] for slope in slopes]
-        said = matrix_at(claim, values)
-        for k in range(n):
-            # The derivative of order k of the product H(t) x(t), by the rule of Leibniz.
-            true = sum(comb(k, j) * rows[j] @ np.linalg.matrix_power(matrix, k - j) for j in range(k + 1))
-            scale = sum(comb(k, j) * np.linalg.norm(rows[j]) * np.linalg.norm(matrix, 2) ** (k - j)
-                        for j in range(k + 1))
-            right = same(said[k], true, list(claim[k, :]), scale)
-            if right.all():
-                continue
-            if k and np.linalg.norm(said[k] - rows[0] @ np.linalg.matrix_power(matrix, k)) <= 1e-6 * scale:
-                raise Wrong(f"row {k + 1} of your matrix leaves out that H changes with time: the derivative of z = "
-                            f"H(t) x has one term more")
-            j = int(np.argmax(abs(said[k] - true) * ~right))
+        rows, powers = _at(sp.Matrix.vstack(*slopes), values), [_at(A**k, values) for k in range(n)]
+        # The derivative of order k of the product H(t) x(t), by the rule of Leibniz.
+        terms = [[comb(k, j) * rows[j] @ powers[k - j] for j in range(k + 1)] for k in range(n)]
+
+        def told(said, k, j):
+            if k and np.allclose(said[k], terms[k][0], rtol=0, atol=1e-6 * sizes[k]):
+                return (f"row {k + 1} of your matrix leaves out that H changes with time: the derivative of z = H(t) x "
+                        "has one term more")
             what = "z itself" if k == 0 else "the derivative of z" if k == 1 else f"the derivative of z of order {k}"
-            raise Wrong(f"row {k + 1} times x has to be {what}; at {rounded_text(values)} it is not, in column "
-                        f"{j + 1}: there your matrix has {number_text(said[k, j])}")
+            return (f"row {k + 1} times x has to be {what}; at {rounded_text(values)} it is not, in column {j + 1}: "
+                    f"there your matrix has {number_text(said[k, j])}")
+
+        sizes = np.array([sum(map(np.linalg.norm, row)) for row in terms])
+        yield Entries(claim, list(map(sum, terms)), told, values, sizes[:, None])
     return "the rows times x are z and its derivatives, at all moments and parameters tried"
 
 
-@judged
-def output_gramian(answer, A, H, time, duration, parameters):
-    """The matrix G with x(0)^T G x(0) = the integral of z^2 over 0 <= t <= duration, for parameters in general
-    position."""
-    n = A.rows
-    claim = coercion.as_matrix(answer, parameters, (n, n))
+@judged(Matrix("parameters", shape="A"))
+def output_gramian(claim, A, H, time, duration, parameters):
+    """The n x n matrix G with x(0)^T G x(0) = the integral of z^2 over 0 <= t <= `duration` (A: n x n, H: 1 x n), for
+    parameters in general position."""
+    from scipy.linalg import expm
+
     nodes, weights = np.polynomial.legendre.leggauss(160)
     moments, weights = (nodes + 1) / 2 * float(duration), weights / 2 * float(duration)
     for values in signed_values(parameters):
@@ -80,12 +76,12 @@ def output_gramian(answer, A, H, time, duration, parameters):
         row = sp.lambdify(time, list(H.subs(values)), "numpy")  # of the data, never of an answer
         measured = np.array([np.broadcast_to(entry, moments.shape) for entry in row(moments)]).T
         rows = np.einsum("ti,tij->tj", measured, expm(moments[:, None, None] * matrix))
-        true, said = rows.T @ (weights[:, None] * rows), matrix_at(claim, values)
-        bad = ~same(said, true, claim, np.linalg.norm(true))
-        if bad.any():
-            i, j = np.argwhere(bad)[0]
-            raise Wrong(f"for {rounded_text(values)} the entry ({i + 1}, {j + 1}) of your matrix is "
-                        f"{number_text(said[i, j])}; the integral is {true[i, j]:.4g}")
+        true = rows.T @ (weights[:, None] * rows)
+        yield Entries(claim, true, lambda said, i, j: (
+            f"for {rounded_text(values)} the entry ({i + 1}, {j + 1}) of your matrix is {number_text(said[i, j])}; the "
+            f"integral is {true[i, j]:.4g}" if values else  # the true number would be the answer itself
+            f"the entry ({i + 1}, {j + 1}) of your matrix is {number_text(said[i, j])}, and the integral is not"),
+            values, np.linalg.norm(true))
     return "the entries are the integrals, for all parameters tried"
 
 
@@ -107,14 +103,14 @@ def frozen_determinant(claim, A, H, time, parameters):
 @judged
 def varying_observable_parameters(answer, A, H, time, parameters):
     """The condition on the parameters under which z on an interval determines the state; exact at isolated values."""
-    return judge_region(answer, _starts(A, H, time, parameters), OUTPUT, holds=True)
+    return judge_region(answer, _starts(A, H, time, parameters), OUTPUT)
 
 
-@judged
-def varying_unseen_where_lost(answer, A, H, time, parameter):
+@judged(bases_by_value(OUTPUT))
+def varying_unseen_where_lost(claim, A, H, time, parameter):
     """Every real value of the parameter for which the system is not observable, as {value: basis of the unseen initial
     states}."""
-    return judge_where_lost(answer, _starts(A, H, time, (parameter,)), OUTPUT,
+    return judge_where_lost(claim, _starts(A, H, time, (parameter,)), OUTPUT,
                             lambda value: _starts(A.subs(parameter, value), H.subs(parameter, value), time))
 
 

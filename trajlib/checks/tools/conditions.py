@@ -31,15 +31,20 @@ DIGITS, NOTHING = 60, mpmath.mpf(10) ** -40
 LARGEST_DEGREE, MOST_TERMS = 40, 4000
 HOW = {sp.Gt: operator.gt, sp.Ge: operator.ge, sp.Lt: operator.lt, sp.Le: operator.le, sp.Eq: operator.eq,
        sp.Ne: operator.ne}
+REVERSED = {sp.Gt: sp.Lt, sp.Ge: sp.Le, sp.Lt: sp.Gt, sp.Le: sp.Ge}
 
 
 @dataclass(frozen=True)
 class Case:
-    """The parameters for which `condition` holds for some values of `unknowns`, or for every one of them."""
+    """The parameters for which `condition` holds for some values of `unknowns`, or for every one of them.
+
+    `angles` are those symbols that run from 0 to 2 pi, without the end: then they may be compared with other angles.
+    """
 
     condition: object
     unknowns: tuple = ()
     every: bool = False
+    angles: tuple = ()
 
 
 @dataclass(frozen=True)
@@ -62,7 +67,10 @@ class Truth:
 
 
 def exactly(condition, given=sp.true, unknowns=(), at=None, points=None):
-    """The truth `condition` at all parameters and unknowns with `given`; elsewhere either will do."""
+    """The truth `condition` at all parameters and unknowns with `given`; elsewhere either will do. Where it is None, no
+    closed form being known, there is nothing but `at`."""
+    if condition is None:
+        return Truth(at=at, points=points)
     inside, outside = ((Case(sp.And(given, part), tuple(unknowns)),) for part in (condition, sp.Not(condition)))
     return Truth(inside, outside, at, points)
 
@@ -93,19 +101,19 @@ def compare(answer, parameters, truth, told):
     given as SymPy numbers, where the truth is `holds` and the claim says otherwise.
     """
     parameters = list(parameters)
-    readings = _readings(read_condition(answer, parameters, truth))
-    decided, place = _decided(readings[:1], parameters, truth)
-    if decided and place and len(readings) > 1:
+    said = readings(read_condition(answer, parameters, truth))
+    decided, place = _decided(said[:1], parameters, truth)
+    if decided and place and len(said) > 1:
         # Decimals stand for all numbers that round to them, but a border that they meet exactly is not rounded.
-        off_border = [sp.Ne(atom.lhs, atom.rhs) for atom in readings[0].atoms(Relational) if _is_finite(atom)]
-        decided, elsewhere = _decided(readings[:1], parameters, truth, sp.And(*off_border))
+        off_border = [sp.Ne(atom.lhs, atom.rhs) for atom in said[0].atoms(Relational) if _is_finite(atom)]
+        decided, elsewhere = _decided(said[:1], parameters, truth, sp.And(*off_border))
         if decided and elsewhere:
-            decided, place = _decided(readings, parameters, truth)
+            decided, place = _decided(said, parameters, truth)
     if decided and place is None:
         return "proved for all values"
     count = 0
     if not decided:
-        place, count = _sampled(readings, parameters, truth)
+        place, count = _sampled(said, parameters, truth)
     if place is not None:
         values, holds = place
         raise Wrong(told(values, holds))
@@ -118,7 +126,7 @@ class Condition:
     def __init__(self, condition, symbols):
         self.symbols = list(symbols)
         self.condition = sp.to_nnf(condition, simplify=False) if condition.has(sp.Implies, sp.Equivalent) else condition
-        self._atoms = {atom: _Sign(atom, self.symbols) for atom in self.condition.atoms(Relational)}
+        self._atoms = {atom: _sign_of(atom, tuple(self.symbols)) for atom in self.condition.atoms(Relational)}
 
     def holds(self, place):
         """The truth value at a place, exact numbers in a row; where a term is undefined the condition does not hold."""
@@ -218,9 +226,14 @@ class _Sign:
                 yield from (float(r.real) for r in np.roots(coefficients) if abs(r.imag) < 1e-5 * (1 + abs(r)))
 
 
+@functools.lru_cache(maxsize=256)
+def _sign_of(relation, symbols):
+    return _Sign(relation, symbols)
+
+
 # Decimals
 
-def _readings(claim):
+def readings(claim):
     """The claim with its decimals as they are written, and with each half a unit of the third digit up or down."""
     claim = _with_plain_powers(claim)
     decimals = sorted(claim.atoms(sp.Float), key=float)
@@ -320,7 +333,7 @@ class _Question:
         except ImportError:
             raise _Undecidable from None  # where it does not run, as in some browsers, samples have to do
         self.z3, self.context, self.parameters, self.case = z3, z3.Context(), parameters, case
-        self.names, self.plain = {}, Plain()
+        self.names, self.plain = {}, Plain(case.angles)
 
     def answer(self, readings, holds, besides):
         """A place, exact numbers of the parameters and the unknowns, or None if there is none."""
@@ -364,7 +377,7 @@ class _Question:
         if node in (sp.true, sp.false):
             return z3.BoolVal(bool(node), self.context)
         if isinstance(node, Relational):
-            above, below = (self._polynomial(part) for part in sp.fraction(sp.together(node.lhs - node.rhs)))
+            above, below = (self._polynomial(part) for part in _as_fraction(node.lhs - node.rhs))
             side = above if isinstance(node, (sp.Eq, sp.Ne)) else above * below
             return z3.And(below != 0, HOW[type(node)](side, 0))
         parts = [self._formula(part) for part in node.args]
@@ -373,18 +386,11 @@ class _Question:
         return join(*parts)
 
     def _polynomial(self, expression):
-        symbols = sorted(expression.free_symbols, key=str)
-        if not expression.is_polynomial(*symbols):
-            raise _Undecidable
-        poly = sp.Poly(expression, *symbols or [sp.Dummy()])
-        if poly.domain not in (sp.ZZ, sp.QQ) or poly.total_degree() > LARGEST_DEGREE or len(poly.terms()) > MOST_TERMS:
-            raise _Undecidable
         terms = []
-        for powers, coefficient in poly.terms():
-            term = self.z3.RealVal(str(coefficient), self.context)
-            for symbol, power in zip(symbols, powers):
-                for _ in range(power):
-                    term = term * self._real(symbol)
+        for coefficient, symbols in _terms(expression):
+            term = self.z3.RealVal(coefficient, self.context)
+            for symbol in symbols:
+                term = term * self._real(symbol)
             terms.append(term)
         return functools.reduce(lambda one, other: one + other, terms)
 
@@ -406,7 +412,7 @@ class _Question:
     def _value(self, model, symbol):
         if symbol in self.plain.circles:
             c, s = (self._value(model, part) for part in self.plain.circles[symbol])
-            return sp.atan2(s, c)
+            return sp.atan2(s, c) + (2 * sp.pi if symbol in self.case.angles and s < 0 else 0)
         if symbol not in self.names:
             return sp.Integer(-1 if symbol.is_negative or symbol.is_nonpositive else 1)
         value = model.eval(self.names[symbol], model_completion=True)
@@ -416,12 +422,31 @@ class _Question:
         return sp.rootof(sp.Poly(coefficients[::-1], sp.Symbol("t")), value.index() - 1)
 
 
+@functools.lru_cache(maxsize=512)  # the same truth is asked about again and again
+def _as_fraction(expression):
+    return sp.fraction(sp.together(expression))
+
+
+@functools.lru_cache(maxsize=512)
+def _terms(expression):
+    """A polynomial as (coefficient, symbols as often as they are factors), a pair a term."""
+    symbols = sorted(expression.free_symbols, key=str)
+    if not expression.is_polynomial(*symbols):
+        raise _Undecidable
+    poly = sp.Poly(expression, *symbols or [sp.Dummy()])
+    if poly.domain not in (sp.ZZ, sp.QQ) or poly.total_degree() > LARGEST_DEGREE or len(poly.terms()) > MOST_TERMS:
+        raise _Undecidable
+    return [(str(coefficient), [symbol for symbol, power in zip(symbols, powers) for _ in range(power)])
+            for powers, coefficient in poly.terms()]
+
+
 class Plain:
     """Conditions as polynomial ones in more symbols: a root, an absolute value, a point of the circle for an angle, a
-    number such as pi each become a symbol; `sides` say what they are."""
+    number such as pi each become a symbol; `sides` say what they are. The order of `angles`, which run from 0 to 2 pi,
+    is that of points on the circle."""
 
-    def __init__(self):
-        self.sides, self.circles, self._known, self._bare = [], {}, {}, set()
+    def __init__(self, angles=()):
+        self.sides, self.circles, self._known, self._bare, self._angles = [], {}, {}, set(), angles
 
     def condition(self, node):
         if node in (sp.true, sp.false):
@@ -429,9 +454,15 @@ class Plain:
         if isinstance(node, Relational):
             if not _is_finite(node):
                 return _beyond_all(node)
-            defined = []
-            difference = self._term(_rational(node.lhs - node.rhs), defined)
-            return sp.And(*defined, node.func(difference, 0))
+            defined, difference = [], _rational(node.lhs - node.rhs)
+            for angle in difference.free_symbols.intersection(self._angles):
+                other = angle - difference / difference.coeff(angle)
+                if difference.coeff(angle).is_number and not other.has(angle):
+                    how = node.func if difference.coeff(angle) > 0 else REVERSED.get(node.func, node.func)
+                    ordered = self._ordered(angle, how, other, defined)
+                    return sp.And(*defined, ordered)
+            plain = node.func(self._term(difference, defined), 0)
+            return sp.And(*defined, plain)
         if isinstance(node, (sp.Implies, sp.Equivalent)):
             node = sp.to_nnf(node, simplify=False)
         if not isinstance(node, (sp.And, sp.Or, sp.Not, sp.Xor, sp.ITE)):
@@ -462,14 +493,35 @@ class Plain:
         if isinstance(node, (sp.Max, sp.Min)):
             sign = 1 if isinstance(node, sp.Max) else -1
             return self._term(functools.reduce(lambda a, b: (a + b + sign * sp.Abs(a - b)) / 2, node.args), defined)
-        if isinstance(node, (sp.cos, sp.sin, sp.tan)):
-            return self._turned(node, defined)
-        if isinstance(node, sp.NumberSymbol):
+        if node.is_number and node.is_real:
             # A number known to so many digits tells from zero what a student writes; a difference is evaluated again.
             near, w = sp.Rational(str(node.evalf(50))), self._known.setdefault(node, sp.Dummy("number", real=True))
             self.sides += [w > near - sp.Rational(1, 10**45), w < near + sp.Rational(1, 10**45)]
             return w
+        if isinstance(node, (sp.cos, sp.sin, sp.tan)):
+            return self._turned(node, defined)
         raise _Undecidable
+
+    def _ordered(self, angle, how, other, defined):
+        """The relation of an angle from 0 to 2 pi to another one, in the coordinates of their points on the circle."""
+        low, high = _range(other)
+        if other.is_number and not 0 <= low < 2 * math.pi:
+            return sp.sympify(HOW[how](0, low))
+        # Both from 0 to pi and beyond pi the order is that of the cosines.
+        c, s, cosine, sine = (self._term(sp.expand_trig(f(part)), defined) for part in (angle, other)
+                              for f in (sp.cos, sp.sin))
+        same = sp.And(sp.Eq(c, cosine), sp.Eq(s, sine))
+        above = sp.And(sine >= 0, sp.Or(low <= 0, sp.Ne(cosine, 1)))  # no zero but a whole turn
+        less = sp.Or(sp.And(s >= 0, sp.Not(above)), sp.And(s >= 0, above, c > cosine),
+                     sp.And(s < 0, sp.Not(above), c < cosine))
+        if -math.pi < low < 0 and high < math.pi:
+            less, same = sp.And(sine >= 0, less), sp.And(sine >= 0, same)
+        elif math.pi < low and 2 * math.pi < high < 3 * math.pi:
+            less, same = sp.Or(sine >= 0, less), sp.And(sine < 0, same)
+        elif not (0 <= low and high <= 2 * math.pi):
+            raise _Undecidable
+        return {sp.Lt: less, sp.Le: sp.Or(less, same), sp.Gt: sp.Not(sp.Or(less, same)), sp.Ge: sp.Not(less),
+                sp.Eq: same, sp.Ne: sp.Not(same)}[how]
 
     def _symbol(self, key, base, where):
         """The symbol for something of `base`, `where(w)` where that is not negative and where it is."""
@@ -606,6 +658,19 @@ def _near(x, largest):
 
 def _sign(number):
     return int(bool(number > 0)) - int(bool(number < 0))
+
+
+def _range(angle):
+    """The least and the greatest value of a number, or of a number and one inverse function: floats."""
+    inverse = angle.atoms(sp.acos, sp.asin, sp.atan)
+    for function in inverse:
+        sign, number = angle.coeff(function), angle - angle.coeff(function) * function
+        if len(inverse) == 1 and abs(sign) == 1 and number.is_number:
+            ends = (0.0, math.pi) if isinstance(function, sp.acos) else (-math.pi / 2, math.pi / 2)
+            return tuple(sorted(float(number) + float(sign) * end for end in ends))
+    if not angle.is_number:
+        raise _Undecidable
+    return float(angle), float(angle)
 
 
 def _is_finite(relation):

@@ -16,6 +16,9 @@ from trajlib.checks.contract.coercion import LARGEST
 from trajlib.checks.contract.verdict import Invalid, Wrong
 from trajlib.checks.tools.wording import rounded_text
 
+#: At how many places integrals are computed for one verdict.
+MOST_INTEGRATED = 400
+
 
 def number_at(claim, values, what="your expression"):
     """The finite number, real or complex, that an expression becomes; `what` names the expression in a message."""
@@ -26,7 +29,8 @@ def number_at(claim, values, what="your expression"):
         found = complex(number)
     except TypeError:
         raise Invalid(f"{what} does not become a single number when all symbols have values") from None
-    if not abs(found) < LARGEST:
+    # Python's modulus of what is no number may raise: it minds an error of the computation before it.
+    if not (cmath.isfinite(found) and abs(found) < LARGEST):
         how = "undefined" if cmath.isnan(found) else f"larger than {LARGEST:g}" if cmath.isfinite(found) else "infinite"
         raise Wrong(f"{what} is {how}" + (f" at {rounded_text(values)}, where it should have a value" if values else
                                           "; it should have a value"))
@@ -61,7 +65,8 @@ def real_at(claim, values):
         number = complex(_put(claim, values))
     except TypeError:
         return None
-    return number.real if abs(number) < LARGEST and abs(number.imag) < 1e-12 * (1 + abs(number)) else None
+    within = cmath.isfinite(number) and abs(number) < LARGEST
+    return number.real if within and abs(number.imag) < 1e-12 * (1 + abs(number)) else None
 
 
 def truth_at(claim, values):
@@ -80,7 +85,8 @@ def real_function(symbols, expressions):
     real number."""
     # Only SymPy functions of the data's own symbols come here (coercion.with_symbols), so the code made is ours.
     # A docstring would take as long as the code.
-    compiled = [sp.lambdify(symbols, _printable(e), [{"select": _first_of}, "numpy"], docstring_limit=0)
+    compiled = [_integrated(symbols, e) if e.has(sp.Integral) else
+                sp.lambdify(symbols, _printable(e), [{"select": _first_of}, "numpy"], docstring_limit=0)
                 for e in expressions]
 
     def one(function, numbers, shape):
@@ -107,6 +113,21 @@ def real_function(symbols, expressions):
             return np.array([one(function, numbers, shape) for function in compiled])
 
     return evaluate
+
+
+def _integrated(symbols, e):
+    """An expression with integrals, one place after the other; slow, so not for a law."""
+    places = 0
+
+    def value(*numbers):
+        nonlocal places
+        places += 1
+        if places > MOST_INTEGRATED:
+            raise Invalid("your answer holds an integral and is asked for at many places; write it without")
+        found = real_at(e, dict(zip(symbols, map(sp.Float, numbers))))
+        return np.nan if found is None else found
+
+    return np.vectorize(value, otypes=[float])
 
 
 def _printable(e):

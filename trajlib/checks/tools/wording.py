@@ -8,6 +8,11 @@ def number_text(number):
             else f"{z.real:.4g} {'+' if z.imag > 0 else '-'} {abs(z.imag):.4g}i")
 
 
+def roots_text(roots):
+    """The roots of an equation for a message; what rounding leaves of a zero imaginary part is none."""
+    return " and ".join(number_text(z.real if abs(z.imag) < 1e-9 * (1 + abs(z)) else z) for z in map(complex, roots))
+
+
 def values_text(values):
     """Rational values of symbols for a message: `k = 1/3, omega = 2`."""
     return ", ".join(f"{symbol} = {x if x.q < 1000 else f'{float(x):.6g}'}" for symbol, x in values.items())

@@ -8,7 +8,6 @@ from contextlib import suppress
 
 import numpy as np
 import sympy as sp
-from scipy.integrate import solve_ivp
 
 #: Step of the complex-step derivative: no subtraction, so the result is exact to rounding (Squire and Trapp, 1998).
 STEP = 1e-30
@@ -116,6 +115,8 @@ class Field:
 
     def motion(self, start, duration, escape=1e3):
         """The state after `duration`, or None if the motion leaves the ball of radius `escape` before."""
+        from scipy.integrate import solve_ivp
+
         def outside(_, x):
             return escape - np.linalg.norm(x)
 

@@ -14,7 +14,7 @@ from sympy.polys.matrices import DomainMatrix
 
 from trajlib.checks.tools.conditions import Case, Truth, allowed
 from trajlib.checks.tools.samples import general_values
-from trajlib.checks.truths.invariant_subspaces import unseen_subspace
+from trajlib.checks.truths.invariant_subspaces import to_floats, unseen_subspace
 
 
 @functools.lru_cache(maxsize=64)
@@ -77,6 +77,24 @@ class Pair:
     def unseen(self):
         """The basis of the unseen states at every sample."""
         return [self.unseen_at(place) for _, place in self.samples]
+
+    @functools.cached_property
+    def in_general(self):
+        """The condition on the parameters under which the matrices are defined and as much is unseen as in general."""
+        dimensions = set(map(len, self.unseen))
+        rank = self.unknowns - min(dimensions)
+        told = self._derivative_rows()
+        # This coefficient is the sum of the squares of all minors of that size.
+        minors = (told.transpose() * told).charpoly()[rank]
+        return sp.And(*(sp.Ne(poly.as_expr(), 0) for poly in self._denominators),
+                      sp.Ne(told.domain.to_sympy(minors), 0))
+
+    @functools.cached_property
+    def systems(self):
+        """(values, A, H, unseen) at every sample: arrays of floats, a basis of the unseen states in the rows of the
+        last."""
+        return [(values, *(to_floats(rows, self.order) for rows in self.at(place)), to_floats(unseen, self.unknowns))
+                for (values, place), unseen in zip(self.samples, self.unseen)]
 
     @functools.cached_property
     def boundaries(self):

@@ -12,6 +12,7 @@ from trajlib import exercises
 from trajlib.grading import assignment as assignments
 from trajlib.grading.assignment import AssignmentError
 from trajlib.grading.record import put_bytes
+from trajlib.mistakes import file_beside
 
 HERE = Path(__file__).resolve().parent
 PACKAGE = exercises.PACKAGE
@@ -41,7 +42,8 @@ def _wheel():
     files = {f"trajlib/{path.relative_to(PACKAGE).as_posix()}": path.read_bytes() for path in sorted(PACKAGE.rglob("*"))
              if path.is_file() and not {"__pycache__", "_exercises"} & set(path.relative_to(PACKAGE).parts)}
     notebooks = [exercise.path for exercise in exercises.read_all()]
-    files |= {f"trajlib/_exercises/{path.parent.name}/{path.name}": path.read_bytes() for path in notebooks}
+    with_mistakes = [*notebooks, *filter(Path.is_file, map(file_beside, notebooks))]
+    files |= {f"trajlib/_exercises/{path.parent.name}/{path.name}": path.read_bytes() for path in with_mistakes}
     files |= {f"{about}/{name}": ours.read_text(name).encode() for name in ("METADATA", "entry_points.txt")}
     files[f"{about}/WHEEL"] = b"Wheel-Version: 1.0\nGenerator: trajlib\nRoot-Is-Purelib: true\nTag: py3-none-any\n"
     listed = [f"{name},sha256={_digest(data)},{len(data)}\n" for name, data in files.items()]

@@ -3,7 +3,7 @@
 set -euo pipefail
 
 apt-get update
-for version in 3.13 3.12 3.11; do
+for version in 3.14 3.13 3.12 3.11; do
   if apt-get install -y --no-install-recommends "python$version" "python$version-venv"; then
     python="python$version"
     break

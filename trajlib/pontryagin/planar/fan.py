@@ -259,7 +259,8 @@ class Fan:
 
 def stacked(arguments, expressions):
     """A NumPy function with values of shape (len(expressions), N), also for constants."""
-    raw = sp.lambdify(list(arguments), list(expressions), "numpy", cse=True)
+    # The module itself, not its name, for which SymPy would import all that NumPy has, which takes half a second.
+    raw = sp.lambdify(list(arguments), list(expressions), [np], cse=True)
 
     def value(*numbers):
         parts = raw(*numbers)

@@ -50,7 +50,7 @@ class Regularity:
 
     def _repr_markdown_(self):
         rows = [f"| {c.letter} | {'holds' if c.holds else '**fails**'} | {c.text} |" for c in self.conditions]
-        return "\n".join(["| condition | | what was found |", "|---|---|---|", *rows])
+        return "\n".join(["| condition | verdict | what was found |", "|---|---|---|", *rows])
 
 
 def regularity(synthesis):

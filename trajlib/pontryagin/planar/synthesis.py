@@ -17,7 +17,6 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
-from scipy.optimize import brentq
 
 from ..statement import Problem
 from .cuts import Curve, border_extremals, cut_at_overlaps, dispersal_curves, switching_curves
@@ -235,6 +234,8 @@ def _fill(fan, window):
 
 def _first_control_changes(fan):
     """The parameters at which the control next to the target changes: they have to be corners of the cells."""
+    from scipy.optimize import brentq
+
     s = np.linspace(fan.ends.low, fan.ends.high, 721)
     z, sign = fan.start(s)
 

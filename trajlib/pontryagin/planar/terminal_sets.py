@@ -12,8 +12,6 @@ touches it.
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.interpolate import CubicSpline
-from scipy.optimize import brentq, minimize_scalar
 
 #: Points at which w(s) is sampled to find where it changes its sign.
 SAMPLES = 1441
@@ -105,6 +103,7 @@ class CurveTarget:
 
     def _trace(self, box):
         from contourpy import contour_generator
+        from scipy.interpolate import CubicSpline
 
         (left, right), (bottom, top) = box
         x, y = np.linspace(left, right, 601), np.linspace(bottom, top, 601)
@@ -168,6 +167,8 @@ def families(target, plant, side):
 def _last_admissible(function, low, high):
     """The zero of w between low and high, rounded to the side where w is not negative: on the other one there is no
     extremal."""
+    from scipy.optimize import brentq
+
     zero, inner = brentq(function, low, high, xtol=1e-13), high if function(high) > 0 else low
     step = 1e-15*(high - low)
     while function(zero) < 0:
@@ -178,6 +179,8 @@ def _last_admissible(function, low, high):
 
 def _zeros(function, s, w, scale, closed):
     """Where w changes its sign, and where it touches zero from above."""
+    from scipy.optimize import minimize_scalar
+
     zeros = [_last_admissible(function, s[k], s[k + 1]) for k in np.flatnonzero(w[:-1]*w[1:] < 0)]
     zeros += list(s[np.abs(w) <= TOUCHES*scale])
     step = s[1] - s[0]

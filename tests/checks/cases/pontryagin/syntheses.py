@@ -1,17 +1,20 @@
 import sympy as sp
 from case import Case
 
+from trajlib.systems import Controlled
+
 x1, x2, u, v, w, alpha = sp.symbols("x1 x2 u v w alpha", real=True)
 R = sp.symbols("R", positive=True)
 half, infinity, interval = sp.Rational(1, 2), sp.oo, sp.Interval.open
 sine, cosine, tangent = sp.sin(alpha), sp.cos(alpha), sp.tan(alpha)
-STATE = [x1, x2]
+PUSHED = Controlled({x1: x2, x2: x1 + u}, {u: (-1, 1)})
 
 # The double integrator: to the origin, to a line, to a segment, to a circle, to a parabola; with a one-sided control; a
 # saddle to a circle.
-DOUBLE = ([x2, u], STATE, u, (-1, 1))
+DOUBLE = (Controlled({x1: x2, x2: u}, {u: (-1, 1)}),)
 ORIGIN, LINE, SEGMENT = (*DOUBLE, [x1, x2]), (*DOUBLE, [x1 - x2]), (*DOUBLE, [(0, -1), (0, 1)])
-ONE_SIDED = ([x2, u], STATE, u, (0, 1), [x1, x2])
+BRAKED = (*ORIGIN, {x2: sp.Interval(-3, 3)})
+ONE_SIDED = (Controlled({x1: x2, x2: u}, {u: (0, 1)}), [x1, x2])
 PARABOLA = (*DOUBLE, [x2**2 - x1])
 POSITIONS = (*DOUBLE, [x1])
 CIRCLE, OUTSIDE, RADII = (*DOUBLE, [x1**2 + x2**2 - R**2]), x1**2 + x2**2 > R**2, {R: interval(1, infinity)}
@@ -22,9 +25,9 @@ REACHED, SWITCHED = (*CIRCLE, *ON_CIRCLE, ALL_ROUND, OUTSIDE), (*CIRCLE, *ON_CIR
 ELLIPSE = (*DOUBLE, [x1**2 + R**2*x2**2 - R**2], [R*cosine, sine], alpha,
            {R: interval(0, infinity), alpha: sp.Interval(0, 2*sp.pi)},
            x1**2 + R**2*x2**2 > R**2)
-SADDLE = ([x2, x1 + u], STATE, u, (-1, 1), [x1**2 + x2**2 - R**2], {R: interval(0, 1)}, OUTSIDE)
+SADDLE = (PUSHED, [x1**2 + x2**2 - R**2], {R: interval(0, 1)}, OUTSIDE)
 SADDLE_CURVE = (w, -sp.Abs(x1), [R*cosine, R*sine], alpha, interval(3*sp.pi/4, sp.pi))
-SADDLE_ORIGIN = ([x2, x1 + u], STATE, u, (-1, 1), [x1, x2])
+SADDLE_ORIGIN = (PUSHED, [x1, x2])
 
 TO_ORIGIN = -sp.sign(x1 + x2*sp.Abs(x2)/2)
 W = sp.sqrt(R**2 + 1 + 2*sp.Abs(x1))
@@ -41,11 +44,35 @@ DETERMINANTS = [ORDINATE*(2/cosine**2 - R*cosine), -R*cosine*ORDINATE]
 CONTACT = {x2: sp.Interval(sp.sqrt(R**2 - 1), infinity)}
 ARCS = sp.Or(sp.And(sine > 0, R*cosine < 1), sp.And(sine < 0, R*cosine > -1))
 
+# The oscillator: semicircles side by side, here only so many of them.
+SWING = (Controlled({x1: x2, x2: u - x1}, {u: (-1, 1)}), [x1, x2])
+SEMICIRCLES = -sp.sign(x1)*sp.sqrt(1 - (sp.Abs(x1) - 2*sp.floor(sp.Abs(x1)/2) - 1)**2)
+
+
+def to_parabola(steepness):
+    return TO_PARABOLA.xreplace({sp.Integer(13): steepness})
+
+
 CASES = [
     Case("time_optimal_law", TO_ORIGIN, ORIGIN, "right", "the sign of one expression"),
     Case("time_optimal_law", sp.Piecewise((-1, 2.0*x1 > -x2*sp.Abs(x2)), (1, 2*x1 < -x2*sp.Abs(x2)),
                                           (-sp.sign(x2), True)), ORIGIN, "right",
          "cases, the curve apart, a decimal"),
+    Case("time_optimal_law", -sp.sign(x2 - SEMICIRCLES), SWING, "right", "a curve of many arcs"),
+    Case("time_optimal_law", sp.Piecewise((-sp.sign(x2 - SEMICIRCLES), sp.Abs(x1) < 12), (-sp.sign(x2), True)), SWING,
+         "wrong", "six arcs and then the axis"),
+    Case("time_optimal_law", to_parabola(sp.Rational(25, 2)), PARABOLA, "wrong", "a constant of the dispersal curve"),
+    Case("time_optimal_law", to_parabola(sp.Rational(129, 10)), PARABOLA, "wrong", "this constant off by a percent"),
+    Case("time_optimal_law", to_parabola(sp.Float(12.5)), PARABOLA, "wrong", "the constant as a decimal"),
+    Case("time_optimal_law", to_parabola(sp.Float(13.02)), PARABOLA, "right", "three digits of it"),
+    Case("time_optimal_law", -sp.tanh(1000*x2), (*DOUBLE, [x2]), "wrong", "a smooth imitation"),
+    Case("time_optimal_law", -sp.tanh(10**5*(x1 + x2*sp.Abs(x2)/2)), ORIGIN, "wrong", "a steep imitation"),
+    Case("time_optimal_law", sp.Lambda((x1, x2), TO_ORIGIN), ORIGIN, "right", "a function of SymPy"),
+    Case("time_optimal_law", sp.Lambda((v, w), -sp.sign(v + w*sp.Abs(w)/2)), ORIGIN, "right", "in other names"),
+    Case("time_optimal_law", sp.Piecewise((0, x1 > x2**2/2), (1, sp.Eq(x1, x2**2/2))), ONE_SIDED, "right",
+         "said on the border alone, and not beyond"),
+    Case("time_optimal_law", sp.Piecewise((0, x1 > x2**2/2), (1, sp.Eq(x1, x2**2))), ONE_SIDED, "wrong",
+         "said on another curve"),
     Case("time_optimal_law", 1 - 2*sp.Heaviside(sp.Symbol("x1") + sp.Symbol("x2")*sp.Abs(sp.Symbol("x2"))/2),
          ORIGIN, "right",
          "a step function, plain symbols"),
@@ -101,6 +128,14 @@ CASES = [
          "wrong", "other ends"),
     Case("reached_part", v < 1, (*LINE, [v, v], v, {}, x1 > x2), "right", "half a line"),
     Case("reached_part", v < 1, (*LINE, [v, v], v, {}, x1 < x2), "wrong", "the half for the other side"),
+    Case("reached_part", sp.And(ARCS, sp.Ne(alpha, 2)), REACHED, "wrong", "without one point"),
+    Case("reached_part", sp.Or(ARCS, sp.And(R > 1000, alpha < sp.pi)), REACHED, "wrong", "too much of a huge circle"),
+    Case("reached_part", sp.Or(sp.And(alpha > sp.pi/2 - sp.asin(1/R), alpha < sp.pi),
+                               sp.And(alpha > sp.pi + sp.acos(1/R), alpha < 2*sp.pi)), REACHED, "right",
+         "by other angles"),
+    Case("reached_part", sp.Or(sp.And(alpha > sp.acos(1/R), alpha < sp.pi),
+                               sp.And(alpha > 2*sp.pi - sp.acos(1/R), alpha < 2*sp.pi)), REACHED, "wrong",
+         "the lower arc mirrored the other way"),
     Case("reached_part", [R*cosine, R*sine], REACHED, "invalid", "the points"),
     Case("switching_points", CURVE, SWITCHED, "right", "coordinates by tangents"),
     Case("switching_points", sp.Matrix([R/cosine + 0.5*(1 - 1/cosine**2), sine*(R - 1/cosine)]), SWITCHED,
@@ -119,11 +154,23 @@ CASES = [
     Case("switching_curve", 0.5, (*LINE, {x2: interval(-infinity, 0)}, {}, x1 > x2), "right", "a decimal"),
     Case("switching_curve", sp.Rational(3, 5), (*LINE, {x2: interval(-infinity, 0)}, {}, x1 > x2), "wrong",
          "another ray"),
+    Case("switching_curve", -0.501*x2*sp.Abs(x2), BRAKED, "right", "three digits of a constant"),
+    Case("switching_curve", -0.49*x2*sp.Abs(x2), BRAKED, "wrong", "a constant too small"),
+    Case("switching_curve", -0.51*x2*sp.Abs(x2), BRAKED, "wrong", "a constant too large"),
+    Case("switching_curve", -sp.Rational(499, 1000)*x2*sp.Abs(x2), BRAKED, "wrong", "an exact constant, a little off"),
+    Case("switching_curve", 0.501, (*LINE, {x2: interval(-infinity, 0)}, {}, x1 > x2), "wrong",
+         "another third digit of a number"),
     Case("switching_curve", 13*x2**2, (*PARABOLA, {x2: interval(0, 2)}, {}, x1 > x2**2), "wrong", "a dispersal curve"),
     Case("switching_curve", sp.Eq(x1, half), (*LINE, {x2: interval(-infinity, 0)}, {}, x1 > x2), "invalid",
          "an equation"),
     Case("dispersal_curve", 13*x2**2, (*PARABOLA, {x2: interval(0, 2)}, {}, x1 > x2**2), "right", "a parabola"),
     Case("dispersal_curve", 13.0*x2**2, (*PARABOLA, {x2: interval(0, 2)}, {}, x1 > x2**2), "right", "a decimal"),
+    Case("dispersal_curve", 12.97*x2**2, (*PARABOLA, {x2: interval(0, 2)}, {}, x1 > x2**2), "right",
+         "three digits of a constant"),
+    Case("dispersal_curve", 12.9*x2**2, (*PARABOLA, {x2: interval(0, 2)}, {}, x1 > x2**2), "wrong",
+         "another third digit of a constant"),
+    Case("dispersal_curve", sp.Rational(1299, 100)*x2**2, (*PARABOLA, {x2: interval(0, 2)}, {}, x1 > x2**2), "wrong",
+         "an exact constant, a little off"),
     Case("dispersal_curve", 12*x2**2, (*PARABOLA, {x2: interval(0, 2)}, {}, x1 > x2**2), "wrong", "another parabola"),
     Case("dispersal_curve", half, (*LINE, {x2: interval(-infinity, 0)}, {}, x1 > x2), "wrong", "a switching curve"),
     Case("dispersal_curve", [13], (*PARABOLA, {x2: interval(0, 2)}, {}, x1 > x2**2), "invalid", "a list"),
@@ -141,6 +188,7 @@ CASES = [
     Case("other_extremals", sp.Or(sp.And(x1 > 0, x2 < -sp.sqrt(2*x1)), sp.And(x1 < 0, x2 > sp.sqrt(-2*x1))), POSITIONS,
          "right", "side by side"),
     Case("other_extremals", x2**2 >= 2*sp.Abs(x1), POSITIONS, "wrong", "motions away from the line too"),
+    Case("other_extremals", sp.And(x1*x2 < 0, x2**2 >= 2*sp.Abs(x1), x2 < 100), POSITIONS, "wrong", "not when fast"),
     Case("other_extremals", False, POSITIONS, "wrong", "never"),
     Case("other_extremals", False, (*DOUBLE, [x2]), "right", "a line with one extremal for each start"),
     Case("other_extremals", x1, POSITIONS, "invalid", "an expression"),
@@ -154,14 +202,15 @@ CASES = [
 LIMITS = [
     "A law is tried from 80 to 400 starts: some spread over the plane to a distance of about ten, some at 0.6 per "
     "cent of their distance "
-    "from the origin on both sides of the switching curves (1.5 per cent if it contains decimals). A mistake that no "
-    "start meets passes.",
+    "from the origin on both sides of the switching curves (1.5 per cent if it contains decimals), some at 0.02 per "
+    "cent. A mistake that no start meets passes.",
+    "Far from the origin, up to a distance of about thirty, a law is tried for targets that are points.",
     "A law may be slower than the optimum by 0.4 per cent of the time; the last 3 per cent of a motion are taken from "
-    "the optimum. "
-    "What it says on a curve alone is never asked.",
-    "A law that has to act on the border of the set from which the target can be reached must say the same beyond "
-    "this border: "
-    "a condition that holds on a curve alone is not met by any motion in decimals.",
+    "the optimum.",
+    "What a law says on a curve alone is asked where it says nothing on one side: on the border of the set from which "
+    "the target can be reached.",
+    "A switching or dispersal curve has to lie where the control changes, up to 0.01 per cent of its coordinates, or "
+    "to three digits if it contains decimals; a barrier may lie 0.01 per cent beside, with decimals 0.06.",
     "Next to a barrier (2 per cent) a law is not judged when the target is so thin that the optimum itself may have "
     "missed it.",
     "Parameters are tried at six values of each interval, at most about 4 where an interval is infinite.",

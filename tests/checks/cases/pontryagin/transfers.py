@@ -1,6 +1,8 @@
 import sympy as sp
 from case import Case
 
+from trajlib.systems import Controlled
+
 x, x1, x2, u, a, b, x0, theta = sp.symbols("x x1 x2 u a b x0 theta", real=True)
 t, T, A, R = sp.symbols("t T A R", positive=True)
 n = sp.symbols("n", integer=True, nonnegative=True)
@@ -8,14 +10,14 @@ Piecewise, sign = sp.Piecewise, sp.sign
 
 # A point on a line, an unstable one, a spring of variable stiffness, the double integrator, the oscillator: problems of
 # §5.1.
-LINE = ({x: u}, {u: (-A, A)}, {x: a}, [x - b])
+LINE = (Controlled({x: u}, {u: (-A, A)}), {x: a}, [x - b])
 PARAMETERS = [A, a, b]
-RUNAWAY = ({x: x + u}, {u: (-1, 1)}, {x: x0}, [x])
-SPRING = ({x1: x2, x2: -u * x1}, {u: (1, 4)}, {x1: 1, x2: 0}, [x2])
-MASS = ({x1: x2, x2: u}, {u: (-1, 1)})
-PUSHED = ({x1: x2, x2: u}, {u: (0, 1)})
-SWING = ({x1: x2, x2: u - x1}, {u: (-1, 1)})
-SADDLE = ({x1: x2, x2: u + x1}, {u: (-1, 1)})
+RUNAWAY = (Controlled({x: x + u}, {u: (-1, 1)}), {x: x0}, [x])
+SPRING = (Controlled({x1: x2, x2: -u * x1}, {u: (1, 4)}), {x1: 1, x2: 0}, [x2])
+MASS = (Controlled({x1: x2, x2: u}, {u: (-1, 1)}),)
+PUSHED = (Controlled({x1: x2, x2: u}, {u: (0, 1)}),)
+SWING = (Controlled({x1: x2, x2: u - x1}, {u: (-1, 1)}),)
+SADDLE = (Controlled({x1: x2, x2: u + x1}, {u: (-1, 1)}),)
 ORIGIN, ANYWHERE, STATE = [x1, x2], {x1: x1, x2: x2}, [x1, x2]
 REST = ({x1: 1, x2: 0}, ORIGIN)
 AT_R = ({x1: R, x2: 0}, ORIGIN)
@@ -133,23 +135,32 @@ CASES = [
          "the border of the strip"),
     Case("transfer_starts", sp.Abs(x1 + x2) < sp.Rational(99, 100), (*SADDLE, ANYWHERE, ORIGIN, STATE), "wrong",
          "too narrow by a percent"),
+    Case("transfer_starts", sp.Or(sp.Abs(x1 + x2) < 1, sp.Eq(x1, 7)), (*SADDLE, ANYWHERE, ORIGIN, STATE), "wrong",
+         "a line too many"),
+    Case("transfer_starts", sp.And(sp.Abs(x1 + x2) < 1, x1 < 1000), (*SADDLE, ANYWHERE, ORIGIN, STATE), "wrong",
+         "a strip that ends far out"),
+    Case("transfer_starts", sp.Ne(x1**2 + x2**2, 2), (*SWING, ANYWHERE, ORIGIN, STATE), "wrong", "without a circle"),
     Case("transfer_starts", sp.Abs(x1) < 1, (*SADDLE, ANYWHERE, ORIGIN, STATE), "wrong", "another strip"),
     Case("transfer_starts", x1 + x2, (*SADDLE, ANYWHERE, ORIGIN, STATE), "invalid", "an expression"),
     Case("reached_within", sp.Abs(a - b) <= A * T, (*LINE, T, PARAMETERS), "right", "the border counted in"),
     Case("reached_within", [b - a <= A * T, a - b <= A * T], (*LINE, T, PARAMETERS), "right", "two conditions"),
     Case("reached_within", sp.Abs(a - b) < A * T, (*LINE, T, PARAMETERS), "wrong", "the border left out"),
     Case("reached_within", sp.Abs(a - b) <= T, (*LINE, T, PARAMETERS), "wrong", "the bound forgotten"),
+    Case("reached_within", sp.And(sp.Abs(a - b) <= A * T, T < 10**6), (*LINE, T, PARAMETERS), "wrong",
+         "right up to a very long time"),
+    Case("reached_within", sp.And(sp.Abs(a - b) <= A * T, sp.Ne(a, 1)), (*LINE, T, PARAMETERS), "wrong",
+         "without one start"),
     Case("reached_within", A * T, (*LINE, T, PARAMETERS), "invalid", "an expression"),
-    Case("least_rate", sp.Abs(x) - 1, (sp.Abs(x), *RUNAWAY[:2]), "right", "by the absolute value"),
-    Case("least_rate", Piecewise((x - 1, x > 0), (-x - 1, True)), (sp.Abs(x), *RUNAWAY[:2]), "right", "cases"),
-    Case("least_rate", x - 1, (sp.Abs(x), *RUNAWAY[:2]), "wrong", "for one sign"),
-    Case("least_rate", sp.Abs(x) + 1, (sp.Abs(x), *RUNAWAY[:2]), "wrong", "the greatest"),
-    Case("least_rate", x + u, (sp.Abs(x), *RUNAWAY[:2]), "invalid", "the control left in"),
-    Case("turning_rate", -u * sp.cos(theta) ** 2 - sp.sin(theta) ** 2, (*SPRING[:2], theta), "right", "as it comes"),
-    Case("turning_rate", -1 - (u - 1) * sp.cos(theta) ** 2, (*SPRING[:2], theta), "right", "simplified"),
-    Case("turning_rate", -u, (*SPRING[:2], theta), "wrong", "no angle"),
-    Case("turning_rate", u * sp.cos(theta) ** 2 + sp.sin(theta) ** 2, (*SPRING[:2], theta), "wrong", "the sign"),
-    Case("turning_rate", x1 * x2, (*SPRING[:2], theta), "invalid", "the state left in"),
+    Case("least_rate", sp.Abs(x) - 1, (sp.Abs(x), RUNAWAY[0]), "right", "by the absolute value"),
+    Case("least_rate", Piecewise((x - 1, x > 0), (-x - 1, True)), (sp.Abs(x), RUNAWAY[0]), "right", "cases"),
+    Case("least_rate", x - 1, (sp.Abs(x), RUNAWAY[0]), "wrong", "for one sign"),
+    Case("least_rate", sp.Abs(x) + 1, (sp.Abs(x), RUNAWAY[0]), "wrong", "the greatest"),
+    Case("least_rate", x + u, (sp.Abs(x), RUNAWAY[0]), "invalid", "the control left in"),
+    Case("turning_rate", -u * sp.cos(theta) ** 2 - sp.sin(theta) ** 2, (SPRING[0], theta), "right", "as it comes"),
+    Case("turning_rate", -1 - (u - 1) * sp.cos(theta) ** 2, (SPRING[0], theta), "right", "simplified"),
+    Case("turning_rate", -u, (SPRING[0], theta), "wrong", "no angle"),
+    Case("turning_rate", u * sp.cos(theta) ** 2 + sp.sin(theta) ** 2, (SPRING[0], theta), "wrong", "the sign"),
+    Case("turning_rate", x1 * x2, (SPRING[0], theta), "invalid", "the state left in"),
     Case("switchings", sp.floor(R / 2) + 1, (*SWING, *AT_R, [R]), "right", "growing with the distance"),
     Case("switchings", sp.ceiling(R / 2), (*SWING, *AT_R, [R]), "right", "the same where R is not even"),
     Case("switchings", sp.floor(R / 2), (*SWING, *AT_R, [R]), "wrong", "one too few"),

@@ -25,12 +25,32 @@ LEANING = M.hstack(b1, A7 * b1, A7**2 * b1, M([0, 1, 0, 0]))
 REST = (M([[0, 1, 0], [0, 0, 0], [0, 0, 1]]), M([[0, 1], [1, 0], [0, 0]]))
 SPIN, TURNED = M([[0, 1], [-1, 0]]), M([[1, 1], [-2, -1]])
 
+# Two equal pendulums, whose length may be zero; and two unknown gains, of which neither may be divided by.
+LENGTH = sp.Symbol("l", real=True)
+PENDULUMS = (M([[0, 1], [-1, 0]]).row_join(sp.zeros(2)).col_join(sp.zeros(2).row_join(M([[0, 1], [-1, 0]]))),
+             M([[LENGTH, 0, LENGTH, 0]]), [LENGTH])
+p, q = sp.symbols("p q", real=True)
+GAINS = (sp.diag(1, 1, 2), M([[p, q, 1]]), [p, q])
+
 CASES = [
     Case("observability_split", T, SEEN, "right", "rows h, hA and one more"),
     Case("observability_split", M([[1, 0, 1], [0, 3, 0], [0, 0, 1]]), SEEN, "right",
          "other observable coordinates, another rest"),
     Case("observability_split", np.array([[0, 1, 0], [0.333, 0.333, 0.333], [1, 0, 0]]), SEEN, "right", "decimals"),
     Case("observability_split", SUM_AND_DIFFERENCE, TWINS, "right", "with a parameter"),
+    Case("observability_split", SUM_AND_DIFFERENCE, PENDULUMS, "right", "for every length but zero"),
+    Case("observability_split", (w**2 + 1)*SUM_AND_DIFFERENCE, TWINS, "right", "a factor that vanishes nowhere"),
+    Case("observability_split", (w - 1)*SUM_AND_DIFFERENCE, TWINS, "wrong", "singular at one value"),
+    Case("observability_split", SUM_AND_DIFFERENCE/(w**2 - 2), TWINS, "wrong", "undefined at an irrational value"),
+    Case("observability_split", (LENGTH - 1)*SUM_AND_DIFFERENCE, PENDULUMS, "wrong", "singular at the length 1"),
+    Case("observability_split", LENGTH*SUM_AND_DIFFERENCE, PENDULUMS, "right",
+         "singular where nothing is measured"),
+    Case("observability_split", M([[p, q, 0], [0, 0, 1], [-q, p, 0]]), GAINS, "right",
+         "two parameters, singular where less is seen"),
+    Case("observability_split", M([[p, q, 0], [0, 0, 1], [1, 0, 0]]), GAINS, "wrong",
+         "two parameters, singular where one of them is zero"),
+    Case("observability_split", M([[p, q, 0], [0, 0, 1], [-q, p, 0]])*(p - q), GAINS, "wrong",
+         "a factor that vanishes on a line"),
     Case("observability_split", T.inv(), SEEN, "wrong", "the inverse"),
     Case("observability_split", T[[2, 0, 1], :], SEEN, "wrong", "the unobservable part first"),
     Case("observability_split", sp.eye(3), SEEN, "wrong", "the coordinates as given"),
@@ -71,6 +91,9 @@ CASES = [
     Case("observable_part", [np.array([[2.0, 1.0], [0.0, 0.0]]), np.array([1.0, 0.0])], SEEN, "right", "arrays"),
     Case("observable_part", [M([[0, 1], [-w**2, 0]]), M([[1, 0]])], TWINS, "right", "with a parameter"),
     Case("observable_part", [M([[0, w], [-w, 0]]), M([[1, 1]])], TWINS, "right", "with a parameter, other coordinates"),
+    Case("observable_part", [M([[0, 1], [-w**2, 0]]), M([[w - 1, 0]])], TWINS, "wrong", "it shows nothing at w = 1"),
+    Case("observable_part", [M([[0, w - 1], [-w**2/(w - 1), 0]]), M([[1, 0]])], TWINS, "wrong",
+         "undefined at one value"),
     Case("observable_part", [M([[0, 1], [0, 1]]), M([[1, 0]])], SEEN, "wrong", "another eigenvalue"),
     Case("observable_part", [M([[0, 0], [0, 2]]), M([[1, 0]])], SEEN, "wrong", "not observable"),
     Case("observable_part", [SPLIT, M([[1, 0, 0]])], SEEN, "wrong", "the whole system"),
@@ -109,13 +132,16 @@ CASES = [
     Case("parallel_outputs", [1, 2, 3, 4], OUTPUTS, "invalid", "a vector"),
     Case("similarity", M([[1, 0], [-1, 1]]), (SPIN, TURNED), "right", "one of many"),
     Case("similarity", M([[0, 1], [-1, -1]]), (SPIN, TURNED), "right", "another"),
+    Case("similarity", w*M([[1, 0], [-1, 1]]), (SPIN, TURNED, [w]), "right", "a positive factor"),
+    Case("similarity", (w - 3)*M([[1, 0], [-1, 1]]), (SPIN, TURNED, [w]), "wrong", "a factor that vanishes"),
     Case("similarity", M([[1, 0], [1, 1]]), (SPIN, TURNED), "wrong", "the inverse"),
     Case("similarity", sp.eye(2), (SPIN, TURNED), "wrong", "the variables as they are"),
     Case("similarity", sp.zeros(2), (SPIN, TURNED), "wrong", "zero satisfies the equation, but has no inverse"),
     Case("similarity", [[1, 0]], (SPIN, TURNED), "invalid", "a row too few"),
 ]
 LIMITS = [
-    "Decompositions with parameters are judged at six rational values in general position.",
+    "Decompositions with parameters are judged at six rational values in general position, and wherever they are "
+    "undefined or without an inverse; those that are very long at the six values alone.",
     "A system given by rounded decimals is compared with the given one to about three digits; where eigenvalues lie "
     "close together, "
     "rounding may turn it into another system, and it is refused.",

@@ -1,23 +1,37 @@
+import numpy as np
 import sympy as sp
 from case import Case
 
+from trajlib.systems import Mechanical
+
 b = sp.symbols("beta", real=True)
 W, r = sp.symbols("Omega r0", positive=True)
-M = sp.Matrix
-Z, E, o = sp.zeros(2), sp.eye(2), M([[0, 0]])
 # Loses exactly lambda = -1; loses the pair of the factor lambda^2 - 3; loses nothing.
-GYRO = (M([[3, 0], [0, 1]]), M([[0, -1], [1, 0]]), M([[-2, 1], [1, -1]]), o, M([[1, 2]]))
-PAIR = (M([[2, 1], [1, 1]]), Z, M([[-5, 0], [0, 6]]), M([[1, 3]]), o)
-SEEN = (M([[2, 1], [1, 2]]), Z, M([[0, -1], [-1, 0]]), M([[1, 0]]), M([[1, 0]]))
+GYRO = (Mechanical([[3, 0], [0, 1]], [[0, -1], [1, 0]], [[-2, 1], [1, -1]], H2=[[1, 2]]),)
+PAIR = (Mechanical([[2, 1], [1, 1]], 0, [[-5, 0], [0, 6]], H1=[[1, 3]]),)
+SEEN = (Mechanical([[2, 1], [1, 2]], 0, [[0, -1], [-1, 0]], H1=[[1, 0]], H2=[[1, 0]]),)
 # One equation of the first order: M is singular.
-SINGULAR = (M([[3, 0], [0, 0]]), M([[0, -1], [1, 1]]), M([[-2, 1], [1, -1]]), o, M([[1, 2]]))
+SINGULAR = (Mechanical([[3, 0], [0, 0]], [[0, -1], [1, 1]], [[-2, 1], [1, -1]], H2=[[1, 2]]),)
 # Motion near a circular orbit.
-ORBIT = (E, M([[0, 2 * W / r], [-2 * W * r, 0]]), M([[0, 0], [0, -3 * W**2]]))
-ALONG, ACROSS = (*ORBIT, M([[1, 0]]), o, [W, r]), (*ORBIT, M([[0, 1]]), o, [W, r])
-TANGENT, NORMAL = (*ORBIT, M([1, 0]), [W, r]), (*ORBIT, M([0, 1]), [W, r])
-VALUE = (M([[1, 1], [1, 2]]), Z, M([[1, 1], [3, b]]), M([1, 3]), [b])
-FREE = (E, Z, M([[1, 0], [0, b]]), M([1, 1]), [b])
-DRIVEN = (M([[2, 1], [1, 3]]), Z, M([[3, 1], [1, -2]]), M([2, 1]))
+ORBIT = {"M": sp.eye(2), "D": [[0, 2 * W / r], [-2 * W * r, 0]], "K": sp.diag(0, -3 * W**2)}
+ALONG, ACROSS = (Mechanical(**ORBIT, H1=[[1, 0]]), [W, r]), (Mechanical(**ORBIT, H1=[[0, 1]]), [W, r])
+TANGENT, NORMAL = (Mechanical(**ORBIT, L=[1, 0]), [W, r]), (Mechanical(**ORBIT, L=[0, 1]), [W, r])
+VALUE = (Mechanical([[1, 1], [1, 2]], 0, [[1, 1], [3, b]], L=[1, 3]), [b])
+FREE = (Mechanical(sp.eye(2), 0, sp.diag(1, b), L=[1, 1]), [b])
+DRIVEN = (Mechanical([[2, 1], [1, 3]], 0, [[3, 1], [1, -2]], L=[2, 1]),)
+# Two masses between three equal springs: the sum swings with 1, the difference with sqrt(3).
+STIFFNESS = [[2, -1], [-1, 2]]
+SPRINGS = (Mechanical(sp.eye(2), 0, STIFFNESS),)
+SUM = (Mechanical(sp.eye(2), 0, STIFFNESS, H1=[[1, 1]]),)
+FIRST = (Mechanical(sp.eye(2), 0, STIFFNESS, H1=[[1, 0]]),)
+# One mass repelled, displacement and velocity measured together: e^-t is lost.
+REPELLED, MIXED = (Mechanical([[2]], 0, [[-2]]),), (Mechanical([[2]], 0, [[-2]], H1=[[1]], H2=[[1]]),)
+# Free masses with friction on the first: a triple root zero.
+SLIDING = (Mechanical(sp.eye(2), sp.diag(1, 0), 0),)
+i, root3 = sp.I, sp.sqrt(3)
+# A spring whose stiffness is a parameter.
+stiff = sp.symbols("kappa", real=True)
+TUNED = (Mechanical([[1]], 0, [[stiff]]), [stiff])
 
 CASES = [
     Case("mechanical_observable", "yes", SEEN, "right", "the rank is full everywhere"),
@@ -61,10 +75,47 @@ CASES = [
     Case("mechanical_uncontrolled_eigenvalues", [sp.I * W], NORMAL, "wrong", "a root that is controlled"),
     Case("mechanical_uncontrolled_eigenvalues", [], NORMAL, "wrong", "overlooked"),
     Case("mechanical_uncontrolled_eigenvalues", "0", NORMAL, "invalid", "text"),
+
+    Case("mechanical_roots", [i, -i, i * root3, -i * root3], SPRINGS, "right", "exact"),
+    Case("mechanical_roots", {1j, -1j, 1.732j, -1.732j}, SPRINGS, "right", "decimals in a Python set"),
+    Case("mechanical_roots", sp.FiniteSet(i, -i, i * root3, -i * root3), SPRINGS, "right", "a SymPy set"),
+    Case("mechanical_roots", np.roots([1, 0, 4, 0, 3]), SPRINGS, "right", "an array"),
+    Case("mechanical_roots", {1: 1, -1: 1}, REPELLED, "right", "as sp.roots gives them"),
+    Case("mechanical_roots", [0, -1], SLIDING, "right", "a multiple root once"),
+    Case("mechanical_roots", [0, 0, 0, -1], SLIDING, "right", "a multiple root as often as it is one"),
+    Case("mechanical_roots", [sp.sqrt(-stiff), -sp.sqrt(-stiff)], TUNED, "right", "with a parameter"),
+    Case("mechanical_roots", [i * sp.sqrt(stiff), -i * sp.sqrt(stiff)], TUNED, "right",
+         "the same with the imaginary unit"),
+    Case("mechanical_roots", [sp.sqrt(stiff), -sp.sqrt(stiff)], TUNED, "wrong", "the sign of the stiffness"),
+    Case("mechanical_roots", [i, -i], SPRINGS, "wrong", "two overlooked"),
+    Case("mechanical_roots", [1, root3], SPRINGS, "wrong", "the frequencies"),
+    Case("mechanical_roots", [-1, -3], SPRINGS, "wrong", "the squares"),
+    Case("mechanical_roots", [-1], SLIDING, "wrong", "zero left out"),
+    Case("mechanical_roots", [0, 1], SLIDING, "wrong", "a sign"),
+    Case("mechanical_roots", [], SPRINGS, "wrong", "none"),
+    Case("mechanical_roots", [1.01, -1], REPELLED, "wrong", "the third digit off"),
+    Case("mechanical_roots", ..., SPRINGS, "missing", "the untouched stub"),
+    Case("mechanical_roots", "i", SPRINGS, "invalid", "text"),
+    Case("mechanical_roots", [sp.Symbol("s")], SPRINGS, "invalid", "a symbol"),
+    Case("mechanical_unseen_states", [[1, -1, 0, 0], [0, 0, 1, -1]], SUM, "right",
+         "a whole mode: displacement and velocity"),
+    Case("mechanical_unseen_states", [[1, -1, 2, -2], [1, -1, -2.0, 2.0]], SUM, "right", "another basis, in decimals"),
+    Case("mechanical_unseen_states", sp.Matrix([[1, 0], [-1, 0], [0, 1], [0, -1]]), SUM, "right", "as columns"),
+    Case("mechanical_unseen_states", [[1, -1]], MIXED, "right", "one decreasing motion"),
+    Case("mechanical_unseen_states", [], FIRST, "right", "an observable system"),
+    Case("mechanical_unseen_states", [[1, -1, 0, 0]], SUM, "wrong", "displacements only"),
+    Case("mechanical_unseen_states", [[1, 1, 0, 0], [0, 0, 1, 1]], SUM, "wrong", "the mode that is seen"),
+    Case("mechanical_unseen_states", [[1, 1]], MIXED, "wrong", "the increasing motion"),
+    Case("mechanical_unseen_states", [[1, 0], [0, 1]], MIXED, "wrong", "everything"),
+    Case("mechanical_unseen_states", [[0, 1, 0, 0]], FIRST, "wrong", "unseen at the first moment only"),
+    Case("mechanical_unseen_states", [], SUM, "wrong", "none"),
+    Case("mechanical_unseen_states", ..., SUM, "missing", "the untouched stub"),
+    Case("mechanical_unseen_states", [[1, -1], [1, -1]], SUM, "invalid", "shapes without velocities"),
+    Case("mechanical_unseen_states", "none", SUM, "invalid", "text"),
 ]
 LIMITS = [
+    "The roots and the unseen states (x, x') are asked of systems with invertible M alone.",
     "Where M is singular for some values of the parameters, these values are left out; where it is singular for all, "
-    "only systems "
-    "without parameters are judged.",
+    "only systems without parameters are judged.",
     "Values of lambda that depend on parameters are compared at six values of them in general position.",
 ]

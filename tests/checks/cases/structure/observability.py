@@ -20,6 +20,7 @@ TWO_OUTPUTS = (M([[0, 1], [1, 0]]), M([[a, 0], [0, b]]), [a, b])
 CURVE = (M([[0, 1], [-b, -a]]), M([[1, 1]]), [a, b])
 MODES = (M([[a, 0], [0, b]]), M([[1, 1]]), [a, b])
 EQUAL = (M([[1, 0], [0, 1]]), M([[1, r]]), [r])
+GAINS = (M([[1, 0], [0, 1]]), M([[a, b]]), [a, b])
 ALWAYS = (M([[0, 1], [-w**2, 0]]), M([[1, 0]]), [w])
 SOMETIMES = (M([[0, 1], [-w**2, 0]]), M([[1 - w, 0]]), [w])
 NEVER = (M([[a, 0], [0, a]]), M([[1, 1]]), [a])
@@ -125,6 +126,11 @@ CASES = [
     Case("unseen_states", [[r * (1 + r**2), -1 - r**2]], EQUAL, "right", "a factor that is never zero"),
     Case("unseen_states", [[1, -1 / r]], EQUAL, "wrong", "not defined at one value"),
     Case("unseen_states", [[r**2 - 2 * r, 2 - r]], EQUAL, "wrong", "zero at one value"),
+    Case("unseen_states", [[r**3 - 2 * r, 2 - r**2]], EQUAL, "wrong", "zero at irrational values"),
+    Case("unseen_states", [[-b, a]], GAINS, "right", "two parameters: zero only where another vector is unseen too"),
+    Case("unseen_states", [[-b * (1 + a**2), a + a**3]], GAINS, "right", "two parameters, a factor that is never zero"),
+    Case("unseen_states", [[-b / a, 1]], GAINS, "wrong", "two parameters: divided by one of them"),
+    Case("unseen_states", [[-b * (a - b), a * (a - b)]], GAINS, "wrong", "two parameters: zero on a line"),
     Case("unseen_states", [[1, 0, -1, 0]], LOST, "invalid", "four components"),
     Case("unseen_states", sp.eye(2), LOST, "invalid", "a matrix of another order"),
     Case("lost_eigenvalues", [0], LOST, "right", "a list"),
@@ -145,9 +151,7 @@ CASES = [
 LIMITS = [
     "A condition with other terms than rational functions, roots and absolute values (a logarithm, say) is compared at "
     "points; the verdict says at how many.",
-    "Matrices, vectors and eigenvalues with parameters are judged at six rational values in general position: what "
-    "holds at other, "
-    "exceptional, values is not asked; but a basis with one parameter has to be one at the rational values too where "
-    "it might fail.",
+    "Matrices, vectors and eigenvalues with parameters are judged at six rational values in general position; a basis "
+    "has to be one at all values at which as much is unseen as there.",
     "The numbers of the data have to be rational.",
 ]

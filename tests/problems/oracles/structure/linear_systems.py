@@ -45,8 +45,8 @@ def unobservable_parameters(mutant, reference, A, H, parameters):
     return observable_parameters(mutant, reference, A, H, parameters, holds=False)
 
 
-def mechanical_controllable_parameters(mutant, reference, M, D, K, L, parameters):
-    A, B = _first_order(M, D, K, L)
+def mechanical_controllable_parameters(mutant, reference, system, parameters):
+    A, B = _first_order(system.M, system.D, system.K, system.L)
     return observable_parameters(mutant, reference, A.T, B.T, parameters)
 
 
@@ -69,13 +69,13 @@ def same_numbers(mutant, reference, *_):
 def observability_split(mutant, reference, A, H, parameters=()):
     """True if T is invertible and T A T^-1, H T^-1 have the zeros of the form (2.7)."""
     T = sp.Matrix(mutant)
-    if T.shape != A.shape or sp.simplify(T.det()) == 0:
+    if T.shape != A.shape or sp.simplify(T.det()) == 0 or not _keeps_rank(T, A, H, parameters):
         return False
     return _has_blocks(T * A * T.inv(), H * T.inv(), kalman(A, H).rank(simplify=True))
 
 
 def controllability_split(mutant, reference, A, B, parameters=()):
-    return observability_split(sp.Matrix(mutant).T, reference, A.T, B.T)
+    return observability_split(sp.Matrix(mutant).T, reference, A.T, B.T, parameters)
 
 
 def observability_split_system(mutant, reference, A, H, parameters=()):
@@ -83,18 +83,21 @@ def observability_split_system(mutant, reference, A, H, parameters=()):
     if len(mutant) != 2 or sp.Matrix(mutant[0]).shape != A.shape or sp.Matrix(mutant[1]).shape != H.shape:
         return False
     new_A, new_H = map(sp.Matrix, mutant)
+    if not _keeps_rank(kalman(new_A, new_H), A, H, parameters):
+        return False
     return _has_blocks(new_A, new_H, kalman(A, H).rank(simplify=True)) and _is_image(A, H, new_A, new_H)
 
 
 def controllability_split_system(mutant, reference, A, B, parameters=()):
-    return len(mutant) == 2 and observability_split_system([sp.Matrix(part).T for part in mutant], reference, A.T, B.T)
+    return len(mutant) == 2 and observability_split_system([sp.Matrix(part).T for part in mutant], reference, A.T, B.T,
+                                                           parameters)
 
 
 def observable_part(mutant, reference, A, H, parameters=()):
     """True for the order rank N and some T of that rank with T A = A' T and H = H' T."""
     order = kalman(A, H).rank(simplify=True)
     if (len(mutant) != 2 or sp.Matrix(mutant[0]).shape != (order, order) or sp.Matrix(mutant[1]).shape
-        != (H.rows, order)):
+        != (H.rows, order) or not _keeps_rank(kalman(*map(sp.Matrix, mutant)), A, H, parameters)):
         return False
     return _is_image(A, H, *map(sp.Matrix, mutant))
 
@@ -137,6 +140,22 @@ def parallel_outputs(mutant, reference, A, H):
 def similarity(mutant, reference, A_from, A_to, parameters=()):
     S = sp.Matrix(mutant)
     return S.shape == A_from.shape and sp.simplify(S.det()) != 0 and _is_zero(S * A_from - A_to * S)
+
+
+def _keeps_rank(matrix, A, H, parameters):
+    """Whether the rank of a matrix falls nowhere at values of a single parameter at which that of the system does not.
+    """
+    if len(parameters) != 1 or not matrix.free_symbols:
+        return True
+    (p,), rank = parameters, matrix.rank(simplify=True)
+    minors = [sp.numer(sp.together(matrix.extract(list(rows), list(columns)).det()))
+              for rows in itertools.combinations(range(matrix.rows), rank)
+              for columns in itertools.combinations(range(matrix.cols), rank)]
+    common = sp.Poly(functools.reduce(sp.gcd, minors), p)
+    roots = [root for root in (common.real_roots() if common.degree() > 0 else ())
+             if not (p.is_positive and root <= 0 or p.is_nonzero and root == 0)]
+    N = kalman(A, H)
+    return all(N.subs(p, root).rank(simplify=True) < N.rank(simplify=True) for root in roots)
 
 
 def _is_zero(matrix):
@@ -183,7 +202,7 @@ def _lines(parameters):
         others = [p for p in parameters if p != free]
         sets = ((3, 7, 11), (5, -2, 13), (-4, 9, -6), (0, 0, 0), (1, 1, 1)) if others else ((),)
         for numbers in sets:
-            fixed = {p: sp.Rational(x, 2) for p, x in zip(others, numbers)}
+            fixed = {p: sp.Rational(x, 2) for p, x in zip(others, itertools.cycle(numbers))}
             if all(_allowed(p, x) for p, x in fixed.items()):
                 yield fixed
 

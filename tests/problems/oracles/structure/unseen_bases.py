@@ -15,10 +15,11 @@ def uncontrolled_where_lost(mutant, reference, A, B, parameter):
     return unseen_where_lost(mutant, reference, A.T, B.T, parameter)
 
 
-def mechanical_unseen_states(mutant, reference, M, D, K, H1, H2):
+def mechanical_unseen_states(mutant, reference, system):
     """A basis for the equations solved for the accelerations."""
-    A = sp.Matrix(sp.BlockMatrix([[sp.zeros(M.rows), sp.eye(M.rows)], [-M.LUsolve(K), -M.LUsolve(D)]]))
-    return _is_basis(mutant, A, sp.Matrix.hstack(H1, H2))
+    M, n = system.M, system.M.rows
+    A = sp.Matrix(sp.BlockMatrix([[sp.zeros(n), sp.eye(n)], [-M.LUsolve(system.K), -M.LUsolve(system.D)]]))
+    return _is_basis(mutant, A, sp.Matrix.hstack(system.H1, system.H2))
 
 
 def _is_basis(vectors, A, H):

@@ -23,6 +23,8 @@ NEAR, FAR = HORIZON * (np.arange(1, 131) / 130)**1.6, HORIZON * 1.1**np.arange(1
 TIMES = np.concatenate([NEAR, FAR])
 #: Directions up to this angle from a good one are searched for a better: nearly the half of all that can separate.
 WIDE = 1.5705
+#: Times further apart than this are so far apart that the best line may have turned away in between.
+LONG = 0.3
 #: How many starts are looked at together: fewer take nearly the same time, more need much memory.
 TOGETHER = 640
 
@@ -86,6 +88,28 @@ class FastestTimes:
         return Lanes.joined(parts)
 
     def _solve(self, x, case, inside, far, careful=False):
+        starts = x, case, inside
+        low, high, theta, second = self._first_met(*starts, far, careful)
+        self._shorten(low, high, theta, *starts)
+        time, met = np.full(len(x), np.inf), np.isfinite(high)
+        apart = [] if careful else self._still_apart(np.flatnonzero(met & ~inside), high, theta, *starts)
+        met[apart] = False
+        time[met], theta[met] = self._refine(*_rows(met, *starts, low, high, theta))
+        self._try_elsewhere(np.flatnonzero(met & inside), low, second, time, theta, *starts)
+        if len(apart):
+            closer = self._solve(*_rows(apart, *starts), far, careful=True)
+            time[apart], theta[apart] = closer.time, closer.angle
+        impulse = self.plant.response(np.where(np.isfinite(time), time, 0))[0]
+        switching = (impulse * directions(theta)).sum(axis=1) * np.where(inside, -1, 1)
+        return Lanes(x=x, case=case, inside=inside, time=time, control=np.where(switching > 0, *self.plant.bounds),
+                     switching=switching, angle=theta)
+
+    def _first_met(self, x, case, inside, far, careful):
+        """(low, high, theta, second): R(T) meets D first between two of the times looked at, low and high.
+
+        From outside, theta is the last line that separates; from inside, the direction in which R(T) gets through D
+        first, and second another one, if there is one. `careful`: lines between the directions tried count too.
+        """
         n, p = len(x), directions(self._angles)
         support = np.array([self.convex.support(np.broadcast_to(d, (n, 2)), case, x) for d in p])
         low, high, theta, second, todo = np.full(n, np.inf), np.full(n, np.inf), np.zeros(n), np.zeros(n), np.arange(n)
@@ -98,78 +122,68 @@ class FastestTimes:
             gap = carried @ x[todo].T - support[:, todo] + np.where(outward, most[:, None], least[:, None])
             best = gap.argmax(axis=0)
             largest, angle = gap[best, np.arange(len(todo))], np.where(outward, self._angles[best], self._middle(gap))
-            maybe = np.flatnonzero(~outward & (largest <= 0))
-            if len(maybe) and careful:
-                # Between the directions tried there may be one that separates.
-                same = self._gap(line[maybe], np.full(len(maybe), T), x[todo[maybe]], case[todo[maybe]],
-                                 inside[todo[maybe]])
-                angle[maybe], largest[maybe] = line[maybe], same
-                here = todo[maybe := maybe[same <= 0]]
-                angle[maybe], largest[maybe] = self._best(line[maybe], np.full(len(here), T), x[here], case[here],
-                                                          inside[here],
-                                                          np.full(len(here), WIDE), 30, enough=0)
+            if careful:
+                self._look_between(np.flatnonzero(~outward & (largest <= 0)), T, line, largest, angle,
+                                   *_rows(todo, x, case, inside))
             hit = np.where(outward, largest >= 0, largest <= 0)
             if j and not self.convex.point:
                 # A distance that falls and rises again may have been zero in between, if it does so steeply enough.
                 drop, rise = np.where(np.isfinite(apart[0]), apart[0], apart[1]) - apart[1], gap.max(axis=0) - apart[1]
                 dip = np.flatnonzero(~outward & (drop >= 0) & (rise > 0) & (apart[1] <= 2 * np.maximum(drop, rise)))
-                if len(dip):
-                    ends = (TIMES[j - 2] if j > 1 else 0.0, T)
-                    suspects.append((todo[dip], *(np.full(len(dip), end) for end in ends)))
+                suspects.append((todo[dip], np.full(len(dip), TIMES[j - 2] if j > 1 else 0.0), np.full(len(dip), T)))
             here = todo[hit]
             if len(here):
                 # From inside, a direction between those tried may have got through one or two of the times before.
-                earlier = np.where(inside[here], TIMES[j - 3] if j > 2 else 0.0, TIMES[j - 1] if j else 0.0)
-                # From inside, the direction that gets through first; from outside, the last line that separates.
+                low[here] = np.where(inside[here], TIMES[j - 3] if j > 2 else 0.0, TIMES[j - 1] if j else 0.0)
                 with np.errstate(all="ignore"):
                     share = np.where(gap[:, hit] >= 0, -before[:, hit] / (gap[:, hit] - before[:, hit]), np.inf)
-                begin = np.where(inside[here], self._angles[share.argmin(axis=0)], line[hit])
-                low[here], high[here], theta[here] = earlier, T, begin
-                elsewhere = np.cos(self._angles[:, None] - begin) < 0.95
-                second[here] = self._angles[np.where(elsewhere, share, np.inf).argmin(axis=0)]
+                high[here], theta[here] = T, np.where(inside[here], self._angles[share.argmin(axis=0)], line[hit])
+                second[here] = self._angles[self._other_top(gap[:, hit], theta[here])]
             on = ~hit
             todo, before, line = todo[on], gap[:, on], angle[on]
             apart = np.array([apart[1, on], gap[:, on].max(axis=0)])
             if not len(todo):
                 break
         self._dips(suspects, low, high, theta, x, case, inside)
-        time, met = np.full(n, np.inf), np.isfinite(high)
-        again = np.flatnonzero(met & ~inside) if self._spacing and not careful else ()
-        if len(again):
-            # Between the directions tried there may be one that separates still. Then all times have to be looked at
-            # more closely.
-            gap = self._best(theta[again], high[again], x[again], case[again], inside[again], np.full(len(again), WIDE),
-                             26)[1]
-            again = again[gap > 0]
-            met[again] = False
-        time[met], theta[met] = self._refine(x[met], case[met], inside[met], low[met], high[met], theta[met])
-        # From inside, R(T) may get through in two places at nearly the same time.
-        both = np.flatnonzero(met & inside) if self._spacing else np.zeros(0, dtype=int)
-        if len(both):
-            other = self._best(second[both], time[both], x[both], case[both], inside[both], np.full(len(both), 0.2),
-                               16)[1]
-            both = both[other > -1e-6]
-        if len(both):
-            other, angle = self._refine(x[both], case[both], inside[both], low[both], time[both], second[both])
-            opened = self._gap(angle, other, x[both], case[both], inside[both]) > -1e-6
-            sooner = opened & (other < time[both])
-            time[both], theta[both] = np.where(sooner, other, time[both]), np.where(sooner, angle, theta[both])
-        if len(again):
-            closer = self._solve(x[again], case[again], inside[again], far, careful=True)
-            time[again], theta[again] = closer.time, closer.angle
-        impulse = self.plant.response(np.where(np.isfinite(time), time, 0))[0]
-        switching = (impulse * directions(theta)).sum(axis=1) * np.where(inside, -1, 1)
-        return Lanes(x=x, case=case, inside=inside, time=time, control=np.where(switching > 0, *self.plant.bounds),
-                     switching=switching,
-                      angle=theta)
+        return low, high, theta, second
+
+    def _look_between(self, maybe, T, line, largest, angle, *starts):
+        """Put into largest and angle, for the rows `maybe`, a line between the directions tried that separates still:
+        the last one, one close to it, or one close to the best of those tried."""
+        tried = angle[maybe].copy()
+        starts, T = _rows(maybe, *starts), np.full(len(maybe), T)
+        angle[maybe], largest[maybe] = line[maybe], self._gap(line[maybe], T, *starts)
+        for around in (line[maybe], tried):
+            left = np.flatnonzero(largest[maybe] <= 0)
+            angle[maybe[left]], largest[maybe[left]] = self._best(around[left], *_rows(left, T, *starts),
+                                                                  np.full(len(left), WIDE), 30, enough=0)
+
+    def _still_apart(self, here, high, theta, *starts):
+        """Those rows for which a line between the directions tried separates at the time high still: for them all times
+        have to be looked at more closely."""
+        if not self._spacing or not len(here):
+            return here[:0]
+        return here[self._best(*_rows(here, theta, high, *starts), np.full(len(here), WIDE), 26)[1] > 0]
+
+    def _try_elsewhere(self, here, low, second, time, theta, *starts):
+        """Put into time and theta where R(T) gets through the border in another place, at nearly the same time, but
+        sooner."""
+        if not self._spacing or not len(here):
+            return
+        width = np.full(len(here), 0.2)
+        here = here[self._best(*_rows(here, second, time, *starts), width, 16)[1] > -1e-6]
+        if len(here):
+            other, angle = self._refine(*_rows(here, *starts, low, time, second))
+            sooner = (self._gap(angle, other, *_rows(here, *starts)) > -1e-6) & (other < time[here])
+            time[here], theta[here] = np.where(sooner, other, time[here]), np.where(sooner, angle, theta[here])
 
     def _dips(self, suspects, low, high, theta, x, case, inside):
         """Put into low, high and theta where R(T) meets a thin D between two of the times only: there the distance has
         a dip."""
-        if not suspects:
+        if not any(len(here) for here, *_ in suspects):
             return
         here, first, last = (np.concatenate(column) for column in zip(*suspects))
-        K, x, case, inside = len(self._angles), x[here], case[here], inside[here]
+        K, (x, case, inside) = len(self._angles), _rows(here, x, case, inside)
 
         def gaps_of(T, rows=slice(None)):
             starts = (np.tile(part[rows], (K, 1) if part.ndim > 1 else K) for part in (x, case, inside))
@@ -188,6 +202,28 @@ class FastestTimes:
         for k in np.flatnonzero(through)[::-1]:  # the earliest last
             if not closest[k] > high[here[k]]:
                 low[here[k]], high[here[k]], theta[here[k]] = first[k], closest[k], line[k]
+
+    def _other_top(self, gap, angle):
+        """The index of the direction away from a given one in which the gap is largest, and larger than next to it."""
+        top = (gap >= np.roll(gap, 1, axis=0)) & (gap >= np.roll(gap, -1, axis=0))
+        return np.where(top & (np.cos(self._angles[:, None] - angle) < 0.95), gap, -np.inf).argmax(axis=0)
+
+    def _likely(self, T, x, case, inside):
+        """Of every fourth direction that in which the gap is largest: the best line is close to it."""
+        angles, n = self._angles[::4], len(x)
+        rows = np.tile(np.arange(n), len(angles))
+        gaps = self._gap(np.repeat(angles, n), T[rows], x[rows], case[rows], inside[rows]).reshape(len(angles), n)
+        return angles[gaps.argmax(axis=0)]
+
+    def _shorten(self, low, high, theta, x, case, inside):
+        """Halve long times in low and high, until the best line cannot turn away in between."""
+        while len(here := np.flatnonzero(~inside & np.isfinite(high) & (high - low > LONG))) and self._spacing:
+            T, starts = (low[here] + high[here]) / 2, (x[here], case[here], inside[here])
+            angles, gaps = zip(*(self._best(around, T, *starts, np.full(len(T), WIDE), 26)
+                                 for around in (theta[here], self._likely(T, *starts))))
+            apart = np.maximum(*gaps) > 0
+            low[here], high[here] = np.where(apart, T, low[here]), np.where(apart, high[here], T)
+            theta[here] = np.where(apart, np.where(gaps[0] > gaps[1], *angles), theta[here])
 
     def _middle(self, gap):
         """The middle of the directions that separate: they form a convex cone."""
@@ -233,11 +269,23 @@ class FastestTimes:
         time, angle, sure = self._touching(x, case, inside, low, high, theta)
         doubtful = np.flatnonzero(~sure)
         if len(doubtful):
-            time[doubtful], angle[doubtful] = self._halved(*(part[doubtful] for part in (x, case, inside, low,
-                                                                                         high, theta)))
+            found = self._halved(*_rows(doubtful, x, case, inside, low, high, theta))
+            time[doubtful], angle[doubtful] = self._closer(*found, *_rows(doubtful, x, case, inside))
         return time, angle
 
-    def _touching(self, x, case, inside, low, high, theta, step=1e-4):
+    def _closer(self, time, angle, x, case, inside, step=1e-6):
+        """The same to more digits from outside D, also where the best line belongs to a corner of R(T): in turn the
+        best line at a time, and the time at which this line separates no more."""
+        T, theta, width = time, angle, np.where(inside, 0, WIDE)
+        with np.errstate(all="ignore"):
+            for _ in range(3):
+                theta, gap = self._best(theta, T, x, case, inside, width, 48)
+                later = self._gap(theta, T + step, x, case, inside)
+                T = T - gap * step / (later - gap)
+        good = ~inside & (abs(T - time) < 1e-3 * (1 + time))
+        return np.where(good, T, time), np.where(good, theta, angle)
+
+    def _touching(self, x, case, inside, low, high, theta, step=1e-5):
         """The same by Newton's iteration, in turn for the time at which a line separates no more and for the best line
         then.
 
@@ -254,13 +302,13 @@ class FastestTimes:
         with np.errstate(all="ignore"):
             for _ in range(6):
                 now, later = gaps((theta, T), (theta, T + step))
-                T = np.clip(T - now * step / (later - now), low, high)
+                T = np.clip(T - np.nan_to_num(now * step / (later - now)), low, high)
                 # Seen along the tangent of the unit circle, as in `_best`.
                 left, middle, right = gaps((theta - step, T), (theta, T), (theta + step, T))
                 left, right = (np.where(inside, side, side / np.cos(step)) for side in (left, right))
-                turn = (right - left) / 2 * step / (2 * middle - left - right)
+                turn = np.nan_to_num((right - left) / 2 * step / (2 * middle - left - right))
                 theta = theta + np.clip(turn, -0.3, 0.3)
-            apart = np.where(inside, 1, -1) * (high - low) / 2**18
+            apart = np.where(inside, 1, -1) * (high - low) / 2**24
             separates = self._gap(theta, T + apart, x, case, inside) > 0
             sure = np.flatnonzero(separates & (~inside | (abs(theta - start) < 0.15)))
             x, case, inside, after = (part[sure] for part in (x, case, inside, T - apart))
@@ -305,6 +353,10 @@ class FastestTimes:
 
         closest = largest(lambda T, rows: -apart(T, rows), when, left / steps, steps=12)
         return np.minimum(apart(closest), apart(when))
+
+
+def _rows(which, *columns):
+    return [column[which] for column in columns]
 
 
 def directions(angles):

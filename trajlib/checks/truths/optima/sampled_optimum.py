@@ -6,6 +6,7 @@ starts next to these places tell most, and they are found by bisection between n
 """
 
 import functools
+from typing import NamedTuple
 
 import numpy as np
 import sympy as sp
@@ -18,18 +19,34 @@ from trajlib.checks.truths.optima.linear_plant import Plant
 
 #: How far from a border two answers must agree about a point, in units of the size of the state.
 BESIDE, BESIDE_DECIMALS = 0.006, 0.015
+#: How far from its switching curve a law is asked what it says, and the size of starts far out.
+NEXT, FAR_OUT = 0.0002, 14.0
+#: Up to this time the directions tried lie close enough for these.
+FAR_IN_TIME = 1.5 * HORIZON
 #: How many sets of states around starts are kept with their optima.
 RINGS = 64
 
 
-def frozen(field, state, control, bounds, target, parameters, start):
-    """The data as hashable values, so that the optimum is computed once."""
+class Asked(NamedTuple):
+    """The data of a synthesis as values that can be compared, so that its optimum is computed once."""
+
+    field: tuple
+    state: tuple
+    control: sp.Symbol
+    bounds: tuple
+    target: tuple
+    parameters: tuple
+    start: object
+
+
+def frozen(system, target, parameters, start):
+    """The data of a synthesis; what is given as a list becomes a tuple."""
     def fixed(value):
         return tuple(map(fixed, value)) if isinstance(value, (list, tuple, sp.MatrixBase)) else sp.sympify(value)
 
     target = list(target) if isinstance(target, (list, tuple)) else [target]
-    return (fixed(list(field)), tuple(state), control, fixed(list(bounds)), fixed(target),
-            tuple(parameters.items()), None if start is None else sp.sympify(start))
+    return Asked(fixed(system.field), tuple(system.state), system.control, fixed(system.bounds), fixed(target),
+                 tuple((parameters or {}).items()), None if start is None else sp.sympify(start))
 
 
 @functools.lru_cache(maxsize=64)
@@ -139,14 +156,42 @@ class SampledOptimum(FastestTimes):
         return Lanes(time=np.where(same, solved.time, 0).reshape(-1, count),
                       control=np.where(same, solved.control, np.repeat(lanes.control, count)).reshape(-1, count))
 
+    def next_to_curves(self):
+        """Starts on both sides of the switching curves, as close as they are known; far out too if the target is a
+        point, which the optimum meets as well as nearby."""
+        kept = self.kept.get("next")
+        if kept is None:
+            self.lanes(False)
+            curves = [self.kept["near"]]
+            if self.convex.point:
+                random = np.random.default_rng(8)
+                x, case = random.normal(size=(60, 2)) * FAR_OUT, random.integers(len(self.cases), size=60)
+                far = self.solve(x[self.allowed(x, case)], case[self.allowed(x, case)], far=True)
+                far = far.take(far.time < FAR_IN_TIME)
+                curves.append(self._between(far, lambda lanes: lanes.control, 16, far=True))
+            parts = [self._sides(near) for near in curves if near is not None]
+            kept = self.kept["next"] = Lanes.joined(parts) if parts else None
+        return kept
+
+    def _sides(self, near):
+        """The starts next to a curve on which the fastest motions from all states around begin alike."""
+        middle, direction, case = near
+        shift = NEXT * (0.3 + np.linalg.norm(middle, axis=1))[:, None] * direction
+        x, case = np.concatenate([middle + shift, middle - shift]), np.concatenate([case, case])
+        keep = self.allowed(x, case)
+        lanes = self.solve(x[keep], case[keep], far=True)
+        around = self._around(lanes, NEXT / 2, far=True, count=5)
+        alike = np.isfinite(around.time) & (around.time > 0) & (around.control == lanes.control[:, None])
+        return lanes.take(np.isfinite(lanes.time) & (lanes.time > 0.02) & alike.all(axis=1))
+
     def robust(self, lanes, decimals):
         """True where the fastest motions from all states around begin alike: no switching curve is close."""
         around = self._around(lanes, (BESIDE_DECIMALS if decimals else BESIDE) / 2, count=5)
         return (around.control == lanes.control[:, None]).all(axis=1)
 
-    def beside_barrier(self, lanes):
+    def beside_barrier(self, lanes, far=False):
         """True where the fastest time jumps from one state next to the start to another."""
-        times = np.column_stack([self._around(lanes, 0.02).time, lanes.time])
+        times = np.column_stack([self._around(lanes, 0.02, far).time, lanes.time])
         times = np.sort(np.where(times > 0, times, np.nan), axis=1)
         # The largest gap between two of the times: a steep slope has a wide range of times too, but no such gap.
         with np.errstate(all="ignore"):
@@ -184,7 +229,7 @@ class SampledOptimum(FastestTimes):
         direction = (right - left) / np.linalg.norm(right - left, axis=1)[:, None]
         one = kind(self.solve(left, case, far))
         left, right = bisected(lambda places, rows: kind(self.solve(places, case[rows], far)) == one[rows], left,
-                               right, 9)
+                               right, 16)
         return (left + right) / 2, direction, case
 
     def border(self, decimals):

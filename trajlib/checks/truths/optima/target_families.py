@@ -4,6 +4,7 @@ import numpy as np
 import sympy as sp
 
 from trajlib.checks.tools.samples import sample_cases
+from trajlib.checks.truths.optima import reach
 from trajlib.checks.truths.optima.linear_plant import Plant
 
 #: Switchings earlier than this before the end are not asked for.
@@ -15,7 +16,7 @@ class TargetFamily:
 
     def __init__(self, field, state, control, bounds, target, ends, variable, domain, start):
         self.plant, self.variable = Plant(field, state, control, bounds), variable
-        self.parameters = [p for p in domain if p != variable]
+        self.parameters, self._domain = [p for p in domain if p != variable], domain
         self._interval = domain.get(variable, sp.Interval.open(-sp.oo, sp.oo))
         self._cases = sample_cases({p: domain[p] for p in self.parameters})
         target = target[0] if isinstance(target, (list, tuple)) else target
@@ -23,6 +24,7 @@ class TargetFamily:
         along = dict(zip(state, ends))
         gradient = [sp.diff(target, v).subs(along, simultaneous=True) for v in state]
         self._point, self._gradient = sp.lambdify(symbols, list(ends), "numpy"), sp.lambdify(symbols, gradient, "numpy")
+        self._target = state, control, bounds, field, target, ends
         self._side = 1 if start is None else self._starts_side(target, state, start, along, gradient)
 
     def _starts_side(self, target, state, start, along, gradient):
@@ -33,6 +35,21 @@ class TargetFamily:
         slope = [sp.sympify(g).subs(place).subs(probe) for g in gradient]
         ahead = {s: float(point[s]) + 1e-3 * float(g) for s, g in zip(state, slope)}
         return 1 if start.subs(probe).subs(ahead) == True else -1  # noqa: E712
+
+    def reached(self):
+        """Where optimal motions end, and where no motion can arrive: two conditions; between the two lie the ends of
+        arcs."""
+        state, control, bounds, field, target, ends = self._target
+        rate = reach.arrivals(field, state, control, bounds, self._side * target, ends)
+        within = sp.And(*(interval.as_relational(symbol) for symbol, interval in self._domain.items()))
+        return sp.And(within, rate < 0), sp.And(within, rate > 0)
+
+    @property
+    def angles(self):
+        """The variable, if it numbers the points as an angle from 0 on."""
+        interval = self._interval
+        turn = interval.inf >= 0 and interval.sup <= 2 * sp.pi
+        return (self.variable,) if turn else ()
 
     @property
     def interval(self):
@@ -63,6 +80,18 @@ class TargetFamily:
         y, n = self.point(places, values), self._towards(places, values)
         push = n @ self.plant.b
         return (n * (y @ self.plant.A.T)).sum(axis=1) + self.plant.mean * push - self.plant.half * abs(push)
+
+    def arrives(self, place):
+        """Whether optimal motions end at a place given by the values of the symbols, None for the end of an arc."""
+        (rate,) = self.rates(*self._numbers(place))
+        return None if rate == 0 else bool(rate < 0)
+
+    def point_text(self, place):
+        ((first, second),) = self.point(*self._numbers(place)).round(12) + 0.0
+        return f"({first:.4g}, {second:.4g})"
+
+    def _numbers(self, place):
+        return np.array([float(place[self.variable])]), [float(place[p]) for p in self.parameters]
 
     def change(self, one, other, values):
         sign = np.sign(self.rates(np.array([one]), values)[0])

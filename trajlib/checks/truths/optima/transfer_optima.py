@@ -16,27 +16,27 @@ import operator
 
 import numpy as np
 import sympy as sp
-from scipy.integrate import quad
 
+from trajlib.checks.truths.optima import reach
 from trajlib.checks.truths.optima.convex_targets import ConvexTarget
 from trajlib.checks.truths.optima.fastest_times import FastestTimes, directions
 from trajlib.checks.truths.optima.linear_plant import Plant
+from trajlib.systems import Controlled
 
 #: For how many sets of parameters an answer is tried.
 SAMPLES = 10
 
 
 class Transfer:
-    def __init__(self, dynamics, controls, initial, terminal, parameters, slowest=False):
-        self.dynamics = {x: sp.sympify(f) for x, f in dynamics.items()}
-        ((self.control, bounds),) = controls.items()
-        self.bounds = [sp.sympify(b) for b in bounds]
-        self.initial = [sp.sympify(initial[x]) for x in dynamics]
+    def __init__(self, system, initial, terminal, parameters, slowest=False):
+        self.dynamics = {x: sp.sympify(f) for x, f in system.dynamics.items()}
+        self.control, self.bounds = system.control, [sp.sympify(bound) for bound in system.bounds]
+        self.initial = [sp.sympify(initial[x]) for x in system.state]
         self.terminal = [sp.sympify(g) for g in terminal]
         self.parameters, self.slowest = list(parameters), slowest
         self._decided = _decisions(self._key())
         self.word, self.manner = ("greatest", "slowest") if slowest else ("least", "fastest")
-        state = list(dynamics)
+        state = system.state
         scale = sp.Dummy("scale", positive=True)
         if len(state) == 1:
             self._kind = _Line
@@ -96,6 +96,30 @@ class Transfer:
             return self.at(values).possible()
         return self._modes_allow(start) and self._system().holds(np.array(start, dtype=float))
 
+    def solvable_condition(self):
+        """The condition on the parameters under which the target can be reached from a start off it, or None."""
+        if self._kind is _Line:
+            return reach.on_a_line(self.dynamics, self.control, self.bounds, *self._ends())
+        matrix, column, constant = _linear_parts(self.dynamics, self.control)
+        if self._kind is not _Linear or any(constant):
+            return None
+        return reach.to_origin(matrix, column, self.bounds, self.initial)
+
+    def off_target(self):
+        """The condition that the start does not lie on the target."""
+        at = dict(zip(self.dynamics, self.initial))
+        return sp.Or(*(sp.Ne(gap.subs(at, simultaneous=True), 0) for gap in self.terminal))
+
+    def in_time_condition(self, duration):
+        """The condition under which the target is reached within the duration, or None."""
+        return (reach.in_time(self.dynamics, self.control, self.bounds, *self._ends(), duration)
+                if self._kind is _Line else None)
+
+    def _ends(self):
+        """The start and the target of a transfer with one state."""
+        (x,), (gap,) = self.dynamics, self.terminal
+        return self.initial[0], sp.solve(gap, x)[0]
+
     def told_solvable(self, values):
         return "from there the target " + ("can be reached" if self.solvable(values)
                                            else "cannot be reached, whatever the control")
@@ -141,8 +165,8 @@ def _decisions(key):
 @functools.lru_cache(maxsize=64)
 def _samples(key, count):
     dynamics, control, bounds, initial, terminal, parameters, slowest = key
-    transfer = Transfer(dict(dynamics), {control: bounds}, dict(zip(dict(dynamics), initial)), terminal, parameters,
-                        slowest)
+    system = Controlled(dict(dynamics), {control: bounds})
+    transfer = Transfer(system, dict(zip(system.state, initial)), terminal, parameters, slowest)
     solvable, found = filter(transfer.solvable, _drawn(parameters, 400 * count)), []
     while len(found) < count:
         fresh = [(values, transfer.at(values)) for values in itertools.islice(solvable, count - len(found))]
@@ -281,6 +305,8 @@ class _Line(_System):
         return all(self._rate(x, way) > 0 for x in np.linspace(begin, end, 100))
 
     def duration(self, start, slowest, meetings):
+        from scipy.integrate import quad
+
         if slowest or meetings != 1:
             raise RuntimeError("with one state only the fastest transfer is known")
         begin, end = float(start[0]), self._target()
@@ -334,6 +360,8 @@ class _Turn(_System):
         return (min if slowest else max)(map(abs, self._rates(theta)))
 
     def duration(self, start, slowest, meetings):
+        from scipy.integrate import quad
+
         theta, sense = math.atan2(start[1], start[0]), self._sense
         angle = self._angle(start, meetings)
         return quad(lambda a: 1 / self._speed(theta + sense * a, slowest), 0, angle, epsabs=0, epsrel=1e-11,

@@ -1,0 +1,220 @@
+"""The pages of the library: a module's public names with their docstrings, and where the book uses each.
+
+Docstrings are plain text, as `help` prints it, and are set without reading markup into them: paragraphs, lists,
+indented formulas and examples that run. What uses a name is found in the code cells of the edition that is being built.
+"""
+
+import ast
+import importlib
+import inspect
+import json
+import re
+from functools import cache
+from pathlib import Path
+from textwrap import dedent, fill
+
+from docutils import nodes
+from sphinx.util.docutils import SphinxDirective
+
+from trajlib import exercises
+from workbook import catalogue
+from workbook.pages import to_label, to_page
+
+CELL = re.compile(r"^(`{3,})\{code-cell\}[^\n]*\n(?P<code>.*?)^\1[ \t]*$", re.M | re.S)
+OPTION = re.compile(r"^:[\w-]+:.*$", re.M)
+PAGES = "book/library/"
+CHAPTER = re.compile(r"book/(?:errata/)?ch(\d+)")
+
+
+class Library(SphinxDirective):
+    """A section for each public name of a module, what is called first: signature, docstring, pages that use it."""
+
+    required_arguments = 1
+
+    def run(self):
+        module = importlib.import_module(self.arguments[0])
+        self.env.note_dependency(module.__file__)
+        names = sorted(public_names(module.__name__), key=lambda name: inspect.isclass(getattr(module, name)))
+        return [*described(inspect.getdoc(module)), *(self._section(module, name) for name in names)]
+
+    def _section(self, module, name):
+        member = getattr(module, name)
+        self.env.note_dependency(inspect.getsourcefile(member))
+        label = label_of(module.__name__, name)
+        section = nodes.section("", nodes.title("", name), ids=[label], support_smartquotes=False)  # x' is no quotation
+        self.env.get_domain("std").note_hyperlink_target(label, self.env.docname, label, name)
+        section += _code(signature(member, name))
+        section += described(inspect.getdoc(member))
+        if inspect.isclass(member):
+            section += self._methods(member)
+        if using := self.env.workbook_uses.get((module.__name__, name)):
+            section += self._used_in(using)
+        return section
+
+    def _methods(self, kind):
+        entries = nodes.definition_list()
+        for name, method in vars(kind).items():
+            said = inspect.getdoc(method) if not name.startswith("_") else None
+            if said and (inspect.isfunction(method) or isinstance(method, property)):
+                term = name if isinstance(method, property) else signature(method, name)
+                entries += nodes.definition_list_item("", nodes.term("", "", nodes.literal("", term)),
+                                                      nodes.definition("", *described(said)))
+        return [entries] if entries.children else []
+
+    def _used_in(self, using):
+        line = nodes.paragraph("", "Used in ", classes=["used-in"])
+        for k, page in enumerate(using):
+            line += [nodes.Text(", ")] if k else []
+            line += to_page(self.env.docname, page, _short_title(page))
+        return line
+
+
+class LibraryUsed(SphinxDirective):
+    """What this page uses of the library: the way back from the pages above."""
+
+    def run(self):
+        used = [name for name, pages in self.env.workbook_uses.items() if self.env.docname in pages]
+        if not used:
+            return []
+        line = nodes.paragraph("", "Of the library this page uses ", classes=["used-in"])
+        for k, (module, name) in enumerate(used):
+            line += [nodes.Text(", ")] if k else []
+            line += to_label(self.env.docname, label_of(module, name), f"{module.removeprefix('trajlib.')}.{name}")
+        return [line]
+
+
+def label_of(module, name):
+    return f"library-{module.removeprefix('trajlib.')}-{name}"
+
+
+@cache
+def public_names(module):
+    """The names of a module that are for use: those it declares, or those it defines without an underscore."""
+    loaded = importlib.import_module(module)
+    if hasattr(loaded, "__all__"):
+        return sorted(loaded.__all__, key=str.casefold)
+    return sorted((name for name, member in vars(loaded).items() if not name.startswith("_")
+                   and (inspect.isfunction(member) or inspect.isclass(member)) and member.__module__ == module),
+                  key=str.casefold)
+
+
+def signature(member, name):
+    """How it is called, without the types, which the docstring tells; a long one in several lines."""
+    try:
+        called = inspect.signature(member)
+    except ValueError:  # an exception has none of its own
+        return name
+    plain = [p.replace(annotation=p.empty) for p in called.parameters.values()
+             if p.name != "self" and not p.name.startswith("_")]
+    text = f"{name}{called.replace(parameters=plain, return_annotation=called.empty)}"
+    return fill(text, 79, subsequent_indent=" "*(len(name) + 1), break_long_words=False, break_on_hyphens=False)
+
+
+def described(docstring):
+    """A docstring as nodes."""
+    blocks = [block for block in re.split(r"\n{2,}", docstring) if block.strip()]
+    found = []
+    for block in blocks:
+        lines = block.split("\n")
+        if block.startswith(">>>"):
+            found.append(_code(block, "pycon"))
+        elif all(line.startswith("  ") for line in lines):
+            found.append(_code(dedent(block), "text"))
+        else:
+            found += _prose(lines)
+    return found
+
+
+def _prose(lines):
+    """A paragraph, and the list that it may end with."""
+    first = next((k for k, line in enumerate(lines) if line.startswith("- ")), len(lines))
+    found = [nodes.paragraph("", "", *_spans(" ".join(lines[:first])))] if first else []
+    if first < len(lines):
+        items = re.split(r"\n- ", "\n" + "\n".join(lines[first:]))[1:]
+        texts = [nodes.paragraph("", "", *_spans(" ".join(item.split()))) for item in items]
+        found.append(nodes.bullet_list("", *(nodes.list_item("", text) for text in texts)))
+    return found
+
+
+def _spans(text):
+    """Words and the `code` between them."""
+    parts = re.split(r"`([^`]+)`", text)
+    return [nodes.literal("", part) if k % 2 else nodes.Text(part) for k, part in enumerate(parts) if part]
+
+
+def _code(text, language="python"):
+    return nodes.literal_block(text, text, language=language)
+
+
+def uses(code):
+    """(module, name) of what code uses of the modules of trajlib, where it says so by its imports.
+
+    >>> sorted(uses("from trajlib import structure\\nfrom trajlib.stability import shift\\nstructure.observability(A)"))
+    [('trajlib.stability', 'shift'), ('trajlib.structure', 'observability')]
+    """
+    tree = list(ast.walk(ast.parse(code)))
+    modules, found = {}, set()
+    for node in tree:
+        if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("trajlib"):
+            for alias in node.names:
+                found.add((node.module, alias.name))
+                modules[alias.asname or alias.name] = f"{node.module}.{alias.name}"
+        elif isinstance(node, ast.Import):
+            modules |= {alias.asname or alias.name: alias.name for alias in node.names
+                        if alias.name.startswith("trajlib")}
+    for node in tree:
+        if isinstance(node, ast.Attribute) and (module := modules.get(ast.unparse(node.value))):
+            found.add((module, node.attr))
+    return {(module, name) for module, name in found if module != "trajlib"}
+
+
+def _cells(path):
+    """The code of a page, as one text."""
+    if path.suffix == ".ipynb":
+        return "\n".join(source for _, source in exercises.read(path).code("data", "check"))
+    return "\n".join(OPTION.sub("", cell["code"]) for cell in CELL.finditer(path.read_text(encoding="utf-8")))
+
+
+def _find_uses(app, env, added, changed, removed):
+    """Who uses what, before any page is read; where that changed, the pages on both ends are read again."""
+    modules = [f"trajlib.{page.removeprefix(PAGES)}" for page in sorted(env.found_docs) if page.startswith(PAGES)]
+    pages = [page for page in env.found_docs if CHAPTER.fullmatch(page) or page in catalogue.of(env)]
+    found = {(module, name): [] for module in modules for name in public_names(module)}
+    for page in sorted(pages, key=_order):
+        for used in uses(_cells(Path(env.doc2path(page)))) & found.keys():
+            found[used].append(page)
+    previous, env.workbook_uses = getattr(env, "workbook_uses", {}), found
+    return [f"{PAGES}{module.removeprefix('trajlib.')}" for module in modules
+            if any(found[key] != previous.get(key) for key in found if key[0] == module)]
+
+
+def _order(page):
+    """Chapters, then problems by number, then errata."""
+    return "errata" in page, not page.startswith("book/"), [int(n) for n in re.findall(r"\d+", page)]
+
+
+def _short_title(page):
+    numbers = re.findall(r"\d+", page)
+    if "errata" in page:
+        return f"the errata of chapter {numbers[0]}"
+    return f"chapter {numbers[0]}" if page.startswith("book/") else f"{numbers[0]}.{int(numbers[1])}"
+
+
+def _end_with_uses(app, page, source):
+    """The last line of a page that uses the library."""
+    if not any(page in pages for pages in app.env.workbook_uses.values()):
+        return
+    line = "```{library-used}\n```\n"
+    if Path(app.env.doc2path(page)).suffix == ".ipynb":
+        notebook = json.loads(source[0])
+        notebook["cells"].append({"cell_type": "markdown", "id": "library-used", "metadata": {}, "source": line})
+        source[0] = json.dumps(notebook)
+    else:
+        source[0] = f"{source[0].rstrip()}\n\n{line}"
+
+
+def setup(app):
+    app.connect("env-get-outdated", _find_uses)  # after the catalogue
+    app.connect("source-read", _end_with_uses, priority=600)  # after a problem's page is complete
+    app.add_directive("library", Library)
+    app.add_directive("library-used", LibraryUsed)

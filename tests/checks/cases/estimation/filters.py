@@ -1,0 +1,63 @@
+import sympy as sp
+from case import Case
+
+from trajlib.systems import Process
+
+Q, R, p, m, z = sp.symbols("Q R p m z", positive=True)
+a, k1, k2 = sp.symbols("a k1 k2", real=True)
+p11, p12, p22 = sp.symbols("p11 p12 p22", real=True)
+CONSTANT = Process(A=0, H=1, R=R, mean=m, covariance=p)
+STEPS = Process(A=1, Q=Q, H=1, R=R, discrete=True)
+CART = Process(A=[[0, 1], [0, 0]], Q=sp.diag(0, Q), H=[[1, 0]], R=R)
+SCALAR = Process(A=a, Q=Q, H=1, R=R)
+START = Process(A=[[0, 1], [0, 0]], H=[[1, 0]], R=1, mean=[0, 1], covariance=sp.eye(2))
+SQRT = sp.sqrt(2)
+OWN = sp.Matrix([[SQRT*Q**sp.Rational(1, 4)*R**sp.Rational(3, 4), sp.sqrt(Q*R)],
+                 [sp.sqrt(Q*R), SQRT*Q**sp.Rational(3, 4)*R**sp.Rational(1, 4)]])
+BEFORE = (Q + sp.sqrt(Q**2 + 4*Q*R))/2
+P = sp.Matrix([[p11, p12], [p12, p22]])
+RATES = sp.Matrix([[2*p12 - p11**2/R, p22 - p11*p12/R], [p22 - p11*p12/R, Q - p12**2/R]])
+
+CASES = [
+    Case("estimate", (m*R + z*p)/(p + R), (CONSTANT, [(0, z)], 2, [R, p, m, z]), "right", "a weighted mean"),
+    Case("estimate", [sp.Rational(7, 3), sp.Rational(5, 3)], (START, [(1, 3)], 1), "right", "a speed that is not seen"),
+    Case("estimate", [4, sp.Rational(5, 3)], (START, [(1, 3)], 2), "right", "a prediction"),
+    Case("estimate", z, (CONSTANT, [(0, z)], 2, [R, p, m, z]), "wrong", "what was measured"),
+    Case("estimate", (m + z)/2, (CONSTANT, [(0, z)], 2, [R, p, m, z]), "wrong", "equal weights"),
+    Case("estimate", [sp.Rational(7, 3), 1], (START, [(1, 3)], 1), "wrong", "the correlation not used"),
+    Case("estimate", 3, (START, [(1, 3)], 1), "invalid", "one of two"),
+    Case("estimate_covariance", p*R/(p + R), (CONSTANT, [(0, z)], 2, [R, p, m, z]), "right", "parallel resistances"),
+    Case("estimate_covariance", sp.Matrix([[2, 1], [1, 2]])/3, (START, [(1, 3)], 1), "right", "a matrix"),
+    Case("estimate_covariance", R, (CONSTANT, [(0, z)], 2, [R, p, m, z]), "wrong", "the error of the measurement"),
+    Case("estimate_covariance", sp.Matrix([[2, 1], [1, 1]]), (START, [(1, 3)], 1), "wrong", "before the measurement"),
+    Case("estimate_covariance", [1, 2], (START, [(1, 3)], 1), "invalid", "a list"),
+    Case("steady_covariance", OWN, (CART, [Q, R]), "right", "a cart"),
+    Case("steady_covariance", R*(a + sp.sqrt(a**2 + Q/R)), (SCALAR, [a, Q, R]), "right", "for a of both signs"),
+    Case("steady_covariance", BEFORE, (STEPS, [Q, R]), "right", "before a measurement"),
+    Case("steady_covariance", BEFORE - Q, (STEPS, [Q, R], sp.true, "after"), "right", "after it"),
+    Case("steady_covariance", R*(a - sp.sqrt(a**2 + Q/R)), (SCALAR, [a, Q, R]), "wrong", "the other root"),
+    Case("steady_covariance", BEFORE - Q, (STEPS, [Q, R]), "wrong", "the other moment"),
+    Case("steady_covariance", sp.diag(*OWN.diagonal()), (CART, [Q, R]), "wrong", "the variances alone"),
+    Case("steady_covariance", sp.true, (CART, [Q, R]), "invalid", "a truth value"),
+    Case("steady_gain", [SQRT*(Q/R)**sp.Rational(1, 4), sp.sqrt(Q/R)], (CART, [Q, R]), "right", "a cart"),
+    Case("steady_gain", a + sp.sqrt(a**2 + Q/R), (SCALAR, [a, Q, R]), "right", "a single coordinate"),
+    Case("steady_gain", BEFORE/(BEFORE + R), (STEPS, [Q, R]), "right", "discrete time"),
+    Case("steady_gain", OWN[:, 0], (CART, [Q, R]), "wrong", "not divided by R"),
+    Case("steady_gain", [sp.sqrt(Q/R), SQRT*(Q/R)**sp.Rational(1, 4)], (CART, [Q, R]), "wrong", "interchanged"),
+    Case("steady_gain", 2, (CART, [Q, R]), "invalid", "one of two"),
+    Case("covariance_with_gain", (Q + k1**2*R)/(2*(k1 - a)),
+         (SCALAR, sp.Matrix([[k1]]), [a, Q, R], k1 > a), "right", "where the errors decay"),
+    Case("covariance_with_gain", (Q + k1**2*R)/k1/2, (SCALAR.subs(a, 0), sp.Matrix([[k1]]), [Q, R], k1 > 0), "right",
+         "an integrator"),
+    Case("covariance_with_gain", Q/(2*(k1 - a)), (SCALAR, sp.Matrix([[k1]]), [a, Q, R], k1 > a), "wrong",
+         "the noise of the measurement forgotten"),
+    Case("covariance_with_gain", (Q + k1*R)/(2*(k1 - a)), (SCALAR, sp.Matrix([[k1]]), [a, Q, R], k1 > a), "wrong",
+         "the gain not squared"),
+    Case("covariance_with_gain", [1, 2], (SCALAR, sp.Matrix([[k1]]), [a, Q, R], k1 > a), "invalid", "a list"),
+    Case("riccati_equation", RATES, (CART, P, [Q, R]), "right", "a cart"),
+    Case("riccati_equation", RATES.tolist(), (CART, P, [Q, R]), "right", "lists"),
+    Case("riccati_equation", RATES - 2*sp.diag(0, Q), (CART, P, [Q, R]), "wrong", "the sign of the noise"),
+    Case("riccati_equation", RATES.subs(R, -R), (CART, P, [Q, R]), "wrong", "the sign of the measurement"),
+    Case("riccati_equation", [1, 2, 3], (CART, P, [Q, R]), "invalid", "three entries"),
+]
+LIMITS = ["The errors of measurements and the noise are independent of each other; R is not singular."]

@@ -1,0 +1,93 @@
+import sympy as sp
+from case import Case
+
+lam, b1, b2, a, p = *sp.symbols("lambda beta1 beta2 a", real=True), sp.symbols("p", positive=True)
+M = sp.Matrix
+# x1' = x2, x2' = 4 x1 + u
+SADDLE, PUSH, PLACE = M([[0, 1], [4, 0]]), M([0, 1]), M([[1, 0]])
+# its output 2 x1 + x2 does not show e^(-2t), its output 2 x1 - x2 not e^(2t)
+HIDES_DECAY, HIDES_GROWTH = M([[2, 1]]), M([[2, -1]])
+WANTED = {"parameters": [b1, b2], "polynomial": lam**2 + b1*lam + b2, "symbol": lam}
+FIXED = {"polynomial": (lam + 2)*(lam + 5), "symbol": lam}
+OF_A = M([[0, 1], [a, 0]])
+STATIC = (M([[0, 1], [-2, 3]]), PUSH)
+SUM = {"H": M([[1, 1]])}
+LOOP = (SADDLE, PUSH, PLACE)
+RATE = {"S": M([[0]]), "c": M([[1]])}
+BIASED = (SADDLE, PUSH, PLACE)
+
+
+def row(check, answer, data, verdict, note, **options):
+    return Case(check, answer, data, verdict, note, tuple(options.items()))
+
+
+CASES = [
+    row("observer_gain", [3, 7], (SADDLE, PLACE), "right", "a flat list"),
+    row("observer_gain", M([[1, 4.001]]), (SADDLE, PLACE), "right", "another gain, lying down, close to the border"),
+    row("observer_gain", M([b1, b2 + 4]), (SADDLE, PLACE), "right", "a polynomial with symbols", **WANTED),
+    row("observer_gain", M([7, 14]), (SADDLE, PLACE), "right", "a polynomial of numbers", **FIXED),
+    row("observer_gain", [7.0, 14.0], (SADDLE, PLACE), "right", "decimals", **FIXED),
+    row("observer_gain", [1.75, 1.75], (SADDLE, HIDES_DECAY), "wrong", "half of what is needed", **FIXED),
+    row("observer_gain", M([0, 7]), (SADDLE, HIDES_DECAY), "right", "one of many for a hidden mode", **FIXED),
+    row("observer_gain", M([3, 1]), (SADDLE, HIDES_DECAY), "right", "another one of them", **FIXED),
+    row("observer_gain", [4, 8], (SADDLE, PLACE), "right", "the margin exactly, a double root", margin=2),
+    row("observer_gain", [0, 4, 14], (M([[0, 1, 0], [0, 0, 1], [-3, 1, 3]]), M([[2, 2, 0]])), "right",
+        "the margin of a mode that is fixed", margin=1),
+    row("observer_gain", M([4.0, 8.01]), (SADDLE, PLACE), "right", "the margin within three digits", margin=2),
+    row("observer_gain", [], (SADDLE, HIDES_GROWTH), "right", "there is none"),
+    row("observer_gain", [], (SADDLE, HIDES_DECAY), "right", "none has this margin", margin=3),
+    row("observer_gain", [], (SADDLE, HIDES_DECAY), "right", "not every polynomial", **WANTED),
+    row("observer_gain", [p + 1, p + 5], (SADDLE, PLACE), "right", "for all values of a parameter", parameters=[p]),
+    row("observer_gain", [1, a + 1], (OF_A, PLACE), "right", "a parameter of the system", parameters=[a]),
+    row("observer_gain", [0, 7], (SADDLE, PLACE), "wrong", "an oscillation of the error"),
+    row("observer_gain", [3, 4], (SADDLE, PLACE), "wrong", "a zero eigenvalue"),
+    row("observer_gain", [-3, -7], (SADDLE, PLACE), "wrong", "the sign of u = Kx"),
+    row("observer_gain", M([b1, b2]), (SADDLE, PLACE), "wrong", "the system forgotten", **WANTED),
+    row("observer_gain", M([14, 7]), (SADDLE, PLACE), "wrong", "the entries exchanged", **FIXED),
+    row("observer_gain", [4, 7], (SADDLE, PLACE), "wrong", "short of the margin", margin=2),
+    row("observer_gain", [3, 7], (SADDLE, HIDES_GROWTH), "wrong", "there is none"),
+    row("observer_gain", [], (SADDLE, PLACE), "wrong", "there are many"),
+    row("observer_gain", [p, p - 5], (SADDLE, PLACE), "wrong", "for some values of a parameter", parameters=[p]),
+    row("observer_gain", [1, 1/a + 1], (OF_A, PLACE), "wrong", "a gain without a value at a = 0", parameters=[a]),
+    row("observer_gain", [sp.I, 7], (SADDLE, PLACE), "wrong", "not real"),
+    row("observer_gain", [sp.oo, 7], (SADDLE, PLACE), "wrong", "infinite"),
+    row("observer_gain", [3, 7, 1], (SADDLE, PLACE), "invalid", "three entries"),
+    row("observer_gain", 3, (SADDLE, PLACE), "invalid", "a number"),
+    row("observer_gain", [sp.Symbol("q"), 7], (SADDLE, PLACE), "invalid", "a foreign symbol"),
+    row("feedback_gain", [-5, -1], (SADDLE, PUSH), "right", "a flat list"),
+    row("feedback_gain", M([[-14, -7]]), (SADDLE, PUSH), "right", "a polynomial", **FIXED),
+    row("feedback_gain", M([-4 - b2, -b1]), (SADDLE, PUSH), "right", "upright, in symbols", **WANTED),
+    row("feedback_gain", [-4], STATIC, "right", "static", **SUM),
+    row("feedback_gain", [], STATIC, "right", "no static feedback of the place will do", H=PLACE),
+    row("feedback_gain", [], (sp.diag(1, -1), M([0, 1])), "right", "a growing mode out of reach"),
+    row("feedback_gain", [1/(a - 1) - 2, 0], (M([[0, 0], [0, -1]]), M([1, 0])), "wrong", "not for all a in between",
+        parameters=[a], given=sp.Ne(a, 1)),
+    row("feedback_gain", [-1 - 1/(a - 1)**2, 0], (M([[0, 0], [0, -1]]), M([1, 0])), "right", "but where it is asked",
+        parameters=[a], given=sp.Ne(a, 1)),
+    row("feedback_gain", [5, 1], (SADDLE, PUSH), "wrong", "u = -Kx"),
+    row("feedback_gain", [-3], STATIC, "wrong", "on the border", **SUM),
+    row("feedback_gain", [], STATIC, "wrong", "there is one", **SUM),
+    row("feedback_gain", [], (M([[0, 1], [p, 0]]), PUSH), "right", "none of the place, for any p", H=PLACE,
+        parameters=[p]),
+    row("feedback_gain", [], (M([[0, 1], [-p, 3]]), PUSH), "wrong", "there is one for every p", H=M([[1, 1]]),
+        parameters=[p]),
+    row("feedback_gain", [-2, 2 - 1/a], (M([[1, -2], [a, -2]]), M([1, 0])), "wrong", "a pole that the spectrum hides",
+        parameters=[a]),
+    row("feedback_gain", [-5, -1, 0], (SADDLE, PUSH), "invalid", "three entries"),
+    row("estimate_gains", [[-5, -1], [3, 7]], LOOP, "right", "lists"),
+    row("estimate_gains", [M([[-13, -6]]), M([9, 40])], LOOP, "right", "a margin", margin=2),
+    row("estimate_gains", [[-5, -1], [3, 8, 1]], BIASED, "wrong", "the sign of the correction of the error", **RATE),
+    row("estimate_gains", [[-5, -1], [10, 15, -4]], BIASED, "right", "the error of the measurement estimated too",
+        **RATE),
+    row("estimate_gains", [], (SADDLE, PUSH, HIDES_GROWTH), "right", "nothing to be done"),
+    row("estimate_gains", [[3, 7], [-5, -1]], LOOP, "wrong", "exchanged"),
+    row("estimate_gains", [[-5, -1], [3, 2]], LOOP, "wrong", "the observer diverges"),
+    row("estimate_gains", [[-3, -1], [3, 7]], LOOP, "wrong", "the feedback is too weak"),
+    row("estimate_gains", [], LOOP, "wrong", "there are many"),
+    row("estimate_gains", [[-5, -1]], LOOP, "invalid", "one gain"),
+    row("estimate_gains", [[-5, -1], [3, 7]], BIASED, "invalid", "without the error", **RATE),
+]
+
+LIMITS = ["Where a margin is asked for, each decimal of a gain may shift the spectrum by what half a unit of its third "
+          "digit does.",
+          "That no static feedback stabilises is decided for few entries; with many it is tried at points."]

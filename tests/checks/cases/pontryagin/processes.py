@@ -1,0 +1,87 @@
+import sympy as sp
+from case import Case
+
+from trajlib.pontryagin import Problem
+
+x, x1, x2, u, a = sp.symbols("x x1 x2 u a", real=True)
+t, T, low, high = sp.symbols("t T u_min u_max", positive=True)
+Piecewise = sp.Piecewise
+
+# A spring of variable stiffness, swung far; the least energy to a place; a point brought close to zero; the time and
+# the fuel to the origin.
+SWING = Problem({x1: x2, x2: -u * x1}, {u: (low, high)}, {x1: 1, x2: 0}, [x2], final=x1, first_return=True)
+STIFF = {low: sp.Interval(sp.Rational(1, 2), 1), high: sp.Interval(2, 4)}
+TURN = sp.pi / (2 * sp.sqrt(high))
+SWUNG = Piecewise((sp.cos(sp.sqrt(high) * t), t < TURN),
+                  (-sp.sqrt(high / low) * sp.sin(sp.sqrt(low) * (t - TURN)), True))
+ENERGY = Problem({x1: x2, x2: u - x1}, {u: (None, None)}, {x1: 0, x2: 0}, [x1 - a], running=u**2, duration=sp.pi / 2)
+PLACES = {a: sp.Interval(-3, 3)}
+PUSH = 4 * a / sp.pi * sp.cos(t)
+NEAR = Problem({x: u}, {u: (-1, 1)}, {x: a}, [], running=x**2 / 2, duration=T)
+STARTS = {a: sp.Interval(-3, 3), T: sp.Interval(1, 3)}
+HELD = Piecewise((-sp.sign(a), t < sp.Abs(a)), (0, True))
+LINEAR = Problem({x: u}, {u: (-1, 1)}, {x: a}, [], running=(x**2 + u**2) / 2, duration=T)
+WISH = -x * sp.tanh(T - t)
+FAR = Problem({x1: x2, x2: u}, {u: (-1, 1)}, {x1: 0, x2: None}, [x1 - 1], final=x1**2 / 2 + x2**2 / 2, duration=1,
+              maximise=True)
+BEAM = Problem({x1: x2, x2: u}, {u: (None, None)}, {x1: 0, x2: 0}, [], running=u**2 - 48 * x1, duration=1)
+
+CASES = [
+    Case("optimal_control", Piecewise((high, t < TURN), (low, True)), (SWING, t, STIFF), "right", "two arcs, cases"),
+    Case("optimal_control", [[high, TURN], [low, TURN + sp.pi / (2 * sp.sqrt(low))]], (SWING, t, STIFF), "right",
+         "a list of arcs"),
+    Case("optimal_control", PUSH, (ENERGY, t, PLACES), "right", "inside, without bounds"),
+    Case("optimal_control", 1.2732 * a * sp.cos(t), (ENERGY, t, PLACES), "right", "decimals"),
+    Case("optimal_control", HELD, (NEAR, t, STARTS), "right", "a bound, then a singular arc"),
+    Case("optimal_control", 1, (FAR, t), "right", "a maximum, with a free beginning"),
+    Case("optimal_control", Piecewise((low, t < TURN), (high, True)), (SWING, t, STIFF), "wrong", "the arcs changed"),
+    Case("optimal_control", high, (SWING, t, STIFF), "wrong", "it meets the target too early"),
+    Case("optimal_control", a, (ENERGY, t, PLACES), "wrong", "it keeps to the ends, and another one costs less"),
+    Case("optimal_control", 1.1 * PUSH, (ENERGY, t, PLACES), "wrong", "too strong, it misses the target"),
+    Case("optimal_control", -2 * sp.sign(a), (NEAR, t, STARTS), "wrong", "beyond the bounds"),
+    Case("optimal_control", -sp.sign(a), (NEAR, t, STARTS), "wrong", "past zero"),
+    Case("optimal_control", -1, (FAR, t), "wrong", "the other bound"),
+    Case("optimal_control", x, (NEAR, t, STARTS), "invalid", "a law in the state"),
+    Case("optimal_motion", SWUNG, (SWING, t, STIFF), "right", "the first state, two arcs"),
+    Case("optimal_motion", 2 * a / sp.pi * t * sp.sin(t), (ENERGY, t, PLACES), "right", "without bounds"),
+    Case("optimal_motion", [a + Piecewise((-sp.sign(a) * t, t < sp.Abs(a)), (-a, True))], (NEAR, t, STARTS), "right",
+         "one state in a list"),
+    Case("optimal_motion", [t / 2 + t**2 / 2, t + 0.5], (FAR, t), "right", "both states, the beginning free"),
+    Case("optimal_motion", sp.cos(sp.sqrt(high) * t), (SWING, t, STIFF), "wrong", "one arc for both"),
+    Case("optimal_motion", a * sp.sin(t), (ENERGY, t, PLACES), "wrong", "another start"),
+    Case("optimal_motion", a * (1 - sp.cos(t)), (ENERGY, t, PLACES), "wrong", "another control, with the same ends"),
+    Case("optimal_motion", [t, 1 + t], (FAR, t), "wrong", "the second state is not the derivative"),
+    Case("optimal_motion", [t, 1, 0], (FAR, t), "invalid", "three states of two"),
+    Case("optimal_cost", -sp.sqrt(high / low), (SWING, STIFF), "right", "with parameters"),
+    Case("optimal_cost", 4 * a**2 / sp.pi, (ENERGY, PLACES), "right", "an integral"),
+    Case("optimal_cost", 1.625, (FAR,), "right", "a maximum, a number"),
+    Case("optimal_cost", sp.sqrt(high / low), (SWING, STIFF), "wrong", "the sign"),
+    Case("optimal_cost", a**2 * sp.pi / 2, (ENERGY, PLACES), "wrong", "of a constant control"),
+    Case("optimal_cost", 1, (FAR,), "wrong", "without the velocity"),
+    Case("optimal_cost", sp.Eq(x, 1), (FAR,), "invalid", "an equation"),
+    Case("optimal_duration", sp.pi / 2 * (1 / sp.sqrt(low) + 1 / sp.sqrt(high)), (SWING, STIFF), "right", "two arcs"),
+    Case("optimal_duration", 1.5708 * (low**-0.5 + high**-0.5), (SWING, STIFF), "right", "decimals"),
+    Case("optimal_duration", sp.pi / sp.sqrt(low), (SWING, STIFF), "wrong", "of the soft spring"),
+    Case("optimal_duration", 2 * TURN, (SWING, STIFF), "wrong", "of the stiff spring"),
+    Case("optimal_duration", "pi", (SWING, STIFF), "invalid", "text"),
+    Case("optimal_costate", [8 * a / sp.pi * sp.sin(t), 8 * a / sp.pi * sp.cos(t)], (ENERGY, t, PLACES), "right",
+         "the control inside"),
+    Case("optimal_costate", Piecewise((-sp.sign(a) * (sp.Abs(a) - t)**2 / 2, t < sp.Abs(a)), (0, True)),
+         (NEAR, t, {a: sp.Interval(sp.Rational(-1, 2), sp.Rational(1, 2)), T: sp.Interval(1, 3)}), "right",
+         "zero on the singular arc; one expression for one state"),
+    Case("optimal_costate", [48 * (1 - t), 24 * (1 - t)**2], (BEAM, t), "right", "both vanish at a free end"),
+    Case("optimal_costate", [0, sp.Rational(3, 2)], (FAR, t), "wrong", "the adjoint equation holds, the end does not"),
+    Case("optimal_costate", [-8 * a / sp.pi * sp.sin(t), -8 * a / sp.pi * sp.cos(t)], (ENERGY, t, PLACES), "wrong",
+         "the sign"),
+    Case("optimal_costate", [sp.sin(t), sp.cos(t)], (ENERGY, t, PLACES), "wrong", "another multiple"),
+    Case("optimal_costate", [sp.sin(t)], (ENERGY, t, PLACES), "invalid", "one of two"),
+    Case("optimal_law", Piecewise((WISH, sp.Abs(WISH) < 1), (sp.sign(WISH), True)), (LINEAR, STARTS, t), "right",
+         "saturated, with time"),
+    Case("optimal_law", -sp.sign(x), (NEAR, STARTS), "right", "a sign that holds the motion at zero"),
+    Case("optimal_law", -x, (NEAR, STARTS), "wrong", "beyond the bounds"),
+    Case("optimal_law", -sp.sign(x), (LINEAR, STARTS, t), "wrong", "it costs more"),
+    Case("optimal_law", [1, 2], (NEAR, STARTS), "invalid", "a list"),
+]
+
+LIMITS = ["One control. The optimum is the best process found: a proof only where the problem is convex.",
+          "A law is followed in small steps, in each of which the control is constant."]

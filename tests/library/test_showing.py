@@ -1,0 +1,88 @@
+"""Results in a notebook and in a terminal: what is set, what is typed, and what is broken into lines."""
+
+import re
+import sys
+from types import SimpleNamespace
+
+import pytest
+import sympy as sp
+from hypothesis import given
+from hypothesis import strategies as st
+from IPython import display
+
+from trajlib import showing
+from trajlib.formulas import typeset
+from trajlib.showing import LINE, show
+from trajlib.structure import observability
+
+k1, x, psi2 = sp.symbols("k1 x psi2")
+
+
+@pytest.fixture
+def shown(monkeypatch):
+    """What a notebook shows of values: its Markdown and its plain text."""
+    kept = []
+    monkeypatch.setitem(sys.modules, "IPython", SimpleNamespace(
+        get_ipython=lambda: SimpleNamespace(kernel=True), display=display))
+    monkeypatch.setattr(display, "display", lambda data, raw: kept.append(data))
+
+    def of(*values):
+        show(*values)
+        return SimpleNamespace(set=kept[-1]["text/markdown"], typed=kept[-1]["text/plain"])
+
+    return of
+
+
+def test_a_terminal_is_printed_to(capsys):
+    show("on $k_1 = 0$:", x**2/k1, [k1, 2], {k1: 1}, 0.5)
+    assert capsys.readouterr().out == "on k1 = 0: x**2/k1 [k1, 2] {k1: 1} 0.5\n"
+
+
+@pytest.mark.parametrize("value, said", [
+    (x**2/k1, r"$\frac{x^{2}}{k_{1}}$"),
+    ([k1, sp.Rational(1, 2)], r"$\left[ k_{1}, \  \frac{1}{2}\right]$"),
+    ({k1: 2, "type": x**2}, "$k_{1}$: $2$, type: $x^{2}$"),
+    (sp.And(x > 0, k1 < 1), r"$x > 0 \wedge k_{1} < 1$"),
+    (["stable focus"], r"\['stable focus'\]"),
+    ([(k1 > 0, "stable node")], "(($k_{1} > 0$, stable node))"),
+    (0.5, "$0.5$"),
+    (True, "True"),
+    ("  at $k_1 = 0$, a_region [x](y) <b>", "\u2003at $k_1 = 0$, a\\_region \\[<i>x</i>\\](<i>y</i>) "
+                                            "&lt;<i>b</i>&gt;"),
+    ("det = k1**2 - x/psi2", "det = <i>k</i><sub>1</sub><sup>2</sup> - <i>x</i>/ψ<sub>2</sub>"),
+])
+def test_a_notebook_sets_it(shown, value, said):
+    assert shown(value).set == said
+    assert "**" not in said
+
+
+def test_what_the_library_returns_shows_itself(shown):
+    found = observability(sp.Matrix([[0, 1], [0, 0]]), sp.Matrix([[1, 0]]))
+    assert shown("seen:", found).set == f"seen: {found._repr_markdown_()}"
+
+
+def test_a_long_sum_is_broken_between_its_terms(shown):
+    total = sp.expand((x + k1 + psi2)**6)
+    text = shown(sp.Eq(x, total, evaluate=False)).set
+    lines = re.search(r"\$\$\n\\begin\{aligned\} (.*)\\end\{aligned\}\n\$\$", text, re.S)[1].split(r"\\")
+    assert len(lines) > 2 and max(map(showing._letters, lines)) <= LINE + 8
+    assert lines[0].startswith("x ={} & ")
+    terms = sum(len(re.findall(r"(?:^|[+-]) ?\S", line.partition("&")[2].strip())) for line in lines)
+    assert terms == len(total.args)
+
+
+def test_a_long_list_may_break_at_its_commas(shown):
+    assert shown([sp.expand((x + k1)**3)]*3).set.count("$, $") == 2
+
+
+@given(st.text(alphabet="ab1k_*^'\"<>&()-= \\$|[]", max_size=40))
+def test_nobodys_text_brings_tags_of_its_own(text):
+    without = re.sub(r"</?(?:i|sub|sup)>", "", typeset(text))
+    assert "<" not in without and ">" not in without
+
+
+@pytest.mark.parametrize("words", ["a motion of the equation", "non-zero, well-posed", "item a and items",
+                                   "the a_region", "Ackermann's rule - the gain", "a 3-vector",
+                                   '"k1" is a name', "sp.And(x.y)"])
+def test_words_stay_words(words):
+    assert typeset(words, escape=str) == words

@@ -1,0 +1,62 @@
+"""The drawings of the statements: nothing is cut off or printed over, and every symbol is one of the text."""
+
+import re
+from itertools import combinations
+from pathlib import Path
+
+import pytest
+
+from trajlib.masters import master_paths, read
+
+ROOT = Path(__file__).resolve().parents[2]
+DRAWN = [master for master in map(read, master_paths(ROOT / "solutions")) if master.code("drawing")]
+
+
+def drawings(master):
+    for source in master.code("drawing"):
+        names = {}
+        exec(source, names)
+        yield names["d"]
+
+
+def labels(drawing):
+    """The texts of a drawing with their boxes on the sheet, in points."""
+    figure = drawing._figure
+    figure.draw_without_rendering()
+    return [(text.get_text(), text.get_window_extent()) for text in figure.axes[0].texts if text.get_text()]
+
+
+@pytest.fixture(params=DRAWN, ids=lambda master: master.number)
+def master(request):
+    return request.param
+
+
+def test_letters_are_on_the_sheet_and_apart(master):
+    for drawing in drawings(master):
+        found, sheet = labels(drawing), drawing._figure.bbox
+        assert found
+        for text, box in found:
+            assert box.x0 >= 0 and box.y0 >= 0 and box.x1 <= sheet.x1 and box.y1 <= sheet.y1, f"{text} is cut off"
+        for (text, box), (other, its_box) in combinations(found, 2):
+            assert not box.overlaps(its_box), f"{text} is printed over {other}"
+
+
+def test_a_phone_shows_it_with_letters_that_can_be_read(master):
+    """On 390 px the column has 314: of 4.6 inches, 442 px, letters of 13 points keep 9."""
+    for drawing in drawings(master):
+        assert drawing._figure.get_figwidth() <= 4.6
+
+
+def test_every_symbol_stands_in_the_statement(master):
+    statement = "\n".join(cell.source for cell in master.cells if not cell.role)
+    statement = squeezed(statement[:statement.index("{solution-start}")])
+    for drawing in drawings(master):
+        for text, _ in labels(drawing):
+            for formula in re.findall(r"\$(.+?)\$", text):
+                for symbol in re.split(r"[=,()]", formula):
+                    assert squeezed(symbol) in statement, f"{symbol} is not in the statement"
+
+
+def squeezed(text):
+    """Formulas without what does not change their meaning: spaces and braces."""
+    return re.sub(r"\\[,;!]|[\s{}]", "", text)

@@ -1,0 +1,23 @@
+"""Errata stand in the page of their chapter, whose labels the other pages refer to."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+BOOK = Path(__file__).resolve().parents[2] / "book"
+PAGES = sorted((BOOK / "errata").glob("ch*.md"))
+
+
+@pytest.mark.parametrize("path", PAGES, ids=lambda path: path.stem)
+def test_every_entry_is_of_its_chapter_and_complete(path):
+    entries = re.split(r"^\((err-[\w-]+)\)=\n### ", path.read_text(encoding="utf-8"), flags=re.M)
+    assert len(entries) > 1 and "\n### " not in entries[0]
+    for label, entry in zip(entries[1::2], entries[2::2]):
+        assert label.startswith(f"err-{path.stem[2:]}-")
+        assert re.findall(r"^(Printed|Right|Reason)$", entry, re.M) == ["Printed", "Right", "Reason"], label
+        assert "\n### " not in entry, label
+
+
+def test_the_first_page_holds_no_entry():
+    assert PAGES and "(err-" not in (BOOK / "errata" / "index.md").read_text(encoding="utf-8")

@@ -1,0 +1,49 @@
+"""Formulas in answers and hints are set, between dollars, wherever a person reads them."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+from trajlib.formulas import plain
+from trajlib.masters import master_paths
+from trajlib.masters.front_matter import read_front_matter
+
+SOLUTIONS = Path(__file__).resolve().parents[2] / "solutions"
+#: What is set between dollars, code between backticks, a reference, an answer of no items; not mathematics as typed.
+SET = re.compile(r"\$[^$]*\$|`[^`]*`")
+GREEK = "alpha|beta|gamma|delta|epsilon|lambda|mu|nu|xi|eta|psi|varphi|phi|omega|Omega|rho|sigma|tau|theta|kappa|pi"
+TYPED = re.compile(rf"[\^*<>=$\\]|_\w|\b[A-Za-z]'(?!s\b)|\b[A-Za-z]\d|\b({GREEK})\b|\b(sqrt|exp|sin|cos|det)\(")
+
+
+def texts(path):
+    about, _ = read_front_matter(path, path.read_text(encoding="utf-8"))
+    return [text.partition(":")[2] for text in about["answers"].values()] + sum(about["hints"].values(), [])
+
+
+@pytest.mark.parametrize("path", master_paths(SOLUTIONS), ids=lambda path: f"{path.parent.name}/{path.stem}")
+def test_no_formula_is_left_as_typed(path):
+    found = {text: typed[0] for text in texts(path) if (typed := TYPED.search(SET.sub("", text)))}
+    assert not found, "put formulas between dollars, code between backticks"
+
+
+@pytest.mark.parametrize("path", master_paths(SOLUTIONS), ids=lambda path: f"{path.parent.name}/{path.stem}")
+def test_every_formula_can_be_read_where_nothing_is_set(path):
+    for text in texts(path):
+        assert not re.search(r"[$\\`]", plain(text)), text
+
+
+@pytest.mark.parametrize("typed, found", [
+    ("det(M s^2 + D s + K)", "^"), ("x1 and x2", "x1"), ("the rate x'", "x'"), ("2*k", "*"), ("psi_1", "_1"),
+    ("all real beta", "beta"), ("for b > 0", ">")])
+def test_what_is_taken_for_a_formula(typed, found):
+    assert TYPED.search(typed)[0].strip() in (found, typed.split("(")[0] + "(")
+
+
+@pytest.mark.parametrize("formula, typed", [
+    (r"$\dot x_1 = -k_1 x_1$", "x1' = -k1 x1"), (r"$\ddot\psi$ and $\lambda^{-k}$", "psi'' and lambda^-k"),
+    (r"$\exp(-\lambda_0 t) \leq 1/\sqrt{2}$", "exp(-lambda0 t) <= 1/sqrt(2)"), (r"$x^\top G x$, $x^*$", "x^T G x, x*"),
+    (r"$u = \bar u$ for $\varepsilon \to \infty$", "u = ubar for epsilon -> oo"),
+    ("the basis of `a_unseen`", "the basis of a_unseen")])
+def test_a_formula_as_typed(formula, typed):
+    assert plain(formula) == typed

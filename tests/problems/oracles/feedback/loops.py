@@ -1,0 +1,230 @@
+"""Oracles of gains and of observers: SymPy's characteristic polynomials, their roots at values of the parameters."""
+
+import itertools
+from fractions import Fraction
+
+import sympy as sp
+from sympy.core.relational import Relational
+
+from oracles.sameness import LOGIC, holds
+
+VALUES = (sp.Rational(1, 7), sp.Rational(3, 5), sp.Rational(13, 9), sp.Integer(4), sp.Integer(31))
+
+
+def _meets(matrix, parameters, margin, polynomial, symbol, given):
+    """Whether the spectrum is as required; with parameters at values of either sign, as they may be."""
+    s = sp.Dummy("s")
+    found = sp.expand((s*sp.eye(matrix.rows) - matrix).det(method="berkowitz"))
+    if polynomial is not None:
+        return sp.simplify(found - sp.sympify(polynomial).subs(symbol, s)) == 0
+    for sign in (1, -1):
+        for k in range(len(VALUES)):
+            values = {p: (1 if p.is_positive else sign)*VALUES[(k + 2*j) % len(VALUES)]
+                      for j, p in enumerate(parameters)}
+            if sp.sympify(given).subs(values) is sp.false:
+                continue
+            there = sp.Poly(found.subs(values), s)
+            if not there.free_symbols_in_domain and all(c.is_Rational or c.is_Float for c in there.all_coeffs()):
+                # Multiple roots, at which the search for all of them gets stuck, count once.
+                there = sp.Poly([sp.Rational(c) for c in there.all_coeffs()], s).sqf_part()
+            roots = there.nroots(n=30, maxsteps=500)
+            worst = max(sp.re(root) for root in roots)
+            if not (worst < 0 if margin == 0 else worst <= -margin + sp.Rational(1, 10**9)):
+                return False
+    return True
+
+
+def _of_shape(mutant, rows, columns):
+    gain = sp.Matrix(mutant)
+    return gain.T if gain.shape == (columns, rows) != (rows, columns) else gain
+
+
+def _empty(*answers):
+    return any(isinstance(answer, (list, tuple)) and not answer for answer in answers)
+
+
+def observer_gain(mutant, reference, A, H, parameters=(), given=sp.true, margin=0, polynomial=None, symbol=None):
+    if _empty(mutant, reference):
+        return _empty(mutant) and _empty(reference)
+    L = _of_shape(mutant, A.rows, H.rows)
+    return L.shape == (A.rows, H.rows) and _meets(A - L*H, parameters, margin, polynomial, symbol, given)
+
+
+def feedback_gain(mutant, reference, A, B, H=None, **required):
+    H = sp.eye(A.rows) if H is None else H
+    if _empty(mutant, reference):
+        return _empty(mutant) and _empty(reference)
+    K = _of_shape(mutant, B.cols, H.rows)
+    # A + BKH = A - (-B)(KH): -B as a gain for the output KH
+    return K.shape == (B.cols, H.rows) and observer_gain(-B, None, A, K*H, **required)
+
+
+def estimate_gains(mutant, reference, A, B, H, parameters=(), given=sp.true, margin=0, S=None, c=None):
+    if _empty(mutant, reference):
+        return _empty(mutant) and _empty(reference)
+    observed, output = (A, H) if S is None else (sp.diag(A, S), H.row_join(c))
+    required = {"parameters": parameters, "given": given, "margin": margin}
+    return (len(mutant) == 2 and feedback_gain(mutant[0], None, A, B, **required)
+            and observer_gain(mutant[1], None, observed, output, **required))
+
+
+def state_form(mutant, reference, equation):
+    """The adjugate gives numerator and denominator, and they keep a common root; x and its derivatives tell the
+    state."""
+    n, s = equation.order, equation.symbol
+    A, *others = map(sp.Matrix, mutant)
+    if A.shape != (n, n) or len(others) != 3 or any(len(part) != n for part in others):
+        return False
+    B, C, H = (part.reshape(*shape) for part, shape in zip(others, ((n, 1), (1, n), (1, n))))
+    measured = sum((a*C*A**k for k, a in enumerate(equation.coefficients[2])), sp.zeros(1, n))
+    pencil = s*sp.eye(n) - A
+    same = [pencil.det() - equation.left, (C*pencil.adjugate()*B)[0] - equation.right, *(H - measured)]
+    return all(sp.expand(difference) == 0 for difference in same) and sp.Matrix.vstack(
+        *(C*A**k for k in range(n))).det() != 0
+
+
+def equation_gains(mutant, reference, equation):
+    """The margin asked for is that of the greatest common divisors, as SymPy factors them."""
+    common = [root for side in (equation.right, equation.measured)
+              for root in sp.roots(sp.gcd(equation.left, side), equation.symbol)]
+    margin = -max(map(sp.re, common)) if common else 0
+    return len(mutant) == 6 and state_form(mutant[:4], None, equation) and estimate_gains(
+        mutant[4:], [1], sp.Matrix(mutant[0]), _of_shape(mutant[1], equation.order, 1),
+        _of_shape(mutant[3], 1, equation.order), margin=margin)
+
+
+def equation_region(mutant, reference, equation, gain, parameters):
+    """At all roots of Hurwitz's minors and of the terms of the mutant, and between them, for a single parameter."""
+    if not isinstance(mutant, LOGIC):
+        return False
+    (p,) = parameters
+    minors = _minors(equation.left - gain*equation.right*equation.measured, equation.symbol)
+    turns = set().union(*(sp.Poly(turn, p).real_roots() for turn in (
+        *minors, *(atom.lhs - atom.rhs for atom in mutant.atoms(Relational))) if turn.has(p)))
+    turns = sorted(turns, key=float)
+    between = [(sp.Rational(float(one)) + sp.Rational(float(other)))/2 for one, other in zip(turns, turns[1:])]
+    ends = [sp.floor(turns[0]) - 1, sp.ceiling(turns[-1]) + 1] if turns else [sp.Integer(0)]
+    return all((mutant.subs(p, place) == sp.true) == all(sp.simplify(minor.subs(p, place)) > 0 for minor in minors)
+               for place in (*turns, *between, *ends))
+
+
+def observer_equations(mutant, reference, A, B, H, estimates, outputs, controls=(), parameters=(), given=sp.true,
+                       margin=0, polynomial=None, symbol=None):
+    """The rate of d = x - e is computed with symbols: it must not hold x and u."""
+    state = sp.Matrix(sp.symbols(f"x1:{A.rows + 1}", cls=sp.Dummy))
+    error = sp.Matrix(sp.symbols(f"d1:{A.rows + 1}", cls=sp.Dummy))
+    if len(list(mutant)) != A.rows:
+        return False
+    names = {symbol.name: symbol for symbol in (*estimates, *outputs, *controls, *parameters)}
+    mutant = [right.subs({s: names.get(s.name, s) for s in right.free_symbols}) for right in map(sp.sympify, mutant)]
+    known = dict(zip(estimates, state - error)) | dict(zip(outputs, H*state))
+    pushed = A*state + (B*sp.Matrix(controls) if controls else sp.zeros(A.rows, 1))
+    rate = (pushed - sp.Matrix(mutant).subs(known, simultaneous=True)).expand()
+    matrix = rate.jacobian(list(error))
+    if matrix.free_symbols & {*state, *error} or (rate - matrix*error).expand() != sp.zeros(A.rows, 1):
+        return False
+    return _meets(matrix, parameters, margin, polynomial, symbol, given)
+
+
+def _region(mutant, matrix, parameters, margin):
+    """Hurwitz's minors in fractions on a fine grid, and where a term of the mutant vanishes on its lines; the border of
+    a margin is left out."""
+    if not isinstance(mutant, LOGIC):
+        return False
+    s = sp.Dummy("s")
+    polynomial = ((s - margin)*sp.eye(matrix.rows) - matrix).det(method="berkowitz")
+    minors = sp.lambdify(parameters, _minors(polynomial, s), [])
+    said = sp.lambdify(parameters, mutant, "math")
+    for point in _lines(mutant, parameters):
+        if any(p.is_positive and not x > 0 for p, x in zip(parameters, point)):
+            continue
+        signs = minors(*point)
+        if margin and min(signs) == 0:
+            continue
+        if all(x.denominator in (1, 2, 4) for x in point):
+            there = holds(said, point)
+        else:  # a zero of a term, which floating-point numbers would miss
+            there = mutant.subs(dict(zip(parameters, map(sp.Rational, point)))) is sp.true
+        if there != (min(signs) > 0):
+            return False
+    return True
+
+
+def _minors(polynomial, symbol):
+    terms = sp.Poly(polynomial, symbol).all_coeffs()
+    n = len(terms) - 1
+    table = sp.Matrix(n, n, lambda i, j: terms[2*j - i + 1] if 0 <= 2*j - i + 1 <= n else 0)
+    return [sp.expand(table[:k, :k].det(method="berkowitz")) for k in range(1, n + 1)]
+
+
+def _lines(mutant, parameters):
+    """Points of a grid, and on its lines the rational zeros of the terms of a condition."""
+    grid = [Fraction(k, 4) for k in range(-20, 21)]
+    for k, others in itertools.product(range(len(parameters)), zip(*[grid[5*j:] + grid[:5*j]
+                                                                     for j in range(max(len(parameters) - 1, 1))])):
+        places = [list(others[:k]) + [x] + list(others[k:len(parameters) - 1]) for x in grid]
+        fixed = dict(zip(parameters, map(sp.Rational, places[0])))
+        del fixed[parameters[k]]
+        for atom in mutant.atoms(Relational):
+            line = sp.numer(sp.together((atom.lhs - atom.rhs).subs(fixed)))
+            if line.has(parameters[k]):
+                places += [list(others[:k]) + [Fraction(int(root.p), int(root.q))] + list(others[k:len(parameters) - 1])
+                           for root in sp.Poly(line, parameters[k]).ground_roots()]
+        yield from places
+
+
+def observer_region(mutant, reference, A, H, gain, parameters, margin=0):
+    return _region(mutant, A - gain*H, parameters, margin)
+
+
+def feedback_region(mutant, reference, A, B, gain, parameters, H=None, margin=0):
+    return _region(mutant, A + B*gain*(sp.eye(A.rows) if H is None else H), parameters, margin)
+
+
+def observer_margins(mutant, reference, A, H, mu, parameters=()):
+    """On a grid of the parameters, by the rank of (A - lambda E; H) at each eigenvalue; at every place about the margin
+    found and about the roots of the mutant's terms in mu."""
+    if not isinstance(mutant, LOGIC):
+        return False
+    mutant = mutant.subs({symbol: named for symbol in mutant.free_symbols for named in (*parameters, mu)
+                          if symbol.name == named.name})
+    grid = [sp.Rational(k, 2) for k in range(-4, 5)]
+    for place in itertools.product(grid, repeat=len(parameters)):
+        values = dict(zip(parameters, place))
+        matrix, output, said = (part.subs(values) for part in (A, H, mutant))
+        hidden = [root for root in matrix.eigenvals()
+                  if (matrix - root*sp.eye(matrix.rows)).col_join(output).rank() < matrix.rows]
+        best = min((-sp.re(root) for root in hidden), default=None)
+        turns = [root for atom in said.atoms(Relational) for root in sp.Poly(atom.lhs - atom.rhs, mu).real_roots()]
+        turns += [best] if hidden else []
+        for margin in {turn + step for turn in turns for step in (sp.Rational(-1, 1000), 0, sp.Rational(1, 1000))} | {
+                sp.Rational(1, 7), sp.Integer(50)}:
+            if margin > 0 and (said.subs(mu, margin) == sp.true) != (not hidden or margin <= best):
+                return False
+    return True
+
+
+def observer_obstacle(mutant, reference, A, H, parameters=()):
+    if not mutant or not reference:
+        return not mutant and not reference
+    places = [{p: value for p in parameters} for value in (0, *VALUES)]
+    for value, vector in mutant.items():
+        v = sp.Matrix(list(vector))
+        if v.rows != A.rows:
+            return False
+        if not sp.re(value) >= 0 or not all(sp.simplify(part).is_zero_matrix for part in (A*v - value*v, H*v)):
+            return False
+        if any(v.subs(values).is_zero_matrix or v.subs(values).has(sp.zoo, sp.nan) for values in places):
+            return False
+    return True
+
+
+def feedback_obstacle(mutant, reference, A, B, parameters=()):
+    return observer_obstacle(mutant, reference, A.T, B.T, parameters)
+
+
+ORACLES = {"observer_gain": observer_gain, "feedback_gain": feedback_gain, "estimate_gains": estimate_gains,
+           "state_form": state_form, "equation_gains": equation_gains, "equation_region": equation_region,
+           "observer_equations": observer_equations, "observer_region": observer_region,
+           "feedback_region": feedback_region, "observer_margins": observer_margins,
+           "observer_obstacle": observer_obstacle, "feedback_obstacle": feedback_obstacle}

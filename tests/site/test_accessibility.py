@@ -1,0 +1,71 @@
+"""Axe finds nothing against a page of each kind, with all folds open, by day and at night, on a desk and on a phone."""
+
+import pytest
+from selenium_axe_python import Axe
+
+PAGES = ["book/index.html", "book/ch1.html", "book/problems.html", "book/topics.html", "book/glossary.html",
+         "book/errata/index.html", "book/errata/ch7.html", "book/bibliography.html", "book/guides/student.html",
+         "book/guides/grading.html", "book/library.html", "book/library/structure.html", "solutions/ch1/p15.html",
+         "solutions/ch2/p25.html", "solutions/ch5/p03.html", "genindex.html", "search.html"]
+#: Beyond what axe asks for by itself: words on a button are in its name. It does not see that MathML says something.
+OPTIONS = """{resultTypes: ['violations'],
+    rules: {'label-content-name-mismatch': {enabled: true}, 'empty-table-header': {enabled: false}}}"""
+#: So these are asked here: a head of a column and a fold say what they are of.
+NAMELESS = """[...document.querySelectorAll('summary, article th')].filter(e => !e.querySelector('math')
+    && !(e.getAttribute('aria-label') || e.innerText || '').trim()).map(e => e.outerHTML)"""
+
+
+@pytest.fixture
+def faults(browser):
+    """Opens a page and tells what is wrong with it: rule and element."""
+    axe = Axe(browser.driver)
+
+    def of(address, before=lambda: None):
+        browser.open(address)
+        before()
+        browser.run("document.querySelectorAll('article details').forEach(fold => fold.open = true)")
+        axe.inject()
+        violations = axe.run("document", OPTIONS)["violations"]
+        return [(rule["id"], node["html"][:150]) for rule in violations for node in rule["nodes"]] + [
+            ("nameless", element[:150]) for element in browser.run(NAMELESS)]
+
+    yield of
+    browser.resize(1280, 900)
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_a_page_of_each_kind(browser, addresses, faults, page):
+    browser.resize(1400, 900)
+    assert faults(f"{addresses['http']}/{page}") == []
+
+
+def test_a_problem_of_the_student_edition_on_a_phone(browser, addresses, faults):
+    browser.resize(390, 844, phone=True)
+    assert faults(f"{addresses['student']}/exercises/ch1/p15.html") == []
+
+
+#: The scripts of a page are set up in no fixed order; so ours comes after all that the theme draws.
+LATE = """const listen = window.addEventListener;
+    window.addEventListener = function (event, act, ...how) {
+        const late = this === window && event === 'DOMContentLoaded';
+        return late ? listen.call(this, 'load', () => setTimeout(() => { act(); window.wasLate = true; }, 500))
+                    : listen.call(this, event, act, ...how); }"""
+
+
+def test_icons_that_are_drawn_before_our_script_runs(browser, addresses, faults):
+    script = browser.driver.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", {"source": LATE})
+    try:
+        assert faults(f"{addresses['http']}/book/errata/index.html", lambda: browser.wait_for("window.wasLate")) == []
+        assert browser.run("window.wasLate && document.querySelectorAll('.theme-switch-button svg').length") == 3
+    finally:
+        browser.driver.execute_cdp_cmd("Page.removeScriptToEvaluateOnNewDocument", script)
+
+
+@pytest.mark.parametrize("page", ["book/ch1.html", "solutions/ch1/p15.html"])
+def test_at_night(browser, addresses, faults, page):
+    assert faults(f"{addresses['http']}/{page}", lambda: browser.driver.execute_script(
+        "document.documentElement.dataset.theme = 'dark'")) == []
+
+
+def test_the_open_search_with_its_results(browser, addresses, faults, found_by_search):
+    assert faults(f"{addresses['http']}/book/index.html", lambda: found_by_search("criterion")) == []

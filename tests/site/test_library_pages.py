@@ -1,0 +1,53 @@
+"""The pages of the library: each public name, and links both ways between it and the pages that use it."""
+
+import sys
+from pathlib import Path
+from urllib.parse import urldefrag
+
+import pytest
+from bs4 import BeautifulSoup
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "book" / "_ext"))
+from workbook import reference  # noqa: E402
+
+MODULES = sorted(path.stem for path in (ROOT / "book" / "library").glob("*.md"))
+
+
+def test_every_theme_that_can_be_imported_has_a_page():
+    import trajlib
+
+    assert set(MODULES) == {name for name in trajlib.__all__ if name not in ("checks", "masters")}
+
+
+@pytest.mark.parametrize("module", MODULES)
+def test_every_public_name_is_explained(editions, module):
+    text = (editions.full / "book" / "library" / f"{module}.html").read_text(encoding="utf-8")
+    page = BeautifulSoup(text, "html.parser")
+    for name in reference.public_names(f"trajlib.{module}"):
+        section = page.find(id=reference.label_of(f"trajlib.{module}", name))
+        assert section.pre.get_text().startswith(name), name
+        assert len(section.p.get_text()) > 20, name
+
+
+def test_links_lead_both_ways(pages):
+    """Function -> page and page -> function are the same pairs, and what the checks of a page are not among them."""
+    root, parsed = pages
+    forth, back = set(), set()
+    for module in MODULES:
+        place = root / "book" / "library" / f"{module}.html"
+        for section in parsed[place].select("section section"):
+            forth |= {(section["id"], (place.parent / link["href"]).resolve())
+                      for link in section.select("p.used-in a")}
+    for place in [*root.glob("*/ch*/p*.html"), *root.glob("book/**/ch*.html")]:
+        back |= {(urldefrag(link["href"]).fragment, place.resolve()) for link in parsed[place].select("p.used-in a")}
+    assert forth == back
+    assert ("library-stability-stability_conditions", (root / "book" / "ch1.html").resolve()) in forth
+    assert len({page for _, page in forth}) > (50 if (root / "solutions").exists() else 5)
+
+
+def test_the_first_page_leads_an_engineer_there(browser, addresses):
+    browser.open(f"{addresses['http']}/book/index.html")
+    cards = browser.run("[...document.querySelectorAll('.sd-card')].map(card => "
+                        "[card.querySelector('.sd-card-title').innerText, card.querySelector('a').href])")
+    assert dict(cards)["Engineers"].endswith("/book/library.html")

@@ -1,0 +1,62 @@
+"""What the data of checks are, by the names of their arguments: in one room the same name is always the same thing.
+
+`judged` adds this to the docstring of a check, so `help` and the page of checks tell it.
+"""
+
+import textwrap
+
+COMMON = {
+    "A": "n x n matrix", "B": "n x s matrix, a column for each control", "H": "m x n matrix, a row for each output",
+    "field": "list of n expressions, the right-hand sides", "state": "list of n symbols",
+    "parameters": "list of symbols", "parameter": "symbol",
+}
+SHAPES = {
+    "stability": COMMON | {
+        "angle": "symbol", "angular": "expression of the radius", "at": "list of n expressions",
+        "constants": "list of symbols", "controls": "list of s symbols", "deviations": "list of two symbols",
+        "domain": "dict from symbols to intervals", "equation": "expression that is to be zero",
+        "expression": "expression of the state", "function": "expression of the state",
+        "given": "condition, or list of them", "integer": "symbol", "margin": "number",
+        "motion": "function of time, x(t)",
+        "part": "list of those symbols of the state that are meant", "polar": "list of two symbols",
+        "program": "dict from symbols of the state to functions of time", "radial": "expression of the radius",
+        "radius": "symbol, or number", "rate": "expression", "start": "symbols of the initial state",
+        "system": "polynomial in one more symbol, or n x n matrix", "through": "list of points", "time": "symbol",
+        "variable": "symbol",
+    },
+    "estimation": COMMON | {
+        "angle": "symbol", "at": "number", "covariance": "symmetric n x n matrix of symbols",
+        "deviations": "list of positive numbers", "first": "expression of the vector",
+        "gain": "n x m matrix of symbols", "given": "condition, or list of them",
+        "law": "covariance matrix of the vector, or dict from its values to their probabilities",
+        "measured": "list of pairs", "moment": '"before" or "after"', "process": "Process",
+        "quantities": "list of expressions of the vector", "second": "expression of the vector",
+        "time": "symbol", "times": "list of numbers", "unknowns": "list of symbols", "vector": "list of symbols",
+    },
+    "structure": COMMON | {
+        "A_from": "n x n matrix", "A_to": "n x n matrix", "S": "k x k matrix of the error w' = S w",
+        "c": "m x k matrix of the error c w in the output", "control": "function of time, u(t)",
+        "coordinates": "dict from names to rows", "duration": "number", "known": "matrix of the other system",
+        "motion": "function of time, y(t), or dict from the state to functions of time", "output": "row of n entries",
+        "outputs": "list of symbols for z, z', ...", "quantities": "dict from names to expressions",
+        "start": "symbols of x(0), or the column that C is multiplied with in w(0)", "system": "Mechanical",
+        "time": "symbol",
+    },
+    "feedback": COMMON | {
+        "K": "s x n matrix", "L": "n x m matrix", "S": "k x k matrix of the error w' = S w",
+        "c": "m x k matrix of the error c w in the output", "controls": "list of s symbols",
+        "desired": "dict from symbols of the state to functions of time", "equation": "Scalar",
+        "estimates": "list of n symbols", "gain": "matrix of symbols, or one", "given": "condition, or list of them",
+        "margin": "number", "mu": "symbol", "outputs": "list of m symbols", "polynomial": "expression of the symbol",
+        "symbol": "symbol", "time": "symbol",
+    },
+}
+
+
+def with_shapes(docstring, module, names):
+    """The docstring of a check of some module with the shapes of its data."""
+    shapes = SHAPES.get(module.split(".")[-2:][0], COMMON)
+    told = "; ".join(f"`{name}`: {shapes[name]}" for name in names if name in shapes)
+    lines = textwrap.wrap(f"Data: {told}.", 115, initial_indent=" " * 4, subsequent_indent=" " * 4,
+                          break_on_hyphens=False)
+    return "\n".join([docstring.rstrip(), "", *lines, "    "]) if told and docstring else docstring

@@ -1,0 +1,1 @@
+"""Judges moments, least squares, random processes and their filters."""

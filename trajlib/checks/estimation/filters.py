@@ -1,0 +1,107 @@
+"""Optimal estimates and their errors: by measurements at single moments, and by filters that have settled.
+
+The truth is the conditional law of a Gaussian vector of all states and measurements together, or the stabilising
+solution of a Riccati equation at numbers, from an invariant subspace (`truths/processes.py`); no filter is run.
+"""
+
+import numpy as np
+import sympy as sp
+
+from trajlib.checks.contract.claims import Matrix
+from trajlib.checks.contract.verdict import judged
+from trajlib.checks.tools.comparisons import Entries
+from trajlib.checks.tools.samples import allowed_values
+from trajlib.checks.tools.wording import number_text, where_text
+from trajlib.checks.truths import processes
+
+COUNT = 6
+BEFORE, AFTER = "before", "after"
+
+
+@judged(Matrix("parameters", shape=lambda data: data["process"].mean.shape))
+def estimate(claim, process, measured, at, parameters=(), given=sp.true):
+    """The best estimate of the state at a time from `measured`, [(time, value or values), ...]; of a single coordinate
+    an expression."""
+    for one, values, known in _measured(process, measured, parameters, given):
+        true, _ = processes.given(one, known, at)
+        yield Entries(claim, true, lambda said, i, j: (
+            f"component {i + 1} of your estimate{where_text(values)}, {number_text(said[i, 0])}, is not the mean of "
+            "the state under the condition of what was measured"), values, abs(true).max() + _size(known))
+    return "it is the mean of the state under the condition of what was measured"
+
+
+@judged(Matrix("parameters", shape=lambda data: data["process"].A.shape))
+def estimate_covariance(claim, process, measured, at, parameters=(), given=sp.true):
+    """The covariance matrix of the errors of the best estimate at a time; of a single coordinate the variance."""
+    for one, values, known in _measured(process, measured, parameters, given):
+        true = processes.given(one, known, at)[1]
+        yield Entries(claim, true, _other("the errors of the best estimate", values), values,
+                      abs(processes.moments(one, at)[1]).max())
+    return "it is the covariance of the state under the condition of what was measured"
+
+
+@judged(Matrix("parameters", shape=lambda data: data["process"].A.shape))
+def steady_covariance(claim, process, parameters=(), given=sp.true, moment=BEFORE):
+    """The covariance matrix of the errors of the steady filter; in discrete time that `moment` of a measurement,
+    "before" or "after"."""
+    for values in allowed_values(parameters, given, COUNT):
+        one = processes.numbers(process, values, start=False)
+        true = processes.steady(one)[(BEFORE, AFTER).index(moment)]
+        yield Entries(claim, true, _other("the errors of the settled filter", values), values, abs(true).max())
+    return "the Riccati equation keeps this covariance, and with it the errors of the filter decay"
+
+
+@judged(Matrix("parameters", shape=lambda data: data["process"].H.T.shape))
+def steady_gain(claim, process, parameters=(), given=sp.true):
+    """The gain K of the steady filter, a column for each measurement: y' = A y + K (z - H y), in discrete time
+    y+ = y + K (z - H y)."""
+    for values in allowed_values(parameters, given, COUNT):
+        one = processes.numbers(process, values, start=False)
+        true = processes.gain_of(one, processes.steady(one)[0])
+        yield Entries(claim, true, lambda said, i, j: (
+            f"with your gain the errors settle to a larger covariance than they need{where_text(values)}: look at row "
+            f"{i + 1}, where it is {number_text(said[i, j])}"), values, abs(true).max())
+    return "no other gain makes the variances of the errors smaller"
+
+
+@judged(Matrix("gain", "parameters", shape=lambda data: data["process"].A.shape))
+def covariance_with_gain(claim, process, gain, parameters=(), given=sp.true):
+    """The covariance matrix that the errors of the filter y' = A y + K (z - H y) settle to with any `gain`, a matrix of
+    symbols, for which they decay."""
+    symbols = [*parameters, *sorted(gain.free_symbols - set(parameters), key=str)]
+    for values in allowed_values(symbols, given, COUNT):
+        one = processes.numbers(process, values, start=False)
+        true = processes.erring(one, processes.array(gain, values))
+        yield Entries(claim, true, _other("the errors with this gain", values), values, abs(true).max())
+    return "the dispersion equation of the errors keeps this covariance"
+
+
+@judged(Matrix("covariance", "parameters", shape=lambda data: data["covariance"].shape))
+def riccati_equation(claim, process, covariance, parameters=()):
+    """The right-hand side of the Riccati equation of the filter in continuous time, P' = ..., as a matrix in the
+    symbols of P, the `covariance`."""
+    symbols = [*parameters, *sorted(covariance.free_symbols, key=str)]
+    for values in allowed_values(symbols, sp.true, COUNT):
+        one, P = processes.numbers(process, values, start=False), processes.array(covariance, values)
+        terms = one.A @ P, P @ one.A.T, one.Q, -P @ one.H.T @ processes.gain_of(one, P).T
+        yield Entries(claim, sum(terms), lambda said, i, j: (
+            f"your rate of change of the entry ({i + 1}, {j + 1}) is {number_text(said[i, j])}{where_text(values)}; "
+            "the motion, the noise and the measurement together change it at another rate"), values,
+            sum(map(abs, terms)))
+    return "the motion, the noise and the measurement change the covariance like this"
+
+
+def _measured(process, measured, parameters, given):
+    for values in allowed_values(parameters, given, COUNT):
+        known = [(moment, [float(sp.sympify(z).subs(values)) for z in np.atleast_1d(np.array(value, dtype=object))])
+                 for moment, value in measured]
+        yield processes.numbers(process, values), values, known
+
+
+def _size(known):
+    return max((abs(z) for _, row in known for z in row), default=0)
+
+
+def _other(whose, values):
+    return lambda said, i, j: (f"the covariance of {whose} is another one{where_text(values)}: look at the entry "
+                               f"({i + 1}, {j + 1}), where yours is {number_text(said[i, j])}")

@@ -1,0 +1,66 @@
+"""Estimates by least squares: at the estimate the weighted sum of the squared residuals is the least.
+
+Measurements are [(quantity, measured value), ...], the quantities linear in the unknowns; `deviations` are the standard
+deviations of their errors, without which all are 1 and independent.
+"""
+
+import numpy as np
+import sympy as sp
+
+from trajlib.checks.contract.claims import Expression, Expressions, Matrix
+from trajlib.checks.contract.tolerance import same
+from trajlib.checks.contract.verdict import Wrong, judged
+from trajlib.checks.tools.comparisons import Entries, Same
+from trajlib.checks.tools.samples import general_values
+from trajlib.checks.tools.values import numbers_at
+from trajlib.checks.tools.wording import number_text, where_text
+
+
+@judged(Expressions("parameters", length=lambda data: len(data["unknowns"])))
+def least_squares(claims, measured, unknowns, deviations=None, parameters=()):
+    """The estimate of the unknowns, in their order."""
+    for values in general_values(parameters):
+        rows, wanted = _weighted(measured, unknowns, deviations, values)
+        true, said = np.linalg.lstsq(rows, wanted, rcond=None)[0], numbers_at(claims, values, unknowns)
+        if not same(said, true, claims, abs(true).max()).all():
+            residuals = wanted - rows @ said.real
+            slopes = rows.T @ residuals
+            k = int(np.argmax(abs(slopes)))
+            raise Wrong(f"the weighted sum of the squared residuals is {number_text(residuals @ residuals)} at your "
+                        f"estimate{where_text(values)}, and it falls when {unknowns[k]} alone is made "
+                        f"{'larger' if slopes[k] > 0 else 'smaller'}")
+    return "no other values have a smaller weighted sum of squared residuals"
+
+
+@judged(Expression("parameters"))
+def least_sum(claim, measured, unknowns, deviations=None, parameters=()):
+    """The least value of the weighted sum of the squared residuals."""
+    for values in general_values(parameters):
+        rows, wanted = _weighted(measured, unknowns, deviations, values)
+        residuals = wanted - rows @ np.linalg.lstsq(rows, wanted, rcond=None)[0]
+        yield Same(claim, residuals @ residuals, "the least sum", values, wanted @ wanted)
+    return "it is the sum at the estimate"
+
+
+@judged(Matrix("parameters", shape=lambda data: (len(data["unknowns"]),) * 2))
+def error_covariance(claim, measured, unknowns, deviations=None, parameters=()):
+    """The covariance matrix of the errors of the estimate."""
+    for values in general_values(parameters):
+        rows, _ = _weighted(measured, unknowns, deviations, values)
+        # Each estimate is a sum of measurements, whose weighted errors are independent with the variance 1.
+        shares = np.linalg.pinv(rows)
+        yield Entries(claim, shares @ shares.T, lambda said, i, j: (
+            f"the entry ({i + 1}, {j + 1}) of your matrix is {number_text(said[i, j])}{where_text(values)}; the errors "
+            "of the measurements, taken through the estimate, give another one"), values, abs(shares) @ abs(shares).T)
+    return "so the errors of the measurements pass into the estimate"
+
+
+def _weighted(measured, unknowns, deviations, values):
+    """Rows and measured values, divided by the standard deviations."""
+    quantities = sp.Matrix([quantity for quantity, _ in measured])
+    rest = quantities.subs(dict.fromkeys(unknowns, 0))
+    wanted = sp.Matrix([value for _, value in measured]) - rest
+    scale = sp.diag(*[1 / sp.sympify(s) for s in (deviations or [1] * len(measured))])
+    rows, wanted = (np.array((scale * part).subs(values).evalf(30), dtype=float)
+                    for part in (quantities.jacobian(unknowns), wanted))
+    return rows, wanted[:, 0]

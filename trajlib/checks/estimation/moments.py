@@ -1,0 +1,96 @@
+"""Means, covariances and correlations of quantities made of a random vector, from what is known of it.
+
+Known is either the covariance matrix of the vector, and the quantities are linear in it, or the probabilities of all
+its values, {value: probability}, and the quantities may be any functions of it.
+"""
+
+import numpy as np
+import sympy as sp
+
+from trajlib.checks.contract.claims import Expression, Expressions, Matrix, Values
+from trajlib.checks.contract.tolerance import EXACT, same
+from trajlib.checks.contract.verdict import judged
+from trajlib.checks.tools.comparisons import Entries, Members, Same
+from trajlib.checks.tools.samples import general_values
+from trajlib.checks.tools.values import value_at
+from trajlib.checks.tools.wording import number_text, where_text
+
+
+@judged(Expressions("parameters", length="quantities"))
+def expectations(claims, quantities, vector, law, parameters=()):
+    """The means of quantities under the law {value: probability}."""
+    for values in general_values(parameters):
+        for claim, quantity in zip(claims, quantities):
+            mean, size = _mean(quantity, vector, law, values)
+            yield Same(claim, mean, f"the mean of {quantity}", values, size)
+    return "each is the sum over all values, each with its probability"
+
+
+@judged(Expression("parameters"))
+def covariance(claim, first, second, vector, law, parameters=()):
+    """The covariance of two quantities."""
+    for values in general_values(parameters):
+        found, size = _covariances([first, second], vector, law, values)
+        yield Same(claim, found[0, 1], "the covariance", values, size[0, 1])
+    return "it is the mean of the product of the deviations from the means"
+
+
+@judged(Expression("parameters"))
+def correlation(claim, first, second, vector, law, parameters=()):
+    """The correlation coefficient of two quantities."""
+    for values in general_values(parameters):
+        found, _ = _covariances([first, second], vector, law, values)
+        yield Same(claim, found[0, 1] / np.sqrt(found[0, 0] * found[1, 1]), "the correlation coefficient", values)
+    return "it is the covariance as a share of what it could be at most"
+
+
+@judged(Matrix("parameters", shape=lambda data: (len(data["quantities"]),) * 2))
+def covariance_matrix(claim, quantities, vector, law, parameters=()):
+    """The covariance matrix of several quantities."""
+    for values in general_values(parameters):
+        found, size = _covariances(quantities, vector, law, values)
+        yield Entries(claim, found, lambda said, i, j: (
+            f"the entry ({i + 1}, {j + 1}) of your matrix is {number_text(said[i, j])}{where_text(values)}; the mean "
+            "of the product of these deviations is another number"), values, size)
+    return "each entry is the mean of a product of deviations"
+
+
+@judged(Values(expected="a list of angles"))
+def uncorrelated(claims, first, second, vector, law, angle):
+    """All angles from 0 to pi, without pi itself, at which two quantities, linear in the vector, are not correlated."""
+    rows = [sp.Matrix([quantity]).jacobian(vector) for quantity in (first, second)]
+    crossed = (rows[0] * sp.Matrix(law) * rows[1].T)[0]
+    said = [(claim, value_at(claim, {}, "an angle")) for claim in claims]
+    true = [float(zero) for zero in sp.solveset(crossed, angle, sp.Interval.Ropen(0, sp.pi))]
+
+    def stranger(one):
+        there = complex(crossed.subs(angle, one[1])).real
+        return (f"at {number_text(one[1])} the covariance is {number_text(there)}" if abs(there) > EXACT else
+                f"{number_text(one[1])} does not lie between 0 and pi")
+
+    yield Members(said, true, lambda one, other: same(one[1], other, one[0]), stranger,
+                  lambda count, others: "there is another angle at which the covariance vanishes")
+    exact = all(sp.simplify(crossed.subs(angle, claim)) == 0 for claim in claims)
+    return f"there the covariance vanishes, and nowhere else: {'proved' if exact else 'to the digits computed'}"
+
+
+def _mean(quantity, vector, law, values):
+    terms = [complex(sp.sympify(p * quantity.subs(dict(zip(vector, _entries(at))))).subs(values)).real
+             for at, p in law.items()]
+    return sum(terms), sum(map(abs, terms))
+
+
+def _covariances(quantities, vector, law, values):
+    """The covariance matrix, and the size of the terms of each entry."""
+    if not isinstance(law, dict):
+        rows = np.array(sp.Matrix(quantities).jacobian(vector).subs(values), dtype=float)
+        matrix = np.array(sp.Matrix(law).subs(values), dtype=float)
+        return rows @ matrix @ rows.T, abs(rows) @ abs(matrix) @ abs(rows).T
+    means = [_mean(sp.sympify(q), vector, law, values)[0] for q in quantities]
+    pairs = [[_mean((q - a) * (r - b), vector, law, values) for r, b in zip(quantities, means)]
+             for q, a in zip(quantities, means)]
+    return tuple(np.array([[pair[k] for pair in row] for row in pairs]) for k in (0, 1))
+
+
+def _entries(at):
+    return at if isinstance(at, tuple) else (at,)

@@ -1,0 +1,72 @@
+"""Moments of a linear process in the course of time: the mean, the covariance, and what they settle to.
+
+The truth comes at numbers from the exponential of a block matrix (`truths/processes.py`), for times and parameters of
+all sizes.
+"""
+
+import sympy as sp
+
+from trajlib.checks.contract.claims import Matrix
+from trajlib.checks.contract.verdict import judged
+from trajlib.checks.tools.comparisons import Entries
+from trajlib.checks.tools.samples import allowed_values
+from trajlib.checks.tools.wording import number_text, where_text
+from trajlib.checks.truths import processes
+
+#: The times that answers are tried at, with other values of the parameters each.
+TIMES = (0, sp.Rational(1, 2), 1, sp.Rational(7, 5), 2, 3)
+STEPS = (0, 1, 2, 3, 5, 6)
+
+
+@judged(Matrix("time", "parameters", shape=lambda data: data["process"].mean.shape))
+def mean_motion(claim, process, time, parameters=(), given=sp.true, times=None):
+    """The mean of the process at the time t, a column; of a single coordinate an expression.
+
+    `times` are those for which the answer is asked, if not for all.
+    """
+    for one, values in _in_time(process, time, parameters, given, times):
+        F, _ = processes.moved(one, values[time])
+        yield Entries(claim, F @ one.mean, _told("mean", values), values, abs(F) @ abs(one.mean))
+    return "it is the mean at all times and parameters tried"
+
+
+@judged(Matrix("time", "parameters", shape=lambda data: data["process"].A.shape))
+def covariance_motion(claim, process, time, parameters=(), given=sp.true, times=None):
+    """The covariance matrix of the process at the time t; of a single coordinate an expression.
+
+    `times` are those for which the answer is asked, if not for all.
+    """
+    for one, values in _in_time(process, time, parameters, given, times):
+        F, N = processes.moved(one, values[time])
+        size = abs(F) @ abs(one.covariance) @ abs(F).T + abs(N)
+        yield Entries(claim, F @ one.covariance @ F.T + N, _told("covariance", values), values, size.max())
+    return "it is the covariance at all times and parameters tried"
+
+
+@judged(Matrix("parameters", shape=lambda data: data["process"].A.shape))
+def settled_covariance(claim, process, parameters=(), given=sp.true):
+    """The covariance matrix that the process settles to, whatever it is at the start, where it does."""
+    for values in allowed_values(parameters, given, len(TIMES)):
+        one = processes.numbers(process, values, start=False)
+        true = processes.settled(one)
+        yield Entries(claim, true, lambda said, i, j: (
+            f"a process with your matrix as its covariance does not keep it{where_text(values)}: look at the entry "
+            f"({i + 1}, {j + 1}), which is {number_text(said[i, j])}, in the dispersion equation"), values,
+            abs(true).max())
+    return "the process keeps this covariance, and comes to it from any other"
+
+
+def _in_time(process, time, parameters, given, times):
+    times = times or (STEPS if process.discrete else TIMES)
+    for moment, values in zip(times, allowed_values(parameters, given, len(times)) * len(times)):
+        yield processes.numbers(process, values), values | {time: sp.sympify(moment)}
+
+
+def _told(what, values):
+    def told(said, i, j):
+        if list(values.values())[-1] == 0:
+            return f"at the start the {what} is given, and yours is not it: the entry ({i + 1}, {j + 1})"
+        return (f"the {what}{where_text(values)} is another one: look at the entry ({i + 1}, {j + 1}), where yours is "
+                f"{number_text(said[i, j])}")
+
+    return told

@@ -1,0 +1,114 @@
+"""One equation of any order with one control and one output, a record `trajlib.systems.Scalar`: its state forms y' =
+Ay + Bu, x = Cy, z = Hy, and feedback by the estimate of such a state, which is the student's own.
+
+By such a form x^(k) = C A^k y + sum over j < k of C A^(k-1-j) B u^(j), and y, u, u', ... may have any values at one
+moment. It is right if these satisfy the equation and give z, and if x, x', ..., x^(n-1) tell y: then the equation and
+the form have the same motions. A form with the right transfer function alone need not have all of them.
+"""
+
+import numpy as np
+import sympy as sp
+
+from trajlib.checks.contract.claims import Claim, Laid
+from trajlib.checks.contract.coercion import as_matrix
+from trajlib.checks.contract.tolerance import share
+from trajlib.checks.contract.verdict import Invalid, Wrong, judged
+from trajlib.checks.feedback.loops import Requirement
+from trajlib.checks.feedback.margins import compare_margins, up_to
+from trajlib.checks.tools.comparisons import Follows
+from trajlib.checks.tools.values import matrix_at
+from trajlib.checks.tools.wording import number_text
+from trajlib.checks.truths.fixed_modes import common_margin
+from trajlib.checks.truths.pairs import pair_of
+from trajlib.checks.truths.spectra import compare_region
+
+
+class StateForm(Claim):
+    """A list of matrices named A, B, C, ... of one state space: A is square, a name in ROWS a row, another a column."""
+
+    ROWS = "CHK"
+
+    def read(self, answer, data):
+        if not isinstance(answer, (list, tuple)) or len(answer) != len(self.names):
+            raise Invalid(f"expected a list of {len(self.names)} matrices, [{', '.join(self.names)}]")
+        A = as_matrix(answer[0])
+        if A.rows != A.cols:
+            raise Invalid(f"expected a square matrix A, got the shape {A.shape}")
+        return [A, *(Laid.coerce(part, (), (1, A.rows) if name in self.ROWS else (A.rows, 1))
+                     for name, part in zip(self.names[1:], answer[1:]))]
+
+
+@judged(StateForm("A", "B", "C", "H"))
+def state_form(claim, equation):
+    """A state form [A, B, C, H] of one equation, y' = Ay + Bu, x = Cy, z = Hy, of its order: in any coordinates, with
+    all motions x(t), z(t) of the equation and no others."""
+    yield from _comparisons(claim, equation)
+    return "its motions are those of the equation, all of them, and z is what is measured"
+
+
+@judged(StateForm("A", "B", "C", "H", "K", "L"))
+def equation_gains(claim, equation):
+    """A state form as in `state_form` with the gains of u = K e, e' = Ae + Bu + L(z - He): the list [A, B, C, H, K, L].
+    They stabilise, and where a mode that no gain changes bounds the margin, with the greatest one."""
+    *form, K, L = claim
+    A, B, _, H = form
+    yield from _comparisons(form, equation)
+    greatest = common_margin(equation)
+    if greatest is not None and greatest <= 0:
+        raise ValueError("no feedback stabilises this equation")
+    requirement = Requirement(margin=greatest or 0)
+    requirement.hold(lambda gain: A + B*gain, K, "the matrix A + BK of the loop")
+    told = requirement.hold(lambda gain: A - gain*H, L, "the matrix A - LH of the errors")
+    return f"{told}, and so do those of A + BK"
+
+
+@judged
+def equation_margins(answer, equation, mu):
+    """The condition on mu > 0 under which some feedback by an estimate of the state of one equation has the margin mu:
+    of the state of its full order, common factors of its two sides included."""
+    return compare_margins(answer, [mu], up_to(mu, common_margin(equation)), "feedback by an estimate")
+
+
+@judged
+def equation_region(answer, equation, gain, parameters):
+    """The condition on `parameters` under which u = `gain` z, a number times the output, stabilises one equation."""
+    loop = sp.expand(equation.left - gain*equation.right*equation.measured)
+    return compare_region(answer, loop, parameters, "stable")
+
+
+def _comparisons(form, equation):
+    n, tolerance = equation.order, share(*form)
+    parts = [matrix_at(part, {}) for part in form]
+    if any(part.imag.any() for part in parts):
+        raise Wrong("an entry of your form is not real")
+    A, B, C, H = (part.real for part in parts)
+    if len(A) != n:
+        raise Wrong(f"the equation is of order {n}: so many initial values, of x, x', ..., can be chosen; "
+                    f"your form has {len(A)}")
+    left, right, measured = (np.array([*map(float, row), *[0.0]*(n + 1 - len(row))]) for row in equation.coefficients)
+    on_state = [C]
+    while len(on_state) <= n:
+        on_state.append(on_state[-1] @ A)
+    on_state = np.vstack(on_state)
+    # Row k: how x^(k) depends on u, u', ...
+    on_control = np.array([[(on_state[k - 1 - j] @ B)[0] if j < k else 0.0 for j in range(n)]
+                           for k in range(n + 1)])
+    sizes = abs(left) @ abs(on_state), abs(left) @ abs(on_control), abs(measured) @ abs(on_state) + abs(H[0])
+    found = left @ on_state, left @ on_control, measured @ on_state
+    yield Follows(found[0], 0, max(sizes[0]), lambda place: (
+        f"the motion of your form without control from y{place[0] + 1} = 1, the others zero, does not satisfy the "
+        f"equation: its left-hand side begins with {number_text(found[0][place])}"), tolerance)
+    yield Follows(found[1], right[:-1], max(sizes[1]) + max(abs(right)), lambda place: (
+        f"from rest your form does not satisfy the equation: u{_primes(place[0])} enters its left-hand side with the "
+        f"coefficient {number_text(found[1][place])}, its right-hand side with {number_text(right[place])}"), tolerance)
+    if pair_of(form[0], form[2]).unseen[0]:
+        raise Wrong("your form satisfies the equation, but does not have all its motions: x = Cy stays zero from some "
+                    "states other than zero, so that fewer initial values of x, x', ... can be chosen than the "
+                    "equation allows")
+    yield Follows(H[0], found[2], max(sizes[2]), lambda place: (
+        f"z is not what is measured: at y{place[0] + 1} = 1, the others zero, your row H gives "
+        f"{number_text(H[0][place])}, and x and its derivatives {number_text(found[2][place])}"), tolerance)
+
+
+def _primes(order):
+    return "'"*order if order < 4 else f"^({order})"

@@ -1,0 +1,326 @@
+"""The best process of a problem with any cost, found by direct optimisation: no costate and no maximum principle.
+
+The states are polynomials on pieces of the duration that satisfy the equations at Radau's points. First the control is
+constant on many equal pieces. This is an admissible process, so that no error of the discretisation makes it look
+better than any process is, and it shows the arcs: where the control lies on a bound, vanishes with an absolute value in
+the cost, or is inside. Then these arcs get lengths of their own and polynomials as controls, within the bounds between
+the points too, and the cost is known to about nine digits. The problem is a `pontryagin.Problem`; only its statement is
+used.
+
+A problem that is not linear, or has a free duration, is searched from several controls, and the best process counts. An
+answer that does better than it shows that the search has failed, and is not judged.
+"""
+
+import functools
+import itertools
+
+import casadi as ca
+import numpy as np
+import sympy as sp
+
+from trajlib.checks.tools.samples import sample_cases
+from trajlib.checks.truths.optima.transfer_optima import rk4
+
+#: Pieces and degree of the first run, and of each arc in the second.
+COARSE, FINE = (48, 3), (4, 6)
+#: A free duration lies between these.
+SHORTEST, LONGEST = 1e-3, 40.0
+#: From how many controls a search begins.
+STARTS = 6
+#: A least cost that was found twice, up to this, is not searched for any longer.
+TWICE = 1e-6
+#: How close to a bound, as a part of the distance of both, a control lies on it.
+ON_BOUND = 2e-4
+#: IPOPT's first barriers: from the higher one it looks farther, from the lower one it converges more often.
+BARRIERS = (1e-4, 1e-1)
+SOLVER = {"ipopt.print_level": 0, "print_time": False, "ipopt.sb": "yes", "ipopt.tol": 1e-11, "ipopt.max_iter": 150,
+          "ipopt.bound_relax_factor": 0.0, "ipopt.acceptable_iter": 0, "ipopt.compl_inf_tol": 1e-11,
+          "ipopt.constr_viol_tol": 1e-11, "ipopt.dual_inf_tol": 1e-8, "show_eval_warnings": False,
+          "error_on_fail": False}
+
+
+def optima(problem, parameters=None):
+    """Pairs ({parameter: value}, `Optimum`) for sample values of the parameters, a dict from symbols to intervals."""
+    stated = (*(tuple(table.items()) for table in (problem.dynamics, problem.controls, problem.initial)),
+              tuple(problem.terminal), problem.running, problem.final, problem.duration, problem.maximise,
+              problem.first_return)
+    return _optima(stated, tuple((parameters or {}).items()))
+
+
+@functools.lru_cache(maxsize=64)
+def _optima(stated, parameters):
+    names = [symbol for symbol, _ in parameters]
+    search = _Search(stated, names)
+    return [(dict(zip(names, case)), search.best(case)) for case in sample_cases(dict(parameters))]
+
+
+class Optimum:
+    """An optimal process: `cost`, `duration`, `times` after the start with `states` (n rows) and `controls` there.
+
+    The last entry of `start` and of `field(y, u)` belongs to the integral of the running cost.
+    """
+
+    def __init__(self, search, case, cost, times, states, controls):
+        self.cost, self.duration, self.controls = cost, times[-1], controls
+        self.times, self.states, self.start = times[1:], states[:, 1:], np.append(states[:, 0], 0.0)
+        self.bounds = search.bounds(case)
+        self._search, self._case = search, case
+
+    def jacobians(self, y, u):
+        """The derivatives of `field` in the states: (n + 1) x n; those of the final cost; those of what vanishes."""
+        return [np.array(one, dtype=float) for one in self._search.jacobians(*y, u, *self._case)]
+
+    def field(self, y, u):
+        return np.array(self._search.rates(*y[:-1], u, *self._case), dtype=float)
+
+    def gap(self, y):
+        """What vanishes at the end."""
+        return np.array(self._search.gap(*y[:-1], *self._case), dtype=float)
+
+    def total(self, y):
+        """The cost of a process that ends in y."""
+        return float(y[-1] + self._search.final(*y[:-1], *self._case))
+
+    def size(self):
+        return float(max(1e-9, np.abs(self.states).max()))
+
+    def cost_size(self):
+        """The size of the terms of the cost, which may cancel."""
+        ends = [abs(self._search.final(*y, *self._case)) for y in (self.states[:, 0], self.states[:, -1])]
+        rates = [self.field(np.append(y, 0), u)[-1] for y, u in zip(self.states.T, self.controls)]
+        return float(max(abs(self.cost), *ends, np.abs(rates).mean() * self.duration))
+
+
+class _Search:
+    def __init__(self, stated, parameters):
+        dynamics, controls, initial, terminal, self._running, self._final, self._duration, maximise, returns = stated
+        self._state, self._field = zip(*dynamics)
+        ((self._control, self._bounds),) = controls
+        self._initial, self._terminal = [value for _, value in initial], terminal
+        self._sign, self._returns, self._parameters = (-1 if maximise else 1), returns, list(parameters)
+        ends = [*self._state, *parameters]
+        self.rates = sp.lambdify([*self._state, self._control, *parameters], [*self._field, self._running], "math")
+        self.gap = sp.lambdify(ends, list(terminal), "math")
+        self.final = sp.lambdify(ends, self._final, "math")
+        parts = [sp.Matrix(rows).jacobian(self._state).tolist() if rows else []
+                 for rows in ([*self._field, self._running], [self._final], list(terminal))]
+        self.jacobians = sp.lambdify([*self._state, self._control, *parameters], parts, "math")
+        self._programmes = {}
+        self._bounded = [b is not None and b.is_finite is not False for b in self._bounds]
+        #: Each |u| becomes an unknown that is not less than u and -u.
+        self._absolute = sorted(sp.Add(self._running, *self._field).atoms(sp.Abs), key=str)
+
+    def bounds(self, case):
+        low, high = (self._value(bound, case) for bound in self._bounds)
+        return (-np.inf if low is None else low), (np.inf if high is None else high)
+
+    def best(self, case):
+        """The best process for values of the parameters."""
+        free = self._duration is None or isinstance(self._duration, tuple)
+        pair = self._duration if isinstance(self._duration, tuple) else (self._duration, self._duration)
+        low, high = (self._value(d, case) for d in pair)
+        span = (SHORTEST if low is None else low, LONGEST if high is None else high)
+        straight = all(not sp.diff(f, v).free_symbols & {*self._state, self._control}
+                       for f in self._field for v in (*self._state, self._control))
+        found, random = [], np.random.default_rng(11)
+        for side in self._sides(case):
+            costs = []
+            for attempt in range(1 if straight and not free else STARTS):
+                one = self._run(case, span, side, *self._guess(case, span, random, attempt))
+                if one:
+                    found.append(one)
+                    costs = sorted([*costs, one[0]])
+                if len(costs) > 1 and costs[1] - costs[0] <= TWICE * (1 + abs(costs[0])):
+                    break
+        if not found:
+            raise RuntimeError("no process that satisfies the conditions was found")
+        cost, arcs, unknown, side = min(found, key=lambda one: one[0])
+        guess = self._arcs(case, arcs, unknown, free + self._initial.count(None))
+        fine = [one for barrier in BARRIERS if (one := self._run(case, span, side, *guess, barrier))]
+        if not fine:
+            raise RuntimeError("the arcs of the best process could not be made exact")
+        return self._optimum(case, *min(fine, key=lambda one: one[0])[:3])
+
+    def _value(self, expression, case):
+        return None if expression is None else float(sp.sympify(expression).subs(dict(zip(self._parameters, case))))
+
+    def _start(self, case, free):
+        return np.array([free if v is None else self._value(v, case) for v in self._initial])
+
+    def _sides(self, case):
+        """The sides of the target on which a process that returns to it may run: all that a control leads to."""
+        if not self._returns:
+            return [0]
+        low, high = self.bounds(case)
+        found = set()
+        for u in (low, (low + high) / 2, high):
+            y = rk4(lambda _, z: np.array(self.rates(*z, u, *case)[:-1]), 0, self._start(case, 0.1), 1e-2)
+            found.add(float(np.sign(self.gap(*y, *case)[0])))
+        return sorted(found - {0.0})
+
+    def _guess(self, case, span, random, attempt):
+        """Equal pieces under a control that is constant on six parts of the duration, followed in small steps."""
+        pieces, degree = COARSE
+        low, high = np.clip(self.bounds(case), -3, 3)
+        duration = span[0] if span[0] == span[1] else np.clip((3.0, 1.5, 6.0)[attempt % 3], *span)
+        controls = np.repeat(random.uniform(low, high, 6) if attempt else np.full(6, (low + high) / 2), pieces // 6)
+        y, t, states = self._start(case, 0.1), 0.0, []
+        for k, u in enumerate(controls):
+            for end in (k + _radau(degree)[0][1:]) * duration / pieces:
+                y = rk4(lambda _, z: np.array(self.rates(*z, u, *case)[:-1]), t, y, end - t)
+                t = end
+                states.append(y)
+        return [(None, pieces)], self._packed(self._start(case, 0.1), np.array(states).T, np.repeat(controls, degree),
+                                              [duration])
+
+    def _packed(self, start, states, controls, lengths):
+        bends = np.repeat(np.abs(controls), len(self._absolute))
+        return np.concatenate([start, states.ravel("F"), controls, bends, lengths])
+
+    def _unpacked(self, arcs, unknown):
+        """Times from 0 on, the states there, the controls without that at 0, and the lengths of the arcs."""
+        n, degree = len(self._state), _degree(arcs)
+        count = degree * sum(pieces for _, pieces in arcs)
+        lengths = unknown[-len(arcs):]
+        steps = np.concatenate([np.full(pieces, length / pieces) for length, (_, pieces) in zip(lengths, arcs)])
+        begins = np.append(0, np.cumsum(steps))[:-1]
+        times = np.append(0, (begins[:, None] + steps[:, None] * _radau(degree)[0][1:]).ravel())
+        states = unknown[:n * (count + 1)].reshape(count + 1, n).T
+        return times, states, unknown[n * (count + 1):n * (count + 1) + count], lengths
+
+    def _arcs(self, case, arcs, unknown, free):
+        """The arcs of a control that is constant on equal pieces, and the unknowns for them; `free`: how many numbers
+        beside the lengths of the arcs are free to meet the target."""
+        times, states, controls, (duration,) = self._unpacked(arcs, unknown)
+        pieces, degree = COARSE
+        values, (low, high) = controls[::degree], self.bounds(case)
+        near = ON_BOUND * (high - low if np.isfinite(high - low) else 1 + np.abs(values).max())
+        special = [low, high, *([0.0] if self._absolute else [])]
+        kinds = [next((v for v in special if abs(u - v) <= near), None) for u in values]
+        runs, k = [], 0
+        for kind, group in itertools.groupby(kinds):
+            count = len(list(group))
+            # A piece or two between other arcs hold a jump, and are no arc.
+            if kind is not None or count > 2:
+                runs.append((kind, k, k + count))
+            k += count
+        kept = []
+        for kind, begin, end in runs or [(None, 0, pieces)]:
+            if kept and kept[-1][0] == kind:
+                kept[-1][2] = end
+            else:
+                kept.append([kind, begin, end])
+        borders = [0, *((one[2] + other[1]) / 2 for one, other in itertools.pairwise(kept)), pieces]
+        # The lengths alone may be too few to meet the target.
+        found = [(kind if len(kept) - 1 + free >= len(self._terminal) else None, FINE[0]) for kind, _, _ in kept]
+        steps = np.repeat(np.diff(borders), FINE[0]) / FINE[0]
+        begins = np.append(0, np.cumsum(steps))[:-1]
+        moments = (begins[:, None] + steps[:, None] * _radau(FINE[1])[0][1:]).ravel() * duration / pieces
+        states = np.array([np.interp(moments, times, row) for row in states])
+        return found, self._packed(unknown[:len(self._state)], states,
+                                   np.interp(moments, (times[1:] + times[:-1]) / 2, controls),
+                                   np.diff(borders) * duration / pieces)
+
+    def _run(self, case, span, side, arcs, guess, barrier=BARRIERS[0]):
+        """(cost, arcs, unknowns, side) of IPOPT's optimum from a guess, or None."""
+        solver, equalities, inequalities = self._programme(arcs, barrier)
+        n, degree = len(self._state), _degree(arcs)
+        counts = [degree * pieces for _, pieces in arcs]
+        (low, high), free = self.bounds(case), np.full(n * sum(counts), np.inf)
+        lows, highs = (np.repeat([bound if kind is None else kind for kind, _ in arcs], counts)
+                       for bound in (low, high))
+        bends = [np.repeat(np.repeat([bound if kind is None else abs(kind) for kind, _ in arcs], counts),
+                           len(self._absolute)) for bound in (-np.inf, np.inf)]
+        lower = np.concatenate([self._start(case, -np.inf), -free, lows, bends[0], np.zeros(len(arcs))])
+        upper = np.concatenate([self._start(case, np.inf), free, highs, bends[1], np.full(len(arcs), span[1])])
+        found = solver(x0=np.clip(guess, lower, upper), lbx=lower, ubx=upper,
+                       p=[*case, side, *np.nan_to_num(self.bounds(case))],
+                       lbg=np.concatenate([np.zeros(equalities + inequalities), span[:1]]),
+                       ubg=np.concatenate([np.zeros(equalities), np.full(inequalities, np.inf), span[1:]]))
+        if solver.stats()["return_status"] != "Solve_Succeeded":
+            return None
+        return float(found["f"]), arcs, np.array(found["x"]).ravel(), side
+
+    def _optimum(self, case, cost, arcs, unknown):
+        times, states, controls, _ = self._unpacked(arcs, unknown)
+        return Optimum(self, case, self._sign * cost, times, states, controls)
+
+    def _programme(self, arcs, barrier):
+        """The nonlinear programme for arcs with so many pieces: IPOPT's function, the numbers of conditions."""
+        shape = tuple(pieces for _, pieces in arcs), tuple(kind is None for kind, _ in arcs), _degree(arcs), barrier
+        if shape not in self._programmes:
+            self._programmes[shape] = self._written(*shape)
+        return self._programmes[shape]
+
+    def _written(self, pieces, free, degree, barrier):
+        n, count = len(self._state), degree * sum(pieces)
+        _, derivative, between = _radau(degree)
+        y0, y, u = ca.SX.sym("y0", n), ca.SX.sym("y", n, count), ca.SX.sym("u", count)
+        bends, lengths = ca.SX.sym("a", len(self._absolute), count), ca.SX.sym("T", len(pieces))
+        p, side, low, high = ca.SX.sym("p", len(self._parameters)), *(ca.SX.sym(name) for name in ("s", "l", "h"))
+        rates, final, gap, insides = self._in_casadi
+        equal, positive, cost, begin = [], [], 0, y0
+        for k, arc in enumerate(np.repeat(np.arange(len(pieces)), pieces)):
+            h, first = lengths[int(arc)] / pieces[arc], k * degree
+            nodes = ca.horzcat(begin, y[:, first:first + degree])
+            for j in range(degree):
+                i = first + j
+                rate = rates(nodes[:, j + 1], u[i], bends[:, i], p)
+                equal.append(ca.mtimes(nodes, ca.DM(derivative[j])) - h * rate[:n])
+                inside = insides(nodes[:, j + 1], u[i], p)
+                positive += [bends[:, i] - inside, bends[:, i] + inside] * free[arc]
+                if degree == COARSE[1] and j:
+                    equal.append(u[i] - u[i - 1])
+                if self._returns and i < count - 1:
+                    positive.append(side * gap(nodes[:, j + 1], p))
+            for weight, shares, mix in between:
+                held = ca.dot(u[first:first + degree], ca.DM(mix))
+                rate = rates(ca.mtimes(nodes, ca.DM(shares)), held, ca.mtimes(bends[:, first:first + degree],
+                                                                             ca.DM(mix)), p)
+                cost += h * weight * rate[n]
+                if free[arc] and degree == FINE[1]:
+                    positive += [held - low] * self._bounded[0] + [high - held] * self._bounded[1]
+            begin = nodes[:, degree]
+        equal, positive = ca.vertcat(*equal, gap(begin, p)), ca.vertcat(ca.SX(0, 1), *positive)
+        solver = ca.nlpsol("direct", "ipopt", {
+            "x": ca.vertcat(y0, ca.vec(y), u, ca.vec(bends), lengths), "p": ca.vertcat(p, side, low, high),
+            "f": self._sign * (cost + final(begin, p)), "g": ca.vertcat(equal, positive, ca.sum1(lengths))},
+                           SOLVER | {"ipopt.mu_init": barrier})
+        return solver, equal.numel(), positive.numel()
+
+    @functools.cached_property
+    def _in_casadi(self):
+        y, p = ca.SX.sym("y", len(self._state)), ca.SX.sym("p", len(self._parameters))
+        u, a = ca.SX.sym("u"), ca.SX.sym("a", len(self._absolute))
+        names = {e: sp.Dummy() for e in self._absolute}
+        symbols = [*self._state, self._control, *self._parameters, *names.values()]
+
+        def function(name, arguments, expressions):
+            values = sp.lambdify(symbols, [sp.sympify(e).xreplace(names) for e in expressions], ca)
+            found = values(*ca.vertsplit(y), u, *ca.vertsplit(p), *ca.vertsplit(a))
+            return ca.Function(name, arguments, [ca.vertcat(ca.SX(0, 1), *found)])
+
+        return (function("rates", [y, u, a, p], [*self._field, self._running]),
+                function("final", [y, p], [self._final]), function("gap", [y, p], self._terminal),
+                function("insides", [y, u, p], [e.args[0] for e in self._absolute]))
+
+
+def _degree(arcs):
+    return COARSE[1] if len(arcs) == 1 and arcs[0][1] == COARSE[0] else FINE[1]
+
+
+@functools.lru_cache
+def _radau(degree):
+    """Radau's points with 0 before them; the derivatives there of the polynomials that are 1 at one of them; and for
+    Gauss's sum with twice as many points triples (weight, these polynomials, those without the point 0)."""
+    points = np.append(0, ca.collocation_points(degree, "radau"))
+
+    def basis(among):
+        return [np.poly1d(np.delete(among, j), True) / np.prod(among[j] - np.delete(among, j))
+                for j in range(len(among))]
+
+    derivative = np.array([np.polyval(np.polyder(one), points[1:]) for one in basis(points)]).T
+    places, weights = np.polynomial.legendre.leggauss(2 * degree)
+    between = [(weight / 2, *([float(one(place)) for one in basis(among)] for among in (points, points[1:])))
+               for place, weight in zip((places + 1) / 2, weights)]
+    return points, derivative, between

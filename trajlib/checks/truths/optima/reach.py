@@ -1,0 +1,101 @@
+"""Where a control can bring the state, as conditions on the symbols: what closed forms say of linear systems.
+
+The controls of x' = Ax + bu lie between two bounds. With zero between them, and (A, b) controllable, the starts that
+can be brought to the origin are all those whose parts along the growing modes are small enough (Brammer 1972; Sontag
+1984): for a left eigenvector w of an eigenvalue lambda > 0 they are the w.x0 between -max w.bu/lambda and
+-min w.bu/lambda, ends left out, since w.x0 = -int e^{-lambda s} w.bu ds.
+"""
+
+import sympy as sp
+
+
+def on_a_line(dynamics, control, bounds, start, end):
+    """Where x' = f(x, u), linear in both, comes from `start` to `end`, or None for what is not linear.
+
+    It does if the rate towards the end is positive at both, and so between them.
+    """
+    (x, rate), = dynamics.items()
+    if not linear([rate], [x, control]):
+        return None
+    most, least = _extremes(rate, control, bounds)
+
+    def moves(way, rate):
+        return sp.And(way * (end - start) > 0, *(way * rate.subs(x, place) > 0 for place in (start, end)))
+
+    return sp.Or(moves(1, most), moves(-1, least))
+
+
+def in_time(dynamics, control, bounds, start, end, duration):
+    """Where x' = f(u) comes from `start` to `end` within the duration, or None where the rate depends on the state."""
+    (x, rate), = dynamics.items()
+    if rate.has(x) or not linear([rate], [control]):
+        return None
+    most, least = _extremes(rate, control, bounds)
+    return sp.Or(sp.Eq(start, end), sp.And(end > start, duration * most >= end - start),
+                 sp.And(end < start, duration * least <= end - start))
+
+
+def to_origin(A, b, bounds, start):
+    """Where the plane system x' = Ax + bu can be brought to the origin, or None if no closed form is known here."""
+    low, high = bounds
+    chain = sp.Matrix.hstack(b, A * b)
+    if chain.det() == 0 or not (low.is_number and high.is_number):
+        return None
+    if not any(A**2):
+        row = sp.Matrix([[0, 1]]) * chain.inv()  # z1 = row.x has z1' = z2, z2' = u
+        return _braked(*(row * sp.Matrix(start)), *(row * A * sp.Matrix(start)), low, high)
+    modes = [(value, left) for value, _, vectors in A.T.eigenvects() for left in vectors if sp.re(value) > 0]
+    if not (low < 0 < high) or len(modes) > 1 or any(not value.is_real for value, _ in modes):
+        return None
+    inside = []
+    for value, left in modes:
+        ends, along = sorted((left.T * b)[0] * end / value for end in bounds), (left.T * sp.Matrix(start))[0]
+        inside += [ends[0] < -along, -along < ends[1]]
+    return sp.And(*inside)
+
+
+def _braked(z, speed, low, high):
+    """Where z'' = u can be brought to rest at zero: with pushes to one side alone only what comes from that side, from
+    between the distances of braking with the one bound and with the other."""
+    if low < 0 < high:
+        return sp.true
+    if high <= 0:
+        z, speed, low, high = -z, -speed, -high, -low
+    return sp.And(speed < 0, 2 * high * z >= speed**2, *([2 * low * z <= speed**2] if low else []))
+
+
+def arrivals(field, state, control, bounds, target, ends):
+    """The least rate of the target's expression at the points `ends`: a motion arrives from where it is positive if the
+    rate is negative, and none does where it is positive."""
+    at = dict(zip(state, ends))
+    rates = [sum(sp.diff(target, x) * f.subs(control, u) for x, f in zip(state, field)).subs(at, simultaneous=True)
+             for u in bounds]
+    middle, half = (rates[0] + rates[1]) / 2, (rates[1] - rates[0]) / 2
+    return sp.expand(middle) - sp.Abs(sp.factor(half))
+
+
+def beyond_line(A, b, bounds, state, line, time):
+    """How far beyond the line c.x + d = 0, to either side, the farthest states reached at a time lie: two polynomials
+    in state and time. None where they are none, or the control that goes farthest switches.
+
+    The costate at the end of an extremal is normal to the line, so it ends where one of these crosses zero upwards.
+    """
+    normal = sp.Matrix([line]).jacobian(state)
+    effect = sp.expand((normal * (sp.eye(2) + A * time) * b)[0])
+    signs = {sp.sign(c) for c in effect.as_coefficients_dict().values()} - {0}
+    if any(A**2) or len(signs) != 1 or not all(bound.is_number for bound in bounds):
+        return None
+    free = sp.expand(line + (normal * A * sp.Matrix(state))[0] * time)
+    pushed = sorted((bound * sp.integrate(effect, (time, 0, time)) for bound in bounds),
+                    key=lambda push: push.subs(time, 1))
+    return sp.expand(free + pushed[1]), sp.expand(-free - pushed[0])
+
+
+def linear(expressions, symbols):
+    return all(sp.expand(e).is_polynomial(*symbols) and sp.Poly(e, *symbols).total_degree() <= 1 for e in expressions)
+
+
+def _extremes(rate, control, bounds):
+    """The greatest and the least value of what is linear in the control."""
+    values = [rate.subs(control, u) for u in bounds]
+    return sp.Max(*values), sp.Min(*values)

@@ -1,0 +1,117 @@
+"""Linear random processes at numbers: what their moments become with time, and what measurements leave of them.
+
+Moments at any set of times come at once, from a matrix exponential (Van Loan 1978), and measurements are taken all
+together, by the conditional moments of a Gaussian vector: no dispersion equation is integrated and no filter is run.
+Steady filters come from the invariant subspaces of their Hamiltonian or symplectic pencils (SciPy).
+"""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+import sympy as sp
+
+
+@dataclass(frozen=True)
+class Numbers:
+    """A `Process` at values of its symbols: arrays of floats."""
+
+    A: np.ndarray
+    Q: np.ndarray
+    H: np.ndarray
+    R: np.ndarray
+    mean: np.ndarray
+    covariance: np.ndarray
+    discrete: bool
+
+
+def numbers(process, values, start=True):
+    """The process at values of its symbols, as arrays; without its `start` with zeros as its first moments."""
+    start = (process.mean, process.covariance) if start else (process.mean * 0, process.covariance * 0)
+    return Numbers(*(array(matrix, values) for matrix in (process.A, process.Q, process.H, process.R, *start)),
+                   process.discrete)
+
+
+def array(matrix, values):
+    return np.array(sp.Matrix(matrix).subs(values).evalf(30).tolist(), dtype=float).reshape(matrix.shape)
+
+
+def moved(one, duration):
+    """(F, N) with x(t + duration) = F x(t) + a vector of the covariance N that is independent of x(t)."""
+    from scipy.linalg import expm
+
+    n = len(one.A)
+    if one.discrete:
+        powers = [np.linalg.matrix_power(one.A, k) for k in range(round(duration) + 1)]
+        return powers[-1], sum((F @ one.Q @ F.T for F in powers[:-1]), np.zeros((n, n)))
+    block = expm(float(duration) * np.block([[-one.A, one.Q], [np.zeros((n, n)), one.A.T]]))
+    return block[n:, n:].T, block[n:, n:].T @ block[:n, n:]
+
+
+def moments(one, time):
+    """Mean (n x 1) and covariance of x at a time."""
+    F, N = moved(one, time)
+    return F @ one.mean, F @ one.covariance @ F.T + N
+
+
+def jointly(one, times):
+    """Mean and covariance of the states at several times under each other."""
+    n, found = len(one.A), [moments(one, time) for time in times]
+    covariance = np.zeros((n * len(times), n * len(times)))
+    for i, early in enumerate(times):
+        for k, late in enumerate(times):
+            if early <= late:
+                block = moved(one, late - early)[0] @ found[i][1]
+                covariance[k*n:(k + 1)*n, i*n:(i + 1)*n] = block
+                covariance[i*n:(i + 1)*n, k*n:(k + 1)*n] = block.T
+    return np.vstack([mean for mean, _ in found]), covariance
+
+
+def given(one, measured, at):
+    """Mean and covariance of x(at) given [(time, z), ...], z a list of numbers each."""
+    n, m = len(one.A), len(one.H)
+    mean, covariance = jointly(one, [*(time for time, _ in measured), at])
+    rows = np.kron(np.eye(len(measured)), one.H)
+    rows = np.hstack([rows, np.zeros((m * len(measured), n))])
+    noise = np.kron(np.eye(len(measured)), one.R)
+    crossed = covariance[-n:] @ rows.T
+    weights = np.linalg.solve(rows @ covariance @ rows.T + noise, crossed.T).T
+    innovation = np.reshape([z for _, z in measured], (-1, 1)) - rows @ mean
+    return mean[-n:] + weights @ innovation, covariance[-n:, -n:] - weights @ crossed.T
+
+
+def settled(one):
+    """The covariance that x tends to, whatever it is at the start."""
+    from scipy.linalg import solve_continuous_lyapunov, solve_discrete_lyapunov
+
+    return solve_discrete_lyapunov(one.A, one.Q) if one.discrete else solve_continuous_lyapunov(one.A, -one.Q)
+
+
+def steady(one):
+    """The covariance of the errors of the steady filter, in discrete time before a measurement and after it.
+
+    Raises `numpy.linalg.LinAlgError` where no filter settles to one whose errors decay.
+    """
+    from scipy.linalg import solve_continuous_are, solve_discrete_are
+
+    solve = solve_discrete_are if one.discrete else solve_continuous_are
+    found = solve(one.A.T, one.H.T, one.Q, one.R)
+    for _ in range(2):  # Kleinman's iteration takes off the rounding of a pencil
+        gain = gain_of(one, found)
+        found = erring(one, (one.A @ gain if one.discrete else gain))
+    return (found, found - gain_of(one, found) @ one.H @ found) if one.discrete else (found, found)
+
+
+def gain_of(one, covariance):
+    """The gain K of the best correction K (z - Hx) at this covariance of the errors, before a measurement."""
+    spread = one.H @ covariance @ one.H.T + one.R if one.discrete else one.R
+    return np.linalg.solve(spread.T, one.H @ covariance.T).T
+
+
+def erring(one, gain):
+    """The covariance that the errors x - y of y' = A y + L (z - H y) settle to, in discrete time those of predictions.
+    """
+    loop = one.A - gain @ one.H
+    largest = np.linalg.eigvals(loop)
+    if (abs(largest).max() if one.discrete else 1 + largest.real.max()) >= 1 - 1e-12:
+        raise np.linalg.LinAlgError("the errors do not decay")
+    return settled(replace(one, A=loop, Q=one.Q + gain @ one.R @ gain.T))

@@ -1,0 +1,162 @@
+"""The Kalman filter for continuous measurements, Theorem 4.3: its covariance P(t), exactly and without integration.
+
+    x~' = A x~ + K (z - H x~),    K = P H^T R^-1,    P' = A P + P A^T + Q - P S P,    S = H^T R^-1 H
+
+is made linear by P = Y X^-1 with X' = -A^T X + S Y, Y' = Q X + A Y, X(0) = E, Y(0) = P(0). In floats the transition of
+a short step is written as P -> Q~ + F P (E + G P)^-1 F^T and doubled: all three matrices stay bounded, where X and Y
+grow without limit and lose P in rounding.
+"""
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+import sympy as sp
+
+from ..stability.systems import as_real, exact_decimals
+from .linear import solve, symmetric
+from .modes import Modes, continuous_basis, exact_spectrum
+from .reading import in_floats, read_covariance, read_matrix, read_square, read_vector
+from .stationary_filters import stationary_filter
+
+
+@dataclass(frozen=True)
+class ContinuousFilter:
+    """The filter of x' = Ax + q, z = Hx + r with white noises (Kalman and Bucy).
+
+    `A`: n x n; `H`: m x n; `Q`: n x n, the intensity of q, positive semidefinite; `R`: m x m, that of r, positive
+    definite. Exact, also with symbols, or floats. Raises ValueError for shapes that do not fit and covariances that are
+    none. Source: Theorem 4.3, example 4, problems 4.33 - 4.42.
+
+    >>> import sympy as sp
+    >>> t, p = sp.symbols("t p", positive=True)
+    >>> filter = ContinuousFilter(0, 1, 0, 1)    # a constant
+    >>> filter.covariance(p, t)[0], filter.rate(p)[0]
+    (p/(p*t + 1), -p**2)
+    """
+
+    A: object
+    H: object
+    Q: object
+    R: object
+
+    def __post_init__(self):
+        floats = in_floats(self.A, self.H, self.Q, self.R)
+        A = read_square(self.A, "A", floats)
+        H = read_matrix(self.H, "H", None, A.shape[0], floats)
+        Q = read_covariance(self.Q, "Q", A.shape[0], floats)
+        R = read_covariance(self.R, "R", H.shape[0], floats, definite=True)
+        for name, matrix in zip("AHQR", (A, H, Q, R)):
+            object.__setattr__(self, name, matrix)
+
+    def gain(self, P):
+        """K = P H^T R^-1, n x m, for the covariance P, n x n."""
+        return solve(self.R, self.H @ self._read(P)).T
+
+    def rate(self, P):
+        """The right side of the Riccati equation, n x n, for a covariance or a symmetric matrix of symbols."""
+        P = self._read(P)
+        S = self.H.T @ solve(self.R, self.H)
+        return symmetric(self.A @ P + P @ self.A.T + self.Q - P @ S @ P)
+
+    def covariance(self, P, t):
+        """P(t) from P(0) = `P`, n x n; `t`: a number >= 0 or, for exact matrices, a symbol.
+
+        Raises ValueError for a P that is no covariance and a time that is negative, NotImplementedError where the
+        eigenvalues of the Hamiltonian matrix need more than square roots.
+        """
+        P = self._read(P)
+        t = exact_decimals(sp.sympify(t))
+        floats = isinstance(P, np.ndarray)
+        if t.is_negative or t.is_real is False or floats and not t.is_number:
+            raise ValueError(f"t: expected a time that is not negative{' or a symbol'*(not floats)}, got {t}")
+        S = self.H.T @ solve(self.R, self.H)
+        return _moved(P, *_flow(self.A, S, self.Q, float(t))) if floats else _closed_form(self.A, S, self.Q, P, t)
+
+    def run(self, averages, times, start):
+        """Estimates from a record of z, given by its averages over the steps between the times.
+
+        `averages`: N x m (N for one output), the integral of z over each step divided by its length; `times`: N + 1
+        rising numbers; `start`: `Moments` of x at the first. For arrays only. The covariances are exact; within a step
+        the gain is that of its middle, so that the estimates err by the square of the step. Returns `ContinuousRun`.
+        Raises ValueError for averages that are not finite and shapes that do not fit.
+        """
+        if not isinstance(self.A, np.ndarray):
+            raise ValueError("A: expected arrays; a record is filtered in floats")
+        n, m = len(self.A), len(self.H)
+        times = read_vector(np.asarray(times, dtype=float), "times", None, True)
+        steps = np.diff(times)
+        z = np.asarray(averages, dtype=float)
+        z = z[:, None] if z.ndim == 1 and m == 1 else z
+        if z.shape != (len(steps), m) or not np.isfinite(z).all():
+            raise ValueError(f"averages: expected finite numbers, a row for each step, of the shape "
+                             f"{(len(steps), m)}, got the shape {z.shape}")
+        if not (steps > 0).all():
+            raise ValueError("times: expected rising numbers")
+        return _recorded(self, z, times, read_vector(start.mean, "mean", n, True), self._read(start.covariance))
+
+    def stationary(self):
+        """The filter after a long time, as `stationary_filter` gives it."""
+        return stationary_filter(self.A, self.H, self.Q, self.R)
+
+    def _read(self, P):
+        return read_covariance(P, "P", self.A.shape[0], isinstance(self.A, np.ndarray))
+
+
+def _closed_form(A, S, Q, P, t):
+    n = A.rows
+    M = sp.Matrix(sp.BlockMatrix([[-A.T, S], [Q, A]]))
+    there, back = as_real(M, P)
+    M, P = M.xreplace(there), P.xreplace(there)
+    modes = Modes(lambda v: M*v, exact_spectrum(M), sp.eye(n).col_join(P))
+    both = modes.at(*continuous_basis(t))
+    X, Y = both[:n, :], both[n:, :]
+    covariance = (Y*X.adjugate()/X.det()).applyfunc(lambda e: sp.factor(sp.together(e)) if n == 1 else sp.together(e))
+    return covariance.xreplace(back)
+
+
+class ContinuousRun(NamedTuple):
+    """What a continuous filter made of a record: `times`: N + 1; `estimates`: (N + 1) x n; `covariances`: of their
+    errors, (N + 1) x n x n."""
+
+    times: np.ndarray
+    estimates: np.ndarray
+    covariances: np.ndarray
+
+
+def _recorded(filter, z, times, x, P):
+    from scipy.linalg import expm
+
+    S, n = filter.H.T @ solve(filter.R, filter.H), len(x)
+    steps = np.diff(times)
+    halves = {step: _flow(filter.A, S, filter.Q, step/2) for step in np.unique(steps)}
+    estimates, covariances = [x], [P]
+    for step, value in zip(steps, z):
+        middle = _moved(P, *halves[step])
+        gain = filter.gain(middle)
+        # x~' = (A - KH) x~ + K z with a constant z, as one exponential
+        both = expm(np.block([[filter.A - gain @ filter.H, (gain @ value)[:, None]], [np.zeros((1, n + 1))]])*step)
+        x, P = both[:n, :n] @ x + both[:n, n], _moved(middle, *halves[step])
+        estimates.append(x)
+        covariances.append(P)
+    return ContinuousRun(times, np.array(estimates), np.array(covariances))
+
+
+def _flow(A, S, Q, t):
+    """(F, G, Q~) of P(t) = Q~ + F P (E + G P)^-1 F^T."""
+    import scipy.linalg
+
+    n, one = len(A), np.eye(len(A))
+    M = np.block([[-A.T, S], [Q, A]])
+    doublings = max(0, int(np.ceil(np.log2(max(np.abs(M).sum(axis=1).max()*t, 1)))))
+    flow = scipy.linalg.expm(M*t/2**doublings)
+    inverse = np.linalg.inv(flow[:n, :n])
+    F, G, noise = inverse.T, symmetric(inverse @ flow[:n, n:]), symmetric(flow[n:, :n] @ inverse)
+    for _ in range(doublings):
+        left = F @ np.linalg.inv(one + noise @ G)
+        F, G, noise = (left @ F, symmetric(G + F.T @ np.linalg.solve(one + G @ noise, G @ F)),
+                       symmetric(noise + left @ noise @ F.T))
+    return F, G, noise
+
+
+def _moved(P, F, G, noise):
+    return symmetric(noise + F @ P @ np.linalg.solve(np.eye(len(P)) + G @ P, F.T))

@@ -1,0 +1,105 @@
+"""Optimal interpolation, smoothing and prediction of a stationary process from its correlation function alone.
+
+The linear estimate of x(t) from z_i = x(t_i) + r_i of least variance has the weights w with (K + R) w = k(t), where
+K_ij = k(t_i - t_j) and k(t)_i = k(t - t_i); its error has the variance k(0) - k(t)^T w. Between the moments this
+interpolates (with R: smooths), after them it predicts.
+"""
+from dataclasses import dataclass
+
+import numpy as np
+import sympy as sp
+
+from ..stability.systems import exact_decimals, read_expression, read_symbols
+from .linear import latex, solve
+from .reading import in_floats, read_covariance, read_vector
+
+
+@dataclass(frozen=True)
+class OptimalWeights:
+    """The estimate of x(t) is the sum of weights[i] z_i, for a process of mean zero.
+
+    `weights`: N of them (a column; for floats with T times T x N); `variance`: of the error (T). With a symbol for t
+    both are Piecewise, a formula between each two moments.
+    """
+
+    weights: object
+    variance: object
+
+    def estimate(self, z, mean=0):
+        """x~(t) from the N measurements, for a process with a known constant mean."""
+        if isinstance(self.weights, np.ndarray):
+            return mean + self.weights @ (read_vector(np.asarray(z, float), "z", self.weights.shape[-1], True) - mean)
+        z = read_vector(z, "z", len(self.weights), False)
+        return mean + sum(w*(value - mean) for w, value in zip(self.weights, z))
+
+    def _repr_latex_(self):
+        return rf"$\displaystyle w = {latex(self.weights)},\quad \sigma^2 = {latex(self.variance)}$"
+
+
+def optimal_weights(correlation, tau, times, t, noise=0):
+    """Weights of the best linear estimate of x(t) from measurements at `times` (simple kriging, Wiener).
+
+    `correlation`: an expression in the symbol `tau` for tau >= 0, even in it; `times`: N numbers, distinct unless there
+    is noise; `t`: a number, a symbol (exact times only), or an array of T times for floats; `noise`: variance of the
+    errors of measurement, or their covariance, N x N. Returns `OptimalWeights`. Raises ValueError where the
+    correlation matrix of the moments is not positive definite: a moment given twice, or a function that is no
+    correlation. Source: problem 4.31.
+
+    >>> import sympy as sp
+    >>> tau, t = sp.symbols("tau t", real=True)
+    >>> found = optimal_weights(sp.exp(-tau), tau, [1, 2, 3], t)    # problem 4.31
+    >>> [w.subs(t, 4) for w in found.weights], sp.simplify(found.variance.subs(t, 4))
+    ([0, 0, exp(-1)], 1 - exp(-2))
+    """
+    (tau,) = read_symbols(tau, "tau")
+    correlation = exact_decimals(read_expression(correlation, "correlation"))
+    if in_floats(times, noise, t):
+        return _floats(correlation, tau, times, t, noise)
+    times = read_vector(times, "times", None, False)
+    if times.free_symbols:
+        raise ValueError("times: expected numbers")
+    t = exact_decimals(read_expression(t, "t"))
+    K = sp.Matrix(len(times), len(times), lambda i, j: correlation.subs(tau, abs(times[i] - times[j])))
+    K = read_covariance(K + _noise(noise, len(times), False), "correlation", len(times), False, definite=True)
+    edges = sorted(times, key=float)
+    if t.is_number:
+        return _between(correlation, tau, times, K, t, t)
+    pieces = []
+    for low, high in zip([None, *edges], [*edges, None]):
+        middle = high - 1 if low is None else low + 1 if high is None else (low + high)/2
+        pieces.append((_between(correlation, tau, times, K, t, middle), sp.true if high is None else t <= high))
+    weights = sp.Matrix([sp.Piecewise(*((piece.weights[i], where) for piece, where in pieces))
+                         for i in range(len(times))])
+    return OptimalWeights(weights, sp.Piecewise(*((piece.variance, where) for piece, where in pieces)))
+
+
+def _between(correlation, tau, times, K, t, place):
+    """The formulas for a t on the same side of all moments as `place`."""
+    k = sp.Matrix([correlation.subs(tau, t - s if place >= s else s - t) for s in times])
+    weights = solve(K, k.applyfunc(lambda e: sp.expand(e, power_exp=True))).applyfunc(_short)
+    return OptimalWeights(weights, _short(correlation.subs(tau, 0) - k.dot(weights)))
+
+
+def _short(entry):
+    return sp.powsimp(sp.factor(sp.cancel(sp.expand(entry, power_exp=True))))
+
+
+def _noise(noise, count, floats):
+    if np.ndim(noise) == 0 and not isinstance(noise, sp.MatrixBase):
+        noise = np.eye(count)*float(noise) if floats else sp.eye(count)*noise
+    return read_covariance(noise, "noise", count, floats)
+
+
+def _floats(correlation, tau, times, t, noise):
+    times = read_vector(np.asarray(times, dtype=float), "times", None, True)
+    t = np.asarray(t, dtype=float)
+    function = sp.lambdify(tau, correlation, "numpy")
+
+    def at(gaps):
+        return np.broadcast_to(function(np.abs(gaps)), gaps.shape).astype(float)
+
+    K = read_covariance(at(times[:, None] - times) + _noise(noise, len(times), True), "correlation", len(times), True,
+                        definite=True)
+    k = at(t[..., None] - times)
+    weights = np.linalg.solve(K, k.reshape(-1, len(times)).T).T.reshape(k.shape)
+    return OptimalWeights(weights, float(function(0.0)) - (k*weights).sum(axis=-1))

@@ -1,0 +1,22 @@
+"""Observers and regulators of linear systems: chapter 3 of the problem book as functions.
+
+The system is x' = Ax + Bu, z = Hx, the feedback u = Kx (plus sign), the observer e' = Ae + Bu + L(z - He): closed loop
+A + BK, errors A - LH. Exact input gives exact output, also with symbols; NumPy arrays and python-control's StateSpace
+give floating-point numbers. Every name is loaded on first use, so that importing the package costs nothing.
+
+>>> from trajlib import feedback
+>>> "regulator" in dir(feedback)
+True
+"""
+
+from trajlib._lazy import lazy_names
+
+# No module is called like a name it exports: importing it would put the module in the place of the function.
+_EXPORTS = {
+    "gains": ["GainFamily", "observer", "regulator"],
+    "fixed_spectrum": ["FixedSpectrum", "best_margin", "detectability", "stabilisability"],
+    "gain_regions": ["convergent_gains", "stabilising_gains"],
+    "estimate_loop": ["EstimateLoop", "feedback_by_estimate"],
+    "reduced_order": ["ReducedObserver", "reduced_observer"],
+}
+__getattr__, __dir__, __all__ = lazy_names(__name__, _EXPORTS)

@@ -1,0 +1,131 @@
+"""Eigenvalues that no gain moves, and what they forbid: stabilisability, detectability, the best margin.
+
+A mode that the control does not reach keeps its eigenvalue under u = Kx, and one that the output does not show keeps
+it in the errors of every observer; the others can be put anywhere (Theorems 3.1 and 3.3 for the part that is left).
+So the best margin is that of the slowest fixed mode, and infinite if there is none.
+"""
+from dataclasses import dataclass
+
+import numpy as np
+import sympy as sp
+
+from ..stability.systems import as_prose
+from ..structure.rank_tests import controllability, observability
+
+
+@dataclass(frozen=True)
+class FixedSpectrum:
+    """What no gain changes; true in an `if` if the rest can be made asymptotically stable.
+
+    - `modes`: tuple of `LostMode`, the fixed eigenvalues, each with its vectors (rows w, no control changes w x, or
+      columns v, a motion exp(lambda t) v is not seen);
+    - `obstacles`: those of them that do not decay, Re lambda >= 0;
+    - `margin`: the greatest margin that some gain gives (Definition 1.5: Re lambda <= -margin), `sp.oo` (for floats
+      `inf`) if nothing is fixed; zero or negative where there are obstacles;
+    - `reason`: the verdict in words.
+    """
+
+    modes: tuple
+    obstacles: tuple
+    margin: object
+    reason: str
+
+    def __bool__(self):
+        return not self.obstacles
+
+    def _repr_markdown_(self):
+        return as_prose(self.reason)
+
+
+def stabilisability(A, B=None):
+    """Can u = Kx stabilise x' = Ax + Bu, and how fast? (MATLAB: none; PBH test at the eigenvalues with Re >= 0.)
+
+    `A`: n x n, `B`: n x s, exact or floats. With symbols the verdict is for general values, and the real parts of fixed
+    eigenvalues must have a known sign. Returns `FixedSpectrum`. Raises ValueError for shapes that do not fit and for
+    signs that are not known. Source: Definition 3.1, Theorem 3.2 with its remark, examples 5 and 6.
+
+    >>> import sympy as sp
+    >>> found = stabilisability(sp.Matrix([[0, 1], [0, -1]]), sp.Matrix([1, 0]))
+    >>> bool(found), found.margin
+    (True, 1)
+    """
+    return _fixed(controllability(A, B), "stabilisable", "no control changes it")
+
+
+def detectability(A, H=None):
+    """Is there an asymptotic observer of x' = Ax, z = Hx, and how fast can it be? (MATLAB: none; PBH test.)
+
+    `A`: n x n, `H`: m x n, exact or floats, as in `stabilisability`. Returns `FixedSpectrum`. Raises ValueError for
+    shapes that do not fit and for signs that are not known. Source: Theorem 3.1 and example 3 of the problem book.
+
+    >>> import sympy as sp
+    >>> found = detectability(sp.Matrix([[1, 0], [0, -2]]), sp.Matrix([[0, 1]]))
+    >>> bool(found), found.margin, found.obstacles[0].vectors.T
+    (False, -1, Matrix([[1, 0]]))
+    """
+    return _fixed(observability(A, H), "detectable", "no output shows it")
+
+
+def best_margin(A, B=None, H=None):
+    """The greatest margin of u = Kx (given B), of an observer (given H), of a feedback by the estimate (given both).
+
+    The margin is that of Definition 1.5, Re lambda <= -margin; `sp.oo` if every margin can be had. Arguments and errors
+    as in `stabilisability` and `detectability`. Source: examples 3, 6 and 9 of the problem book.
+
+    >>> import sympy as sp
+    >>> A = sp.Matrix([[-1, 2, 1], [0, 3, 2], [-1, -2, -3]])
+    >>> B, H = sp.Matrix([1, 1, -1]), sp.Matrix([[0, 2, 1]])
+    >>> best_margin(A, B), best_margin(A, H=H), best_margin(A, B, H)
+    (2, 1, 1)
+    """
+    if B is None and H is None:
+        raise ValueError("B, H: expected the matrix of the control, that of the output, or both")
+    tests = [test(A, matrix) for test, matrix in ((stabilisability, B), (detectability, H)) if matrix is not None]
+    return min((test.margin for test in tests), key=lambda margin: margin)
+
+
+def _fixed(test, word, why):
+    rates = [_slowest(mode.eigenvalue) for mode in test.lost]
+    obstacles = tuple(mode for mode, rate in zip(test.lost, rates) if not _decays(rate, mode))
+    if not rates:
+        margin = sp.oo if test.margin is None else np.inf
+        return FixedSpectrum((), (), margin, f"{word}, with any margin: no eigenvalue is fixed")
+    margin = -_greatest(rates)
+    names = list(dict.fromkeys(_named(mode.eigenvalue) for mode in obstacles or test.lost))
+    named = ", ".join(names)
+    if obstacles:
+        reason = f"not {word}: a mode with {named} does not decay, and {why}"
+    else:
+        are = "is" if len(names) == 1 else "are"
+        reason = f"{word}, with a margin of at most {margin}: {named} {are} fixed, and {why}"
+    return FixedSpectrum(tuple(test.lost), obstacles, margin, reason)
+
+
+def _slowest(eigenvalue):
+    """The real part of an eigenvalue; of several conjugate ones the greatest."""
+    if isinstance(eigenvalue, sp.Poly):
+        if eigenvalue.domain.is_Composite or eigenvalue.free_symbols_in_domain:
+            raise ValueError(f"A: the roots of {eigenvalue.as_expr()} are fixed, and their real parts depend on "
+                             "parameters; give these values")
+        return _greatest([sp.re(root) for root in eigenvalue.all_roots()])
+    return sp.simplify(sp.re(eigenvalue)) if isinstance(eigenvalue, sp.Basic) else float(np.real(eigenvalue))
+
+
+def _greatest(rates):
+    if any(isinstance(rate, sp.Basic) and rate.free_symbols for rate in rates):
+        return sp.Max(*rates)
+    return max(rates, key=lambda rate: float(rate))
+
+
+def _decays(rate, mode):
+    decays = rate < 0
+    if decays not in (True, False, sp.true, sp.false):
+        raise ValueError(f"A: whether the fixed mode with the eigenvalue {mode.eigenvalue} decays depends on its "
+                         "symbols; give them values or assumptions (positive=True)")
+    return bool(decays)
+
+
+def _named(eigenvalue):
+    if isinstance(eigenvalue, sp.Poly):
+        return f"a root of {eigenvalue.as_expr()}"
+    return f"lambda = {eigenvalue if isinstance(eigenvalue, sp.Basic) else f'{complex(eigenvalue):.6g}'}"

@@ -1,0 +1,219 @@
+"""All gains of an observer or a regulator that give a prescribed characteristic polynomial, Theorems 3.1 and 3.3.
+
+In the coordinates (xi; eta) of the decomposition by observation the errors of the observer obey
+
+    A11 - L1 H1       0
+    A21 - L2 H1      A22
+
+so L1 alone moves eigenvalues, those of the pair (A11, H1), which is observable; the polynomial of A22 is fixed and L2
+is free. For one output L1 is unique, L1 = phi(A11) N^-1 e (Ackermann, Bass and Gura). Several outputs are first joined
+to one by a chain of Heymann: it gives some of the gains, not all. Regulators are the same for the transposed system
+with K = -L^T.
+"""
+from dataclasses import dataclass
+
+import sympy as sp
+
+from ..stability.hurwitz import characteristic_polynomial
+from ..stability.systems import exact_decimals, read_expression, read_symbols
+from ..structure import exact
+from ..structure.popov import visible_symbol
+from ..structure.reading import is_float_array, read_controlled, read_observed
+from ..structure.splitting import observability_decomposition
+from .fixed_spectrum import detectability, stabilisability
+
+
+@dataclass(frozen=True)
+class GainFamily:
+    """The gains with which the closed loop has the characteristic polynomial `polynomial` in `symbol`.
+
+    - `gain`: K, s x n, or L, n x m; it contains the symbols `free`, any values of which will do (none if no
+      eigenvalue is fixed);
+    - `fixed`: the factor of the polynomial that no gain changes, 1 if there is none;
+    - `complete`: whether these are all such gains; with several controls (outputs) there are more.
+    """
+
+    gain: sp.Matrix
+    free: tuple
+    polynomial: sp.Expr
+    symbol: sp.Symbol
+    fixed: sp.Expr
+    complete: bool
+
+    @property
+    def simplest(self):
+        """The gain with zero for everything that is free."""
+        return self.gain.subs({symbol: 0 for symbol in self.free})
+
+    def _repr_latex_(self):
+        polynomial = sp.factor(self.polynomial)
+        upright = {symbol: sp.latex(symbol).replace("free", r"\mathrm{free}") for symbol in self.free}
+        return rf"$\displaystyle {sp.latex(self.gain, symbol_names=upright)}:\quad {sp.latex(polynomial)}$"
+
+
+def observer(A, H, polynomial=None, symbol=None, *, eigenvalues=None, margin=None):
+    """All L for which A - LH has a prescribed spectrum (MATLAB: place(A', C', p)', acker).
+
+    `A`: n x n, `H`: m x n, SymPy matrices, also with symbols (then generic). Prescribed is one of
+
+    - `polynomial` in `symbol`, of degree n or, without the fixed factor, of degree rank N; its coefficients may be
+      symbols;
+    - `eigenvalues`: as many numbers, conjugate ones in pairs;
+    - `margin` mu: what is not fixed goes to -mu.
+
+    Returns `GainFamily`. Raises ValueError if a fixed eigenvalue is not a root of the polynomial, or is slower than the
+    margin; it names the mode. Source: Theorem 3.1 and examples 1 - 3 of the problem book.
+
+    >>> import sympy as sp
+    >>> s, b1, b2 = sp.symbols("s beta1 beta2")
+    >>> observer(sp.Matrix([[0, 1], [1, 0]]), sp.Matrix([[1, 0]]), s**2 + b1*s + b2, s).gain.T
+    Matrix([[beta1, beta2 + 1]])
+    >>> hidden = observer(sp.Matrix([[0, 1], [1, 0]]), sp.Matrix([[1, 1]]), margin=1)
+    >>> hidden.gain.T, hidden.fixed
+    (Matrix([[2 - free1, free1]]), lambda + 1)
+    """
+    A, H = read_observed(A, H)
+    return _family(A, H, _Prescription(polynomial, symbol, eigenvalues, margin), detectability, "N")
+
+
+def regulator(A, B, polynomial=None, symbol=None, *, eigenvalues=None, margin=None):
+    """All K for which A + BK has a prescribed spectrum (MATLAB: -place(A, B, p), -acker).
+
+    `A`: n x n, `B`: n x s; the spectrum is prescribed as in `observer`. Note the sign, u = Kx. Returns `GainFamily`.
+    Raises ValueError as `observer` does. Source: Theorem 3.3 and examples 4 - 6 of the problem book.
+
+    >>> import sympy as sp
+    >>> s = sp.Symbol("s")
+    >>> regulator(sp.Matrix([[0, 1], [1, 0]]), sp.Matrix([0, 1]), s**2 + 2*s + 1, s).gain
+    Matrix([[-2, -2]])
+    >>> family = regulator(sp.Matrix([[0, 1], [0, -1]]), sp.Matrix([1, 0]), eigenvalues=[-3])
+    >>> family.gain, family.polynomial
+    (Matrix([[-3, free1]]), lambda**2 + 4*lambda + 3)
+    """
+    A, H = read_controlled(A, B)
+    family = _family(A, H, _Prescription(polynomial, symbol, eigenvalues, margin), _transposed_test, "W")
+    gain = (-family.gain.T).subs({symbol: -symbol for symbol in family.free}, simultaneous=True)
+    return GainFamily(gain, family.free, family.polynomial, family.symbol, family.fixed, family.complete)
+
+
+def _transposed_test(A, H):
+    return stabilisability(A.T, H.T)
+
+
+def _family(A, H, wanted, test, kalman):
+    if is_float_array(A):
+        raise ValueError("A: expected exact matrices (SymPy)")
+    parts = observability_decomposition(A, H)
+    seen, unseen = parts.sizes
+    (A11, H1), A22 = parts.part, parts.rest
+    symbol = wanted.symbol or visible_symbol(A, H)
+    fixed = characteristic_polynomial(A22, symbol) if unseen else sp.Integer(1)
+    movable = wanted.movable(symbol, seen, fixed, lambda: test(A, H), kalman)
+    # What has to hold is T L = L1 in the rows of xi: some entries of L stay free, the others follow.
+    rows = parts.transformation[:seen, :]
+    bound = list(exact.independent_rows(rows.T)) if seen else []
+    unbound = [i for i in range(A.rows) if i not in bound]
+    used = {s.name for s in A.free_symbols | H.free_symbols | movable.as_expr().free_symbols}
+    free = sp.Matrix(unseen, H.rows, sp.symbols(_names(unseen*H.rows, used)))
+    gain = sp.zeros(A.rows, H.rows)
+    for i, row in enumerate(unbound):
+        gain[row, :] = free[i, :]
+    if seen:
+        rest = _unique_gain(A11, H1, movable) - rows.extract(list(range(seen)), unbound)*free
+        found = exact.product(exact.inverse(rows.extract(list(range(seen)), bound)), rest)
+        for i, row in enumerate(bound):
+            gain[row, :] = found[i, :].applyfunc(_readable)
+    polynomial = sp.expand(movable.as_expr()*fixed)
+    return GainFamily(gain, tuple(free), polynomial, symbol, fixed, H.rows == 1)
+
+
+def _readable(entry):
+    entry = sp.cancel(entry)
+    return sp.expand(entry) if entry.is_polynomial() else sp.factor(entry)
+
+
+def _names(count, used):
+    candidates = (f"free{k}" for k in range(1, count + len(used) + 1))
+    return [name for name in candidates if name not in used][:count]
+
+
+def _unique_gain(A, H, polynomial):
+    """L with det(lambda E - A + LH) = polynomial for an observable pair; a choice if there are several outputs."""
+    if H.rows == 1:
+        return _ackermann(A, H, polynomial)
+    joined, weights = _heymann(A.T, H.T)
+    chain = A + joined.T*H
+    row = weights.T*H
+    return _ackermann(chain, row, polynomial)*weights.T - joined.T
+
+
+def _ackermann(A, h, polynomial):
+    """phi(A) N^-1 e, from the last column of N^-1 by Horner's rule."""
+    n = A.rows
+    rows = [h]
+    while len(rows) < n:
+        rows.append((rows[-1]*A).applyfunc(sp.expand))
+    last = exact.inverse(sp.Matrix.vstack(*rows))[:, n - 1]
+    gain = sp.zeros(n, 1)
+    for coefficient in polynomial.all_coeffs():
+        gain = (A*gain + coefficient*last).applyfunc(sp.expand)
+    return gain
+
+
+def _heymann(F, G):
+    """K and q for which (F + GK, Gq) is controllable by one control, for a controllable pair (F, G)."""
+    n, s = G.shape
+    first = next(j for j in range(s) if any(G[:, j]))
+    states, inputs = G[:, first], []
+    while states.cols < n:
+        ahead = F*states[:, -1]
+        pushes = [sp.zeros(s, 1), *(sp.eye(s)[:, j] for j in range(s))]
+        push = next(u for u in pushes if exact.rank(states.row_join(ahead + G*u)) > states.cols)
+        states, inputs = states.row_join(exact.tidy(ahead + G*push)), [*inputs, push]
+    return exact.product(sp.Matrix.hstack(*inputs, sp.zeros(s, 1)), exact.inverse(states)), sp.eye(s)[:, first]
+
+
+class _Prescription:
+    """The spectrum as the caller asks for it."""
+
+    def __init__(self, polynomial, symbol, eigenvalues, margin):
+        if sum(part is not None for part in (polynomial, eigenvalues, margin)) != 1:
+            raise ValueError("polynomial, eigenvalues, margin: expected one of the three")
+        self.symbol = read_symbols(symbol, "symbol")[0] if symbol is not None else None
+        self.eigenvalues = eigenvalues
+        self.margin = None if margin is None else exact_decimals(read_expression(margin, "margin"))
+        if isinstance(polynomial, sp.Poly):
+            self.symbol, polynomial = polynomial.gen, polynomial.as_expr()
+        self.polynomial = None if polynomial is None else exact_decimals(read_expression(polynomial, "polynomial"))
+        if self.polynomial is not None and self.symbol is None:
+            if len(self.polynomial.free_symbols) != 1:
+                raise ValueError("symbol: say which symbol the polynomial is in")
+            (self.symbol,) = self.polynomial.free_symbols
+
+    def movable(self, symbol, degree, fixed, test, kalman):
+        """The monic polynomial that the part of order `degree` has to get."""
+        if self.margin is not None:
+            found = test()
+            if found.modes and sp.sympify(found.margin < self.margin) is sp.true:
+                raise ValueError(f"margin: {self.margin} cannot be had; {found.reason}")
+            return sp.Poly((symbol + self.margin)**degree, symbol)
+        if self.eigenvalues is not None:
+            wanted = sp.Poly(sp.expand(sp.prod([symbol - exact_decimals(sp.sympify(e)) for e in self.eigenvalues])),
+                             symbol)
+            if wanted.has(sp.I):
+                raise ValueError("eigenvalues: expected conjugate ones in pairs")
+        else:
+            wanted = sp.Poly(self.polynomial, symbol)
+        order = degree + sp.degree(fixed, symbol)
+        if wanted.degree() not in (degree, order):
+            raise ValueError(f"polynomial: expected the degree {order}"
+                             + (f", or {degree} (the rank of {kalman}) for what is not fixed" if degree < order else "")
+                             + f", got {wanted.degree()}")
+        wanted = wanted.monic()
+        if wanted.degree() == degree:
+            return wanted
+        quotient, rest = sp.div(wanted, sp.Poly(fixed, symbol))
+        if any(sp.simplify(c) != 0 for c in rest.all_coeffs()):
+            raise ValueError(f"polynomial: the factor {sp.factor(fixed)} is fixed and has to divide it; "
+                             f"{test().reason}")
+        return quotient

@@ -1,0 +1,78 @@
+r"""Formulas in words: as TeX between dollars, as one would type them where nothing is set, and what was typed, set.
+
+>>> plain(r"the roots of $\det(M s^2 + D s + K)$, for $\dot x_1 \leq \sqrt{2}/x_{10}$ and $\varphi_0 \neq 0$")
+"the roots of det(M s^2 + D s + K), for x1' <= sqrt(2)/x10 and phi0 != 0"
+>>> typeset("at k1 = -2 the root of x**2 + k1*x >= 0 is a_root")
+'at <i>k</i><sub>1</sub> = −2 the root of <i>x</i><sup>2</sup> + <i>k</i><sub>1</sub>\u202f<i>x</i> ≥ 0 is a_root'
+"""
+
+import html
+import re
+
+FORMULA = re.compile(r"\$([^$]+)\$")
+#: In this order: what stands in braces is read before what it belongs to.
+TYPED = [(re.compile(pattern), typed) for pattern, typed in [
+    (r"\\(d{1,3})ot(?![a-z]) ?(\\?[A-Za-z]+(?:_(?:\w|\{\w+\}))?)", lambda m: m[2] + "'"*len(m[1])),
+    (r"\\bar ?(\w)", r"\1bar"),
+    (r"\\operatorname\{(\w+)\}", r"\1"),
+    (r"_\{(\w+)\}|_(\w)", lambda m: m[1] or m[2]),
+    (r"\\sqrt\{([^{}]*)\}", r"sqrt(\1)"),
+    (r"\^\{(-?\w+)\}", r"^\1"),
+    (r"\^\{([^{}]*)\}", r"^(\1)"),
+    (r"\^\*", "*"),
+    (r"\\,", " "),
+    (r"\\(leq|geq|neq|to|cdot|dots|infty|top)(?![A-Za-z])", lambda m: SIGNS[m[1]]),
+    (r"\\var(?=phi|epsilon)|\\(?=[A-Za-z{}])", ""),
+    (r"  +", " "),
+]]
+SIGNS = {"leq": "<=", "geq": ">=", "neq": "!=", "to": "->", "cdot": "*", "dots": "...", "infty": "oo", "top": "T"}
+
+SET = {"<=": "≤", ">=": "≥", "!=": "≠", "->": "→", "oo": "∞", "-": "−"}
+GREEK = dict(zip("alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau upsilon "
+                 "phi chi psi omega".split(), "αβγδεζηθικλμνξπρστυφχψω"))
+GREEK |= {name.capitalize(): letter.upper() for name, letter in GREEK.items()}
+#: Powers, products and roots, as one types them and nobody writes them.
+TYPEWRITTEN = re.compile(r"\*\*|[\w)]\*[A-Za-z(]|\bsqrt\(")
+#: What is surely a formula in a line of words: letters with numbers, Greek letters, and letters beside a sign.
+MATHEMATICS = re.compile(r"""
+    (?:\*\*|\^)\s*(?: (?P<power>-?\w+) | \((?P<powers>[^()]*)\) )
+  | (?<![\w.'"]) (?<!item\ ) (?P<letter>[A-Za-z]|%s) (?: _?(?P<index>\d+) )? (?P<primes>'*)
+    (?! [\w"'] | \.\w | (?<=\b[aAI])(?=\s+\w) )
+  | (?<=[\w)]) (?P<times>\*|\ \*\ ) (?=[\w(])
+  | (?P<sign><=|>=|!=|->|\boo\b|(?<![\w)])-(?=[\d.]|[A-Za-z]\w?\b|\()|(?<=\s)-(?=\s[\d(]))
+  | \b(?P<root>sqrt)(?=\()
+""" % "|".join(sorted(GREEK, key=len, reverse=True)), re.X)
+
+
+def plain(text):
+    """A text with its formulas as one would type them, for comments and terminals."""
+    return FORMULA.sub(lambda formula: _typed(formula[1]), text).replace("`", "")
+
+
+def _typed(formula):
+    for pattern, typed in TYPED:
+        formula = pattern.sub(typed, formula)
+    return formula.strip()
+
+
+def typeset(text, escape=html.escape):
+    """A text as one types it, as HTML: powers raised, numbers of letters lowered, Greek letters and signs as they are.
+
+    It is not read as Python, so it may be anybody's. `escape` is for the words between.
+    """
+    pieces, end = [], 0
+    for found in MATHEMATICS.finditer(text):
+        pieces += [escape(text[end:found.start()]), _html(found)]
+        end = found.end()
+    return "".join([*pieces, escape(text[end:])])
+
+
+def _html(found):
+    if found["power"] or found["powers"]:
+        return f"<sup>{typeset(found['power'] or found['powers'])}</sup>"
+    if found["letter"]:
+        letter = GREEK.get(found["letter"], f"<i>{found['letter']}</i>")
+        return letter + (f"<sub>{found['index']}</sub>" if found["index"] else "") + "′"*len(found["primes"])
+    if found["times"]:
+        return "·" if found.string[found.end()].isdigit() else "\u202f"
+    return "√" if found["root"] else SET[found["sign"]]

@@ -1,0 +1,121 @@
+r"""Results with their words: `show` is `print` for whoever reads mathematics.
+
+In a notebook and on the site formulas are set, in a terminal they are what `print` writes. What is too long to stand
+beside words stands on a line of its own, a long sum on several.
+
+>>> import sympy as sp
+>>> k1, k2 = sp.symbols("k1 k2")
+>>> show("the second minor, for $k_1 > 0$:", k1*k2 - 1)
+the second minor, for k1 > 0: k1*k2 - 1
+"""
+
+import html
+import re
+import sys
+
+from trajlib.formulas import FORMULA, plain, typeset
+
+__all__ = ["show"]
+
+#: What Markdown would take for its own.
+MARKUP = re.compile(r"[\\`*_{}\[\]#|~$]")
+
+#: What fits into a line beside words, and into a line of its own, in letters.
+BESIDE, LINE = 46, 66
+UNSEEN = re.compile(r"\\(?:left|right|d?frac|displaystyle|limits|mathrm|operatorname|(?:begin|end)\{\w+\})|[{}_^&\s]")
+
+
+def show(*values):
+    """Words and results in a line, as `print` writes them; in a notebook their formulas are set.
+
+    Formulas in words stand between dollars. Results are what they are: SymPy expressions, lists and dicts of them, and
+    what the functions of trajlib return.
+    """
+    words = _joined(values, [plain(value) if isinstance(value, str) else str(value) for value in values])
+    if not in_notebook():
+        print(words)
+        return
+    from IPython.display import display
+
+    display({"text/plain": words, "text/markdown": _joined(values, map(_markdown, values))}, raw=True)
+
+
+def in_notebook():
+    """Whether a notebook reads what is shown."""
+    # IPython is not imported for this: where there is a notebook, it is there.
+    ipython = sys.modules.get("IPython")
+    return ipython is not None and getattr(ipython.get_ipython(), "kernel", None) is not None
+
+
+def _joined(values, texts):
+    """With a space between, but before a sign that ends or divides."""
+    follows = (isinstance(value, str) and value[:1] in (",", ".", ";", ":", ")") for value in values)
+    return "".join(text if follow else f" {text}" for text, follow in zip(texts, follows)).removeprefix(" ")
+
+
+def _markdown(value):
+    if isinstance(value, str):
+        parts = re.split(r"(\$[^$]+\$)", value)
+        return "".join(part if FORMULA.fullmatch(part) else typeset(part, _escaped) for part in parts)
+    if isinstance(value, dict) and value:
+        return ", ".join(f"{_markdown(key)}: {_markdown(item)}" for key, item in value.items())
+    if _is_formula(value):
+        latex = _latex(value)
+        if isinstance(value, (list, tuple)) and _letters(latex) > BESIDE:
+            return ", ".join(map(_markdown, value))
+        return _set(latex, lambda: _on_lines(value))
+    for form in ("_repr_markdown_", "_repr_latex_"):
+        if hasattr(value, form):
+            text = getattr(value, form)()
+            inner = re.fullmatch(r"\$(?:\\displaystyle)?([^$]+)\$", text)
+            return _set(inner[1].strip()) if inner else f"\n\n{text}\n\n" if "\n" in text else text
+    if type(value) in (list, tuple) and value and not all(isinstance(item, str) for item in value):
+        return f"({', '.join(map(_markdown, value))})"
+    return _markdown(str(value))
+
+
+def _is_formula(value):
+    import sympy as sp
+
+    if isinstance(value, (list, tuple)):
+        return len(value) > 0 and all(map(_is_formula, value))
+    return isinstance(value, (sp.Basic, sp.MatrixBase, int, float, complex)) and not isinstance(value, bool)
+
+
+def _latex(value):
+    import sympy as sp
+
+    return sp.latex(value)
+
+
+def _set(latex, on_lines=None):
+    """A formula beside words where it fits there, else on a line of its own or on several."""
+    count = _letters(latex)
+    if count <= BESIDE:
+        return f"${latex}$"
+    return f"\n\n$$\n{on_lines() if on_lines and count > LINE else latex}\n$$\n\n"
+
+
+def _letters(latex):
+    return len(re.sub(r"\\[A-Za-z]+|\\.", "x", UNSEEN.sub("", latex)))
+
+
+def _on_lines(value):
+    """A sum, or an equation with one on its right, broken between its terms."""
+    import sympy as sp
+
+    left, total = (f"{sp.latex(value.lhs)} ={{}}", value.rhs) if isinstance(value, sp.Eq) else ("", value)
+    if not isinstance(total, sp.Add):
+        return sp.latex(value)
+    lines = [""]
+    for term in total.as_ordered_terms():
+        latex = sp.latex(term)
+        latex = latex if latex.startswith("-") or lines == [""] else "+ " + latex
+        if _letters(lines[-1] + latex) > LINE and lines[-1]:
+            lines.append("")
+        lines[-1] += latex + " "
+    return rf"\begin{{aligned}} {left} & " + r"\\ & ".join(lines) + r"\end{aligned}"
+
+
+def _escaped(text):
+    return MARKUP.sub(r"\\\g<0>", html.escape(text, quote=False)).replace("  ", "\u2003").replace("\n", "\\\n")
