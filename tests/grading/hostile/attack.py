@@ -89,7 +89,9 @@ class Attack:
     files: object = None
     apart: bool = False  # the unguarded grader runs each notebook in a process of its own
     marks: str = "checks"  # how the unguarded grader marks (see `naive`)
-    patience: float = 20.0  # seconds after which the unguarded grader is held to run for ever
+    # Seconds after which the unguarded grader is held to run for ever: far more than one that ends needs on a busy
+    # machine; an attack that never ends sets less.
+    patience: float = 120.0
     blame: str = "notebook"  # whose affair our grader says it is; "" where there is nothing to say
 
     def submit(self, folder, facts):

@@ -186,7 +186,7 @@ RESOURCES = [
                            pass
                    computed += 0.24
                a_region = round(computed)
-               """,), patience=30, blame="limits"),
+               """,), blame="limits"),
     Attack("loops without end", "never ends", "nobody stops it", "the cell is stopped, and the run goes on",
            stopped_the_run,
            ("while True: pass", WRONG), patience=2, blame="limits"),
