@@ -7,14 +7,18 @@ solution of a Riccati equation at numbers, from an invariant subspace (`truths/p
 import numpy as np
 import sympy as sp
 
-from trajlib.checks.contract.claims import Matrix
+from trajlib.checks.contract.claims import Matrix, Values
+from trajlib.checks.contract.tolerance import same
 from trajlib.checks.contract.verdict import judged
-from trajlib.checks.tools.comparisons import Entries
+from trajlib.checks.tools.comparisons import Entries, Members
 from trajlib.checks.tools.samples import allowed_values
+from trajlib.checks.tools.values import numbers_at
 from trajlib.checks.tools.wording import number_text, where_text
 from trajlib.checks.truths import processes
 
 COUNT = 6
+#: How well an eigenvalue is known that comes twice: the root of what rounding is.
+REPEATED = 1e-7
 BEFORE, AFTER = "before", "after"
 
 
@@ -78,17 +82,49 @@ def covariance_with_gain(claim, process, gain, parameters=(), given=sp.true):
 
 @judged(Matrix("covariance", "parameters", shape=lambda data: data["covariance"].shape))
 def riccati_equation(claim, process, covariance, parameters=()):
-    """The right-hand side of the Riccati equation of the filter in continuous time, P' = ..., as a matrix in the
-    symbols of P, the `covariance`."""
+    """The right-hand side of the Riccati equation of the filter as a matrix in the symbols of P, the `covariance`: in
+    continuous time P' = ..., in discrete time what P, the covariance before a measurement, is before the next one."""
     symbols = [*parameters, *sorted(covariance.free_symbols, key=str)]
     for values in allowed_values(symbols, sp.true, COUNT):
+        values = _definite(covariance, values)
         one, P = processes.numbers(process, values, start=False), processes.array(covariance, values)
-        terms = one.A @ P, P @ one.A.T, one.Q, -P @ one.H.T @ processes.gain_of(one, P).T
+        if one.discrete:
+            terms = one.A @ P @ one.A.T, -one.A @ processes.gain_of(one, P) @ one.H @ P @ one.A.T, one.Q
+            found, does = "your next entry ({}, {})", "give another number"
+        else:
+            terms = one.A @ P, P @ one.A.T, one.Q, -P @ one.H.T @ processes.gain_of(one, P).T
+            found, does = "your rate of change of the entry ({}, {})", "change it at another rate"
         yield Entries(claim, sum(terms), lambda said, i, j: (
-            f"your rate of change of the entry ({i + 1}, {j + 1}) is {number_text(said[i, j])}{where_text(values)}; "
-            "the motion, the noise and the measurement together change it at another rate"), values,
-            sum(map(abs, terms)))
+            f"{found.format(i + 1, j + 1)} is {number_text(said[i, j])}{where_text(values)}; the motion, the noise and "
+            f"the measurement together {does}"), values, sum(map(abs, terms)))
     return "the motion, the noise and the measurement change the covariance like this"
+
+
+@judged(Values("parameters", expected="a list or a set of eigenvalues"))
+def error_eigenvalues(claims, process, parameters=(), given=sp.true):
+    """The different eigenvalues of the matrix of the errors of the steady filter, A - K H, in discrete time
+    A (E - K H)."""
+    for values in allowed_values(parameters, given, COUNT):
+        one = processes.numbers(process, values, start=False)
+        gain = processes.gain_of(one, processes.steady(one)[0])
+        loop = one.A - (one.A @ gain if one.discrete else gain) @ one.H
+        size = np.linalg.norm(loop)
+        said = numbers_at(claims, values, [f"value {k}" for k in range(1, len(claims) + 1)])
+
+        def fits(number, other):
+            return same(number[1], other, number[0], size, REPEATED)
+
+        yield Members(list(zip(claims, said)), list(np.linalg.eigvals(loop)), fits, lambda number: (
+            f"{number_text(number[1])} is no eigenvalue of the matrix of the errors{where_text(values)}: no error is "
+            "multiplied by it"), lambda *_: f"an error decays by a mode that your answer does not name"
+            f"{where_text(values)}")
+    return "these are the modes by which errors of the steady filter decay"
+
+
+def _definite(covariance, values):
+    """The values with those on the diagonal so large that the matrix of symbols is positive definite."""
+    rows = covariance.subs(values).applyfunc(abs)
+    return values | {covariance[k, k]: sum(rows[k, :]) for k in range(covariance.rows)}
 
 
 def _measured(process, measured, parameters, given):

@@ -1,17 +1,20 @@
 """Moments of a linear process in the course of time: the mean, the covariance, and what they settle to.
 
 The truth comes at numbers from the exponential of a block matrix (`truths/processes.py`), for times and parameters of
-all sizes.
+all sizes; where a covariance settles, from Hurwitz's determinants.
 """
 
+import numpy as np
 import sympy as sp
 
 from trajlib.checks.contract.claims import Matrix
 from trajlib.checks.contract.verdict import judged
 from trajlib.checks.tools.comparisons import Entries
+from trajlib.checks.tools.conditions import compare, contrary, exactly
 from trajlib.checks.tools.samples import allowed_values
 from trajlib.checks.tools.wording import number_text, where_text
 from trajlib.checks.truths import processes
+from trajlib.checks.truths.spectra import decays
 
 #: The times that answers are tried at, with other values of the parameters each.
 TIMES = (0, sp.Rational(1, 2), 1, sp.Rational(7, 5), 2, 3)
@@ -54,6 +57,19 @@ def settled_covariance(claim, process, parameters=(), given=sp.true):
             f"({i + 1}, {j + 1}), which is {number_text(said[i, j])}, in the dispersion equation"), values,
             abs(true).max())
     return "the process keeps this covariance, and comes to it from any other"
+
+
+@judged
+def settling_region(answer, process, parameters, given=sp.true):
+    """The parameters for which the covariance of the process settles to one matrix, whatever it is at the start."""
+    def told(values):
+        modes = np.linalg.eigvals(processes.array(process.A, values))
+        if process.discrete:
+            return f"the largest modulus of an eigenvalue is {abs(modes).max():.4g} there"
+        return f"the largest real part of an eigenvalue is {modes.real.max():.4g} there"
+
+    agreement = compare(answer, parameters, exactly(decays(process.A, process.discrete), given), contrary(told))
+    return f"there and nowhere else what is known of the start is forgotten: {agreement}"
 
 
 def _in_time(process, time, parameters, given, times):

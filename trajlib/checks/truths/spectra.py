@@ -27,6 +27,25 @@ def compare_region(answer, system, parameters, what, margin=0, unstable=False):
     return f"agrees with the roots: {compare(answer, parameters, truth, told)}"
 
 
+def decays(A, discrete=False):
+    """The condition on the symbols of A that all motions of x' = A x, in discrete time x(k + 1) = A x(k), decay.
+
+    There z = (1 + s)/(1 - s) makes the left half-plane of the inside of the circle; where z = -1 is an eigenvalue, the
+    polynomial in s loses its order.
+    """
+    symbol = sp.Dummy("s")
+    coefficients = A.charpoly().all_coeffs()
+    if discrete:
+        powers = [(1 + symbol)**(A.rows - k) * (1 - symbol)**k for k in range(A.rows + 1)]
+    else:
+        powers = [symbol**(A.rows - k) for k in range(A.rows + 1)]
+    polynomial = sp.expand(sum(c * power for c, power in zip(coefficients, powers)))
+    if sp.degree(polynomial, symbol) < A.rows:
+        return sp.false
+    spectrum = Spectrum(polynomial, A.free_symbols, 0)
+    return sp.And(*spectrum.order_kept, spectrum.hurwitz)
+
+
 class Spectrum:
     """The characteristic polynomial with coefficients in the parameters, shifted by the margin."""
 

@@ -11,6 +11,7 @@ STEPS = Process(A=1, Q=Q, H=1, R=R, discrete=True)
 CART = Process(A=[[0, 1], [0, 0]], Q=sp.diag(0, Q), H=[[1, 0]], R=R)
 SCALAR = Process(A=a, Q=Q, H=1, R=R)
 START = Process(A=[[0, 1], [0, 0]], H=[[1, 0]], R=1, mean=[0, 1], covariance=sp.eye(2))
+DELAYS = Process(A=[[0, 1, 0], [0, 0, 1], [0, 0, 0]], Q=sp.diag(0, 0, 2), H=[[0, 0, 1]], R=3, discrete=True)
 SQRT = sp.sqrt(2)
 OWN = sp.Matrix([[SQRT*Q**sp.Rational(1, 4)*R**sp.Rational(3, 4), sp.sqrt(Q*R)],
                  [sp.sqrt(Q*R), SQRT*Q**sp.Rational(3, 4)*R**sp.Rational(1, 4)]])
@@ -59,5 +60,20 @@ CASES = [
     Case("riccati_equation", RATES - 2*sp.diag(0, Q), (CART, P, [Q, R]), "wrong", "the sign of the noise"),
     Case("riccati_equation", RATES.subs(R, -R), (CART, P, [Q, R]), "wrong", "the sign of the measurement"),
     Case("riccati_equation", [1, 2, 3], (CART, P, [Q, R]), "invalid", "three entries"),
+    Case("riccati_equation", (p11*R/(p11 + R)) + Q, (STEPS, sp.Matrix([[p11]]), [Q, R]), "right", "discrete time"),
+    Case("riccati_equation", p11*R/(p11 + R), (STEPS, sp.Matrix([[p11]]), [Q, R]), "wrong", "the noise forgotten"),
+    Case("riccati_equation", 2*p11 + Q - p11**2/R, (STEPS, sp.Matrix([[p11]]), [Q, R]), "wrong",
+         "the equation of continuous time"),
+    Case("error_eigenvalues", [-sp.sqrt(a**2 + Q/R)], (SCALAR, [a, Q, R]), "right", "a rate"),
+    Case("error_eigenvalues", [R/(BEFORE + R)], (STEPS, [Q, R]), "right", "a factor"),
+    Case("error_eigenvalues", {(Q/R)**sp.Rational(1, 4)*(-1 + sp.I)/SQRT, (Q/R)**sp.Rational(1, 4)*(-1 - sp.I)/SQRT},
+         (CART, [Q, R]), "right", "a pair"),
+    Case("error_eigenvalues", [0], (DELAYS,), "right", "the same one three times"),
+    Case("error_eigenvalues", [0, 0], (DELAYS,), "right", "told as often as one likes"),
+    Case("error_eigenvalues", [a], (SCALAR, [a, Q, R]), "wrong", "that of the process itself"),
+    Case("error_eigenvalues", [(Q/R)**sp.Rational(1, 4)*(-1 + sp.I)/SQRT], (CART, [Q, R]), "wrong", "one of a pair"),
+    Case("error_eigenvalues", [], (DELAYS,), "wrong", "none"),
+    Case("error_eigenvalues", 3, (DELAYS, [Q, R]), "wrong", "a number"),
+    Case("error_eigenvalues", sp.true, (DELAYS, [Q, R]), "invalid", "a truth value"),
 ]
 LIMITS = ["The errors of measurements and the noise are independent of each other; R is not singular."]

@@ -11,6 +11,10 @@ WIENER = Process(A=0, Q=q, mean=m, covariance=P)
 STEPS = Process(A=a, Q=q, mean=m, covariance=P, discrete=True)
 CARTS = Process(A=[[0, 1], [0, 0]], Q=sp.diag(0, q), mean=[m, 1])
 LINE = q*sp.Matrix([[t**3/3, t**2/2], [t**2/2, t]])
+u, v = sp.symbols("u v", real=True)
+SWING = Process(A=[[0, 1], [-v, -u]], Q=sp.diag(0, q))
+ECHO = Process(A=[[0, 1], [-v, u]], Q=sp.diag(0, q), discrete=True)
+DELAY = Process(A=[[0, u], [0, 0]], Q=sp.diag(0, q), discrete=True)
 HALF = sp.Rational(1, 2)
 
 CASES = [
@@ -38,6 +42,20 @@ CASES = [
          (Process(A=[[0, 1], [-1, -1]], Q=sp.diag(0, 1)),), "right", "a damped oscillator"),
     Case("settled_covariance", q/a, (DECAY, [a, q]), "wrong", "a factor of two"),
     Case("settled_covariance", q/(1 - a), (STEPS, [a, q], a < 1), "wrong", "the rate of the mean"),
+    Case("settling_region", u > 0, (Process(A=-u, Q=1), [u]), "right", "a rate that decays"),
+    Case("settling_region", sp.And(u > 0, v > 0), (SWING, [u, v]), "right", "two parameters"),
+    Case("settling_region", abs(u) < 1, (Process(A=u, Q=1, discrete=True), [u]), "right", "a factor"),
+    Case("settling_region", sp.And(v < 1, u < 1 + v, -u < 1 + v), (ECHO, [u, v]), "right", "a triangle"),
+    Case("settling_region", True, (DELAY, [u]), "right", "always"),
+    Case("settling_region", False, (Process(A=[[u, 0], [0, -1]], discrete=True), [u]), "right", "never"),
+    Case("settling_region", u < 1, (Process(A=u, Q=1, discrete=True), [u], u > 0), "right", "what is given"),
+    Case("settling_region", u >= 0, (Process(A=-u, Q=1), [u]), "wrong", "the border"),
+    Case("settling_region", sp.And(u > 0, v >= 0), (SWING, [u, v]), "wrong", "one side of the border"),
+    Case("settling_region", u < 1, (Process(A=u, Q=1, discrete=True), [u]), "wrong", "one sign"),
+    Case("settling_region", sp.And(u >= -1, u < 1), (Process(A=u, Q=1, discrete=True), [u]), "wrong",
+         "where the order drops"),
+    Case("settling_region", abs(u) < 1, (DELAY, [u]), "wrong", "as if it came back"),
+    Case("settling_region", q, (Process(A=u, Q=1, discrete=True), [u]), "invalid", "an expression"),
     Case("settled_covariance", "q/2", (DECAY, [a, q]), "invalid", "a word"),
 ]
-LIMITS = ["A process that does not settle has no `settled_covariance`; whether it does is asked by `stability_region`."]
+LIMITS = ["A process that does not settle has no `settled_covariance`; whether it does is asked by `settling_region`."]
