@@ -25,12 +25,13 @@ SHAPES = {
         "variable": "symbol",
     },
     "estimation": COMMON | {
-        "angle": "symbol", "at": "number", "covariance": "symmetric n x n matrix of symbols",
-        "deviations": "list of positive numbers", "first": "expression of the vector",
-        "gain": "n x m matrix of symbols", "given": "condition, or list of them",
+        "angle": "symbol", "at": "number, or expression of the parameters",
+        "covariance": "symmetric n x n matrix of symbols", "deviations": "list of positive numbers or expressions",
+        "estimates": "list of n symbols", "first": "expression of the vector", "gain": "n x m matrix of symbols",
+        "given": "condition, or list of them",
         "law": "covariance matrix of the vector, or dict from its values to their probabilities",
-        "measured": "list of pairs", "moment": '"before" or "after"', "process": "Process",
-        "quantities": "list of expressions of the vector", "second": "expression of the vector",
+        "measured": "list of pairs", "moment": '"before" or "after"', "outputs": "list of m symbols",
+        "process": "Process", "quantities": "list of expressions of the vector", "second": "expression of the vector",
         "time": "symbol", "times": "list of numbers", "unknowns": "list of symbols", "vector": "list of symbols",
     },
     "structure": COMMON | {

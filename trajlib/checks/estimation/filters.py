@@ -2,6 +2,10 @@
 
 The truth is the conditional law of a Gaussian vector of all states and measurements together, or the stabilising
 solution of a Riccati equation at numbers, from an invariant subspace (`truths/processes.py`); no filter is run.
+
+What is `measured` are pairs (time, value or values); times, values and the time `at` which the state is asked for may
+hold the parameters, and for a time there may stand `sp.Range(1, n + 1)`: the value at each of these moments. Without R
+the measurements are exact. A process that keeps its mean and covariance may be asked for at times before 0.
 """
 
 import numpy as np
@@ -11,6 +15,7 @@ from trajlib.checks.contract.claims import Matrix, Values
 from trajlib.checks.contract.tolerance import same
 from trajlib.checks.contract.verdict import judged
 from trajlib.checks.tools.comparisons import Entries, Members
+from trajlib.checks.tools.conditions import compare, place_text
 from trajlib.checks.tools.samples import allowed_values
 from trajlib.checks.tools.values import numbers_at
 from trajlib.checks.tools.wording import number_text, where_text
@@ -24,10 +29,9 @@ BEFORE, AFTER = "before", "after"
 
 @judged(Matrix("parameters", shape=lambda data: data["process"].mean.shape))
 def estimate(claim, process, measured, at, parameters=(), given=sp.true):
-    """The best estimate of the state at a time from `measured`, [(time, value or values), ...]; of a single coordinate
-    an expression."""
-    for one, values, known in _measured(process, measured, parameters, given):
-        true, _ = processes.given(one, known, at)
+    """The best estimate of the state at a time from what was measured; of a single coordinate an expression."""
+    for one, values, known, time in _measured(process, measured, at, parameters, given):
+        true, _ = processes.given(one, known, time)
         yield Entries(claim, true, lambda said, i, j: (
             f"component {i + 1} of your estimate{where_text(values)}, {number_text(said[i, 0])}, is not the mean of "
             "the state under the condition of what was measured"), values, abs(true).max() + _size(known))
@@ -37,11 +41,23 @@ def estimate(claim, process, measured, at, parameters=(), given=sp.true):
 @judged(Matrix("parameters", shape=lambda data: data["process"].A.shape))
 def estimate_covariance(claim, process, measured, at, parameters=(), given=sp.true):
     """The covariance matrix of the errors of the best estimate at a time; of a single coordinate the variance."""
-    for one, values, known in _measured(process, measured, parameters, given):
-        true = processes.given(one, known, at)[1]
+    for one, values, known, time in _measured(process, measured, at, parameters, given):
+        true = processes.given(one, known, time)[1]
         yield Entries(claim, true, _other("the errors of the best estimate", values), values,
-                      abs(processes.moments(one, at)[1]).max())
+                      abs(processes.moments(one, time)[1]).max())
     return "it is the covariance of the state under the condition of what was measured"
+
+
+@judged(Matrix("parameters", shape=lambda data: data["process"].mean.shape))
+def estimate_deviations(claim, process, measured, at, parameters=(), given=sp.true):
+    """The standard deviations of the errors of the best estimate at a time, a column; of a single coordinate an
+    expression."""
+    for one, values, known, time in _measured(process, measured, at, parameters, given):
+        true = np.sqrt(np.diag(processes.given(one, known, time)[1]))[:, None]
+        yield Entries(claim, true, lambda said, i, j: (
+            f"the standard deviation of the error of component {i + 1} is another number than "
+            f"{number_text(said[i, 0])}{where_text(values)}"), values)
+    return "its square is the variance of the state under the condition of what was measured"
 
 
 @judged(Matrix("parameters", shape=lambda data: data["process"].A.shape))
@@ -78,6 +94,35 @@ def covariance_with_gain(claim, process, gain, parameters=(), given=sp.true):
         true = processes.erring(one, processes.array(gain, values))
         yield Entries(claim, true, _other("the errors with this gain", values), values, abs(true).max())
     return "the dispersion equation of the errors keeps this covariance"
+
+
+@judged
+def steady_filter_exists(answer, process, parameters):
+    """The condition on the parameters under which there is a steady filter whose errors decay."""
+    def told(values, holds):
+        return f"your condition {'does not hold' if holds else 'holds'} for {place_text(values)}; " + (
+            "there a filter settles, and its errors decay" if holds else
+            "there look at a mode that does not decay and is not measured, or at one that neither decays nor grows and "
+            "that the noise does not reach")
+
+    known = compare(answer, parameters, processes.steady_exists(process), told)
+    return f"a filter settles, and its errors decay, for these values alone: {known}"
+
+
+@judged(Matrix("estimates", "outputs", "covariance", "parameters", shape=lambda data: data["process"].mean.shape))
+def filter_equation(claim, process, estimates, outputs, covariance, parameters=()):
+    """The right-hand side of the equation of the filter in continuous time, y' = ..., a column in the symbols of the
+    estimates y, of the outputs z and of P, the `covariance` of the errors; of a single coordinate an expression."""
+    symbols = [*parameters, *estimates, *outputs, *sorted(covariance.free_symbols, key=str)]
+    for values in allowed_values(symbols, sp.true, COUNT):
+        one, P = processes.numbers(process, values, start=False), processes.array(covariance, values)
+        y, z = (processes.array(sp.Matrix(names), values) for names in (estimates, outputs))
+        gain = processes.gain_of(one, P)
+        terms = one.A @ y, gain @ z, -gain @ one.H @ y
+        yield Entries(claim, sum(terms), lambda said, i, j: (
+            f"your rate of change of {estimates[i]} is {number_text(said[i, 0])}{where_text(values)}; the motion and "
+            "the best use of the innovation together change it at another rate"), values, sum(map(abs, terms)))
+    return "the estimate moves like the process, and the innovation is taken in with the best gain"
 
 
 @judged(Matrix("covariance", "parameters", shape=lambda data: data["covariance"].shape))
@@ -127,11 +172,16 @@ def _definite(covariance, values):
     return values | {covariance[k, k]: sum(rows[k, :]) for k in range(covariance.rows)}
 
 
-def _measured(process, measured, parameters, given):
+def _measured(process, measured, at, parameters, given):
+    """(process, values, measured, at) at numbers."""
     for values in allowed_values(parameters, given, COUNT):
-        known = [(moment, [float(sp.sympify(z).subs(values)) for z in np.atleast_1d(np.array(value, dtype=object))])
-                 for moment, value in measured]
-        yield processes.numbers(process, values), values, known
+        known = [(time, [float(sp.sympify(z).subs(values)) for z in np.atleast_1d(np.array(value, dtype=object))])
+                 for moment, value in measured for time in _times(sp.sympify(moment).subs(values))]
+        yield processes.numbers(process, values), values, known, sp.sympify(at).subs(values)
+
+
+def _times(moment):
+    return list(moment) if isinstance(moment, sp.Range) else [moment]
 
 
 def _size(known):

@@ -1,7 +1,8 @@
 """Estimates by least squares: at the estimate the weighted sum of the squared residuals is the least.
 
 Measurements are [(quantity, measured value), ...], the quantities linear in the unknowns; `deviations` are the standard
-deviations of their errors, without which all are 1 and independent.
+deviations of their errors, without which all are 1 and independent. A third entry, (quantity, value, count), stands for
+so many measurements with this value.
 """
 
 import numpy as np
@@ -57,10 +58,11 @@ def error_covariance(claim, measured, unknowns, deviations=None, parameters=()):
 
 def _weighted(measured, unknowns, deviations, values):
     """Rows and measured values, divided by the standard deviations."""
-    quantities = sp.Matrix([quantity for quantity, _ in measured])
+    quantities = sp.Matrix([quantity for quantity, *_ in measured])
     rest = quantities.subs(dict.fromkeys(unknowns, 0))
-    wanted = sp.Matrix([value for _, value in measured]) - rest
-    scale = sp.diag(*[1 / sp.sympify(s) for s in (deviations or [1] * len(measured))])
+    wanted = sp.Matrix([value for _, value, *_ in measured]) - rest
+    counts = [sp.sqrt(*count) if count else 1 for _, _, *count in measured]
+    scale = sp.diag(*[count / sp.sympify(s) for count, s in zip(counts, deviations or [1] * len(measured))])
     rows, wanted = (np.array((scale * part).subs(values).evalf(30), dtype=float)
                     for part in (quantities.jacobian(unknowns), wanted))
     return rows, wanted[:, 0]

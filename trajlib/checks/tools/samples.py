@@ -41,14 +41,29 @@ def general_values(parameters):
 
 
 def allowed_values(parameters, given, count):
-    """Rational values of both signs for parameters, those only that satisfy the condition or conditions `given`."""
+    """Rational values of both signs for parameters, those only that satisfy the condition or conditions `given`; whole
+    numbers for symbols of such. Where too few values of size one do, larger ones are taken too."""
     if not parameters:
         return [{}]
-    given = joined(given)
-    allowed = [values for values in sample_values(parameters, 12 * count) if given.subs(values) == True]  # noqa: E712
-    if len(allowed) < count:
+    given, allowed = joined(given), []
+    for scale in (1, 4, 16):
+        allowed += [values for values in (_fitting(parameters, scale, one) for one in sample_values(
+            parameters, 12 * count)) if given.subs(values) == True]  # noqa: E712
+        if len(allowed) >= count:
+            break
+    else:
         raise RuntimeError("no values of the parameters were found that satisfy what is given")
     return allowed[:count]
+
+
+def _fitting(parameters, scale, values):
+    """Sample values times a scale, none negative for a symbol that is not; those of integer symbols whole."""
+    found = {}
+    for p in parameters:
+        size = scale * abs(values[p])
+        size = size if not p.is_integer else sp.Integer(max(int(3 * size), 1 if p.is_nonzero else 0))
+        found[p] = size if p.is_nonnegative else sp.sign(values[p]) * size
+    return found
 
 
 def joined(given):

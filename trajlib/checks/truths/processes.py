@@ -5,10 +5,15 @@ together, by the conditional moments of a Gaussian vector: no dispersion equatio
 Steady filters come from the invariant subspaces of their Hamiltonian or symplectic pencils (SciPy).
 """
 
+import itertools
 from dataclasses import dataclass, replace
 
 import numpy as np
 import sympy as sp
+
+from trajlib.checks.tools.conditions import Case, Truth
+from trajlib.checks.truths.fixed_modes import ON_BORDER, fixed_eigenvalues
+from trajlib.checks.truths.pairs import pair_of
 
 
 @dataclass(frozen=True)
@@ -115,3 +120,35 @@ def erring(one, gain):
     if (abs(largest).max() if one.discrete else 1 + largest.real.max()) >= 1 - 1e-12:
         raise np.linalg.LinAlgError("the errors do not decay")
     return settled(replace(one, A=loop, Q=one.Q + gain @ one.R @ gain.T))
+
+
+def steady_exists(process):
+    """The `Truth`, in the symbols of the process, that there is a steady filter whose errors decay.
+
+    By the test of Popov, for every number s = u + i w: the columns of s - A above H are independent unless s is that of
+    a mode that decays, and those of s - A^T above Q unless it decays or grows.
+    """
+    u, w = sp.symbols("u w", real=True, cls=sp.Dummy)
+    size = u**2 + w**2 - 1 if process.discrete else u
+    hidden, quiet = (_dependent(u + sp.I*w, matrix, below) for matrix, below in (
+        (process.A, process.H), (process.A.T, process.Q)))
+    spoiled = sp.Or(sp.And(size >= 0, hidden), sp.And(sp.Eq(size, 0), quiet))
+
+    def at(values):
+        if not all(value.is_Rational for value in values.values()):
+            return None
+        one = process.subs(values)
+        hidden, quiet = (np.concatenate(fixed_eigenvalues(pair_of(matrix, below))) for matrix, below in (
+            (one.A, one.H), (one.A.T, one.Q)))
+        rates = [abs(found) - 1 if process.discrete else found.real for found in (hidden, quiet)]
+        return not ((rates[0] > -ON_BORDER).any() or (abs(rates[1]) < ON_BORDER).any())
+
+    return Truth((Case(sp.Not(spoiled), (u, w), every=True),), (Case(spoiled, (u, w)),), at)
+
+
+def _dependent(s, A, below):
+    """Whether the columns of s - A above a matrix are dependent, for a complex s."""
+    pencil = (s*sp.eye(A.rows) - A).col_join(below)
+    minors = (pencil.extract(list(rows), list(range(A.rows))).det(method="berkowitz")
+              for rows in itertools.combinations(range(pencil.rows), A.rows))
+    return sp.And(*(sp.Eq(part, 0) for minor in minors for part in sp.expand(minor).as_real_imag()))
