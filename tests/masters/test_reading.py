@@ -1,10 +1,12 @@
 """The reader holds a master to its contract, and says in which file and line it breaks and how."""
 
+from contextlib import nullcontext
 from pathlib import Path
 
 import pytest
 
 from trajlib.masters import MasterError, read
+from trajlib.masters.contract import hold_front_matter
 
 ROOT = Path(__file__).resolve().parents[2]
 GOOD = (ROOT / "solutions" / "ch1" / "p15.md").read_text(encoding="utf-8")
@@ -36,6 +38,24 @@ def test_reads_everything():
     assert source == "a_region = sp.And(k1 > 0, k2 > 0)"
 
 
+def test_the_core_of_a_problem(written):
+    assert read(written(GOOD)).core == ()
+    assert read(written(GOOD.replace("level: core", "level: core\n  core: [a, d]"))).core == ("a", "d")
+
+
+@pytest.mark.parametrize("level, asked, core, said", [
+    ("core", 12, None, ""), ("core", 13, None, "advanced at least"), ("advanced", 13, None, ""),
+    ("advanced", 16, None, "problem.core names the items"), ("advanced", 16, ["a"], "")])
+def test_a_long_problem_names_its_core(level, asked, core, said):
+    names = [f"{'abcd'[k % 4]}_{k}" for k in range(asked)]
+    front = {"number": "1.15", "title": "t", "section": "s", "level": level, "topics": ["t"],
+             "answers": dict.fromkeys(names, "number: n"), "hints": {name: ["Why?"] for name in names}}
+    front |= {"core": core} if core else {}
+    expected = pytest.raises(MasterError, match=said) if said else nullcontext()
+    with expected:
+        hold_front_matter(Path("ch1/p15.md"), front, {(): 1})
+
+
 def line_of(text, part):
     return text[:text.index(part)].count("\n") + 1
 
@@ -44,6 +64,9 @@ def line_of(text, part):
     ('number: "1.15"', "number: 1.15", "quoted"),
     ('number: "1.15"', 'number: "1.16"', "ch1/p16.md"),
     ("level: core", "level: easy", "core, advanced, starred"),
+    ("level: core", "level: core\n  core: a", "core is a list"),
+    ("level: core", "level: core\n  core: [a, z]", "z is none"),
+    ("level: core", "level: core\n  core: [a, b, c]", "at most half of its answers"),
     ("title: Stability regions in the plane of two parameters", "title: [Stability]", "title is a text"),
     ("  title: Stability regions in the plane of two parameters\n", "", "title"),
     ('a_region: "condition: the', 'a_region: "kind of set, the', "TYPE"),

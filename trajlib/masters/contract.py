@@ -2,6 +2,7 @@
 
 import ast
 import re
+from collections import Counter
 from difflib import get_close_matches
 from pathlib import Path
 
@@ -12,6 +13,10 @@ TYPES = ("number", "integer", "yes/no", "choice", "vector", "matrix", "expressio
          "law", "function", "list of", "dict")
 LEVELS = ("core", "advanced", "starred")
 FIELDS = {"number": str, "title": str, "section": str, "level": str, "topics": list, "answers": dict, "hints": dict}
+OPTIONAL = {"core": list}
+#: A problem at the level core asks for no more answers; one with more than `FEW_ENOUGH` says which items are its core.
+A_DOZEN, FEW_ENOUGH = 12, 15
+ITEM = re.compile(r"([a-z])_")
 SOLUTION = re.compile(r"\{solution-(start|end)\}")
 FORMS = {str: "a text", list: "a list", dict: "names with what belongs to each"}
 
@@ -30,14 +35,14 @@ def hold_front_matter(path, said, lines):
 
     hold(isinstance(said, dict), f"problem: needs {', '.join(FIELDS)}")
     for field in [*FIELDS, *said]:
-        hold(field in said and field in FIELDS,
-             f"problem: needs {', '.join(FIELDS)} and no more; look at {field}", field)
+        hold(field in said and field in FIELDS | OPTIONAL,
+             f"problem: needs {', '.join(FIELDS)} and no more, but perhaps core; look at {field}", field)
     number = said["number"]
     hold(isinstance(number, str) and re.fullmatch(r"\d+\.\d+", number),
          'problem.number is to be quoted, "1.15"', "number")
     belongs = master_file(number)
     hold(Path(path.parent.name, path.name) == belongs, f"problem {number} belongs into {belongs}", "number")
-    for field, form in FIELDS.items():
+    for field, form in (FIELDS | {field: form for field, form in OPTIONAL.items() if field in said}).items():
         hold(isinstance(said[field], form) and said[field], f"problem.{field} is {FORMS[form]}", field)
     hold(said["level"] in LEVELS, f"problem.level is one of {', '.join(LEVELS)}", "level")
     for name, text in said["answers"].items():
@@ -50,6 +55,26 @@ def hold_front_matter(path, said, lines):
              f"hints are for answers; {name} is none{meant(name, said['answers'])}", "hints", name)
         hold(isinstance(texts, list) and texts and all(isinstance(text, str) for text in texts),
              f"the hints for {name} are a list of texts", "hints", name)
+    _hold_core(hold, said)
+
+
+def _hold_core(hold, said):
+    """The core of a long problem: some of its items, with at most half of its answers."""
+    items, core = Counter(item_of(name) for name in said["answers"]), said.get("core", [])
+    asked = items.total()
+    hold(said["level"] != "core" or asked <= A_DOZEN,
+         f"with {asked} answers, more than a dozen, a problem is advanced at least", "level")
+    hold(core or asked <= FEW_ENOUGH or len(items) <= 3,
+         f"with {asked} answers problem.core names the items that are enough at first, like [a, d]", "answers")
+    for item in core:
+        hold(item in items, f"problem.core is a list of items; {item} is none", "core")
+    hold(sum(items[item] for item in core) <= asked / 2, "the core of a problem is at most half of its answers", "core")
+
+
+def item_of(name):
+    """The item that an answer belongs to: a for a_region, "" where a problem has no items."""
+    found = ITEM.match(name)
+    return found[1] if found else ""
 
 
 def hold_code(master, lines):

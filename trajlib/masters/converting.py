@@ -96,7 +96,8 @@ def student_notebook(master, links):
     about = {"number": master.number, "title": master.title, "section": master.section, "level": master.level,
              "topics": list(master.topics),
              "answers": {a.name: {"kind": a.kind, "text": a.text, "exact": a.exact} for a in master.answers.values()},
-             "hints": {name: list(texts) for name, texts in master.hints.items()}}
+             "hints": {name: list(texts) for name, texts in master.hints.items()},
+             **({"core": list(master.core)} if master.core else {})}
     notebook = {"cells": cells,
                 "metadata": {"kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
                              "language_info": {"name": "python"}, "trajlib": about},
@@ -191,6 +192,13 @@ def _hints(master, names):
     return [_markdown("\n".join(folded))] if folded else []
 
 
+def core_text(items):
+    """What a reader is told of the core of a long problem."""
+    *others, last = items
+    named = f"Items {', '.join(others)} and {last} are" if others else f"Item {last} is"
+    return f"{named} the core of this problem; the rest is practice."
+
+
 def _origin(master):
     chapter = master.number.split(".")[0]
     credit = f"{CREDIT}, problem {master.number}" if int(chapter) <= 5 else RESEARCH
@@ -198,7 +206,8 @@ def _origin(master):
         f"*The data of this problem come from* {credit}.\n\n"
         f"You need the library `trajlib`: from a checkout of the workbook run `pip install -e .`, or install "
         f"the wheel that the workbook's site offers. Replace each `...` by your answer and run the check cell below "
-        f"it: it says what holds and what does not, as often as you like. The theory stands in chapter {chapter}.",
+        f"it: it says what holds and what does not, as often as you like. The theory stands in chapter {chapter}."
+        + (f"\n\n{core_text(master.core)}" if master.core else ""),
         [("the wheel that the workbook's site offers", f"wheels/{WHEEL}"),
          (f"chapter {chapter}", f"book/ch{chapter}.html")])
 

@@ -43,6 +43,7 @@ class Master:
     hints: dict
     cells: tuple
     trials: dict
+    core: tuple = ()
 
     def code(self, *roles):
         """Sources of the code cells with one of the roles, in order."""
@@ -79,7 +80,7 @@ def read(path):
     answers = {name: _answer(name, text) for name, text in said["answers"].items()}
     hints = {name: tuple(texts) for name, texts in said["hints"].items()}
     master = Master(path, said["number"], said["title"], said["section"], said["level"], tuple(said["topics"]), answers,
-                    hints, _cells(path, text), read_trials(trials_file(path), answers))
+                    hints, _cells(path, text), read_trials(trials_file(path), answers), tuple(said.get("core", ())))
     hold_code(master, lines)
     hold_drawings(master)
     return master

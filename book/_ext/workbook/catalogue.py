@@ -29,6 +29,7 @@ class Problem:
     topics: tuple
     answers: dict
     hints: dict
+    core: tuple = ()
 
     @property
     def order(self):
@@ -60,7 +61,7 @@ def read(page, path):
     about = exercises.read(path).about if path.suffix == ".ipynb" else _front_matter(path)
     return Problem(page, about["number"], about["title"], about["section"], about["level"], tuple(about["topics"]),
                    {name: _answer(answer) for name, answer in about["answers"].items()},
-                   {name: list(texts) for name, texts in about["hints"].items()})
+                   {name: list(texts) for name, texts in about["hints"].items()}, tuple(about.get("core", ())))
 
 
 def of(env):

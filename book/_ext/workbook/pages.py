@@ -18,6 +18,8 @@ from sphinx.util.index_entries import split_index_msg
 from sphinx_exercise.nodes import exercise_node
 
 from trajlib import exercises
+from trajlib.masters.contract import item_of
+from trajlib.masters.converting import core_text
 from workbook import catalogue
 from workbook.boxes import details, summary
 from workbook.downloads import link
@@ -26,7 +28,6 @@ logger = logging.getLogger(__name__)
 
 TITLE = re.compile(r"^# .*$", re.M)
 NAME = re.compile(r"(?:van der )?[A-Z]\w+")  # of a person, in a topic: what else is written there begins small
-ITEM = re.compile(r"([a-z])_")  # of an answer's name
 EXERCISE_END = re.compile(r"^(`{3,}|:{3,})\{exercise-end\}[ \t]*\n(?:.*\n)*?\1[ \t]*$", re.M)
 
 
@@ -84,7 +85,9 @@ class ProblemHead(SphinxDirective):
         index = addnodes.index(entries=[
             ("single", entry, f"problem-{problem.number}", "main", None) for entry in self._index_entries(problem)])
         target = nodes.target("", "", ids=[f"problem-{problem.number}"])
-        return [index, target, nodes.container("", chips, notebook, classes=["problem-head"])]
+        head = nodes.container("", chips, notebook, classes=["problem-head"])
+        core = [nodes.paragraph("", core_text(problem.core), classes=["problem-core"])] if problem.core else []
+        return [index, target, head, *core]
 
     def _index_entries(self, problem):
         # A master brings the entry of its number itself, its copy for students does not. The search finds an entry by
@@ -104,7 +107,7 @@ class ProblemAnswers(SphinxDirective):
         problem = catalogue.of(self.env)[self.env.docname]
         groups = {}
         for name in problem.answers:
-            groups.setdefault(ITEM.match(name)[1] if ITEM.match(name) else "", []).append(name)
+            groups.setdefault(item_of(name), []).append(name)
         box = nodes.container(classes=["problem-answers"])
         for item, names in groups.items():
             title = summary("", "To answer: ")

@@ -401,10 +401,9 @@ def _judge_switching(claim, transfer, time):
     for t, true in found:
         said = value_of(t)[0]
         if not abs(said - true) <= 4 * rounding * size:
-            raise Wrong(f"at t = {t:.4g} your function is {said:.4g}; with the costate that transversality and H = 0 "
-                        f"determine at the "
-                        "end, followed "
-                        f"back along the {transfer.manner} motion, dH/du is {true:.4g} there")
+            raise Wrong(f"at t = {t:.4g} your function is {said:.4g}; dH/du has another "
+                        f"{'sign' if said * true < 0 else 'value'} there, if the costate that transversality and H = 0 "
+                        f"determine at the end is followed back along the {transfer.manner} motion")
     return f"it is dH/du along the {transfer.manner} motion, with the costate followed back from the end"
 
 

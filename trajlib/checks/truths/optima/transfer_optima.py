@@ -212,7 +212,7 @@ class _Optimum:
         return float(np.linalg.norm(self.start) + np.linalg.norm(self.gap(self.start))) or 1.0
 
     def told_time(self, said):
-        return self.system.told_time(self.start, said, self.duration, self.slowest, self.meetings)
+        return self.system.told_time(self.start, said, self.duration)
 
     def switchings(self):
         return self.system.switchings(self.start, self.duration)
@@ -321,7 +321,7 @@ class _Line(_System):
         way = np.sign(self._target() - float(start[0]))
         return max(self.bounds, key=lambda u: way * self.field(y, u)[0])
 
-    def told_time(self, start, said, true, slowest, meetings):
+    def told_time(self, start, said, true):
         if said < true:
             return "moving towards the target as fast as the bounds allow, the state has not arrived by then"
         return "moving towards the target as fast as the bounds allow, the state arrives earlier"
@@ -401,14 +401,13 @@ class _Turn(_System):
             angle = rk4(lambda _, a: self._speed(theta + sense * a, slowest), 0, angle, duration / steps)
         return angle
 
-    def told_time(self, start, said, true, slowest, meetings):
+    def told_time(self, start, said, true):
         if not 0 < said < 100 * true:
             return ("the process ends at a positive time" if said <= 0
                     else "by then every admissible control has met the target long before")
         least, most = (self.turned(start, said, s) for s in (True, False))
         return (f"by then the direction of (x, x') has turned by {least:.4g} at least and {most:.4g} at most, "
-                f"depending on the control, and the "
-                f"target is met when it has turned by {self._angle(start, meetings):.4g}")
+                "depending on the control: compare this with the angle from the start to the target")
 
     def met_between(self, first, second):
         """Whether the direction passes the target on the way from the first state to the second, by less than a
@@ -520,7 +519,7 @@ class _Linear(_System):
         breaks, first = self._plan(start, duration)
         return first if sum(b < t for b in breaks) % 2 == 0 else sum(self.bounds) - first
 
-    def told_time(self, start, said, true, slowest, meetings):
+    def told_time(self, start, said, true):
         return ("that is not enough for any admissible control" if said < true
                 else "an admissible control arrives earlier")
 
