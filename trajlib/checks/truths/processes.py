@@ -1,7 +1,7 @@
 """Linear random processes at numbers: what their moments become with time, and what measurements leave of them.
 
-Moments at any set of times come at once, from a matrix exponential (Van Loan 1978), and measurements are taken all
-together, by the conditional moments of a Gaussian vector: no dispersion equation is integrated and no filter is run.
+Moments at any set of times come at once, from a matrix exponential, and measurements are taken all together, by the
+conditional moments of a Gaussian vector: no dispersion equation is integrated and no filter is run.
 Steady filters come from the invariant subspaces of their Hamiltonian or symplectic pencils (SciPy).
 """
 
@@ -48,8 +48,12 @@ def moved(one, duration):
     if one.discrete:
         powers = [np.linalg.matrix_power(one.A, k) for k in range(round(duration) + 1)]
         return powers[-1], sum((F @ one.Q @ F.T for F in powers[:-1]), np.zeros((n, n)))
-    block = expm(float(duration) * np.block([[-one.A, one.Q], [np.zeros((n, n)), one.A.T]]))
-    return block[n:, n:].T, block[n:, n:].T @ block[:n, n:]
+    # The linear equation of the n^2 entries of N, with 1 as one more: what decays stays small here. The exponential of
+    # the block matrix of -A, Q and A^T (Van Loan 1978) grows with it and leaves N few digits.
+    sums = np.kron(one.A, np.eye(n)) + np.kron(np.eye(n), one.A)
+    block = np.block([[sums, one.Q.reshape(-1, 1)], [np.zeros((1, n * n + 1))]])
+    noise = expm(float(duration) * block)[:-1, -1].reshape(n, n)
+    return expm(float(duration) * one.A), (noise + noise.T) / 2
 
 
 def moments(one, time):

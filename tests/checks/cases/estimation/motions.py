@@ -10,6 +10,8 @@ DECAY = Process(A=-a, Q=q, mean=m, covariance=P)
 WIENER = Process(A=0, Q=q, mean=m, covariance=P)
 STEPS = Process(A=a, Q=q, mean=m, covariance=P, discrete=True)
 CARTS = Process(A=[[0, 1], [0, 0]], Q=sp.diag(0, q), mean=[m, 1])
+STIFF = Process(A=[[0, 1], [-6, -5]], Q=sp.diag(0, 1))
+FALL = (STIFF.A*t).exp()
 LINE = q*sp.Matrix([[t**3/3, t**2/2], [t**2/2, t]])
 u, v = sp.symbols("u v", real=True)
 SWING = Process(A=[[0, 1], [-v, -u]], Q=sp.diag(0, q))
@@ -30,6 +32,8 @@ CASES = [
     Case("covariance_motion", LINE, (CARTS, t, [q, m]), "right", "a matrix"),
     Case("covariance_motion", P*a**(2*k) + q*(1 - a**(2*k))/(1 - a**2), (STEPS, k, [a, q, m, P]), "right",
          "a sum of powers"),
+    Case("covariance_motion", sp.diag(1, 6)/60 - FALL*sp.diag(1, 6)/60*FALL.T, (STIFF, t), "right",
+         "what decays fast is not lost in rounding"),
     Case("covariance_motion", q*t, (WIENER, t, [q, m, P]), "wrong", "the start forgotten"),
     Case("covariance_motion", P*sp.exp(-a*t) + q*(1 - sp.exp(-a*t))/a, (DECAY, t, [a, q, m, P]), "wrong",
          "at the rate of the mean"),
