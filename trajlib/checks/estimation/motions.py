@@ -41,7 +41,9 @@ def covariance_motion(claim, process, time, parameters=(), given=sp.true, times=
     """
     for one, values in _in_time(process, time, parameters, given, times):
         F, N = processes.moved(one, values[time])
-        size = abs(F) @ abs(one.covariance) @ abs(F).T + abs(N)
+        # At the start too terms may cancel that are as large as the noise makes them soon.
+        _, soon = processes.moved(one, max(values[time], STEPS[1] if process.discrete else TIMES[1]))
+        size = abs(F) @ abs(one.covariance) @ abs(F).T + abs(soon)
         yield Entries(claim, F @ one.covariance @ F.T + N, _told("covariance", values), values, size.max())
     return "it is the covariance at all times and parameters tried"
 

@@ -34,6 +34,8 @@ CASES = [
          "a sum of powers"),
     Case("covariance_motion", sp.diag(1, 6)/60 - FALL*sp.diag(1, 6)/60*FALL.T, (STIFF, t), "right",
          "what decays fast is not lost in rounding"),
+    Case("covariance_motion", 0.2 - 0.2*sp.exp(-2.5*t), (Process(A=-sp.Rational(5, 4), Q=HALF), t), "right",
+         "decimals that cancel at the start"),
     Case("covariance_motion", q*t, (WIENER, t, [q, m, P]), "wrong", "the start forgotten"),
     Case("covariance_motion", P*sp.exp(-a*t) + q*(1 - sp.exp(-a*t))/a, (DECAY, t, [a, q, m, P]), "wrong",
          "at the rate of the mean"),
