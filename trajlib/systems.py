@@ -127,6 +127,47 @@ class Process:
                        discrete=self.discrete)
 
 
+@dataclass(frozen=True)
+class Coloured:
+    """A system x' = A x + B w, z = H x + C w + r with a noise w of which the correlation function is known.
+
+    w is a single stationary process without a mean, `correlation` = M[w(t) w(t + delay)] for a `delay` >= 0, an
+    expression in this symbol; r is white noise of the intensity R. w, r and x(0), which has the `covariance` and no
+    mean, do not correlate. A and the covariance: n x n, H: m x n, B: n x 1, C: m x 1, R: m x m, as for `Process`. If w
+    itself is what is measured, A, B and H are left out.
+
+    >>> tau = sp.Symbol("tau", nonnegative=True)
+    >>> from trajlib.systems import Coloured
+    >>> Coloured(8*sp.exp(-tau), tau, A=0, B=1, H=1, R=1).C
+    Matrix([[0]])
+    """
+
+    correlation: sp.Expr
+    delay: sp.Symbol
+    A: sp.Matrix = ()
+    B: sp.Matrix = ()
+    H: sp.Matrix = ()
+    C: sp.Matrix = 0
+    R: sp.Matrix = 0
+    covariance: sp.Matrix = 0
+
+    def __post_init__(self):
+        n = sp.Matrix(self.A).rows if isinstance(self.A, (list, tuple)) else _matrix(self.A, None).rows
+        m = _matrix(self.H if n else self.C, None).rows
+        shapes = {"A": (n, n), "B": (n, 1), "H": (m, n), "C": (m, 1), "R": (m, m), "covariance": (n, n)}
+        for name, shape in shapes.items():
+            matrix = _matrix(getattr(self, name), shape) if 0 not in shape else sp.zeros(*shape)
+            if matrix.shape != shape:
+                raise ValueError(f"{name} has the shape {matrix.shape}; with this A and H it has to have {shape}")
+            object.__setattr__(self, name, matrix.as_immutable())
+        object.__setattr__(self, "correlation", sp.sympify(self.correlation))
+
+    def subs(self, *values):
+        """The system with values, or other expressions, for its symbols."""
+        return Coloured(self.correlation.subs(*values), self.delay,
+                        *(getattr(self, name).subs(*values) for name in ("A", "B", "H", "C", "R", "covariance")))
+
+
 def _matrix(given, shape):
     if shape is not None and not isinstance(given, (list, tuple, sp.MatrixBase)) and given == 0:
         return sp.zeros(*shape)

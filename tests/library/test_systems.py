@@ -1,7 +1,7 @@
 import pytest
 import sympy as sp
 
-from trajlib.systems import Controlled, Mechanical, Process, Scalar
+from trajlib.systems import Coloured, Controlled, Mechanical, Process, Scalar
 
 k = sp.Symbol("k")
 STATED = Mechanical(M=[[2, 1], [1, k]], D=0, K=sp.diag(1, 2), L=[1, k], H2=[[1, 0], [0, 1]])
@@ -45,6 +45,16 @@ def test_a_process_takes_numbers_where_matrices_are_single():
     cart = Process(A=[[0, 1], [0, 0]], Q=sp.diag(0, k), H=[[1, 0]], R=1, mean=[1, 0], discrete=True)
     assert cart.covariance == sp.zeros(2) and cart.subs(k, 1).discrete and cart.H.shape == (1, 2)
     assert Process(A=[[0, 1], [0, 0]]).H.shape == (0, 2)
+
+
+def test_a_coloured_noise_stands_alone_or_enters_a_system():
+    tau = sp.Symbol("tau", nonnegative=True)
+    alone = Coloured(k*sp.exp(-tau), tau, C=1, R=2)
+    assert alone.A.shape == (0, 0) and alone.H.shape == (1, 0) and alone.C == sp.eye(1)
+    cart = Coloured(k, tau, A=[[0, 1], [0, 0]], B=[0, 1], H=[[0, 1]], R=1)
+    assert cart.covariance == sp.zeros(2) and cart.C == sp.zeros(1) and cart.subs(k, 3).correlation == 3
+    with pytest.raises(ValueError, match="B has the shape"):
+        Coloured(k, tau, A=[[0, 1], [0, 0]], B=[1], H=[[0, 1]], R=1)
 
 
 @pytest.mark.parametrize("part, given, words", [

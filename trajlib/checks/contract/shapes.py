@@ -31,7 +31,8 @@ SHAPES = {
         "given": "condition, or list of them",
         "law": "covariance matrix of the vector, or dict from its values to their probabilities",
         "measured": "list of pairs", "moment": '"before" or "after"', "outputs": "list of m symbols",
-        "process": "Process", "quantities": "list of expressions of the vector", "second": "expression of the vector",
+        "of": "2 x n matrix, a row for each quantity", "process": "Process or Coloured",
+        "quantities": "list of expressions of the vector", "second": "expression of the vector",
         "time": "symbol", "times": "list of numbers", "unknowns": "list of symbols", "vector": "list of symbols",
     },
     "structure": COMMON | {

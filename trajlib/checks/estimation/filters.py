@@ -27,7 +27,7 @@ REPEATED = 1e-7
 BEFORE, AFTER = "before", "after"
 
 
-@judged(Matrix("parameters", shape=lambda data: data["process"].mean.shape))
+@judged(Matrix("parameters", shape=processes.shape_of("mean")))
 def estimate(claim, process, measured, at, parameters=(), given=sp.true):
     """The best estimate of the state at a time from what was measured; of a single coordinate an expression."""
     for one, values, known, time in _measured(process, measured, at, parameters, given):
@@ -38,7 +38,7 @@ def estimate(claim, process, measured, at, parameters=(), given=sp.true):
     return "it is the mean of the state under the condition of what was measured"
 
 
-@judged(Matrix("parameters", shape=lambda data: data["process"].A.shape))
+@judged(Matrix("parameters", shape=processes.shape_of("A")))
 def estimate_covariance(claim, process, measured, at, parameters=(), given=sp.true):
     """The covariance matrix of the errors of the best estimate at a time; of a single coordinate the variance."""
     for one, values, known, time in _measured(process, measured, at, parameters, given):
@@ -48,7 +48,7 @@ def estimate_covariance(claim, process, measured, at, parameters=(), given=sp.tr
     return "it is the covariance of the state under the condition of what was measured"
 
 
-@judged(Matrix("parameters", shape=lambda data: data["process"].mean.shape))
+@judged(Matrix("parameters", shape=processes.shape_of("mean")))
 def estimate_deviations(claim, process, measured, at, parameters=(), given=sp.true):
     """The standard deviations of the errors of the best estimate at a time, a column; of a single coordinate an
     expression."""
@@ -60,7 +60,7 @@ def estimate_deviations(claim, process, measured, at, parameters=(), given=sp.tr
     return "its square is the variance of the state under the condition of what was measured"
 
 
-@judged(Matrix("parameters", shape=lambda data: data["process"].A.shape))
+@judged(Matrix("parameters", shape=processes.shape_of("A")))
 def steady_covariance(claim, process, parameters=(), given=sp.true, moment=BEFORE):
     """The covariance matrix of the errors of the steady filter; in discrete time that `moment` of a measurement,
     "before" or "after"."""
@@ -71,7 +71,7 @@ def steady_covariance(claim, process, parameters=(), given=sp.true, moment=BEFOR
     return "the Riccati equation keeps this covariance, and with it the errors of the filter decay"
 
 
-@judged(Matrix("parameters", shape=lambda data: data["process"].H.T.shape))
+@judged(Matrix("parameters", shape=lambda data: processes.plain(data["process"]).H.T.shape))
 def steady_gain(claim, process, parameters=(), given=sp.true):
     """The gain K of the steady filter, a column for each measurement: y' = A y + K (z - H y), in discrete time
     y+ = y + K (z - H y)."""
@@ -84,7 +84,7 @@ def steady_gain(claim, process, parameters=(), given=sp.true):
     return "no other gain makes the variances of the errors smaller"
 
 
-@judged(Matrix("gain", "parameters", shape=lambda data: data["process"].A.shape))
+@judged(Matrix("gain", "parameters", shape=processes.shape_of("A")))
 def covariance_with_gain(claim, process, gain, parameters=(), given=sp.true):
     """The covariance matrix that the errors of the filter y' = A y + K (z - H y) settle to with any `gain`, a matrix of
     symbols, for which they decay."""
@@ -109,7 +109,7 @@ def steady_filter_exists(answer, process, parameters):
     return f"a filter settles, and its errors decay, for these values alone: {known}"
 
 
-@judged(Matrix("estimates", "outputs", "covariance", "parameters", shape=lambda data: data["process"].mean.shape))
+@judged(Matrix("estimates", "outputs", "covariance", "parameters", shape=processes.shape_of("mean")))
 def filter_equation(claim, process, estimates, outputs, covariance, parameters=()):
     """The right-hand side of the equation of the filter in continuous time, y' = ..., a column in the symbols of the
     estimates y, of the outputs z and of P, the `covariance` of the errors; of a single coordinate an expression."""

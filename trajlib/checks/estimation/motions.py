@@ -7,9 +7,9 @@ all sizes; where a covariance settles, from Hurwitz's determinants.
 import numpy as np
 import sympy as sp
 
-from trajlib.checks.contract.claims import Matrix
+from trajlib.checks.contract.claims import Expression, Expressions, Matrix
 from trajlib.checks.contract.verdict import judged
-from trajlib.checks.tools.comparisons import Entries
+from trajlib.checks.tools.comparisons import Entries, Same
 from trajlib.checks.tools.conditions import compare, contrary, exactly
 from trajlib.checks.tools.samples import allowed_values
 from trajlib.checks.tools.wording import number_text, where_text
@@ -21,7 +21,7 @@ TIMES = (0, sp.Rational(1, 2), 1, sp.Rational(7, 5), 2, 3)
 STEPS = (0, 1, 2, 3, 5, 6)
 
 
-@judged(Matrix("time", "parameters", shape=lambda data: data["process"].mean.shape))
+@judged(Matrix("time", "parameters", shape=processes.shape_of("mean")))
 def mean_motion(claim, process, time, parameters=(), given=sp.true, times=None):
     """The mean of the process at the time t, a column; of a single coordinate an expression.
 
@@ -33,7 +33,7 @@ def mean_motion(claim, process, time, parameters=(), given=sp.true, times=None):
     return "it is the mean at all times and parameters tried"
 
 
-@judged(Matrix("time", "parameters", shape=lambda data: data["process"].A.shape))
+@judged(Matrix("time", "parameters", shape=processes.shape_of("A")))
 def covariance_motion(claim, process, time, parameters=(), given=sp.true, times=None):
     """The covariance matrix of the process at the time t; of a single coordinate an expression.
 
@@ -48,7 +48,33 @@ def covariance_motion(claim, process, time, parameters=(), given=sp.true, times=
     return "it is the covariance at all times and parameters tried"
 
 
-@judged(Matrix("parameters", shape=lambda data: data["process"].A.shape))
+@judged(Expression("time", "parameters"))
+def correlation_motion(claim, process, time, of, parameters=(), given=sp.true, times=None):
+    """The correlation coefficient at the time t of two quantities, with the rows `of`.
+
+    `times` are those for which the answer is asked, if not for all after the start.
+    """
+    rows = processes.array(of, {})
+    for one, values in _in_time(process, time, parameters, given, times or TIMES[1:]):
+        covariance = rows @ processes.moments(one, values[time])[1] @ rows.T
+        yield Same(claim, covariance[0, 1] / np.sqrt(covariance[0, 0] * covariance[1, 1]),
+                   "the correlation coefficient", values)
+    return "it is the covariance as a share of what it could be at most"
+
+
+@judged(Expressions("parameters", length=3))
+def shaping_equation(claims, process, parameters=(), given=sp.true):
+    """[a, Q, D] of the equation w' = a w + q, with the intensity Q of q and the variance D of w(0), that makes the
+    noise of a `Coloured` process."""
+    for values in allowed_values(parameters, given, len(TIMES)):
+        D, a = (float(part.subs(values)) for part in processes.variance_and_rate(process))
+        for claim, true, what in zip(claims, (-a, 2 * a * D, D), (
+                "the coefficient of w", "the intensity", "the variance at the start")):
+            yield Same(claim, true, what + " that keeps the given correlation", values, max(a, a * D, D))
+    return "what it makes has the given correlation at all times"
+
+
+@judged(Matrix("parameters", shape=processes.shape_of("A")))
 def settled_covariance(claim, process, parameters=(), given=sp.true):
     """The covariance matrix that the process settles to, whatever it is at the start, where it does."""
     for values in allowed_values(parameters, given, len(TIMES)):
@@ -75,7 +101,7 @@ def settling_region(answer, process, parameters, given=sp.true):
 
 
 def _in_time(process, time, parameters, given, times):
-    times = times or (STEPS if process.discrete else TIMES)
+    times = times or (STEPS if processes.plain(process).discrete else TIMES)
     for moment, values in zip(times, allowed_values(parameters, given, len(times)) * len(times)):
         yield processes.numbers(process, values), values | {time: sp.sympify(moment)}
 

@@ -5,6 +5,7 @@ conditional moments of a Gaussian vector: no dispersion equation is integrated a
 Steady filters come from the invariant subspaces of their Hamiltonian or symplectic pencils (SciPy).
 """
 
+import functools
 import itertools
 from dataclasses import dataclass, replace
 
@@ -14,6 +15,7 @@ import sympy as sp
 from trajlib.checks.tools.conditions import Case, Truth
 from trajlib.checks.truths.fixed_modes import ON_BORDER, fixed_eigenvalues
 from trajlib.checks.truths.pairs import pair_of
+from trajlib.systems import Coloured, Process
 
 
 @dataclass(frozen=True)
@@ -31,9 +33,40 @@ class Numbers:
 
 def numbers(process, values, start=True):
     """The process at values of its symbols, as arrays; without its `start` with zeros as its first moments."""
+    process = plain(process)
     start = (process.mean, process.covariance) if start else (process.mean * 0, process.covariance * 0)
     return Numbers(*(array(matrix, values) for matrix in (process.A, process.Q, process.H, process.R, *start)),
                    process.discrete)
+
+
+@functools.lru_cache(maxsize=32)
+def plain(process):
+    """The `Process` of x and, below it, the noise w of a `Coloured` one; any other as it is.
+
+    A correlation D exp(-a delay) belongs to w' = -a w + q with the intensity 2 a D, from w(0) with the variance D on.
+    """
+    if not isinstance(process, Coloured):
+        return process
+    D, a = variance_and_rate(process)
+    n = process.A.rows
+    A, noise, start = (sp.zeros(n + 1) for _ in range(3))
+    A[:n, :n], A[:n, n:], A[n, n] = process.A, process.B, -a
+    noise[n, n], start[:n, :n], start[n, n] = 2 * a * D, process.covariance, D
+    return Process(A, noise, process.H.row_join(process.C), process.R, 0, start)
+
+
+def shape_of(name):
+    """The shape of a claim that is like this matrix of the process among the data."""
+    return lambda data: getattr(plain(data["process"]), name).shape
+
+
+def variance_and_rate(process):
+    """(D, a) of the correlation D exp(-a delay) of a `Coloured` process."""
+    D = process.correlation.subs(process.delay, 0)
+    a = sp.simplify(-process.correlation.diff(process.delay) / process.correlation)
+    if a.has(process.delay):
+        raise ValueError(f"the correlation {process.correlation} is not a single exponential")
+    return D, a
 
 
 def array(matrix, values):
@@ -78,6 +111,8 @@ def jointly(one, times):
 def given(one, measured, at):
     """Mean and covariance of x(at) given [(time, z), ...], z a list of numbers each."""
     n, m = len(one.A), len(one.H)
+    if not measured:
+        return moments(one, at)
     mean, covariance = jointly(one, [*(time for time, _ in measured), at])
     rows = np.kron(np.eye(len(measured)), one.H)
     rows = np.hstack([rows, np.zeros((m * len(measured), n))])
@@ -133,6 +168,7 @@ def steady_exists(process):
     a mode that decays, and those of s - A^T above Q unless it decays or grows.
     """
     u, w = sp.symbols("u w", real=True, cls=sp.Dummy)
+    process = plain(process)
     size = u**2 + w**2 - 1 if process.discrete else u
     hidden, quiet = (_dependent(u + sp.I*w, matrix, below) for matrix, below in (
         (process.A, process.H), (process.A.T, process.Q)))

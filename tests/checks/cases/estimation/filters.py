@@ -1,7 +1,7 @@
 import sympy as sp
 from case import Case
 
-from trajlib.systems import Process
+from trajlib.systems import Coloured, Process
 
 Q, R, p, m, z = sp.symbols("Q R p m z", positive=True)
 a, k1, k2 = sp.symbols("a k1 k2", real=True)
@@ -29,6 +29,13 @@ BETWEEN = (y1*sp.sinh(2 - t) + y2*sp.sinh(t - 1))/sp.sinh(1)
 ANY = Process(A=a, Q=Q0, H=h, R=R)
 SEEN = sp.And(sp.Or(sp.Ne(h, 0), a < 0), sp.Or(sp.Ne(Q0, 0), sp.Ne(a, 0)))
 RATES = sp.Matrix([[2*p12 - p11**2/R, p22 - p11*p12/R], [p22 - p11*p12/R, Q - p12**2/R]])
+
+T, D = sp.symbols("T D", positive=True)
+tau = sp.Symbol("tau", nonnegative=True)
+INTEGRAL = Coloured(8*sp.exp(-tau), tau, A=0, B=1, H=1, R=1)
+NOISE = Coloured(sp.exp(-a*tau), tau, C=1, R=R)
+BIASED = Coloured(D, tau, A=[[0, 1], [0, 0]], B=[0, 1], H=[[0, 1]], R=R)
+WAY = sp.Matrix([T**2/2, T, 1])
 
 CASES = [
     Case("estimate", (m*R + z*p)/(p + R), (CONSTANT, [(0, z)], 2, [R, p, m, z]), "right", "a weighted mean"),
@@ -60,6 +67,11 @@ CASES = [
     Case("estimate_deviations", p*R/(p + R), (CONSTANT, [(0, z)], 2, [R, p, m, z]), "wrong", "the variance"),
     Case("estimate_deviations", [sp.sqrt(2), 1], (START, [(1, 3)], 1), "wrong", "before the measurement"),
     Case("estimate_deviations", 1, (START, [(1, 3)], 1), "invalid", "one of two"),
+    Case("estimate_covariance", D*R/(R + D*T**2)*WAY*WAY.T, (BIASED, [(T, 0)], T, [T, D, R]), "right",
+         "a noise that is constant"),
+    Case("estimate_deviations", sp.sqrt(D)*WAY, (BIASED, [], T, [T, D, R]), "right", "nothing was measured"),
+    Case("steady_covariance", sp.Matrix([[2, 2], [2, 6]]), (INTEGRAL,), "right", "a noise with a correlation"),
+    Case("steady_covariance", R*(sp.sqrt(a**2 + 2*a/R) - a), (NOISE, [a, R], a > 0), "right", "the noise itself"),
     Case("steady_covariance", OWN, (CART, [Q, R]), "right", "a cart"),
     Case("steady_covariance", R*(a + sp.sqrt(a**2 + Q/R)), (SCALAR, [a, Q, R]), "right", "for a of both signs"),
     Case("steady_covariance", BEFORE, (STEPS, [Q, R]), "right", "before a measurement"),
@@ -74,6 +86,7 @@ CASES = [
     Case("steady_gain", OWN[:, 0], (CART, [Q, R]), "wrong", "not divided by R"),
     Case("steady_gain", [sp.sqrt(Q/R), SQRT*(Q/R)**sp.Rational(1, 4)], (CART, [Q, R]), "wrong", "interchanged"),
     Case("steady_gain", 2, (CART, [Q, R]), "invalid", "one of two"),
+    Case("steady_gain", [2, 2], (INTEGRAL,), "right", "a noise with a correlation"),
     Case("covariance_with_gain", (Q + k1**2*R)/(2*(k1 - a)),
          (SCALAR, sp.Matrix([[k1]]), [a, Q, R], k1 > a), "right", "where the errors decay"),
     Case("covariance_with_gain", (Q + k1**2*R)/k1/2, (SCALAR.subs(a, 0), sp.Matrix([[k1]]), [Q, R], k1 > 0), "right",

@@ -1,7 +1,7 @@
 import sympy as sp
 from case import Case
 
-from trajlib.systems import Process
+from trajlib.systems import Coloured, Process
 
 t = sp.Symbol("t", nonnegative=True)
 k = sp.Symbol("k", integer=True, nonnegative=True)
@@ -18,6 +18,11 @@ SWING = Process(A=[[0, 1], [-v, -u]], Q=sp.diag(0, q))
 ECHO = Process(A=[[0, 1], [-v, u]], Q=sp.diag(0, q), discrete=True)
 DELAY = Process(A=[[0, u], [0, 0]], Q=sp.diag(0, q), discrete=True)
 HALF = sp.Rational(1, 2)
+
+tau = sp.Symbol("tau", nonnegative=True)
+D, R = sp.symbols("D R", positive=True)
+BIASED = Coloured(D, tau, A=[[0, 1], [0, 0]], B=[0, 1], H=[[0, 1]], R=R)
+BOTH = sp.Matrix([[1, 0, 0], [0, 1, 0]])
 
 CASES = [
     Case("mean_motion", m*sp.exp(-a*t), (DECAY, t, [a, q, m, P]), "right", "decay"),
@@ -42,6 +47,18 @@ CASES = [
     Case("covariance_motion", LINE.subs(q, q**2), (CARTS, t, [q, m]), "wrong", "the intensity squared"),
     Case("covariance_motion", sp.diag(*LINE.diagonal()), (CARTS, t, [q, m]), "wrong", "the variances alone"),
     Case("covariance_motion", [1, 2, 3], (CARTS, t, [q, m]), "invalid", "a list"),
+    Case("correlation_motion", sp.sqrt(3)/2, (CARTS, t, sp.eye(2), [q, m]), "right", "of place and speed"),
+    Case("correlation_motion", 1, (BIASED, t, BOTH, [D, R]), "right", "complete"),
+    Case("correlation_motion", sp.Rational(3, 4), (CARTS, t, sp.eye(2), [q, m]), "wrong", "its square"),
+    Case("correlation_motion", q*t**2/2, (CARTS, t, sp.eye(2), [q, m]), "wrong", "the covariance"),
+    Case("correlation_motion", [1, 2], (CARTS, t, sp.eye(2), [q, m]), "invalid", "a list"),
+    Case("shaping_equation", [-1, 16, 8], (Coloured(8*sp.exp(-tau), tau, C=1),), "right", "numbers"),
+    Case("shaping_equation", [0, 0, D], (BIASED, [D]), "right", "a constant"),
+    Case("shaping_equation", [-a, 2*a*q, q], (Coloured(q*sp.exp(-a*tau), tau, C=1), [a, q]), "right", "symbols"),
+    Case("shaping_equation", [1, 16, 8], (Coloured(8*sp.exp(-tau), tau, C=1),), "wrong", "growth"),
+    Case("shaping_equation", [-1, 8, 8], (Coloured(8*sp.exp(-tau), tau, C=1),), "wrong", "the variance as intensity"),
+    Case("shaping_equation", [0, D, D], (BIASED, [D]), "wrong", "a constant that is driven"),
+    Case("shaping_equation", [1, 2], (BIASED, [D]), "invalid", "two of three"),
     Case("settled_covariance", q/(2*a), (DECAY, [a, q]), "right", "a number"),
     Case("settled_covariance", q/(1 - a**2), (STEPS, [a, q], a < 1), "right", "where it exists"),
     Case("settled_covariance", sp.Matrix([[HALF, 0], [0, HALF]]),
