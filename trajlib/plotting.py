@@ -293,6 +293,23 @@ def nullclines(field, state, ax, params=None):
     return ax
 
 
+def estimate(times, mean, deviation, ax=None, label=None, colour=BLUE, line="-"):
+    """An estimate over time with the band of two standard deviations of its error on either side.
+
+    `times`, `mean`, `deviation`: arrays of N numbers; a time that stands there twice is a jump.
+    """
+    times, mean, deviation = (np.asarray(part, dtype=float) for part in (times, mean, deviation))
+    if not times.shape == mean.shape == deviation.shape:
+        raise ValueError(f"deviation: expected three arrays of one shape, got {times.shape}, {mean.shape}, "
+                         f"{deviation.shape}")
+    ax = _new_axes() if ax is None else ax
+    ax.plot(times, mean, linestyle=line, color=colour, label=label, zorder=3)
+    ax.fill_between(times, mean - 2*deviation, mean + 2*deviation, color=colour, alpha=0.18, linewidth=0, zorder=1)
+    for side in (-2, 2):
+        ax.plot(times, mean + side*deviation, linestyle=line, color=colour, linewidth=0.7, zorder=2)
+    return ax
+
+
 def _new_axes():
     import matplotlib.pyplot as plt
 

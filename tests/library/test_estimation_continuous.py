@@ -306,3 +306,21 @@ def test_a_right_model_is_consistent_and_a_wrong_one_is_not():
     with pytest.raises(ValueError, match="several series"):
         estimation.error_consistency(KalmanFilter(Phi, H, variance, noise).run(drawn.measurements[0], start),
                                      drawn.states[0])
+
+
+def test_the_path_of_an_estimate_jumps_where_it_is_measured():
+    run = estimation.filter_measurements([[0, 1], [0, 0]], sp.diag(0, 1), Moments([1, 1], sp.eye(2)),
+                                         [estimation.Measurement(3, 3, [[1, 0]], 1)])
+    times, means, deviations = run.path(5, count=50)
+    assert len(times) == 100 and (times == 3).sum() == 2 and times[-1] == 5
+    assert np.allclose(means[[49, 50]], [4, 61/20]) and np.allclose(deviations[[49, 50]]**2, [19, 19/20])
+    assert np.allclose([means[-1], deviations[-1]**2], [float(run.at(5).mean[0]), float(run.at(5).covariance[0])])
+    assert len(run.path(2)[0]) == 100 and np.isclose(run.path(4, component=1)[1][-1], 5/8)
+
+
+def test_errors_of_a_wrong_size_are_not_consistent():
+    drawn = np.random.default_rng(8).multivariate_normal([0, 0], [[2, 1], [1, 3]], 20000)
+    assert estimation.covariance_consistency(drawn, [[2, 1], [1, 3]])
+    assert not estimation.covariance_consistency(drawn, [[2.1, 1.05], [1.05, 3.15]])
+    with pytest.raises(ValueError, match="covariance: expected 2 x 2"):
+        estimation.covariance_consistency(drawn, [[1]])

@@ -124,6 +124,15 @@ def test_roots_are_where_they_are():
     assert np.allclose(second.get_xdata(), -3) and first.get_marker() != second.get_marker()
 
 
+def test_an_estimate_has_its_band():
+    ax = drawn(plotting.estimate([0, 1, 1, 2], [1, 2, 0, 0], [1, 2, 0.5, 1], label="here"))
+    middle, low, high = ax.lines
+    assert np.allclose(middle.get_ydata(), [1, 2, 0, 0]) and np.allclose(high.get_ydata(), [3, 6, 1, 2])
+    assert np.allclose(low.get_ydata(), [-1, -2, -1, -2]) and len(ax.collections) == 1
+    with pytest.raises(ValueError, match="deviation: expected three arrays"):
+        plotting.estimate([0, 1], [1, 2], [1])
+
+
 @pytest.mark.parametrize("call, error, named", [
     (lambda ax: plotting.phase_portrait(pendulum, [x], (0, 1), (0, 1)), ValueError, "state"),
     (lambda ax: plotting.phase_portrait([y], [x, y], (0, 1), (0, 1)), ValueError, "field"),

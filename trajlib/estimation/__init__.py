@@ -28,7 +28,7 @@ _EXPORTS = {
     "fixed_gain": ["LeastGain", "discrete_error_covariance", "error_covariance", "least_gain"],
     "shaping": ["ShapedProcess", "ShapingFilter", "shaping_filter", "with_shaping"],
     "interpolation": ["OptimalWeights", "optimal_weights"],
-    "simulation": ["Consistency", "Paths", "error_consistency", "innovation_consistency", "simulate_continuous",
-                   "simulate_discrete"],
+    "simulation": ["Consistency", "Paths", "covariance_consistency", "error_consistency", "innovation_consistency",
+                   "simulate_continuous", "simulate_discrete"],
 }
 __getattr__, __dir__, __all__ = lazy_names(__name__, _EXPORTS)

@@ -50,6 +50,23 @@ class MixedRun:
         known, since = (self.after[passed - 1], self.times[passed - 1]) if passed else (start, begin)
         return continuous_moments(A, Q, known, t - since)
 
+    def path(self, until, component=0, count=100):
+        """Estimate of one component and the standard deviation of its error from the beginning `until` a time.
+
+        Three arrays for a picture: times, `count` for each stretch between measurements, estimates and deviations; a
+        moment of measurement stands there twice, before it and after it. For numbers only.
+        """
+        A, Q, start, begin = self._process
+        A, Q = (np.asarray(matrix, dtype=float).reshape(A.shape) for matrix in (A, read_square(Q, "Q", False)))
+        passed = [time for time in self.times if time <= until]
+        edges, found = [begin, *passed, until], []
+        for low, high, known in zip(edges, edges[1:], (start, *self.after)):
+            known = Moments(np.array(known.mean, dtype=float).ravel(), np.array(known.covariance, dtype=float))
+            for time in np.linspace(float(low), float(high), count):
+                moments = continuous_moments(A, Q, known, time - float(low))
+                found.append((time, moments.mean[component], moments.deviations[component]))
+        return tuple(np.array(found).T)
+
     def _repr_latex_(self):
         last = self.after[-1]._repr_latex_() if self.after else "$$"
         return rf"$\displaystyle t = {sp.latex(self.times[-1])}:\quad " + last[len(r"$\displaystyle "):]

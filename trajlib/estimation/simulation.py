@@ -124,10 +124,27 @@ def error_consistency(run, states, level=0.999):
     states = np.asarray(states, dtype=float)
     if run.estimates.ndim != 3 or states.shape != run.estimates.shape:
         raise ValueError(f"states: expected several series and the shape {run.estimates.shape}, got {states.shape}")
-    errors = (run.estimates - states)[:, -1]
-    P = run._steps[1][run.kinds[:, -1]]
-    squares = np.einsum("si,si->s", errors, np.linalg.solve(P, errors[:, :, None])[:, :, 0])
-    return _consistency(squares.sum(), squares.size*errors.shape[1], squares.size, level)
+    return covariance_consistency((run.estimates - states)[:, -1], run._steps[1][run.kinds[:, -1]], level)
+
+
+def covariance_consistency(errors, covariance, level=0.999):
+    """Are independent errors as large as a covariance says? (NEES test.)
+
+    `errors`: S x n, or S for one component, of mean zero; `covariance`: n x n, one for all or one for each, S x n x n.
+    Returns `Consistency` for the mean of e^T P^-1 e. Raises ValueError for shapes that do not fit.
+
+    >>> errors = np.random.default_rng(1).normal(size=(4000, 1))
+    >>> bool(covariance_consistency(2*errors, [[4]])), bool(covariance_consistency(2*errors, [[3.6]]))
+    (True, False)
+    """
+    errors, P = np.asarray(errors, dtype=float), np.asarray(covariance, dtype=float)
+    errors = errors[:, None] if errors.ndim == 1 else errors
+    n = errors.shape[-1]
+    if errors.ndim != 2 or P.shape not in ((n, n), (len(errors), n, n)):
+        raise ValueError(f"covariance: expected {n} x {n}, or as many of these as errors, got the shape {P.shape}")
+    squares = np.einsum("si,si->s", errors, np.linalg.solve(np.broadcast_to(P, (len(errors), n, n)),
+                                                            errors[:, :, None])[:, :, 0])
+    return _consistency(squares.sum(), squares.size*n, squares.size, level)
 
 
 def _consistency(total, freedom, count, level):
