@@ -53,11 +53,12 @@ class Matrix(Claim):
 
 
 class Laid(Claim):
-    """A matrix of the `shape` given; a single row or column may also be written the other way."""
+    """A matrix of the `shape` given; a row or column may also be written the other way, and of 1 x 1 an expression
+    will do."""
 
     @staticmethod
     def coerce(answer, symbols, shape):
-        found = coercion.as_matrix(answer, symbols)
+        found = Matrix.coerce(answer, symbols, shape if shape == (1, 1) else None)
         if 1 in shape and found.shape == shape[::-1]:
             found = found.T
         if found.shape != shape:

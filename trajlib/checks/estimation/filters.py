@@ -11,7 +11,7 @@ the measurements are exact. A process that keeps its mean and covariance may be 
 import numpy as np
 import sympy as sp
 
-from trajlib.checks.contract.claims import Matrix, Values
+from trajlib.checks.contract.claims import Laid, Matrix, Values
 from trajlib.checks.contract.tolerance import same
 from trajlib.checks.contract.verdict import judged
 from trajlib.checks.tools.comparisons import Entries, Members
@@ -27,7 +27,7 @@ REPEATED = 1e-7
 BEFORE, AFTER = "before", "after"
 
 
-@judged(Matrix("parameters", shape=processes.shape_of("mean")))
+@judged(Laid("parameters", shape=processes.shape_of("mean")))
 def estimate(claim, process, measured, at, parameters=(), given=sp.true):
     """The best estimate of the state at a time from what was measured; of a single coordinate an expression."""
     for one, values, known, time in _measured(process, measured, at, parameters, given):
@@ -48,7 +48,7 @@ def estimate_covariance(claim, process, measured, at, parameters=(), given=sp.tr
     return "it is the covariance of the state under the condition of what was measured"
 
 
-@judged(Matrix("parameters", shape=processes.shape_of("mean")))
+@judged(Laid("parameters", shape=processes.shape_of("mean")))
 def estimate_deviations(claim, process, measured, at, parameters=(), given=sp.true):
     """The standard deviations of the errors of the best estimate at a time, a column; of a single coordinate an
     expression."""
@@ -71,7 +71,7 @@ def steady_covariance(claim, process, parameters=(), given=sp.true, moment=BEFOR
     return "the Riccati equation keeps this covariance, and with it the errors of the filter decay"
 
 
-@judged(Matrix("parameters", shape=lambda data: processes.plain(data["process"]).H.T.shape))
+@judged(Laid("parameters", shape=lambda data: processes.plain(data["process"]).H.T.shape))
 def steady_gain(claim, process, parameters=(), given=sp.true):
     """The gain K of the steady filter, a column for each measurement: y' = A y + K (z - H y), in discrete time
     y+ = y + K (z - H y)."""
@@ -109,7 +109,7 @@ def steady_filter_exists(answer, process, parameters):
     return f"a filter settles, and its errors decay, for these values alone: {known}"
 
 
-@judged(Matrix("estimates", "outputs", "covariance", "parameters", shape=processes.shape_of("mean")))
+@judged(Laid("estimates", "outputs", "covariance", "parameters", shape=processes.shape_of("mean")))
 def filter_equation(claim, process, estimates, outputs, covariance, parameters=()):
     """The right-hand side of the equation of the filter in continuous time, y' = ..., a column in the symbols of the
     estimates y, of the outputs z and of P, the `covariance` of the errors; of a single coordinate an expression."""

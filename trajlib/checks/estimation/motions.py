@@ -7,7 +7,7 @@ all sizes; where a covariance settles, from Hurwitz's determinants.
 import numpy as np
 import sympy as sp
 
-from trajlib.checks.contract.claims import Expression, Expressions, Matrix
+from trajlib.checks.contract.claims import Expression, Expressions, Laid, Matrix
 from trajlib.checks.contract.verdict import judged
 from trajlib.checks.tools.comparisons import Entries, Same
 from trajlib.checks.tools.conditions import compare, contrary, exactly
@@ -21,7 +21,7 @@ TIMES = (0, sp.Rational(1, 2), 1, sp.Rational(7, 5), 2, 3)
 STEPS = (0, 1, 2, 3, 5, 6)
 
 
-@judged(Matrix("time", "parameters", shape=processes.shape_of("mean")))
+@judged(Laid("time", "parameters", shape=processes.shape_of("mean")))
 def mean_motion(claim, process, time, parameters=(), given=sp.true, times=None):
     """The mean of the process at the time t, a column; of a single coordinate an expression.
 

@@ -40,6 +40,7 @@ WAY = sp.Matrix([T**2/2, T, 1])
 CASES = [
     Case("estimate", (m*R + z*p)/(p + R), (CONSTANT, [(0, z)], 2, [R, p, m, z]), "right", "a weighted mean"),
     Case("estimate", [sp.Rational(7, 3), sp.Rational(5, 3)], (START, [(1, 3)], 1), "right", "a speed that is not seen"),
+    Case("estimate", sp.Matrix([[sp.Rational(7, 3), sp.Rational(5, 3)]]), (START, [(1, 3)], 1), "right", "a row"),
     Case("estimate", [4, sp.Rational(5, 3)], (START, [(1, 3)], 2), "right", "a prediction"),
     Case("estimate", (m*R + S*p)/(R + (n + 1)*p), (CONSTANT, RECORD, 0, [R, p, m, S, n]), "right", "any number"),
     Case("estimate", S/(n + 1), (CONSTANT, RECORD, 0, [R, p, m, S, n]), "wrong", "nothing known before"),
