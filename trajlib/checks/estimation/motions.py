@@ -1,7 +1,7 @@
 """Moments of a linear process in the course of time: the mean, the covariance, and what they settle to.
 
 The truth comes at numbers from the exponential of a block matrix (`truths/processes.py`), for times and parameters of
-all sizes; where a covariance settles, from Hurwitz's determinants.
+all sizes; where a covariance settles, and whether it rises, from the signs of determinants.
 """
 
 import numpy as np
@@ -11,7 +11,7 @@ from trajlib.checks.contract.claims import Expression, Expressions, Laid, Matrix
 from trajlib.checks.contract.verdict import judged
 from trajlib.checks.tools.comparisons import Entries, Same
 from trajlib.checks.tools.conditions import compare, contrary, exactly
-from trajlib.checks.tools.samples import allowed_values
+from trajlib.checks.tools.samples import allowed_values, joined
 from trajlib.checks.tools.wording import number_text, where_text
 from trajlib.checks.truths import processes
 from trajlib.checks.truths.spectra import decays
@@ -76,8 +76,10 @@ def shaping_equation(claims, process, parameters=(), given=sp.true):
 
 @judged(Matrix("parameters", shape=processes.shape_of("A")))
 def settled_covariance(claim, process, parameters=(), given=sp.true):
-    """The covariance matrix that the process settles to, whatever it is at the start, where it does."""
-    for values in allowed_values(parameters, given, len(TIMES)):
+    """The covariance matrix that the process settles to, whatever it is at the start, for those parameters with which
+    it does."""
+    settling = sp.And(joined(given), decays(process.A, process.discrete))
+    for values in allowed_values(parameters, settling, len(TIMES)):
         one = processes.numbers(process, values, start=False)
         true = processes.settled(one)
         yield Entries(claim, true, lambda said, i, j: (
@@ -98,6 +100,28 @@ def settling_region(answer, process, parameters, given=sp.true):
 
     agreement = compare(answer, parameters, exactly(decays(process.A, process.discrete), given), contrary(told))
     return f"there and nowhere else what is known of the start is forgotten: {agreement}"
+
+
+@judged
+def covariance_rises(answer, process, parameters, given=sp.true):
+    """The condition on the parameters under which the variance of every combination of the coordinates rises all the
+    time; of a single coordinate: under which its variance does.
+
+    The rate of change D(0) decides, as D(t) = F D(0) F^T with the transition matrix F.
+    """
+    A, P = sp.Matrix(process.A), sp.Matrix(process.covariance)
+    rate = A*P*A.T + process.Q - P if process.discrete else A*P + P*A.T + process.Q
+    minors = [sp.factor(rate[:k, :k].det()) for k in range(1, A.rows + 1)]
+    rises = sp.And(*(minor > 0 for minor in minors), sp.Ne(A.det(), 0) if process.discrete else sp.true)
+
+    def told(values):
+        at = sp.Matrix(rate.subs(values))
+        if at.rows == 1:
+            return f"from the start on the variance changes at the rate {number_text(complex(at[0]))}"
+        return f"there the variances change at the rates {', '.join(map(str, at.diagonal()))} at the start"
+
+    agreement = compare(answer, parameters, exactly(rises, joined(given)), contrary(told))
+    return f"it rises there and nowhere else: {agreement}"
 
 
 def _in_time(process, time, parameters, given, times):

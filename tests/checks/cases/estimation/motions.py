@@ -5,7 +5,7 @@ from trajlib.systems import Coloured, Process
 
 t = sp.Symbol("t", nonnegative=True)
 k = sp.Symbol("k", integer=True, nonnegative=True)
-a, q, m, P = sp.symbols("a q m P", positive=True)
+a, q, m, P, r, s = sp.symbols("a q m P r s", positive=True)
 DECAY = Process(A=-a, Q=q, mean=m, covariance=P)
 WIENER = Process(A=0, Q=q, mean=m, covariance=P)
 STEPS = Process(A=a, Q=q, mean=m, covariance=P, discrete=True)
@@ -60,7 +60,8 @@ CASES = [
     Case("shaping_equation", [0, D, D], (BIASED, [D]), "wrong", "a constant that is driven"),
     Case("shaping_equation", [1, 2], (BIASED, [D]), "invalid", "two of three"),
     Case("settled_covariance", q/(2*a), (DECAY, [a, q]), "right", "a number"),
-    Case("settled_covariance", q/(1 - a**2), (STEPS, [a, q], a < 1), "right", "where it exists"),
+    Case("settled_covariance", q/(1 - a**2), (STEPS, [a, q]), "right", "where it exists"),
+    Case("settled_covariance", q/(1 - a**2), (STEPS, [a, q], a < 1), "right", "with a condition that says where"),
     Case("settled_covariance", sp.Matrix([[HALF, 0], [0, HALF]]),
          (Process(A=[[0, 1], [-1, -1]], Q=sp.diag(0, 1)),), "right", "a damped oscillator"),
     Case("settled_covariance", q/a, (DECAY, [a, q]), "wrong", "a factor of two"),
@@ -80,5 +81,14 @@ CASES = [
     Case("settling_region", abs(u) < 1, (DELAY, [u]), "wrong", "as if it came back"),
     Case("settling_region", q, (Process(A=u, Q=1, discrete=True), [u]), "invalid", "an expression"),
     Case("settled_covariance", "q/2", (DECAY, [a, q]), "invalid", "a word"),
+    Case("covariance_rises", P < q/(2*a), (DECAY, [a, q, P]), "right", "below the limit"),
+    Case("covariance_rises", sp.Or(a >= 1, P*(1 - a**2) < q), (STEPS, [a, q, P]), "right", "in steps"),
+    Case("covariance_rises", (1 - r)**2 < q*s, (Process([[0, 1], [-1, 0]], sp.diag(s, q), covariance=sp.diag(1, r)),
+         [q, r, s]), "right", "every combination of two"),
+    Case("covariance_rises", sp.true, (DECAY, [a, q, P]), "wrong", "noise is added, but something decays too"),
+    Case("covariance_rises", P <= q/(2*a), (DECAY, [a, q, P]), "wrong", "at the limit it rests"),
+    Case("covariance_rises", sp.true, (Process([[0, 1], [-1, 0]], sp.diag(s, q), covariance=sp.diag(1, r)),
+         [q, r, s]), "wrong", "both variances, but not those between"),
+    Case("covariance_rises", q - a, (DECAY, [a, q, P]), "invalid", "an expression"),
 ]
 LIMITS = ["A process that does not settle has no `settled_covariance`; whether it does is asked by `settling_region`."]
