@@ -130,8 +130,8 @@ def riccati_equation(claim, process, covariance, parameters=()):
     """The right-hand side of the Riccati equation of the filter as a matrix in the symbols of P, the `covariance`: in
     continuous time P' = ..., in discrete time what P, the covariance before a measurement, is before the next one."""
     symbols = [*parameters, *sorted(covariance.free_symbols, key=str)]
-    for values in allowed_values(symbols, sp.true, COUNT):
-        values = _definite(covariance, values)
+    for k, values in enumerate(allowed_values(symbols, sp.true, COUNT)):
+        values = _definite(covariance, values, sp.Rational(1, 9) if k % 2 else 1)
         one, P = processes.numbers(process, values, start=False), processes.array(covariance, values)
         if one.discrete:
             terms = one.A @ P @ one.A.T, -one.A @ processes.gain_of(one, P) @ one.H @ P @ one.A.T, one.Q
@@ -166,10 +166,11 @@ def error_eigenvalues(claims, process, parameters=(), given=sp.true):
     return "these are the modes by which errors of the steady filter decay"
 
 
-def _definite(covariance, values):
-    """The values with those on the diagonal so large that the matrix of symbols is positive definite."""
-    rows = covariance.subs(values).applyfunc(abs)
-    return values | {covariance[k, k]: sum(rows[k, :]) for k in range(covariance.rows)}
+def _definite(covariance, values, size):
+    """The values with those on the diagonal so large that the matrix of symbols is positive definite, times `size`."""
+    rows = covariance.subs(values)
+    definite = rows + sp.diag(*[sum(map(abs, rows[k, :])) - rows[k, k] for k in range(rows.rows)])
+    return values | dict(zip(covariance, size * definite))
 
 
 def _measured(process, measured, at, parameters, given):
