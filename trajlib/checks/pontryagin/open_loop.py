@@ -5,9 +5,8 @@ import sympy as sp
 
 from trajlib.checks.contract import coercion
 from trajlib.checks.contract.tolerance import share
-from trajlib.checks.contract.verdict import Wrong
+from trajlib.checks.contract.verdict import Invalid, Wrong
 from trajlib.checks.tools.values import real_function
-from trajlib.checks.truths.optima.transfer_optima import rk4
 
 #: What an answer without decimals may be off by: the precision of integrating it.
 INTEGRATED = 1e-5
@@ -31,15 +30,20 @@ class Control:
         self.rounding = share(*parts, computed=INTEGRATED)
 
     def sections(self, values, duration):
-        """Pairs (begin, end, function of time) between the jumps, from 0 to the given duration."""
+        """Triples (begin, end, function of an array of times) between the jumps, from 0 to the given duration."""
         numbers = [float(values[p]) for p in self.parameters]
 
         def smooth(value):
-            def u(t):
+            def u(times):
+                said = at_instants(value, times, *numbers)[0]
                 # At a single instant, as between the cases t < 1 and t > 1, a control need not be defined.
-                said = (value(moment, *numbers) for moment in (t, t + 1e-9 * duration, t - 1e-9 * duration))
-                return _real(next((v for v in said if np.isfinite(v[0])), [np.nan]),
-                             f"your control at {self.time} = {t:.4g}")
+                for aside in (1e-9 * duration, -1e-9 * duration):
+                    undefined = np.flatnonzero(np.isnan(said))
+                    if len(undefined):
+                        said[undefined] = at_instants(value, times[undefined] + aside, *numbers)[0]
+                for t in times[np.isnan(said)]:
+                    raise Wrong(f"your control at {self.time} = {t:.4g} is no real number, or not defined")
+                return said
 
             return u
 
@@ -72,12 +76,13 @@ class Path:
         for begin, end, u in sections:
             steps = max(8, int(240 * (end - begin) / best.duration))
             h = (end - begin) / steps
-            for k in range(steps):
-                t = begin + k * h
-                y = rk4(lambda s, z: best.field(z, u(s)), t, y, h)
-                self.times.append(t + h)
+            times = begin + h / 2 * np.arange(2 * steps + 1)
+            said = u(times).tolist()
+            for k in range(1, 2 * steps, 2):
+                y = _step(best.field, said[k - 1:k + 2], y, h)
+                self.times.append(times[k + 1])
                 self.states.append(y)
-                self.controls.append((t + h / 2, u(t + h / 2)))
+                self.controls.append((times[k], said[k]))
 
     def admissible(self, rounding):
         low, high = self.best.bounds
@@ -94,34 +99,52 @@ class Path:
         return any(self.best.met_between(self.best.start, y) for y in self.states[1:-1])
 
 
+def _step(field, controls, y, h):
+    """A step of the method of Runge and Kutta under a control given at its begin, middle and end."""
+    begin, middle, end = controls
+    a = field(y, begin)
+    b = field(y + h / 2 * a, middle)
+    c = field(y + h / 2 * b, middle)
+    d = field(y + h * c, end)
+    return y + h / 6 * (a + 2 * b + 2 * c + d)
+
+
 def _is_list(answer):
     return isinstance(answer, (list, tuple, sp.Tuple))
 
 
 def jumps(u, duration, pieces=360):
-    """The instants of (0, duration) where a function of time jumps, by bisection between neighbours that differ."""
+    """The instants of (0, duration) where a function of an array of times jumps, by bisection between neighbours that
+    differ."""
     times = np.linspace(0, duration, pieces + 1)
     times[0] += 1e-9 * duration
-    values = [u(t) for t in times]
+    values = u(times)
     scale = max(map(abs, values)) or 1.0
-    found = []
-    for left, right, a, b in zip(times, times[1:], values, values[1:]):
-        for _ in range(45):
-            if abs(a - b) < 1e-6 * scale:
-                break
-            middle = (left + right) / 2
-            value = u(middle)
-            left, right, a, b = ((middle, right, value, b) if abs(value - a) < abs(value - b)
-                                 else (left, middle, a, value))
-        else:
-            if 1e-6 * duration < left < (1 - 1e-6) * duration:
-                found.append(left)
-    return found
+    left, right, a, b = times[:-1], times[1:], values[:-1], values[1:]
+    for _ in range(45):
+        differ = ~(abs(a - b) < 1e-6 * scale)
+        left, right, a, b = left[differ], right[differ], a[differ], b[differ]
+        if not len(left):
+            return []
+        middle = (left + right) / 2
+        value = u(middle)
+        later = abs(value - a) < abs(value - b)
+        left, right = np.where(later, middle, left), np.where(later, right, middle)
+        a, b = np.where(later, value, a), np.where(later, b, value)
+    return [t for t in left if 1e-6 * duration < t < (1 - 1e-6) * duration]
+
+
+def at_instants(function, times, *numbers):
+    """What a `real_function` of time gives at an array of times, a row for each of its expressions."""
+    try:
+        return function(times, *numbers)
+    except Invalid:  # some functions, such as erf, are known for single numbers alone
+        return np.array([function(t, *numbers) for t in times]).T
 
 
 def _inside(u, begin, end):
     margin = 1e-9 * (end - begin)
-    return lambda t: u(min(max(t, begin + margin), end - margin))
+    return lambda times: u(np.clip(times, begin + margin, end - margin))
 
 
 def _real(value, what):

@@ -11,7 +11,7 @@ from trajlib.checks.contract import coercion
 from trajlib.checks.contract.claims import Expression
 from trajlib.checks.contract.tolerance import same, share
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
-from trajlib.checks.pontryagin.open_loop import INTEGRATED, Control, Path, jumps
+from trajlib.checks.pontryagin.open_loop import INTEGRATED, Control, Path, at_instants, jumps
 from trajlib.checks.tools.values import real_function, value_at
 from trajlib.checks.tools.wording import rounded_text
 from trajlib.checks.truths.optima.direct_optimum import optima
@@ -66,7 +66,7 @@ def optimal_motion(answer, problem, time, parameters=None):
                 raise Wrong(f"{where}at t = {t:.4g} your motion is at {_point(y)} with {list(problem.dynamics)[j]}' = "
                             f"{rate[j]:.4g}, which no admissible control gives there")
         for j, name in enumerate(problem.dynamics):
-            for t in jumps(lambda s, j=j: float(values_of(s, *numbers)[j]), best.duration):
+            for t in jumps(lambda times, j=j: at_instants(values_of, times, *numbers)[j], best.duration):
                 raise Wrong(f"{where}on your motion {name} jumps at t = {t:.4g}")
         _keeps_to_the_ends(np.append(values_of(best.duration * (1 - 1e-9), *numbers), 0), best, rounding,
                            where + "on your motion")

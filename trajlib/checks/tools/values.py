@@ -108,7 +108,8 @@ def real_function(symbols, expressions):
     def evaluate(*numbers):
         # NumPy's numbers divide by zero without an error.
         numbers = [np.asarray(number, dtype=float)[()] for number in numbers]
-        shape = np.broadcast_shapes(*(number.shape for number in numbers))
+        single = all(type(number) is np.float64 for number in numbers)
+        shape = () if single else np.broadcast_shapes(*(number.shape for number in numbers))
         with np.errstate(all="ignore"):
             return np.array([one(function, numbers, shape) for function in compiled])
 

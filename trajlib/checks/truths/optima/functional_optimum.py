@@ -7,6 +7,7 @@ found has an error in even powers of the step, and three grids remove the first 
 """
 
 import functools
+from typing import NamedTuple
 
 import casadi as ca
 import numpy as np
@@ -37,18 +38,69 @@ class FunctionalOptimum:
     def convex(self, count=40):
         """Whether the discrete functional, with its sign, is strictly convex along all motions with the given ends; for
         integrands that are at most quadratic this says whether there is an optimum."""
-        _, hessian, equations, guess = _programme(self.functional, count)
-        rows, curvature = equations(guess).full(), hessian(guess).full()
+        programme = _programme(self._form, count)
+        rows = programme.equations(self._guess(count), self._numbers).full()
+        curvature = programme.hessian(self._guess(count), self._numbers).full()
         _, sizes, directions = np.linalg.svd(rows)
         free = directions[np.sum(sizes > 1e-10 * sizes[0]):].T
         return bool(np.linalg.eigvalsh(free.T @ curvature @ free)[0] > 0)
 
     def _on(self, count):
-        solver, _, _, guess = _programme(self.functional, count)
-        found = solver(x0=guess, lbg=0, ubg=0)
+        solver = _programme(self._form, count).solver
+        found = solver(x0=self._guess(count), p=self._numbers, lbg=0, ubg=0)
         if not solver.stats()["success"]:
             raise RuntimeError("the optimum was not found: the search did not end")
         return float(found["f"])
+
+    @functools.cached_property
+    def _form(self):
+        functional = self.functional
+        motion = dict(zip(functional.derivatives, _places(functional.order)))
+        at_end = {d.subs(functional.time, functional.interval[2]): place for d, place in motion.items()}
+        return _Form(functional.time, functional.integrand.subs(dict(reversed(motion.items()))),
+                     functional.final.subs(at_end), functional.order, -1 if functional.maximise else 1,
+                     *(tuple(k for k, value in enumerate(ends) if value is not None)
+                       for ends in (functional.start, functional.end)))
+
+    @functools.cached_property
+    def _numbers(self):
+        """What fills the form: the begin, the duration and the values that are given at both ends."""
+        return [self.begin, self.duration, *(float(value) for value in (*self.functional.start, *self.functional.end)
+                                             if value is not None)]
+
+    def _guess(self, count):
+        n = self.functional.order
+        level = next((float(ends[0]) for ends in (self.functional.start, self.functional.end)
+                      if ends[0] is not None), 0.0)
+        return np.concatenate([np.tile([level] + [0.0] * (n - 1), count + 1), np.zeros(count)])
+
+
+class _Form(NamedTuple):
+    """A functional but for its interval and the values at its ends: which ones are given, the orders of derivatives
+    tell. What it depends on is written in `_places`."""
+
+    time: sp.Symbol
+    integrand: sp.Expr
+    final: sp.Expr
+    order: int
+    sign: int
+    started: tuple
+    ended: tuple
+
+
+class _Programme(NamedTuple):
+    """IPOPT's solver, the Hessian of the functional and the Jacobian of the conditions, of the values at the nodes and
+    of the numbers that fill the form."""
+
+    solver: ca.Function
+    hessian: ca.Function
+    equations: ca.Function
+
+
+@functools.cache
+def _places(order):
+    """What stands for the motion and its derivatives."""
+    return tuple(sp.Dummy(f"x{k}") for k in range(order + 1))
 
 
 def _extrapolated(values):
@@ -58,27 +110,25 @@ def _extrapolated(values):
     return second + (second - first) / 15, second
 
 
-def _programme(functional, count):
-    """IPOPT's solver, Hessian and Jacobian of the conditions as functions, and a guess."""
-    n, sign = functional.order, -1 if functional.maximise else 1
-    time, begin, end = functional.interval
-    h = float(end - begin) / count
+@functools.lru_cache(maxsize=32)
+def _programme(form, count):
+    """The programme on so many intervals: written once for all durations and ends."""
+    n, places = form.order, _places(form.order)
+    begin, duration = ca.SX.sym("begin"), ca.SX.sym("duration")
+    starts, ends = ca.SX.sym("start", len(form.started)), ca.SX.sym("end", len(form.ended))
+    h = duration / count
     nodes, top = ca.SX.sym("x", n, count + 1), ca.SX.sym("u", 1, count)
     middle = (nodes[:, 1:] + nodes[:, :-1]) / 2
     slopes = ca.vertcat(middle[1:, :], top)
     conditions = [ca.vec(nodes[:, 1:] - nodes[:, :-1] - h * slopes)]
-    for column, given in ((0, functional.start), (count, functional.end)):
-        conditions += [nodes[k, column] - float(value) for k, value in enumerate(given) if value is not None]
-    symbols = [time, *(sp.Dummy(f"x{k}") for k in range(n + 1))]
-    names = dict(reversed(list(zip(functional.derivatives, symbols[1:]))))
-    integrand = sp.lambdify(symbols, functional.integrand.subs(names), ca)
-    at_end = {d.subs(time, end): s for d, s in zip(functional.derivatives, symbols[1:-1])}
-    final = sp.lambdify(symbols[1:-1], functional.final.subs(at_end), ca)
-    total = sum(h * integrand(float(begin) + (k + 0.5) * h, *ca.vertsplit(middle[:, k]), top[k]) for k in range(count))
-    total = sign * (total + final(*ca.vertsplit(nodes[:, count])))
+    for column, given, values in ((0, form.started, starts), (count, form.ended, ends)):
+        conditions += [nodes[k, column] - values[j] for j, k in enumerate(given)]
+    integrand = sp.lambdify([form.time, *places], form.integrand, ca)
+    final = sp.lambdify(places[:-1], form.final, ca)
+    total = sum(h * integrand(begin + (k + 0.5) * h, *ca.vertsplit(middle[:, k]), top[k]) for k in range(count))
+    total = form.sign * (total + final(*ca.vertsplit(nodes[:, count])))
     unknown, conditions = ca.vertcat(ca.vec(nodes), ca.vec(top)), ca.vertcat(*conditions)
-    solver = ca.nlpsol("functional", "ipopt", {"x": unknown, "f": total, "g": conditions}, SOLVER)
-    level = next((float(v) for v in (functional.start[0], functional.end[0]) if v is not None), 0.0)
-    guess = np.concatenate([np.tile([level] + [0.0] * (n - 1), count + 1), np.zeros(count)])
-    return (solver, ca.Function("hessian", [unknown], [ca.hessian(total, unknown)[0]]),
-            ca.Function("equations", [unknown], [ca.jacobian(conditions, unknown)]), guess)
+    numbers = ca.vertcat(begin, duration, starts, ends)
+    solver = ca.nlpsol("functional", "ipopt", {"x": unknown, "p": numbers, "f": total, "g": conditions}, SOLVER)
+    return _Programme(solver, ca.Function("hessian", [unknown, numbers], [ca.hessian(total, unknown)[0]]),
+                      ca.Function("equations", [unknown, numbers], [ca.jacobian(conditions, unknown)]))
