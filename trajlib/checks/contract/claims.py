@@ -34,11 +34,13 @@ class Expression(Claim):
 
 
 class Expressions(Claim):
-    """A list of expressions, of the `length` given or as long as a datum."""
+    """A list of expressions, of the `length` given or as long as a datum; for a single one itself will do."""
 
     @staticmethod
     def coerce(answer, symbols, length=None):
-        return coercion.as_expressions(answer, symbols, length if length is None else _size(length))
+        length = length if length is None else _size(length)
+        single = length == 1 and isinstance(answer, (sp.Expr, numbers.Number))
+        return coercion.as_expressions([answer] if single else answer, symbols, length)
 
 
 class Matrix(Claim):

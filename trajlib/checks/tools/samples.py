@@ -27,7 +27,8 @@ def sample_values(parameters, count=6, seed=5):
             kinds = {p: random.permutation(4) for p in parameters}
         sizes = {p: int(random.integers(14, 40) if kind[k % 4] % 2 else random.integers(3, 13))
                  for p, kind in kinds.items()}
-        signs = {p: 1 if p.is_positive else -1 if p.is_negative or kind[k % 4] < 2 else 1 for p, kind in kinds.items()}
+        signs = {p: 1 if p.is_nonnegative else -1 if p.is_nonpositive or kind[k % 4] < 2 else 1
+                 for p, kind in kinds.items()}
         samples.append({p: sp.Rational(signs[p] * sizes[p], 13) for p in parameters})
     return samples
 
@@ -47,7 +48,7 @@ def allowed_values(parameters, given, count):
         return [{}]
     given, allowed = joined(given), []
     for scale in (1, 4, 16):
-        allowed += [values for values in (_fitting(parameters, scale, one) for one in sample_values(
+        allowed += [values for values in (_scaled(parameters, scale, one) for one in sample_values(
             parameters, 12 * count)) if given.subs(values) == True]  # noqa: E712
         if len(allowed) >= count:
             break
@@ -56,14 +57,10 @@ def allowed_values(parameters, given, count):
     return allowed[:count]
 
 
-def _fitting(parameters, scale, values):
-    """Sample values times a scale, none negative for a symbol that is not; those of integer symbols whole."""
-    found = {}
-    for p in parameters:
-        size = scale * abs(values[p])
-        size = size if not p.is_integer else sp.Integer(max(int(3 * size), 1 if p.is_nonzero else 0))
-        found[p] = size if p.is_nonnegative else sp.sign(values[p]) * size
-    return found
+def _scaled(parameters, scale, values):
+    """Sample values times a scale; those of integer symbols whole."""
+    return {p: (sp.sign(values[p]) * max(int(3 * scale * abs(values[p])), 1 if p.is_nonzero else 0) if p.is_integer else
+                scale * values[p]) for p in parameters}
 
 
 def joined(given):

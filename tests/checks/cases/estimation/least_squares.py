@@ -14,6 +14,7 @@ CASES = [
     Case("least_squares", [(1 + q)/2], OF_Q, "right", "the mean"),
     Case("least_squares", [sp.Rational(8, 5)], WEIGHED, "right", "weights"),
     Case("least_squares", [q/(n + 1)], MANY, "right", "any number of measurements"),
+    Case("least_squares", q/(n + 1), MANY, "right", "a single unknown without brackets"),
     Case("least_squares", [q/n], MANY, "wrong", "one not counted"),
     Case("least_squares", [sp.Rational(5, 2)], WEIGHED, "wrong", "the weights forgotten"),
     Case("least_squares", [2], WEIGHED, "wrong", "weights by the deviations instead of their squares"),
