@@ -13,6 +13,8 @@ import sympy as sp
 
 #: What the rounding of our own arithmetic may make of something exact, as a share of its size.
 EXACT = 1e-9
+#: The same of an eigenvalue that comes twice: the root of what rounding is.
+REPEATED = 1e-7
 #: What three digits leave uncertain of a number, at worst: half a unit of the last digit in 1.00.
 DECIMALS = 5e-3
 #: A number that is a smaller share of those beside it than this has the digits that this share would have.

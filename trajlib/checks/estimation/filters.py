@@ -12,7 +12,7 @@ import numpy as np
 import sympy as sp
 
 from trajlib.checks.contract.claims import Laid, Matrix, Values
-from trajlib.checks.contract.tolerance import same
+from trajlib.checks.contract.tolerance import REPEATED, same
 from trajlib.checks.contract.verdict import judged
 from trajlib.checks.tools.comparisons import Entries, Members
 from trajlib.checks.tools.conditions import compare, place_text
@@ -22,8 +22,6 @@ from trajlib.checks.tools.wording import number_text, where_text
 from trajlib.checks.truths import processes
 
 COUNT = 6
-#: How well an eigenvalue is known that comes twice: the root of what rounding is.
-REPEATED = 1e-7
 BEFORE, AFTER = "before", "after"
 
 

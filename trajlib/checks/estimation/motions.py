@@ -4,14 +4,18 @@ The truth comes at numbers from the exponential of a block matrix (`truths/proce
 all sizes; where a covariance settles, and whether it rises, from the signs of determinants.
 """
 
+import itertools
+
 import numpy as np
 import sympy as sp
 
-from trajlib.checks.contract.claims import Expression, Expressions, Laid, Matrix
+from trajlib.checks.contract.claims import Expression, Expressions, Laid, Matrix, Values
+from trajlib.checks.contract.tolerance import REPEATED, same
 from trajlib.checks.contract.verdict import judged
-from trajlib.checks.tools.comparisons import Entries, Same
+from trajlib.checks.tools.comparisons import Entries, Members, Same
 from trajlib.checks.tools.conditions import compare, contrary, exactly
 from trajlib.checks.tools.samples import allowed_values, joined
+from trajlib.checks.tools.values import numbers_at
 from trajlib.checks.tools.wording import number_text, where_text
 from trajlib.checks.truths import processes
 from trajlib.checks.truths.spectra import decays
@@ -42,7 +46,7 @@ def covariance_motion(claim, process, time, parameters=(), given=sp.true, times=
     for one, values in _in_time(process, time, parameters, given, times):
         F, N = processes.moved(one, values[time])
         # At the start too terms may cancel that are as large as the noise makes them soon.
-        _, soon = processes.moved(one, max(values[time], STEPS[1] if process.discrete else TIMES[1]))
+        soon = N if values[time] else processes.moved(one, STEPS[1] if process.discrete else TIMES[1])[1]
         size = abs(F) @ abs(one.covariance) @ abs(F).T + abs(soon)
         yield Entries(claim, F @ one.covariance @ F.T + N, _told("covariance", values), values, size.max())
     return "it is the covariance at all times and parameters tried"
@@ -87,6 +91,27 @@ def settled_covariance(claim, process, parameters=(), given=sp.true):
             f"({i + 1}, {j + 1}), which is {number_text(said[i, j])}, in the dispersion equation"), values,
             abs(true).max())
     return "the process keeps this covariance, and comes to it from any other"
+
+
+@judged(Values("parameters", expected="a list or a set of exponents"))
+def covariance_exponents(claims, process, parameters=(), given=sp.true):
+    """The different l with e^(l t), in discrete time with l^k, in the covariance of a process that starts anywhere;
+    what the noise makes it keep is not counted."""
+    for values in allowed_values(parameters, given, len(TIMES)):
+        modes = np.linalg.eigvals(processes.array(process.A, values))
+        pairs = itertools.combinations_with_replacement(modes, 2)
+        true = [first * second if process.discrete else first + second for first, second in pairs]
+        size = max(map(abs, true))
+        said = numbers_at(claims, values, [f"value {k}" for k in range(1, len(claims) + 1)])
+
+        def fits(number, other):
+            return same(number[1], other, number[0], size, REPEATED)
+
+        yield Members(list(zip(claims, said)), true, fits, lambda number: (
+            f"no part of the covariance changes with the exponent {number_text(number[1])}{where_text(values)}"),
+            lambda *_: f"a part of the covariance changes with an exponent that your answer does not name"
+            f"{where_text(values)}")
+    return "each part of the covariance changes with one of them"
 
 
 @judged
