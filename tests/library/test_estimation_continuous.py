@@ -91,6 +91,10 @@ def test_errors_of_a_continuous_filter_are_as_large_as_told():
     times = np.linspace(0, 3, 76)
     drawn = estimation.simulate_continuous(joint, np.diag([0, 0.5, 0.2]), Moments([0, 0, 0], sp.diag(1, 1, 0)), times,
                                            150, seed=6)
+    states, record = filter.simulate(start, times, 150, seed=6), np.diff(drawn.states[:, :, 2:], axis=1)/0.04
+    assert np.allclose(states.states, drawn.states[:, :, :2]) and np.allclose(states.measurements, record)
+    assert np.allclose(filter.run(record, times, start).estimates[7],
+                       filter.run(record[7], times, start).estimates)
     squares = []
     for path in drawn.states:
         run = filter.run(np.diff(path[:, 2])/np.diff(times), times, start)
@@ -106,6 +110,8 @@ def test_a_record_that_does_not_fit_is_told():
             filter.run(averages, times, Moments(0, 1))
     with pytest.raises(ValueError, match="arrays"):
         ContinuousFilter(-1, 1, 1, 1).run([1], [0, 1], Moments(0, 1))
+    with pytest.raises(ValueError, match="arrays"):
+        ContinuousFilter(-1, 1, 1, 1).simulate(Moments(0, 1), [0, 1], 2, seed=1)
 
 
 def test_the_equations_of_problem_4_33_are_told():

@@ -13,9 +13,11 @@ import numpy as np
 import sympy as sp
 
 from ..stability.systems import as_real, exact_decimals
+from .covariances import Moments
 from .linear import solve, symmetric
 from .modes import Modes, continuous_basis, exact_spectrum
 from .reading import in_floats, read_covariance, read_matrix, read_square, read_vector
+from .simulation import Paths, equal_steps, simulate_continuous
 from .stationary_filters import stationary_filter
 
 
@@ -73,12 +75,12 @@ class ContinuousFilter:
         return _moved(P, *_flow(self.A, S, self.Q, float(t))) if floats else _closed_form(self.A, S, self.Q, P, t)
 
     def run(self, averages, times, start):
-        """Estimates from a record of z, given by its averages over the steps between the times.
+        """Estimates from a record of z, or from several, given by averages over the steps between the times.
 
-        `averages`: N x m (N for one output), the integral of z over each step divided by its length; `times`: N + 1
-        rising numbers; `start`: `Moments` of x at the first. For arrays only. The covariances are exact; within a step
-        the gain is that of its middle, so that the estimates err by the square of the step. Returns `ContinuousRun`.
-        Raises ValueError for averages that are not finite and shapes that do not fit.
+        `averages`: N x m (N for one output), the integral of z over each step divided by its length, or S x N x m for S
+        records; `times`: N + 1 rising numbers; `start`: `Moments` of x at the first. For arrays only. The covariances
+        are exact; within a step the gain is that of its middle, so that the estimates err by the square of the step.
+        Returns `ContinuousRun`. Raises ValueError for averages that are not finite and shapes that do not fit.
         """
         if not isinstance(self.A, np.ndarray):
             raise ValueError("A: expected arrays; a record is filtered in floats")
@@ -87,12 +89,31 @@ class ContinuousFilter:
         steps = np.diff(times)
         z = np.asarray(averages, dtype=float)
         z = z[:, None] if z.ndim == 1 and m == 1 else z
-        if z.shape != (len(steps), m) or not np.isfinite(z).all():
+        if z.ndim not in (2, 3) or z.shape[-2:] != (len(steps), m) or not np.isfinite(z).all():
             raise ValueError(f"averages: expected finite numbers, a row for each step, of the shape "
                              f"{(len(steps), m)}, got the shape {z.shape}")
         if not (steps > 0).all():
             raise ValueError("times: expected rising numbers")
         return _recorded(self, z, times, read_vector(start.mean, "mean", n, True), self._read(start.covariance))
+
+    def simulate(self, start, times, paths, seed):
+        """States at the times and records of z between them, drawn together with their exact distribution.
+
+        `start`: `Moments` of x at the first time; `times`: N + 1 rising numbers; `paths`: S; `seed`: a whole number.
+        Returns `Paths` with the states, S x (N + 1) x n, and as measurements the averages of z over the steps, S x N x
+        m, as `run` takes them. For arrays only.
+        """
+        if not isinstance(self.A, np.ndarray):
+            raise ValueError("A: expected arrays; paths are drawn in floats")
+        n, m = len(self.A), len(self.H)
+        # the integral of z as further states, with the error of the measurement for their noise
+        joint = np.block([[self.A, np.zeros((n, m))], [self.H, np.zeros((m, m))]])
+        noise, covariance = np.zeros((2, n + m, n + m))
+        noise[:n, :n], noise[n:, n:], covariance[:n, :n] = self.Q, self.R, self._read(start.covariance)
+        mean = np.concatenate([read_vector(start.mean, "mean", n, True), np.zeros(m)])
+        drawn = simulate_continuous(joint, noise, Moments(mean, covariance), times, paths, seed)
+        averages = np.diff(drawn.states[:, :, n:], axis=1)/np.diff(drawn.times)[:, None]
+        return Paths(drawn.times, drawn.states[:, :, :n], averages)
 
     def stationary(self):
         """The filter after a long time, as `stationary_filter` gives it."""
@@ -115,8 +136,8 @@ def _closed_form(A, S, Q, P, t):
 
 
 class ContinuousRun(NamedTuple):
-    """What a continuous filter made of a record: `times`: N + 1; `estimates`: (N + 1) x n; `covariances`: of their
-    errors, (N + 1) x n x n."""
+    """What a continuous filter made of a record: `times`: N + 1; `estimates`: (N + 1) x n, of S records S x (N + 1) x
+    n; `covariances`: of their errors, (N + 1) x n x n."""
 
     times: np.ndarray
     estimates: np.ndarray
@@ -127,18 +148,20 @@ def _recorded(filter, z, times, x, P):
     from scipy.linalg import expm
 
     S, n = filter.H.T @ solve(filter.R, filter.H), len(x)
-    steps = np.diff(times)
+    steps = equal_steps(times)
     halves = {step: _flow(filter.A, S, filter.Q, step/2) for step in np.unique(steps)}
+    x = np.broadcast_to(x, (*z.shape[:-2], n))
     estimates, covariances = [x], [P]
-    for step, value in zip(steps, z):
+    for k, step in enumerate(steps):
         middle = _moved(P, *halves[step])
         gain = filter.gain(middle)
         # x~' = (A - KH) x~ + K z with a constant z, as one exponential
-        both = expm(np.block([[filter.A - gain @ filter.H, (gain @ value)[:, None]], [np.zeros((1, n + 1))]])*step)
-        x, P = both[:n, :n] @ x + both[:n, n], _moved(middle, *halves[step])
+        m = gain.shape[1]
+        both = expm(np.block([[filter.A - gain @ filter.H, gain], [np.zeros((m, n + m))]])*step)
+        x, P = x @ both[:n, :n].T + z[..., k, :] @ both[:n, n:].T, _moved(middle, *halves[step])
         estimates.append(x)
         covariances.append(P)
-    return ContinuousRun(times, np.array(estimates), np.array(covariances))
+    return ContinuousRun(times, np.stack(estimates, axis=-2), np.array(covariances))
 
 
 def _flow(A, S, Q, t):

@@ -53,11 +53,18 @@ def simulate_continuous(A, Q, start, times, paths, seed, H=None, R=None):
     times = read_vector(np.asarray(times, dtype=float), "times", None, True)
     if (np.diff(times) < 0).any():
         raise ValueError("times: expected rising numbers")
-    steps = np.diff(times)
+    steps = equal_steps(times)
     models = {step: discretised(A, Q, step) for step in np.unique(steps)}
     roots = {step: _root(model.Q) for step, model in models.items()}
     return _drawn([models[step].Phi for step in steps], [roots[step] for step in steps], start, times, paths, seed, H,
                   R)
+
+
+def equal_steps(times):
+    """The differences of times; those that differ by rounding alone are equal."""
+    steps = np.diff(times)
+    unit = np.abs(times).max(initial=0.0)*1e-13 or 1.0
+    return np.round(steps/unit)*unit
 
 
 def _drawn(Phis, roots, start, times, paths, seed, H, R):
