@@ -85,7 +85,8 @@ def _border(symbol, data):
     theirs holds."""
     data = [part for given in data for part in (given if isinstance(given, Controlled) else [given])]
     for part in data:
-        interval = part.get(symbol) if isinstance(part, dict) else None
+        interval = (part.get(symbol) if isinstance(part, dict) else
+                    part.as_set() if isinstance(part, LOGIC) and part.free_symbols == {symbol} else None)
         if isinstance(interval, (tuple, list)):
             return sp.Rational(sum(interval)) / 2
         if isinstance(interval, sp.FiniteSet):

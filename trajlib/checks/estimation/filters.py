@@ -172,8 +172,8 @@ def _definite(covariance, values, size):
 
 
 def _measured(process, measured, at, parameters, given):
-    """(process, values, measured, at) at numbers."""
-    for values in allowed_values(parameters, given, COUNT):
+    """(process, values, measured, at) at numbers; at more of them for a formula in the time asked for."""
+    for values in allowed_values(parameters, given, COUNT * (1 + bool(sp.sympify(at).free_symbols))):
         known = [(time, [float(sp.sympify(z).subs(values)) for z in np.atleast_1d(np.array(value, dtype=object))])
                  for moment, value in measured for time in _times(sp.sympify(moment).subs(values))]
         yield processes.numbers(process, values), values, known, sp.sympify(at).subs(values)
