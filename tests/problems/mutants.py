@@ -40,7 +40,8 @@ def _mutants(value, kind):
         for k in range(len(value) - 1):
             yield [*value[:k], value[k + 1], value[k], *value[k + 2:]]
         if value:
-            (yield [*value, value[0]] if not isinstance(value[0], (list, tuple, sp.MatrixBase))
+            nested = isinstance(value[0], (list, tuple)) and any(isinstance(x, (list, tuple)) for x in value[0])
+            (yield [*value, value[0]] if nested or not isinstance(value[0], (list, tuple, sp.MatrixBase))
              else [*value, [x + 1 for x in value[0]]])
     elif isinstance(value, dict):
         for key, part in value.items():

@@ -53,6 +53,7 @@ __getattr__, __dir__, __all__ = lazy_names(__name__, {
     "feedback.loops": ["estimate_gains", "feedback_gain", "observer_gain"],
     "feedback.margins": ["estimate_margins", "feedback_margins", "feedback_obstacle", "feedback_region",
         "observer_margins", "observer_obstacle", "observer_region"],
+    "feedback.equilibria": ["rest_gains"],
     "feedback.observers": ["complete_model", "observer_equations"],
     "estimation.moments": ["correlation", "covariance", "covariance_matrix", "expectations", "uncorrelated"],
     "estimation.least_squares": ["error_covariance", "least_squares", "least_sum"],

@@ -22,7 +22,7 @@ SHAPES = {
         "program": "dict from symbols of the state to functions of time", "radial": "expression of the radius",
         "radius": "symbol, or number", "rate": "expression", "start": "symbols of the initial state",
         "system": "polynomial in one more symbol, or n x n matrix", "through": "list of points", "time": "symbol",
-        "variable": "symbol",
+        "variable": "symbol", "zeros": "list of n expressions of the state",
     },
     "estimation": COMMON | {
         "angle": "symbol", "at": "number, or expression of the parameters",
@@ -47,10 +47,11 @@ SHAPES = {
     "feedback": COMMON | {
         "K": "s x n matrix", "L": "n x m matrix", "S": "k x k matrix of the error w' = S w",
         "c": "m x k matrix of the error c w in the output", "controls": "list of s symbols",
-        "desired": "dict from symbols of the state to functions of time", "equation": "Scalar",
-        "estimates": "list of n symbols", "gain": "matrix of symbols, or one", "given": "condition, or list of them",
+        "desired": "dict from symbols of the state to functions of time",
+        "domain": "dict from symbols to intervals", "equation": "Scalar", "estimates": "list of n symbols",
+        "gain": "matrix of symbols, or one", "given": "condition, or list of them",
         "margin": "number", "mu": "symbol", "outputs": "list of m symbols", "polynomial": "expression of the symbol",
-        "symbol": "symbol", "time": "symbol",
+        "symbol": "symbol", "time": "symbol", "zeros": "list of n expressions of the state",
     },
 }
 

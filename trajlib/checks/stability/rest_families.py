@@ -23,6 +23,8 @@ from trajlib.checks.truths.fields import Field
 
 #: Stationary values are compared between -REACH and REACH; families are followed as far as that and a little further.
 REACH = 12.0
+#: What rounding leaves of a zero matrix, next to the largest one.
+ROUNDING = 1e-12
 KINDS = ("stable node", "stable focus", "unstable node", "unstable focus", "saddle", "centre")
 
 
@@ -59,21 +61,25 @@ def unstable_rest_values(answer, field, state, parameters=(), given=(), integer=
 
 
 @judged
-def deviation_matrices(answer, field, state, parameters=(), given=(), integer=None):
-    """The matrices A of the equations in deviations y' = A y that occur at the stationary solutions, in any order."""
+def deviation_matrices(answer, field, state, parameters=(), given=(), integer=None, zeros=None):
+    """The matrices A of the equations in deviations y' = A y that occur at the stationary solutions, in any order.
+
+    Where A may be singular, `zeros` are functions that have the same zeros as the field, all simple.
+    """
     n = len(state)
     matrices = [coercion.as_matrix(part, [*parameters, *_symbols(integer)], (n, n))
                 for part in _list_of_matrices(answer)]
-    for values, flow, found in _systems(field, state, parameters, given):
+    for values, flow, found in _systems(field, state, parameters, given, zeros):
         true = [(point, flow.jacobian(point)) for point in found]
+        floor = ROUNDING * max(np.linalg.norm(other) for _, other in true)
         claimed = [matrix_at(matrix, values | {s: sp.Integer(k) for s in _symbols(integer)})
                    for matrix in matrices for k in (range(-2, 3) if matrix.has(*_symbols(integer)) else (0,))]
         for matrix in claimed:
-            if not any(_same(matrix, other) for _, other in true):
+            if not any(_same(matrix, other, floor) for _, other in true):
                 raise Wrong(f"the matrix {_matrix_text(matrix)}{where_text(values)} belongs to no stationary solution: "
                             "none has these rates of change of the right-hand sides under small deviations")
         for point, other in true:
-            if not any(_same(matrix, other) for matrix in claimed):
+            if not any(_same(matrix, other, floor) for matrix in claimed):
                 rates = "; ".join(f"a deviation of {x} alone: {point_text(column)}"
                                   for x, column in zip(state, other.T))
                 raise Wrong(f"none of your matrices belongs to the stationary solution {state[0]} = "
@@ -180,18 +186,20 @@ def saddle_slopes(answer, field, state):
     return "along these lines the linear field at each saddle points straight away from it and straight to it"
 
 
-def _systems(field, state, parameters, given):
+def _systems(field, state, parameters, given, zeros=None):
     """Triples (values, field, rest points between -REACH and REACH) for four samples of the parameters that satisfy
-    `given`."""
-    return _searched(tuple(field), tuple(state), tuple(parameters), joined(given))
+    `given`; the rest points are the zeros of `zeros`, if these are told."""
+    return _searched(tuple(field), tuple(state), tuple(parameters), joined(given),
+                     tuple(field if zeros is None else zeros))
 
 
 @functools.lru_cache(maxsize=16)
-def _searched(field, state, parameters, given):
+def _searched(field, state, parameters, given, zeros):
     # Several answers of a problem ask about the same equation: one search serves them all.
-    flows = [(values, Field(field, state, values)) for values in allowed_values(parameters, given, 4)]
-    return [(values, flow, [point for point in flow.rest_points(160, reach=1.2 * REACH) if abs(point[0]) < REACH])
-            for values, flow in flows]
+    flows = [(values, Field(field, state, values), Field(zeros, state, values))
+             for values in allowed_values(parameters, given, 4)]
+    return [(values, flow, [point for point in vanishing.rest_points(160, reach=1.2 * REACH) if abs(point[0]) < REACH])
+            for values, flow, vanishing in flows]
 
 
 def _claims(answer, state, parameters, integer):
@@ -292,8 +300,8 @@ def _symbols(integer):
     return [] if integer is None else [integer]
 
 
-def _same(matrix, other):
-    return np.linalg.norm(matrix - other) <= 1e-6 * np.linalg.norm(other)
+def _same(matrix, other, floor):
+    return np.linalg.norm(matrix - other) <= max(1e-6 * np.linalg.norm(other), floor)
 
 
 def _close(number, value):

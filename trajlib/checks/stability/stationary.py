@@ -30,13 +30,14 @@ TYPES = tuple(f"{how} {what}" for what in ("node", "star", "degenerate node", "f
               for how in ("stable", "unstable"))
 TYPES += ("saddle", "centre")
 @judged
-def stationary_points(answer, field, state, parameters, domain=None):
+def stationary_points(answer, field, state, parameters, domain=None, zeros=None):
     """All stationary points in the domain, as expressions in the parameters: one point, or a list of points.
 
     A point whose formula is not real, or leaves the domain, for some values of the parameters stands for no point
-    there.
+    there. Where derivatives vanish at a point as well, `zeros` are functions that have the same zeros, all simple.
     """
-    return _judge_points(answer, rest_points(field, state, parameters, domain), "stationary point")
+    searched = rest_points(field if zeros is None else zeros, state, parameters, domain)
+    return _judge_points(answer, rest_points(field, state, parameters, domain), "stationary point", searched)
 
 
 @judged
@@ -254,11 +255,11 @@ def phase_curve(answer, field, state, parameters, through, domain=None):
 # What the checks share: a point, a condition of existence, a condition on the roots.
 
 
-def _judge_points(answer, family, noun):
-    """All rest points of a family, as one point or a list of points."""
+def _judge_points(answer, family, noun, searched=None):
+    """All rest points of a family, as one point or a list of points; they are those of `searched`."""
     points = _points(answer, family)
     met = [False] * len(points)
-    for values, numbers, rests in family.samples(alone=False):
+    for values, numbers, rests in (searched or family).samples(alone=False):
         missed, outside = list(rests), ""
         for k, point in enumerate(points):
             place = [real_at(coordinate, values) for coordinate in point]

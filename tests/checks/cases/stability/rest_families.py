@@ -14,6 +14,10 @@ ANY = (SOFT[0], [x, y], [b])
 PORTRAIT = (SOFT[0].subs({a: 1, b: -sp.Rational(1, 25)}), [x, y])
 DOWN, UP = sp.Matrix([[0, 1], [-(w**2), -d]]), sp.Matrix([[0, 1], [w**2, -d]])
 SADDLE = (-d + sp.sqrt(d**2 + 4 * w**2)) / 2
+# At rest at zero, where all slopes vanish, and at (1, 1).
+TWICE = (sp.Matrix([x**2 * (x - 1), y**3 - x**3]), [x, y])
+SIMPLE = (("zeros", [x * (x - 1), y - x]),)
+PASS = sp.Matrix([[1, 0], [-3, 3]])
 
 CASES = [
     Case("rest_values", [2 * sp.pi * n, 2 * sp.pi * n + sp.pi], PENDULUM, "right", "two families"),
@@ -61,6 +65,8 @@ CASES = [
     Case("deviation_matrices", [DOWN, sp.Matrix([[0, 1], [w**2, d]])], PENDULUM, "wrong", "a sign of the friction"),
     Case("deviation_matrices", [sp.eye(3)], PENDULUM, "invalid", "of order three"),
     Case("deviation_matrices", w**2, PENDULUM, "invalid", "an expression"),
+    Case("deviation_matrices", [sp.zeros(2, 2), PASS], TWICE, "right", "a point at which the slope vanishes", SIMPLE),
+    Case("deviation_matrices", [PASS], TWICE, "wrong", "that point overlooked", SIMPLE),
     Case("growth_rate", SADDLE, PENDULUM[:4], "right", "the formula for a quadratic"),
     Case("growth_rate", 2 * w**2 / (d + sp.sqrt(d**2 + 4 * w**2)), PENDULUM[:4], "right",
          "the root in the denominator"),

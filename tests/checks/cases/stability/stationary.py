@@ -28,6 +28,7 @@ RADIAL = ((u - 2) * r - r**3, r, [u])
 TURNING = ((u - 2) * r - r**3, r + 1, r, [u])
 ON_CYCLE = ([(u - 2) * r - r**3], [r], [u], {r: open_ray})
 ROUND = ([-u * rho, -u * beta], [rho, beta], [u], {u: open_ray})
+TOUCHING, SIMPLE = ([r**2 * (r - 1)], [r], []), (("zeros", [r * (r - 1)]),)
 
 CASES = [
     Case("stationary_points", CLIMB, ROCKET, "right", "one equation: the bare expression"),
@@ -35,6 +36,8 @@ CASES = [
     Case("stationary_points", BOTH, SHOT, "right", "two points, one of which exists for some parameters only"),
     Case("stationary_points", BOTH[::-1], SHOT, "right", "another order"),
     Case("stationary_points", sp.Matrix(BOTH), SHOT, "right", "the rows of a matrix"),
+    Case("stationary_points", [0, 1], TOUCHING, "right", "a double zero", SIMPLE),
+    Case("stationary_points", [1], TOUCHING, "wrong", "a double zero overlooked", SIMPLE),
     Case("stationary_points", [{v: BOTH[0][1], theta: 3 * sp.pi / 2}, dict(zip((theta, v), BOTH[1]))], SHOT, "right",
          "dicts, an angle modulo 2 pi"),
     Case("stationary_points", [-1.57, BOTH[0][1]], DOWN, "right", "a decimal angle"),

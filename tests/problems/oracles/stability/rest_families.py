@@ -32,7 +32,7 @@ def _family_members(answer, values, integer):
     return {(round(x.real, 6) + 0.0, round(x.imag, 6) + 0.0) for x in numbers if abs(x) < 20}
 
 
-def same_matrices(mutant, reference, *_):
+def same_matrices(mutant, reference, *_, **__):
     """True if two lists hold the same matrices, in any order."""
     return (all(any(same_value(a, b) for b in reference) for a in mutant)
             and all(any(same_value(a, b) for a in mutant) for b in reference))

@@ -4,7 +4,7 @@ from random import Random
 
 import sympy as sp
 
-from oracles.sameness import differs_somewhere, holds, same_condition
+from oracles.sameness import differs_somewhere, holds, same_condition, same_value
 
 
 def first_integral(mutant, reference, field, state, *_):
@@ -32,5 +32,21 @@ def planar_region(mutant, reference, field, state, parameters, domain=None):
                if all(low < x < high for x, (low, high) in zip(point, ends)))
 
 
-ORACLES = {"first_integral": first_integral,
+def same_points(mutant, reference, field, state, parameters, domain=None, zeros=None):
+    """The same value, whatever the order of several points; angles that are numbers count modulo full turns."""
+    angles = [(domain or {}).get(x, sp.S.Reals).measure == 2*sp.pi for x in state]
+
+    def turned(answer):
+        if isinstance(answer, (list, tuple)) and any(isinstance(point, (list, tuple)) for point in answer):
+            return [turned(point) for point in answer]
+        if not isinstance(answer, (list, tuple)) or len(answer) != len(state):
+            return answer
+        return [sp.Mod(x, 2*sp.pi) if angle and sp.sympify(x).is_number and sp.sympify(x).is_real else x
+                for x, angle in zip(map(sp.sympify, answer), angles)]
+
+    several = isinstance(reference, (list, tuple)) and isinstance(reference[0], (list, tuple))
+    return same_value(turned(mutant), turned(reference), "list of vector" if several else "")
+
+
+ORACLES = {"stationary_points": same_points, "first_integral": first_integral,
            "focus_region": planar_region, "node_region": planar_region, "stationary_exists": planar_region}
