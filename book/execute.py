@@ -3,7 +3,8 @@
     python book/execute.py
 
 A page is stale when its code cells changed, or a module of trajlib that it loads (however indirectly), or
-requirements.txt. Jupyter Book's own cache sees only the cells. Records that no page uses any more are removed.
+requirements.txt, or how pages are executed. Jupyter Book's own cache sees only the cells. Records that no page uses any
+more are removed.
 
 What pages load is imported here, once; each page then has a kernel of its own, forked from this process.
 
@@ -40,10 +41,13 @@ from trajlib.dependencies import module_closure
 
 ROOT = Path(__file__).resolve().parent.parent
 LIBRARY = Path(trajlib.__file__).parent
+#: How pages are executed: what they show may depend on it.
+HOW = [Path(__file__), Path(__file__).with_name("kernel.py")]
 #: What pages and the modules of trajlib load beside trajlib, most of it only when a function is called.
 LIBRARIES = ("casadi", "control", "matplotlib.pyplot", "numpy", "scipy.integrate", "scipy.interpolate", "scipy.linalg",
              "scipy.optimize", "scipy.signal", "sympy")
 CORES = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
+CURVE = re.compile(r'(?<= d=")[^"]*')
 FORK = multiprocessing.get_context("fork")
 
 
@@ -85,7 +89,7 @@ def main(root=ROOT):
 
 def digest(root):
     """One hash of everything that outputs depend on, so that a run with nothing to do need not read the pages."""
-    files = [root / "_config.yml", root / "_toc.yml", root / "requirements.txt", *page_paths(root),
+    files = [root / "_config.yml", root / "_toc.yml", root / "requirements.txt", *HOW, *page_paths(root),
              *LIBRARY.rglob("*.py")]
     found = hashlib.sha256(sys.version.encode())
     for path in sorted(set(files)):
@@ -104,7 +108,8 @@ def read_pages(root, config):
     """The pages that have code cells to execute."""
     # The cells are found by the same Markdown dialect as when the site is built.
     dialect = MdParserConfig(enable_extensions=set(config["parse"]["myst_enable_extensions"]))
-    shared = hashlib.sha256((root / "requirements.txt").read_bytes()).hexdigest() + sys.version
+    decisive = b"".join(path.read_bytes() for path in (root / "requirements.txt", *HOW))
+    shared = hashlib.sha256(decisive).hexdigest() + sys.version
     pages = []
     for path in page_paths(root):
         text = path.read_text(encoding="utf-8")
@@ -176,6 +181,7 @@ def execute(page, timeout):
             # Times of cells would make it another page in the eyes of the cache.
             NotebookClient(page.notebook, km=kernel.manager(), timeout=timeout, record_timing=False).execute()
         failure = missing_picture(page.notebook)
+        slim_pictures(page.notebook)
     except (CellExecutionError, CellTimeoutError) as error:
         failure = explain(page.notebook, error)
     except RuntimeError as error:  # the kernel died
@@ -201,6 +207,16 @@ def missing_picture(notebook):
             if not any(form.startswith("image/") for output in cell.outputs for form in output.get("data", ())):
                 return f"{place(notebook, number)}: this {role} cell shows no picture"
     return None
+
+
+def slim_pictures(notebook):
+    """Hundredths of a point are enough for the curves of an SVG, of which Matplotlib gives millionths."""
+    for cell in notebook.cells:
+        for output in cell.get("outputs", ()):
+            data = output.get("data", {})
+            if "image/svg+xml" in data:
+                data["image/svg+xml"] = CURVE.sub(lambda curve: re.sub(r"(\.\d\d)\d+", r"\1", curve[0]),
+                                                  data["image/svg+xml"])
 
 
 def place(notebook, number):

@@ -14,11 +14,15 @@ import numpy
 from ipykernel.kernelapp import IPKernelApp
 from jupyter_client import AsyncKernelManager
 from jupyter_client.provisioning import LocalProvisioner
+from traitlets.config import Config
 
 #: What counts from the start of the interpreter, or when a library is loaded: pages are executed side by side, outputs
 #: should not depend on the order of a set, and pictures belong into the page.
 SETTINGS = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "PYTHONHASHSEED": "0",
             "MPLBACKEND": "module://matplotlib_inline.backend_inline"}
+#: Pictures are sharp at any size, and the same pictures are the same bytes.
+PICTURES = {"figure_formats": {"svg"}, "rc": {"svg.hashsalt": "workbook"},
+            "print_figure_kwargs": {"bbox_inches": "tight", "metadata": {"Date": None}}}
 
 
 class Kernel:
@@ -80,7 +84,7 @@ def _serve(connection_file, folder, tell):
         os.chdir(folder)
         sys.path[:] = [path for path in sys.path if path != os.path.dirname(os.path.abspath(__file__))]
         numpy.random.seed()  # as `random` does by itself: a fork would repeat the numbers of its brothers
-        app = IPKernelApp.instance()
+        app = IPKernelApp.instance(config=Config(InlineBackend=PICTURES))
         # A kernel's own log has nothing for the reader of a build: what a cell says is in its outputs.
         app.initialize([f"--f={connection_file}", "--log-level=CRITICAL", "--HistoryManager.hist_file=:memory:",
                         f"--IPKernelApp.parent_handle={os.getppid()}"])

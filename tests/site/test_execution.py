@@ -1,5 +1,6 @@
 """book/execute.py in a small book of its own: what is executed, what is kept, and what a failure says."""
 
+import re
 import sys
 import textwrap
 from pathlib import Path
@@ -98,6 +99,23 @@ def test_the_site_finds_the_outputs_in_the_cache(book):
     book.write("p1", "6 * 7")
     book.run()
     assert [output.data["text/plain"] for output in book.outputs("p1")] == ["42"]
+
+
+def test_a_picture_is_drawn_sharp_and_the_same_again(book):
+    """As SVG, without the date and with names that do not change, in hundredths of a point."""
+    for name in ("p1", "p2"):
+        book.write(name, """\
+            %matplotlib inline
+            import matplotlib.pyplot as plt
+            import numpy as np
+            x = np.linspace(0, 6, 200)
+            plt.plot(x, np.sin(x), marker="o");""", f"'{name}'")
+    book.run()
+    (first,), (second,) = ([output.data for output in book.outputs(name) if output.output_type == "display_data"]
+                           for name in ("p1", "p2"))
+    assert first["image/svg+xml"] == second["image/svg+xml"] and "image/png" not in first
+    curves = execute.CURVE.findall(first["image/svg+xml"])
+    assert max(map(len, curves)) > 1000 and not any(re.search(r"\.\d{3}", curve) for curve in curves)
 
 
 def test_a_failing_cell_is_named_with_its_page_and_message(book):
