@@ -47,6 +47,8 @@ HOW = [Path(__file__), Path(__file__).with_name("kernel.py")]
 LIBRARIES = ("casadi", "control", "matplotlib.pyplot", "numpy", "scipy.integrate", "scipy.interpolate", "scipy.linalg",
              "scipy.optimize", "scipy.signal", "sympy")
 CORES = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
+#: Characters of a picture.
+LARGEST = 600_000
 CURVE = re.compile(r'(?<= d=")[^"]*')
 FORK = multiprocessing.get_context("fork")
 
@@ -180,8 +182,8 @@ def execute(page, timeout):
         with Kernel(page.path.parent) as kernel:
             # Times of cells would make it another page in the eyes of the cache.
             NotebookClient(page.notebook, km=kernel.manager(), timeout=timeout, record_timing=False).execute()
-        failure = missing_picture(page.notebook)
         slim_pictures(page.notebook)
+        failure = missing_picture(page.notebook) or heavy_picture(page.notebook)
     except (CellExecutionError, CellTimeoutError) as error:
         failure = explain(page.notebook, error)
     except RuntimeError as error:  # the kernel died
@@ -206,6 +208,17 @@ def missing_picture(notebook):
         for role in {"figure", "drawing"}.intersection(cell.metadata.get("tags", [])):
             if not any(form.startswith("image/") for output in cell.outputs for form in output.get("data", ())):
                 return f"{place(notebook, number)}: this {role} cell shows no picture"
+    return None
+
+
+def heavy_picture(notebook):
+    """The first picture that takes a phone too long."""
+    for number, cell in enumerate(notebook.cells):
+        for output in cell.get("outputs", ()):
+            size = len(output.get("data", {}).get("image/svg+xml", ""))
+            if size > LARGEST:
+                return (f"{place(notebook, number)}: this picture takes {size // 1000} kB; draw what has so many "
+                        "points with rasterized=True")
     return None
 
 

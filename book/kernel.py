@@ -22,7 +22,7 @@ SETTINGS = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "PYTHONHASHSEED
             "MPLBACKEND": "module://matplotlib_inline.backend_inline"}
 #: Pictures are sharp at any size, and the same pictures are the same bytes.
 PICTURES = {"figure_formats": {"svg"}, "rc": {"svg.hashsalt": "workbook"},
-            "print_figure_kwargs": {"bbox_inches": "tight", "metadata": {"Date": None}}}
+            "print_figure_kwargs": {"bbox_inches": "tight", "metadata": {"Date": None}, "dpi": 220}}
 
 
 class Kernel:

@@ -118,6 +118,15 @@ def test_a_picture_is_drawn_sharp_and_the_same_again(book):
     assert max(map(len, curves)) > 1000 and not any(re.search(r"\.\d{3}", curve) for curve in curves)
 
 
+def test_a_picture_of_too_many_points_is_refused(book):
+    book.write("p1", """\
+        %matplotlib inline
+        import matplotlib.pyplot as plt
+        plt.plot(range(20000), ".");""")
+    code, _, error = book.run()
+    assert code == 1 and "cell 2" in error and "rasterized=True" in error
+
+
 def test_a_failing_cell_is_named_with_its_page_and_message(book):
     book.write("p1", "1 + 1", ":tags: [answer]\ny = 0\nx = 1 / y")
     book.write("p2", "2 + 2")
