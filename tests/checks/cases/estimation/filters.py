@@ -33,6 +33,7 @@ RATES = sp.Matrix([[2*p12 - p11**2/R, p22 - p11*p12/R], [p22 - p11*p12/R, Q - p1
 T, D = sp.symbols("T D", positive=True)
 tau = sp.Symbol("tau", nonnegative=True)
 INTEGRAL = Coloured(8*sp.exp(-tau), tau, A=0, B=1, H=1, R=1)
+MADE = Coloured(sp.exp(-tau), tau, C=1, R=1)
 NOISE = Coloured(sp.exp(-a*tau), tau, C=1, R=R)
 BIASED = Coloured(D, tau, A=[[0, 1], [0, 0]], B=[0, 1], H=[[0, 1]], R=R)
 WAY = sp.Matrix([T**2/2, T, 1])
@@ -90,6 +91,13 @@ CASES = [
     Case("steady_gain", [2, 2], (INTEGRAL,), "right", "a noise with a correlation"),
     Case("covariance_with_gain", (Q + k1**2*R)/(2*(k1 - a)),
          (SCALAR, sp.Matrix([[k1]]), [a, Q, R], k1 > a), "right", "where the errors decay"),
+    Case("covariance_with_gain", (k1**2 + 2)/(2*(k1 + 1)), (MADE, sp.Matrix([[k1]])), "right",
+         "only where the errors decay"),
+    Case("decaying_gains", k1 > -1, (MADE, sp.Matrix([[k1]])), "right", "a single gain"),
+    Case("decaying_gains", sp.And(k1 > 0, k2 > 0), (CART, sp.Matrix([k1, k2])), "right", "two gains"),
+    Case("decaying_gains", k1 > 0, (MADE, sp.Matrix([[k1]])), "wrong", "the decay of the process forgotten"),
+    Case("decaying_gains", sp.And(k1 > 0, k2 > 0, k1 > k2), (CART, sp.Matrix([k1, k2])), "wrong", "too narrow"),
+    Case("decaying_gains", k1 + 1, (MADE, sp.Matrix([[k1]])), "invalid", "no condition"),
     Case("covariance_with_gain", (Q + k1**2*R)/k1/2, (SCALAR.subs(a, 0), sp.Matrix([[k1]]), [Q, R], k1 > 0), "right",
          "an integrator"),
     Case("covariance_with_gain", Q/(2*(k1 - a)), (SCALAR, sp.Matrix([[k1]]), [a, Q, R], k1 > a), "wrong",
