@@ -1,4 +1,4 @@
-"""Optimal processes whatever the cost: controls and motions in time, costs, durations, costates, laws.
+"""Optimal processes whatever the cost: controls and motions in time, costs, durations, costates.
 
 `problem` is a `pontryagin.Problem`, with one control; `parameters` a dict from its symbols to the intervals in which
 answers are tried. The optimum comes from `direct_optimum`, which knows nothing of costates. All answers are judged in
@@ -15,12 +15,9 @@ from trajlib.checks.pontryagin.open_loop import INTEGRATED, Control, Path, at_in
 from trajlib.checks.tools.values import real_function, value_at
 from trajlib.checks.tools.wording import rounded_text
 from trajlib.checks.truths.optima.direct_optimum import optima
-from trajlib.checks.truths.optima.transfer_optima import rk4
 
 #: Up to which share of its terms the least cost is known, and the cost of a process that is followed in small steps.
 COSTS = 1e-6
-#: A law is followed in so many steps. Where it switches it lags by a step, which costs it this share at most.
-STEPS, LAGGING = 1500, 2e-3
 
 
 @judged
@@ -29,13 +26,13 @@ def optimal_control(answer, problem, time, parameters=None):
     read = Control(answer, time, list(parameters or {}))
     begun = ", begun as the best process is," if None in problem.initial.values() else ""
     for values, best in optima(problem, parameters):
-        where = _where(values)
+        where = told_for(values)
         path = Path(best, read.sections(values, best.duration), where)
         path.admissible(read.rounding)
-        _keeps_to_the_ends(path.states[-1], best, read.rounding, f"{where}under your control{begun}")
+        keeps_to_the_ends(path.states[-1], best, read.rounding, f"{where}under your control{begun}")
         if problem.first_return:
-            _meets_once(path.times, path.states, best, where)
-        _costs_least(best.total(path.states[-1]), best, problem, read.rounding, where + "your control")
+            meets_once(path.times, path.states, best, where)
+        costs_least(best.total(path.states[-1]), best, problem, read.rounding, where + "your control")
     return "it is admissible, keeps to the ends, and no process was found that does better"
 
 
@@ -48,11 +45,11 @@ def optimal_motion(answer, problem, time, parameters=None):
                            for part in (claims, [claim.diff(time) for claim in claims]))
     rounding = share(*claims, computed=INTEGRATED)
     for values, best in optima(problem, parameters):
-        where, numbers = _where(values), list(values.values())
+        where, numbers = told_for(values), list(values.values())
         slack, given = rounding * best.size(), [v is not None for v in problem.initial.values()]
         start = values_of(0.0, *numbers)
         if not np.all((np.abs(start - best.start[:-1]) <= slack)[given]):
-            raise Wrong(f"{where}your motion starts at {_point(start)}, not where it should")
+            raise Wrong(f"{where}your motion starts at {point_text(start)}, not where it should")
         scale = 10 * rounding * (1 + np.abs(best.states).max() * (1 + 1 / best.duration))
         for k, t in enumerate(best.times):
             # At a jump of the control a derivative need not exist.
@@ -63,12 +60,12 @@ def optimal_motion(answer, problem, time, parameters=None):
             low, high = _rates(best, y)
             if not np.all((rate >= low - scale) & (rate <= high + scale)):
                 j = int(np.argmax(np.maximum(low - scale - rate, rate - high - scale)))
-                raise Wrong(f"{where}at t = {t:.4g} your motion is at {_point(y)} with {list(problem.dynamics)[j]}' = "
-                            f"{rate[j]:.4g}, which no admissible control gives there")
+                raise Wrong(f"{where}at t = {t:.4g} your motion is at {point_text(y)} with "
+                            f"{list(problem.dynamics)[j]}' = {rate[j]:.4g}, which no admissible control gives there")
         for j, name in enumerate(problem.dynamics):
             for t in jumps(lambda times, j=j: at_instants(values_of, times, *numbers)[j], best.duration):
                 raise Wrong(f"{where}on your motion {name} jumps at t = {t:.4g}")
-        _keeps_to_the_ends(np.append(values_of(best.duration * (1 - 1e-9), *numbers), 0), best, rounding,
+        keeps_to_the_ends(np.append(values_of(best.duration * (1 - 1e-9), *numbers), 0), best, rounding,
                            where + "on your motion")
         off = [np.abs(values_of(t, *numbers) - best.states[:, k]).max() for k, t in enumerate(best.times)]
         if not max(off) <= 3 * slack:
@@ -79,17 +76,41 @@ def optimal_motion(answer, problem, time, parameters=None):
 
 @judged(Expression("parameters"))
 def optimal_cost(claim, problem, parameters=None):
-    """The cost of the optimal process, as an expression in the parameters."""
+    """The cost of the optimal process, as an expression in the parameters.
+
+    Where these are the start and the duration is free, what is left of a process is optimal too: the cost is asked
+    there as well.
+    """
     better = "greater" if problem.maximise else "less"
+    starts = list(problem.initial.values())
+    anywhere = (problem.duration is None and not problem.first_return and len(set(starts)) == len(starts)
+                and all(start in (parameters or {}) for start in starts))
+    cost_of = real_function([*starts, *(p for p in parameters if p not in starts)], [claim]) if anywhere else None
     for values, best in optima(problem, parameters):
-        where = _where(values)
+        where = told_for(values)
         said = value_at(claim, values, "the cost")
         if not same(said, best.cost, claim, best.cost_size(), COSTS):
             beyond = (said < best.cost) != problem.maximise
             raise Wrong(f"{where}your cost is {said:.4g}; " + (
                 "no admissible process that keeps to the ends was found that does so well" if beyond else
                 f"there is an admissible process with a cost that is {better}"))
+        if anywhere:
+            _left_over(claim, cost_of, values, best, starts, parameters)
     return "it is the cost of the best process found"
+
+
+def _left_over(claim, cost_of, values, best, starts, parameters):
+    """Raise `Wrong` where a claim for all starts is not what the rest of the best process costs."""
+    states, true = best.left()
+    inside = np.all([(y > float(parameters[s].inf)) & (y < float(parameters[s].sup)) for s, y in zip(starts, states)],
+                    axis=0)
+    states, true = states[:, inside], true[inside]
+    said = cost_of(*states, *(float(v) for p, v in values.items() if p not in starts))[0]
+    off = ~np.atleast_1d(same(np.nan_to_num(said, nan=np.inf), true, claim, best.cost_size(), COSTS))
+    for k in np.flatnonzero(off)[:1]:
+        gives = f"{said[k]:.4g}" if np.isfinite(said[k]) else "no real number"
+        raise Wrong(f"from the start {point_text(states[:, k])} your cost is {gives}; the best process found costs "
+                    + ("more" if true[k] > said[k] else "less" if np.isfinite(said[k]) else "a real number"))
 
 
 @judged(Expression("parameters"))
@@ -98,7 +119,7 @@ def optimal_duration(claim, problem, parameters=None):
     for values, best in optima(problem, parameters):
         said = value_at(claim, values, "the duration")
         if not same(said, best.duration, claim, computed=INTEGRATED):
-            raise Wrong(f"{_where(values)}your duration is {said:.4g}; the best process found ends "
+            raise Wrong(f"{told_for(values)}your duration is {said:.4g}; the best process found ends "
                         + ("earlier" if said > best.duration else "later"))
     return "it is the duration of the best process found"
 
@@ -114,7 +135,7 @@ def optimal_costate(answer, problem, time, parameters=None):
     rounding, sign = share(*claims, computed=INTEGRATED), -1 if problem.maximise else 1
     values_of, slopes_of = (real_function(symbols, part) for part in (claims, [e.diff(time) for e in claims]))
     for values, best in optima(problem, parameters):
-        where, numbers = _where(values), list(values.values())
+        where, numbers = told_for(values), list(values.values())
         largest = np.abs(np.nan_to_num(values_of(best.times, *numbers))).max()
         for k, t in enumerate(best.times):
             psi, slope = (function(t * (1 - 1e-7), *numbers) for function in (values_of, slopes_of))
@@ -140,57 +161,24 @@ def optimal_costate(answer, problem, time, parameters=None):
         _, final, normals = best.jacobians(best.states[:, -1], best.controls[-1])
         psi = values_of(best.duration * (1 - 1e-9), *numbers)
         _transversal(psi + sign * final[0], normals, rounding * (largest + np.abs(final).sum()),
-                     f"{where}at the end your costates are {_point(psi)}")
+                     f"{where}at the end your costates are {point_text(psi)}")
         free = np.array([value is None for value in problem.initial.values()])
         begin = values_of(0.0, *numbers)
         if not np.all(np.abs(begin[free]) <= 10 * rounding * largest):
-            raise Wrong(f"{where}at the beginning your costates are {_point(begin)}; what is free there has none")
+            raise Wrong(f"{where}at the beginning your costates are {point_text(begin)}; what is free there has none")
     return "adjoint equations, maximum condition and transversality hold along the best process found"
-
-
-@judged
-def optimal_law(answer, problem, parameters, time=None):
-    """A law in the states, parameters and time under which every start gives an optimal process.
-
-    The starts are values of parameters that stand in `problem.initial`.
-    """
-    state = list(problem.dynamics)
-    others = [p for p in parameters if p not in state]
-    claim = coercion.as_expression(answer, [*state, *others, *([time] if time else [])])
-    law = real_function([*state, *others, *([time] if time else [])], [claim])
-    rounding = share(claim, computed=LAGGING)
-    for values, best in optima(problem, parameters):
-        where, numbers = _where(values), [float(values[p]) for p in others]
-        low, high = best.bounds
-        slack = max(1e-9, rounding / 10) * (high - low if np.isfinite(high - low) else 1)
-        y, h, t, states, times = best.start, best.duration / STEPS, 0.0, [], []
-        for _ in range(STEPS):
-            u = float(law(*y[:-1], *numbers, *([t] if time else []))[0])
-            if not low - slack <= u <= high + slack:
-                said = f"{u:.4g}, outside the bounds of the control" if np.isfinite(u) else "no real number"
-                raise Wrong(f"{where}at t = {t:.4g} the motion under your law is at {_point(y[:-1])}, and the law "
-                            f"gives {said}")
-            y = rk4(lambda _, z, u=u: best.field(z, u), t, y, h)
-            t += h
-            states.append(y)
-            times.append(t)
-        if problem.first_return:
-            _meets_once(times, states, best, where)
-        _keeps_to_the_ends(y, best, rounding, where + "under your law")
-        _costs_least(best.total(y), best, problem, rounding, where + "your law")
-    return "from all starts tried it keeps to the ends, and no process was found that does better"
 
 
 # What a process has to do.
 
 
-def _keeps_to_the_ends(y, best, rounding, what):
+def keeps_to_the_ends(y, best, rounding, what):
     gap = best.gap(y)
     if len(gap) and not np.max(np.abs(gap)) <= 2 * rounding * best.size():
-        raise Wrong(f"{what} the state is {_point(y[:-1])} when the best process ends, which is not on the target")
+        raise Wrong(f"{what} the state is {point_text(y[:-1])} when the best process ends, which is not on the target")
 
 
-def _meets_once(times, states, best, where):
+def meets_once(times, states, best, where):
     sides = np.array([best.gap(y)[0] for y in states[1:-1]])
     small = 1e-6 * best.size()
     if sides.min(initial=0) < -small and sides.max(initial=0) > small:
@@ -198,7 +186,7 @@ def _meets_once(times, states, best, where):
         raise Wrong(f"{where}the target is met at t = {times[k + 1]:.4g} already, and the process ends there")
 
 
-def _costs_least(cost, best, problem, rounding, whose):
+def costs_least(cost, best, problem, rounding, whose):
     excess = (best.cost - cost) if problem.maximise else (cost - best.cost)
     allowed = max(COSTS, rounding if rounding > INTEGRATED else 0) * best.cost_size()
     if excess < -10 * allowed:
@@ -248,9 +236,9 @@ def _others(best, u):
     return [*np.clip(around, low, high), *(v for v in (low, high) if np.isfinite(v))]
 
 
-def _where(values):
+def told_for(values):
     return f"for {rounded_text(values)} " if values else ""
 
 
-def _point(values):
+def point_text(values):
     return f"{values[0] + 0:.4g}" if len(values) == 1 else "(" + ", ".join(f"{v + 0:.4g}" for v in values) + ")"

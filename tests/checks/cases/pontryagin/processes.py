@@ -7,8 +7,7 @@ x, x1, x2, u, a = sp.symbols("x x1 x2 u a", real=True)
 t, T, low, high = sp.symbols("t T u_min u_max", positive=True)
 Piecewise = sp.Piecewise
 
-# A spring of variable stiffness, swung far; the least energy to a place; a point brought close to zero; the time and
-# the fuel to the origin.
+# A spring of variable stiffness, swung far; the least energy to a place; a point brought close to zero.
 SWING = Problem({x1: x2, x2: -u * x1}, {u: (low, high)}, {x1: 1, x2: 0}, [x2], final=x1, first_return=True)
 STIFF = {low: sp.Interval(sp.Rational(1, 2), 1), high: sp.Interval(2, 4)}
 TURN = sp.pi / (2 * sp.sqrt(high))
@@ -20,8 +19,6 @@ PUSH = 4 * a / sp.pi * sp.cos(t)
 NEAR = Problem({x: u}, {u: (-1, 1)}, {x: a}, [], running=x**2 / 2, duration=T)
 STARTS = {a: sp.Interval(-3, 3), T: sp.Interval(1, 3)}
 HELD = Piecewise((-sp.sign(a), t < sp.Abs(a)), (0, True))
-LINEAR = Problem({x: u}, {u: (-1, 1)}, {x: a}, [], running=(x**2 + u**2) / 2, duration=T)
-WISH = -x * sp.tanh(T - t)
 FAR = Problem({x1: x2, x2: u}, {u: (-1, 1)}, {x1: 0, x2: None}, [x1 - 1], final=x1**2 / 2 + x2**2 / 2, duration=1,
               maximise=True)
 BEAM = Problem({x1: x2, x2: u}, {u: (None, None)}, {x1: 0, x2: 0}, [], running=u**2 - 48 * x1, duration=1)
@@ -75,13 +72,6 @@ CASES = [
          "the sign"),
     Case("optimal_costate", [sp.sin(t), sp.cos(t)], (ENERGY, t, PLACES), "wrong", "another multiple"),
     Case("optimal_costate", [sp.sin(t)], (ENERGY, t, PLACES), "invalid", "one of two"),
-    Case("optimal_law", Piecewise((WISH, sp.Abs(WISH) < 1), (sp.sign(WISH), True)), (LINEAR, STARTS, t), "right",
-         "saturated, with time"),
-    Case("optimal_law", -sp.sign(x), (NEAR, STARTS), "right", "a sign that holds the motion at zero"),
-    Case("optimal_law", -x, (NEAR, STARTS), "wrong", "beyond the bounds"),
-    Case("optimal_law", -sp.sign(x), (LINEAR, STARTS, t), "wrong", "it costs more"),
-    Case("optimal_law", [1, 2], (NEAR, STARTS), "invalid", "a list"),
 ]
 
-LIMITS = ["One control. The optimum is the best process found: a proof only where the problem is convex.",
-          "A law is followed in small steps, in each of which the control is constant."]
+LIMITS = ["One control. The optimum is the best process found: a proof only where the problem is convex."]

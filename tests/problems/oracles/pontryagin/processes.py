@@ -12,5 +12,5 @@ def same_parts(mutant, reference, *_, **__):
 
 
 ORACLES = dict.fromkeys((
-    "optimal_control", "optimal_cost", "optimal_costate", "optimal_duration", "optimal_law", "optimal_motion",
+    "optimal_control", "optimal_cost", "optimal_costate", "optimal_duration", "optimal_motion",
 ), same_parts)

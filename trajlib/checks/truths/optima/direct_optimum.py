@@ -27,10 +27,14 @@ COARSE, FINE = (48, 3), (4, 6)
 SHORTEST, LONGEST = 1e-3, 40.0
 #: From how many controls a search begins.
 STARTS = 6
+#: Durations that are given first, one after the other, where with a free one no process was found.
+FIXED = (8.0, 16.0, 32.0, 4.0)
 #: A least cost that was found twice, up to this, is not searched for any longer.
 TWICE = 1e-6
 #: How close to a bound, as a part of the distance of both, a control lies on it.
 ON_BOUND = 2e-4
+#: Which part of the duration an arc has to take to be one.
+SHORT = 1e-4
 #: IPOPT's first barriers: from the higher one it looks farther, from the lower one it converges more often.
 BARRIERS = (1e-4, 1e-1)
 SOLVER = {"ipopt.print_level": 0, "print_time": False, "ipopt.sb": "yes", "ipopt.tol": 1e-11, "ipopt.max_iter": 150,
@@ -57,14 +61,35 @@ def _optima(stated, parameters):
 class Optimum:
     """An optimal process: `cost`, `duration`, `times` after the start with `states` (n rows) and `controls` there.
 
-    The last entry of `start` and of `field(y, u)` belongs to the integral of the running cost.
+    `arcs`: triples (value, begin, end), the value being None where the control is not constant. The last entry of
+    `start` and of `field(y, u)` belongs to the integral of the running cost.
     """
 
-    def __init__(self, search, case, cost, times, states, controls):
-        self.cost, self.duration, self.controls = cost, times[-1], controls
+    def __init__(self, search, case, cost, times, states, controls, arcs):
+        self.cost, self.duration, self.controls, self.arcs = cost, times[-1], controls, arcs
         self.times, self.states, self.start = times[1:], states[:, 1:], np.append(states[:, 0], 0.0)
         self.bounds = search.bounds(case)
         self._search, self._case = search, case
+
+    def changes(self):
+        """What goes on where one arc follows another: triples (index of the time and the state there, value of the
+        control before it, value after it), None being a control that is not constant."""
+        long = [arc for arc in self.arcs if arc[2] - arc[1] > SHORT * self.duration]
+        return [(int(np.argmin(abs(self.times - (one[2] + other[1]) / 2))), one[0], other[0])
+                for one, other in itertools.pairwise(long) if one[0] is None or one[0] != other[0]]
+
+    def left(self):
+        """States on the way, not next to a change nor on the last arc, and what it costs from there to the end."""
+        degree = FINE[1]
+        rates = np.array([self.field(np.append(y, 0), u)[-1] for y, u in zip(self.states.T, self.controls)])
+        steps = np.diff(np.append(0, self.times[degree - 1::degree]))
+        parts = np.einsum("ij,kj->ki", _integrals(degree), rates.reshape(-1, degree)) * steps[:, None]
+        spent = (parts + np.append(0, np.cumsum(parts[:, -1])[:-1])[:, None]).ravel()
+        borders = [self.times[j] for j, *_ in self.changes()]
+        keep = self.times < max(borders, default=0)
+        for border in borders:
+            keep &= abs(self.times - border) > 1e-3 * self.duration
+        return self.states[:, keep], (self.cost - spent)[keep]
 
     def jacobians(self, y, u):
         """The derivatives of `field` in the states: (n + 1) x n; those of the final cost; those of what vanishes."""
@@ -109,6 +134,8 @@ class _Search:
         self._bounded = [b is not None and b.is_finite is not False for b in self._bounds]
         #: Each |u| becomes an unknown that is not less than u and -u.
         self._absolute = sorted(sp.Add(self._running, *self._field).atoms(sp.Abs), key=str)
+        #: Whether a control between the bounds may pay because of the cost of its square.
+        self._curved = any(sp.diff(e, self._control, 2) != 0 for e in (self._running, *self._field))
 
     def bounds(self, case):
         low, high = (self._value(bound, case) for bound in self._bounds)
@@ -132,14 +159,28 @@ class _Search:
                     costs = sorted([*costs, one[0]])
                 if len(costs) > 1 and costs[1] - costs[0] <= TWICE * (1 + abs(costs[0])):
                     break
+            if not costs and free:
+                found += self._with_durations(case, span, side, random)
         if not found:
             raise RuntimeError("no process that satisfies the conditions was found")
         cost, arcs, unknown, side = min(found, key=lambda one: one[0])
-        guess = self._arcs(case, arcs, unknown, free + self._initial.count(None))
-        fine = [one for barrier in BARRIERS if (one := self._run(case, span, side, *guess, barrier))]
+        others = free + self._initial.count(None)
+        guesses = [self._arcs(case, arcs, unknown, others, short) for short in (False, True)]
+        fine = [one for k, guess in enumerate(guesses) if k == 0 or _kinds(guess[0]) != _kinds(guesses[0][0])
+                for barrier in BARRIERS if (one := self._run(case, span, side, *guess, barrier))]
         if not fine:
             raise RuntimeError("the arcs of the best process could not be made exact")
         return self._optimum(case, *min(fine, key=lambda one: one[0])[:3])
+
+    def _with_durations(self, case, span, side, random):
+        """A process that begins from one with a given duration, in a list; for a linear plant that search is convex."""
+        for duration in filter(lambda d: span[0] <= d <= span[1], FIXED):
+            given = (duration, duration)
+            one = self._run(case, given, side, *self._guess(case, given, random, 0))
+            one = one and self._run(case, span, side, one[1], one[2])
+            if one:
+                return [one]
+        return []
 
     def _value(self, expression, case):
         return None if expression is None else float(sp.sympify(expression).subs(dict(zip(self._parameters, case))))
@@ -188,9 +229,10 @@ class _Search:
         states = unknown[:n * (count + 1)].reshape(count + 1, n).T
         return times, states, unknown[n * (count + 1):n * (count + 1) + count], lengths
 
-    def _arcs(self, case, arcs, unknown, free):
+    def _arcs(self, case, arcs, unknown, free, short):
         """The arcs of a control that is constant on equal pieces, and the unknowns for them; `free`: how many numbers
-        beside the lengths of the arcs are free to meet the target."""
+        beside the lengths of the arcs are free to meet the target; `short`: a piece or two at the beginning, at the
+        end or between two arcs may hold an arc of another kind, whose length may come out as zero."""
         times, states, controls, (duration,) = self._unpacked(arcs, unknown)
         pieces, degree = COARSE
         values, (low, high) = controls[::degree], self.bounds(case)
@@ -203,6 +245,9 @@ class _Search:
             # A piece or two between other arcs hold a jump, and are no arc.
             if kind is not None or count > 2:
                 runs.append((kind, k, k + count))
+            elif short:
+                before, after = (kinds[j] if 0 <= j < pieces else None for j in (k - 1, k + count))
+                runs += [(one, k, k + count) for one in self._between(before, after, values[k], special)]
             k += count
         kept = []
         for kind, begin, end in runs or [(None, 0, pieces)]:
@@ -220,6 +265,16 @@ class _Search:
         return found, self._packed(unknown[:len(self._state)], states,
                                    np.interp(moments, (times[1:] + times[:-1]) / 2, controls),
                                    np.diff(borders) * duration / pieces)
+
+    def _between(self, before, after, value, special):
+        """The kind of arc that a piece with a value between those of its neighbours may hold, in a list."""
+        if not self._absolute:
+            return [None] * self._curved
+        known = [u for u in (before, after) if u is not None]
+        if len(known) == 2:
+            return [u for u in special if min(known) < u < max(known)]
+        beyond = [u for u in special if known and (u - value) * (known[0] - value) < 0]
+        return [min(beyond, key=lambda u: abs(u - value))] if beyond else []
 
     def _run(self, case, span, side, arcs, guess, barrier=BARRIERS[0]):
         """(cost, arcs, unknowns, side) of IPOPT's optimum from a guess, or None."""
@@ -242,8 +297,10 @@ class _Search:
         return float(found["f"]), arcs, np.array(found["x"]).ravel(), side
 
     def _optimum(self, case, cost, arcs, unknown):
-        times, states, controls, _ = self._unpacked(arcs, unknown)
-        return Optimum(self, case, self._sign * cost, times, states, controls)
+        times, states, controls, lengths = self._unpacked(arcs, unknown)
+        ends = np.cumsum(lengths)
+        return Optimum(self, case, self._sign * cost, times, states, controls,
+                       list(zip(_kinds(arcs), ends - lengths, ends)))
 
     def _programme(self, arcs, barrier):
         """The nonlinear programme for arcs with so many pieces: IPOPT's function, the numbers of conditions."""
@@ -305,6 +362,10 @@ class _Search:
                 function("insides", [y, u, p], [e.args[0] for e in self._absolute]))
 
 
+def _kinds(arcs):
+    return [kind for kind, _ in arcs]
+
+
 def _degree(arcs):
     return COARSE[1] if len(arcs) == 1 and arcs[0][1] == COARSE[0] else FINE[1]
 
@@ -324,3 +385,11 @@ def _radau(degree):
     between = [(weight / 2, *([float(one(place)) for one in basis(among)] for among in (points, points[1:])))
                for place, weight in zip((places + 1) / 2, weights)]
     return points, derivative, between
+
+
+@functools.lru_cache
+def _integrals(degree):
+    """The integrals from 0 to each of Radau's points of the polynomials that are 1 at one of them and 0 at others."""
+    points = _radau(degree)[0][1:]
+    basis = [np.poly1d(np.delete(points, j), True) / np.prod(points[j] - np.delete(points, j)) for j in range(degree)]
+    return np.array([[np.polyval(np.polyint(one), point) for one in basis] for point in points])
