@@ -9,7 +9,7 @@ from pathlib import Path
 os.environ.setdefault("MPLBACKEND", "Agg")
 # Several tests run side by side: each numerical library gets one thread.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-for folder in ("problems", "checks", "library"):
+for folder in ("problems", "checks", "library", "browser"):
     sys.path.insert(0, str(Path(__file__).parent / folder))
 
 import matplotlib.pyplot  # noqa: E402, F401

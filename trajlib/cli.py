@@ -187,6 +187,35 @@ def grade(submitted: Annotated[Path, typer.Argument(help="Folder submitted/<stud
 
 
 @app.command()
+def live(word: Annotated[str, typer.Argument(metavar="[PROBLEM or LECTURE]",
+                                             help='A problem such as "1.15" or a lecture\'s slug; without it, a list.')
+                         ] = "",
+         port: Annotated[int | None, typer.Option(help="JupyterLab's port; default: one that is free.")] = None,
+         browser: Annotated[bool, typer.Option("--browser/--no-browser", help="Open a browser, or only print the "
+                                                                              "address.")] = True,
+         keep: Annotated[Path | None, typer.Option(help="Keep the notebook there when the lecture ends.")] = None,
+         discard: Annotated[bool, typer.Option("--discard", help="Throw the notebook away without asking.")] = False):
+    """Before a class: open a problem or a lecture in JupyterLab on a throw-away copy (from a checkout)."""
+    from trajlib.live import LiveError, find, lectures, present
+
+    if keep is not None and discard:
+        raise UserError("give either --keep or --discard")
+    try:
+        if word:
+            present(find(word), port, browser, keep, discard, say=lambda text: print(text, flush=True))
+            return
+        listed = lectures()
+    except LiveError as error:
+        raise UserError(error) from None
+    table = Table("lecture or problem", "title", box=None, pad_edge=False)
+    for lecture in listed:
+        table.add_row(lecture.word, lecture.title)
+    for exercise in exercises.read_all():
+        table.add_row(exercise.number, exercise.about["title"])
+    console.print(table)
+
+
+@app.command()
 def collect(download: Annotated[Path, typer.Argument(help="All submissions from Moodle or Canvas: .zip or folder.")],
             homework: Annotated[str, typer.Argument(metavar="ASSIGNMENT", help="The homework's name.")],
             into: Annotated[Path, typer.Option(help="Folder of all submissions.")] = Path("submitted"),

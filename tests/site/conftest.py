@@ -1,13 +1,10 @@
 """Builds both editions of the site once, and opens them in a browser that can reach nothing but this machine."""
 
 import fcntl
-import json
 import os
-import shutil
 import subprocess
 import sys
 import threading
-import time
 from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
@@ -15,6 +12,7 @@ from types import SimpleNamespace
 
 import pytest
 from bs4 import BeautifulSoup
+from chromium import browser  # noqa: F401
 
 ROOT = Path(__file__).resolve().parents[2]
 HERE = Path(__file__).parent
@@ -92,77 +90,8 @@ def addresses(editions):
         server.server_close()
 
 
-class Browser:
-    """Chromium with every name but this machine's unknown to it."""
-
-    def __init__(self, chromium, driver, profile):
-        from selenium import webdriver
-        from selenium.webdriver.chrome.service import Service
-
-        options = webdriver.ChromeOptions()
-        options.binary_location = chromium
-        for argument in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
-                         "--disable-background-networking", "--disable-component-update", "--disable-sync",
-                         "--no-first-run", f"--user-data-dir={profile}", "--window-size=1280,900",
-                         "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1"):
-            options.add_argument(argument)
-        options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
-        self.driver = webdriver.Chrome(options=options, service=Service(driver))
-        self.driver.set_script_timeout(60)
-
-    def open(self, address):
-        """Open a page and wait until its formulas are set."""
-        self.driver.get_log("browser"), self.driver.get_log("performance")  # forget the page before
-        self.driver.get(address)
-        self.driver.execute_async_script("""
-            const done = arguments[0];
-            (window.MathJax && MathJax.startup ? MathJax.startup.promise : Promise.resolve()).then(() => done());""")
-
-    def resize(self, width, height, phone=False):
-        self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
-            "width": width, "height": height, "deviceScaleFactor": 1, "mobile": phone})
-
-    def run(self, script):
-        return self.driver.execute_script(f"return {script}")
-
-    def wait_for(self, script, seconds=10):
-        """What the script gives as soon as it is true; its last value after so many seconds."""
-        end = time.monotonic() + seconds
-        while not (found := self.run(script)) and time.monotonic() < end:
-            time.sleep(0.1)
-        return found
-
-    def find(self, selector):
-        from selenium.webdriver.common.by import By
-        return self.driver.find_element(By.CSS_SELECTOR, selector)
-
-    def errors(self):
-        """What the console calls an error since the page was opened."""
-        return [entry["message"] for entry in self.driver.get_log("browser") if entry["level"] == "SEVERE"]
-
-    def foreign_requests(self):
-        """Requests to other hosts since the page was opened."""
-        messages = (json.loads(entry["message"])["message"] for entry in self.driver.get_log("performance"))
-        urls = [m["params"]["request"]["url"] for m in messages if m["method"] == "Network.requestWillBeSent"]
-        return [url for url in urls if not url.startswith(("file:", "data:", "blob:", "http://127.0.0.1:"))]
-
-
-@pytest.fixture(scope="session")
-def browser(tmp_path_factory):
-    chromium = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
-    driver = shutil.which("chromedriver")
-    if not (chromium and driver):
-        missing = "chromium and chromedriver are needed to open the site"
-        if os.environ.get("CI") == "true":
-            pytest.fail(missing)
-        pytest.skip(missing)
-    browser = Browser(chromium, driver, tmp_path_factory.mktemp("profile"))
-    yield browser
-    browser.driver.quit()
-
-
 @pytest.fixture
-def found_by_search(browser):
+def found_by_search(browser):  # noqa: F811
     """Types into the search of the open page; the addresses that are found, best first."""
     from selenium.webdriver.common.keys import Keys
 
