@@ -14,6 +14,7 @@ from trajlib._lazy import lazy_names
 # No module is called like a name it exports: importing it would put the module in the place of the function.
 _EXPORTS = {
     "gains": ["GainFamily", "observer", "regulator"],
+    "pole_placement": ["Placement", "place"],
     "fixed_spectrum": ["FixedSpectrum", "best_margin", "detectability", "stabilisability"],
     "gain_regions": ["convergent_gains", "stabilising_gains"],
     "estimate_loop": ["EstimateLoop", "feedback_by_estimate"],

@@ -1,0 +1,90 @@
+"""Gains on arrays, `trajlib.feedback.place` against scipy.signal.place_poles and python-control's acker and place.
+
+Right first, fast second. General pairs of n states (entries normal, spectral radius about 1), in good units and in bad
+ones (states measured in units that differ by up to ten powers of ten), get the eigenvalues -1/2, ..., -2. The table has
+the greatest distance of an eigenvalue of A + BK, as NumPy computes it, from the one asked for: the median of the pairs;
+`fails` where a peer raises an error for one of them. The last column is what rounding may do to the eigenvalues of our
+loop (median): from there on the distances say nothing, and no gain of floats does better.
+
+Then all eigenvalues at -1, which only Ackermann's formula and ours accept; the distance says little there, since an
+n-fold eigenvalue is spread by rounding to the power 1/n, so the table has our residual. Then seconds.
+
+    .venv/bin/python benchmarks/feedback.py [pairs of each kind, 5 if left out]
+"""
+import sys
+import warnings
+
+import control
+import numpy as np
+import scipy.signal
+from stopwatch import seconds
+
+from trajlib.feedback import place
+
+PEERS = {"scipy place_poles": lambda A, B, w: -scipy.signal.place_poles(A, B, w).gain_matrix,
+         "control.place": lambda A, B, w: -np.asarray(control.place(A, B, w)),
+         "control.acker": lambda A, B, w: -np.atleast_2d(control.acker(A, B, w))}
+
+
+def pair(rng, n, s, spread):
+    A, B = rng.normal(size=(n, n))/np.sqrt(n), rng.normal(size=(n, s))
+    units = 10.0**rng.uniform(-spread, spread, size=n)
+    return A*units/units[:, None], B/units[:, None]
+
+
+def distance(A, B, gain, wanted):
+    from scipy.optimize import linear_sum_assignment
+
+    far = abs(np.subtract.outer(wanted, np.linalg.eigvals(A + B @ gain)))
+    return far[linear_sum_assignment(far)].max()
+
+
+def median(values):
+    return "fails" if None in values else f"{np.median(values):.1e}"
+
+
+def accuracy(count):
+    print(f"{'n':>3} {'s':>2} {'units':>6} {'trajlib':>9}", *(f"{name:>18}" for name in PEERS), f"{'rounding':>9}")
+    for n, s in ((5, 1), (10, 1), (15, 1), (20, 1), (30, 1), (40, 1), (6, 2), (12, 3)):
+        for spread in (0, 5):
+            rng, found = np.random.default_rng(n), {name: [] for name in ("trajlib", *PEERS, "rounding")}
+            wanted = -np.linspace(0.5, 2, n)
+            for _ in range(count):
+                A, B = pair(rng, n, s, spread)
+                ours = place(A, B, wanted)
+                found["trajlib"].append(distance(A, B, ours.gain, wanted))
+                found["rounding"].append(ours.uncertainty)
+                for name, peer in PEERS.items():
+                    try:
+                        found[name].append(distance(A, B, peer(A, B, wanted), wanted))
+                    except Exception:
+                        found[name].append(None)
+            ours, *others, rounding = map(median, found.values())
+            print(f"{n:3} {s:2} {'bad' if spread else 'good':>6} {ours:>9}", *(f"{other:>18}" for other in others),
+                  f"{rounding:>9}", flush=True)
+
+
+def repeated(count):
+    print("\nall eigenvalues at -1: the residual of ours, the condition of the eigenvectors")
+    for n, s in ((5, 1), (20, 1), (40, 1), (6, 2), (12, 3), (40, 4)):
+        rng = np.random.default_rng(n)
+        found = [place(*pair(rng, n, s, 0), [-1]*n) for _ in range(count)]
+        print(f"{n:3} {s:2} {median([one.residual for one in found])} {median([one.condition for one in found])}",
+              flush=True)
+
+
+def speed():
+    print("\nseconds")
+    for n, s in ((5, 1), (20, 1), (40, 1), (12, 3)):
+        A, B = pair(np.random.default_rng(n), n, s, 0)
+        wanted = -np.linspace(0.5, 2, n)
+        print(f"{n:3} {s:2} trajlib {seconds(lambda A=A, B=B, w=wanted: place(A, B, w), 3):.2g}, scipy place_poles "
+              f"{seconds(lambda A=A, B=B, w=wanted: PEERS['scipy place_poles'](A, B, w), 3):.2g}", flush=True)
+
+
+if __name__ == "__main__":
+    warnings.simplefilter("ignore")
+    pairs = int(sys.argv[1]) if len(sys.argv) > 1 else 5
+    accuracy(pairs)
+    repeated(pairs)
+    speed()
