@@ -61,7 +61,9 @@ def unseen_states(mutant, reference, A, H, parameters=()):
 
 
 def same_numbers(mutant, reference, *_):
-    """True if two lists hold the same numbers, in any order and counted as often as one likes."""
+    """True if two lists hold the same numbers, in any order and counted as often as one likes; or if two numbers, for
+    which no list was made, are the same."""
+    mutant, reference = ([numbers] if isinstance(numbers, sp.Expr) else numbers for numbers in (mutant, reference))
     return (all(any(same_value(a, b) for b in reference) for a in mutant)
             and all(any(same_value(a, b) for a in mutant) for b in reference))
 
