@@ -46,7 +46,7 @@ def covariance_motion(claim, process, time, parameters=(), given=sp.true, times=
     for one, values in _in_time(process, time, parameters, given, times):
         F, N = processes.moved(one, values[time])
         # At the start too terms may cancel that are as large as the noise makes them soon.
-        soon = N if values[time] else processes.moved(one, STEPS[1] if process.discrete else TIMES[1])[1]
+        soon = N if values[time] else processes.moved(one, STEPS[1] if one.discrete else TIMES[1])[1]
         size = abs(F) @ abs(one.covariance) @ abs(F).T + abs(soon)
         yield Entries(claim, F @ one.covariance @ F.T + N, _told("covariance", values), values, size.max())
     return "it is the covariance at all times and parameters tried"
@@ -82,6 +82,7 @@ def shaping_equation(claims, process, parameters=(), given=sp.true):
 def settled_covariance(claim, process, parameters=(), given=sp.true):
     """The covariance matrix that the process settles to, whatever it is at the start, for those parameters with which
     it does."""
+    process = processes.plain(process)
     settling = sp.And(joined(given), decays(process.A, process.discrete))
     for values in allowed_values(parameters, settling, len(TIMES)):
         one = processes.numbers(process, values, start=False)
@@ -97,6 +98,7 @@ def settled_covariance(claim, process, parameters=(), given=sp.true):
 def covariance_exponents(claims, process, parameters=(), given=sp.true):
     """The different l with e^(l t), in discrete time with l^k, in the covariance of a process that starts anywhere;
     what the noise makes it keep is not counted."""
+    process = processes.plain(process)
     for values in allowed_values(parameters, given, len(TIMES)):
         modes = np.linalg.eigvals(processes.array(process.A, values))
         pairs = itertools.combinations_with_replacement(modes, 2)
@@ -117,6 +119,8 @@ def covariance_exponents(claims, process, parameters=(), given=sp.true):
 @judged
 def settling_region(answer, process, parameters, given=sp.true):
     """The parameters for which the covariance of the process settles to one matrix, whatever it is at the start."""
+    process = processes.plain(process)
+
     def told(values):
         modes = np.linalg.eigvals(processes.array(process.A, values))
         if process.discrete:
@@ -134,6 +138,7 @@ def covariance_rises(answer, process, parameters, given=sp.true):
 
     The rate of change D(0) decides, as D(t) = F D(0) F^T with the transition matrix F.
     """
+    process = processes.plain(process)
     A, P = sp.Matrix(process.A), sp.Matrix(process.covariance)
     rate = A*P*A.T + process.Q - P if process.discrete else A*P + P*A.T + process.Q
     minors = [sp.factor(rate[:k, :k].det()) for k in range(1, A.rows + 1)]

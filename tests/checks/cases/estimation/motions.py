@@ -22,6 +22,8 @@ HALF = sp.Rational(1, 2)
 tau = sp.Symbol("tau", nonnegative=True)
 D, R = sp.symbols("D R", positive=True)
 BIASED = Coloured(D, tau, A=[[0, 1], [0, 0]], B=[0, 1], H=[[0, 1]], R=R)
+WAY = sp.Matrix([t**2/2, t, 1])
+LAGGED = Coloured(D*sp.exp(-tau), tau, A=-1, B=1, H=1, R=1)
 BOTH = sp.Matrix([[1, 0, 0], [0, 1, 0]])
 
 CASES = [
@@ -41,6 +43,7 @@ CASES = [
          "what decays fast is not lost in rounding"),
     Case("covariance_motion", 0.2 - 0.2*sp.exp(-2.5*t), (Process(A=-sp.Rational(5, 4), Q=HALF), t), "right",
          "decimals that cancel at the start"),
+    Case("covariance_motion", D*WAY*WAY.T, (BIASED, t, [D, R]), "right", "a constant noise"),
     Case("covariance_motion", q*t, (WIENER, t, [q, m, P]), "wrong", "the start forgotten"),
     Case("covariance_motion", P*sp.exp(-a*t) + q*(1 - sp.exp(-a*t))/a, (DECAY, t, [a, q, m, P]), "wrong",
          "at the rate of the mean"),
@@ -59,6 +62,9 @@ CASES = [
     Case("shaping_equation", [-1, 8, 8], (Coloured(8*sp.exp(-tau), tau, C=1),), "wrong", "the variance as intensity"),
     Case("shaping_equation", [0, D, D], (BIASED, [D]), "wrong", "a constant that is driven"),
     Case("shaping_equation", [1, 2], (BIASED, [D]), "invalid", "two of three"),
+    Case("settled_covariance", sp.Matrix([[D/2, D/2], [D/2, D]]), (LAGGED, [D]), "right", "a noise with a correlation"),
+    Case("settling_region", u < 0, (Coloured(sp.exp(-tau), tau, A=u, B=1, H=1, R=1), [u]), "right",
+         "a noise with a correlation"),
     Case("settled_covariance", q/(2*a), (DECAY, [a, q]), "right", "a number"),
     Case("settled_covariance", q/(1 - a**2), (STEPS, [a, q]), "right", "where it exists"),
     Case("settled_covariance", q/(1 - a**2), (STEPS, [a, q], a < 1), "right", "with a condition that says where"),
