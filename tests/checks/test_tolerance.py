@@ -51,7 +51,7 @@ A = sp.Matrix([[sp.Rational(999, 100), 0], [0, 1]])
 H = sp.Matrix([[0, 1]])
 NUMBERS = [
     lambda number: checks.lost_eigenvalues([number], A, H),
-    lambda number: checks.observability_matrix([[1, 1], [number, 1.0]], A, sp.Matrix([[1, 1]])),
+    lambda number: checks.controllability_matrix([[1, number], [1, 1.0]], A, sp.Matrix([1, 1])),
     lambda number: checks.stationary_value(number, x, [v, sp.Rational(999, 100) - x], [x, v], []),
     lambda number: checks.stationary_linearisation([[0, 1], [-number, 0]], [v, -sp.Rational(999, 100) * x], [x, v], []),
     lambda number: checks.equilibria([[number]], [sp.Rational(999, 100) - x], [x]),
@@ -68,7 +68,7 @@ def test_every_check_counts_the_same_digits(judge, number, status):
 
 
 @pytest.mark.parametrize("judge", [
-    lambda one: checks.observability_matrix([[one, 100.0], [one, 200.0]], sp.diag(1, 2), sp.Matrix([[1, 100]])),
+    lambda one: checks.controllability_matrix([[one, one], [100.0, 200.0]], sp.diag(1, 2), sp.Matrix([1, 100])),
     lambda one: checks.canonical_coordinate([one, 100.0], sp.Matrix([[0, 1], [0, 0]]),
                                             sp.Matrix([-100, 1])),
     lambda one: checks.observer_canonical_transformation([[one, 100.0], [-2, -100]], sp.diag(1, 2),

@@ -90,18 +90,8 @@ def observer_obstacle(answer, A, H, parameters=()):
 
     With parameters: for all their values, zero too where it is allowed.
     """
-    return _judge_obstacle(answer, A, H, parameters, "v", "A v = lambda v", "the output shows it: H v")
-
-
-@judged
-def feedback_obstacle(answer, A, B, parameters=()):
-    """A combination that forbids stabilisation, {lambda: w}: w A = lambda w, w B = 0, Re lambda >= 0; {} if none."""
-    return _judge_obstacle(answer, A.T, B.T, parameters, "w", "w A = lambda w", "the control changes it: w B")
-
-
-def _judge_obstacle(answer, A, H, parameters, name, equation, shown):
     if not isinstance(answer, dict):
-        raise Invalid(f"expected a dictionary {{lambda: {name}}}, an empty one if nothing stands in the way")
+        raise Invalid("expected a dictionary {lambda: v}, an empty one if nothing stands in the way")
     pair = pair_of(A, H, parameters)
     claims = {coercion.as_expression(value, parameters): sp.Matrix(coercion.as_expressions(vector, parameters, A.rows))
               for value, vector in answer.items()}
@@ -116,22 +106,22 @@ def _judge_obstacle(answer, A, H, parameters, name, equation, shown):
     for values in places:
         where = where_text(values)
         for value, vector in claims.items():
-            _hold_mode(value, vector, A, H, values, name, equation, shown, where)
-    return f"it is a mode that does not decay, and nothing can be done about it: {equation}"
+            _hold_mode(value, vector, A, H, values, where)
+    return "it is a mode that does not decay, and nothing can be done about it: A v = lambda v"
 
 
-def _hold_mode(value, vector, A, H, values, name, equation, shown, where):
+def _hold_mode(value, vector, A, H, values, where):
     root, column = number_at(value, values, "your lambda"), matrix_at(vector, values)
     matrix, output = matrix_at(A, values), matrix_at(H, values)
     if not abs(column).max() > 0:
-        raise Wrong(f"your vector {name} is zero{where}")
+        raise Wrong(f"your vector v is zero{where}")
     tolerance = share(value, *vector)
     image = matrix @ column
     size = (abs(matrix) @ abs(column)).max() + abs(root)*abs(column).max()
     if not abs(image - root*column).max() <= tolerance*size:
-        raise Wrong(f"{name} and lambda = {number_text(root)} do not satisfy {equation}{where}")
+        raise Wrong(f"v and lambda = {number_text(root)} do not satisfy A v = lambda v{where}")
     if not abs(output @ column).max() <= tolerance*max((abs(output) @ abs(column)).max(), 1e-300):
         k = int(abs(output @ column).argmax())
-        raise Wrong(f"{shown} has the component {number_text((output @ column)[k, 0])}{where}, not 0")
+        raise Wrong(f"the output shows it: H v has the component {number_text((output @ column)[k, 0])}{where}, not 0")
     if not root.real > -ON_BORDER:
         raise Wrong(f"a mode with lambda = {number_text(root)} decays{where}, and forbids nothing")

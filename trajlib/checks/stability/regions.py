@@ -30,13 +30,6 @@ def stable_equation(answer, equation, motion, parameters):
     return compare_region(answer, characteristic_of(equation, motion), parameters, "stable")
 
 
-@judged
-def instability_region(answer, system, parameters):
-    """The set of parameters for which some root has a positive real part (part 2 of Theorems 1.1 and 1.4)."""
-    return compare_region(answer, system, parameters, "unstable by a root with positive real part",
-                          unstable=True)
-
-
 def characteristic_of(equation, motion):
     """The characteristic polynomial of a linear equation: its left-hand side for x(t) = e^(s t), divided by e^(s t)."""
     (time,) = motion.args

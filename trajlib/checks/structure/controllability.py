@@ -1,14 +1,13 @@
 """Controllability of x' = A x + B u with A: n x n and B: n x s: what is asked of observability in `observability.py`,
 of the transposed matrices."""
 
-from trajlib.checks.contract.claims import Integer, Matrix, Vectors, YesNo
+from trajlib.checks.contract.claims import Matrix, Vectors, YesNo
 from trajlib.checks.contract.verdict import judged
 from trajlib.checks.structure.dual_questions import (
     CONTROL,
     EIGENVALUES,
     judge_eigenvalues,
     judge_kalman,
-    judge_rank,
     judge_region,
     judge_yes_no,
 )
@@ -34,13 +33,6 @@ def controllable_parameters(answer, A, B, parameters):
 def controllability_matrix(claim, A, B, parameters=()):
     """Kalman's matrix W (n x n s) of Definition 2.4: the columns of B, then those of A B, and so on to A^(n-1) B."""
     return judge_kalman(claim.T, pair_of(A.T, B.T, parameters), CONTROL)
-
-
-@judged(Integer())
-def controllability_rank(claim, A, B):
-    """The rank of W: the order of the system less the number of independent combinations of x that no control
-    changes."""
-    return judge_rank(claim, pair_of(A.T, B.T), CONTROL)
 
 
 @judged(Vectors("parameters", size="A"))

@@ -92,13 +92,6 @@ def controllability_split_system(answer, A, B, parameters=()):
 
 
 @judged
-def observable_part(answer, A, H, parameters=()):
-    """The list [A11, H1] of the observable subsystem xi' = A11 xi, z = H1 xi of the form (2.7), in any coordinates."""
-    matrix, output = _as_system(answer, parameters, ("A11", "H1"), H.rows)
-    return _judge_part(matrix, output, pair_of(A, H, parameters))
-
-
-@judged
 def canonical_observable_part(answer, A, H, parameters=()):
     """The list [A11, H1] of the observable subsystem in the canonical form by observation (2.5), with H1 = (1 0 ...
     0)."""

@@ -114,21 +114,10 @@ def judge_region(answer, pair, side, holds=True):
     return f"the system is {side.holds if holds else side.fails} exactly there: {agreement}"
 
 
-def judge_rank(claim, pair, side):
-    """The rank: the order less the number of independent unseen states."""
-    (unseen,), left = pair.unseen, pair.order - claim
-    if not 0 <= left <= pair.order:
-        raise Wrong(f"{claim} cannot be the rank of a matrix with {pair.order} {side.across}s")
-    if left != len(unseen):
-        raise Wrong(f"the order less the rank is the number of {side.several_free}; by your rank it would be {left}, "
-                    f"and there are {'more' if len(unseen) > left else 'fewer'}")
-    return left_over(left, side)
-
-
 def judge_kalman(claim, pair, side):
-    """Kalman's matrix by its definition: the output first, then each block is the one before times A."""
-    m, block, times = pair.outputs, side.block, "{} times A" if side is OUTPUT else "A times {}"
-    output = "H" if side is OUTPUT else "B"
+    """Kalman's matrix of a control, transposed, by its definition: B first, then each block is A times the one
+    before."""
+    m, block = pair.outputs, side.block
     for values, A, H, _ in pair.systems:
         true = np.vstack([H @ np.linalg.matrix_power(A, k) for k in range(pair.order)])
         sizes = np.maximum(np.linalg.norm(true, axis=1), 1e-4 * np.linalg.norm(true))[:, None]
@@ -136,14 +125,14 @@ def judge_kalman(claim, pair, side):
         def told(said, k, j):
             if said.shape == true.T.shape and same(said.T, true, claim.T, sizes).all():
                 return f"this is the transpose of {side.matrix}"
-            asked = (f"{block} {k + 1} of {side.matrix} has to be {times.format(f'{block} {k - m + 1}')}" if k >= m else
-                     f"the first {block} of {side.matrix} has to be {output}" if m == 1 else
-                     f"the first {m} {block}s of {side.matrix} have to be the {block}s of {output}")
+            asked = (f"{block} {k + 1} of {side.matrix} has to be A times {block} {k - m + 1}" if k >= m else
+                     f"the first {block} of {side.matrix} has to be B" if m == 1 else
+                     f"the first {m} {block}s of {side.matrix} have to be the {block}s of B")
             return (f"{asked}{where_text(values)}: {block} {k + 1} of your matrix, with {number_text(said[k, j])} in "
                     f"{side.across} {j + 1}, does not fit")
 
         yield Entries(claim, true, told, values, sizes)
-    return f"the {block}s are those of the definition, each block the one before times A"
+    return f"the {block}s are those of the definition, each block A times the one before"
 
 
 def judge_eigenvalues(claims, pair, side):

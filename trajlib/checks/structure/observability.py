@@ -1,13 +1,11 @@
 """Observability of x' = A x, z = H x with A: n x n and H: m x n, for the `parameters` (a list of symbols) in them."""
 
-from trajlib.checks.contract.claims import Integer, Matrix, Vectors, YesNo
+from trajlib.checks.contract.claims import Vectors, YesNo
 from trajlib.checks.contract.verdict import judged
 from trajlib.checks.structure.dual_questions import (
     EIGENVALUES,
     OUTPUT,
     judge_eigenvalues,
-    judge_kalman,
-    judge_rank,
     judge_region,
     judge_yes_no,
 )
@@ -34,18 +32,6 @@ def unobservable_parameters(answer, A, H, parameters):
     """The condition on the parameters under which the system is not observable; a set or a list of values of the only
     one as well."""
     return judge_region(answer, pair_of(A, H, parameters), OUTPUT, holds=False)
-
-
-@judged(Matrix("parameters", shape=lambda data: (data["A"].rows * data["H"].rows, data["A"].rows)))
-def observability_matrix(claim, A, H, parameters=()):
-    """Kalman's matrix N (n m x n) of Definition 2.3: the rows of H, then those of H A, and so on to H A^(n-1)."""
-    return judge_kalman(claim, pair_of(A, H, parameters), OUTPUT)
-
-
-@judged(Integer())
-def observability_rank(claim, A, H):
-    """The rank of N: the order of the system less the number of independent states that the output never shows."""
-    return judge_rank(claim, pair_of(A, H), OUTPUT)
 
 
 @judged(Vectors("parameters", size="A"))

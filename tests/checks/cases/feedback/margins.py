@@ -72,11 +72,6 @@ CASES = [
     Case("observer_obstacle", {1: [a, -a**2]}, (sp.eye(2), M([[1, a]]), [a]), "wrong", "zero at a = 0"),
     Case("observer_obstacle", [2, 1, 2], (SADDLE, HIDES_GROWTH), "invalid", "a list"),
     Case("observer_obstacle", {2: [1, 2, 3]}, (SADDLE, HIDES_GROWTH), "invalid", "three components"),
-    Case("feedback_obstacle", {2: [2, 1]}, (SADDLE, ALONG_DECAY), "right", "the growing mode"),
-    Case("feedback_obstacle", {}, (SADDLE, ALONG_GROWTH), "right", "the mode that is left decays"),
-    Case("feedback_obstacle", {2: [1, 2]}, (SADDLE, ALONG_DECAY), "wrong", "a column for a row"),
-    Case("feedback_obstacle", {2: [2, 1]}, (SADDLE, PUSH), "wrong", "a mode that is reached"),
-    Case("feedback_obstacle", "none", (SADDLE, PUSH), "invalid", "a word"),
 ]
 
 LIMITS = ["The margin of a mode without parameters is exact; "

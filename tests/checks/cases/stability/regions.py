@@ -7,7 +7,6 @@ CUBIC = (s**3 + k1 * s**2 + k2 * s + 1, [k1, k2])
 FALLING = (k1 * s**2 + s + 1, [k1])
 MATRIX = (sp.Matrix([[k1, 1], [k2, 1]]), [k1, k2])
 NEVER = (sp.Matrix([[1, k1], [k2, 1]]), [k1, k2])
-LINE = (s**2 - k1 * s + 1, [k1])
 t, z = sp.symbols("t", real=True), sp.Function("z")(sp.Symbol("t", real=True))
 SECOND = (z.diff(t, 2) + z.diff(t) + z + k1 * z.diff(t, 2), z, [k1])
 
@@ -69,18 +68,11 @@ CASES = [
          (("margin", 1),)),
     Case("stability_region", sp.Eq(k1, k2), NEVER, "wrong", "margin 1, an equation instead of the empty set",
          (("margin", 1),)),
-    Case("instability_region", sp.And(k1 > 0, k1 < 1000), LINE, "wrong", "cut off far out"),
-    Case("instability_region", sp.And(k1 > 0, sp.Ne(k1, sp.sqrt(2))), LINE, "wrong", "an irrational point left out"),
     Case("stable_equation", k1 > -1, SECOND, "right", "the order drops at -1: left out"),
     Case("stable_equation", sp.Interval(-1, sp.oo), SECOND, "right", "the order drops at -1: counted in"),
     Case("stable_equation", k1 > 0, SECOND, "wrong", "the own coefficient forgotten"),
     Case("stable_equation", sp.Ne(k1, -1), SECOND, "wrong", "only the order looked at"),
     Case("stable_equation", -1, SECOND, "invalid", "the border alone"),
-    Case("instability_region", k1 > 0, LINE, "right", "the sum of the roots is positive"),
-    Case("instability_region", sp.Interval.open(0, sp.oo), LINE, "right", "as a set"),
-    Case("instability_region", k1 >= 0, LINE, "wrong", "imaginary roots are not in the right half-plane"),
-    Case("instability_region", k1 < 0, LINE, "wrong", "the stable ones"),
-    Case("instability_region", 3, LINE, "invalid", "a number"),
 ]
 LIMITS = [
     "What is not polynomial (a logarithm), or too large to be decided, is compared at points; the verdict says so.",

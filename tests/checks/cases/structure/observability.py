@@ -24,8 +24,6 @@ GAINS = (M([[1, 0], [0, 1]]), M([[a, b]]), [a, b])
 ALWAYS = (M([[0, 1], [-w**2, 0]]), M([[1, 0]]), [w])
 SOMETIMES = (M([[0, 1], [-w**2, 0]]), M([[1 - w, 0]]), [w])
 NEVER = (M([[a, 0], [0, a]]), M([[1, 1]]), [a])
-ROW = (M([[0, 1], [3, 2]]), M([[1, 2]]))
-BOTH = (M([[0, 1], [3, 2]]), M([[1, 2], [0, a]]), [a])
 u, v = [1, 0, -1, 0], [0, 1, 0, -1]
 
 CASES = [
@@ -91,22 +89,6 @@ CASES = [
     Case("unobservable_parameters", [1, -1.5, 2], RATIONAL, "wrong", "a value too many"),
     Case("unobservable_parameters", sp.Ne(a, b), MODES, "wrong", "where it is observable"),
     Case("unobservable_parameters", "alpha = 1", RATIONAL, "invalid", "text"),
-    Case("observability_matrix", [[1, 2], [6, 5]], ROW, "right", "nested lists"),
-    Case("observability_matrix", np.array([[1.0, 2.0], [6.0, 5.0]]), ROW, "right", "an array"),
-    Case("observability_matrix", M([[1, 2], [0, p], [6, 5], [3 * p, 2 * p]]), BOTH, "right",
-         "two outputs, a plain symbol"),
-    Case("observability_matrix", M([[1, 6], [2, 5]]), ROW, "wrong", "the transpose"),
-    Case("observability_matrix", [[1, 2], [2, 5]], ROW, "wrong", "A times the vector for the row times A"),
-    Case("observability_matrix", [[1, 2], [6, 6]], ROW, "wrong", "one entry"),
-    Case("observability_matrix", M([[1, 2], [6, 5], [0, a], [3 * a, 2 * a]]), BOTH, "wrong",
-         "output by output, not power by power"),
-    Case("observability_matrix", [[1, 2], [..., 5]], ROW, "missing", "an entry left open"),
-    Case("observability_matrix", [[1, 2]], ROW, "invalid", "a row too few"),
-    Case("observability_rank", 2, LOST, "right", "one motion unseen"),
-    Case("observability_rank", 3.0, CHAIN, "right", "full, as a float"),
-    Case("observability_rank", 3, LOST, "wrong", "taken for full"),
-    Case("observability_rank", 4, CHAIN, "wrong", "more than columns"),
-    Case("observability_rank", 2.5, LOST, "invalid", "not whole"),
     Case("unseen_states", [[1, 0, -1]], LOST, "right", "a list of one vector"),
     Case("unseen_states", [-2, 0, 2], LOST, "right", "the vector itself, another length"),
     Case("unseen_states", M([1, 0, -1]), LOST, "right", "a column"),

@@ -219,12 +219,8 @@ def observer_obstacle(mutant, reference, A, H, parameters=()):
     return True
 
 
-def feedback_obstacle(mutant, reference, A, B, parameters=()):
-    return observer_obstacle(mutant, reference, A.T, B.T, parameters)
-
-
 ORACLES = {"observer_gain": observer_gain, "feedback_gain": feedback_gain, "estimate_gains": estimate_gains,
            "state_form": state_form, "equation_gains": equation_gains, "equation_region": equation_region,
            "observer_equations": observer_equations, "observer_region": observer_region,
            "feedback_region": feedback_region, "observer_margins": observer_margins,
-           "observer_obstacle": observer_obstacle, "feedback_obstacle": feedback_obstacle}
+           "observer_obstacle": observer_obstacle}

@@ -95,15 +95,6 @@ def controllability_split_system(mutant, reference, A, B, parameters=()):
                                                            parameters)
 
 
-def observable_part(mutant, reference, A, H, parameters=()):
-    """True for the order rank N and some T of that rank with T A = A' T and H = H' T."""
-    order = kalman(A, H).rank(simplify=True)
-    if (len(mutant) != 2 or sp.Matrix(mutant[0]).shape != (order, order) or sp.Matrix(mutant[1]).shape
-        != (H.rows, order) or not _keeps_rank(kalman(*map(sp.Matrix, mutant)), A, H, parameters)):
-        return False
-    return _is_image(A, H, *map(sp.Matrix, mutant))
-
-
 def sequential_outputs(mutant, reference, A, H):
     """True if the parts of T are invariant one after the other and each output shows its own part alone."""
     T = sp.Matrix(mutant)
@@ -259,7 +250,6 @@ ORACLES = {
     "controllability_split": controllability_split,
     "observability_split_system": observability_split_system,
     "controllability_split_system": controllability_split_system,
-    "observable_part": observable_part,
     "sequential_outputs": sequential_outputs,
     "parallel_outputs": parallel_outputs,
     "sequential_inputs": lambda mutant, reference, A, B: sequential_outputs(sp.Matrix(mutant).T, reference, A.T, B.T),
