@@ -20,11 +20,11 @@ book: outputs _build/wheels  ## execute what is stale and build the site in _bui
 	$(BIN)/jupyter-book build . $(SPHINX_FLAGS) || { rm -rf _build/.doctrees; exit 1; }
 	@rm -rf _build/html/wheels && cp -R _build/wheels _build/html/wheels
 
-# The page of the checks stays out: its tables hold right answers.
+# The page of the checks stays out, its tables hold right answers, and so do the lectures, which work problems out.
 # By plain sphinx-build, so that the book does not depend on Jupyter Book's own command.
 book-student: outputs _build/wheels  ## build the edition without solutions in _build/student/html
 	@mkdir -p _build/student
-	@sed 's|solutions/|exercises/|; \|guides/checks|d' _toc.yml > _build/student/_toc.yml
+	@sed 's|solutions/|exercises/|; \|guides/checks|d; \|file: book/lectures|,\|glob: book/lectures|d' _toc.yml > _build/student/_toc.yml
 	@$(BIN)/jupyter-book config sphinx . >/dev/null
 	PYTHONPATH=book/_ext $(BIN)/sphinx-build $(SPHINX_FLAGS) -q -d _build/student/.doctrees \
 	  -D external_toc_path=_build/student/_toc.yml -D html_title="Controlled Motion, student edition" . _build/student/html || \

@@ -10,6 +10,7 @@ printed     powers and products in what cells print
 punctuation a comma stays with the formula before it
 numbering   numbers of equations and theorems follow their labels
 reference   the pages of the library, from its docstrings, with links to what uses it and back
+lectures    what only the notebook of a lecture shows
 cases       the page of the checks, from the tables that are their tests
 freshness   what makes a page outdated, beyond its own text
 offline     nothing is loaded from another host
@@ -22,6 +23,7 @@ from workbook import (
     downloads,
     figures,
     freshness,
+    lectures,
     listings,
     numbering,
     offline,
@@ -34,6 +36,6 @@ from workbook import (
 
 def setup(app):
     for part in (catalogue, pages, listings, downloads, boxes, figures, printed, punctuation, numbering, reference,
-                 cases, freshness, offline):
+                 lectures, cases, freshness, offline):
         part.setup(app)
     return {"version": "1", "env_version": freshness.EXTENSION, "parallel_read_safe": True, "parallel_write_safe": True}

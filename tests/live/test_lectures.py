@@ -1,0 +1,41 @@
+"""The lectures of book/lectures/: what the notebook shows, and that each runs from top to bottom."""
+
+import nbformat
+import pytest
+
+from trajlib import exercises
+from trajlib.cells import run_cells
+from trajlib.execution import in_child
+from trajlib.live import find, lectures
+from trajlib.live.copies import notebook_of
+from trajlib.live.magics import is_ours
+
+SLUGS = [lecture.word for lecture in lectures()]
+
+
+@pytest.mark.parametrize("slug", SLUGS)
+def test_a_lecture_becomes_slides_whose_magics_name_what_there_is(slug):
+    subject = find(slug)
+    notebook = nbformat.from_dict(notebook_of(subject))
+    nbformat.validate(notebook)
+    kinds = [cell.metadata.slideshow.slide_type for cell in notebook.cells]
+    assert kinds[0] == "slide" and kinds.count("slide") >= 6
+    assert all(cell.source.startswith("#") for cell, kind in zip(notebook.cells, kinds) if kind == "slide")
+    asked = [cell.source.split() for cell in notebook.cells if is_ours(cell.source)]
+    assert {magic for magic, *_ in asked} >= {"%mistake", "%hint", "%answer"}
+    for _, number, name in asked:
+        assert number in subject.problems and name in exercises.find(number).about["answers"]
+    texts = "\n".join(cell.source for cell in notebook.cells if cell.cell_type == "markdown")
+    assert "{live}" not in texts and "{problem}" not in texts and "```" not in texts
+
+
+@pytest.mark.parametrize("slug", SLUGS)
+def test_a_lecture_runs_from_top_to_bottom(slug):
+    cells = [cell["source"] for cell in notebook_of(find(slug))["cells"] if cell["cell_type"] == "code"]
+    ran = in_child(run_cells, [cell for cell in cells if not is_ours(cell)], [], timeout=120)
+    assert ran["errors"] == []
+
+
+def test_a_lecture_is_found_by_its_nearest_name():
+    with pytest.raises(ValueError, match="did you mean limit-cycles"):
+        find("limit-cycle")
