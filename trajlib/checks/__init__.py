@@ -58,7 +58,7 @@ __getattr__, __dir__, __all__ = lazy_names(__name__, {
     "estimation.moments": ["correlation", "covariance", "covariance_matrix", "expectations", "uncorrelated"],
     "estimation.least_squares": ["error_covariance", "least_squares", "least_sum"],
     "estimation.motions": ["correlation_motion", "covariance_exponents", "covariance_motion", "covariance_rises",
-        "mean_motion", "settled_covariance", "settling_region", "shaping_equation"],
+        "mean_motion", "settled_covariance", "settling_region", "shaping_equation", "state_by_noise"],
     "estimation.filters": ["covariance_with_gain", "decaying_gains", "error_eigenvalues", "estimate",
         "estimate_covariance", "estimate_deviations", "filter_equation", "riccati_equation",
         "steady_covariance", "steady_filter_exists", "steady_gain"],

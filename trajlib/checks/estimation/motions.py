@@ -25,6 +25,24 @@ TIMES = (0, sp.Rational(1, 2), 1, sp.Rational(7, 5), 2, 3)
 STEPS = (0, 1, 2, 3, 5, 6)
 
 
+@judged(Laid("start", "noises", "parameters", shape=processes.shape_of("mean")))
+def state_by_noise(claim, process, start, noises, parameters=(), given=sp.true):
+    """The state of a process in discrete time after as many steps as there are noises, a column in the symbols of its
+    start and of the noises; of a single coordinate an expression."""
+    columns = [sp.Matrix(list(column) if isinstance(column, (list, tuple)) else [column])
+               for column in (start, *noises)]
+    symbols = list(dict.fromkeys(s for column in columns for s in sorted(column.free_symbols, key=str)))
+    for values in allowed_values([*parameters, *symbols], given, len(TIMES)):
+        A, (true, *added) = processes.array(process.A, values), [processes.array(c, values) for c in columns]
+        size = abs(true)
+        for noise in added:
+            true, size = A @ true + noise, abs(A) @ size + abs(noise)
+        yield Entries(claim, true, lambda said, i, j: (
+            f"with the start and the noises{where_text(values)} the steps, one after the other, lead to another state: "
+            f"look at component {i + 1}, where yours is {number_text(said[i, 0])}"), values, size)
+    return "the steps, one after the other, lead to this state"
+
+
 @judged(Laid("time", "parameters", shape=processes.shape_of("mean")))
 def mean_motion(claim, process, time, parameters=(), given=sp.true, times=None):
     """The mean of the process at the time t, a column; of a single coordinate an expression.
@@ -156,7 +174,10 @@ def covariance_rises(answer, process, parameters, given=sp.true):
 
 def _in_time(process, time, parameters, given, times):
     times = times or (STEPS if processes.plain(process).discrete else TIMES)
-    for moment, values in zip(times, allowed_values(parameters, given, len(times)) * len(times)):
+    samples = allowed_values(parameters, given, max(len(times), len(TIMES)))
+    # However few the times are, the parameters get as many values as elsewhere.
+    count = max(len(times), len(samples))
+    for moment, values, _ in zip(itertools.cycle(times), itertools.cycle(samples), range(count)):
         yield processes.numbers(process, values), values | {time: sp.sympify(moment)}
 
 
