@@ -3,6 +3,8 @@
 Each statement has its numbers, its cost and, where there are jumps, its switching times: by hand, or from a computation
 that shares nothing with the engine (a root, an integral, motions with events, a dual bound), as its last entry says.
 """
+import time
+import warnings
 from dataclasses import dataclass
 
 import numpy as np
@@ -474,7 +476,30 @@ def test_several_guesses_are_compared():
      "Nothing is proved by that"),
     (Problem(PLANE, FREE, {x1: 0, x2: 0}, [x1 - 6, x2 - 3], running=u**2/2), Unbounded,
      "as the duration grows|beyond every bound"),
+    # Two equal tanks with one inflow keep the difference of their levels, up to a factor; no bound helps to prove it.
+    (Problem({x1: u - x1, x2: u - x2}, FREE, {x1: 0, x2: 0}, [x1 - 1, x2 - 2], running=u**2, duration=1), Infeasible,
+     "-x1 \\+ x2 does not depend on the control and is 0 at the time 1; the target asks for 1"),
+    (Problem({x1: u - x1, x2: u - x2}, FREE, {x1: 0, x2: 0}, [x1 - 1, x2 - 2], running=1 + u**2), Infeasible,
+     "is 0 at all times"),
+    (Problem({x1: u - x1, x2: u - x2}, FREE, {x1: 1, x2: 0}, [x1 - x2], running=u**2, duration=1), Infeasible,
+     "x1 - x2 does not depend on the control and is 0.367879 at the time 1"),
 ])
 def test_statements_without_an_extremal(problem, error, message):
-    with pytest.raises(error, match=message):
+    with pytest.raises(error, match=message), warnings.catch_warnings():
+        warnings.simplefilter("error")
         problem.solve()
+
+
+def test_uncontrollable_pairs_reach_what_they_can():
+    end = 2 - sp.exp(-1)
+    tanks = Problem({x1: u - x1, x2: u - x2}, FREE, {x1: 1, x2: 0}, [x1 - 2, x2 - end], running=u**2, duration=1)
+    assert tanks.solve().cost == pytest.approx(float(2*end**2/(1 - sp.exp(-2))), rel=1e-9)
+
+
+def test_a_cost_that_falls_with_the_duration_is_refused_before_arcs_are_joined():
+    """5.28 c with a free duration: the infimum 1 is not attained."""
+    endless = Problem(PLANE, FREE, {x1: 0, x2: 0}, [x1 - 2, x2 - 1], running=u**2 + x2**2)
+    start = time.process_time()
+    with pytest.raises(Unbounded, match="the cost keeps falling with the duration .* Give a duration"):
+        endless.solve()
+    assert time.process_time() - start < 8

@@ -15,7 +15,7 @@ from .guesses import read_guess
 from .numeric import NumericProblem
 from .optimality import Optimality, theorem
 from .polishing import arc_lengths, polish
-from .searching import INTERVALS, escaped, finer_picture, refuse_endless, search, settled_duration
+from .searching import INTERVALS, escaped, finer_picture, refuse_endless, refuse_falling, search, settled_duration
 from .second_order import along_extremal, of_picture, second_variation
 from .structure import Arc, detect, name, read_structure
 from .transcription import Picture, target_multipliers
@@ -223,6 +223,7 @@ def solve(problem, structure=None, guess=None):
         if reason:
             raise WrongStructure(reason)
         return extremal
+    refuse_falling(numeric, *found.pictures[0])
     reasons = []
     for picture, side in found.pictures:
         extremal = _joined(problem, numeric, picture, side, found, made, reasons)

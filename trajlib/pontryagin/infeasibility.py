@@ -4,7 +4,9 @@
    itself if its rate depends on the controls alone. Whatever the control, l stays between the solutions for the least
    and the greatest g, each of which is monotone in time. If the target asks for a value beyond them, it cannot be
    reached.
-2. *A separating costate.* For a linear plant and a given time all states that can be reached lie on one side of
+2. *A quantity that no control moves.* For a linear plant l = q^T G y, G y = d being the target, with q^T G A^k B = 0
+   for all k: it is what the free motion makes of it. If this is not q^T d, the target cannot be reached.
+3. *A separating costate.* For a linear plant and a given time all states that can be reached lie on one side of
    a hyperplane, and the target on the other: q^T (G y(T) - d) > 0 for the control that makes it least.
 """
 import numpy as np
@@ -37,6 +39,53 @@ def refuse_infeasible(numeric):
             raise Infeasible(f"no admissible control leads to the target: {quantity} begins at {value:.6g} and {limit}"
                              f"{when}, whatever the control; the target asks for {wanted:.6g}. "
                              "The target cannot be reached from this start.")
+    _refuse_unmoved(numeric)
+
+
+def _refuse_unmoved(numeric):
+    """Raise `Infeasible` if a combination of the terminal equations is out of reach of all controls, bounded or not."""
+    problem, plant = numeric.problem, _linear_plant(numeric.problem)
+    if plant is None:
+        return
+    A, B, c = plant
+    state, n = sp.Matrix(problem.state), numeric.n
+    G, *powers = sp.Matrix(problem.terminal).jacobian(problem.state), *_exact_powers(problem)
+    d = -sp.Matrix(problem.terminal).subs(dict.fromkeys(problem.state, 0))
+    duration = numeric.duration
+    for q in sp.Matrix.hstack(*(G*part for part in powers)).T.nullspace():
+        row, wanted = (q.T*G), float((q.T*d)[0])
+        p = np.array(row.evalf(), dtype=float).ravel()
+        if duration is None:
+            # At any time: only what the free motion does not change either.
+            rates = [np.linalg.matrix_power(A, k) @ (A @ numeric.start + c) for k in range(n)]
+            if any(abs(p @ rate) > MARGIN*np.abs(p).max()*(1 + np.abs(rate).max()) for rate in rates):
+                continue
+            value = float(p @ numeric.start)
+        else:
+            value = float(p @ _free_motion(A, c, numeric.start, duration))
+        if abs(value - wanted) > MARGIN*(1 + abs(value) + abs(wanted)):
+            when = "at all times" if duration is None else f"at the time {duration:.6g}"
+            raise Infeasible(f"no control leads to the target: {sp.sstr((row*state)[0])} does not depend on the "
+                             f"control and is {value:.6g} {when}; the target asks for {wanted:.6g}. The pair (A, B) "
+                             "of the plant is not controllable; choose an end that keeps to this combination.")
+
+
+def _exact_powers(problem):
+    """B, A B, ..., A^(n-1) B of a linear plant, as SymPy matrices."""
+    field = sp.Matrix(problem.field)
+    A, part = field.jacobian(problem.state), field.jacobian(problem.control)
+    for _ in problem.state:
+        yield part
+        part = (A*part).applyfunc(sp.expand)
+
+
+def _free_motion(A, c, start, duration):
+    """The state at the duration without control."""
+    from scipy.linalg import expm
+
+    extended = np.zeros((len(A) + 1, len(A) + 1))
+    extended[:-1, :-1], extended[:-1, -1] = A, c
+    return (expm(extended*duration) @ np.append(start, 1.0))[:-1]
 
 
 def separated(numeric, duration, ends):
@@ -64,8 +113,10 @@ def separated(numeric, duration, ends):
         row = row @ step
         rows.append(row)
     gains = np.array(rows)[:, :n] @ B
-    with np.errstate(invalid="ignore"):
-        least = np.where(gains > 0, gains*numeric.lower, np.where(gains < 0, gains*numeric.upper, 0.0)).sum(axis=1)
+    bounds = np.where(gains > 0, numeric.lower, np.where(gains < 0, numeric.upper, 0.0))
+    if not np.isfinite(bounds).all():
+        return False  # a control without bounds leads beyond every hyperplane
+    least = (gains*bounds).sum(axis=1)
     gap = rows[-1] @ np.append(numeric.start,
                                1.0) - missed @ d + duration*(np.sum(least) - (least[0] + least[-1])/2)/panels
     return bool(np.isfinite(gap) and gap > 0.1*missed @ missed > 0)

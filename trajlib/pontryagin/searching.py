@@ -18,6 +18,8 @@ COARSE, CLOSE = 30, 0.05
 # Iterations on few intervals, and from there on many, at most; how many starts of several kinds have to lead to one
 # process to be enough.
 PATIENCE, REFINING, AGREEING = 100, 80, 3
+# What a cost has to fall by, as a share of it, when the duration is doubled: more than a discrete picture is wrong by.
+FALLS = 1e-3
 
 
 @dataclass(frozen=True)
@@ -298,19 +300,41 @@ def settled_duration(numeric, picture):
     return None
 
 
-def refuse_endless(numeric, picture, side):
-    """Raise `Unbounded` if more time never costs more: the infimum is approached as the duration grows."""
+def refuse_falling(numeric, picture, side):
+    """Raise `Unbounded` before any arcs are joined, if twice as much time costs less, and four times as much even less.
+
+    At such a picture nothing is stationary but the errors of its steps, and to join its arcs takes minutes and fails.
+    """
+    problem = numeric.problem
+    if problem.time_optimal or problem.first_return or settled_duration(numeric, picture) is not None:
+        return
+    costs = [picture.cost]
+    for factor in (2, 4):
+        result = _with_duration(numeric, picture, side, factor)
+        if not isinstance(result, Picture) or not result.cost < costs[-1] - FALLS*abs(costs[-1]):
+            return
+        costs.append(result.cost)
+    refuse_endless(numeric, picture, side)
+
+
+def _with_duration(numeric, picture, side, factor):
+    """The picture, or the failure, for another duration, with steps as long as those of the picture."""
     from dataclasses import replace
 
     from .numeric import NumericProblem
 
+    duration = factor*picture.duration
+    fixed = NumericProblem(replace(numeric.problem, duration=duration))
+    programme = Transcription(fixed, int(np.ceil(factor*len(picture.controls))), side=side)
+    return programme.solve((duration, picture.states, picture.controls))
+
+
+def refuse_endless(numeric, picture, side):
+    """Raise `Unbounded` if more time never costs more: the infimum is approached as the duration grows."""
     durations, costs = [], []
     for factor in (2, 1, 1/2, 1/4, 1/8):
         duration = factor*picture.duration
-        fixed = NumericProblem(replace(numeric.problem, duration=duration))
-        # Steps as long as those of the picture, so that the costs can be compared.
-        programme = Transcription(fixed, int(np.ceil(factor*len(picture.controls))), side=side)
-        result = programme.solve((duration, picture.states, picture.controls))
+        result = _with_duration(numeric, picture, side, factor)
         if not isinstance(result, Picture) or (costs and result.cost < costs[-1] - 1e-6*abs(costs[-1])):
             break
         durations.append(duration)
