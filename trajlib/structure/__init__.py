@@ -14,6 +14,7 @@ from trajlib._lazy import lazy_names
 # No module is called like a name it exports: importing it would put the module in the place of the function.
 _EXPORTS = {
     "kalman_matrices": ["controllability_matrix", "observability_matrix"],
+    "gramian": ["controllability_gramian"],
     "rank_tests": ["LostMode", "RankTest", "controllability", "observability"],
     "distance": ["Distance", "distance_to_uncontrollable", "distance_to_unobservable"],
     "unseen": ["controllable_subspace", "unobservable_subspace"],
