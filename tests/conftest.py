@@ -1,9 +1,12 @@
 """Imports everything heavy once, so that the processes forked by the tests start ready, keeps tests together that share
 what one of them has found, and notes what a test costs."""
 
+import ctypes
+import gc
 import os
 import re
 import sys
+from contextlib import suppress
 from pathlib import Path
 
 os.environ.setdefault("MPLBACKEND", "Agg")
@@ -12,17 +15,37 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 for folder in ("problems", "checks", "library", "browser"):
     sys.path.insert(0, str(Path(__file__).parent / folder))
 
+import casadi  # noqa: E402, F401
+import control  # noqa: E402, F401
 import matplotlib.pyplot  # noqa: E402, F401
 import numpy  # noqa: E402, F401
 import pytest  # noqa: E402
 import scipy.integrate  # noqa: E402, F401
 import sympy  # noqa: E402, F401
+import z3  # noqa: E402, F401
 
 #: Tests that share what costs much: the proof of a problem, the parsed pages of an edition, syntheses, a cluster, an
 #: installed bundle. The tests of a group are those with the same parts in their ids.
 TOGETHER = re.compile(r"(problems/test_masters).*\[([\d.]+)\]|(site/)\S*\[(full|student)\]"
                       r"|(library/test_pontryagin_synthesis|grading/test_cluster|grading/test_gradescope)\.py")
 _BEGAN = pytest.StashKey()
+#: glibc's numbers of two settings: from which size an array gets pages of its own, and from which on free memory is
+#: given back. The largest value of the first.
+M_MMAP_THRESHOLD, M_TRIM_THRESHOLD, LARGEST = -3, -1, 32 * 2**20
+
+
+def keep_what_was_freed():
+    """Memory that was freed is used again and not asked of the system once more: each of z3's contexts, of which a
+    verdict needs one or two, would cost twice as much."""
+    with suppress(OSError, AttributeError):  # another C library
+        libc = ctypes.CDLL("libc.so.6")
+        libc.mallopt(M_MMAP_THRESHOLD, LARGEST)
+        libc.mallopt(M_TRIM_THRESHOLD, 8 * LARGEST)
+
+
+keep_what_was_freed()
+# No process forked by a test looks for garbage through what was there before.
+os.register_at_fork(after_in_child=gc.freeze)
 
 
 def together(nodeid):

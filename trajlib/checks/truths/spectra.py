@@ -5,11 +5,18 @@ some u + i w with u > 0 satisfies the characteristic equation. Where a claim is 
 Routh's reduction in exact fractions.
 """
 
+import functools
+from fractions import Fraction
+
 import numpy as np
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
+from sympy.polys.polyerrors import BasePolynomialError
 
 from trajlib.checks.tools.conditions import Case, Truth, compare, place_text
+
+#: For how many places it is kept whether they are stable.
+PLACES = 8192
 
 
 def compare_region(answer, system, parameters, what, margin=0, unstable=False):
@@ -17,7 +24,9 @@ def compare_region(answer, system, parameters, what, margin=0, unstable=False):
 
     With a margin both sides of the border are right, the border being where the largest real part is -margin.
     """
-    spectrum = Spectrum(system, parameters, margin)
+    if isinstance(system, sp.MatrixBase):
+        system = system.as_immutable()
+    spectrum = _spectrum(system, tuple(parameters), margin)
     truth = spectrum.instability if unstable else spectrum.stability
 
     def told(values, holds):
@@ -46,6 +55,12 @@ def decays(A, discrete=False):
     return sp.And(*spectrum.order_kept, spectrum.hurwitz)
 
 
+@functools.lru_cache(maxsize=8)
+def _spectrum(system, parameters, margin):
+    """The spectrum of data: many claims are compared with the same."""
+    return Spectrum(system, parameters, margin)
+
+
 class Spectrum:
     """The characteristic polynomial with coefficients in the parameters, shifted by the margin."""
 
@@ -60,15 +75,16 @@ class Spectrum:
         shifted = sp.Poly(sp.expand(polynomial.subs(symbol, symbol - self.margin)), symbol)
         self._terms = [sp.nsimplify(c, rational=True) for c in shifted.all_coeffs()]
         self.root = sp.symbols("u w", real=True, cls=sp.Dummy)
+        self._stable_at = functools.lru_cache(maxsize=PLACES)(self._decide)  # all claims are tried at like places
 
-    @property
+    @functools.cached_property
     def stability(self):
         """The `Truth` that all roots have real parts below -margin."""
         stable = sp.And(*self.order_kept, self.hurwitz)
         unstable = Case(sp.And(*self.order_kept, sp.Not(self.hurwitz)))
         return Truth((Case(stable),), (self.some_root_right if self.margin else unstable,), self.is_stable)
 
-    @property
+    @functools.cached_property
     def instability(self):
         """The `Truth` that some root has a real part above -margin."""
         return Truth((self.some_root_right,), (self.no_root_right,), self.is_unstable)
@@ -78,7 +94,7 @@ class Spectrum:
         """Where the order drops nothing is asked: that is a convention, not a property."""
         return [sp.Ne(self._terms[0], 0)]
 
-    @property
+    @functools.cached_property
     def hurwitz(self):
         """All Hurwitz determinants have the sign that goes with the leading coefficient."""
         n, signs = len(self._terms) - 1, []
@@ -111,11 +127,33 @@ class Spectrum:
         return sp.expand(sum(c * (u + sp.I * w)**(n - k) for k, c in enumerate(self._terms))).as_real_imag()
 
     def _coefficients(self, values):
+        """The coefficients at values of the parameters: fractions where all is rational."""
+        place = [values[p] for p in self.parameters]
+        if self._in_fractions and all(x.is_Rational for x in place):
+            return self._in_fractions(*(Fraction(int(x.p), int(x.q)) for x in place))
         return [c.subs(values) for c in self._terms]
+
+    @functools.cached_property
+    def _in_fractions(self):
+        """The coefficients as a function of fractions, or None where they are no rational polynomials."""
+        try:
+            polys = [sp.Poly(c, *self.parameters) for c in self._terms]
+        except BasePolynomialError:
+            return None
+        if not all(poly.domain.is_ZZ or poly.domain.is_QQ for poly in polys):
+            return None
+        # Whole coefficients, so that fractions stay fractions in the code that is made of them.
+        wholes, cleared = zip(*(poly.clear_denoms(convert=True) for poly in polys))
+        function = sp.lambdify(self.parameters, [poly.as_expr() for poly in cleared], [])
+        return lambda *place: [Fraction(value) / int(whole) for value, whole in zip(function(*place), wholes)]
 
     def is_stable(self, values):
         """Whether all roots have negative real parts: by Routh's reduction in exact arithmetic; None where the order
         drops, or on the border of a margin."""
+        return self._stable_at(tuple(values[p] for p in self.parameters))
+
+    def _decide(self, place):
+        values = dict(zip(self.parameters, place))
         current = self._coefficients(values)
         if current[0] == 0:
             return None
