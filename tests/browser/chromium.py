@@ -60,7 +60,7 @@ class Browser:
         """Requests to other hosts since the page was opened."""
         messages = (json.loads(entry["message"])["message"] for entry in self.driver.get_log("performance"))
         urls = [m["params"]["request"]["url"] for m in messages if m["method"] == "Network.requestWillBeSent"]
-        return [url for url in urls if not url.startswith(("file:", "data:", "blob:", "http://127.0.0.1:"))]
+        return [url for url in urls if not url.startswith(("file:", "data:", "blob:", "chrome", "http://127.0.0.1:"))]
 
 
 @pytest.fixture(scope="session")

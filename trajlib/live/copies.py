@@ -13,6 +13,9 @@ from pathlib import Path
 from trajlib import exercises
 from trajlib.live.subjects import LiveError
 
+#: Of jupyterlab-rise: a theme that asks no other host for its letters.
+SLIDES = {"theme": "white", "scroll": True, "center": False, "width": "100%", "height": "100%"}
+
 
 def notebook_of(subject):
     """The notebook of a subject, in nbformat 4.5, as a dict."""
@@ -26,7 +29,7 @@ def notebook_of(subject):
         cell["id"] = f"live-{k:03d}"
     return {"cells": cells, "nbformat": 4, "nbformat_minor": 5,
             "metadata": {"kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
-                         "language_info": {"name": "python"}, "live": {"subject": subject.word}}}
+                         "language_info": {"name": "python"}, "live": {"subject": subject.word}, "rise": SLIDES}}
 
 
 def code(source, **metadata):

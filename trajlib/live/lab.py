@@ -22,7 +22,9 @@ SETTINGS = {
             {"command": "notebook:run-cell-and-select-next", "keys": ["Shift Enter"], "selector": selector,
              "disabled": True},
             {"command": "apputils:run-all-enabled", "keys": ["Shift Enter"], "selector": selector,
-             "args": RUN_THEN_DOWN})]},
+             "args": RUN_THEN_DOWN})] + [  # on slides, which know no such commands
+        {"command": "RISE:smart-exec", "keys": ["Shift Enter"],
+         "selector": ".lm-Widget.reveal .jp-Notebook.jp-mod-editMode"}]},
     "@jupyterlab/apputils-extension/themes": {"overrides": {
         "code-font-size": "20px", "content-font-size1": "21px", "ui-font-size1": "15px"}},
     "@jupyterlab/apputils-extension/notification": {"checkForUpdates": False, "fetchNews": "false"},

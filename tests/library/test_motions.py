@@ -1,0 +1,46 @@
+"""Motions: what stands in the page, and what is refused."""
+
+import json
+
+import numpy as np
+import pytest
+from bs4 import BeautifulSoup
+
+from trajlib.motions import SIZE, Motion
+
+T = np.linspace(0, 2, 5)
+
+
+def circle(**given):
+    motion = Motion(T, "A <point> on a circle.", **given)
+    plane = motion.panel((-1, 1), (-1, 1), "x", "y")
+    plane.curve([0, 1], [0, 1], dashed=True)
+    plane.trail(np.cos(T), np.sin(T))
+    plane.dot(np.cos(T), np.sin(T))
+    plane.rod(0, 0, np.cos(T), np.sin(T))
+    return motion
+
+
+def test_the_page_holds_every_frame_and_shows_one():
+    box = BeautifulSoup(circle(still=4)._repr_html_(), "html.parser").find(class_="motion")
+    data = json.loads(box["data-motion"])
+    assert data["times"] == [0, 0.5, 1, 1.5, 2] and data["still"] == 4
+    assert [part["kind"] for part in data["parts"]] == ["trail", "dot", "rod"]
+    assert data["parts"][1]["points"][:2] == [SIZE, SIZE/2]  # (1, 0) of the square from -1 to 1
+    assert len(data["parts"][2]["points"]) == 4*len(T)
+    svg = box.svg
+    assert svg["role"] == "img" and svg["aria-label"] == "A <point> on a circle."
+    assert float(svg.circle["cx"]) == data["parts"][1]["points"][8] and len(svg.select(".moving")) == 3
+
+
+@pytest.mark.parametrize("make, said", [
+    (lambda: Motion([0, 0], "w"), "increasing"),
+    (lambda: Motion([0], "w"), "at least two"),
+    (lambda: Motion(T, "w", speed=0), "speed"),
+    (lambda: circle().panel((1, 1), (0, 1)), "low < high"),
+    (lambda: circle().panel((0, 1), (0, 1)).dot([1, 2], 0), "each of the 5 frames"),
+    (lambda: circle().panel((0, 1), (0, 1)).dot(np.nan, 0), "finite"),
+])
+def test_what_is_no_motion_is_refused(make, said):
+    with pytest.raises(ValueError, match=said):
+        make()

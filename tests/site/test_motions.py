@@ -1,0 +1,82 @@
+"""Motions on the static site: they play, pause and follow the slider, from the disk and without another host."""
+
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from trajlib.motions import Motion
+
+STATIC = Path(__file__).resolve().parents[2] / "book" / "_static"
+PAGES = ["book/ch1.html", "book/lectures/fastest-motion.html"]
+AT = "Number(document.querySelector('.motion-controls input').value)"
+
+
+@pytest.fixture
+def page(tmp_path):
+    """A page with nothing but a motion of four seconds."""
+    t = np.linspace(0, 4, 81)
+    motion = Motion(t, "A point on a circle.")
+    plane = motion.panel((-1.2, 1.2), (-1.2, 1.2), "x", "y")
+    plane.trail(np.cos(t), np.sin(t))
+    plane.dot(np.cos(t), np.sin(t))
+    (tmp_path / "page.html").write_text(
+        f'<!doctype html><html lang="en"><head><title>A motion</title><script src="{STATIC.as_uri()}/motions.js">'
+        f"</script></head><body>{motion._repr_html_()}</body></html>", encoding="utf-8")
+    return (tmp_path / "page.html").as_uri()
+
+
+def test_it_plays_pauses_and_follows_the_slider(browser, page):
+    from selenium.webdriver.common.keys import Keys
+
+    browser.open(page)
+    button = browser.find(".motion button")
+    assert button.accessible_name == "Play" and browser.run(AT) == 0
+    place = "document.querySelector('.motion circle').getAttribute('cx')"
+    before = browser.run(place)
+    time.sleep(0.5)
+    assert browser.run(AT) == 0  # nothing moves unasked
+    button.send_keys(Keys.SPACE)
+    assert button.accessible_name == "Pause"
+    assert browser.wait_for(f"{AT} > 5") and browser.run(place) != before
+    button.send_keys(Keys.SPACE)
+    stands = browser.run(AT)
+    time.sleep(0.5)
+    assert browser.run(AT) == stands and button.accessible_name == "Play"
+    slider = browser.find(".motion input")
+    assert slider.accessible_name == "Time of the motion"
+    slider.send_keys(Keys.END)
+    assert browser.run(AT) == 80
+    assert browser.run("document.querySelector('.motion output').value") == "t = 4.00"
+    button.click()  # at the end it begins anew
+    assert browser.wait_for(f"{AT} > 2 && {AT} < 60")
+    assert browser.wait_for(f"{AT} == 80", 20) and button.accessible_name == "Play"
+    assert browser.errors() == [] and browser.foreign_requests() == []
+
+
+def test_who_wants_less_motion_goes_on_by_steps(browser, page):
+    emulate = "Emulation.setEmulatedMedia"
+    browser.driver.execute_cdp_cmd(emulate, {"features": [{"name": "prefers-reduced-motion", "value": "reduce"}]})
+    try:
+        browser.open(page)
+        button = browser.find(".motion button")
+        assert button.accessible_name == "Next step"
+        button.click()
+        first = browser.run(AT)
+        time.sleep(0.5)
+        assert browser.run(AT) == first > 0
+        button.click()
+        assert browser.run(AT) == 2*first
+    finally:
+        browser.driver.execute_cdp_cmd(emulate, {"features": []})
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_motions_of_the_site_move_and_are_small(browser, addresses, editions, name):
+    browser.open(f"{addresses['file']}/{name}")
+    sizes = browser.run("[...document.querySelectorAll('.motion')].map(box => box.outerHTML.length)")
+    assert sizes and sum(sizes) + (STATIC / "motions.js").stat().st_size <= 60_000
+    browser.find(".motion button").click()
+    assert browser.wait_for(f"{AT} > 2")
+    assert browser.errors() == [] and browser.foreign_requests() == []
