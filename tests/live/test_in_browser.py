@@ -84,3 +84,26 @@ def test_a_lecture_is_gone_through_with_one_key(lecture, browser):
         browser.open("about:blank")
         live.end()
     assert MASTER.read_bytes() == master
+
+
+@pytest.mark.timeout(300)
+def test_a_lecture_is_shown_as_slides_and_its_cells_run_there(lecture, browser):
+    with lecture("stability-regions", "--discard") as live:
+        browser.resize(1280, 900)
+        browser.open(live.address.replace("/doc/tree/", "/rise/"))
+        assert browser.wait_for("location.hash.startsWith('#/slide-0')", 90), "the slides do not open"
+        lab = Lab(browser)
+        there = "[...document.querySelectorAll('.present .jp-CodeCell .cm-content')].filter(e => e.offsetParent)"
+        for _ in range(20):  # the space bar goes on: title, question, and below it the first computation
+            if browser.run("location.hash") == "#/slide-1-1":
+                break
+            lab.press(" ")
+            time.sleep(1.5)
+        assert browser.run("location.hash") == "#/slide-1-1"
+        browser.run(f"{there}.at(-1)").click()
+        lab.press(lab._keys.SHIFT, lab._keys.ENTER)
+        ran = "[...document.querySelectorAll('.jp-InputPrompt')].some(prompt => prompt.innerText.includes('[1]'))"
+        assert browser.wait_for(ran, 60), "the cell did not run"
+        assert browser.foreign_requests() == []
+        browser.open("about:blank")
+        live.end()
