@@ -75,18 +75,28 @@ def array(matrix, values):
 
 def moved(one, duration):
     """(F, N) with x(t + duration) = F x(t) + a vector of the covariance N that is independent of x(t)."""
-    from scipy.linalg import expm
-
     n = len(one.A)
     if one.discrete:
         powers = [np.linalg.matrix_power(one.A, k) for k in range(round(duration) + 1)]
         return powers[-1], sum((F @ one.Q @ F.T for F in powers[:-1]), np.zeros((n, n)))
+    return _moved(one.A.tobytes(), one.Q.tobytes(), n, float(duration))
+
+
+@functools.lru_cache(maxsize=256)
+def _moved(A, Q, n, duration):
+    """The same in continuous time: it is asked again with every answer, and takes longer than all else."""
+    from scipy.linalg import expm
+
+    A, Q = (np.frombuffer(part).reshape(n, n) for part in (A, Q))
     # The linear equation of the n^2 entries of N, with 1 as one more: what decays stays small here. The exponential of
     # the block matrix of -A, Q and A^T (Van Loan 1978) grows with it and leaves N few digits.
-    sums = np.kron(one.A, np.eye(n)) + np.kron(np.eye(n), one.A)
-    block = np.block([[sums, one.Q.reshape(-1, 1)], [np.zeros((1, n * n + 1))]])
-    noise = expm(float(duration) * block)[:-1, -1].reshape(n, n)
-    return expm(float(duration) * one.A), (noise + noise.T) / 2
+    sums = np.kron(A, np.eye(n)) + np.kron(np.eye(n), A)
+    block = np.block([[sums, Q.reshape(-1, 1)], [np.zeros((1, n * n + 1))]])
+    noise = expm(duration * block)[:-1, -1].reshape(n, n)
+    found = expm(duration * A), (noise + noise.T) / 2
+    for matrix in found:
+        matrix.flags.writeable = False
+    return found
 
 
 def moments(one, time):
