@@ -1,11 +1,16 @@
 """The magics in a kernel of their own, as JupyterLab asks them."""
 
+import json
 import os
+from types import SimpleNamespace
 
 import pytest
 from jupyter_client.manager import start_new_kernel
 
+from trajlib.live import LiveError
+from trajlib.live.catching_up import cells_above
 from trajlib.live.lab import furnish
+from trajlib.live.magics import is_ours
 
 
 class Kernel:
@@ -137,3 +142,19 @@ def test_catchup_with_a_name_works_up_to_it(kernel):
     assert kernel.run("print(b_region == (k2 > 0) & (k1 > k2))")[0] == "True"
     assert "NameError" in kernel.run("c_region")[0]
     assert "%catchup belongs into a cell" in kernel.run("%catchup")[0]
+
+
+def test_catchup_knows_the_cells_above_as_they_were_saved(tmp_path, monkeypatch):
+    cells = [("a", "code", "x = 1"), ("b", "markdown", "words"), ("c", "code", "%answer a_region"),
+             ("d", "code", "%catchup"), ("e", "code", "x = 2")]
+    notebook = {"cells": [{"id": name, "cell_type": kind, "source": [source]} for name, kind, source in cells]}
+    (tmp_path / "lecture.ipynb").write_text(json.dumps(notebook), encoding="utf-8")
+    monkeypatch.setenv("JPY_SESSION_NAME", str(tmp_path / "lecture.ipynb"))
+
+    def shell(cell):
+        return SimpleNamespace(kernel=SimpleNamespace(get_parent=lambda: {"metadata": {"cellId": cell}}))
+
+    above = cells_above(shell("d"))
+    assert above == ["x = 1", "%answer a_region"] and [is_ours(source) for source in above] == [False, True]
+    with pytest.raises(LiveError, match="not saved yet"):
+        cells_above(shell("new"))
