@@ -1,12 +1,13 @@
 """Oracles of gains and of observers: SymPy's characteristic polynomials, their roots at values of the parameters."""
 
+import functools
 import itertools
 from fractions import Fraction
 
 import sympy as sp
 from sympy.core.relational import Relational
 
-from oracles.sameness import LOGIC, holds
+from oracles.sameness import LOGIC, differs_somewhere, holds
 
 VALUES = (sp.Rational(1, 7), sp.Rational(3, 5), sp.Rational(13, 9), sp.Integer(4), sp.Integer(31))
 
@@ -16,7 +17,8 @@ def _meets(matrix, parameters, margin, polynomial, symbol, given):
     s = sp.Dummy("s")
     found = sp.expand((s*sp.eye(matrix.rows) - matrix).det(method="berkowitz"))
     if polynomial is not None:
-        return sp.simplify(found - sp.sympify(polynomial).subs(symbol, s)) == 0
+        difference = found - sp.sympify(polynomial).subs(symbol, s)
+        return not differs_somewhere(difference) and sp.simplify(difference) == 0
     for sign in (1, -1):
         for k in range(len(VALUES)):
             values = {p: (1 if p.is_positive else sign)*VALUES[(k + 2*j) % len(VALUES)]
@@ -131,23 +133,31 @@ def _region(mutant, matrix, parameters, margin):
     a margin is left out."""
     if not isinstance(mutant, LOGIC):
         return False
-    s = sp.Dummy("s")
-    polynomial = ((s - margin)*sp.eye(matrix.rows) - matrix).det(method="berkowitz")
-    minors = sp.lambdify(parameters, _minors(polynomial, s), [])
+    least = _least_minor(sp.ImmutableMatrix(matrix), tuple(parameters), margin)
     said = sp.lambdify(parameters, mutant, "math")
-    for point in _lines(mutant, parameters):
+    grid = (point for _, line in _lines(len(parameters)) for point in line)
+    for point in itertools.chain(grid, _zeros(mutant, parameters)):  # most mutants differ on the grid already
         if any(p.is_positive and not x > 0 for p, x in zip(parameters, point)):
             continue
-        signs = minors(*point)
-        if margin and min(signs) == 0:
+        sign = least(point)
+        if margin and sign == 0:
             continue
         if all(x.denominator in (1, 2, 4) for x in point):
             there = holds(said, point)
         else:  # a zero of a term, which floating-point numbers would miss
             there = mutant.subs(dict(zip(parameters, map(sp.Rational, point)))) is sp.true
-        if there != (min(signs) > 0):
+        if there != (sign > 0):
             return False
     return True
+
+
+@functools.lru_cache(maxsize=8)
+def _least_minor(matrix, parameters, margin):
+    """The least of Hurwitz's minors as a function of a point: the same for all mutants of a region."""
+    s = sp.Dummy("s")
+    polynomial = ((s - margin)*sp.eye(matrix.rows) - matrix).det(method="berkowitz")
+    minors = sp.lambdify(parameters, _minors(polynomial, s), [])
+    return functools.lru_cache(maxsize=None)(lambda point: min(minors(*point)))
 
 
 def _minors(polynomial, symbol):
@@ -157,20 +167,25 @@ def _minors(polynomial, symbol):
     return [sp.expand(table[:k, :k].det(method="berkowitz")) for k in range(1, n + 1)]
 
 
-def _lines(mutant, parameters):
-    """Points of a grid, and on its lines the rational zeros of the terms of a condition."""
+@functools.cache
+def _lines(count):
+    """Lines of a grid: pairs of the number of the parameter that varies and the points, `count` fractions each."""
     grid = [Fraction(k, 4) for k in range(-20, 21)]
-    for k, others in itertools.product(range(len(parameters)), zip(*[grid[5*j:] + grid[:5*j]
-                                                                     for j in range(max(len(parameters) - 1, 1))])):
-        places = [list(others[:k]) + [x] + list(others[k:len(parameters) - 1]) for x in grid]
-        fixed = dict(zip(parameters, map(sp.Rational, places[0])))
+    return [(k, [(*others[:k], x, *others[k:count - 1]) for x in grid])
+            for k, others in itertools.product(range(count), zip(*[grid[5*j:] + grid[:5*j]
+                                                                   for j in range(max(count - 1, 1))]))]
+
+
+def _zeros(mutant, parameters):
+    """The rational zeros of the terms of a condition on the lines of the grid."""
+    for k, line in _lines(len(parameters)):
+        fixed = dict(zip(parameters, map(sp.Rational, line[0])))
         del fixed[parameters[k]]
         for atom in mutant.atoms(Relational):
-            line = sp.numer(sp.together((atom.lhs - atom.rhs).subs(fixed)))
-            if line.has(parameters[k]):
-                places += [list(others[:k]) + [Fraction(int(root.p), int(root.q))] + list(others[k:len(parameters) - 1])
-                           for root in sp.Poly(line, parameters[k]).ground_roots()]
-        yield from places
+            term = sp.numer(sp.together((atom.lhs - atom.rhs).subs(fixed)))
+            if term.has(parameters[k]):
+                yield from ((*line[0][:k], Fraction(int(root.p), int(root.q)), *line[0][k + 1:])
+                            for root in sp.Poly(term, parameters[k]).ground_roots())
 
 
 def observer_region(mutant, reference, A, H, gain, parameters, margin=0):
@@ -179,6 +194,13 @@ def observer_region(mutant, reference, A, H, gain, parameters, margin=0):
 
 def feedback_region(mutant, reference, A, B, gain, parameters, H=None, margin=0):
     return _region(mutant, A + B*gain*(sp.eye(A.rows) if H is None else H), parameters, margin)
+
+
+@functools.lru_cache(maxsize=256)
+def _hidden(matrix, output):
+    """The eigenvalues of modes that the output does not show."""
+    return [root for root in matrix.eigenvals()
+            if (matrix - root*sp.eye(matrix.rows)).col_join(output).rank() < matrix.rows]
 
 
 def observer_margins(mutant, reference, A, H, mu, parameters=()):
@@ -192,8 +214,7 @@ def observer_margins(mutant, reference, A, H, mu, parameters=()):
     for place in itertools.product(grid, repeat=len(parameters)):
         values = dict(zip(parameters, place))
         matrix, output, said = (part.subs(values) for part in (A, H, mutant))
-        hidden = [root for root in matrix.eigenvals()
-                  if (matrix - root*sp.eye(matrix.rows)).col_join(output).rank() < matrix.rows]
+        hidden = _hidden(*(sp.ImmutableMatrix(part) for part in (matrix, output)))
         best = min((-sp.re(root) for root in hidden), default=None)
         turns = [root for atom in said.atoms(Relational) for root in sp.Poly(atom.lhs - atom.rhs, mu).real_roots()]
         turns += [best] if hidden else []
