@@ -370,8 +370,8 @@ def _values(expression, symbols, places):
     def value(place):
         try:
             number = complex(function(*place))
-        # TypeError: a Piecewise without a case for this place
-        except (ZeroDivisionError, ValueError, OverflowError, TypeError):
+        # TypeError: a Piecewise without a case for this place; NameError: what has no values, as a delta function
+        except (ZeroDivisionError, ValueError, OverflowError, TypeError, NameError):
             return math.nan
         return number.real if cmath.isfinite(number) and abs(number.imag) < 1e-9 * (1 + abs(number)) else math.nan
 

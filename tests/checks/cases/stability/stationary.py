@@ -124,6 +124,7 @@ CASES = [
     Case("first_integral", (k1 * v**3 - 3 * g * v * sp.cos(theta)) ** 2 + 5, NO_DRAG, "right", "a function of it"),
     Case("first_integral", k1 * v**2 / 2 - g * sp.cos(theta), NO_DRAG, "wrong", "not kept"),
     Case("first_integral", g * k1, NO_DRAG, "wrong", "a constant"),
+    Case("first_integral", sp.DiracDelta(v), NO_DRAG, "wrong", "what has no values"),
     Case("first_integral", sp.Eq(v, 0), NO_DRAG, "invalid", "an equation"),
     Case("phase_curve", sp.sqrt(3 * g * sp.cos(theta) / k1), BORDER, "right", "the curve"),
     Case("phase_curve", sp.sqrt(3) * sp.sqrt(g / k1) * sp.sqrt(sp.cos(theta)), BORDER, "right", "separate roots"),
