@@ -40,6 +40,7 @@ __getattr__, __dir__, __all__ = lazy_names(__name__, {
     "structure.decompositions": ["canonical_observable_part", "controllability_split", "controllability_split_system",
         "observability_split", "observability_split_system", "parallel_inputs", "parallel_outputs",
         "sequential_inputs", "sequential_outputs", "similarity"],
+    "structure.local_observability": ["locally_determined", "unseen_changes"],
     "structure.mechanical_equations": ["mechanical_equations"],
     "structure.deviation_models": ["change_to_deviations", "measured_quantity"],
     "structure.output_meaning": ["measured_coordinate"],

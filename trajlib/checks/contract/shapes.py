@@ -40,11 +40,13 @@ SHAPES = {
     "structure": COMMON | {
         "A_from": "n x n matrix", "A_to": "n x n matrix", "S": "k x k matrix of the error w' = S w",
         "c": "m x k matrix of the error c w in the output", "control": "function of time, u(t)",
-        "coordinates": "dict from names to rows", "duration": "number", "known": "matrix of the other system",
+        "at": "dict from unknowns to expressions", "coordinates": "dict from names to rows", "duration": "number",
+        "known": "matrix of the other system",
+        "measured": "list of expressions of the unknowns",
         "motion": "function of time, y(t), or dict from the state to functions of time", "output": "row of n entries",
         "outputs": "list of symbols for z, z', ...", "quantities": "dict from names to expressions",
         "start": "symbols of x(0), or the column that C is multiplied with in w(0)", "system": "Mechanical",
-        "time": "symbol",
+        "time": "symbol", "unknowns": "list of symbols",
     },
     "feedback": COMMON | {
         "K": "s x n matrix", "L": "n x m matrix", "S": "k x k matrix of the error w' = S w",

@@ -22,11 +22,20 @@ def transposed(oracle):
 def observable_parameters(mutant, reference, A, H, parameters, holds=True):
     """As the minors of Kalman's matrix say, along lines on which one parameter varies: at every root of theirs and of
     the mutant's terms, irrational ones too, and between them; where the data allow the value."""
+    return _as_minors_say(mutant, kalman(A, H), parameters, holds)
+
+
+def locally_determined(mutant, reference, measured, unknowns, parameters, at=None):
+    """As the minors of the Jacobian say, its roots and denominators left out: a row has them in common."""
+    jacobian = sp.Matrix(measured).jacobian(unknowns).applyfunc(lambda entry: sp.numer(sp.together(entry)))
+    return _as_minors_say(mutant, jacobian.subs(at or {}, simultaneous=True), parameters, True)
+
+
+def _as_minors_say(mutant, N, parameters, holds):
     if isinstance(mutant, list) and len(parameters) == 1:
         mutant = sp.Or(*[sp.Eq(parameters[0], value) for value in mutant])
     if not isinstance(mutant, LOGIC):
         return False
-    N = kalman(A, H)
     minors = {sp.numer(sp.together(N.extract(list(rows), list(range(N.cols))).det()))
               for rows in itertools.combinations(range(N.rows), N.cols)}
     for fixed in _lines(parameters):
@@ -237,6 +246,7 @@ def _allowed(symbol, value):
 
 ORACLES = {
     "observable_parameters": observable_parameters,
+    "locally_determined": locally_determined,
     "unobservable_parameters": unobservable_parameters,
     "controllable_parameters": transposed(observable_parameters),
     "mechanical_controllable_parameters": mechanical_controllable_parameters,

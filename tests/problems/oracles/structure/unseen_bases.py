@@ -22,6 +22,16 @@ def mechanical_unseen_states(mutant, reference, system):
     return _is_basis(mutant, A, sp.Matrix.hstack(system.H1, system.H2))
 
 
+def unseen_changes(mutant, reference, *data, **options):
+    """Independent combinations of the vectors of the reference, as many."""
+    size = len(reference[0]) if reference else 0
+    if not isinstance(mutant, (list, tuple)) or len(mutant) != len(reference) or any(
+            not isinstance(v, (list, tuple)) or len(v) != size for v in mutant):
+        return False
+    both = [sp.Matrix(vectors).T for vectors in (mutant, reference)]
+    return both[0].rank(simplify=True) == sp.Matrix.hstack(*both).rank(simplify=True) == len(reference)
+
+
 def _is_basis(vectors, A, H):
     if not isinstance(vectors, (list, tuple)) or any(not isinstance(v, (list, tuple)) or len(v) != A.rows
                                                      for v in vectors):
@@ -32,4 +42,4 @@ def _is_basis(vectors, A, H):
 
 
 ORACLES = {"unseen_where_lost": unseen_where_lost, "uncontrolled_where_lost": uncontrolled_where_lost,
-           "mechanical_unseen_states": mechanical_unseen_states}
+           "mechanical_unseen_states": mechanical_unseen_states, "unseen_changes": unseen_changes}
