@@ -2,7 +2,6 @@
 what one of them has found, and notes what a test costs."""
 
 import ctypes
-import gc
 import os
 import re
 import sys
@@ -44,8 +43,6 @@ def keep_what_was_freed():
 
 
 keep_what_was_freed()
-# No process forked by a test looks for garbage through what was there before.
-os.register_at_fork(after_in_child=gc.freeze)
 
 
 def together(nodeid):
