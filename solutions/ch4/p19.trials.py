@@ -2,7 +2,8 @@
 mean = mu  # Does it stay in each step? (hint 1)
 mean = alpha**(2*k)*mu  # Is this how a variance is multiplied? (hint 1)
 variance = alpha**k*P0 + Q*(1 - alpha**k)/(1 - alpha)  # How does a factor enter a variance? (hint 1)
-variance = alpha**(2*k)*P0 + Q*(1 - alpha**(2*k + 2))/(1 - alpha**2)  # How many noises have come in after one step? (hint 2)
+# How many noises have come in after one step? (hint 2)
+variance = alpha**(2*k)*P0 + Q*(1 - alpha**(2*k + 2))/(1 - alpha**2)
 variance = Q*(1 - alpha**(2*k))/(1 - alpha**2)  # Is the start known exactly?
 border = P0 + Q  # What happens in the second step? (hint 1)
 border = P0 + k**2*Q  # Is it always the same noise that is added? (hint 1)

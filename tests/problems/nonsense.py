@@ -29,6 +29,7 @@ NOT_ASKED = {
     ("1.9", "theta < 0"): "the curve dv/dt = 0 exists for sin(theta) < 0 alone",
     ("1.12", "u > 1"): "there is a cycle for u > 1 alone",
     ("4.15", "a < 1"): "the variance has a limit for a < 0 alone",
+    ("4.19", "alpha < 1"): "the variance has a limit for |alpha| < 1 alone",
     ("5.2", "x0 < 1"): "the target can be reached from |x0| < 1 alone",
     ("5.3", "x2 < 1"): "the target can be reached from x2 < 1 alone",
     ("5.7", "x2 < 1"): "the target can be reached from |x2| < 1 alone, in item d",

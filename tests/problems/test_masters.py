@@ -6,6 +6,7 @@ import functools
 import json
 import re
 import time
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
@@ -14,15 +15,17 @@ from harness import called_functions, check_calls, data_of, each_part, execute
 from mutants import mutants
 from nonsense import NOT_ASKED, nonsense
 from oracles import is_right
+from sympy.logic.boolalg import Boolean
 
 from trajlib import exercises
 from trajlib.checks.contract.encoding import decode, encode
 from trajlib.execution import in_child, judge_cells
 from trajlib.masters import master_paths, read
 from trajlib.masters.beginning import PLACEHOLDER
-from trajlib.masters.mistakes import sealed, sentence
+from trajlib.masters.mistakes import question_of, sealed, sentence
 from trajlib.masters.trials import trials_file
 from trajlib.mistakes import file_beside, name_of
+from trajlib.mistakes.likeness import Unlike, likenesses
 
 pytestmark = pytest.mark.slow  # all together; `make test-problem N=1.15` runs those of one problem
 ROOT = Path(__file__).resolve().parents[2]
@@ -40,6 +43,9 @@ SAMPLED = {"1.2": {"a_rest", "a_stable", "a_unstable"}, "1.3": {"a_rest", "b_bas
            "5.9": {"a_solvable", "b_solvable"}, "7.2": {"b_condition"}, "7.3": {"d_insufficient"}}
 #: Wrong trials that agree with what is right, or with another mistake, at all places where answers are compared.
 LIKE_ANOTHER = {"2.3": 1, "2.26": 3}
+#: Conditions that the statement takes for granted in one item and asks for in another, or has as a formula whose value
+#: is asked for.
+TOLD = {"1.2": {"b_stable"}, "1.3": {"a_stable"}, "3.3": {"c_speed_observable"}, "3.13": {"margins"}}
 #: Options of checks that may be written as numbers in a check cell.
 TOLERANCES = {"tolerance", "horizon"}
 #: Solvers of other libraries that an answer and its check must not share.
@@ -211,6 +217,18 @@ def _mistakes(bench):
     return result
 
 
+def _told(bench):
+    """The conditions asked for that a data cell gives a name to."""
+    return sorted(name for name, answer in bench.master.answers.items() if answer.kind.startswith("condition")
+                  and any(_alike(bench, name, value) for value in bench.data.values() if isinstance(value, Boolean)))
+
+
+def _alike(bench, name, value):
+    question = question_of(bench.master, name, [bench.reference[name]])
+    with suppress(Unlike):
+        return not set(likenesses(value, question)).isdisjoint(likenesses(bench.reference[name], question))
+
+
 def _forms_of(bench, name, value):
     others = forms(value, bench.master.answers[name].kind, bench.symbols(name))
     return {form: decode(encode(other)) for form, other in others.items()}
@@ -288,7 +306,11 @@ def _solved(bench):
 
 
 PARTS = {"reference": _reference, "untouched": _untouched, "wrong": _wrong, "forms": _forms, "right": _right,
-         "mutants": _mutants, "mistakes": _mistakes, "solved": _solved}
+         "mutants": _mutants, "mistakes": _mistakes, "solved": _solved, "told": _told}
+
+
+def test_the_data_tell_no_condition_that_is_asked_for(master):
+    assert set(found(master, "told")) == TOLD.get(master.number, set())
 
 
 def test_nothing_is_left_of_the_template(master):
