@@ -28,6 +28,7 @@ NOT_ASKED = {
     ("1.6", "k > -1"): "stationary angles exist for -3/4 <= k < 0 alone",
     ("1.9", "theta < 0"): "the curve dv/dt = 0 exists for sin(theta) < 0 alone",
     ("1.12", "u > 1"): "there is a cycle for u > 1 alone",
+    ("4.2", "q > 1"): "there are algebraic estimates for q >= 8/3 alone",
     ("4.15", "a < 1"): "the variance has a limit for a < 0 alone",
     ("4.19", "alpha < 1"): "the variance has a limit for |alpha| < 1 alone",
     ("5.2", "x0 < 1"): "the target can be reached from |x0| < 1 alone",

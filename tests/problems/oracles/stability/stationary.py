@@ -44,7 +44,9 @@ def same_points(mutant, reference, field, state, parameters, domain=None, zeros=
         return [sp.Mod(x, 2*sp.pi) if angle and sp.sympify(x).is_number and sp.sympify(x).is_real else x
                 for x, angle in zip(map(sp.sympify, answer), angles)]
 
-    several = isinstance(reference, (list, tuple)) and isinstance(reference[0], (list, tuple))
+    several = isinstance(reference, (list, tuple)) and (len(state) == 1 or isinstance(reference[0], (list, tuple)))
+    if several and isinstance(mutant, (list, tuple)) and len(mutant) != len(reference):
+        return False  # a point is missing, or given twice
     return same_value(turned(mutant), turned(reference), "list of vector" if several else "")
 
 
