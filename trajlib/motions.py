@@ -50,16 +50,16 @@ class Motion:
         return (f"Motion of {len(self.times)} frames from t = {self.times[0]:g} to {self.times[-1]:g}: {self.words}")
 
     def _repr_html_(self):
-        step = SIZE + ROOM
         moving = [part for panel in self.panels for part in panel.moving]
         data = {"times": _short(self.times), "speed": self.speed, "still": self.still,
                 "parts": [{"kind": kind, "points": points} for kind, points in moving]}
-        drawn = "".join(f'<g transform="translate({ROOM + k*step} 6)">{panel.svg()}</g>'
-                        for k, panel in enumerate(self.panels))
+        # Side by side where there is room, below one another on a phone.
+        drawn = "".join(f'<svg viewBox="0 0 {SIZE + ROOM + 8} {SIZE + ROOM + 6}" style="flex: 1 1 160px; '
+                        f'max-width: 340px; fill: none; stroke: currentColor"><g transform="translate({ROOM} 6)">'
+                        f'{panel.svg()}</g></svg>' for panel in self.panels)
         return (f'<div class="motion" data-motion="{html.escape(json.dumps(data, separators=(",", ":")))}">'
-                f'<svg viewBox="0 0 {len(self.panels)*step + 8} {SIZE + ROOM + 6}" role="img" '
-                f'aria-label="{html.escape(self.words)}" style="max-width: {len(self.panels)*step*1.25:.0f}px; '
-                f'width: 100%; fill: none; stroke: currentColor">{drawn}</svg></div>')
+                f'<div role="img" aria-label="{html.escape(self.words)}" style="display: flex; flex-wrap: wrap">'
+                f'{drawn}</div></div>')
 
 
 class Panel:

@@ -29,7 +29,7 @@ def test_the_page_holds_every_frame_and_shows_one():
     assert data["parts"][1]["points"][:2] == [SIZE, SIZE/2]  # (1, 0) of the square from -1 to 1
     assert len(data["parts"][2]["points"]) == 4*len(T)
     svg = box.svg
-    assert svg["role"] == "img" and svg["aria-label"] == "A <point> on a circle."
+    assert svg.parent["role"] == "img" and svg.parent["aria-label"] == "A <point> on a circle."
     assert float(svg.circle["cx"]) == data["parts"][1]["points"][8] and len(svg.select(".moving")) == 3
 
 
