@@ -9,7 +9,7 @@ motion = sp.diag((1 - sp.exp(-4*t))/60, (1 - sp.exp(-4*t))/10)  # Is there one e
 limits = sp.Rational(1, 60), sp.Rational(1, 10)
 motion = sp.diag(limits[0] - sp.exp(-4*t)/4 + 2*sp.exp(-5*t)/5 - sp.exp(-6*t)/6,
                  limits[1] - sp.exp(-4*t) + 12*sp.exp(-5*t)/5 - 3*sp.exp(-6*t)/2)
-motion = sp.diag(sp.Rational(1, 60), sp.Rational(1, 10))  # What is it at $t = 0$?
+motion = sp.diag(sp.Rational(1, 60), sp.Rational(1, 10))  # Which value does this matrix have at $t = 0$?
 
 # %% right
 # by the matrix exponential
