@@ -1,11 +1,12 @@
-"""The Kalman filter of `trajlib.estimation` against filterpy and simdkalman: the same numbers first, then seconds.
+"""The Kalman filter of `trajlib.estimation` against filterpy, simdkalman and cd-dynamax: numbers first, then seconds.
 
 One series: 100,000 steps of 4 states and 2 outputs, time-invariant, against filterpy's predict and update, a call each
 a step. Many series: 1,000 of 1,000 steps at once, against simdkalman. Further, what they have no shortcut for: a tenth
-of the measurements missing at random, and matrices of each step's own. The peers live in an environment of their own,
-made on the first run in _build/filter-peers or where `--environment` says; numbers are handed over in files. The clock
-is the processor's, inside the process that computes, the least of several runs. One thread for linear algebra: more
-only get in one another's way on matrices of this size.
+of the measurements missing at random, and matrices of each step's own. Last, measurements at irregular moments side by
+side with cd-dynamax, in estimation_irregular.py; `--part irregular` runs this alone. The peers live in an environment
+of their own, made on the first run in _build/filter-peers or where `--environment` says; numbers are handed over in
+files. The clock is the processor's, inside the process that computes, the least of several runs. One thread for linear
+algebra: more only get in one another's way on matrices of this size.
 
     OPENBLAS_NUM_THREADS=1 .venv/bin/python benchmarks/estimation.py
 """
@@ -17,10 +18,12 @@ import tempfile
 import time
 from pathlib import Path
 
+import estimation_irregular as irregular
 import numpy as np
 
 HERE = Path(__file__).resolve().parent
-PACKAGES = ["filterpy", "simdkalman"]
+PEERS = ("filterpy", "simdkalman")
+PACKAGES = [*PEERS, "cd-dynamax==0.5.0"]
 STEPS, SERIES, LENGTH, RUNS = 100_000, 1_000, 1_000, 3
 
 
@@ -50,6 +53,9 @@ def measurements(steps, series, seed):
 
 def peer(name, folder):
     """Run in the peers' environment: estimates and covariances to a file, seconds to the output."""
+    if name == irregular.NAME:
+        print(json.dumps(irregular.peer(folder, seconds)))
+        return
     data = np.load(folder/"data.npz")
     Phi, H, Q, R = system()
     if name == "filterpy":
@@ -90,12 +96,13 @@ def peer(name, folder):
 
 
 def environment(folder):
-    """The interpreter of the peers' environment, made if it is not there."""
-    python = folder/"bin"/"python"
-    if not python.exists():
+    """The interpreter of the peers' environment, made if it is not there or was made with other packages."""
+    python, noted = folder/"bin"/"python", folder/"packages.json"
+    if not noted.exists() or json.loads(noted.read_text()) != PACKAGES:
         print(f"making {folder} with {', '.join(PACKAGES)} ...", flush=True)
         subprocess.run([sys.executable, "-m", "venv", folder], check=True)
         subprocess.run([python, "-m", "pip", "install", "--quiet", *PACKAGES], check=True)
+        noted.write_text(json.dumps(PACKAGES))
     return python
 
 
@@ -113,7 +120,7 @@ def compare(python, folder):
     np.savez(folder/"data.npz", one=one, many=many, missing=missing)
     model, start = KalmanFilter(*system()), Moments(np.zeros(4), np.eye(4))
     theirs = asked(python, "filterpy", folder) | asked(python, "simdkalman", folder)
-    known = {name: np.load(folder/f"{name}.npz") for name in PACKAGES}
+    known = {name: np.load(folder/f"{name}.npz") for name in PEERS}
 
     run = model.run(one, start)
     told("one series", seconds(lambda: model.run(one, start), 5), theirs["whole"], STEPS, "filterpy",
@@ -142,6 +149,7 @@ def told(title, own, other, steps, name, pairs):
 if __name__ == "__main__":
     parser = argparse.ArgumentParser()
     parser.add_argument("--environment", type=Path, default=HERE.parent/"_build"/"filter-peers")
+    parser.add_argument("--part", choices=["all", "irregular"], default="all")
     parser.add_argument("--peer")
     parser.add_argument("--folder", type=Path)
     arguments = parser.parse_args()
@@ -149,4 +157,7 @@ if __name__ == "__main__":
         peer(arguments.peer, arguments.folder)
     else:
         with tempfile.TemporaryDirectory() as folder:
-            compare(environment(arguments.environment), Path(folder))
+            folder, python = Path(folder), environment(arguments.environment)
+            if arguments.part == "all":
+                compare(python, folder)
+            irregular.side_by_side(folder, lambda name: asked(python, name, folder), seconds)
