@@ -109,6 +109,7 @@ def test_a_picture_is_drawn_sharp_and_the_same_again(book):
             import matplotlib.pyplot as plt
             import numpy as np
             x = np.linspace(0, 6, 200)
+            plt.close("all")  # those of the process that runs the tests
             plt.plot(x, np.sin(x), marker="o");""", f"'{name}'")
     book.run()
     (first,), (second,) = ([output.data for output in book.outputs(name) if output.output_type == "display_data"]
@@ -122,6 +123,7 @@ def test_a_picture_of_too_many_points_is_refused(book):
     book.write("p1", """\
         %matplotlib inline
         import matplotlib.pyplot as plt
+        plt.close("all")
         plt.plot(range(20000), ".");""")
     code, _, error = book.run()
     assert code == 1 and "cell 2" in error and "rasterized=True" in error
