@@ -1,7 +1,7 @@
 """The site in a real browser that cannot reach any other host."""
 
-import itertools
 import io
+import itertools
 import json
 import zipfile
 from pathlib import Path
