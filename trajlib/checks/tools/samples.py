@@ -44,9 +44,13 @@ def general_values(parameters):
 def allowed_values(parameters, given, count):
     """Rational values of both signs for parameters, those only that satisfy the condition or conditions `given`; whole
     numbers for symbols of such. Where too few values of size one do, larger ones are taken too."""
-    if not parameters:
-        return [{}]
-    given, allowed = joined(given), []
+    return [dict(values) for values in _allowed(tuple(parameters), joined(given), count)] if parameters else [{}]
+
+
+@functools.lru_cache(maxsize=64)
+def _allowed(parameters, given, count):
+    """Every claim of a problem is tried at the same values."""
+    allowed = []
     for scale in (1, 4, 16):
         allowed += [values for values in (_scaled(parameters, scale, one) for one in sample_values(
             parameters, 12 * count)) if given.subs(values) == True]  # noqa: E712
