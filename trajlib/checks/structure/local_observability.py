@@ -56,10 +56,13 @@ class _Constants(Pair):
         self._rows = rows
 
     def _seen(self, given):
+        return Case(sp.And(given, sp.Not(self._lost))), Case(sp.And(given, self._lost))
+
+    @functools.cached_property
+    def _lost(self):
         minors = {sp.factor(self._rows.extract(list(some), list(range(self.order))).det(method="berkowitz"))
                   for some in itertools.combinations(range(self.outputs), self.order)}
-        lost = sp.And(*(sp.Eq(_plain(minor), 0) for minor in minors))
-        return Case(sp.And(given, sp.Not(lost))), Case(sp.And(given, lost))
+        return sp.And(*(sp.Eq(_plain(minor), 0) for minor in minors))
 
 
 def _plain(product):

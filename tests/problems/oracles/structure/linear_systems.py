@@ -36,18 +36,25 @@ def _as_minors_say(mutant, N, parameters, holds):
         mutant = sp.Or(*[sp.Eq(parameters[0], value) for value in mutant])
     if not isinstance(mutant, LOGIC):
         return False
-    minors = {sp.numer(sp.together(N.extract(list(rows), list(range(N.cols))).det()))
-              for rows in itertools.combinations(range(N.rows), N.cols)}
-    for fixed in _lines(parameters):
-        (free,) = set(parameters) - set(fixed)
-        line = [sp.Poly(minor.subs(fixed), free) for minor in minors]
+    for fixed, free, common in _minors_on_lines(N.as_immutable(), tuple(parameters)):
         condition = mutant.subs(fixed)
-        common = functools.reduce(sp.gcd, line)
         for value in _values(free, common, condition):
             lost = sp.simplify(common.as_expr().subs(free, value)) == 0
             if _holds(condition, free, value) != ((not lost) == holds):
                 return False
     return True
+
+
+@functools.lru_cache(maxsize=8)
+def _minors_on_lines(N, parameters):
+    """For all mutants of an answer: (what is fixed, what varies, the common divisor of the minors there)."""
+    minors = {sp.numer(sp.together(N.extract(list(rows), list(range(N.cols))).det()))
+              for rows in itertools.combinations(range(N.rows), N.cols)}
+    found = []
+    for fixed in _lines(parameters):
+        (free,) = set(parameters) - set(fixed)
+        found.append((fixed, free, functools.reduce(sp.gcd, [sp.Poly(minor.subs(fixed), free) for minor in minors])))
+    return found
 
 
 def unobservable_parameters(mutant, reference, A, H, parameters):
