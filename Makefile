@@ -17,7 +17,7 @@ help:  ## this list
 
 # Sphinx warns about a page only when it reads it: after a failed build all are to be read again.
 book: outputs _build/wheels  ## execute what is stale and build the site in _build/html
-	$(BIN)/jupyter-book build . $(SPHINX_FLAGS) || { rm -rf _build/.doctrees; exit 1; }
+	$(BIN)/python book/build.py site || { rm -rf _build/.doctrees; exit 1; }
 	@rm -rf _build/html/wheels && cp -R _build/wheels _build/html/wheels
 
 # The page of the checks stays out, its tables hold right answers, and so do the lectures, which work problems out.
@@ -33,7 +33,7 @@ book-student: outputs _build/wheels  ## build the edition without solutions in _
 	@echo "The student edition is in _build/student/html"
 
 outputs: $(INSTALLED)
-	$(BIN)/python book/execute.py
+	$(BIN)/python book/build.py outputs
 
 serve:  ## show the built site at http://127.0.0.1:8000
 	@test -f _build/html/index.html || { echo "There is no site yet: run make book first." >&2; exit 1; }

@@ -2,9 +2,10 @@
 
     python benchmarks/cell_clock.py LOG grade submitted --out graded
 
-Each notebook adds two numbers to the file LOG: the seconds of its data and answer cells in the sandbox, and those of
-its check cells where they judge. Each cell counts once; that the grader runs data cells again before the notebook and
-before the checks is its own affair. What the clock itself takes is not taken off either.
+Each notebook adds two kinds of lines to the file LOG, seconds on the clock and of a processor: one for its data and
+answer cells in the sandbox, and one for each of its check cells where they judge. Each cell counts once; that the
+grader runs data cells again before the notebook and before the checks is its own affair. What the clock itself takes is
+not taken off either.
 """
 
 import json
@@ -12,11 +13,13 @@ import sys
 from dataclasses import replace
 from pathlib import Path
 
+from trajlib.checks.contract.encoding import decode
 from trajlib.grading import judging, lanes, nursery
 from trajlib.grading.sandbox import Sandbox
 
 SPENT = "trajlib_spent"
-BEGIN, END = "import time; trajlib_began = time.perf_counter()", f"{SPENT} = time.perf_counter() - trajlib_began"
+BEGIN = "import time; trajlib_began = time.perf_counter(), time.process_time()"
+SINCE = "[time.perf_counter() - trajlib_began[0], time.process_time() - trajlib_began[1]]"
 
 
 def main(log, *arguments):
@@ -40,17 +43,17 @@ def work(log, *given):
     hand_in, outcome, judge_answers = Sandbox.hand_in, Sandbox.outcome, judging.judge_answers
 
     def clocked_hand_in(sandbox, sources, names, before=()):
-        hand_in(sandbox, [BEGIN, *sources, END], [*names, SPENT], before)
+        hand_in(sandbox, [BEGIN, *sources, f"{SPENT} = {SINCE}"], [*names, SPENT], before)
 
     def clocked_outcome(sandbox):
         found = outcome(sandbox)
         handed_over = json.loads(found.handed_over)
-        note(log, float(handed_over["encoded"].pop(SPENT)))
+        note(log, decode(handed_over["encoded"].pop(SPENT).encode()))
         return replace(found, handed_over=json.dumps(handed_over).encode())
 
     def clocked_judge_answers(cells, *rest):
         start = ("check", BEGIN)
-        stop = ("check", f"with open({log!r}, 'a') as log: log.write(f'{{time.perf_counter() - trajlib_began}}\\n')")
+        stop = ("check", f"import cell_clock; cell_clock.note({log!r}, {SINCE})")
         return judge_answers([each for cell in cells
                               for each in ([start, cell, stop] if cell[0] == "check" else [cell])], *rest)
 
@@ -60,7 +63,7 @@ def work(log, *given):
 
 def note(log, seconds):
     with open(log, "a", encoding="utf-8") as file:
-        file.write(f"{seconds}\n")
+        file.write("{} {}\n".format(*map(float, seconds)))
 
 
 if __name__ == "__main__":

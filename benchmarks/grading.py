@@ -1,24 +1,27 @@
 """Grading a class with `trajlib grade` against `nbgrader autograde`, on the same notebooks in one run.
 
-Overhead is the time on the clock less the cells' own run time, both measured in that very run: for nbgrader by the
-times it leaves in each graded notebook, for trajlib by `cell_clock.py`. trajlib runs with its sandbox on; nbgrader has
-none. Starting costs both a few seconds, which a small class feels and a large one does not: so what each further
-notebook costs stands apart. While a notebook runs, one process of trajlib also gets its judge ready, and while that
-judges, the next notebook's place: this uses a second core where one is idle. The growth with as many processes as
-cores, where none is, shows what that hides. Growth is with students (four times as many) and processes.
+Overhead is what a run takes less what the cells themselves take, both measured in that very run: for nbgrader by the
+times it leaves in each graded notebook (on the clock) and by a cell before the others (of the processor), for trajlib
+by `cell_clock.py`. Each is given on the clock and, with all processes of a run, in processor time. trajlib runs with
+its sandbox on; nbgrader has none. Starting costs both a few seconds, which a small class feels and a large one does
+not: so what each further notebook costs stands apart. While a notebook runs, one process of trajlib also gets its judge
+ready, and while that judges, the next notebook's place: this uses a second core where one is idle. The growth with as
+many processes as cores, where none is, shows what that hides; the best that it can be is the processor time of one
+process over that of the cores. Growth is with students (four times as many) and processes.
 
     python benchmarks/grading.py [STUDENTS] [PROBLEM ...]
 """
 
+import copy
 import json
 import os
 import shutil
-import subprocess
 import sys
 import tempfile
-import time
 from datetime import datetime
 from pathlib import Path
+
+from stopwatch import Taken, run
 
 from trajlib import exercises
 from trajlib.masters import read
@@ -26,6 +29,14 @@ from trajlib.masters.contract import master_file
 
 ROOT = Path(__file__).resolve().parents[1]
 PYTHON, CLOCK = sys.executable, ROOT / "benchmarks" / "cell_clock.py"
+#: What nbgrader's kernel is told before the other cells, and after them: to sum up their processor time.
+CLOCK_IN = """import time
+trajlib_clock = {"began": 0.0, "spent": 0.0}
+get_ipython().events.register("pre_run_cell", lambda *_: trajlib_clock.update(began=time.process_time()))
+get_ipython().events.register("post_run_cell", lambda *_: trajlib_clock.update(
+    spent=trajlib_clock["spent"] + time.process_time() - trajlib_clock["began"]))
+trajlib_clock["began"] = time.process_time()"""
+CLOCK_OUT = "print(trajlib_clock['spent'])"
 
 
 def main(students=8, *problems):
@@ -38,11 +49,11 @@ def main(students=8, *problems):
                                     "JUPYTER_CONFIG_DIR": scratch,
                                     "IPYTHONDIR": f"{scratch}/ipython", "OPENBLAS_NUM_THREADS": "1"}
         nbgrader(course, environment, "generate_assignment")
-        theirs = timed(nbgrader, course, environment, "autograde")
+        theirs = nbgrader(course, environment, "autograde")
         # everything is graded: what is left is starting and ending
-        their_start = timed(nbgrader, course, environment, "autograde")
+        their_start = nbgrader(course, environment, "autograde")
         graded = [json.loads(path.read_text(encoding="utf-8")) for path in course.glob("autograded/*/hw1/*.ipynb")]
-        count, their_cells = len(graded), sum(map(seconds_in_cells, graded))
+        count, their_cells = len(graded), sum(map(in_cells, graded), start=Taken(0, 0))
         assert count == students * len(problems)
 
         cores = len(os.sched_getaffinity(0))
@@ -52,26 +63,34 @@ def main(students=8, *problems):
         ours_of_4, our_cells_of_4 = trajlib(course, environment, 1)
         side_by_side_of_4, _ = trajlib(course, environment, cores)
 
-    overhead, their_overhead = ours - our_cells, theirs - their_cells
-    further, their_further = (ours_of_4 - ours) / (3 * count), (theirs - their_start) / count
-    cells_further, their_cells_further = (our_cells_of_4 - our_cells) / (3 * count), their_cells / count
-    ratio_further = (their_further - their_cells_further) / (further - cells_further)
+    further = (ours_of_4 - ours) / (3 * count), (our_cells_of_4 - our_cells) / (3 * count)
+    their_further = (theirs - their_start) / count, their_cells / count
     print(f"{students} students, problems {', '.join(problems)}: {count} notebooks, one process each, trajlib in its "
           f"sandbox")
-    print(f"  nbgrader autograde {theirs:.1f} s: cells {their_cells:.1f} s, overhead {their_overhead:.1f} s")
-    print(f"  trajlib grade      {ours:.1f} s: cells {our_cells:.1f} s, overhead {overhead:.1f} s")
-    print(f"  nbgrader takes {theirs / ours:.1f} times as long, its overhead is {their_overhead / overhead:.1f} times "
-          f"ours")
+    compare((theirs, their_cells), (ours, our_cells))
     print("each further notebook")
-    print(f"  nbgrader autograde {their_further:.3f} s: cells {their_cells_further:.3f} s, overhead "
-          f"{their_further - their_cells_further:.3f} s")
-    print(f"  trajlib grade      {further:.3f} s: cells {cells_further:.3f} s, overhead "
-          f"{further - cells_further:.3f} s")
-    print(f"  nbgrader takes {their_further / further:.1f} times as long, its overhead is {ratio_further:.1f} times "
-          f"ours")
-    print(f"growth of trajlib grade, 1 process and {cores}")
-    print(f"  {count} notebooks: {ours:.1f} s, {side_by_side:.1f} s")
-    print(f"  {4 * count} notebooks: {ours_of_4:.1f} s, {side_by_side_of_4:.1f} s")
+    compare(their_further, further)
+    for times in (2, 4):
+        print(f"{times * count} notebooks, so reckoned")
+        compare(*((whole + each * ((times - 1) * count), cells + cells_of_each * ((times - 1) * count))
+                  for (whole, cells), (each, cells_of_each) in [((theirs, their_cells), their_further),
+                                                                ((ours, our_cells), further)]))
+    print(f"growth of trajlib grade, 1 process and {cores}, on the clock (processor)")
+    for number, one, several in [(count, ours, side_by_side), (4 * count, ours_of_4, side_by_side_of_4)]:
+        print(f"  {number} notebooks: {one.wall:.1f} s ({one.processor:.1f} s), {several.wall:.1f} s "
+              f"({several.processor:.1f} s): {one.wall / several.wall:.2f} times as fast, of "
+              f"{min(cores, one.wall * cores / several.processor):.2f} that {cores} busy processors would give")
+
+
+def compare(theirs, ours):
+    """Print what (the whole, its cells) of each take, on the clock and of the processor."""
+    for name, (whole, cells) in [("nbgrader autograde", theirs), ("trajlib grade     ", ours)]:
+        overhead = whole - cells
+        print(f"  {name} {whole.wall:.3f} s: cells {cells.wall:.3f} s, overhead {overhead.wall:.3f} s; processor "
+              f"{whole.processor:.3f} s: cells {cells.processor:.3f} s, overhead {overhead.processor:.3f} s")
+    times, of_overhead = theirs[0] / ours[0], (theirs[0] - theirs[1]) / (ours[0] - ours[1])
+    print(f"  nbgrader takes {times.wall:.1f} times as long, its overhead is {of_overhead.wall:.1f} times ours; in "
+          f"processor time {times.processor:.1f} and {of_overhead.processor:.1f}")
 
 
 def hand_in(course, students, problems):
@@ -85,12 +104,23 @@ def hand_in(course, students, problems):
         stubs = [cell for cell in notebook["cells"] if cell["metadata"].get("tags") == ["answer"]]
         for cell, source in zip(stubs, read(ROOT / "solutions" / master_file(problem)).code("answer"), strict=True):
             cell["source"] = source
+        first = next(k for k, cell in enumerate(notebook["cells"]) if cell["cell_type"] == "code")
         for k in range(students):
             # A remark of the student's own, since the same notebook twice would be one only by chance.
             notebook["cells"][0]["source"] = f"student {k}"
             place = course / "submitted" / f"student{k:04d}" / "hw1"
             place.mkdir(parents=True, exist_ok=True)
             (place / name).write_text(json.dumps(notebook), encoding="utf-8")
+            clocked = copy.deepcopy(notebook)
+            clocked["cells"].insert(first, code_cell("clock-in", CLOCK_IN))
+            clocked["cells"].append(code_cell("clock-out", CLOCK_OUT))
+            place = course / "clocked" / f"student{k:04d}" / "hw1"
+            place.mkdir(parents=True, exist_ok=True)
+            (place / name).write_text(json.dumps(clocked), encoding="utf-8")
+
+
+def code_cell(name, source):
+    return {"cell_type": "code", "id": name, "metadata": {}, "outputs": [], "execution_count": None, "source": source}
 
 
 def multiply(course, students, factor):
@@ -101,42 +131,38 @@ def multiply(course, students, factor):
 
 
 def nbgrader(course, environment, command):
-    done = subprocess.run([PYTHON, "-m", "nbgrader", command, "hw1", f"--course-dir={course}"], cwd=course,
-                          env=environment,
-                          capture_output=True, text=True)
+    """Run a command of nbgrader, on the notebooks with a clock in them; what it has `Taken`."""
+    done, taken = run([PYTHON, "-m", "nbgrader", command, "hw1", f"--course-dir={course}",
+                       "--CourseDirectory.submitted_directory=clocked"], cwd=course, env=environment,
+                      capture_output=True, text=True)
     assert done.returncode == 0, done.stdout + done.stderr
+    return taken
 
 
 def trajlib(course, environment, processes):
-    """Grade everything from nothing; returns seconds on the clock and those of the cells."""
+    """Grade everything from nothing; what that has `Taken`, and what the cells of it."""
     shutil.rmtree(course / "graded", ignore_errors=True)
     log = course / "cells"
     log.write_text("", encoding="utf-8")
-    begin = time.perf_counter()
-    done = subprocess.run([PYTHON, CLOCK, log, "grade", "submitted", "--out", "graded", "--processes", str(processes),
-                           "--json"],
-                          cwd=course, env=environment, capture_output=True, text=True)
-    seconds = time.perf_counter() - begin
+    done, taken = run([PYTHON, CLOCK, log, "grade", "submitted", "--out", "graded", "--processes", str(processes),
+                       "--json"], cwd=course, env=environment, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
     points = json.loads(done.stdout)["assignments"]["hw1"]
     assert set(points.values()) == {max(points.values())}, "all answers are right"
-    clocked = log.read_text(encoding="utf-8").split()
+    clocked = [Taken(*map(float, line.split())) for line in log.read_text(encoding="utf-8").splitlines()]
     assert len(clocked) >= 2 * len(list(course.glob("submitted/*/hw1/*.ipynb"))), "each notebook was clocked"
-    return seconds, sum(map(float, clocked))
+    return taken, sum(clocked, start=Taken(0, 0))
 
 
-def timed(function, *arguments):
-    start = time.perf_counter()
-    function(*arguments)
-    return time.perf_counter() - start
-
-
-def seconds_in_cells(notebook):
-    """What nbgrader's kernel needed for the cells of one notebook, by the times it wrote down."""
-    stamps = [cell["metadata"]["execution"] for cell in notebook["cells"] if cell["metadata"].get("execution")]
+def in_cells(notebook):
+    """What nbgrader's kernel needed for the cells of one notebook: by the times it wrote down, and as clocked."""
+    cells = [cell for cell in notebook["cells"] if cell["cell_type"] == "code"
+             and not cell["id"].startswith("clock-")]
+    stamps = [cell["metadata"]["execution"] for cell in cells if cell["metadata"].get("execution")]
     spans = [[datetime.fromisoformat(each[event]) for event in ("iopub.execute_input", "shell.execute_reply")]
              for each in stamps]
-    return sum((end - begin).total_seconds() for begin, end in spans)
+    told = "".join(notebook["cells"][-1]["outputs"][0]["text"])
+    return Taken(sum((end - begin).total_seconds() for begin, end in spans), float(told))
 
 
 if __name__ == "__main__":

@@ -1,14 +1,20 @@
-"""From the command to a cell that answers: `trajlib live 1.15` against plain `jupyter lab` with the same imports.
+"""From the command to a cell that answers: `trajlib live 1.15` against plain `jupyter lab` with the same imports; and
+the frames of the explorers.
 
 Both are driven as JupyterLab's page drives its server: the notebook is asked for, a kernel is started, the first cell
 is sent to it. Cold is the first run after the files of the environment have left the system's cache, which only root
 can see to; without it only warm runs are timed. The time that the browser takes to draw its page is in neither.
+
+A frame is counted twice: in core-seconds of the kernel, so that a busy machine says the same as a quiet one, and as
+the browser gets it, pictures a second while a pointer moves all the time (needs Chromium; `--frames` times only this).
+The bar is 20 a second. The ways to send a frame are compared on one picture.
 """
 
 import json
 import os
 import re
 import secrets
+import shutil
 import signal
 import socket
 import subprocess
@@ -33,6 +39,14 @@ JUDGED = "%check a_region = sp.And(k1 > 0, k1*k2 > 1)"
 
 
 def main():
+    if "--frames" not in sys.argv:
+        starts()
+    ways_to_send()
+    kernels_side()
+    browsers_side()
+
+
+def starts():
     ours, theirs = [], []
     for _ in range(RUNS):  # in turns, so that both meet the same machine
         ours.append(timed(live))
@@ -46,6 +60,137 @@ def main():
         print(f"first cell, cold: trajlib live {timed(live)['first cell']:6.2f} s")
         forget_files()
         print(f"first cell, cold: jupyter lab  {timed(lab)['first cell']:6.2f} s")
+
+
+#: What is asked for, and the values that move.
+EXPLORERS = {"region_of_stability": "k1", "phase_portrait 1.4": "epsilon", "losing_a_mode": "beta",
+             "popov_distance": "alpha", "fastest_motion": "frame", "circle_synthesis": "R", "against_the_best": None}
+FRAMES = 40
+
+
+def kernels_side():
+    """Core-seconds of one frame, by a slider and by the pointer, and of opening the explorer."""
+    from trajlib.live.explorers import explore
+
+    print("\nexplorer                 opens       by slider   by pointer   (core-seconds in the kernel)")
+    for words, moved in EXPLORERS.items():
+        began = time.process_time()
+        explorer = explore(words)
+        opened = time.process_time() - began
+        by_slider = "-"
+        if moved:
+            control = explorer.controls[moved]
+            places = [type(control.value)(control.min + (control.max - control.min)*(k + 0.5)/FRAMES)
+                      for k in range(FRAMES)]
+            by_slider = f"{core_seconds(explorer, lambda place: setattr(control, 'value', place), places)*1e3:.1f} ms"
+        by_pointer = "-"
+        if explorer.pulled:
+            places = [f"{k} {0.2 + 0.2*k/FRAMES:.4f} {0.3 + 0.4*k/FRAMES:.4f}" for k in range(FRAMES)]
+            moves = core_seconds(explorer, lambda place: setattr(explorer._pointer, "value", place), places)
+            by_pointer = f"{moves*1e3:.1f} ms"
+        print(f"{words:22} {opened:6.2f} s {by_slider:>14} {by_pointer:>12}")
+
+
+def core_seconds(explorer, move, places):
+    """Of a frame, or nan where the moves draw none."""
+    move(places[0])
+    frames, began = explorer.frames, time.process_time()
+    for place in places[1:]:
+        move(place)
+    return (time.process_time() - began)/(explorer.frames - frames) if explorer.frames > frames else float("nan")
+
+
+def ways_to_send():
+    """One picture of the plane and the roots, redrawn whole and in its moving parts, in the formats a browser shows."""
+    import io
+
+    from PIL import Image
+
+    from trajlib.live.explorers import explore
+
+    explorer = explore("region_of_stability")
+    figure, canvas = explorer.stage.figure, explorer.stage._canvas
+    picture = Image.frombuffer("RGBA", canvas.get_width_height(), canvas.buffer_rgba(), "raw", "RGBA", 0, 1)
+
+    def saved(form, **how):
+        told = io.BytesIO()
+        picture.convert("RGB").save(told, form, **how)
+        return len(told.getvalue())
+
+    def whole(form):
+        told = io.BytesIO()
+        figure.savefig(told, format=form)
+        return len(told.getvalue())
+
+    ways = {"moving parts, JPEG (ours)": lambda: len(explorer.stage.frame()),
+            "of this the JPEG": lambda: saved("jpeg", quality=93, subsampling=0),
+            "the PNG instead": lambda: saved("png", compress_level=1),
+            "the BMP instead": lambda: saved("bmp"),
+            "whole figure, PNG": lambda: whole("png"), "whole figure, SVG": lambda: whole("svg")}
+    for name, way in ways.items():
+        runs = 3 if "whole" in name else 20
+        size = way()
+        began = time.process_time()
+        for _ in range(runs):
+            way()
+        print(f"{name:26} {(time.process_time() - began)/runs*1e3:7.1f} ms {size/1e3:7.0f} kB")
+
+
+def browsers_side():
+    """Pictures that the page has loaded in a second while a pointer moves over it without a rest."""
+    sys.path.insert(0, str(ROOT / "tests" / "browser"))
+    from chromium import Browser
+    from selenium.webdriver import ActionChains
+    from selenium.webdriver.common.keys import Keys
+
+    if not (shutil.which("chromium") and shutil.which("chromedriver")):
+        return
+    with TemporaryDirectory(ignore_cleanup_errors=True) as folder:
+        process, port, token, path = live(Path(folder))
+        browser = Browser(shutil.which("chromium"), shutil.which("chromedriver"), f"{folder}/profile")
+        try:
+            for words in EXPLORERS:
+                notebook = call(port, token, f"/api/contents/{path}")["content"]
+                notebook["cells"] = [{"cell_type": "code", "id": "one", "execution_count": None, "metadata": {},
+                                      "outputs": [], "source": f"%explore {words}"}]
+                call(port, token, f"/api/contents/{path}", {"type": "notebook", "content": notebook}, "PUT")
+                browser.open("about:blank")
+                browser.open(f"http://127.0.0.1:{port}/doc/tree/{path}?token={token}&reset")
+                idle = "document.querySelector('.jp-Notebook-ExecutionIndicator')?.dataset.status === 'idle'"
+                browser.wait_for("document.querySelector('.jp-NotebookPanel .cm-content')?.offsetParent", 60)
+                browser.wait_for(idle, 60)
+                time.sleep(2)
+                browser.find(".jp-NotebookPanel .jp-CodeCell .cm-content").click()
+                ActionChains(browser.driver).key_down(Keys.SHIFT).send_keys(Keys.ENTER).key_up(Keys.SHIFT).perform()
+                browser.wait_for("document.querySelector('.trajlib-stage img')?.naturalWidth > 100", 60)
+                browser.wait_for(idle, 60)
+                print(f"{words:22} {browser.driver.execute_async_script(PULLED):5.1f} frames a second in the browser")
+        finally:
+            browser.driver.quit()
+            end(process)
+
+
+#: Moves a pressed pointer over the layer for four seconds, or the slider where the pointer does nothing.
+PULLED = """
+const done = arguments[0], layer = document.querySelector('.trajlib-layer');
+const image = document.querySelector('.trajlib-stage img'), box = image.getBoundingClientRect();
+const handle = document.querySelector('.trajlib-explorer .noUi-handle'), began = performance.now();
+let frames = 0;
+image.addEventListener('load', () => frames++);
+function step() {
+  const t = (performance.now() - began)/1000;
+  if (t > 4) return done(frames/4);
+  if (layer) {
+    layer.stroke = [];
+    layer.dispatchEvent(new PointerEvent('pointermove', {bubbles: true, buttons: 1,
+      clientX: box.left + (0.25 + 0.15*Math.sin(3*t))*box.width,
+      clientY: box.top + (0.45 + 0.25*Math.cos(2*t))*box.height}));
+  } else {
+    handle.dispatchEvent(new KeyboardEvent('keydown', {key: t % 2 < 1 ? 'ArrowRight' : 'ArrowLeft'}));
+  }
+  requestAnimationFrame(step);
+}
+step();"""
 
 
 def forget_files():
@@ -73,10 +218,14 @@ def timed(start):
                 found["check"] = seconds(run, kernel, JUDGED)
             kernel.close()
         finally:
-            process.send_signal(signal.SIGTERM)
-            process.wait(60)
-            process.stdout.close()
+            end(process)
     return found
+
+
+def end(process):
+    process.send_signal(signal.SIGTERM)
+    process.wait(60)
+    process.stdout.close()
 
 
 def seconds(function, *arguments):
@@ -112,9 +261,10 @@ def lab(folder):
     return process, port, token, "1.15.ipynb"
 
 
-def call(port, token, path, body=None):
+def call(port, token, path, body=None, method=None):
     request = urllib.request.Request(f"http://127.0.0.1:{port}{path}", json.dumps(body).encode() if body else None,
-                                     {"Authorization": f"token {token}", "Content-Type": "application/json"})
+                                     {"Authorization": f"token {token}", "Content-Type": "application/json"},
+                                     method=method)
     with urllib.request.urlopen(request, timeout=120) as answer:
         return json.load(answer)
 

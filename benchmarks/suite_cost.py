@@ -1,18 +1,19 @@
-"""What the tests cost in core-seconds, by layer and by problem, as the last `make test` noted it.
+"""What the tests cost in core-seconds, by layer and by problem, as the last tests noted it.
 
-    python benchmarks/suite_cost.py
+    python benchmarks/suite_cost.py            # of the last `make test`: what stands in _build/tests
+    python benchmarks/suite_cost.py one.xml    # of reports that pytest wrote with --junitxml
 
-Processor time of each test and of its child processes. What a problem costs is the sum of its proof (all tests in
+Processor time of each test and of its child processes. What a problem costs is the sum of its proof (the tests of
 tests/problems under its number), its page (executed in a kernel), its part of the Sphinx builds of both editions and of
-the tests of the built files, its visits by the browser, and the tests of the grader and others under its number. What
-a browser computed is known when it is closed, so it counts under "built", a like part for each problem.
+the tests of the built files, its visits by the browser with a like part of what Chromium computed, and the tests of
+the grader and others under its number. What the tests took before the first and after the last problem is no part.
 
-Read the numbers of a quiet machine: what runs beside the tests made the same proof cost up to a third more.
+Read the numbers of a quiet machine: what runs beside the tests made the same proof cost up to twice as much.
 """
 
 import re
 import sys
-from collections import defaultdict
+from collections import Counter, defaultdict
 from datetime import datetime
 from pathlib import Path
 from xml.etree import ElementTree
@@ -22,14 +23,38 @@ from jupyter_cache import get_cache
 ROOT = Path(__file__).resolve().parents[1]
 #: The number of the problem that a test is about: "test_x[2.30]", "test_y[2.30-full]".
 NUMBER = re.compile(r"[\[-](\d+\.\d+)[]-]")
+#: Core-seconds that a further problem may cost in all, and how many of the dearest are named.
+BAR, DEAREST = 6, 10
+#: Where tests stand, and the layer that they belong to; the first that fits counts.
+LAYERS = [
+    (r"tests\.problems\.test_masters", "proofs"),
+    (r"tests\.problems\.test_exercises", "exercises"),
+    (r"tests\.problems", "exercises judged by others"),
+    (r"tests\.checks\.test_cases", "cases of the checks"),
+    (r"tests\.checks", "checks beside their cases"),
+    (r"tests\.(masters|mistakes)", "masters"),
+    (r"tests\.library", "library"),
+    (r"tests\.grading", "grader"),
+    (r"tests\.site\.test_(pages|articles|reading|library_pages)", "built files"),
+    (r"tests\.site\.test_execution", "page execution, its own tests"),
+    (r"tests\.site", "site in the browser"),
+    (r"tests\.(live|cli)", "live and command line"),
+    (r"tests", "others"),
+    (r"", "doctests"),
+]
+
+
+def layer(place):
+    return next(name for pattern, name in LAYERS if re.match(pattern, place))
 
 
 def tests(report):
-    """(place, number of the problem or None, core-seconds) of each test in a report."""
+    """(place, number of the problem or None, {what: core-seconds}) of each test in a report."""
     for case in ElementTree.parse(report).iter("testcase"):
-        seconds = sum(float(each.get("value")) for each in case.iter("property") if each.get("name") == "core seconds")
+        noted = {each.get("name"): float(each.get("value")) for each in case.iter("property")
+                 if each.get("name").startswith("core seconds")}
         number = NUMBER.search(case.get("name"))
-        yield case.get("classname").split("."), number and number[1], seconds
+        yield case.get("classname"), number and number[1], noted
 
 
 def pages(since):
@@ -44,43 +69,76 @@ def pages(since):
     return found
 
 
-def main():
-    reports = sorted((ROOT / "_build" / "tests").glob("*.xml"))
+def in_order(numbers):
+    return sorted(numbers, key=lambda number: [int(part) for part in number.split(".")])
+
+
+def main(*reports):
+    reports = reports or sorted((ROOT / "_build" / "tests").glob("*.xml"))
     if not reports:
         sys.exit("There is no report of the tests: run make test first.")
     began = min(datetime.fromisoformat(suite.get("timestamp")).timestamp()
                 for report in reports for suite in ElementTree.parse(report).iter("testsuite"))
     layers, proofs, visits, others = (defaultdict(float) for _ in range(4))
+    counts = Counter()
     for report in reports:
-        for place, number, seconds in tests(report):
-            layers["doctests" if place[0] != "tests" else place[1]] += seconds
+        for place, number, noted in tests(report):
+            # Building the site and Chromium are noted by themselves, and are part of what a test took.
+            built, browser = noted.get("core seconds of a build", 0), noted.get("core seconds of a browser", 0)
+            seconds = noted.get("core seconds", 0) - built - browser
+            layers["site builds"] += built
+            layers["site in the browser"] += browser
+            layers[layer(place)] += seconds
+            counts[layer(place)] += 1
             if number:
-                {"problems": proofs, "site": visits}.get(place[1], others)[number] += seconds
-    executed = pages(began)
-    layers["site"] -= sum(executed.values())
-    layers["pages executed"] = sum(executed.values())
+                {"proofs": proofs, "exercises": proofs, "site in the browser": visits}.get(
+                    layer(place), others)[number] += seconds
+    executed = pages(began) if layers["site builds"] else {}
+    layers["site builds"] -= sum(executed.values())
+    layers["pages executed"] += sum(executed.values())
 
-    print("core-seconds by layer")
-    for layer, seconds in sorted(layers.items(), key=lambda pair: -pair[1]):
-        print(f"  {layer:20}{seconds:8.1f}")
-    print(f"  {'all':20}{sum(layers.values()):8.1f}")
+    total = sum(layers.values())
+    print(f"{'layer':32}{'tests':>7}{'core-seconds':>15}{'share':>8}")
+    for name, seconds in sorted(layers.items(), key=lambda pair: -pair[1]):
+        if seconds or counts[name]:
+            print(f"{name:32}{counts[name] or '':>7}{seconds:15.1f}{seconds / max(total, 1e-9):8.0%}")
+    print(f"{'all':32}{counts.total():7}{total:15.1f}   at least {total / 120:.1f} min on two cores")
+    by_problem(proofs, visits, others, layers, executed)
 
-    numbers = sorted(proofs, key=lambda number: [int(part) for part in number.split(".")])
+
+def by_problem(proofs, visits, others, layers, executed):
+    """A line for each problem, the means of the chapters, and the dearest beside the bar."""
+    numbers = in_order(proofs)
     if not numbers:
         return
-    built = (layers["site"] - sum(visits.values())) / len(numbers)
-    print("\ncore-seconds by problem\n   problem   proof    page   built   visit  others     all")
-    total = defaultdict(list)
+    built = (layers["site builds"] + layers["built files"]) / len(numbers)
+    browser = (layers["site in the browser"] - sum(visits.values())) / len(numbers) if visits else 0
+    columns = "proof", "page", "built", "visit", "others", "all"
+    print("\ncore-seconds by problem\n" + " " * 10 + "".join(f"{name:>8}" for name in columns))
+    costs = {}
     for number in numbers:
-        costs = proofs[number], executed.get(number, 0.0), built, visits[number], others[number]
-        total[number.split(".")[0]].append(costs)
-        print(f"  {number:>8}" + "".join(f"{cost:8.1f}" for cost in (*costs, sum(costs))))
-    for chapter, costs in [*total.items(), ("all", [one for costs in total.values() for one in costs])]:
-        means = [sum(column) / len(costs) for column in zip(*costs)]
-        print(f"  mean {chapter:>3}" + "".join(f"{mean:8.1f}" for mean in (*means, sum(means))))
-    if len(executed) < len(numbers):
-        print("\nNot all pages were executed in this run: begin with make clean to see what a page costs.")
+        parts = (proofs[number], executed.get(number, 0.0), built, visits[number] + browser, others[number])
+        costs[number] = *parts, sum(parts)
+        print(f"{number:>10}" + line(costs[number]))
+    chapters = defaultdict(list)
+    for number, parts in costs.items():
+        chapters[number.partition(".")[0]].append(parts)
+    for chapter, rows in [*chapters.items(), ("all", list(costs.values()))]:
+        print(f"{'mean ' + chapter:>10}" + line([sum(column) / len(rows) for column in zip(*rows)]))
+    above = [number for number in numbers if costs[number][-1] > BAR]
+    print(f"\n{len(above)} of {len(numbers)} problems cost more than {BAR} core-seconds; the dearest:")
+    for number in sorted(numbers, key=lambda number: -costs[number][-1])[:DEAREST]:
+        part = max(zip(costs[number], columns[:-1]))
+        print(f"{number:>10}{costs[number][-1]:8.1f}, {costs[number][-1] / BAR:.1f} times the bar, "
+              f"of which {part[1]} {part[0]:.1f}")
+    if missing := [number for number in numbers if number not in executed]:
+        print(f"\nWithout the page, which was not executed in this run, are {len(missing)} problems: "
+              "`make clean` comes first to see what pages cost.")
+
+
+def line(numbers):
+    return "".join(f"{number:8.1f}" for number in numbers)
 
 
 if __name__ == "__main__":
-    main()
+    main(*sys.argv[1:])

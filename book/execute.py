@@ -1,7 +1,5 @@
 """Execute the pages of the book whose outputs are missing or stale into the cache the site is built from, one a core.
 
-    python book/execute.py
-
 A page is stale when its code cells changed, or a module of trajlib that it loads (however indirectly), or
 requirements.txt, or how pages are executed. Jupyter Book's own cache sees only the cells. Records that no page uses any
 more are removed.
@@ -28,12 +26,13 @@ from pathlib import Path
 import yaml
 from jupyter_cache import get_cache
 from jupyter_cache.base import CacheBundleIn
-from kernel import SETTINGS, Kernel
+from kernel import Kernel
 from myst_nb.core.read import is_myst_markdown_notebook, read_myst_markdown_notebook
 from myst_parser.config.main import MdParserConfig
 from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError, CellTimeoutError
 from nbformat import NotebookNode
+from settings import CORES
 from sphinx_external_toc.parsing import parse_toc_yaml
 
 import trajlib
@@ -42,11 +41,10 @@ from trajlib.dependencies import module_closure
 ROOT = Path(__file__).resolve().parent.parent
 LIBRARY = Path(trajlib.__file__).parent
 #: How pages are executed: what they show may depend on it.
-HOW = [Path(__file__), Path(__file__).with_name("kernel.py")]
+HOW = [Path(__file__).with_name(name) for name in ("execute.py", "kernel.py", "settings.py")]
 #: What pages and the modules of trajlib load beside trajlib, most of it only when a function is called.
 LIBRARIES = ("casadi", "control", "matplotlib.pyplot", "numpy", "scipy.integrate", "scipy.interpolate", "scipy.linalg",
              "scipy.optimize", "scipy.signal", "sympy")
-CORES = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
 #: Characters of a picture.
 LARGEST = 600_000
 CURVE = re.compile(r'(?<= d=")[^"]*')
@@ -64,14 +62,21 @@ class Page:
 def main(root=ROOT):
     """Bring the cache of the book at `root` up to date; returns the exit code."""
     cache = get_cache(root / "_build" / ".jupyter_cache")
-    stamp, state = cache.path / "all-executed", digest(root)
-    if stamp.exists() and stamp.read_text() == state:
+    notes, common = cache.path / "settled.json", shared_digest(root)
+    found = {path: hashlib.sha256(path.read_bytes()).hexdigest() for path in page_paths(root)}
+    known = settled(notes, common)
+    keys = {path: known[path][1] for path, text in found.items() if path in known and known[path][0] == text}
+    if found.keys() == keys.keys() == known.keys():
         print("nothing has changed, all outputs are up to date")
         return 0
     config = yaml.safe_load((root / "_config.yml").read_text(encoding="utf-8"))
-    pages = read_pages(root, config)
-    stale = keep_fresh_records(cache, pages)
-    print(f"{len(stale)} of {len(pages)} pages with code are to be executed")
+    changed = [path for path in found if path not in keys]
+    pages = read_pages(root, config, changed)
+    current = {cache.create_hashed_notebook(page.notebook)[1]: page for page in pages}
+    stale = keep_fresh_records(cache, current, {str(path): key for path, key in keys.items()})
+    keys |= dict.fromkeys(changed) | {page.path: key for key, page in current.items()}
+    print(f"{len(stale)} of {sum(key is not None for key in keys.values())} pages with code are to be executed")
+    settle(notes, common, found, {path: key for path, key in keys.items() if path not in {page.path for page in stale}})
     failures = []
     import_for(stale)
     for page, result in side_by_side(execute, stale, config["execute"]["timeout"]):
@@ -80,21 +85,32 @@ def main(root=ROOT):
         print(f"  {'failed  ' if failure else 'executed'} {result['seconds']:6.1f} s  {name}", flush=True)
         if failure:
             failures.append(f"{name}, {failure}")
+            del keys[page.path]
         else:
             remember(cache, page, result)
-    if not failures:
-        stamp.write_text(state)
+    settle(notes, common, found, keys)
     for failure in sorted(failures):
         print(f"\n{failure}", file=sys.stderr)
     return 1 if failures else 0
 
 
-def digest(root):
-    """One hash of everything that outputs depend on, so that a run with nothing to do need not read the pages."""
-    files = [root / "_config.yml", root / "_toc.yml", root / "requirements.txt", *HOW, *page_paths(root),
-             *LIBRARY.rglob("*.py")]
+def settled(notes, common):
+    """Path -> (hash of its text, key of its record or None) of the pages that were up to date after the last run, if
+    what all pages share is what it was: they need not be read to know that they still are."""
+    was, pages = json.loads(notes.read_text()) if notes.exists() else (None, {})
+    return {Path(path): (text, key) for path, (text, key) in pages.items()} if was == common else {}
+
+
+def settle(notes, common, found, keys):
+    """Note what is up to date; before pages are executed too: records are gone by then, and a run may be stopped."""
+    notes.write_text(json.dumps([common, {str(path): (found[path], key) for path, key in keys.items()}]))
+
+
+def shared_digest(root):
+    """One hash of everything beside a page's own text that its outputs may depend on."""
+    files = [root / "_config.yml", root / "requirements.txt", *HOW, *LIBRARY.rglob("*.py")]
     found = hashlib.sha256(sys.version.encode())
-    for path in sorted(set(files)):
+    for path in sorted(files):
         found.update(f"{path}\n".encode() + path.read_bytes())
     return found.hexdigest()
 
@@ -106,14 +122,14 @@ def page_paths(root):
     return sorted(path for path in paths if path.exists())
 
 
-def read_pages(root, config):
-    """The pages that have code cells to execute."""
+def read_pages(root, config, paths):
+    """Those of these pages that have code cells to execute."""
     # The cells are found by the same Markdown dialect as when the site is built.
     dialect = MdParserConfig(enable_extensions=set(config["parse"]["myst_enable_extensions"]))
     decisive = b"".join(path.read_bytes() for path in (root / "requirements.txt", *HOW))
     shared = hashlib.sha256(decisive).hexdigest() + sys.version
     pages = []
-    for path in page_paths(root):
+    for path in paths:
         text = path.read_text(encoding="utf-8")
         if is_myst_markdown_notebook(text):
             notebook = read_myst_markdown_notebook(text, dialect, add_source_map=True, path=path)
@@ -133,23 +149,27 @@ def modules_loaded(code):
         return {}  # executing the page will say in which cell
 
 
-def keep_fresh_records(cache, pages):
-    """Remove what is stale or belongs to no page from the cache; returns the pages that are to be executed."""
-    current = {cache.create_hashed_notebook(page.notebook)[1]: page for page in pages}
+def keep_fresh_records(cache, current, settled):
+    """Remove what is stale or belongs to no page from the cache; returns the pages that are to be executed.
+
+    `current` are the pages that were read, by the key of their record; `settled` are the keys of the others, by their
+    path.
+    """
     fresh = set()
     for record in cache.list_cache_records():
         page = current.get(record.hashkey)
         if page is not None and record.data.get("fingerprint") == page.fingerprint and record.uri == str(page.path):
             fresh.add(record.hashkey)
-        else:
+        elif settled.get(record.uri) != record.hashkey:
             cache.remove_cache(record.pk)
     return [page for key, page in current.items() if key not in fresh]
 
 
 def import_for(pages):
-    """Import what pages load, so that no kernel has to."""
+    """Import what pages load, so that no kernel has to; what only some may load is not worth its time for a few."""
     if pages:
-        for module in (*LIBRARIES, *sorted({module for page in pages for module in page.modules})):
+        libraries = LIBRARIES if len(pages) > CORES else ()
+        for module in (*libraries, *sorted({module for page in pages for module in page.modules})):
             import_module(module)
         gc.freeze()  # what is here stays: the garbage collectors of the kernels need not go through it
 
@@ -251,9 +271,3 @@ def remember(cache, page, result):
                       data={"fingerprint": page.fingerprint, "executed": time.time(),
                             "execution_seconds": result["seconds"], "core_seconds": result["core_seconds"]}),
         check_validity=False, overwrite=True)
-
-
-if __name__ == "__main__":
-    if not SETTINGS.items() <= os.environ.items():  # they count from the start of the interpreter
-        os.execve(sys.executable, [sys.executable, *sys.argv], os.environ | SETTINGS)
-    sys.exit(main())

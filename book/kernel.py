@@ -16,10 +16,6 @@ from jupyter_client import AsyncKernelManager
 from jupyter_client.provisioning import LocalProvisioner
 from traitlets.config import Config
 
-#: What counts from the start of the interpreter, or when a library is loaded: pages are executed side by side, outputs
-#: should not depend on the order of a set, and pictures belong into the page.
-SETTINGS = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "PYTHONHASHSEED": "0",
-            "MPLBACKEND": "module://matplotlib_inline.backend_inline"}
 #: Pictures are sharp at any size, and the same pictures are the same bytes.
 PICTURES = {"figure_formats": {"svg"}, "rc": {"svg.hashsalt": "workbook"},
             "print_figure_kwargs": {"bbox_inches": "tight", "metadata": {"Date": None}, "dpi": 220}}

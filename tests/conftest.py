@@ -5,7 +5,8 @@ import ctypes
 import os
 import re
 import sys
-from contextlib import suppress
+from collections import defaultdict
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 os.environ.setdefault("MPLBACKEND", "Agg")
@@ -23,11 +24,13 @@ import scipy.integrate  # noqa: E402, F401
 import sympy  # noqa: E402, F401
 import z3  # noqa: E402, F401
 
+from trajlib import checks  # noqa: E402
+
 #: Tests that share what costs much: the proof of a problem, the parsed pages of an edition, syntheses, a cluster, an
 #: installed bundle. The tests of a group are those with the same parts in their ids.
 TOGETHER = re.compile(r"(problems/test_masters).*\[([\d.]+)\]|(site/)\S*\[(full|student)\]"
                       r"|(library/test_pontryagin_synthesis|grading/test_cluster|grading/test_gradescope)\.py")
-_BEGAN = pytest.StashKey()
+_BEGAN, _APART = pytest.StashKey(), pytest.StashKey()
 #: glibc's numbers of two settings: from which size an array gets pages of its own, and from which on free memory is
 #: given back. The largest value of the first.
 M_MMAP_THRESHOLD, M_TRIM_THRESHOLD, LARGEST = -3, -1, 32 * 2**20
@@ -43,6 +46,8 @@ def keep_what_was_freed():
 
 
 keep_what_was_freed()
+for name in dir(checks):  # with what each is made of: every problem is judged in several processes
+    getattr(checks, name)
 
 
 def together(nodeid):
@@ -63,9 +68,30 @@ def pytest_xdist_make_scheduler(config, log):
     return InGroups(config, log)
 
 
+def computed():
+    """Core-seconds of this process and of those that it has waited for."""
+    return sum(os.times()[:4])
+
+
+@pytest.fixture(scope="session")
+def core_seconds(request):
+    """`with core_seconds("a build"):` notes what is no cost of the test that happens to do it for all others."""
+    apart = request.config.stash.setdefault(_APART, defaultdict(float))
+
+    @contextmanager
+    def noted(what):
+        began = computed()
+        try:
+            yield
+        finally:
+            apart[f"core seconds of {what}"] += computed() - began
+
+    return noted
+
+
 @pytest.hookimpl(tryfirst=True)
 def pytest_runtest_setup(item):
-    item.stash[_BEGAN] = sum(os.times()[:4])
+    item.stash[_BEGAN] = computed()
 
 
 @pytest.hookimpl(wrapper=True, tryfirst=True)
@@ -74,7 +100,10 @@ def pytest_runtest_teardown(item):
     try:
         return (yield)
     finally:
-        item.user_properties.append(("core seconds", round(sum(os.times()[:4]) - item.stash[_BEGAN], 3)))
+        apart = item.config.stash.get(_APART, {})
+        noted = [("core seconds", computed() - item.stash[_BEGAN]), *apart.items()]
+        item.user_properties.extend((what, round(seconds, 3)) for what, seconds in noted)
+        apart.clear()
 
 
 def pytest_terminal_summary(terminalreporter):

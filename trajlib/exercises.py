@@ -73,11 +73,16 @@ def read_all():
 
 def find(number):
     """The pristine exercise with a number such as "1.15"; raises `UnknownExercise`."""
+    return read(place(number))
+
+
+def place(number):
+    """Where the notebook of `find` stands."""
     chapter, _, problem = str(number).partition(".")
     path = home() / f"ch{chapter}" / f"p{problem:0>2}.ipynb"
     if not (chapter.isdigit() and problem.isdigit() and path.exists()):
         raise UnknownExercise(f"there is no problem {number}; `trajlib problems` lists them")
-    return read(path)
+    return path
 
 
 def linked(notebook, address):

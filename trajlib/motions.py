@@ -2,7 +2,7 @@
 
 A `Motion` is a row of pictures with one clock. It is drawn as SVG, with its data beside it; the site's script moves it
 and gives it its button and its slider. Without the script, on paper and in other notebooks, it stands still where
-`still` says.
+`still` says; where not even HTML can be shown, that one picture is there as SVG.
 
 >>> import numpy as np
 >>> t = np.linspace(0, 6, 61)
@@ -60,6 +60,13 @@ class Motion:
         return (f'<div class="motion" data-motion="{html.escape(json.dumps(data, separators=(",", ":")))}">'
                 f'<div role="img" aria-label="{html.escape(self.words)}" style="display: flex; flex-wrap: wrap">'
                 f'{drawn}</div></div>')
+
+    def _repr_svg_(self):
+        width, height = SIZE + ROOM + 8, SIZE + ROOM + 6
+        drawn = "".join(f'<g transform="translate({ROOM + k*width} 6)">{panel.svg()}</g>'
+                        for k, panel in enumerate(self.panels))
+        return (f'<svg xmlns="http://www.w3.org/2000/svg" width="{width*len(self.panels)}" height="{height}" '
+                f'fill="none" stroke="black" color="black">{drawn}</svg>')
 
 
 class Panel:

@@ -128,6 +128,48 @@ class Process:
 
 
 @dataclass(frozen=True)
+class Quadratic:
+    """The system x' = A x + B u with a quadratic cost, which is to be least:
+
+        J = factor (int_0^T (x^T G x + u^T N u) dt + x(T)^T F x(T)).
+
+    A, G, F: n x n; B: n x s; N: s x s. Matrices, lists or, where they are 1 x 1, numbers and symbols; F left out is not
+    there. Without a `duration` T the time is infinite. Then only laws count that bring every state to zero, unless
+    `anywhere`: the states that the cost does not see may then do what they like.
+
+    >>> from trajlib.systems import Quadratic
+    >>> Quadratic(A=1, B=1, G=1, N=2, factor=sp.Rational(1, 2)).N
+    Matrix([[2]])
+    """
+
+    A: sp.Matrix
+    B: sp.Matrix
+    G: sp.Matrix
+    N: sp.Matrix
+    F: sp.Matrix = 0
+    duration: sp.Expr = sp.oo
+    factor: sp.Expr = 1
+    anywhere: bool = False
+
+    def __post_init__(self):
+        n, s = _matrix(self.A, None).rows, _matrix(self.B, None).cols
+        shapes = {"A": (n, n), "B": (n, s), "G": (n, n), "N": (s, s), "F": (n, n)}
+        for name, shape in shapes.items():
+            matrix = _matrix(getattr(self, name), shape)
+            if matrix.shape != shape:
+                raise ValueError(f"{name} has the shape {matrix.shape}; with this A and B it has to have {shape}")
+            if name in ("G", "N", "F") and sp.expand(matrix - matrix.T) != sp.zeros(*shape):
+                raise ValueError(f"{name} is the weight of a square, so it has to be symmetric")
+            object.__setattr__(self, name, matrix.as_immutable())
+
+    def subs(self, *values):
+        """The problem with values, or other expressions, for its symbols."""
+        parts = (sp.sympify(getattr(self, name)).subs(*values) for name in ("A", "B", "G", "N", "F", "duration",
+                                                                            "factor"))
+        return Quadratic(*parts, anywhere=self.anywhere)
+
+
+@dataclass(frozen=True)
 class Coloured:
     """A system x' = A x + B w, z = H x + C w + r with a noise w of which the correlation function is known.
 

@@ -39,7 +39,7 @@ root = (Q + sp.sqrt(Q**2 + 4*Q*R))/2
 gain = [R/(root + R)*root/(root + R), Q/root]
 # the inverse of the sum of informations
 root = (Q + sp.sqrt(Q**2 + 4*Q*R))/2
-posterior = (sp.Matrix([[root - Q, root - Q], [root - Q, root]]).inv() + sp.diag(0, 1/R)).inv()
+posterior = (sp.Matrix([[root - Q, root - Q], [root - Q, root]]).inv("ADJ") + sp.diag(0, 1/R)).inv("ADJ")
 # 0 twice
 root = (Q + sp.sqrt(Q**2 + 4*Q*R))/2
 decay = [0, (root - Q)/root, 0]

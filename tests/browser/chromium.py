@@ -64,7 +64,7 @@ class Browser:
 
 
 @pytest.fixture(scope="session")
-def browser(tmp_path_factory):
+def browser(tmp_path_factory, core_seconds):
     chromium = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
     driver = shutil.which("chromedriver")
     if not (chromium and driver):
@@ -74,4 +74,5 @@ def browser(tmp_path_factory):
         pytest.skip(missing)
     browser = Browser(chromium, driver, tmp_path_factory.mktemp("profile"))
     yield browser
-    browser.driver.quit()
+    with core_seconds("a browser"):  # what it computed is known when it has ended
+        browser.driver.quit()

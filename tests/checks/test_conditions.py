@@ -1,6 +1,7 @@
 """Conditions are decided, not sampled; what is called wrong was evaluated exactly; the rest is said to be tried."""
 
 import sys
+import time
 from fractions import Fraction
 
 import pytest
@@ -83,6 +84,7 @@ def test_without_a_decision_the_verdict_says_so(hindrance, monkeypatch):
         monkeypatch.setitem(sys.modules, "z3", None)
     else:
         monkeypatch.setattr(conditions, "STEPS", 1)
+        monkeypatch.setattr(conditions, "TIMES_SIZE", 1)
     told = judged(sp.And(x > 0, x * y > 1))
     assert told.startswith("agrees at ") and int(told.split()[2]) > 100
     assert judged(sp.And(x > 0, y > 0)).startswith("False at")
@@ -168,3 +170,47 @@ def test_a_condition_on_angles_that_errs_is_refuted(claim):
     truth = Truth(*((Case(sp.And(0 <= angle, angle < 2 * sp.pi, positive < 1, part), angles=(angle,)),)
                     for part in (COSINE, sp.Not(COSINE))))
     assert judged(claim, truth, (angle, positive)).startswith(("True at", "False at"))
+
+
+def test_a_question_with_large_polynomials_ends_soon():
+    """Four lines of sight in space, by their Gram determinant: z3 alone would take minutes, by its own steps or not."""
+    r = sp.symbols("r1:4", real=True)
+    rows = sp.Matrix([[a - one for a, one in zip(place, r)] for place in ((1, 0, 0), (0, 1, 0), (0, 0, 1), (x, x, x))])
+    gram = sp.expand((rows.T * rows).det())
+    plane = sp.Ne((sum(r) - 1)**2 + (3 * x - 1)**2, 0)
+    begin = time.process_time()
+    assert judged(plane, exactly(sp.Ne(gram, 0)), [*r, x]).startswith(("proved", "agrees"))
+    assert judged(sp.Ne(sum(r), 1), exactly(sp.Ne(gram, 0)), [*r, x]).startswith("True at")
+    assert time.process_time() - begin < 6
+    large = sum((k + 1) * r[k % 3]**(k % 7) * r[k % 2] for k in range(60))**6
+    begin = time.process_time()
+    assert judged(sp.Ne(large, 0), exactly(sp.Ne(large**2, 0)), r).startswith(("proved", "agrees"))
+    assert time.process_time() - begin < 6
+
+
+def test_a_sum_of_squares_vanishes_where_all_of_them_do():
+    cross = exactly(sp.Or(sp.Ne(x, 1), sp.Ne(y, 2)))
+    for claim in (sp.Ne((x - 1)**2 + 3 * (y - 2)**4, 0), sp.Not(sp.Eq((x - 1)**2 + (2 - y)**2, 0))):
+        assert judged(claim, cross) == "proved for all values"
+    assert judged(sp.Ne((x - 1)**2 - (y - 2)**2, 0), cross).startswith("True at")
+
+
+def test_families_of_rest_points_are_decided():
+    """A driven pendulum and a spring, with friction. In decimals, and by one formula with (-1)^n, samples do."""
+    n = sp.Symbol("n", integer=True)
+    k, d = sp.symbols("k d", positive=True)
+    driven, spring = sp.Matrix([y, k - sp.sin(2 * x) - d * y]), sp.Matrix([y, x - k * x**3 - d * y])
+    half, root = sp.asin(k) / 2, 1 / sp.sqrt(k)
+    for check, claim, field, proved in (
+            ("stable_rest_angles", [half + sp.pi * n], driven, True),
+            ("unstable_rest_angles", [sp.pi / 2 - half - sp.pi * n], driven, True),
+            ("rest_angles", [half + sp.pi * n, half + sp.pi / 2 - 2 * half - 3 * sp.pi * n], driven, False),
+            ("rest_angles", [(-1)**n * half + sp.pi * n / 2], driven, False)):
+        verdict = getattr(checks, check)(claim, field, [x, y], [k, d], n)
+        assert (verdict.status, "proved" in verdict.message) == ("right", proved), verdict
+    for check, claim, status, proved in (
+            ("rest_values", [0, root, -root], "right", True), ("stable_rest_values", [root, -root], "right", True),
+            ("unstable_rest_values", 0, "right", True), ("rest_values", [0, root, -1.0 * root], "right", False),
+            ("rest_values", [0, root + sp.Max(0, k - 10**6), -root], "wrong", False)):
+        verdict = getattr(checks, check)(claim, spring, [x, y], [k, d])
+        assert (verdict.status, "proved" in verdict.message) == (status, proved), verdict

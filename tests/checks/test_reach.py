@@ -7,7 +7,7 @@ import sympy as sp
 from trajlib.checks.truths.optima import reach
 from trajlib.checks.truths.optima.linear_plant import Plant
 from trajlib.checks.truths.optima.transfer_optima import Transfer
-from trajlib.systems import Controlled
+from trajlib.pontryagin import Problem
 
 x1, x2, u, t = sp.symbols("x1 x2 u t", real=True)
 STATE = [x1, x2]
@@ -53,7 +53,7 @@ def test_where_no_closed_form_is_known_none_is_given(field, bounds):
 @pytest.mark.parametrize("rate, bounds", [(x1 + u, (-1, 1)), (u, (-1, 2)), (2 - x1 + u, (-1, 1)), (u - x1, (HALF, 3))])
 def test_transfers_on_a_line(rate, bounds):
     a, b = sp.symbols("a b", real=True)
-    transfer = Transfer(Controlled({x1: rate}, {u: bounds}), {x1: a}, [x1 - b], [a, b])
+    transfer = Transfer(Problem({x1: rate}, {u: bounds}, {x1: a}, [x1 - b]), [a, b])
     said, found = transfer.solvable_condition(), set()
     for start in np.arange(-3.3, 3.4, 0.6):
         for end in np.arange(-2.9, 3.4, 0.6):

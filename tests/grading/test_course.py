@@ -11,7 +11,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 from classroom import RIGHT_1_15, hand_in, write_assignment  # noqa: E402
 
 from trajlib.checks.contract.verdict import Verdict  # noqa: E402
-from trajlib.grading import bench, commands, course, fingerprint, lanes, nursery  # noqa: E402
+from trajlib.grading import bench, commands, course, fingerprint, lanes, nursery, preloading  # noqa: E402
 from trajlib.grading.assignment import BadInput  # noqa: E402
 from trajlib.grading.judging import Judgement, failed  # noqa: E402
 from trajlib.grading.sandbox import Limits  # noqa: E402
@@ -29,7 +29,7 @@ def broken_lanes(monkeypatch):
     """Lanes that die on every unit of the students named."""
     unlucky = set()
 
-    def grade_all(given, count, settings):
+    def grade_all(given, count, settings, nursery=None):
         for unit in given:
             broken = any(name in "".join(unit["sources"]) for name in unlucky)
             judgement = failed(unit["names"], "it died") if broken else Judgement(
@@ -54,6 +54,19 @@ def test_what_the_grader_failed_on_is_graded_again(tmp_path, broken_lanes):
     known, plan, count = course.grade(tmp_path / "submitted", tmp_path)
     assert (len(plan.pending), plan.known, count) == (1, 1, 0) and points(tmp_path, known) == {"ada": 5.0, "bela": 5.0}
     assert course.grade(tmp_path / "submitted", tmp_path)[1].pending == ()
+
+
+def test_a_first_run_imports_while_it_reads_and_a_later_one_only_what_is_needed(tmp_path, broken_lanes, monkeypatch):
+    started = []
+
+    class Stub:
+        load = close = lambda *_: None
+
+    monkeypatch.setattr(course.Nursery, "start", lambda modules: started.append(modules) or Stub())
+    hand_in(tmp_path, "ada", "1.15", RIGHT_1_15)
+    course.grade(tmp_path / "submitted", tmp_path)
+    course.grade(tmp_path / "submitted", tmp_path)
+    assert started == [preloading.ALWAYS], "the second run has nothing to grade"
 
 
 def test_a_lane_that_dies_is_replaced(tmp_path, monkeypatch):
@@ -99,7 +112,7 @@ DUE = 1577923200.0
 @pytest.fixture
 def by_content(monkeypatch):
     """Lanes that find right what says GOOD."""
-    def grade_all(given, count, settings):
+    def grade_all(given, count, settings, nursery=None):
         for unit in given:
             status = "right" if "GOOD" in "".join(unit["sources"]) else "wrong"
             yield unit["key"], bench.as_plain(Judgement({name: Verdict(status, "") for name in unit["names"]},

@@ -213,7 +213,7 @@ def _what_a_watch_sees():
 #: observable (or controllable) no state is unseen and no eigenvalue lost; no parameter makes that of 2.24 d
 #: controllable; where there is no observer there is no gain. Eigenvalues may come as a dictionary with their
 #: multiplicities.
-EMPTY_AND_RIGHT = {**dict.fromkeys(["2.3", "2.5", "2.14", "2.24", "3.1", "3.2", "3.16", "3.17", "3.18", "3.24"],
+EMPTY_AND_RIGHT = {**dict.fromkeys(["2.3", "2.5", "2.14", "2.24", "3.1", "3.2", "3.16", "3.17", "3.18", "3.24", "5.67"],
                                    [[], ()]),
                    **dict.fromkeys(["1.6", "2.6", "2.7", "2.26", "2.32", "2.37"], [[], (), {}])}
 NOTHING = [float("nan"), float("inf"), -float("inf"), sp.nan, sp.zoo, sp.oo, -sp.oo, complex(float("nan"), 1),

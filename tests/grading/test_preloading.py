@@ -15,9 +15,18 @@ def libraries(problems, *sources):
 
 
 def test_no_library_that_nothing_of_the_homework_uses():
-    assert libraries(["1.15"], "import sympy as sp", "a_region = k1 > 0") == set()
-    assert libraries(["1.15"], "import matplotlib.pyplot as plt") == {"matplotlib.pyplot"}
-    assert libraries(["1.15"], "from scipy import optimize", "import casadi as ca") == {"scipy.optimize", "casadi"}
+    assert libraries(["6.1"], "import sympy as sp", "b_ok = True") == libraries(["6.1"])
+    assert libraries(["1.15"], "import sympy as sp", "a_region = k1 > 0") == {"z3"}, "its checks decide conditions"
+    assert libraries(["1.15"], "import matplotlib.pyplot as plt") == {"matplotlib.pyplot", "z3"}
+    assert libraries(["1.15"], "from scipy import optimize", "import casadi as ca") == {"scipy.optimize", "casadi",
+                                                                                       "z3"}
+
+
+def test_functions_of_ours_that_a_notebook_names():
+    cells = ["from trajlib import stability", "minors = stability.hurwitz_minors(p)[1:]"]
+    more = set(needed(["1.15"], cells)) - set(needed(["1.15"], []))
+    assert more == {"trajlib.stability.hurwitz"}
+    assert not set(needed(["1.15"], ["hurwitz_minors = 1"])) - set(needed(["1.15"], [])), "no theme is named"
 
 
 def test_words_of_a_notebook_only_choose_among_ours():
@@ -28,12 +37,16 @@ def test_words_of_a_notebook_only_choose_among_ours():
 
 
 def test_a_judge_finds_all_that_it_imports():
-    """Whatever modules of ours a check stands on are there before the first answer comes."""
+    """Whatever modules of ours a check stands on are there before the first answer comes, and what decides
+    conditions."""
     code = ("import importlib, json, sys\nfor name in json.loads(sys.argv[1]): importlib.import_module(name)\n"
-            "from trajlib import exercises\nfrom trajlib.execution import judge_cells\nbefore = set(sys.modules)\n"
+            "from trajlib import exercises\nfrom trajlib.checks.contract.encoding import encode\n"
+            "from trajlib.execution import judge_cells\nk = sys.modules['sympy'].Symbol('k1')\n"
+            "before = set(sys.modules)\n"
             "exercise = exercises.find('1.15')\nnames = list(exercise.about['answers'])\n"
-            "judge_cells(exercise.code('data', 'check'), {}, {}, names)\n"
-            "print([name for name in set(sys.modules) - before if name.startswith('trajlib')])")
+            "judge_cells(exercise.code('data', 'check'), {'a_region': encode(k > 0).decode()}, {}, names)\n"
+            "print([name for name in set(sys.modules) - before if name.split('.')[0] in "
+            "('trajlib', 'sympy', 'scipy', 'casadi', 'z3')])")
     done = subprocess.run([sys.executable, "-c", code, json.dumps(needed(["1.15"], []))], capture_output=True,
                           text=True, timeout=120)
     assert done.stdout == "[]\n", done.stdout + done.stderr
@@ -43,7 +56,7 @@ def test_a_nursery_has_nothing_of_the_grader(monkeypatch):
     """Neither its environment nor what it has read: all of that would be in the memory of every notebook's process."""
     monkeypatch.setenv("COURSE_SECRET", "Tycho-1572")
     assert exercises.read_all(), "the grader has read things"
-    nursery = Nursery.start(["json"])
+    nursery = Nursery.start(["json", "a_library_that_is_not_here"])
     try:
         nursery.ended(nursery.fork("worker", ["nothing", {}, None, ""], []), within=60)
         with open(f"/proc/{nursery_process(nursery)}/environ", "rb") as file:

@@ -1,6 +1,7 @@
 """Motions: what stands in the page, and what is refused."""
 
 import json
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
@@ -31,6 +32,15 @@ def test_the_page_holds_every_frame_and_shows_one():
     svg = box.svg
     assert svg.parent["role"] == "img" and svg.parent["aria-label"] == "A <point> on a circle."
     assert float(svg.circle["cx"]) == data["parts"][1]["points"][8] and len(svg.select(".moving")) == 3
+
+
+def test_where_nothing_moves_the_still_frame_is_a_picture():
+    motion = circle(still=1)
+    motion.panel((0, 1), (0, 1), "t")
+    picture = ElementTree.fromstring(motion._repr_svg_())
+    moving = BeautifulSoup(motion._repr_html_(), "html.parser").circle
+    assert [mark.attrib["cx"] for mark in picture.iter() if mark.tag.endswith("circle")] == [moving["cx"]]
+    assert len([part for part in picture if part.tag.endswith("g")]) == 2
 
 
 @pytest.mark.parametrize("make, said", [

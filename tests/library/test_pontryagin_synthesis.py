@@ -288,9 +288,9 @@ def test_picture_names_everything_once(to_circle):
 
 @pytest.mark.parametrize("arguments, message", [
     (dict(problem="x"), "problem: expected a Problem"),
-    (dict(problem=Problem({x1: u}, {u: (-1, 1)}, {x1: 0}, terminal=[x1 - 1])), "two states and one control"),
-    (dict(problem=Problem({x1: x2, x2: u}, {u: (-1, 1)}, {x1: 0, x2: 0}, terminal=[x1 - 1], running=u**2)),
-     "least time"),
+    (dict(problem=Problem({x1: u}, {u: (-1, 1)}, {x1: 0}, terminal=[x1 - 1])), "two states"),
+    (dict(problem=Problem({x1: x2, x2: u}, {u: (-1, 1)}, {x1: 0, x2: 0}, terminal=[x1 - 1], duration=2)),
+     "depends on the time that is left"),
     (dict(problem=problem([x1, x2], (None, 1))), "finite bounds"),
     (dict(problem=problem([x1, x2], (-1, sp.Symbol("R")))), "no value for R"),
     (dict(problem=Problem({x1: x2, x2: u**2}, {u: (-1, 1)}, {x1: 0, x2: 0}, terminal=[x1])), "not affine"),

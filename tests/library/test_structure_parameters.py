@@ -8,10 +8,13 @@ import sympy as sp
 from trajlib.structure import (
     controllability_conditions,
     controllability_matrix,
+    controllable_subspace,
     first_order_form,
     observability,
     observability_conditions,
+    observability_decomposition,
     observability_matrix,
+    unobservable_subspace,
     with_measurement_error,
 )
 
@@ -170,6 +173,8 @@ def test_errors():
         observability_conditions(M([[0, 1], [b, a]]), M([[1, 0]]), "alpha")
     with pytest.raises(ValueError, match=r"cos\(alpha\)"):
         observability_conditions(M([[0, 1], [0, sp.sin(a)]]), M([[1, sp.cos(a)]]), [a])
+    with pytest.raises(ValueError, match=r"sqrt\(alpha\) stands in the system.*put a symbol for it"):
+        observability_conditions(M([[0, sp.sqrt(a)], [0, a]]), M([[1, 0]]), [a])
     # A curve on which no parameter can be eliminated, with points of lower rank on it: said, not guessed.
     with pytest.raises(NotImplementedError, match="beyond the methods"):
         observability_conditions(sp.zeros(2), M([[a**2 + b**2 - 1, 0], [0, a**2 - b**3]]), [a, b])
@@ -178,6 +183,10 @@ def test_errors():
 def test_systems_with_many_symbols_are_decided_or_refused_at_once():
     A, H = M(4, 4, lambda i, j: sp.Symbol(f"a{i}{j}")), M(1, 4, lambda i, j: sp.Symbol(f"h{j}"))
     assert observability(A, H).holds
+    assert unobservable_subspace(A, H).shape == (4, 0) and controllable_subspace(A.T, H.T).shape == (4, 4)
+    for row in (H, M([[1, 0, 0, 0]])):
+        with pytest.raises(NotImplementedError, match="give some of the symbols values"):
+            observability_decomposition(A, row)
     for n in (3, 4):
         inner, row = A[:n, :n], H[:, :n]
         with pytest.raises(NotImplementedError, match="give some of the parameters values"):

@@ -44,11 +44,77 @@ class Lab:
         time.sleep(0.3)  # what it puts below comes after what it shows
         return self._browser.run(shown) or ""
 
+    def below(self, source):
+        """Write a cell below the chosen one and run it."""
+        self.press(self._keys.ESCAPE)
+        self.press("b")
+        self.press(self._keys.ENTER)
+        self.press(source)
+        self.press(self._keys.SHIFT, self._keys.ENTER)
+        self.press(self._keys.ESCAPE)
+
+    def ran_all(self):
+        assert self._browser.wait_for("![...document.querySelectorAll('.jp-InputPrompt')].some("
+                                      "prompt => prompt.innerText.includes('*'))", 90), "a cell does not end"
+        time.sleep(0.3)
+
     def chosen(self):
         return self._browser.run("document.querySelector('.jp-Notebook .jp-Cell.jp-mod-active .cm-content').innerText")
 
 
-@pytest.mark.timeout(300)
+def an_explorer_follows(browser):
+    """A slider changes the picture, and so does the pointer, which moves the sliders."""
+    image = "document.querySelector('.trajlib-stage img').src"
+    assert browser.wait_for("document.querySelector('.trajlib-stage img')?.naturalWidth > 500", 30)
+    before = browser.run(image)
+    slider = browser.find(".trajlib-explorer .noUi-handle")
+    slider.send_keys("\ue014")  # the right arrow
+    assert browser.wait_for(f"{image} !== {before!r}", 20), "the slider moves nothing"
+    pulled = browser.run("document.querySelector('.trajlib-explorer .widget-readout').innerText")
+    click(browser, ".trajlib-layer", 0.2, 0.5)
+    assert browser.wait_for("document.querySelector('.trajlib-explorer .widget-readout').innerText !== "
+                            f"{pulled!r}", 20), "the pointer moves nothing"
+
+
+def a_poll_is_answered(browser):
+    """Hands are counted by a button; nothing is told before the reveal."""
+    text = "document.querySelector('.trajlib-poll').innerText"
+    assert browser.wait_for("document.querySelectorAll('.trajlib-poll mjx-container').length >= 4", 30), "no formulas"
+    assert "right" not in browser.run(text)
+    buttons = browser.driver.find_elements("css selector", ".trajlib-poll button")
+    assert [button.get_attribute("textContent").strip() for button in buttons] == ["+1"]*4 + ["Reveal"]
+    for k in (1, 1, 2):
+        browser.driver.execute_script("arguments[0].click()", buttons[k])
+    assert browser.wait_for(f"{text}.includes('67%') && {text}.includes('33%')", 20)
+    browser.driver.execute_script("arguments[0].click()", buttons[-1])
+    assert browser.wait_for("document.querySelectorAll('.trajlib-right').length === 1", 20)
+    assert browser.run("document.querySelectorAll('.trajlib-wrong').length") == 3
+    assert "Which minor was not looked at?" in browser.run(text)
+
+
+def a_click_starts_an_optimal_path(browser, lab):
+    """Where one clicks the fastest motion starts, and the play button moves along it."""
+    said = "[...document.querySelectorAll('.trajlib-words')].at(-1).innerText"
+    assert browser.wait_for(f"{said}.includes('least time')", 60)
+    before = browser.run(said)
+    click(browser, ".trajlib-layer", 0.15, 0.6, which=-1)
+    assert browser.wait_for(f"{said} !== {before!r} && {said}.includes('now t = 0.00')", 20), "no new path"
+    browser.driver.execute_script("[...document.querySelectorAll('.trajlib-explorer .widget-play button')][0].click()")
+    assert browser.wait_for(f"!{said}.includes('now t = 0.00')", 20), "it does not move"
+
+
+def click(browser, selector, across, down, which=0):
+    """A click of the mouse at parts of the width and height of an element."""
+    from selenium.webdriver import ActionChains
+
+    element = browser.driver.find_elements("css selector", selector)[which]
+    browser.driver.execute_script("arguments[0].scrollIntoView({block: 'center'})", element)
+    size = element.size
+    ActionChains(browser.driver).move_to_element_with_offset(
+        element, (across - 0.5)*size["width"], (down - 0.5)*size["height"]).click().perform()
+
+
+@pytest.mark.timeout(600)
 def test_a_lecture_is_gone_through_with_one_key(lecture, browser):
     master = MASTER.read_bytes()
     with lecture("1.15", "--discard") as live:
@@ -78,6 +144,15 @@ def test_a_lecture_is_gone_through_with_one_key(lecture, browser):
         assert "Left: the region of item a" in lab.go_on()
         assert lab.chosen() == "%check a_region"
         assert "right" in lab.go_on()
+        for magic in ("%mistake a_region", "%hint a_region", "%explore region_of_stability", "%poll a_region",
+                      "%explore fastest_motion", "%explore nothing", "%catchup b_region"):
+            lab.below(magic)
+            lab.ran_all()
+        an_explorer_follows(browser)
+        a_poll_is_answered(browser)
+        a_click_starts_an_optimal_path(browser, lab)
+        shown = browser.run("document.querySelector('.jp-Notebook').innerText")
+        assert "there is no explorer nothing" in shown and "Traceback" not in shown and "cells run" in shown
         lab.press(lab._keys.CONTROL, "s")
         assert browser.wait_for("!document.querySelector('.jp-mod-dirty')", 30)
         assert browser.foreign_requests() == []
@@ -86,8 +161,8 @@ def test_a_lecture_is_gone_through_with_one_key(lecture, browser):
     assert MASTER.read_bytes() == master
 
 
-@pytest.mark.timeout(300)
-def test_a_lecture_is_shown_as_slides_and_its_cells_run_there(lecture, browser):
+@pytest.mark.timeout(600)
+def test_a_lecture_is_shown_as_slides_and_runs_from_top_to_bottom(lecture, browser):
     with lecture("stability-regions", "--discard") as live:
         browser.resize(1280, 900)
         browser.open(live.address.replace("/doc/tree/", "/rise/"))
@@ -104,6 +179,28 @@ def test_a_lecture_is_shown_as_slides_and_its_cells_run_there(lecture, browser):
         lab.press(lab._keys.SHIFT, lab._keys.ENTER)
         ran = "[...document.querySelectorAll('.jp-InputPrompt')].some(prompt => prompt.innerText.includes('[1]'))"
         assert browser.wait_for(ran, 60), "the cell did not run"
+        poll = ("[...document.querySelectorAll('section')].find(slide => !slide.querySelector('section') && "
+                "slide.querySelector('.cm-content')?.innerText.startsWith('%poll'))")
+        browser.run(f"location.hash = '#/' + {poll}.id")
+        assert browser.wait_for(f"{poll}.classList.contains('present')", 30), "the slide of the poll does not come"
+        time.sleep(1)
+        browser.run(f"{poll}.querySelector('.cm-content')").click()
+        lab.press(lab._keys.SHIFT, lab._keys.ENTER)
+        a_poll_is_answered(browser)  # widgets load on slides too
+        assert browser.run(f"{poll}.classList.contains('present')"), "Shift+Enter left the slide"
+        assert browser.foreign_requests() == []
+
+        browser.open(live.address)  # the same notebook, not as slides
+        assert browser.wait_for(f"{CELLS}.length > 8 && !!window.jupyterapp", 90), "the notebook does not open"
+        assert browser.wait_for(IDLE, 60)
+        browser.run("void window.jupyterapp.commands.execute('notebook:run-all-cells')")
+        waiting = f"{CELLS}.filter(cell => !/\\d/.test(cell.querySelector('.jp-InputPrompt').innerText))"
+        written = f"{waiting}.filter(cell => cell.querySelector('.cm-content').innerText.trim())"
+        assert browser.wait_for(f"{IDLE} && {written}.every(cell => cell.innerText.includes('%'))", 120), \
+            browser.run(f"{written}.map(cell => cell.innerText)")
+        assert browser.run(f"{CELLS}.filter(cell => cell.querySelector('.jp-OutputArea img')).length") >= 3
+        failed = "[data-mime-type='application/vnd.jupyter.error'], [data-mime-type='application/vnd.jupyter.stderr']"
+        assert browser.run(f"[...document.querySelectorAll(\"{failed}\")].map(part => part.innerText)") == []
         assert browser.foreign_requests() == []
         browser.open("about:blank")
         live.end()

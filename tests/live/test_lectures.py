@@ -8,7 +8,10 @@ from trajlib.cells import run_cells
 from trajlib.execution import in_child
 from trajlib.live import find, lectures
 from trajlib.live.copies import notebook_of
+from trajlib.live.explorers.asking import NAMES
 from trajlib.live.magics import is_ours
+from trajlib.live.polls import options
+from trajlib.live.worked import Worked
 
 SLUGS = [lecture.word for lecture in lectures()]
 
@@ -23,8 +26,12 @@ def test_a_lecture_becomes_slides_whose_magics_name_what_there_is(slug):
     assert all(cell.source.startswith("#") for cell, kind in zip(notebook.cells, kinds) if kind == "slide")
     asked = [cell.source.split() for cell in notebook.cells if is_ours(cell.source)]
     assert {magic for magic, *_ in asked} >= {"%mistake", "%hint", "%answer"}
-    for _, number, name in asked:
-        assert number in subject.problems and name in exercises.find(number).about["answers"]
+    for magic, first, *rest in asked:
+        if magic == "%explore":
+            assert first in NAMES
+        else:
+            (name,) = rest
+            assert first in subject.problems and name in exercises.find(first).about["answers"]
     texts = "\n".join(cell.source for cell in notebook.cells if cell.cell_type == "markdown")
     assert "{live}" not in texts and "{problem}" not in texts and "```" not in texts
 
@@ -34,6 +41,14 @@ def test_a_lecture_runs_from_top_to_bottom(slug):
     cells = [cell["source"] for cell in notebook_of(find(slug))["cells"] if cell["cell_type"] == "code"]
     ran = in_child(run_cells, [cell for cell in cells if not is_ours(cell)], [], timeout=120)
     assert ran["errors"] == []
+
+
+def test_the_polls_of_lectures_have_answers_to_choose():
+    asked = {tuple(cell["source"].split()[1:3]) for slug in SLUGS for cell in notebook_of(find(slug))["cells"]
+             if cell["source"].startswith("%poll")}
+    assert asked
+    for number, name in asked:
+        assert len(options(Worked(number), name)) >= 3, (number, name)
 
 
 def test_a_lecture_is_found_by_its_nearest_name():

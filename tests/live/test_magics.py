@@ -123,6 +123,11 @@ def test_mistakes_have_a_counterexample(kernel):
     ("%mistake 1.15 a_region b_region", "one answer at a time"),
     ("%mistake a_region b_region", "there is no problem a_region"),
     ("%check 9.99 a_region", "no problem 9.99"),
+    ("%poll a_regon", "there is no answer a_regon; there is a_region"),
+    ("%poll a_region 3 4", "there are 4 answers here"),
+    ("%poll", "name an answer; there is a_region"),
+    ("%explore nothing", "there is no explorer nothing"),
+    ("%explore region_of_stability 1.15 a k1=99", "k1 = 99: it goes from -2 to 4 here"),
 ])
 def test_what_is_not_understood_ends_in_one_line(kernel, line, said):
     shown = kernel.run(line)[0]

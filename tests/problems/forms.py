@@ -22,21 +22,24 @@ def forms(value, kind, symbols):
 
     `symbols` are those of which a condition may be told as a set of values.
     """
-    held = changing(value, kind, symbols, HOLDERS)
-    written = changing(value, kind, symbols, WRITERS)
-    pairs = itertools.zip_longest(written, held)
-    return {", ".join(filter(None, pair)): changed(value, kind, symbols, filter(None, pair)) for pair in pairs}
+    return dict(each_form(value, kind, symbols))
+
+
+def each_form(value, kind, symbols):
+    """The pairs of `forms`, each when it is asked for: whoever needs three of them has not to wait for all."""
+    for pair in itertools.zip_longest(*(changing(value, kind, symbols, ways) for ways in (WRITERS, HOLDERS))):
+        ways = list(filter(None, pair))
+        yield ", ".join(ways), changed(value, kind, symbols, ways)
 
 
 def changing(value, kind, symbols, ways):
     """The names of those `ways` that change the value, each to something that no other one gives."""
-    seen, found = {encode(value)}, []
+    seen = {encode(value)}
     for name in ways:
         other = encode(changed(value, kind, symbols, [name]))
         if other not in seen:
-            found.append(name)
             seen.add(other)
-    return found
+            yield name
 
 
 def changed(value, kind, symbols, names):

@@ -8,6 +8,7 @@ import time
 import traceback
 
 import sympy as sp
+from forms import each_form
 
 from trajlib import checks
 from trajlib.checks.contract.encoding import decode, encode
@@ -26,6 +27,7 @@ class Workbench:
             self.called |= called_functions(source, "answer", solved)
         self.reference = {name: solved[name] for name in master.answers}
         self.calls = {name: call for source in master.code("check") for name, call in check_calls(source).items()}
+        self._forms = {}
         self._alone = {name: compile(_only(source, name), "<check cell>", "exec")
                        for source in master.code("check") for name in reported_names(source)}
 
@@ -61,6 +63,17 @@ class Workbench:
     def given(self, role):
         """What the trials of a role give their answers, after the encoder."""
         return [decode(encode(self.after(trial.source)[trial.name])) for trial in self.master.trials[role]]
+
+    def forms(self, name, value):
+        """Other forms of a value of an answer by their names: those of the same value once."""
+        key = name, encode(value)
+        if key not in self._forms:
+            self._forms[key] = dict(self.each_form(name, value))
+        return self._forms[key]
+
+    def each_form(self, name, value):
+        """The same as pairs, each when it is asked for."""
+        return each_form(value, self.master.answers[name].kind, self.symbols(name))
 
     def check_arguments(self, name):
         """(function name, data arguments, options) of the check of an answer, evaluated."""

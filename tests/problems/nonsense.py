@@ -10,6 +10,7 @@ import numpy as np
 import sympy as sp
 from sympy.core.relational import Relational
 
+from trajlib.pontryagin import Problem
 from trajlib.systems import Controlled
 
 LOGIC = (Relational, sp.And, sp.Or, sp.Not)
@@ -40,6 +41,10 @@ NOT_ASKED = {
     ("5.12", "t < 1"): "the transfer takes pi/4",
     ("5.22", "t < 1"): "the transfer of item a takes 1",
     ("5.28", "t < 1"): "the interval of item a ends at 1, and x(1) is free there",
+    ("5.65", "t < 1"): "the process ends at t = 1",
+    ("5.48", "psi2 < 1"): "the costate of the cost is -1",
+    ("5.48", "t < 1"): "the process ends at t = 1",
+    ("5.49", "y < 1"): "the river ends at y = 1",
     ("7.4", "M > 1"): "every condition number is at least 1",
 }
 
@@ -85,11 +90,12 @@ def _only(entry, symbol, condition):
 def _border(symbol, data):
     """A place inside the values of a symbol: inside its interval where the data hold one, else where a condition of
     theirs holds."""
-    data = [part for given in data for part in (given if isinstance(given, Controlled) else [given])]
+    data = [part for given in data for part in (given if isinstance(given, Controlled) else
+                                                [given.controls] if isinstance(given, Problem) else [given])]
     for part in data:
         interval = (part.get(symbol) if isinstance(part, dict) else
                     part.as_set() if isinstance(part, LOGIC) and part.free_symbols == {symbol} else None)
-        if isinstance(interval, (tuple, list)):
+        if isinstance(interval, (tuple, list)) and all(sp.sympify(end).is_finite for end in interval):
             return sp.Rational(sum(interval)) / 2
         if isinstance(interval, sp.FiniteSet):
             return sp.Add(*interval) / len(interval)

@@ -2,6 +2,7 @@
 nbgrader."""
 
 import base64
+import functools
 import json
 import re
 from pathlib import Path
@@ -17,10 +18,12 @@ from trajlib.mistakes import file_beside
 
 ROOT = Path(__file__).resolve().parents[2]
 PATHS = master_paths(ROOT / "solutions")
+once = functools.cache(read)
+
 
 @pytest.fixture(params=PATHS, ids=lambda path: f"{path.parent.name[2:]}.{int(path.stem[1:])}")
 def master(request):
-    return read(request.param)
+    return once(request.param)
 
 
 @pytest.fixture(scope="module")
@@ -30,7 +33,7 @@ def links():
 
 
 def test_every_exercise_has_a_master():
-    assert [e.path for e in exercises.read_all()] == [read(path).exercise for path in PATHS]
+    assert [e.path for e in exercises.read_all()] == [once(path).exercise for path in PATHS]
 
 
 def test_in_step_with_its_master(master, links):

@@ -26,7 +26,7 @@ def pytest_collection_modifyitems(items):
 
 
 @pytest.fixture(scope="session")
-def editions(testrun_uid):
+def editions(testrun_uid, core_seconds):
     """The folders of the two editions, as `make` builds them in this checkout; a warning ends the build."""
     (ROOT / "_build").mkdir(exist_ok=True)
     # Test processes run side by side: the first builds, the others wait and find the work done.
@@ -34,7 +34,8 @@ def editions(testrun_uid):
         fcntl.flock(run, fcntl.LOCK_EX)
         run.seek(0)
         if run.read() != testrun_uid:
-            _build()
+            with core_seconds("a build"):
+                _build()
             run.truncate(0)
             run.write(testrun_uid)
     return SimpleNamespace(full=ROOT / "_build" / "html", student=ROOT / "_build" / "student" / "html")

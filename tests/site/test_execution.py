@@ -1,6 +1,7 @@
 """book/execute.py in a small book of its own: what is executed, what is kept, and what a failure says."""
 
 import re
+import subprocess
 import sys
 import textwrap
 from pathlib import Path
@@ -11,6 +12,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "book"))
 import execute  # noqa: E402
 import kernel  # noqa: E402
 
+execute_as_before = execute.read_myst_markdown_notebook
 CONFIG = "execute: {timeout: 20}\nparse: {myst_enable_extensions: [dollarmath]}\n"
 TOC = "format: jb-book\nroot: index\nchapters: [{glob: 'p*'}]\n"
 HEADER = """\
@@ -42,8 +44,7 @@ def book(tmp_path, capsys):
         def outputs(self, name):
             """What the cells of a page show, as the site finds it."""
             cache = execute.get_cache(tmp_path / "_build" / ".jupyter_cache")
-            pages = execute.read_pages(tmp_path, execute.yaml.safe_load(CONFIG))
-            page, = [page for page in pages if page.path.stem == name]
+            page, = execute.read_pages(tmp_path, execute.yaml.safe_load(CONFIG), [tmp_path / f"{name}.md"])
             _, notebook = cache.merge_match_into_notebook(page.notebook)
             return [output for cell in notebook.cells if cell.cell_type == "code" for output in cell.outputs]
 
@@ -52,6 +53,14 @@ def book(tmp_path, capsys):
     (tmp_path / "requirements.txt").write_text("numpy==2\n")
     (tmp_path / "index.md").write_text("# A book\n")
     return Book()
+
+
+def test_the_build_loads_no_grammars():
+    """jsonschema would build them from Lark's, which takes longer than reading a page."""
+    loads = "import build, execute, jupyter_book.sphinx, sys; print('jsonschema' in sys.modules, 'lark' in sys.modules)"
+    shown = subprocess.run([sys.executable, "-c", loads], cwd=Path(execute.__file__).parent, capture_output=True,
+                           text=True, timeout=120)
+    assert shown.stdout.split() == ["True", "False"], shown.stderr
 
 
 def test_only_what_changed_is_executed(book):
@@ -66,6 +75,44 @@ def test_only_what_changed_is_executed(book):
     assert "1 of 2 pages" in printed and "p2.md" in printed and "p1.md" not in printed
 
 
+def test_only_what_changed_is_read(book, monkeypatch):
+    """Reading takes a large book seconds; a page that was executed and is as it was needs none of them."""
+    for name in ("p1", "p2", "p3"):
+        book.write(name, f"'{name}'")
+    book.write("p4")
+    book.run()
+    read = []
+    monkeypatch.setattr(execute, "read_myst_markdown_notebook", lambda text, *given, path, **options: (
+        read.append(path.stem), execute_as_before(text, *given, path=path, **options))[1])
+    book.write("p2", "'another'")
+    assert "1 of 3 pages" in book.run()[1] and read == ["p2"]
+    assert [output.data["text/plain"] for output in book.outputs("p1")] == ["'p1'"]
+
+
+def test_a_run_that_is_stopped_leaves_no_page_for_settled(book, monkeypatch):
+    book.write("p1", "1 + 1")
+    book.run()
+    before = (book.root / "p1.md").read_text()
+    book.write("p1", "2 + 2")
+
+    def stopped(*given):
+        raise KeyboardInterrupt
+
+    with monkeypatch.context() as patch, pytest.raises(KeyboardInterrupt):
+        patch.setattr(execute, "side_by_side", stopped)
+        book.run()
+    (book.root / "p1.md").write_text(before)
+    assert "1 of 1 pages" in book.run()[1]
+
+
+def test_a_failed_page_is_read_again(book):
+    book.write("p1", "1 / 0")
+    book.write("p2", "2 + 2")
+    assert book.run()[0] == 1
+    code, printed, error = book.run()
+    assert code == 1 and "1 of 2 pages" in printed and "ZeroDivisionError" in error
+
+
 def test_a_page_follows_the_modules_it_loads(book, monkeypatch):
     closure = {"trajlib.stability": "before"}
     monkeypatch.setattr(execute, "module_closure", lambda source: closure if "stability" in source else {})
@@ -73,7 +120,7 @@ def test_a_page_follows_the_modules_it_loads(book, monkeypatch):
     book.write("p2", "2 + 2")
     book.run()
     closure["trajlib.stability"] = "after"
-    monkeypatch.setattr(execute, "digest", lambda root: "after")
+    monkeypatch.setattr(execute, "shared_digest", lambda root: "after")
     _, printed, _ = book.run()
     assert "p1.md" in printed and "p2.md" not in printed
 
@@ -158,7 +205,7 @@ def test_trials_beside_a_page_are_no_part_of_it(book):
     assert code == 0 and "1 of 1 pages" in said
     trials.write_text("# %% wrong\n2 / 0\n")
     assert "nothing has changed" in book.run()[1]
-    (book.root / "_build/.jupyter_cache/all-executed").unlink()
+    (book.root / "_build/.jupyter_cache/settled.json").unlink()
     assert "0 of 1 pages" in book.run()[1]
 
 

@@ -17,15 +17,16 @@ CENSUS = """(() => {
         displayed: of('article div.math').filter(
             e => scrolls(e) && !getComputedStyle(e).backgroundAttachment.includes('local')).length,
         beyond: of('article span.math svg').filter(e => e.getBoundingClientRect().right > right).length,
-        code: of('article .cell_input pre').filter(scrolls).length,
+        code: of('article .cell_input pre, article .highlight-pycon pre').filter(scrolls).length,
         printed: of('article .cell_output pre').filter(scrolls).length,
     }})()"""
 
 
 @pytest.fixture(scope="module")
 def wide_pages(editions):
-    """Pages with many formulas, long code and long outputs, and the chapters."""
-    pages = [*editions.full.glob("solutions/ch*/p*.html"), *editions.full.glob("book/ch*.html")]
+    """Pages with many formulas, long code and long outputs, the chapters and the library."""
+    pages = [page for places in ("solutions/ch*/p*.html", "book/ch*.html", "book/library/*.html")
+             for page in editions.full.glob(places)]
     return [page.relative_to(editions.full).as_posix() for page in sorted(pages)]
 
 
@@ -40,13 +41,36 @@ def test_nothing_is_cut_off_at_a_desk(browser, addresses, wide_pages):
     assert not faults
 
 
-def test_what_has_to_scroll_on_a_phone_shows_a_shadow(browser, addresses, problem):
+#: Grounds of all that may have to scroll; code, printed lines and formulas.
+GROUNDS = """[...document.querySelectorAll('article div.math, article pre')].map(
+    e => getComputedStyle(e).backgroundAttachment)"""
+
+
+@pytest.mark.parametrize("page", ["solutions/ch1/p15.html", "book/errata/ch5.html", "book/library/estimation.html",
+                                  "book/guides/grading.html"])
+def test_what_has_to_scroll_on_a_phone_shows_a_shadow(browser, addresses, page):
     browser.resize(390, 844, phone=True)
-    browser.open(f"{addresses['http']}/{problem.page}")
-    grounds = browser.run("""[...document.querySelectorAll('article div.math, article .cell_input pre')].map(
-        e => getComputedStyle(e).backgroundAttachment)""")
+    browser.open(f"{addresses['http']}/{page}")
+    grounds = browser.run(GROUNDS)
     assert grounds and all("local" in ground and "scroll" in ground for ground in grounds)
     browser.resize(1280, 900)
+
+
+def test_the_glossary_is_read_on_a_phone_without_scrolling_sideways(browser, addresses):
+    browser.resize(390, 844, phone=True)
+    browser.open(f"{addresses['http']}/book/glossary.html")
+    beyond = browser.run("""[...document.querySelectorAll('article td')].filter(
+        e => e.getBoundingClientRect().right > innerWidth).map(e => e.innerText.slice(0, 40))""")
+    assert browser.run("document.querySelectorAll('article td').length") > 500 and beyond == []
+    browser.resize(1280, 900)
+
+
+def test_nothing_is_set_too_thin_to_read(browser, addresses):
+    """The theme sets captions in its thinnest letters."""
+    browser.open(f"{addresses['http']}/solutions/ch1/p09.html")
+    thin = browser.run("""[...document.querySelectorAll('article :is(p, span, li, td, code, figcaption)')].filter(
+        e => +getComputedStyle(e).fontWeight < 400).map(e => e.innerText.slice(0, 40))""")
+    assert browser.run("document.querySelectorAll('article figcaption').length") > 1 and thin == []
 
 
 def test_on_paper_every_fold_is_open(browser, addresses, problem):
@@ -59,3 +83,16 @@ def test_on_paper_every_fold_is_open(browser, addresses, problem):
     assert base64.b64decode(document["data"]).startswith(b"%PDF")
     assert browser.run("window.foldsClosed") == 0
     assert browser.run("document.querySelectorAll('article details.solution[open]').length") == 0
+
+
+def test_on_paper_a_fold_does_not_fade_in(browser, addresses, problem):
+    """What fades in as its fold opens is blank at the moment when the page is printed."""
+    browser.open(f"{addresses['http']}/{problem.page}")
+    browser.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
+    fading = browser.run("""(() => {
+        document.querySelectorAll('article details').forEach(fold => fold.open = true);
+        return document.getAnimations().filter(one => one.effect.target.closest('article')).length })()""")
+    buttons = browser.run("""[...document.querySelectorAll('article details.hide > summary')].map(
+        e => getComputedStyle(e).display)""")
+    browser.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
+    assert fading == 0 and set(buttons) == {"none"}

@@ -1,4 +1,4 @@
-"""Observers and regulators of linear systems: chapter 3 of the problem book as functions.
+"""Observers and regulators of linear systems: chapter 3 and section 5.4 of the problem book as functions.
 
 The system is x' = Ax + Bu, z = Hx, the feedback u = Kx (plus sign), the observer e' = Ae + Bu + L(z - He): closed loop
 A + BK, errors A - LH. Exact input gives exact output, also with symbols; NumPy arrays and python-control's StateSpace
@@ -19,5 +19,6 @@ _EXPORTS = {
     "gain_regions": ["convergent_gains", "stabilising_gains"],
     "estimate_loop": ["EstimateLoop", "feedback_by_estimate"],
     "reduced_order": ["ReducedObserver", "reduced_observer"],
+    "quadratic_cost": ["QuadraticRegulator", "StochasticRegulator", "finite_lqr", "lqg", "lqr"],
 }
 __getattr__, __dir__, __all__ = lazy_names(__name__, _EXPORTS)

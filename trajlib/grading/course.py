@@ -11,6 +11,7 @@ from trajlib.grading import assignment as assignments
 from trajlib.grading import belonging, bench, isolation, lanes, preloading, submissions
 from trajlib.grading.fingerprint import fingerprint
 from trajlib.grading.judging import FINAL, NOT_FINAL, WITHIN_LIMITS, Bounds
+from trajlib.grading.nursery import Nursery
 from trajlib.grading.sandbox import Limits
 from trajlib.grading.store import Store
 from trajlib.grading.submissions import Aside, Submission
@@ -49,7 +50,7 @@ def grade(submitted, out, assignment_folder=None, count=None, limits=Limits(), b
     for folder in () if trusting else (submitted, out):
         if (shown := isolation.shown_through(folder)) is not None:
             raise CourseError(f"{folder} lies in {shown}, which every notebook can read: move it elsewhere")
-    with _alone(out), Store(out / "grades.sqlite") as store:
+    with _alone(out), _nursery(out, cluster) as nursery, Store(out / "grades.sqlite") as store:
         found = list(submissions.find(submitted))
         files = assignments.files(assignment_folder)
         known, alone = _homeworks(found, files)
@@ -60,7 +61,7 @@ def grade(submitted, out, assignment_folder=None, count=None, limits=Limits(), b
             plan = _plan(*_by_attempt(found, known, alone, files), known, store, limits)
         progress(0, len(plan.pending))
         failed = 0
-        with closing(_judgements(plan.pending, count, limits, bounds, trusting, cluster)) as judgements:
+        with closing(_judgements(plan.pending, count, limits, bounds, trusting, cluster, nursery)) as judgements:
             for done, (unit, judgement, within) in enumerate(judgements, start=1):
                 store.record(unit["key"], _as_graded(unit["exercise"], judgement.final, within), judgement.verdicts,
                              judgement.answers,
@@ -86,7 +87,17 @@ def _alone(out):
         yield
 
 
-def _judgements(pending, count, limits, bounds, trusting, cluster):
+@contextmanager
+def _nursery(out, cluster):
+    """In a first run, where something is sure to be graded, it imports what all need while submissions are read."""
+    if cluster is not None or (out / "grades.sqlite").exists():
+        yield None
+        return
+    with closing(Nursery.start(preloading.ALWAYS)) as nursery:
+        yield nursery
+
+
+def _judgements(pending, count, limits, bounds, trusting, cluster, nursery=None):
     """(unit, its judgement, the limits it had) in the order they are done."""
     for unit in pending:
         if unit["trouble"]:
@@ -98,7 +109,9 @@ def _judgements(pending, count, limits, bounds, trusting, cluster):
                                 [source for unit in by_key.values() for source in unit["sources"]])
     settings = bench.settings(limits, bounds, trusting) | {"modules": modules}
     if cluster is None:
-        grading = lanes.grade_all(by_key.values(), min(count, len(by_key)), settings)
+        if nursery is not None:
+            nursery.load(modules)
+        grading = lanes.grade_all(by_key.values(), min(count, len(by_key)), settings, nursery)
     else:
         from trajlib.grading.cluster import grade_all
         grading = grade_all(by_key.values(), settings, cluster)

@@ -20,14 +20,15 @@ class Ended(NotStarted):
     """A lane itself ended while it got ready."""
 
 
-def grade_all(units, count, settings):
+def grade_all(units, count, settings, nursery=None):
     """Grade units (dicts with "key", "problem", "sources", "names"); yields (key, result) in the order they are done.
 
+    `nursery` is one that has begun to import what they need, if there is one; it is closed in the end.
     A lane that dies fails its unit, which is then to be graded again, and is replaced. Raises `NoIsolation` before
     anything is graded if a sandbox cannot be had. Close it (`contextlib.closing`) to end the lanes at once.
     """
     waiting = iter(units)
-    lanes, nursery = [], Nursery.start(modules(settings))
+    lanes, nursery = [], nursery or Nursery.start(modules(settings))
     try:
         lanes += [Lane(settings, nursery) for _ in range(count)]
         for number in range(count):

@@ -65,6 +65,11 @@ class Nursery:
         """Where bubblewrap is. Raises `NoIsolation` where there is none."""
         return self._bubblewrap or isolation.bubblewrap()
 
+    def load(self, modules):
+        """Let it import more before it forks next. Nobody waits for that; if it dies of it, the next fork tells."""
+        with self._asking, suppress(OSError):
+            self._tell({"load": list(modules)})
+
     def fork(self, kind, given, descriptors):
         """Fork a process of a `kind` (of `_KINDS`) with these descriptors as its 0, 1, ...; returns its number."""
         return self._ask({"fork": kind, "given": given}, descriptors)["number"]
@@ -82,10 +87,13 @@ class Nursery:
         self._control.close()
         self._end()
 
+    def _tell(self, request, descriptors=()):
+        socket.send_fds(self._control, [json.dumps(request).encode()], descriptors)
+
     def _ask(self, request, descriptors=()):
         try:
             with self._asking:
-                socket.send_fds(self._control, [json.dumps(request).encode()], descriptors)
+                self._tell(request, descriptors)
                 answer = self._control.recv(LONGEST)
         except OSError as error:
             raise NotStarted(f"the process that others are forked from is gone or too slow ({error})") from None
@@ -122,6 +130,9 @@ def _serve(control):
         if not message:
             return
         request = json.loads(message)
+        if "load" in request:
+            preload(*request["load"])
+            continue
         if "fork" in request:
             number = os.fork()
             if number == 0:

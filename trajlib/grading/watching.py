@@ -21,6 +21,9 @@ PREPARED = b"prepared"
 PREPARATION = 30.0
 #: At a time; those that were closed with something unread in them count too.
 MOST_SOCKETS = 100
+#: The part of its time that a notebook may wait for a disk besides. Who forks by `vfork` and lets the child sleep
+#: seems to wait for one as well.
+AT_DISK = 0.25
 TICK, PAGE = os.sysconf("SC_CLK_TCK"), os.sysconf("SC_PAGE_SIZE")
 
 
@@ -55,7 +58,8 @@ class Watch:
         "large"), or "died", or "failed" if its process could not be prepared."""
         if self._said != PREPARED:
             return b"failed", self._said
-        self._looked, self._idle, self._idle_at_a_stretch = time.monotonic(), 0.0, 0.0
+        self._looked = time.monotonic()
+        self._idle = self._idle_at_a_stretch = self._at_disk = 0.0
         try:
             message = framing.receive(self._descriptor, self._limits["wall_seconds"], self._look, INTERVAL)
             return (b"done", message) if len(message) <= LARGEST else (b"large", b"")
@@ -75,8 +79,12 @@ class Watch:
     def _count_idle(self, processes):
         now = time.monotonic()
         since, self._looked = now - self._looked, now
-        if _wants_to_compute(processes, self._proc):
+        states = _states(processes, self._proc)
+        if b"R" in states:
             self._idle_at_a_stretch = 0.0
+            return
+        if b"D" in states and self._at_disk < self._limits["cpu_seconds"] * AT_DISK:
+            self._at_disk += since
             return
         self._idle += since
         self._idle_at_a_stretch += since
@@ -110,11 +118,16 @@ def _compare(processes, limits, seconds_before, proc):
         raise Exceeded("memory")
 
 
-def _wants_to_compute(processes, proc):
-    """Whether any thread runs, waits for a processor, or for a disk."""
-    return any(one.state in _AT_WORK or one.threads > 1 and any(
-        _Process(one.number, line).state in _AT_WORK for thread in _listed(f"{one.number}/task", proc)
-        if (line := _read(f"{one.number}/task/{thread}/stat", proc))) for one in processes)
+def _states(processes, proc):
+    """What all threads are doing, as the letters of /proc: R runs or waits for a processor, D waits for a disk."""
+    found = {one.state for one in processes}
+    for one in processes:
+        if b"R" in found:  # that is all that anybody wants to know
+            break
+        if one.threads > 1:
+            found |= {_Process(one.number, line).state for thread in _listed(f"{one.number}/task", proc)
+                      if (line := _read(f"{one.number}/task/{thread}/stat", proc))}
+    return found
 
 
 def _seconds(processes):
@@ -125,9 +138,6 @@ def _sockets(processes, proc):
     """How many there are in the network of the innermost process."""
     words = _read(f"{processes[-1].number}/net/sockstat", proc).split(b"\n")[0].split() if processes else []
     return int(words[2]) if len(words) == 3 else 0
-
-
-_AT_WORK = (b"R", b"D")
 
 
 class _Process:

@@ -146,8 +146,12 @@ def _keep(mode, limits, in_scratch, parent):
         ended, message = watch.answers()
         if ended == b"died":
             message = _how_it_died(first)
-        _end(first, mode, folder, proc)
+        os.kill(first, signal.SIGKILL)
+        if mode == "trusting":  # nothing ends with it
+            _end(first, mode, folder, proc)
         framing.send(1, ended + b"|" + message)
+        if mode == "nested":  # its memory and its namespaces are put away while the message is judged
+            os.waitpid(first, 0)
         code = 0
     except framing.Broken:
         if first is not None:  # no more requests

@@ -10,6 +10,8 @@ from trajlib._lazy import lazy_names
 __getattr__, __dir__, __all__ = lazy_names(__name__, {
     "subjects": ["LiveError", "find", "lectures"],
     "presenting": ["present"],
+    "explorers": ["region_of_stability", "phase_portrait", "losing_a_mode", "popov_distance", "fastest_motion",
+                  "circle_synthesis", "against_the_best", "explore"],
 })
 
 

@@ -1,9 +1,10 @@
 """Kernels that are ready at once: forks of a process that has imported all that a lecture uses.
 
-    python -m trajlib.live.kernels SOCKET NUMBER ...
+    python -m trajlib.live.kernels SOCKET
 
-is that process. It imports, then forks a kernel for every request that comes by its socket, and ends, with its kernels,
-when its standard input does: whoever started it need not come back to end it.
+is that process. It imports what every lecture uses and the modules that a line of its standard input names, then forks
+a kernel for every request that comes by its socket. It ends, with its kernels, when its standard input does: whoever
+started it need not come back to end it.
 """
 
 import gc
@@ -32,13 +33,24 @@ def without_grammars():
     sys.modules.setdefault("rfc3987_syntax", None)
 
 
-def serve(address, numbers):
+def modules_for(numbers):
+    """The modules of trajlib that the cells of some problems use; to find them takes a third of a second."""
+    from trajlib import exercises
+    from trajlib.dependencies import module_closure
+    from trajlib.masters.contract import master_file
+
+    texts = [(exercises.CHECKOUT / "solutions" / master_file(number)).read_text(encoding="utf-8")
+             for number in numbers]
+    cells = [block.split("```")[0].split("]\n", 1)[-1] for text in texts for block in text.split("```{code-cell}")[1:]]
+    return list(module_closure("\n".join(["import trajlib", *cells])))
+
+
+def serve(address):
     with socket.socket(socket.AF_UNIX) as listener:
         listener.bind(address)
         listener.listen()
         signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # nobody waits for a kernel that ends
-        without_grammars()
-        _import_for(numbers)
+        _import_all()
         kernels = []
         while True:
             ready, _, _ = select.select([listener, sys.stdin], [], [])
@@ -66,24 +78,24 @@ def _nobody(address):
     raise ConnectionError(f"no kernel from {address}")
 
 
-def _import_for(numbers):
-    from trajlib import exercises
-    from trajlib.dependencies import module_closure
+def _import_all():
     from trajlib.grading.preloading import SYMPY
-    from trajlib.masters.contract import master_file
 
+    gc.disable()  # all of this stays: to look for what does not takes a fifth of the time
     os.environ["MPLBACKEND"] = "module://matplotlib_inline.backend_inline"
-    texts = [(exercises.CHECKOUT / "solutions" / master_file(number)).read_text(encoding="utf-8")
-             for number in numbers]
-    cells = [block.split("```")[0].split("]\n", 1)[-1] for text in texts for block in text.split("```{code-cell}")[1:]]
-    for name in (*LIBRARIES, *SYMPY, *module_closure("\n".join(["import trajlib", *cells]))):
+    without_grammars()
+    sys.modules["jupyter_server"] = None  # jupytext would import a server, and do without one
+    for name in (*LIBRARIES, *SYMPY):
+        importlib.import_module(name)
+    # found meanwhile by who started this; read without a buffer, in which `select` would miss the end
+    for name in json.loads(sys.stdin.buffer.raw.readline() or "[]"):
         importlib.import_module(name)
     if any("casadi" in name for name in sys.modules):
         importlib.import_module("casadi")
     _draw_once()
-    del sys.modules["rfc3987_syntax"]
-    gc.collect()
-    gc.freeze()  # what is here stays: the collectors of the kernels need not copy it by going through it
+    del sys.modules["rfc3987_syntax"], sys.modules["jupyter_server"]
+    gc.freeze()  # the collectors of the kernels need not copy it by going through it
+    gc.enable()
 
 
 def _draw_once():
@@ -133,4 +145,4 @@ def _be_kernel(request):
 
 
 if __name__ == "__main__":
-    serve(sys.argv[1], sys.argv[2:])
+    serve(sys.argv[1])

@@ -8,6 +8,7 @@ changed. It ends when its standard input does, and writes a line as soon as it a
 
 import json
 import os
+import shutil
 import sys
 from pathlib import Path
 
@@ -22,9 +23,7 @@ SETTINGS = {
             {"command": "notebook:run-cell-and-select-next", "keys": ["Shift Enter"], "selector": selector,
              "disabled": True},
             {"command": "apputils:run-all-enabled", "keys": ["Shift Enter"], "selector": selector,
-             "args": RUN_THEN_DOWN})] + [  # on slides, which know no such commands
-        {"command": "RISE:smart-exec", "keys": ["Shift Enter"],
-         "selector": ".lm-Widget.reveal .jp-Notebook.jp-mod-editMode"}]},
+             "args": RUN_THEN_DOWN})]},  # on slides it is a command of labextension/
     "@jupyterlab/apputils-extension/themes": {"overrides": {
         "code-font-size": "20px", "content-font-size1": "21px", "ui-font-size1": "15px"}},
     "@jupyterlab/apputils-extension/notification": {"checkForUpdates": False, "fetchNews": "false"},
@@ -56,6 +55,7 @@ def furnish(folder):
     page = folder / "config" / "labconfig" / "page_config.json"
     page.parent.mkdir(parents=True)
     page.write_text(json.dumps({"disabledExtensions": dict.fromkeys(UNSEEN, True)}), encoding="utf-8")
+    shutil.copytree(Path(__file__).with_name("labextension"), folder / "data" / "labextensions" / "trajlib-live")
     profile = folder / "ipython" / "profile_default"
     profile.mkdir(parents=True)
     (profile / "ipython_config.py").write_text(IPYTHON, encoding="utf-8")

@@ -1,7 +1,7 @@
-"""The magics of a lecture: `%answer`, `%catchup`, `%hint`, `%check` and `%mistake`.
+"""The magics of a lecture: `%answer`, `%catchup`, `%hint`, `%check`, `%mistake` and `%poll`, and `%explore`.
 
-Each names an answer, `a_region`, where a lecture has several problems with its problem, `1.16 a_region`. What is not
-understood ends in one line.
+Each but the last names an answer, `a_region`, where a lecture has several problems with its problem, `1.16 a_region`.
+What is not understood ends in one line.
 """
 
 import builtins
@@ -17,7 +17,7 @@ from trajlib.live.prose import prose
 from trajlib.live.subjects import LiveError
 from trajlib.live.worked import Worked, chosen
 
-OURS = ("answer", "catchup", "hint", "check", "mistake")
+OURS = ("answer", "catchup", "hint", "check", "mistake", "poll", "explore")
 
 
 @magics_class
@@ -116,6 +116,33 @@ class LectureMagics(Magics):
                 cells = [cell for cell in cells_above(self.shell) if not is_ours(cell)]
             self._run_quietly(cells)
             print(f"{len(cells)} cell{'s' * (len(cells) != 1)} run")
+
+    @no_var_expand
+    @line_magic
+    def poll(self, line):
+        """%poll a_region: the right answer among likely wrong ones, for a show of hands; then the reveal.
+
+        Counts may follow, %poll a_region 12 40 3 8.
+        """
+        from trajlib.live.polls import poll
+
+        with _in_one_line():
+            words = line.split()
+            named = next((k for k, word in enumerate(words) if not word[0].isdigit()), len(words))
+            worked, name = self._chosen(" ".join(words[:named + 1]))
+            display(poll(worked, name, words[named + 1:]))
+
+    @no_var_expand
+    @line_magic
+    def explore(self, line):
+        """%explore phase_portrait 1.4 shows a picture that follows its sliders; %explore alone lists them."""
+        from trajlib.live.explorers import explore, listed
+
+        with _in_one_line():
+            if line.strip():
+                display(explore(line))
+            else:
+                print(listed())
 
     def after_cell(self, result):
         """When the cell that was handed out has run, the next one asks for the step after it."""

@@ -16,7 +16,7 @@ from tempfile import TemporaryDirectory
 
 from trajlib.live import lab
 from trajlib.live.copies import hold_outside, notebook_of, settle
-from trajlib.live.kernels import SOCKET
+from trajlib.live.kernels import SOCKET, modules_for
 from trajlib.live.subjects import LiveError
 
 #: Seconds for JupyterLab to answer on the slowest machine that one would lecture from.
@@ -73,7 +73,10 @@ def _running(folder, subject, port):
     try:
         server = start("trajlib.live.lab", str(folder), str(port))
         if hasattr(os, "fork"):
-            start("trajlib.live.kernels", environment[SOCKET], *subject.problems)
+            kernels = start("trajlib.live.kernels", environment[SOCKET])
+            with suppress(BrokenPipeError):  # without it kernels start as always
+                kernels.stdin.write(json.dumps(modules_for(subject.problems)).encode() + b"\n")
+                kernels.stdin.flush()
         copy.write_text(json.dumps(notebook_of(subject), indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
         address = f"http://127.0.0.1:{port}/doc/tree/{copy.name}?token={token}"
         yield server, address, copy, copy.read_bytes()

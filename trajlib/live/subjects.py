@@ -8,7 +8,10 @@ from trajlib import exercises
 
 
 class LiveError(ValueError):
-    """Something the lecturer can mend; the message is the whole output."""
+    """Something the lecturer can mend; the message is the whole output, of a cell too."""
+
+    def _render_traceback_(self):
+        return [str(self)]
 
 
 @dataclass(frozen=True)

@@ -22,7 +22,10 @@ class Worked:
 
     @cached_property
     def exercise(self):
-        return exercises.find(self.number)
+        try:
+            return exercises.find(self.number)
+        except exercises.UnknownExercise as error:
+            raise LiveError(error) from None
 
     @cached_property
     def steps(self):
@@ -30,7 +33,7 @@ class Worked:
 
     @cached_property
     def data(self):
-        """The names of the data cells."""
+        """The names of the data cells; raises `LiveError` for a problem that is not there."""
         return _run(self.exercise.code("data"))
 
     @cached_property

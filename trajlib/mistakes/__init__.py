@@ -15,7 +15,7 @@ def name_of(problem, answer, value):
     from trajlib.mistakes.likeness import Question, Unlike, likenesses
     from trajlib.mistakes.sealing import find
 
-    file = file_beside(exercises.find(problem).path)
+    file = file_beside(exercises.place(problem))
     asked = json.loads(file.read_text(encoding="utf-8"))["answers"].get(answer) if file.is_file() else None
     if asked is None:
         return ""

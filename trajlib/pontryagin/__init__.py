@@ -2,7 +2,7 @@
 
 A problem is stated once, in SymPy (`Problem`). `conditions()` derives what a textbook would write down; `solve()` finds
 an extremal (direct transcription, arcs, multiple shooting) whose `certificate()` is computed from the trajectory alone;
-`synthesis` draws planar time-optimal syntheses. `euler_equation`, `natural_conditions` and their neighbours are the
+`synthesis` computes planar syntheses. `euler_equation`, `natural_conditions` and their neighbours are the
 calculus of variations. Every name is loaded on first use.
 
 Conventions, those of the book: H = psi^T f - lambda_0 f_0 is maximised by the optimal control, psi' = -dH/dy,

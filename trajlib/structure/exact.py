@@ -15,6 +15,8 @@ from ..stability.systems import as_real
 
 #: Terms of a matrix beyond which an elimination with symbols may take minutes.
 _MOST_TERMS = 200
+#: Terms of a matrix times its symbols beyond which its inverse takes minutes, and pages.
+_LONGEST_INVERSE = 300
 
 
 def field_matrix(matrix):
@@ -38,15 +40,19 @@ def rank(matrix):
     """Exact rank; generic if there are symbols. Raises NotImplementedError where they are too many to decide it."""
     if 0 in matrix.shape:
         return 0
-    if matrix.free_symbols and (there := at_a_point(matrix)) is not None:
-        # Full rank at one point is full rank in general; the elimination is for what falls short.
-        if field_matrix(there).rank() == min(matrix.shape):
-            return min(matrix.shape)
-        if number_of_terms(matrix) > _MOST_TERMS:
-            raise NotImplementedError(f"A: with {len(matrix.free_symbols)} symbols the rank falls short at random "
-                                      "values, and whether it always does is beyond the methods here; give some of the "
-                                      "symbols values")
+    # Full rank at one point is full rank in general; the elimination is for what falls short.
+    if _has_full_rank_at_a_point(matrix):
+        return min(matrix.shape)
+    if matrix.free_symbols and number_of_terms(matrix) > _MOST_TERMS:
+        raise NotImplementedError(f"A: with {len(matrix.free_symbols)} symbols the rank falls short at random "
+                                  "values, and whether it always does is beyond the methods here; give some of the "
+                                  "symbols values")
     return field_matrix(matrix).rank()
+
+
+def _has_full_rank_at_a_point(matrix):
+    there = at_a_point(matrix) if matrix.free_symbols else None
+    return there is not None and field_matrix(there).rank() == min(matrix.shape)
 
 
 def number_of_terms(matrix):
@@ -72,6 +78,10 @@ def determinant(matrix):
 
 
 def inverse(matrix):
+    """The inverse. Raises NotImplementedError where its entries would be quotients too long to be found, or read."""
+    if len(matrix.free_symbols)*number_of_terms(matrix) > _LONGEST_INVERSE:
+        raise NotImplementedError(f"A: with {len(matrix.free_symbols)} symbols the new coordinates are too long to be "
+                                  "inverted; give some of the symbols values")
     return tidy(field_matrix(matrix).inv().to_Matrix())
 
 
@@ -114,6 +124,9 @@ def independent_rows(matrix):
     """Indices of the rows that do not depend on the rows above them."""
     if 0 in matrix.shape:
         return ()
+    first = matrix[:matrix.cols, :]
+    if first.rows == first.cols and _has_full_rank_at_a_point(first):
+        return tuple(range(first.rows))
     return field_matrix(matrix.T).rref()[1]
 
 
@@ -122,6 +135,8 @@ def null_columns(matrix):
     n = matrix.cols
     if not matrix.rows:
         return sp.eye(n)
+    if matrix.rows >= n and _has_full_rank_at_a_point(matrix):
+        return sp.zeros(n, 0)
     kernel = field_matrix(matrix).nullspace().to_Matrix()
     return sp.Matrix.hstack(sp.zeros(n, 0), *(simple_multiple(kernel[i, :]).T for i in range(kernel.rows)))
 

@@ -99,6 +99,10 @@ def _conditions(A, H, parameters):
         raise ValueError(f"parameters: the system also has {', '.join(sorted(map(str, strangers)))}; name every "
                          f"symbol that is "
                          "not a number")
+    if roots := sorted((p for p in (A.atoms(sp.Pow) | H.atoms(sp.Pow)) if p.free_symbols and not p.exp.is_Integer),
+                       key=str):
+        raise ValueError(f"A: {roots[0]} stands in the system, and conditions are found for rational functions of the "
+                         "parameters; put a symbol for it")
     below = sp.Mul(*{sp.denom(sp.together(entry)) for entry in (*A, *H)})
     return rank_conditions(stacked_powers(A, H), parameters, below)
 

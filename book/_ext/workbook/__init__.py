@@ -13,6 +13,7 @@ reference   the pages of the library, from its docstrings, with links to what us
 lectures    what only the notebook of a lecture shows
 cases       the page of the checks, from the tables that are their tests
 freshness   what makes a page outdated, beyond its own text
+keeping     what is kept from one build to the next
 offline     nothing is loaded from another host
 """
 
@@ -23,6 +24,7 @@ from workbook import (
     downloads,
     figures,
     freshness,
+    keeping,
     lectures,
     listings,
     numbering,
@@ -36,6 +38,6 @@ from workbook import (
 
 def setup(app):
     for part in (catalogue, pages, listings, downloads, boxes, figures, printed, punctuation, numbering, reference,
-                 lectures, cases, freshness, offline):
+                 lectures, cases, freshness, keeping, offline):
         part.setup(app)
     return {"version": "1", "env_version": freshness.EXTENSION, "parallel_read_safe": True, "parallel_write_safe": True}

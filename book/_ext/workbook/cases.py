@@ -13,26 +13,32 @@ from trajlib.checks.contract.reporting import MARKS
 
 
 class CheckCases(SphinxDirective):
-    """A section a theme, a table a check, then the theme's known limits."""
+    """A section a theme, a table a check, then the theme's known limits. A check with cases in several files stands in
+    the first of these themes."""
 
     def run(self):
         folder = Path(self.env.srcdir) / "tests" / "checks"
         self.env.note_dependency(str(folder / "case.py"))
-        sections = []
+        modules = {}
         for path in sorted((folder / "cases").glob("*/*.py")):
             self.env.note_dependency(str(path))
-            sections.append(self._theme(_load(path, folder), path.stem))
-        return sections
+            modules[path] = _load(path, folder)
+        cases, place = [case for module in modules.values() for case in module.CASES], {}
+        for path, module in modules.items():
+            for case in module.CASES:
+                place.setdefault(case.check, path)
+        return [self._theme(module, path.stem, [case for case in cases if place[case.check] == path])
+                for path, module in modules.items()]
 
-    def _theme(self, module, theme):
+    def _theme(self, module, theme, cases):
         section = nodes.section("", nodes.title("", theme.replace("_", " ").capitalize()),
                                 ids=[f"checks-{theme.replace('_', '-')}"])
-        for name in dict.fromkeys(case.check for case in module.CASES):
+        for name in dict.fromkeys(case.check for case in cases):
             purpose, *more = (" ".join(part.split()) for part in getattr(checks, name).__doc__.split("\n\n"))
             anchor = nodes.target("", "", ids=[f"check-{name}"])
             section += nodes.paragraph("", "", anchor, nodes.literal("", f"checks.{name}"), *_with_code(f": {purpose}"))
             section += [nodes.paragraph("", "", *_with_code(part)) for part in more if part.startswith("Data: ")]
-            section += _table([case for case in module.CASES if case.check == name])
+            section += _table([case for case in cases if case.check == name])
         section += nodes.paragraph("", "", nodes.strong("", "Known limits"))
         section += nodes.bullet_list("", *(nodes.list_item("", nodes.paragraph("", limit)) for limit in module.LIMITS))
         return section

@@ -51,10 +51,12 @@ SHAPES = {
     "feedback": COMMON | {
         "K": "s x n matrix", "L": "n x m matrix", "S": "k x k matrix of the error w' = S w",
         "c": "m x k matrix of the error c w in the output", "controls": "list of s symbols",
+        "cost": "symmetric n x n matrix of symbols",
         "desired": "dict from symbols of the state to functions of time",
         "domain": "dict from symbols to intervals", "equation": "Scalar", "estimates": "list of n symbols",
         "gain": "matrix of symbols, or one", "given": "condition, or list of them",
         "margin": "number", "mu": "symbol", "outputs": "list of m symbols", "polynomial": "expression of the symbol",
+        "problem": "Quadratic", "process": "Process", "start": "list of n symbols",
         "symbol": "symbol", "time": "symbol", "zeros": "list of n expressions of the state",
     },
 }

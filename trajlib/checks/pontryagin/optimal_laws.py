@@ -16,7 +16,7 @@ from trajlib.checks.contract import coercion
 from trajlib.checks.contract.claims import Expression
 from trajlib.checks.contract.tolerance import in_decimals, same, share
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
-from trajlib.checks.pontryagin.processes import costs_least, keeps_to_the_ends, meets_once, point_text, told_for
+from trajlib.checks.pontryagin.followed import does_as_well, point_text, told_for
 from trajlib.checks.tools.values import real_function
 from trajlib.checks.truths.optima.direct_optimum import optima
 from trajlib.checks.truths.optima.transfer_optima import rk4
@@ -53,11 +53,7 @@ def optimal_law(answer, problem, parameters, time=None):
     for values, best in found:
         _says_what_is_best(law, values, best)
     for (values, best), times, states in zip(found, *_followed(law, found)):
-        where = told_for(values)
-        if problem.first_return:
-            meets_once(times, states, best, where)
-        keeps_to_the_ends(states[-1], best, law.rounding, where + "under your law")
-        costs_least(best.total(states[-1]), best, problem, law.rounding, where + "your law")
+        does_as_well(times, states, best, problem, law.rounding, told_for(values), "your law")
     return "from all starts tried it does what the best process found does, keeps to the ends, and costs no more"
 
 

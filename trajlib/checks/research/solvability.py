@@ -237,7 +237,7 @@ def _pairs_of_stations(matrix, first, second):
         a, b, factor, last = drawn(), drawn(), drawn(), (number//3) % 3
         one, number = unit(a, b, last), number + 1
         if number % 3 == 0:
-            other = [int(random.choice((-1, 1)))*part for part in one]
+            other = [(-1)**(number//3)*part for part in one]  # the same direction, or the opposite one
         elif number % 3 == 1:                # parallel in two components only
             other = unit(factor*a, factor*b, last)
         else:

@@ -10,7 +10,7 @@ from sympy.core.relational import Relational
 from trajlib.checks.contract import coercion
 from trajlib.checks.contract.claims import ConditionOn, Expression
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
-from trajlib.checks.tools.conditions import Case, Condition, Truth, compare, exactly, on_borders, place_text
+from trajlib.checks.tools.conditions import Case, Condition, Truth, compare, exactly, on_borders, place_text, readings
 from trajlib.checks.tools.samples import allowed_values, joined, sample_values
 from trajlib.checks.tools.values import number_at
 from trajlib.checks.tools.wording import point_text, values_text
@@ -209,7 +209,7 @@ def basin_estimate(condition, function, field, state, parameters=(), given=()):
                         f"and {max(heights):.4g} at {point_text(high)}{where}")
         height = np.mean(heights)
         broken = (_breaks(rate, 0.997 * border, others, level, 0.994 * height)
-                  or _holds_equilibrium(claim, field, state, values, others))
+                  or _holds_equilibrium(condition, field, state, values, others))
         if broken:
             raise Wrong(f"V does not prove attraction for all of this set: {broken}{where}")
         if not _breaks(rate, 1.004 * border, others, level, 1.008 * height):
@@ -340,9 +340,12 @@ def _breaks(rate, border, others, level, height):
 
 
 def _holds_equilibrium(claim, field, state, values, others):
-    """The other equilibrium that lies in the claimed set or on a part of its boundary that belongs to it, in words."""
+    """The other equilibrium that lies in the claimed set or on a part of its boundary that belongs to it, in words;
+    a boundary in decimals may be rounded to either side of it."""
+    claims = [reading.subs(values) for reading in readings(claim)]
     for point in others:
         exact = {x: sp.Rational(Fraction(float(v)).limit_denominator(1000)) for x, v in zip(state, point)}
-        if all(sp.sympify(f).subs(values).subs(exact) == 0 for f in field) and claim.subs(exact) == True:  # noqa: E712
+        if all(sp.sympify(f).subs(values).subs(exact) == 0 for f in field) and all(
+                claim.subs(exact) == True for claim in claims):  # noqa: E712
             return f"it contains the equilibrium {point_text(point)}"
     return ""

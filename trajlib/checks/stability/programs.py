@@ -3,12 +3,9 @@
 A program is a dict from those components of the state that a problem prescribes to functions of time, `{x: V0*t, y:
 0}`; the other components and the controls along it are constants, which the checks here find for themselves by Newton's
 iteration. A stationary angle is the solution phi(t) = phi0 of an equation phi'' = f(phi, phi'), given as the field of
-its state (phi, phi'); the angles between 0 and 2 pi are found from the signs of f on a grid.
+its state (phi, phi'), found by `rest_angles`.
 """
 
-import functools
-import itertools
-from fractions import Fraction
 
 import numpy as np
 import sympy as sp
@@ -19,14 +16,14 @@ from trajlib.checks.contract.members import VECTORS, families, in_order
 from trajlib.checks.contract.tolerance import same
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
 from trajlib.checks.stability.first_approximation import Rates
+from trajlib.checks.stability.rest_sets import WANTED, agreement
 from trajlib.checks.tools.conditions import Case, Truth, compare, contrary, exactly, place_text
 from trajlib.checks.tools.samples import sample_values
 from trajlib.checks.tools.values import number_at, numbers_at
 from trajlib.checks.tools.wording import roots_text, values_text
 from trajlib.checks.truths.fields import STEP
+from trajlib.checks.truths.rest_angles import stationary_angles
 
-#: For how many sets of parameter values the stationary angles are kept: a verdict asks for a thousand, mostly the same.
-MOST_KEPT = 5000
 #: What a right matrix of equations in deviations is told.
 AS_IT_SAYS = "for small deviations in every direction the right-hand sides change as the matrix says"
 
@@ -81,7 +78,7 @@ def input_matrix_along(claim, field, state, parameters, program, controls):
 @judged
 def rest_angles_exist(answer, field, state, parameters):
     """The parameters for which phi'' = f(phi, phi') has stationary solutions at all."""
-    angles = _angles(tuple(field), tuple(state), tuple(parameters))
+    angles = stationary_angles(tuple(field), tuple(state), tuple(parameters))
     at_rest = sp.Eq(sp.sympify(field[1]).subs(state[1], 0), 0)
     truth = Truth((Case(at_rest, (state[0],)),), (Case(sp.Not(at_rest), (state[0],), every=True),), angles.exist)
     agreement = compare(answer, parameters, truth, contrary(
@@ -93,21 +90,19 @@ def rest_angles_exist(answer, field, state, parameters):
 def rest_angles(answer, field, state, parameters, integer):
     """All stationary angles, as expressions in the parameters and an integer; angles that differ by 2 pi are the
     same."""
-    return _judge_rest_angles(answer, field, state, parameters, integer, lambda slope, friction: True, "stationary")
+    return _judge_rest_angles(answer, field, state, parameters, integer, "stationary")
 
 
 @judged
 def stable_rest_angles(answer, field, state, parameters, integer):
     """The stationary angles that Theorem 1.4 proves asymptotically stable, in the same form."""
-    return _judge_rest_angles(answer, field, state, parameters, integer,
-                              lambda slope, friction: slope < 0 and friction < 0, "asymptotically stable")
+    return _judge_rest_angles(answer, field, state, parameters, integer, "asymptotically stable")
 
 
 @judged
 def unstable_rest_angles(answer, field, state, parameters, integer):
     """The stationary angles that Theorem 1.4 proves unstable, in the same form."""
-    return _judge_rest_angles(answer, field, state, parameters, integer,
-                              lambda slope, friction: slope > 0 or friction > 0, "unstable")
+    return _judge_rest_angles(answer, field, state, parameters, integer, "unstable")
 
 
 @judged(Expression("deviations", "angle", "parameters"))
@@ -120,7 +115,7 @@ def angle_deviations(claim, field, state, parameters, angle, deviations):
     """
     if not claim.is_polynomial(*deviations) or sp.Poly(claim, *deviations).total_degree() > 1:
         raise Invalid(f"expected an expression that is linear in {deviations[0]} and {deviations[1]}")
-    angles = _angles(tuple(field), tuple(state), tuple(parameters))
+    angles = stationary_angles(tuple(field), tuple(state), tuple(parameters))
     for values in angles.samples:
         for phi in angles.rest(values):
             slope, friction = angles.derivatives(values, phi)
@@ -206,124 +201,15 @@ class Motion:
         raise RuntimeError("no motion was found that satisfies the program")
 
 
-@functools.lru_cache(maxsize=16)
-def _angles(field, state, parameters):
-    """The `_Angles` of the data, the same for the same data: what it has found serves the next verdict too."""
-    return _Angles(field, state, parameters)
-
-
-class _Angles:
-    """Stationary solutions of phi'' = f(phi, phi'), f of period 2 pi in phi."""
-
-    GRID = np.linspace(0.0123, 0.0123 + 2 * np.pi, 361)
-
-    def __init__(self, field, state, parameters):
-        phi, rate = state
-        if sp.simplify(field[0] - rate) != 0:
-            raise RuntimeError("this is no equation of second order")
-        self.parameters = list(parameters)
-        force = sp.sympify(field[1])
-        names = [phi, *self.parameters]
-        still = {rate: 0}
-        self._force = sp.lambdify(names, force.subs(still), "numpy")
-        self._slope = sp.lambdify(names, sp.diff(force, phi).subs(still), "numpy")
-        self._curvature = sp.lambdify(names, sp.diff(force, phi, 2).subs(still), "numpy")
-        self._friction = sp.lambdify(names, sp.diff(force, rate).subs(still), "numpy")
-        self._known = {}
-
-    def _numbers(self, values):
-        return [float(values[p]) for p in self.parameters]
-
-    def rest(self, values):
-        """The simple stationary angles between 0 and 2 pi."""
-        return self._zeros(self._force, self._slope, self._numbers(values))
-
-    def force(self, values, phi):
-        """f(phi, 0)."""
-        return float(self._force(phi, *self._numbers(values)))
-
-    def extremes(self, values):
-        """The smallest and the largest value of f(phi, 0)."""
-        numbers = self._numbers(values)
-        turning = self._zeros(self._slope, self._curvature, numbers)
-        heights = [float(self._force(phi, *numbers)) for phi in [*turning, 0.0]]
-        return min(heights), max(heights)
-
-    def exist(self, values):
-        low, high = self.extremes(values)
-        rounding = 1e-12 * (abs(low) + abs(high))
-        return low <= rounding and high >= -rounding
-
-    def slopes(self, values):
-        """The `derivatives` at all stationary angles."""
-        asked = tuple(values[p] for p in self.parameters)
-        if asked not in self._known:
-            if len(self._known) == MOST_KEPT:
-                self._known.clear()
-            self._known[asked] = [self.derivatives(values, phi) for phi in self.rest(values)]
-        return self._known[asked]
-
-    def derivatives(self, values, phi):
-        """The derivatives of f at a stationary angle with respect to phi and phi'."""
-        numbers = self._numbers(values)
-        return float(self._slope(phi, *numbers)), float(self._friction(phi, *numbers))
-
-    @functools.cached_property
-    def samples(self):
-        """Five sets of values of the parameters for which there are stationary angles."""
-        found = list(itertools.islice((values for values in sample_values(self.parameters, 300)
-                                       if len(self.rest(values))), 5))
-        if not found:
-            raise RuntimeError("no parameters with stationary angles were met")
-        return found
-
-    @functools.cached_property
-    def edges(self):
-        """The `border` from the first two samples."""
-        return [pair for values in self.samples[:2] for pair in self.border(values)]
-
-    def border(self, values):
-        """Pairs (values close to the border of existence, values on it or None), along each parameter from `values`."""
-        for p in self.parameters:
-            inside, outside = values[p], 64 * values[p]
-            if self.exist(values | {p: outside}):
-                continue
-            for _ in range(60):
-                middle = (inside + outside) / 2
-                inside, outside = (middle, outside) if self.exist(values | {p: middle}) else (inside, middle)
-            edge = sp.Rational(*Fraction(float(inside)).limit_denominator(2000).as_integer_ratio())
-            exact = values | {p: edge} if abs(edge - inside) < 1e-9 and self.exist(values | {p: edge}) else None
-            yield values | {p: sp.Rational(*float(inside * (1 - sp.Rational(1, 10**3))).as_integer_ratio())}, exact
-
-    def double(self, values):
-        """The angles where f and its slope vanish together."""
-        numbers = self._numbers(values)
-        size = max(map(abs, self.extremes(values)))
-        return [phi for phi in self._zeros(self._slope, self._curvature, numbers) if abs(self._force(phi, *numbers))
-                < 1e-9 * size]
-
-    def _zeros(self, function, derivative, numbers):
-        values = function(self.GRID, *numbers) + 0 * self.GRID
-        k = np.flatnonzero(values[:-1] * values[1:] < 0)
-        if not len(k):
-            return np.array([])
-        left, right = self.GRID[k], self.GRID[k + 1]
-        phi = left - values[k] * (right - left) / (values[k + 1] - values[k])
-        for _ in range(6):
-            step = function(phi, *numbers) / derivative(phi, *numbers)
-            phi = np.clip(phi - step, left, right)
-        return np.mod(phi, 2 * np.pi)
-
-
-def _judge_rest_angles(answer, field, state, parameters, integer, wanted, word):
+def _judge_rest_angles(answer, field, state, parameters, integer, word):
     # A stationary solution may be given as the point (phi0, 0) of the phase plane.
     parts = [part[0] if isinstance(part, VECTORS) and len(part) == 2 and part[1] == 0 else part
              for part in families(answer, integer, "a list of angles, as expressions")]
     claims = [coercion.as_expression(part, [*parameters, integer]) for part in parts]
-    angles = _angles(tuple(field), tuple(state), tuple(parameters))
+    angles = stationary_angles(tuple(field), tuple(state), tuple(parameters))
     for values in angles.samples:
         found = angles.rest(values)
-        chosen = [phi for phi in found if wanted(*angles.derivatives(values, phi))]
+        chosen = [phi for phi in found if WANTED[word](*angles.derivatives(values, phi))]
         matched = set()
         for family in claims:
             for number in range(-3, 4) if family.has(integer) else (0,):
@@ -344,14 +230,17 @@ def _judge_rest_angles(answer, field, state, parameters, integer, wanted, word):
         if len(matched) < len(chosen):
             raise Wrong(f"not all angles are there: between 0 and 2 pi there is one that is {word} for "
                         f"{values_text(values)} and that your answer does not give")
-    return f"for several sets of parameters these angles are {word}, and a search of the whole circle finds no other"
+    # Angles that differ by 2 pi are the same here.
+    turned = [claim if claim.has(integer) else claim + 2 * sp.pi * integer for claim in claims]
+    known = agreement(turned, integer, field, state, parameters, sp.true, word)
+    return f"these angles are {word} for several sets of parameters, and a search of the circle finds no other{known}"
 
 
 def _judge_angles(answer, field, state, parameters, angle, kind, word):
     symbols = [angle, *parameters]
     force, at_rest = sp.sympify(field[1]).subs(state[0], angle), {state[1]: 0}
     slope, friction = (sp.diff(force, x).subs(at_rest) for x in (angle, state[1]))
-    angles = _angles(tuple(field), tuple(state), tuple(parameters))
+    angles = stationary_angles(tuple(field), tuple(state), tuple(parameters))
 
     def truth(values):
         slope, friction = angles.derivatives(values, float(values[angle]))
@@ -378,7 +267,7 @@ def _judge_kind(answer, field, state, parameters, kind, word):
     slope, friction = (sp.diff(force, x).subs(rate, 0) for x in state)
     border = friction**2 + 4 * slope
     given = sp.And(sp.Eq(force.subs(rate, 0), 0), slope < 0, sp.Ne(border, 0))
-    angles = _angles(tuple(field), tuple(state), tuple(parameters))
+    angles = stationary_angles(tuple(field), tuple(state), tuple(parameters))
 
     def discriminants(values):
         pairs = angles.slopes(values)

@@ -15,6 +15,7 @@ from trajlib.checks.contract.claims import Expression
 from trajlib.checks.contract.members import VECTORS, families
 from trajlib.checks.contract.tolerance import rounds_to
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
+from trajlib.checks.stability.rest_sets import agreement
 from trajlib.checks.tools.conditions import Case, Truth, compare, contrary
 from trajlib.checks.tools.samples import allowed_values, joined
 from trajlib.checks.tools.values import matrix_at, number_at
@@ -37,7 +38,8 @@ def rest_values(answer, field, state, parameters=(), given=(), integer=None):
     claims = _claims(answer, state, parameters, integer)
     for values, flow, found in _systems(field, state, parameters, given):
         _judge_values(claims, values, flow, found, found, integer, "stationary solutions")
-    return "at each of them the right-hand sides vanish, and a search finds no other"
+    return ("at each of them the right-hand sides vanish, and a search finds no other"
+            + agreement(claims, integer, field, state, parameters, joined(given), "stationary"))
 
 
 @judged
@@ -47,7 +49,8 @@ def stable_rest_values(answer, field, state, parameters=(), given=(), integer=No
     for values, flow, found in _systems(field, state, parameters, given):
         stable = [point for point in found if _growth(flow, point) < 0]
         _judge_values(claims, values, flow, found, stable, integer, "asymptotically stable ones")
-    return "there, and nowhere else, all roots of the characteristic equation have negative real parts"
+    return ("there, and nowhere else, all roots of the characteristic equation have negative real parts"
+            + agreement(claims, integer, field, state, parameters, joined(given), "asymptotically stable"))
 
 
 @judged
@@ -57,7 +60,8 @@ def unstable_rest_values(answer, field, state, parameters=(), given=(), integer=
     for values, flow, found in _systems(field, state, parameters, given):
         unstable = [point for point in found if _growth(flow, point) > 0]
         _judge_values(claims, values, flow, found, unstable, integer, "unstable ones")
-    return "there, and nowhere else, a root of the characteristic equation has a positive real part"
+    return ("there, and nowhere else, a root of the characteristic equation has a positive real part"
+            + agreement(claims, integer, field, state, parameters, joined(given), "unstable"))
 
 
 @judged

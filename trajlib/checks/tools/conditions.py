@@ -23,12 +23,16 @@ from sympy.core.relational import Relational
 from trajlib.checks.contract import coercion
 from trajlib.checks.contract.verdict import Invalid, Wrong
 
-#: z3's own steps before a question counts as undecided (about a second), and its megabytes.
-STEPS, MEGABYTES = 8_000_000, 300
+#: z3's own steps before a question counts as undecided: so many, or more where its polynomials are small, so many times
+#: their size; and its megabytes. What is decided takes hundreds of them, at most some 40,000. With large polynomials a
+#: single step may take so long that minutes would go by.
+STEPS, TIMES_SIZE, MEGABYTES = 200_000, 5_000_000, 300
 #: Digits that terms are computed to where a value is irrational, and how small a zero is there.
 DIGITS, NOTHING = 60, mpmath.mpf(10) ** -40
 #: Terms larger than this a solver is not asked about.
-LARGEST_DEGREE, MOST_TERMS = 40, 4000
+LARGEST_DEGREE, MOST_TERMS, MOST_WRITTEN_OUT = 40, 4000, 20_000
+#: The product of the degrees of algebraic numbers up to which a value is told from zero exactly.
+LARGEST_FIELD = 8
 HOW = {sp.Gt: operator.gt, sp.Ge: operator.ge, sp.Lt: operator.lt, sp.Le: operator.le, sp.Eq: operator.eq,
        sp.Ne: operator.ne}
 REVERSED = {sp.Gt: sp.Lt, sp.Ge: sp.Le, sp.Lt: sp.Gt, sp.Le: sp.Ge}
@@ -120,6 +124,11 @@ def compare(answer, parameters, truth, told):
     return f"agrees at {count} points"
 
 
+def decide(condition, symbols, truth):
+    """(whether it could be decided, where a condition is not as the truth: (values, what holds), or None)."""
+    return _decided([condition], list(symbols), truth)
+
+
 class Condition:
     """A condition in given symbols that can be evaluated at exact numbers."""
 
@@ -208,6 +217,8 @@ class _Sign:
         """The sign of a polynomial at algebraic numbers: a value close to zero has to have the minimal polynomial x."""
         if abs(number) >= NOTHING:
             return _sign(number)
+        if math.prod(number.poly.degree() for number in sp.Tuple(*place).atoms(sp.CRootOf)) > LARGEST_FIELD:
+            raise ArithmeticError("algebraic numbers of so high a degree are not computed with")
         x, value = sp.Dummy("x"), self._polys[k].as_expr().subs(dict(zip(self.symbols, place)), simultaneous=True)
         if value != 0 and value.is_algebraic and sp.minimal_polynomial(value, x) != x:
             raise ArithmeticError("a number that is not zero could not be told from it")
@@ -333,17 +344,20 @@ class _Question:
         except ImportError:
             raise _Undecidable from None  # where it does not run, as in some browsers, samples have to do
         self.z3, self.context, self.parameters, self.case = z3, z3.Context(), parameters, case
-        self.names, self.plain = {}, Plain(case.angles)
+        self.names, self.plain, self.size = {}, Plain(case.angles), 10
 
     def answer(self, readings, holds, besides):
         """A place, exact numbers of the parameters and the unknowns, or None if there is none."""
         z3, case = self.z3, self.case
+        if not case.every:
+            self.plain, plain = _plain_truth(case.condition, case.angles)
+            self.plain = self.plain.copy()
         claims = [self._formula(self.plain.condition(reading)) for reading in readings]
         told = [z3.Not(claim) if holds else claim for claim in claims]
         told.append(self._formula(self.plain.condition(besides)))
         known = {*self.parameters, *self.names}
         first = len(self.plain.sides)
-        truth = self._formula(self.plain.condition(case.condition))
+        truth = self._formula(self.plain.condition(case.condition) if case.every else plain)
         sides = [self._formula(side) for side in self.plain.sides]
         inner = [symbol for symbol in self.names if symbol not in known] if case.every else []
         if inner:
@@ -361,7 +375,7 @@ class _Question:
         z3 = self.z3
         names = ("simplify", "nlqsat") if quantified else ("simplify", "propagate-values", "qfnra-nlsat")
         solver = z3.Then(*(z3.Tactic(name, self.context) for name in names), ctx=self.context).solver()
-        solver.set("rlimit", STEPS)
+        solver.set("rlimit", max(STEPS, TIMES_SIZE // self.size))
         solver.set("max_memory", MEGABYTES)
         solver.add(question)
         try:
@@ -386,8 +400,9 @@ class _Question:
         return join(*parts)
 
     def _polynomial(self, expression):
-        terms = []
-        for coefficient, symbols in _terms(expression):
+        terms, found = [], _terms(expression)
+        self.size = max(self.size, len(found) * max((len(symbols) for _, symbols in found), default=0))
+        for coefficient, symbols in found:
             term = self.z3.RealVal(coefficient, self.context)
             for symbol in symbols:
                 term = term * self._real(symbol)
@@ -422,7 +437,14 @@ class _Question:
         return sp.rootof(sp.Poly(coefficients[::-1], sp.Symbol("t")), value.index() - 1)
 
 
-@functools.lru_cache(maxsize=512)  # the same truth is asked about again and again
+@functools.lru_cache(maxsize=128)  # the same truth is asked about again and again
+def _plain_truth(condition, angles):
+    """A condition made plain, and what made it: the same symbols each time, so that their polynomials are known."""
+    plain = Plain(angles)
+    return plain, plain.condition(condition)
+
+
+@functools.lru_cache(maxsize=512)
 def _as_fraction(expression):
     return sp.fraction(sp.together(expression))
 
@@ -431,13 +453,32 @@ def _as_fraction(expression):
 def _terms(expression):
     """A polynomial as (coefficient, symbols as often as they are factors), a pair a term."""
     symbols = sorted(expression.free_symbols, key=str)
-    if not expression.is_polynomial(*symbols):
+    if not expression.is_polynomial(*symbols) or _size(expression) > MOST_WRITTEN_OUT:
         raise _Undecidable
     poly = sp.Poly(expression, *symbols or [sp.Dummy()])
     if poly.domain not in (sp.ZZ, sp.QQ) or poly.total_degree() > LARGEST_DEGREE or len(poly.terms()) > MOST_TERMS:
         raise _Undecidable
     return [(str(coefficient), [symbol for symbol, power in zip(symbols, powers) for _ in range(power)])
             for powers, coefficient in poly.terms()]
+
+
+def _size(expression):
+    """How many terms a polynomial may have when its powers and products are written out."""
+    if isinstance(expression, sp.Add):
+        return sum(map(_size, expression.args))
+    if isinstance(expression, sp.Mul):
+        return math.prod(map(_size, expression.args))
+    if isinstance(expression, sp.Pow) and expression.exp.is_Integer and expression.exp > 0:
+        return math.comb(_size(expression.base) + int(expression.exp) - 1, int(expression.exp))
+    return 1
+
+
+def _squares(expression):
+    """The bases of a sum of even powers with positive factors, which vanishes where all of them do; otherwise None."""
+    parts = [part.as_coeff_Mul() for part in sp.Add.make_args(expression)]
+    even = all(factor > 0 and power.is_Pow and power.exp.is_Integer and power.exp > 0 and power.exp % 2 == 0
+               for factor, power in parts)
+    return [power.base for _, power in parts] if even else None
 
 
 class Plain:
@@ -447,6 +488,12 @@ class Plain:
 
     def __init__(self, angles=()):
         self.sides, self.circles, self._known, self._bare, self._angles = [], {}, {}, set(), angles
+
+    def copy(self):
+        other = Plain(self._angles)
+        other.sides, other.circles = list(self.sides), dict(self.circles)
+        other._known, other._bare = dict(self._known), set(self._bare)
+        return other
 
     def condition(self, node):
         if node in (sp.true, sp.false):
@@ -461,8 +508,9 @@ class Plain:
                     how = node.func if difference.coeff(angle) > 0 else REVERSED.get(node.func, node.func)
                     ordered = self._ordered(angle, how, other, defined)
                     return sp.And(*defined, ordered)
-            plain = node.func(self._term(difference, defined), 0)
-            return sp.And(*defined, plain)
+            squares = _squares(difference) if isinstance(node, (sp.Eq, sp.Ne)) else None
+            parts = [node.func(self._term(part, defined), 0) for part in squares or [difference]]
+            return sp.And(*defined, (sp.Or if isinstance(node, sp.Ne) else sp.And)(*parts))
         if isinstance(node, (sp.Implies, sp.Equivalent)):
             node = sp.to_nnf(node, simplify=False)
         if not isinstance(node, (sp.And, sp.Or, sp.Not, sp.Xor, sp.ITE)):

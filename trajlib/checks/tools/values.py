@@ -8,6 +8,8 @@ here, and no number leaves that is not finite: an answer that is undefined or in
 """
 
 import cmath
+import functools
+from contextlib import suppress
 
 import numpy as np
 import sympy as sp
@@ -154,15 +156,30 @@ def _first_of(conditions, values, default):
 
 def _all_at_once(claim, values):
     """The condition with its values. `subs` puts them in one after the other and thinks about every step."""
-    if any(getattr(part, "bound_symbols", None) for part in sp.preorder_traversal(claim)):
-        return claim.subs(values)  # an integral over one of the symbols, say, which is not to be replaced there
+    if _binds(claim):
+        return claim.subs(values)
     return claim.xreplace({symbol: sp.sympify(value) for symbol, value in values.items()})
 
 
 def _put(claim, values):
     """The claim with its values, evaluated; nan where this asks whether a number that is not real is greater than
     another."""
+    claim = sp.sympify(claim)
+    if not _binds(claim):
+        # All values at once take a third of the time. What comes out finite is the number; where a factor vanishes
+        # beside an infinite one, or a case that is not reached has no value, the order matters and `subs` is asked.
+        with suppress(TypeError, ValueError, AttributeError):
+            number = claim.xreplace({symbol: sp.sympify(value) for symbol, value in values.items()}).evalf(20)
+            if cmath.isfinite(complex(number)):
+                return number
     try:
-        return sp.sympify(claim).subs(values).evalf(20)
+        return claim.subs(values).evalf(20)
     except TypeError:
         return sp.nan
+
+
+@functools.lru_cache(maxsize=256)
+def _binds(claim):
+    """Whether the claim has symbols that are not to be replaced everywhere: an integral over one of them, say."""
+    return any(getattr(part, "bound_symbols", None) or isinstance(part, sp.Derivative)
+               for part in sp.preorder_traversal(claim))

@@ -4,8 +4,10 @@ it vanishes, at values of the parameters at which the truth is what it is elsewh
 
 import itertools
 
+import mpmath
 import sympy as sp
 
+from trajlib.checks.contract.verdict import Wrong
 from trajlib.checks.tools.conditions import compare, exactly, place_text
 
 #: Answers longer than this are tried at values in general position alone.
@@ -22,10 +24,52 @@ def judge_everywhere(matrix, parameters, given, undefined, dependent=None):
                               if entry.is_rational_function(*used) else entry)
     conditions = {undefined: sp.And(*(sp.Ne(sp.denom(sp.together(entry)), 0) for entry in matrix))}
     if dependent:
-        minors = (matrix.extract(list(rows), list(range(matrix.cols))).det(method="berkowitz")
-                  for rows in itertools.combinations(range(matrix.rows), matrix.cols))
+        minors = [matrix.extract(list(rows), list(range(matrix.cols))).det(method="berkowitz")
+                  for rows in itertools.combinations(range(matrix.rows), matrix.cols)]
+        if len(minors) == 1 and not (
+                minors[0].is_rational_function(*used) or minors[0].has(*_JUMPING)):
+            for values in _sign_changes(minors[0], used):
+                if given().subs(values) == sp.true:
+                    raise Wrong(f"{dependent} for a value near {place_text(values)}, where the answer is to serve too")
         conditions[dependent] = sp.Or(*(sp.Ne(sp.numer(sp.together(minor)), 0) for minor in minors))
     for failure, condition in conditions.items():
         if condition != sp.true:
             compare(condition, parameters, exactly(sp.true, given()),
                     lambda values, holds: f"{failure} for {place_text(values)}, where the answer is to serve too")
+
+
+def _sign_changes(function, symbols):
+    """Places beside which a function that is no quotient of polynomials goes through zero: one of its symbols runs, the
+    others have general values. Between two signs a continuous function is zero; at a pole or a jump it does not become
+    small.
+    """
+    general = dict(zip(symbols, map(sp.Rational, ("17/10", "23/10", "29/10", "31/10", "37/10"))))
+    # Without powers: a square has a zero without a change of sign.
+    factors = {factor.as_base_exp()[0] for factor in sp.Mul.make_args(sp.factor(function))}
+    for factor, symbol in itertools.product(sorted(factors, key=sp.default_sort_key), symbols):
+        value = sp.lambdify(symbol, factor.subs({s: v for s, v in general.items() if s != symbol}), "mpmath")
+        grid = itertools.pairwise(_HALF if symbol.is_nonnegative else [-x for x in _HALF[::-1]] + _HALF)
+        for left, right in sorted(grid, key=lambda ends: abs(ends[0])):  # small numbers are told first
+            root = _root(lambda x: value(mpmath.mpf(x)), left, right)
+            if root is not None:
+                yield general | {symbol: sp.Rational(round(root, 6))}
+
+
+_HALF = [k/8 + 0.01 for k in range(160)] + [20.01 * 1.3**k for k in range(20)]
+#: Functions that jump: one may avoid a zero by a value of its own just there.
+_JUMPING = (sp.Piecewise, sp.sign, sp.Heaviside, sp.floor, sp.ceiling)
+
+
+def _root(value, left, right):
+    """Where a function changes its sign between two numbers, or None."""
+    try:
+        ends = value(left), value(right)
+        if not all(mpmath.isfinite(end) and mpmath.im(end) == 0 for end in ends) or ends[0]*ends[1] >= 0:
+            return None
+        for _ in range(60):
+            middle = (left + right)/2
+            at = value(middle)
+            left, right = (left, middle) if at*ends[0] <= 0 else (middle, right)
+    except (ValueError, TypeError, ZeroDivisionError, OverflowError, NameError):
+        return None
+    return middle if abs(at) <= 1e-9*max(map(abs, ends)) else None

@@ -34,9 +34,16 @@ class Numbers:
 def numbers(process, values, start=True):
     """The process at values of its symbols, as arrays; without its `start` with zeros as its first moments."""
     process = plain(process)
+    arrays = _arrays(process, tuple(values.items()), start)
+    return Numbers(*(part.copy() for part in arrays), process.discrete)
+
+
+@functools.lru_cache(maxsize=256)
+def _arrays(process, values, start):
+    """Every claim about a process is tried at the same values."""
+    values = dict(values)
     start = (process.mean, process.covariance) if start else (process.mean * 0, process.covariance * 0)
-    return Numbers(*(array(matrix, values) for matrix in (process.A, process.Q, process.H, process.R, *start)),
-                   process.discrete)
+    return [array(matrix, values) for matrix in (process.A, process.Q, process.H, process.R, *start)]
 
 
 @functools.lru_cache(maxsize=32)

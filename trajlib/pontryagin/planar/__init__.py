@@ -1,1 +1,1 @@
-"""Planar time-optimal syntheses, by extremals that are integrated backwards from the target."""
+"""Planar syntheses, by extremals that are integrated backwards from the target."""

@@ -6,7 +6,8 @@ from ...plotting import BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, RED, SKY, styl
 
 
 def draw(synthesis, ax=None, isochrones=(), extremals=24):
-    """Regions of u_+ (hatched) and u_-, extremals, switching curves, dispersal curves, barriers; returns the Axes."""
+    """Regions of the controls' levels (u_+ hatched), extremals, curves on which they change, barriers; returns the
+    Axes."""
     import matplotlib.pyplot as plt
 
     with style():
@@ -34,29 +35,60 @@ def draw(synthesis, ax=None, isochrones=(), extremals=24):
     return ax
 
 
+#: How the regions of a mode look: colour, its strength, hatching, its colour. The last of two is u_+, as ever.
+LOOKS = ((GREY, 0.0, None, GREY), (SKY, 0.3, "///", "#9CCBE6"), (GREY, 0.3, None, GREY),
+         (ORANGE, 0.2, "...", "#E8C58A"), (GREEN, 0.15, "xxx", "#A9D8C6"), (PURPLE, 0.15, "\\\\\\", "#D9B8CC"))
+
+
 def _regions(synthesis, ax):
-    """Hatch where the control is u_+."""
+    """A colour and a hatching for each mode of the controls."""
     (left, right), (bottom, top) = synthesis.window
-    field = synthesis._field
+    field, plant = synthesis._field, synthesis.plant
     X, Y = np.meshgrid(np.linspace(left, right, 301), np.linspace(bottom, top, 301))
     x = np.array([X.ravel(), Y.ravel()])
-    _, triangle, _ = field.interpolated(x)
-    count = field.count[triangle]
-    sign = np.where(triangle >= 0, field.first[triangle]*np.where(count[:, 0] % 2, -1, 1), 0.0)
-    # A cell in which the control switches is divided by the switching curve.
-    divided = np.flatnonzero((triangle >= 0) & (np.ptp(count, axis=1) > 0))
-    sign[divided] = field.exact(x[:, divided])[1]
-    sign = sign.reshape(X.shape)
-    plus = ax.contourf(X, Y, (sign > 0).astype(float), levels=[0.5, 1.5], colors=[SKY], alpha=0.3, zorder=0)
-    hatching = ax.contourf(X, Y, (sign > 0).astype(float), levels=[0.5, 1.5], colors="none", hatches=["///"], zorder=0)
-    for part in (plus, hatching):
-        part.set_linewidth(0)
-    hatching.set_edgecolor("#9CCBE6")
-    low, high = (sp.latex(b) for b in synthesis.problem.controls[synthesis.problem.control[0]])
-    name = sp.latex(synthesis.problem.control[0])
-    # Empty outlines, for the legend only.
-    ax.fill([], [], facecolor="#D2E9F6", hatch="///", edgecolor="#5AA0C8", ls="-", label=f"${name} = {high}$")
-    ax.fill([], [], facecolor="white", edgecolor=GREY, ls="-", label=f"${name} = {low}$")
+    triangle = field.interpolated(x)[1]
+    mode = field.modes(triangle)
+    # A cell in which the mode changes is divided by the switching curve.
+    corners = plant.words.mode[field.word[triangle]]
+    divided = np.flatnonzero((triangle >= 0) & (np.ptp(corners, axis=1) > 0))
+    mode[divided] = field.exact(x[:, divided]).mode
+    mode = mode.reshape(X.shape)
+    shown = [m for m in range(len(plant.modes)) if (mode == m).any()]
+    for m, (colour, strength, hatch, line) in zip(_dressed(shown, len(plant.modes)), LOOKS):
+        here = (mode == m).astype(float)
+        if here.any() and strength:
+            ax.contourf(X, Y, here, levels=[0.5, 1.5], colors=[colour], alpha=strength, zorder=0).set_linewidth(0)
+        if here.any() and hatch:
+            hatching = ax.contourf(X, Y, here, levels=[0.5, 1.5], colors="none", hatches=[hatch], zorder=0)
+            hatching.set_linewidth(0)
+            hatching.set_edgecolor(line)
+        if here.any() or len(plant.modes) == 2:
+            # Empty outlines, for the legend only.
+            face = "white" if not strength else _tint(colour, strength)
+            ax.fill([], [], facecolor=face, hatch=hatch, edgecolor=line, ls="-", label=_mode_label(synthesis, m))
+
+
+def _dressed(shown, count):
+    """The modes in the order of `LOOKS`: the lowest, the highest, then what lies between."""
+    if count == 2:
+        return [0, 1]
+    return [shown[0], shown[-1], *shown[1:-1]] if len(shown) > 1 else shown
+
+
+def _tint(colour, strength):
+    from matplotlib.colors import to_rgb
+
+    return tuple(1 - strength*(1 - c) for c in to_rgb(colour))
+
+
+def _mode_label(synthesis, mode):
+    parts, names = synthesis.plant.parts, synthesis.plant.name(mode)
+    told = []
+    for part, name in zip(parts, (names,) if len(parts) == 1 else names):
+        u, low, high = sp.latex(part.u), sp.latex(part.low), sp.latex(part.high)
+        told.append({"u-": f"{u} = {low}", "u+": f"{u} = {high}", "zero": f"{u} = 0", "interior":
+                     f"{low} < {u} < {high}", "open": rf"{u}\ \mathrm{{open}}"}[name])
+    return f"${', '.join(told)}$"
 
 
 def _line(ax, points, label, **look):

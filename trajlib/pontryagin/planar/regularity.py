@@ -63,31 +63,29 @@ def _cells(synthesis):
     field = synthesis._field
     (left, right), (bottom, top) = synthesis.window
     X, Y = np.meshgrid(np.linspace(left, right, RASTER), np.linspace(bottom, top, RASTER))
-    time, triangle, _ = field.interpolated(np.array([X.ravel(), Y.ravel()]))
-    sign = np.where(triangle >= 0, field.first[triangle]*np.where(np.median(field.count[triangle], axis=1) % 2, -1, 1),
-                    0)
-    sign = sign.reshape(X.shape)
+    triangle = field.interpolated(np.array([X.ravel(), Y.ravel()]))[1]
+    modes = field.modes(triangle).reshape(X.shape)
     walls = np.zeros(X.shape, bool)
     step = np.array([right - left, top - bottom])/(RASTER - 1)
     curves = synthesis.switching_curves + synthesis.dispersal_curves + [b for b in synthesis.borders if b.optimal]
     for curve in curves + synthesis.reached:
         walls[tuple(_raster(curve.points, np.array([left, bottom]), step))] = True
-    regions = _count_regions(sign, walls)
+    regions = _count_regions(modes, walls)
     points = 1 if not synthesis.reached else 0
     text = f"{regions} regions, {len(curves)} curves" + (" and the target point" if points else "") + " in the window"
-    if field.fans[0].plant.singular.free_symbols and _vanishes_inside(synthesis):
+    if any(d.free_symbols for d in synthesis.plant.singular) and _vanishes_inside(synthesis):
         return Condition("A", False, regions,
                          text + "; det(f1, [f0, f1]) vanishes somewhere in it, where extremals can be singular")
     return Condition("A", True, regions, text)
 
 
-def _count_regions(sign, walls):
+def _count_regions(modes, walls):
     from scipy import ndimage
 
     walls = ndimage.binary_dilation(walls, structure=np.ones((3, 3)))
     count = 0
-    for value in (-1, 1):
-        labels, number = ndimage.label((sign == value) & ~walls)
+    for value in range(modes.max() + 1):
+        labels, number = ndimage.label((modes == value) & ~walls)
         count += int((np.bincount(labels.ravel(), minlength=number + 1)[1:] > RASTER).sum())
     return count
 
@@ -104,8 +102,8 @@ def _raster(points, corner, step):
 def _vanishes_inside(synthesis):
     (left, right), (bottom, top) = synthesis.window
     X, Y = np.meshgrid(np.linspace(left, right, 60), np.linspace(bottom, top, 60))
-    values = synthesis.plant.singular_at(X.ravel(), Y.ravel())[0]
-    return values.min() <= 0 <= values.max()
+    values = synthesis.plant.singular_at(X.ravel(), Y.ravel())
+    return bool(((values.min(axis=1) <= 0) & (values.max(axis=1) >= 0)).any())
 
 
 def _curves(synthesis):
@@ -115,14 +113,16 @@ def _curves(synthesis):
         if curve.kind == "followed":
             followed += 1
             continue
-        angles = crossing_angles(synthesis.plant, curve.points)[:, np.hypot(*np.diff(curve.points, axis=0).T) > 1e-9]
+        angles = crossing_angles(curve.points, curve.velocities)
+        angles = angles[:, np.hypot(*np.diff(curve.points, axis=0).T) > 1e-9]
         if not angles.size:
             continue
         smallest = min(smallest, np.abs(angles).min())
         if curve.kind == "mixed" or (angles[0]*angles[1] <= 0).any():
             bad.append(curve)
     degrees = np.rad2deg(smallest) if np.isfinite(smallest) else np.nan
-    text = f"the control is constant in every region; {followed} switching curves are followed (first type)"
+    smooth = "smooth" if synthesis.plant.has_interior else "constant"
+    text = f"the control is {smooth} in every region; {followed} switching curves are followed (first type)"
     crossed = len(synthesis.switching_curves) - followed
     if crossed:
         text += f", {crossed} are crossed (second type), at {degrees:.3g} degrees or more"
@@ -137,9 +137,8 @@ def _arrival(synthesis):
     # How far back they stay optimal does not matter here.
     tangent = [b for b in synthesis.borders if b.arrives and b.kind == "abnormal"]
     if not synthesis.reached:
-        speeds = [np.hypot(*plant.velocity(synthesis._target.at[:, None], np.array([sign])))[0] for sign in (-1, 1)]
-        used = sorted({int(s) for fan in synthesis._field.fans for s in np.unique(fan.sign[0][fan.life > 0])})
-        slow = min(speeds[0 if s < 0 else 1] for s in used)
+        slow = min(np.hypot(*plant.velocity(fan.motion[0][:, lives], fan.mode[0, lives])).min()
+                   for fan in synthesis._field.fans if (lives := fan.life > 0).any())
         return Condition("C", slow > 0, float(slow), f"the point is reached with a velocity of {slow:.3g} or more")
     if not tangent:
         return Condition("C", True, np.nan, "optimal trajectories cross the target at a non-zero angle")
@@ -158,34 +157,36 @@ def _passages(synthesis):
 
 
 def _maximum(synthesis):
-    """Condition E, from the stored costates: sign of the switching function, and H = lambda_0."""
-    worst = 0.0
+    """Condition E, from the stored covectors: the signs of the surfaces between the levels, and H = 0."""
+    worst, plant = 0.0, synthesis.plant
     for fan in synthesis._field.fans:
-        k, j = np.nonzero(np.isfinite(fan.path[:, 0]) & (fan.sign != 0) & (fan.life > 0))
-        z = np.vstack([fan.path[k, :, j].T, fan.costate[k, :, j].T])
-        size = np.hypot(*z[2:])*(np.hypot(*fan.plant.velocity(z[:2], fan.sign[k, j])) + np.hypot(*z[:2]) + 1)
-        phi = fan.plant.switching(z)*fan.sign[k, j]
-        energy = (z[2:]*fan.plant.velocity(z[:2], fan.sign[k, j])).sum(axis=0)
-        worst = max(worst, np.max(-phi/size, initial=0), np.max(np.abs(energy - energy_at_end(fan, j))/size, initial=0))
+        k, j = np.nonzero(np.isfinite(fan.path[:, 0]) & (fan.mode >= 0) & (fan.life > 0))
+        z, mode = fan.motion[k, :, j].T, fan.mode[k, j]
+        v, price = plant.velocity(z, mode), plant.costs(z, mode)
+        size = np.hypot(*z[2:4])*(np.hypot(*v) + np.hypot(*z[:2]) + 1) + z[4]*(np.abs(price) + 1)
+        against = -plant.surfaces(z)*plant.demand[mode].T
+        energy = (z[2:4]*v).sum(axis=0) - z[4]*price
+        worst = max(worst, np.max(against/size, initial=0), np.max(np.abs(energy)/size, initial=0))
     return Condition("E", bool(worst < 1e-7), float(worst),
-                     f"maximum condition and H = lambda_0 up to {worst:.1e} along all extremals")
-
-
-def energy_at_end(fan, j):
-    """lambda_0 of the extremals j: psi^T f at the target."""
-    v = fan.plant.velocity(fan.path[0], fan.sign[0])
-    return (fan.costate[0]*v).sum(axis=0)[j]
+                     f"maximum condition and H = 0 up to {worst:.1e} along all extremals")
 
 
 def _continuity(synthesis):
     barriers = synthesis.barriers
     if not barriers:
-        return Condition("F", True, 0.0, "the least time is continuous across all curves")
+        return Condition("F", True, 0.0, f"the {_what(synthesis)} is continuous across all curves")
     jump = max(b.jump for b in barriers)
     if np.isinf(jump):
         finite = [b.jump for b in barriers if np.isfinite(b.jump)]
         text = f"{len(barriers) - len(finite)} barriers border points from which the target is not reached"
-        text += f"; across {len(finite)} others the least time jumps by up to {max(finite):.3g}" if finite else ""
+        if finite:
+            text += f"; across {len(finite)} others the {_what(synthesis)} jumps by up to {max(finite):.3g}"
         return Condition("F", not finite, jump, text)
     return Condition("F", False, float(jump),
-                     f"{len(barriers)} barriers; across them the least time jumps by up to {jump:.3g}")
+                     f"{len(barriers)} barriers; across them the {_what(synthesis)} jumps by up to {jump:.3g}")
+
+
+def _what(synthesis):
+    if synthesis.plant.counts_time:
+        return "least time"
+    return "greatest value" if synthesis.problem.maximise else "least cost"

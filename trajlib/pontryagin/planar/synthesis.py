@@ -1,19 +1,23 @@
-"""Planar time-optimal synthesis by backward integration of extremals from the target.
+"""Planar synthesis by backward integration of extremals from the target.
 
-For x' = f0(x) + f1(x) u, u_- <= u <= u_+ and the least time to a point or a smooth curve g(x) = 0 the maximum principle
-leaves one-parameter families of extremals: they end on the target, the costate there is normal to it (transversality)
-and max_u psi^T f = lambda_0 >= 0 (H = 0). Followed backwards they switch where psi^T f1 = 0; they are given up where
-they meet the target again (the process ends at the first hit) and where another extremal is faster. What is left is the
-synthesis:
+For the least (or greatest) phi_0(x(t_k)) + int f_0(x, u) dt, the end being free in time, at a point or on a smooth
+curve g(x) = 0, the maximum principle leaves one-parameter families of extremals: they end on the target with a covector
+that transversality and H = 0 determine (`terminal_sets`). Followed backwards their controls change where H asks for
+another level (`plant`); they are given up where they meet the target again (the process ends at the first hit) and
+where another extremal is better. What is left is the synthesis:
 
-    switching curve    where the control of optimal trajectories jumps,
-    dispersal curve    where two extremals of equal time start: beyond it the other one is faster,
-    barrier            an extremal, mostly one that touches the target, across which the least time jumps.
+    switching curve    where a control of optimal trajectories changes its level,
+    dispersal curve    where two extremals of equal cost start: beyond it the other one is better,
+    barrier            an extremal, mostly one that touches the target, across which the least cost jumps.
 
-Extremals with singular arcs are not looked for. They need det(f1, [f0, f1]) = 0: where this is possible, `regularity()`
-says so. Source: chapter 5 of the problem book (worked example 2, figure 5.1); V. G. Boltyansky's regular synthesis.
+Extremals with singular arcs are not looked for. They need det(F, F_j, [F, F_j]) = 0 for the fields with the cost as a
+third state, which is det(f1, [f0, f1]) for the least time: where this is possible, `regularity()` says so, and for
+other costs such a problem is refused if an arc could be followed. A control whose switching function can vanish only
+for good is left open there, and what it may do is shown by the motions that hold it at one value.
+
+Source: chapter 5 of the problem book (worked example 2, figure 5.1); V. G. Boltyansky's regular synthesis.
 """
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
@@ -21,9 +25,10 @@ import numpy as np
 from ..statement import Problem
 from .cuts import Curve, border_extremals, cut_at_overlaps, dispersal_curves, switching_curves
 from .fan import BEYOND, Fan
-from .reading import greatest_rate, positive, read_plant, read_target, read_window
-from .terminal_sets import Ends, families
-from .time_field import ON_TARGET, TimeField
+from .plant import Plant
+from .reading import Final, greatest_rate, positive, read_plant, read_target, read_window, refuse_singular_arcs
+from .terminal_sets import Ends, Transversality, families
+from .value_field import ON_TARGET, ValueField
 
 #: Neighbouring extremals are at most this share of the window apart (while there are not too many of them).
 SPACING = 0.025
@@ -33,12 +38,11 @@ SIDES = {"both": (1, -1), "positive": (1,), "negative": (-1,), "outside": (1,), 
 
 @dataclass(frozen=True)
 class Synthesis:
-    """What `synthesis` returns: the least time and the optimal control in the window, and the curves on which they
-    change.
+    """What `synthesis` returns: the optimal cost, time and control in the window, and the curves on which they change.
 
     `switching_curves`, `dispersal_curves`: lists of `Curve` (`points`, shape (N, 2), `times` to the target).
-    `borders`: extremals that touch the target or end a family, as `Curve` with `jump`, the greatest jump of the least
-    time across it (inf at the edge of the set from which the target is reached); `barriers` are those whose jump is not
+    `borders`: extremals that touch the target or end a family, as `Curve` with `jump`, the greatest jump of the optimal
+    cost across it (inf at the edge of the set from which the target is reached); `barriers` are those whose jump is not
     zero. `reached`: the parts of the target at which optimal trajectories end, as `Curve`; its `parameter` is (from,
     to).
     """
@@ -50,8 +54,9 @@ class Synthesis:
     dispersal_curves: list
     reached: list
     _target: object = field(repr=False)
-    _field: TimeField = field(repr=False)
+    _field: ValueField = field(repr=False)
     _touching: list = field(repr=False)
+    _end_cost: object = field(repr=False)
 
     @cached_property
     def borders(self):
@@ -60,28 +65,57 @@ class Synthesis:
 
     @property
     def barriers(self):
-        """The borders across which the least time jumps."""
-        return [curve for curve in self.borders if curve.jump > 1e-3*self.horizon]
+        """The borders across which the optimal cost jumps."""
+        least = 1e-3*self.horizon*self._field.grain/self._field.fans[0].times[1]
+        return [curve for curve in self.borders if curve.jump > least]
 
     @property
     def plant(self):
         return self._field.fans[0].plant
 
+    def cost(self, x1, x2):
+        """Optimal cost from the points (arrays of one shape); nan where no extremal leads to the target within the
+        horizon."""
+        found, x, shape = self._best(x1, x2)
+        cost = np.where(self._on_target(x), self._end_cost(x), found.cost)
+        cost = np.where(np.isfinite(cost), -cost if self.problem.maximise else cost, np.nan)
+        return _as_given(cost, shape)
+
     def time(self, x1, x2):
-        """Least time from the points (arrays of one shape); nan where the target is not reached within the horizon."""
-        x, shape = self._points(x1, x2)
-        time, _, _ = self._field.exact(x)
-        time[self._on_target(x)] = 0
-        return _as_given(np.where(np.isfinite(time), time, np.nan), shape)
+        """The time that the optimal process takes from the points (arrays of one shape); nan where the target is not
+        reached within the horizon."""
+        found, x, shape = self._best(x1, x2)
+        return _as_given(np.where(self._on_target(x), 0, found.time), shape)
 
     def control(self, x1, x2):
-        """The feedback u(x1, x2), arrays of one shape; nan where the target is not reached within the horizon.
+        """The feedback u(x1, x2), arrays of one shape (with a row for each of several controls); nan where the target
+        is not reached within the horizon.
 
-        On a switching curve it is the control that follows.
+        On a switching curve it is the control that follows. Where a control is open (`unique`), it is one of the values
+        that it may have.
         """
-        x, shape = self._points(x1, x2)
-        time, sign, _ = self._field.exact(x)
-        return _as_given(np.where(np.isfinite(time), self.plant.control(sign), np.nan), shape)
+        found, _, shape = self._best(x1, x2)
+        if len(self.problem.control) == 1:
+            return _as_given(found.control[:, 0], shape)
+        return found.control.T.reshape(-1, *shape)
+
+    def level(self, x1, x2):
+        """The names of the controls' levels at the points: "u-", "interior", "zero", "u+" or "open" (tuples for several
+        controls), "" where the target is not reached. One name, or an array of them in the points' shape."""
+        found, _, shape = self._best(x1, x2)
+        names = [self.plant.name(mode) for mode in range(len(self.plant.modes))] + [""]
+        result = np.empty(len(found.mode), dtype=object)
+        for k, mode in enumerate(found.mode):
+            result[k] = names[mode]
+        return result.reshape(shape) if shape else result[0]
+
+    def unique(self, x1, x2):
+        """Whether the maximum condition tells every control along the optimal process from the points; where it does
+        not, many controls cost the same."""
+        found, _, shape = self._best(x1, x2)
+        held = np.array([fan.ends.held is not None for fan in self._field.fans])
+        values = (found.fan < 0) | ~held[found.fan]
+        return values.reshape(shape) if shape else bool(values[0])
 
     def reaches(self, x1, x2):
         """Whether the target can be reached from the points within the horizon."""
@@ -89,7 +123,7 @@ class Synthesis:
         return np.isfinite(time) if np.ndim(time) else bool(np.isfinite(time))
 
     def isochrone(self, time):
-        """The points from which the least time is `time`: a list of arrays, shape (N, 2), inside the window."""
+        """The points in the window from which the optimal process takes the time `time`: a list of arrays, (N, 2)."""
         if not 0 < time <= self.horizon:
             raise ValueError(f"time: expected a number between 0 and the horizon {self.horizon}, got {time}")
         pieces = []
@@ -108,7 +142,8 @@ class Synthesis:
             share = max(int(round(count*long.size/max(sum(f.s.size for f in self._field.fans), 1))), 2)
             for j in self._spread(fan, long, share):
                 keep = fan.times <= fan.cut[j]
-                chosen.append((fan.path[keep, :, j][::-1], self.plant.control(fan.sign[keep, j])[::-1]))
+                u = self.plant.control(fan.motion[keep, :, j].T, fan.mode[keep, j])
+                chosen.append((fan.path[keep, :, j][::-1], (u[0] if len(u) == 1 else u.T)[::-1]))
         return chosen
 
     def regularity(self):
@@ -127,6 +162,14 @@ class Synthesis:
         return (f"Synthesis({len(self.switching_curves)} switching curves, {len(self.dispersal_curves)} dispersal "
                 f"curves, "
                 f"{len(self.barriers)} barriers, window={self.window}, horizon={self.horizon:g})")
+
+    def _best(self, x1, x2):
+        """The best extremals from points, with the points (2, N) and their shape; the last question is remembered."""
+        x, shape = self._points(x1, x2)
+        last = self.__dict__.get("_asked")
+        if last is None or last[0].shape != x.shape or (last[0] != x).any():
+            last = self.__dict__["_asked"] = (x, self._field.exact(x))
+        return last[1], x, shape
 
     def _points(self, x1, x2):
         x1, x2 = np.broadcast_arrays(np.asarray(x1, dtype=float), np.asarray(x2, dtype=float))
@@ -154,54 +197,65 @@ class Synthesis:
 
 
 def synthesis(problem, *, window=((-3, 3), (-3, 3)), horizon=6.0, side="both", curve=None):
-    """The time-optimal synthesis of a planar system that is affine in one bounded control.
+    """The synthesis of the optimal control of a planar system with bounded controls.
 
-    `problem`: a `Problem` whose cost is the time, with two states, one control and numbers for all parameters; two
-    terminal equations (a point) or one (a smooth curve). Its initial state is not used. `window`: ((left, right),
-    (bottom, top)); `horizon`: the longest time looked at. `side`: for a curve, from which side it is met, "positive" or
-    "negative" by the sign of the terminal expression ("outside", "inside" are the same words for closed curves), or
-    "both". `curve`: ((x1(s), x2(s)), (s, low, high)), a parametrisation of the terminal curve in SymPy; `reached` then
-    speaks of its parameter. Without it the curve is traced and the parameter is its length.
+    `problem`: a `Problem` with two states, a free final time and numbers for all parameters; two terminal equations (a
+    point) or one (a smooth curve), at which the process ends when it first meets it. Its initial state is not used. The
+    cost may be the time or another one, to be least or greatest: the dynamics are linear in the controls, the running
+    cost is of the second degree in each, with multiples of |u|, without products of two; the bounds are finite.
+    `window`: ((left, right), (bottom, top)); `horizon`: the longest process looked at. `side`: for a curve, from which
+    side it is met, "positive" or "negative" by the sign of the terminal expression ("outside", "inside" are the same
+    words for closed curves), or "both". `curve`: ((x1(s), x2(s)), (s, low, high)), a parametrisation of the terminal
+    curve in SymPy; `reached` then speaks of its parameter. Without it the curve is traced and the parameter is its
+    length.
 
-    Raises TypeError or ValueError for a problem of another kind, and where no extremal ends on the target.
+    Raises TypeError or ValueError for a problem of another kind (a given duration, for which the law depends on the
+    time that is left; a running cost that is not positive at a target point; singular arcs that would have to be part
+    of it), and where no extremal ends on the target.
 
     >>> import sympy as sp
     >>> from trajlib.pontryagin import Problem
     >>> x1, x2, u = sp.symbols("x1 x2 u")
-    >>> to_rest = Problem({x1: x2, x2: u}, {u: (-1, 1)}, {x1: None, x2: None}, terminal=[x1, x2])
+    >>> plant, bounds, anywhere = {x1: x2, x2: u}, {u: (-1, 1)}, {x1: None, x2: None}
+    >>> to_rest = Problem(plant, bounds, anywhere, terminal=[x1, x2])
     >>> found = synthesis(to_rest, window=((-2, 2), (-2, 2)))
     >>> round(float(found.time(1, 0)), 9), float(found.control(1, 0)), float(found.control(-1, 0))
     (2.0, -1.0, 1.0)
+    >>> saving = Problem(plant, bounds, anywhere, terminal=[x1, x2], running=1 + u**2/2)
+    >>> found = synthesis(saving, window=((-2, 2), (-2, 2)))
+    >>> round(float(found.cost(1, 0))**2, 9), found.level(1, 0), found.level(1, -1)
+    (7.666666667, 'u-', 'interior')
     """
     window = read_window(window)
     horizon = positive(horizon, "horizon")
-    plant = read_plant(problem)
+    plant = Plant(problem, read_plant(problem))
     if side not in SIDES:
         raise ValueError(f'side: expected one of {", ".join(map(repr, SIDES))}, got {side!r}')
     # extremals may leave the window for a while
     box = tuple((3*low - 2*high, 3*high - 2*low) for low, high in window)
-    target = read_target(problem, SIDES[side], box, curve)
+    target, final = read_target(problem, SIDES[side], box, curve), Final(problem)
+    refuse_singular_arcs(problem, plant, window)
     steps = int(np.clip(np.ceil(max(100, horizon*greatest_rate(problem, window)/0.12)), 100, 1200))
 
-    fans, arcs, touching = [], [], []
+    fans, arcs, touches = [], [], []
     for sigma in target.sides:
-        ends, touches = families(target, plant, sigma)
-        touching += [(sigma, s, sign) for s, sign in touches]
+        transversality = Transversality(target, plant, final, sigma)
+        ends, touching = families(transversality)
+        touches += [_single(transversality, touch, horizon, steps, box) for touch in touching]
         for family in ends:
             fan = Fan(plant, target, family, horizon, steps, box)
             _fill(fan, window)
             if (fan.life > 0).any():
-                fans.append(fan)
                 arcs.append(family)
+            fans += [one for one in (fan, *_held(fan, window)) if (one.life > 0).any()]
     if not fans:
         raise ValueError("terminal: no extremal ends on this target: no admissible velocity crosses it towards the "
                          "side asked for")
-    field_ = TimeField(fans, window)
+    field_ = ValueField(fans, window)
     dispersal = dispersal_curves(np.hstack([cut_at_overlaps(fan, field_) for fan in fans]), field_)
-    touches = [_single(plant, target, touch, horizon, steps, box) for touch in touching]
-    return Synthesis(problem, window, horizon, switching_curves(fans, window), dispersal, _reached(arcs)
-                     if target.sides != (0,) else [],
-                     target, field_, touches)
+    return Synthesis(problem, window, horizon, switching_curves(fans, window), dispersal,
+                     _reached(arcs) if target.sides != (0,) else [], target, field_, touches,
+                     lambda x: final.value(*x)[0])
 
 
 def _fill(fan, window):
@@ -223,6 +277,10 @@ def _fill(fan, window):
         split = (parts > 1) & (gap > 1e-5*span)
         met = fan.dead == 1
         torn = (met[1:] | met[:-1]) & (np.abs(np.diff(fan.life)) >= BEYOND) & (gap > 1e-8*span)
+        # The last extremal of a family may be abnormal, without the switchings of its neighbours.
+        edge = np.zeros(gap.size, bool)
+        edge[[0, -1]] = ((fan.word[:, [0, -2]] != fan.word[:, [1, -1]]) & near[:, [0, -2]]).any(axis=0)
+        torn |= edge & (gap > 1e-4*span)
         if fan.s.size > MOST:
             split[:] = False
         if not (split | torn).any():
@@ -233,26 +291,63 @@ def _fill(fan, window):
 
 
 def _first_control_changes(fan):
-    """The parameters at which the control next to the target changes: they have to be corners of the cells."""
+    """The parameters at which a control next to the target changes: they have to be corners of the cells."""
+    if fan.ends.held is not None:
+        return []
+    return np.concatenate([[], *(found for _, found in _changes(fan))])
+
+
+def _changes(fan):
+    """(number of a surface, the parameters s at which it vanishes and the first mode changes) for all surfaces."""
     from scipy.optimize import brentq
 
     s = np.linspace(fan.ends.low, fan.ends.high, 721)
-    z, sign = fan.start(s)
+    z, mode = fan.start(s)
+    found = []
+    for k, values in enumerate(fan.plant.surfaces(z)):
+        def e(v, k=k):
+            return float(fan.plant.surfaces(fan.start(v)[0])[k, 0])
 
-    def phi(v):
-        return float(fan.plant.switching(fan.start(np.array([v]))[0])[0])
-
-    values = fan.plant.switching(z)
-    changes = np.flatnonzero((values[:-1]*values[1:] < 0) & (sign[:-1] != sign[1:]))
-    exact = s[np.abs(values) < 1e-14]
-    return np.append([brentq(phi, s[k], s[k + 1], xtol=1e-14) for k in changes], exact if exact.size < 50 else [])
+        changes = np.flatnonzero((values[:-1]*values[1:] < 0) & (mode[:-1] != mode[1:]))
+        exact = s[np.abs(values) < 1e-14]
+        found.append((k, np.append([brentq(e, s[i], s[i + 1], xtol=1e-14) for i in changes],
+                                   exact if exact.size < 50 else [])))
+    return found
 
 
-def _single(plant, target, touch, horizon, steps, box):
-    """One extremal by itself, for an abnormal end whose costate may point the other way."""
-    sigma, s, sign = touch
-    fan = Fan(plant, target, Ends(target.point, lambda v: target.costate(v, sigma), s, s, sigma), horizon, steps, box)
-    fan.flip = sign
+def _held(fan, window):
+    """The motions from ends at which a control is open for good: one fan for each such end, over the values held."""
+    plant, ends, found = fan.plant, fan.ends, []
+    if not any(part.open for part in plant.parts):
+        return []
+    for surface, values in _changes(fan):
+        j = plant.owner(surface)
+        if not plant.parts[j].open:
+            continue
+        low, high = float(plant.parts[j].low), float(plant.parts[j].high)
+        for s in np.unique(np.round(values, 12)):
+            # The other controls are those of the neighbours, at both sides of the end.
+            near = np.clip(s + np.array([-1e-6, 1e-6])*(ends.high - ends.low), ends.low, ends.high)
+            for mode in {plant.open_mode(mode, j) for mode in fan.start(near)[1] if mode >= 0}:
+                held = replace(ends, point=_constant(ends.point(s)), covector=_constant(ends.covector(s)),
+                               cost=_constant(ends.cost(s)), low=low, high=high, special=(), held=mode)
+                one = Fan(plant, fan.target, held, fan.times[-1], fan.times.size - 1, fan.box)
+                _fill(one, window)
+                found.append(one)
+    return found
+
+
+def _constant(value):
+    """The function of s with this value, arrays with as many columns as numbers s."""
+    return lambda s: np.repeat(np.asarray(value)[..., :1], np.size(s), axis=-1)
+
+
+def _single(transversality, touch, horizon, steps, box):
+    """One extremal by itself, for an abnormal end whose covector may point the other way."""
+    s, sign = touch
+    ends = Ends(transversality.point, lambda v: transversality.abnormal(v, sign), transversality.cost, s, s,
+                transversality.side)
+    fan = Fan(transversality.plant, transversality.target, ends, horizon, steps, box)
     fan.add([s])
     return fan
 

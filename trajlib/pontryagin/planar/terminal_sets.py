@@ -1,38 +1,46 @@
-"""The target of a planar time-optimal problem, and where extremals can end on it.
+"""The target of a planar problem, and where extremals can end on it.
 
-Transversality and H = 0 leave a family of one parameter s of end points with costates, from which extremals start
-backwards: on a curve g = 0 the end point runs along the curve and the costate is normal to it,
+Transversality and H = 0 leave a family of one parameter s of end points with covectors (psi, lambda_0), from which
+extremals start backwards: on a curve g = 0 the end point y runs along the curve, and with n = -sigma grad g/|grad g|
 
-    y(s),   psi = -sigma grad g / |grad g|,   w(s) = max_u psi^T f(y, u) = lambda_0 >= 0,
+    psi = nu n - lambda_0 grad phi_0,   max_u [nu a(u) - lambda_0 b(u)] = 0,   a = n^T f,   b = f_0 + grad phi_0^T f,
 
-where sigma = +1, -1 is the sign of g on the side from which the target is met; for a single point the costate
-psi = (cos s, sin s) turns. Where w > 0 the extremal is normal and crosses the curve; where w = 0 it is abnormal and
-touches it.
+where sigma = +1, -1 is the sign of g on the side from which the target is met; at a single point n = (cos s, sin s)
+turns. With lambda_0 = 1 the maximum is a convex function of nu, and the motion comes from the side sigma where it
+rises: at the larger one of its zeros, if it has any. There the crossing rate a(u) is positive; where the greatest of
+these rates, w(s), is zero, lambda_0 is zero too: the extremal is abnormal and touches the target.
 """
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
+
+from .plant import ROWS
 
 #: Points at which w(s) is sampled to find where it changes its sign.
 SAMPLES = 1441
 #: w(s) below this share of its greatest value counts as zero: the extremal touches the target.
 TOUCHES = 1e-9
+#: Steps of Newton's method for nu, where controls lie between their bounds; from the right it cannot miss.
+ROUNDS = 12
 
 
 @dataclass(frozen=True)
 class Ends:
-    """End points and costates of a family of extremals: `point(s)`, `costate(s)`, arrays of shape (2, N), low <= s <=
-    high.
+    """End points and covectors of a family of extremals: `point(s)`, shape (2, N), `covector(s)`, (3, N), the cost
+    `cost(s)` of ending there, (N,), for low <= s <= high.
 
-    `special`: values of s inside at which w = 0. `side`: the sign of g before the end, 0 for a single point.
+    `special`: values of s inside at which w = 0. `side`: the sign of g before the end, 0 for a single point. `held`: a
+    mode with an open control, whose value is then s.
     """
 
     point: object
-    costate: object
+    covector: object
+    cost: object
     low: float
     high: float
     side: int
     special: tuple = ()
+    held: int | None = None
 
 
 class PointTarget:
@@ -46,7 +54,7 @@ class PointTarget:
     def point(self, s):
         return np.repeat(self.at[:, None], np.size(s), axis=1)      # the same for every angle
 
-    def costate(self, s, side=0):
+    def normal(self, s, side=0):
         s = np.atleast_1d(s)
         return np.array([np.cos(s), np.sin(s)])
 
@@ -83,7 +91,7 @@ class CurveTarget:
                 s[across] += high - low
         return self._point(s)
 
-    def costate(self, s, side):
+    def normal(self, s, side):
         gradient = self.gradient(*self.point(s))
         return -side*gradient/np.hypot(*gradient)
 
@@ -142,25 +150,105 @@ class CurveTarget:
         return points
 
 
-def families(target, plant, side):
-    """The families of ends, and the abnormal ends (s, sign) at which an extremal touches the target.
+class Transversality:
+    """The covectors with which extremals can end, for one target, plant, terminal cost and side."""
 
-    The sign is -1 where the costate points the other way: all velocities lead back to the side one comes from, but one.
+    def __init__(self, target, plant, final, side):
+        self.target, self.plant, self.final, self.side = target, plant, final, side
+
+    def point(self, s):
+        return self.target.point(s)
+
+    def cost(self, s):
+        return self.final.value(*self.target.point(s))[0]
+
+    def widest(self, s, sign=1):
+        """w(s): the greatest rate at which the target can be crossed, for the normal or its opposite."""
+        x, n = self.target.point(s), sign*self.target.normal(s, self.side)
+        return np.max([(n*self.plant.at(x, self._spread(u, x))[0]).sum(axis=0) for u in self.plant.corners()], axis=0)
+
+    def admissible(self, s):
+        """w(s) where some covector satisfies H = 0 in the end, a negative number elsewhere."""
+        w, (_, exists) = self.widest(s), self._solved(s)
+        return np.where((w <= 0) | exists, w, -np.abs(w) - 1e-300)
+
+    def covector(self, s):
+        return self._solved(np.atleast_1d(s))[0]
+
+    def abnormal(self, s, sign):
+        """The covector of an extremal that touches the target."""
+        n = sign*self.target.normal(np.atleast_1d(s), self.side)
+        return np.vstack([n, np.zeros(n.shape[1])])
+
+    def _solved(self, s):
+        """(psi, lambda_0), shape (3, N), of length about one; whether H = 0 has a solution."""
+        x, n = self.target.point(s), self.target.normal(s, self.side)
+        gradient = self.final.gradient(*x)
+        best, a, b, rates = np.full(s.shape, np.inf), np.zeros(s.shape), np.ones(s.shape), []
+        for u in self.plant.corners():
+            rate, price = self._rates(x, n, gradient, self._spread(u, x))
+            if not rates:
+                b = np.where(price < 0, -b, b)
+            rates.append((rate, price))
+            with np.errstate(all="ignore"):
+                ratio = np.where(rate > 0, price/rate, np.inf)
+            sooner = ratio < best
+            best, a, b = np.where(sooner, ratio, best), np.where(sooner, rate, a), np.where(sooner, price, b)
+        if self.plant.has_interior:
+            a, b = self._between(x, n, gradient, a, b)
+            rates.append((a, b))
+        size = np.hypot(a, b) + 1e-300
+        exists = np.isfinite(best) & (a > 0)
+        for rate, price in rates:
+            exists &= b*rate - a*price <= 1e-9*size*(np.hypot(rate, price) + 1e-300)
+        return np.vstack([b*n - a*gradient, a])/size, exists
+
+    def _between(self, x, n, gradient, a, b):
+        """Newton's method for the larger zero nu of the maximum: from that of a corner down."""
+        z = np.zeros((ROWS, a.size))
+        z[:2] = x
+        for _ in range(ROUNDS):
+            z[2:4], z[4] = b*n - a*gradient, a
+            normal = a > 1e-9*np.abs(b)
+            with np.errstate(all="ignore"):
+                mode = np.maximum(self.plant.first_mode(z), 0)
+                u = self.plant.control(z, mode)
+            rate, price = self._rates(x, n, gradient, np.where(normal, u, 0))
+            # With nu = b/a the next value is that of the control which maximises H now.
+            go = normal & (rate > 0)
+            a, b = np.where(go, rate, a), np.where(go, price, b)
+        return a, b
+
+    def _rates(self, x, n, gradient, u):
+        f, price = self.plant.at(x, u)
+        return (n*f).sum(axis=0), price + (gradient*f).sum(axis=0)
+
+    def _spread(self, u, x):
+        return np.repeat(np.asarray(u, dtype=float)[:, None], x.shape[1], axis=1)
+
+
+def families(ends):
+    """The families of ends (`Ends`) of a `Transversality`, and the abnormal ends (s, sign) at which an extremal touches
+    the target.
+
+    The sign is -1 where the covector points the other way: all velocities lead back to the side one comes from, but
+    one.
     """
     found, touching = [], []
-    for low, high, closed in target.pieces():
+    for low, high, closed in ends.target.pieces():
         s = np.linspace(low, high, SAMPLES)
-        for sign in (1, -1) if side else (1,):
+        for sign in (1, -1) if ends.side else (1,):
 
             def greatest(values, sign=sign):
-                return plant.greatest_rate(target.point(values), sign*target.costate(values, side))
+                return ends.admissible(values) if sign == 1 else ends.widest(values, -1)
 
             w = greatest(s)
             scale = max(np.abs(w).max(), 1e-300)
             zeros = _zeros(lambda v: greatest(np.atleast_1d(v))[0], s, w, scale, closed)
-            touching += [(z, sign) for z in zeros]
+            touching += [(z, sign) for z in zeros
+                         if np.abs(ends.widest(np.array([z]), sign))[0] <= 1e-6*scale]
             if sign == 1:
-                found += _joined(_intervals(s, w, zeros, scale, target, side), low, high, closed)
+                found += _joined(_intervals(s, w, zeros, scale, ends), low, high, closed)
     return found, touching
 
 
@@ -203,10 +291,10 @@ def _joined(ends, low, high, closed):
     first, last = ends[0], ends[-1]
     shift = high - low
     special = tuple(z - shift for z in last.special) + first.special
-    return [*ends[1:-1], Ends(first.point, first.costate, float(last.low - shift), first.high, first.side, special)]
+    return [*ends[1:-1], replace(first, low=float(last.low - shift), special=special)]
 
 
-def _intervals(s, w, zeros, scale, target, side):
+def _intervals(s, w, zeros, scale, ends_at):
     """The intervals of s on which w > 0, joined where w only touches zero."""
     positive = w > TOUCHES*scale
     for z in zeros:  # a touched zero does not end an interval
@@ -226,5 +314,6 @@ def _intervals(s, w, zeros, scale, target, side):
         low, high = (min(below) if below else low), (max(above) if above else high)
         if high > low:
             inside = tuple(z for z in zeros if low < z < high)
-            result.append(Ends(target.point, lambda v: target.costate(v, side), float(low), float(high), side, inside))
+            result.append(Ends(ends_at.point, ends_at.covector, ends_at.cost, float(low), float(high), ends_at.side,
+                               inside))
     return result

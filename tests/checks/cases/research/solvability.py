@@ -113,6 +113,7 @@ CASES = [
     Case("stations_insufficient", sp.Eq((n1/n3 - k1/k3)**2 + 4*(n2/n3 - k2/k3)**2, 0), STATIONS, "right",
          "the determinant"),
     Case("stations_insufficient", sp.Eq((n1*k1 + n2*k2 + n3*k3)**2, 1), STATIONS, "right", "unit vectors at 0 or 180"),
+    Case("stations_insufficient", sp.Eq(n1*k1 + n2*k2 + n3*k3, 1), STATIONS, "wrong", "without opposite directions"),
     Case("stations_insufficient", sp.Eq(n1*k3, n3*k1), STATIONS, "wrong", "one equality"),
     Case("stations_insufficient", sp.Or(sp.Eq(n1*k3, n3*k1), sp.Eq(n2*k3, n3*k2)), STATIONS, "wrong", "either"),
     Case("stations_insufficient", False, STATIONS, "wrong", "never"),

@@ -36,6 +36,8 @@ CASES = [
     Case("rest_values", {0, sp.sqrt(-1 / b), -sp.sqrt(-1 / b)}, SOFT, "right", "as a Python set"),
     Case("rest_values", sp.FiniteSet(0, r, -r), SOFT, "right", "as a SymPy set"),
     Case("rest_values", [0, r], SOFT, "wrong", "a sign lost"),
+    Case("rest_values", [0, r + sp.Max(0, -b - 10**6), -r], SOFT, "wrong", "another value, far out alone"),
+    Case("rest_values", [0, sp.Max(r, sp.Rational(1, 10**6)), -r], SOFT, "wrong", "never smaller than a millionth"),
     Case("rest_values", [0, 1 / sp.sqrt(b), -1 / sp.sqrt(b)], SOFT, "wrong", "values that are not real"),
     Case("rest_values", [], SOFT, "wrong", "none at all"),
     Case("rest_values", [0, ...], SOFT, "missing", "half of it"),

@@ -24,7 +24,7 @@ def same_law(mutant, reference, problem, parameters, time=None):
         found = []
         for function in functions:
             with np.errstate(all="ignore"):
-                left = np.array([complex(function(*(values | {control: u}).values())) for u in grid])
+                left = np.broadcast_to(np.asarray(function(*(values | {control: grid}).values()), complex), grid.shape)
             zeros = np.flatnonzero((left[:-1] * left[1:]).real <= 0)
             found.append(sorted({round(k / 20) for k in zeros}) if np.abs(left.imag).max() < 1e-9 else None)
         if found[0] is None or found[0] != found[1]:

@@ -11,6 +11,20 @@ def same_parts(mutant, reference, *_, **__):
     return len(lists[0]) == len(lists[1]) and all(map(same_transfer, *lists))
 
 
-ORACLES = dict.fromkeys((
-    "optimal_control", "optimal_cost", "optimal_costate", "optimal_duration", "optimal_motion",
-), same_parts)
+def same_or_mirrored(mutant, reference, problem, *_, **__):
+    """True if a control is the other one, or its mirror image where this changes nothing in the problem."""
+    return same_parts(mutant, reference) or (_symmetric(problem) and isinstance(mutant, sp.Expr)
+                                             and same_parts(-mutant, reference))
+
+
+def _symmetric(problem):
+    """Whether a problem is the same after a change of all signs of states and controls."""
+    changed = {s: -s for s in (*problem.state, *problem.control)}
+    return (all(sp.expand(f.subs(changed, simultaneous=True) + f) == 0 for f in (*problem.field, *problem.terminal))
+            and all(sp.expand(f.subs(changed, simultaneous=True) - f) == 0 for f in (problem.running, problem.final))
+            and all(low + high == 0 for low, high in problem.controls.values())
+            and set(problem.initial.values()) == {0})
+
+
+ORACLES = dict.fromkeys(("optimal_cost", "optimal_costate", "optimal_duration", "optimal_motion"), same_parts) | {
+    "optimal_control": same_or_mirrored}

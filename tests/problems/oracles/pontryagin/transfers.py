@@ -24,7 +24,5 @@ def same_transfer(mutant, reference, *_):
 
 
 ORACLES = dict.fromkeys((
-    "fastest_time", "slowest_time", "fastest_control", "slowest_control", "fastest_motion", "slowest_motion",
-    "fastest_switching", "slowest_switching", "fastest_meeting", "slowest_meeting",
-    "switchings", "isochrone_radius", "least_rate", "turning_rate",
+    "optimal_switching", "meeting_time", "switchings", "isochrone_radius", "least_rate", "turning_rate",
 ), same_transfer)

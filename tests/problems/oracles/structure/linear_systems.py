@@ -11,7 +11,18 @@ from oracles.sameness import LOGIC, same_value
 
 
 def kalman(A, H):
-    return sp.Matrix.vstack(*[H * A**k for k in range(A.rows)])
+    return _kalman(A.as_immutable(), H.as_immutable())
+
+
+@functools.lru_cache(maxsize=32)
+def _kalman(A, H):
+    """The same for all mutants of an answer."""
+    return sp.ImmutableMatrix.vstack(*[H * A**k for k in range(A.rows)])
+
+
+@functools.lru_cache(maxsize=32)
+def _simplified_rank(matrix):
+    return matrix.rank(simplify=True)
 
 
 def transposed(oracle):
@@ -72,7 +83,7 @@ def unseen_states(mutant, reference, A, H, parameters=()):
     vectors = [sp.Matrix(list(vector)) for vector in mutant]
     if any(v.rows != A.rows or not _is_zero(N * v) for v in vectors):
         return False
-    count = A.rows - N.rank(simplify=True)
+    count = A.rows - _simplified_rank(N)
     return len(vectors) == count and (not vectors or sp.Matrix.hstack(*vectors).rank(simplify=True) == count)
 
 
@@ -89,7 +100,7 @@ def observability_split(mutant, reference, A, H, parameters=()):
     T = sp.Matrix(mutant)
     if T.shape != A.shape or sp.simplify(T.det()) == 0 or not _keeps_rank(T, A, H, parameters):
         return False
-    return _has_blocks(T * A * T.inv(), H * T.inv(), kalman(A, H).rank(simplify=True))
+    return _has_blocks(T * A * T.inv(), H * T.inv(), _simplified_rank(kalman(A, H)))
 
 
 def controllability_split(mutant, reference, A, B, parameters=()):
@@ -103,7 +114,7 @@ def observability_split_system(mutant, reference, A, H, parameters=()):
     new_A, new_H = map(sp.Matrix, mutant)
     if not _keeps_rank(kalman(new_A, new_H), A, H, parameters):
         return False
-    return _has_blocks(new_A, new_H, kalman(A, H).rank(simplify=True)) and _is_image(A, H, new_A, new_H)
+    return _has_blocks(new_A, new_H, _simplified_rank(kalman(A, H))) and _is_image(A, H, new_A, new_H)
 
 
 def controllability_split_system(mutant, reference, A, B, parameters=()):
@@ -164,7 +175,7 @@ def _keeps_rank(matrix, A, H, parameters):
     roots = [root for root in (common.real_roots() if common.degree() > 0 else ())
              if not (p.is_positive and root <= 0 or p.is_nonzero and root == 0)]
     N = kalman(A, H)
-    return all(N.subs(p, root).rank(simplify=True) < N.rank(simplify=True) for root in roots)
+    return all(N.subs(p, root).rank(simplify=True) < _simplified_rank(N) for root in roots)
 
 
 def _is_zero(matrix):

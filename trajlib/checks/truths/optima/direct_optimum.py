@@ -7,8 +7,9 @@ the cost, or is inside. Then these arcs get lengths of their own and polynomials
 the points too, and the cost is known to about nine digits. The problem is a `pontryagin.Problem`; only its statement is
 used.
 
-A problem that is not linear, or has a free duration, is searched from several controls, and the best process counts. An
-answer that does better than it shows that the search has failed, and is not judged.
+A problem whose plant is not linear, whose cost is not convex, or whose duration is free is searched from several
+controls, and the best process counts. An answer that does better than it shows that the search has failed, and is not
+judged.
 """
 
 import functools
@@ -35,9 +36,10 @@ TWICE = 1e-6
 ON_BOUND = 2e-4
 #: Which part of the duration an arc has to take to be one.
 SHORT = 1e-4
-#: IPOPT's first barriers: from the higher one it looks farther, from the lower one it converges more often.
-BARRIERS = (1e-4, 1e-1)
-SOLVER = {"ipopt.print_level": 0, "print_time": False, "ipopt.sb": "yes", "ipopt.tol": 1e-11, "ipopt.max_iter": 150,
+#: IPOPT's first barriers, each with the most steps: from the higher one it looks farther, from the lower one it
+#: converges more often.
+BARRIERS = {1e-4: 150, 1e-1: 50}
+SOLVER = {"ipopt.print_level": 0, "print_time": False, "ipopt.sb": "yes", "ipopt.tol": 1e-11,
           "ipopt.bound_relax_factor": 0.0, "ipopt.acceptable_iter": 0, "ipopt.compl_inf_tol": 1e-11,
           "ipopt.constr_viol_tol": 1e-11, "ipopt.dual_inf_tol": 1e-8, "show_eval_warnings": False,
           "error_on_fail": False}
@@ -106,6 +108,9 @@ class Optimum:
         """The cost of a process that ends in y."""
         return float(y[-1] + self._search.final(*y[:-1], *self._case))
 
+    def told_duration(self, said):
+        return "the best process found ends " + ("earlier" if said > self.duration else "later")
+
     def size(self):
         return float(max(1e-9, np.abs(self.states).max()))
 
@@ -152,14 +157,18 @@ class _Search:
         found, random = [], np.random.default_rng(11)
         for side in self._sides(case):
             costs = []
-            for attempt in range(1 if straight and not free else STARTS):
+            for attempt in range(1 if straight and not free and self._convex(case) else STARTS):
                 one = self._run(case, span, side, *self._guess(case, span, random, attempt))
                 if one:
                     found.append(one)
                     costs = sorted([*costs, one[0]])
+                elif straight and free and attempt == 0 and (given := self._with_durations(case, span, side, random)):
+                    # For a linear plant that search is convex: there is nothing else to be found.
+                    found, costs = found + given, [given[0][0]]
+                    break
                 if len(costs) > 1 and costs[1] - costs[0] <= TWICE * (1 + abs(costs[0])):
                     break
-            if not costs and free:
+            if not costs and free and not straight:
                 found += self._with_durations(case, span, side, random)
         if not found:
             raise RuntimeError("no process that satisfies the conditions was found")
@@ -171,6 +180,17 @@ class _Search:
         if not fine:
             raise RuntimeError("the arcs of the best process could not be made exact")
         return self._optimum(case, *min(fine, key=lambda one: one[0])[:3])
+
+    def _convex(self, case):
+        """Whether no pair of points shows that the cost is not convex."""
+        random, n = np.random.default_rng(7), len(self._state)
+        for _ in range(30):
+            one, other = random.normal(scale=3, size=(2, n + 1))
+            a, b, middle = (self._sign * np.array([self.rates(*p, *case)[-1], self.final(*p[:-1], *case)], float)
+                            for p in (one, other, (one + other) / 2))
+            if not np.all(middle <= (a + b) / 2 + 1e-9 * (np.abs(a) + np.abs(b))):
+                return False
+        return True
 
     def _with_durations(self, case, span, side, random):
         """A process that begins from one with a given duration, in a list; for a linear plant that search is convex."""
@@ -276,7 +296,7 @@ class _Search:
         beyond = [u for u in special if known and (u - value) * (known[0] - value) < 0]
         return [min(beyond, key=lambda u: abs(u - value))] if beyond else []
 
-    def _run(self, case, span, side, arcs, guess, barrier=BARRIERS[0]):
+    def _run(self, case, span, side, arcs, guess, barrier=min(BARRIERS)):
         """(cost, arcs, unknowns, side) of IPOPT's optimum from a guess, or None."""
         solver, equalities, inequalities = self._programme(arcs, barrier)
         n, degree = len(self._state), _degree(arcs)
@@ -342,7 +362,7 @@ class _Search:
         solver = ca.nlpsol("direct", "ipopt", {
             "x": ca.vertcat(y0, ca.vec(y), u, ca.vec(bends), lengths), "p": ca.vertcat(p, side, low, high),
             "f": self._sign * (cost + final(begin, p)), "g": ca.vertcat(equal, positive, ca.sum1(lengths))},
-                           SOLVER | {"ipopt.mu_init": barrier})
+                           SOLVER | {"ipopt.mu_init": barrier, "ipopt.max_iter": BARRIERS[barrier]})
         return solver, equal.numel(), positive.numel()
 
     @functools.cached_property

@@ -21,22 +21,30 @@ from trajlib.checks.truths.optima import reach
 from trajlib.checks.truths.optima.convex_targets import ConvexTarget
 from trajlib.checks.truths.optima.fastest_times import FastestTimes, directions
 from trajlib.checks.truths.optima.linear_plant import Plant
-from trajlib.systems import Controlled
 
 #: For how many sets of parameters an answer is tried.
 SAMPLES = 10
 
 
+class Unknown(RuntimeError):
+    """No optimum of a problem is known that was found in one of these ways."""
+
+
 class Transfer:
-    def __init__(self, system, initial, terminal, parameters, slowest=False):
-        self.dynamics = {x: sp.sympify(f) for x, f in system.dynamics.items()}
-        self.control, self.bounds = system.control, [sp.sympify(bound) for bound in system.bounds]
-        self.initial = [sp.sympify(initial[x]) for x in system.state]
-        self.terminal = [sp.sympify(g) for g in terminal]
-        self.parameters, self.slowest = list(parameters), slowest
-        self._decided = _decisions(self._key())
-        self.word, self.manner = ("greatest", "slowest") if slowest else ("least", "fastest")
-        state = system.state
+    """The transfers of a `pontryagin.Problem` in least or greatest time, for all values of the parameters; raises
+    `Unknown` for another problem. A state that is free at the start and stands among the parameters is the start
+    itself."""
+
+    def __init__(self, problem, parameters=()):
+        self.dynamics, self.slowest, self.parameters = problem.dynamics, problem.maximise, list(parameters)
+        self.initial = [x if value is None and x in self.parameters else value for x, value in problem.initial.items()]
+        self.terminal, state = list(problem.terminal), list(problem.dynamics)
+        bounds = [bound for pair in problem.controls.values() for bound in pair]
+        if (problem.running != 1 or problem.final != 0 or problem.duration is not None or len(bounds) != 2
+                or any(bound.is_infinite for bound in bounds) or None in self.initial):
+            raise Unknown("the independent optimum of this kind is known where the cost is the time of one control")
+        (self.control,), self.bounds = problem.controls, bounds
+        self._decided, self._found = _kept(self._key())
         scale = sp.Dummy("scale", positive=True)
         if len(state) == 1:
             self._kind = _Line
@@ -47,7 +55,7 @@ class Transfer:
                 for f in [*self.dynamics.values(), *self.terminal]):
             self._kind = _Turn
         else:
-            raise RuntimeError("no independent optimum is known for a transfer of this kind")
+            raise Unknown("no independent optimum is known for a transfer of this kind")
 
     def _linear(self):
         symbols = [*self.dynamics, self.control]
@@ -71,12 +79,24 @@ class Transfer:
         """Sets of parameters for which the target can be reached, with the optimum: of several sizes and both signs."""
         if not self.parameters:
             return [({}, self.at({}))]
-        return _samples(self._key(), count)
+        if count not in self._found:
+            self._found[count] = self._sampled(count)
+        return self._found[count]
+
+    def _sampled(self, count):
+        solvable, found = filter(self.solvable, _drawn(self.parameters, 400 * count)), []
+        while len(found) < count:
+            fresh = [(values, self.at(values)) for values in itertools.islice(solvable, count - len(found))]
+            if not fresh:
+                raise RuntimeError("too few starts from which the target can be reached were met")
+            for system in {best.system for _, best in fresh}:
+                system.foresee([best.begin for _, best in fresh if best.system is system])
+            found += [(values, best) for values, best in fresh if math.isfinite(best.duration) and best.duration > 0]
+        return found
 
     def _key(self):
         return (tuple(self.dynamics.items()), self.control, tuple(self.bounds), tuple(self.initial),
-                tuple(self.terminal),
-                tuple(self.parameters), self.slowest)
+                tuple(self.terminal), tuple(self.parameters), self.slowest)
 
     def solvable(self, values):
         """Whether the target can be reached, None for a start that lies on it."""
@@ -156,26 +176,10 @@ class Transfer:
 
 
 @functools.lru_cache(maxsize=64)
-def _decisions(key):
-    """Which starts of a transfer can reach the target, as far as it has been asked: every answer is tried at the same
-    ones."""
-    return {}
-
-
-@functools.lru_cache(maxsize=64)
-def _samples(key, count):
-    dynamics, control, bounds, initial, terminal, parameters, slowest = key
-    system = Controlled(dict(dynamics), {control: bounds})
-    transfer = Transfer(system, dict(zip(system.state, initial)), terminal, parameters, slowest)
-    solvable, found = filter(transfer.solvable, _drawn(parameters, 400 * count)), []
-    while len(found) < count:
-        fresh = [(values, transfer.at(values)) for values in itertools.islice(solvable, count - len(found))]
-        if not fresh:
-            raise RuntimeError("too few starts from which the target can be reached were met")
-        for system in {best.system for _, best in fresh}:
-            system.foresee([best.start for _, best in fresh if best.system is system])
-        found += [(values, best) for values, best in fresh if math.isfinite(best.duration) and best.duration > 0]
-    return found
+def _kept(key):
+    """What is known of a transfer: which starts can reach the target, as far as it has been asked, and its samples.
+    Every answer is tried at the same ones."""
+    return {}, {}
 
 
 def _drawn(parameters, count):
@@ -191,47 +195,71 @@ def _drawn(parameters, count):
 
 
 class _Optimum:
-    """The fastest or slowest transfer of a system from one start."""
+    """The fastest or slowest transfer of a system from one start, with the attributes of `direct_optimum.Optimum`: the
+    last entry of `start` and `field` is the time that has passed."""
 
     def __init__(self, system, start, slowest, meetings=1):
-        self.system, self.start, self.slowest = system, start, slowest
-        self.bounds = system.bounds
-        self.field, self.jacobian, self.gap, self.normals = system.field, system.jacobian, system.gap, system.normals
-        self.meetings = meetings
+        self.system, self.begin, self.slowest, self.meetings = system, start, slowest, meetings
+        self.start, self.bounds = np.append(start, 0.0), system.bounds
 
     @functools.cached_property
     def duration(self):
-        return self.system.duration(self.start, self.slowest, self.meetings)
+        return self.system.duration(self.begin, self.slowest, self.meetings)
+
+    @property
+    def cost(self):
+        return self.duration
+
+    def cost_size(self):
+        return self.duration
 
     def possible(self):
         """Whether the target can be reached at all."""
-        return self.system.possible(self.start)
+        return self.system.possible(self.begin)
 
     def size(self):
         """The size of the states of this transfer."""
-        return float(np.linalg.norm(self.start) + np.linalg.norm(self.gap(self.start))) or 1.0
+        return float(np.linalg.norm(self.begin) + np.linalg.norm(self.system.gap(self.begin))) or 1.0
 
-    def told_time(self, said):
-        return self.system.told_time(self.start, said, self.duration)
+    def left(self):
+        """States on the way, and the time that is left there."""
+        return self.states, self.duration - self.times
+
+    def told_duration(self, said):
+        return self.system.told_time(self.begin, said, self.duration)
 
     def switchings(self):
-        return self.system.switchings(self.start, self.duration)
+        return self.system.switchings(self.begin, self.duration)
 
     def breaks(self):
         """The times at which the control switches."""
-        return self.system.breaks(self.start, self.duration)
-
-    def met_between(self, first, second):
-        return self.system.met_between(first, second)
+        return self.system.breaks(self.begin, self.duration)
 
     def switching_function(self):
         """Pairs (time, dH/du), the costate being followed back from the end."""
-        return self.system.switching_function(self.start, self.duration, self.slowest)
+        return self.system.switching_function(self.begin, self.duration, self.slowest)
+
+    def field(self, y, u):
+        return np.append(self.system.field(y[:-1], u), 1.0)
+
+    def gap(self, y):
+        return self.system.gap(y[:-1])
+
+    def total(self, y):
+        return float(y[-1])
+
+    def jacobians(self, y, u):
+        n = len(y)
+        return np.vstack([self.system.jacobian(y, u), np.zeros(n)]), np.zeros((1, n)), self.system.normals()
 
     @functools.cached_property
-    def path(self):
+    def _path(self):
         """Times, states and controls along the optimum, at instants away from the switchings."""
-        return self.system.path(self.start, self.duration, self.slowest, 37)
+        return self.system.path(self.begin, self.duration, self.slowest, 37)
+
+    times = property(lambda self: self._path[0])
+    states = property(lambda self: np.array(self._path[1]).T)
+    controls = property(lambda self: self._path[2])
 
 
 @functools.lru_cache(maxsize=256)
@@ -408,12 +436,6 @@ class _Turn(_System):
         least, most = (self.turned(start, said, s) for s in (True, False))
         return (f"by then the direction of (x, x') has turned by {least:.4g} at least and {most:.4g} at most, "
                 "depending on the control: compare this with the angle from the start to the target")
-
-    def met_between(self, first, second):
-        """Whether the direction passes the target on the way from the first state to the second, by less than a
-        turn."""
-        before = self._sense * (math.atan2(second[1], second[0]) - math.atan2(first[1], first[0])) % (2 * math.pi)
-        return before > self._angle(first, 1) + 1e-6
 
 
 class _Linear(_System):

@@ -1,8 +1,8 @@
-"""The least time to the target from overlapping families of extremals.
+"""The least cost to the target from overlapping families of extremals.
 
 Neighbouring extremals and neighbouring moments make cells; a point of the plane may lie in none (the target is not
-reached), in one, or in several, where the extremals overlap and the shortest time decides. Inside a cell the parameter
-and the time are interpolated; Newton's method on x(s, tau) = point then makes them exact.
+reached), in one, or in several, where the extremals overlap and the least cost decides. Inside a cell the parameter,
+the time and the cost are interpolated; Newton's method on x(s, tau) = point then makes them exact.
 """
 from dataclasses import dataclass, fields
 
@@ -12,34 +12,36 @@ import numpy as np
 SQUARES = 96
 #: How far outside of a triangle (in its barycentric coordinates) a point still counts as inside: borders are curved.
 SLACK = 0.02
-#: How many steps of time an interpolated time may be wrong.
+#: How many steps an interpolated cost may be wrong.
 SOONEST = 1.5
 #: Values of the terminal expression this close to zero count as zero.
 ON_TARGET = 1e-10
 
 
 @dataclass
-class Fastest:
-    """The fastest extremals from N points, each an array (N,): `time` (inf where there is none), `sign` of the control
-    at the point, `fan` (-1 where there is none), the parameter `s` there, and the structure: `first` control and
-    `count` of switchings.
+class Best:
+    """The best extremals from N points, each an array (N,): `cost` (inf where there is none), the `time` they take,
+    `mode` of the controls at the point, `control` (N, k), `fan` (-1 where there is none), the parameter `s` there, and
+    the structure, `word`.
     """
 
+    cost: np.ndarray
     time: np.ndarray
-    sign: np.ndarray
+    mode: np.ndarray
+    control: np.ndarray
     fan: np.ndarray
     s: np.ndarray
-    first: np.ndarray
-    count: np.ndarray
+    word: np.ndarray
 
     @classmethod
-    def none(cls, size):
-        whole = [np.zeros(size, int) for _ in range(4)]
-        return cls(np.full(size, np.inf), whole[0], whole[1] - 1, np.full(size, np.nan), *whole[2:])
+    def none(cls, size, controls):
+        mode, fan, word = (np.full(size, -1) for _ in range(3))
+        return cls(np.full(size, np.inf), np.full(size, np.nan), mode, np.full((size, controls), np.nan), fan,
+                   np.full(size, np.nan), word)
 
     def at(self, which):
         """Those from some of the points."""
-        return Fastest(*(getattr(self, f.name)[which] for f in fields(self)))
+        return Best(*(getattr(self, f.name)[which] for f in fields(self)))
 
     def put(self, which, others):
         """Put others in the places of some."""
@@ -47,20 +49,21 @@ class Fastest:
             getattr(self, f.name)[which] = getattr(others, f.name)
 
 
-class TimeField:
+class ValueField:
     """All triangles of several fans, with a search for those that contain given points."""
 
     def __init__(self, fans, window):
-        self.fans = fans
+        self.fans, self.plant = fans, fans[0].plant
         (left, right), (bottom, top) = window
         self.corner = np.array([left, bottom])
         self.square = np.array([right - left, top - bottom])/SQUARES
         parts = [self._triangles(number, fan) for number, fan in enumerate(fans)]
         self.points = np.concatenate([p[0] for p in parts])          # (M, 3, 2)
-        self.values = np.concatenate([p[1] for p in parts])          # (M, 3, 2): s and tau at the corners
-        self.count = np.concatenate([p[2] for p in parts])           # (M, 3): switchings so far
-        self.first = np.concatenate([p[3] for p in parts])           # the control next to the target
-        self.fan = np.concatenate([p[4] for p in parts])
+        self.values = np.concatenate([p[1] for p in parts])          # (M, 3, 3): s, tau, cost at the corners
+        self.word = np.concatenate([p[2] for p in parts])            # (M, 3): the structures so far
+        self.fan = np.concatenate([p[3] for p in parts])
+        #: What a step of time costs, about.
+        self.grain = self.fans[0].times[1]*self._usual_price()
         s = self.values[:, :, 0]
         low, high = (np.array([getattr(fan.ends, side) for fan in fans])[self.fan] for side in ("low", "high"))
         self.last = (s.min(axis=1) <= low) | (s.max(axis=1) >= high)
@@ -76,21 +79,31 @@ class TimeField:
         k, j = np.nonzero(either)
         corners = [(k, j), (k, j + 1), (k + 1, j), (k + 1, j + 1)]
         x = np.array([fan.path[a, :, b] for a, b in corners])
-        s_tau = np.array([np.stack([fan.s[b], fan.times[a]], axis=-1) for a, b in corners])
-        # A border of the first control is an extremal of the fan; seen from the other side it has switched once, at
-        # once.
+        known = np.array([np.stack([fan.s[b], fan.times[a], fan.value[a, b]], axis=-1) for a, b in corners])
+        # A border of the first mode is an extremal of the fan; seen from the other side it has switched once, at once.
         middle = (fan.s[:-1] + fan.s[1:])/2
-        first = fan.start(middle)[1] if middle.size else np.empty(0, int)
-        count = np.array([fan.count[a, b] + (fan.sign[0, b] != first[j]) for a, b in corners])
+        first = (fan.start(middle)[1] if middle.size else np.empty(0, int))[j]
+        inside = first >= 0
+        k, j, first, known, x = k[inside], j[inside], first[inside], known[:, inside], x[:, inside]
+        corners = [(k, j), (k, j + 1), (k + 1, j), (k + 1, j + 1)]
+        words = np.array([_seen_from(fan, first, a, b) for a, b in corners])
         points = np.concatenate([x[[0, 1, 2]], x[[1, 3, 2]]], axis=1).transpose(1, 0, 2)
-        values = np.concatenate([s_tau[[0, 1, 2]], s_tau[[1, 3, 2]]], axis=1).transpose(1, 0, 2)
-        counts = np.concatenate([count[[0, 1, 2]], count[[1, 3, 2]]], axis=1).T
-        first = np.tile(first[j], 2)
+        values = np.concatenate([known[[0, 1, 2]], known[[1, 3, 2]]], axis=1).transpose(1, 0, 2)
+        words = np.concatenate([words[[0, 1, 2]], words[[1, 3, 2]]], axis=1).T
         a, b = points[:, 1] - points[:, 0], points[:, 2] - points[:, 0]
         area = np.abs(a[:, 0]*b[:, 1] - a[:, 1]*b[:, 0])
         size = np.maximum((a**2).sum(axis=1), (b**2).sum(axis=1))
-        keep = np.isfinite(area) & (area > 1e-9*size) & (area > 0)
-        return points[keep], values[keep], counts[keep], first[keep], np.full(keep.sum(), number)
+        keep = np.isfinite(area) & (area > 1e-9*size) & (area > 0) & (words >= 0).all(axis=1)
+        return points[keep], values[keep], words[keep], np.full(keep.sum(), number)
+
+    def _usual_price(self):
+        if self.plant.counts_time:
+            return 1.0
+        spent = [np.abs(np.diff(fan.value, axis=0)).ravel()/fan.times[1] for fan in self.fans]
+        spent = np.concatenate(spent)
+        # Where only the end is paid for, what ends differ by tells the size of a difference.
+        ends = np.ptp(np.concatenate([fan.value[0] for fan in self.fans]))
+        return float(np.median(spent[np.isfinite(spent)])) + float(ends)/self.fans[0].times[-1]
 
     def _sort(self):
         low = self._square(self.points.min(axis=1) - SLACK*np.ptp(self.points, axis=1))
@@ -112,9 +125,10 @@ class TimeField:
         return np.floor((points - self.corner)/self.square).astype(int)
 
     def candidates(self, x, slack=SLACK):
-        """Pairs (point, triangle) with s and tau there, for points `x` of shape (2, N): four arrays and the triangle's
-        signs."""
+        """Pairs (point, triangle) with (s, tau, cost) there, for points `x` of shape (2, N)."""
         place = np.clip(self._square(x.T), -1, SQUARES)
+        # The upper and the right edge belong to the window.
+        place -= (place == SQUARES) & (x.T <= self.corner + SQUARES*self.square*(1 + 1e-9))
         ok = ((place >= 0) & (place < SQUARES)).all(axis=1)
         cell = np.where(ok, place[:, 1]*SQUARES + place[:, 0], 0)
         begin, end = self._begin[cell], np.where(ok, self._begin[cell + 1], self._begin[cell])
@@ -134,36 +148,45 @@ class TimeField:
         point, triangle, v, w = point[inside], triangle[inside], v[inside], w[inside]
         share = np.stack([1 - v - w, v, w], axis=-1)
         value = (share[:, :, None]*self.values[triangle]).sum(axis=1)
-        return point, triangle, value[:, 0], value[:, 1]
+        return point, triangle, value.T
 
     def _outside(self, x):
         """Whether points (2, N) lie on the side of the target from which each of the fans comes: (fans, N)."""
         return np.array([fan.target.outside(x, fan.ends.side) > -ON_TARGET for fan in self.fans])
 
     def interpolated(self, x, slack=SLACK):
-        """For points (2, N): the least interpolated time (inf where there is none), its triangle (-1), s."""
-        point, triangle, s, tau = self.candidates(x, slack)
-        time, best, parameter = np.full(x.shape[1], np.inf), np.full(x.shape[1], -1), np.full(x.shape[1], np.nan)
-        order = np.lexsort((-tau, point))            # the last one written is the shortest
-        time[point[order]], best[point[order]], parameter[point[order]] = tau[order], triangle[order], s[order]
-        return time, best, parameter
+        """For points (2, N): the least interpolated cost (inf where there is none), its triangle (-1), s and tau."""
+        point, triangle, (s, tau, cost) = self.candidates(x, slack)
+        least, best = np.full(x.shape[1], np.inf), np.full(x.shape[1], -1)
+        parameters = np.full((2, x.shape[1]), np.nan)
+        order = np.lexsort((-cost, point))            # the last one written is the cheapest
+        least[point[order]], best[point[order]] = cost[order], triangle[order]
+        parameters[:, point[order]] = s[order], tau[order]
+        return least, best, *parameters
+
+    def modes(self, triangle):
+        """The mode in triangles (N,) whose corners agree; elsewhere that of the corner with the middle number of
+        switchings. -1 where there is none."""
+        words = self.plant.words
+        corner = np.argsort(words.length[self.word[triangle]], axis=1, kind="stable")[:, 1]
+        return np.where(triangle >= 0, words.mode[self.word[triangle, corner]], -1)
 
     def exact(self, x):
-        """For points (2, N): the least time, the sign of the control there and the fan (-1 where there is none)."""
+        """For points (2, N): the best extremals, `Best`."""
         found = self.polished(x)
         self._fall_back(x, found)
-        return found.time, found.sign, found.fan
+        return found
 
     def polished(self, x):
-        """The fastest extremals from points (2, N) that Newton's method finds: `Fastest`."""
-        found = Fastest.none(x.shape[1])
+        """The best extremals from points (2, N) that Newton's method finds: `Best`."""
+        found = Best.none(x.shape[1], len(self.plant.controls))
         self._polish(x, np.arange(x.shape[1]), found, SOONEST)
-        # Where the soonest cells only seemed to contain the point, later ones count too.
-        self._polish(x, np.flatnonzero(~np.isfinite(found.time)), found, np.inf)
+        # Where the cheapest cells only seemed to contain the point, others count too.
+        self._polish(x, np.flatnonzero(~np.isfinite(found.cost)), found, np.inf)
         return found
 
     def _polish(self, x, which, found, later):
-        """Newton's method for the points `which` in cells that are not more than `later` steps behind the soonest."""
+        """Newton's method for the points `which` in cells that are not more than `later` steps behind the cheapest."""
         point, triangle, s, tau = self._distinct(x[:, which], later)
         point = which[point]
         # Newton's method starts inside of the cell: at its edge the family may have a fold.
@@ -174,14 +197,14 @@ class TimeField:
             mine = np.flatnonzero(self.fan[triangle] == number)
             if not mine.size:
                 continue
-            pick, first, switchings = self.structures(triangle[mine])
+            pick, words = self.plant.words.between(self.word[triangle[mine]])
             mine = mine[pick]
-            exact_s, exact_tau, signs, ok = polish(family, x[:, point[mine]], s[mine], tau[mine], first, switchings)
-            order = np.flatnonzero(ok)[np.argsort(-exact_tau[ok], kind="stable")]
-            order = order[exact_tau[order] < found.time[point[mine[order]]]]
-            for_point = point[mine[order]]                  # the last one written is the shortest
-            for name, values in (("time", exact_tau), ("sign", signs), ("s", exact_s), ("first", first),
-                                 ("count", switchings)):
+            exact_s, exact_tau, cost, modes, controls, ok = polish(family, x[:, point[mine]], s[mine], tau[mine], words)
+            order = np.flatnonzero(ok)[np.argsort(-cost[ok], kind="stable")]
+            order = order[cost[order] < found.cost[point[mine[order]]]]
+            for_point = point[mine[order]]                  # the last one written is the cheapest
+            for name, values in (("cost", cost), ("time", exact_tau), ("mode", modes), ("s", exact_s), ("word", words),
+                                 ("control", controls)):
                 getattr(found, name)[for_point] = values[order]
             found.fan[for_point] = number
 
@@ -190,78 +213,91 @@ class TimeField:
 
         Not in the last cells of a family: their edges are chords of its last extremal, and reach a little beyond it.
         """
-        open_ = np.flatnonzero(~np.isfinite(found.time))
-        if open_.size:
-            tau, triangle, _ = self.interpolated(x[:, open_], slack=0)
-            inner = (triangle >= 0) & ~self.last[triangle]
-            open_, triangle = open_[inner], triangle[inner]
-            found.time[open_], found.fan[open_] = tau[inner], self.fan[triangle]
-            found.sign[open_] = self.first[triangle]*np.where(np.median(self.count[triangle], axis=1) % 2, -1, 1)
-
-    def structures(self, triangle):
-        """First control and numbers of switchings that occur in triangles: (which triangle, first, switchings)."""
-        first, count = self.first[triangle], self.count[triangle]
-        low, high = count.min(axis=1), count.max(axis=1)
-        number = high - low + 1
-        pick = np.repeat(np.arange(triangle.size), number)
-        within = np.arange(pick.size) - np.repeat(np.cumsum(number) - number, number)
-        return pick, first[pick], low[pick] + within
+        open_ = np.flatnonzero(~np.isfinite(found.cost))
+        if not open_.size:
+            return
+        cost, triangle, s, tau = self.interpolated(x[:, open_], slack=0)
+        inner = (triangle >= 0) & ~self.last[triangle]
+        open_, triangle, s, tau = open_[inner], triangle[inner], s[inner], tau[inner]
+        found.cost[open_], found.time[open_], found.fan[open_] = cost[inner], tau, self.fan[triangle]
+        found.mode[open_] = self.modes(triangle)
+        for number, family in enumerate(self.fans):
+            mine = np.flatnonzero(self.fan[triangle] == number)
+            if mine.size:
+                z, _ = family.flow(s[mine], tau[mine])
+                found.control[open_[mine]] = self.plant.control(z, found.mode[open_[mine]]).T
 
     def _distinct(self, x, later):
-        """Of all candidates of a point those that may be the fastest: the first in time of each structure, if not far
+        """Of all candidates of a point those that may be the best: the cheapest of each structure, if not far
         behind."""
-        point, triangle, s, tau = self.candidates(x)
-        kind = (self.fan[triangle]*2 + (self.first[triangle] > 0))*64 + self.count[triangle].min(axis=1)
-        order = np.lexsort((tau, kind, point))
-        point, triangle, s, tau, kind = point[order], triangle[order], s[order], tau[order], kind[order]
+        point, triangle, (s, tau, cost) = self.candidates(x)
+        words = self.word[triangle]
+        kind = self.fan[triangle]*(self.plant.words.length.size + 1)
+        if triangle.size:
+            kind = kind + words[np.arange(triangle.size), self.plant.words.length[words].argmin(axis=1)]
+        order = np.lexsort((cost, kind, point))
+        point, triangle, s, tau, cost, kind = (v[order] for v in (point, triangle, s, tau, cost, kind))
         if not point.size:
             return point, triangle, s, tau
         new = np.append(True, (np.diff(point) != 0) | (np.diff(kind) != 0))
         rank = np.arange(point.size) - np.flatnonzero(new)[np.cumsum(new) - 1]
         least = np.full(x.shape[1], np.inf)
-        np.minimum.at(least, point, tau)
+        np.minimum.at(least, point, cost)
         # A few cells of each structure: a point next to the border of one may belong to its neighbour.
-        keep = (rank < 4) & (tau < least[point] + later*self.fans[0].times[1])
+        keep = (rank < 4) & (cost < least[point] + later*self.grain)
         return point[keep], triangle[keep], s[keep], tau[keep]
 
 
-def polish(fan, x, s, tau, first, switchings, rounds=20):
-    """Newton's method on x(s, tau) = x for extremals of a given structure; returns s, tau, the control's sign, which
-    are good.
+def _seen_from(fan, first, steps, columns):
+    """The words at corners of cells that begin with the modes `first`."""
+    words, root = fan.word[steps, columns], fan.mode[0, columns]
+    other = np.flatnonzero((root != first) & (words >= 0))
+    if other.size:
+        words = words.copy()
+        words[other] = fan.plant.words.prefixed(first[other], words[other])
+    # The extremal itself may be singular: it stands still, and only its end is a corner.
+    lost = (words < 0) & (steps == 0)
+    words = np.where(lost, fan.plant.words.after(-1, first), words)
+    return words
 
-    On a switching curve the sign is that of the control that follows.
+
+def polish(fan, x, s, tau, word, rounds=20):
+    """Newton's method on x(s, tau) = x for extremals of given structures; returns s, tau, costs, the modes at the
+    points, the controls there (N, k), and which are good.
+
+    On a switching curve the mode is that of the control that follows.
     """
+    plant, words = fan.plant, fan.plant.words
     tau, count = tau.copy(), s.size
     s = np.clip(s, fan.ends.low, fan.ends.high)
     size = np.abs(x).max(initial=0) + 1
     ds = 1e-6*(fan.ends.high - fan.ends.low)
     reach = 4*np.abs(np.diff(fan.s)).max(initial=0)
-    good, begin, sign = np.zeros(count, bool), np.zeros(count), first.copy()
+    good, cost, mode = np.zeros(count, bool), np.full(count, np.inf), words.mode[word]
+    last, controls = mode.copy(), np.full((count, len(plant.controls)), np.nan)
     busy = np.arange(count)
     for number in range(rounds):
         # One-sided where the parameter ends.
         up, down = np.minimum(s[busy] + ds, fan.ends.high), np.maximum(s[busy] - ds, fan.ends.low)
-        z, last, start = fan.arcs(np.concatenate([s[busy], up, down]), np.tile(tau[busy], 3), np.tile(first[busy], 3),
-                                  np.tile(switchings[busy], 3))
+        z, start = fan.arcs(np.concatenate([s[busy], up, down]), np.tile(tau[busy], 3), np.tile(word[busy], 3))
         n = busy.size
         here = z[:, :n]
         miss = x[:, busy] - here[:2]
         error = np.hypot(*miss)
         done = error < 1e-11*size
         # The structure must be real: the last arc has a positive length, and the control maximises on it.
-        phi = fan.plant.switching(here)
-        consistent = (tau[busy] >= start[:n]
-                      - 1e-9) & (last[:n]*phi >= -1e-9*np.hypot(*here[2:])*(1 + np.hypot(*here[:2])))
+        consistent = (tau[busy] >= start[:n] - 1e-9) & plant.maximises(here, last[busy], 1e-9)
         settled = busy[done]
-        good[settled], begin[settled] = consistent[done], start[:n][done]
-        on_curve = (tau[settled] - begin[settled] < 1e-8) & (switchings[settled] > 0)
-        sign[settled] = np.where(on_curve, -last[:n][done], last[:n][done])
+        good[settled], cost[settled] = consistent[done], here[5, done]
+        on_curve = (tau[settled] - start[:n][done] < 1e-8) & (words.length[word[settled]] > 0)
+        mode[settled[on_curve]] = words.mode[words.parent[word[settled[on_curve]]]]
+        controls[settled] = plant.control(here[:, done], mode[settled]).T
         # Whoever is still far away after some rounds belongs to another cell.
         go = ~done & (error < (np.inf if number < 6 else 1e-3*size))
         if not go.any():
             break
         slope = (z[:2, n:2*n] - z[:2, 2*n:])/(up - down)
-        rate = -fan.plant.velocity(here[:2], last[:n])
+        rate = -plant.velocity(here, last[busy])
         with np.errstate(all="ignore"):
             step_s, step_tau = _solve(slope[:, go], rate[:, go], miss[:, go])
         # Next to a fold two solutions exist, one with a last arc of negative length: such a guess is reflected.
@@ -274,7 +310,7 @@ def polish(fan, x, s, tau, first, switchings, rounds=20):
         new = np.where(new <= fan.ends.low, (s[busy] + fan.ends.low)/2, new)
         s[busy] = np.where(new >= fan.ends.high, (s[busy] + fan.ends.high)/2, new)
         tau[busy] = np.maximum(tau[busy] + np.clip(step_tau, -4*fan.times[1], 4*fan.times[1]), 0)
-    return s, tau, sign, good
+    return s, tau, cost, mode, controls, good
 
 
 def _solve(a, b, c):

@@ -1,33 +1,85 @@
-"""A control that is given as a function of time, or as a list of arcs, and the motion under it."""
+"""What answers say of time, read once and evaluated at many instants and parameters: controls, motions, costates.
+
+A control is an expression, or a list of arcs [value, until]; motions and costates are an expression a state.
+"""
 
 import numpy as np
 import sympy as sp
 
 from trajlib.checks.contract import coercion
+from trajlib.checks.contract.claims import Claim
 from trajlib.checks.contract.tolerance import share
 from trajlib.checks.contract.verdict import Invalid, Wrong
 from trajlib.checks.tools.values import real_function
 
 #: What an answer without decimals may be off by: the precision of integrating it.
 INTEGRATED = 1e-5
+#: Where the end is looked at, as a part of the duration: a law may be defined up to the end alone, which is known up to
+#: rounding.
+ENDING = 1 - 1e-9
 
 
-class Control:
-    """A control in time: an expression, or a list of arcs [value, until]; read once, evaluated for many parameters."""
+class Motion(Claim):
+    """All states as functions of time, or the first of them, where the others are its derivatives: x1' = x2."""
 
-    def __init__(self, answer, time, parameters):
-        self.time, self.parameters = time, list(parameters)
+    @staticmethod
+    def coerce(answer, symbols, problem, time):
+        claims, state = _one_or_several(answer, symbols), list(problem.dynamics)
+        while len(claims) < len(state) and problem.dynamics[state[len(claims) - 1]] == state[len(claims)]:
+            claims.append(sp.diff(claims[-1], time))
+        if len(claims) != len(state):
+            raise Invalid(f"expected the motion as expressions in {time}: {', '.join(map(str, state))}")
+        return claims
+
+
+class Costates(Claim):
+    """An expression for each state; of one state the expression alone will do."""
+
+    @staticmethod
+    def coerce(answer, symbols, problem):
+        claims = _one_or_several(answer, symbols)
+        if len(claims) != len(problem.dynamics):
+            raise Invalid(f"expected a costate for each state: {', '.join(map(str, problem.dynamics))}")
+        return claims
+
+
+class InTime:
+    """Expressions in time and parameters, with their derivatives in time."""
+
+    def __init__(self, claims, time, parameters):
+        symbols = [time, *(parameters or ())]
+        self._values, self._rates = (real_function(symbols, part)
+                                     for part in (claims, [sp.diff(claim, time) for claim in claims]))
+        self.rounding = share(*claims, computed=INTEGRATED)
+
+    def values(self, times, parameters):
+        """What the expressions are at an instant, or at an array of them: a row for each; nan where not real."""
+        return at_instants(self._values, times, *map(float, parameters.values()))
+
+    def rates(self, times, parameters):
+        return at_instants(self._rates, times, *map(float, parameters.values()))
+
+
+class Control(Claim):
+    """Arcs (value, until), or a single one (value, None), whose value may jump."""
+
+    @staticmethod
+    def coerce(answer, symbols, time):
         if _is_list(answer) and len(answer) and all(_is_list(arc) and len(arc) == 2 for arc in answer):
-            symbols = [time, *parameters]
-            arcs = [[coercion.as_expression(value, symbols), coercion.as_expression(until, parameters)]
+            others = [symbol for symbol in symbols if symbol != time]
+            return [(coercion.as_expression(value, symbols), coercion.as_expression(until, others))
                     for value, until in answer]
-            self._values = [real_function(symbols, [value]) for value, _ in arcs]
-            self._ends = [real_function(self.parameters, [until]) for _, until in arcs]
-            parts = [part for arc in arcs for part in arc]
-        else:
-            parts = [coercion.as_expression(answer, [time, *parameters])]
-            self._values, self._ends = [real_function([time, *parameters], parts)], None
-        self.rounding = share(*parts, computed=INTEGRATED)
+        return [(coercion.as_expression(answer, symbols), None)]
+
+
+class Steering:
+    """A control that was read, evaluated for many parameters."""
+
+    def __init__(self, arcs, time, parameters):
+        self.time, self.parameters = time, list(parameters or ())
+        self._values = [real_function([time, *self.parameters], [value]) for value, _ in arcs]
+        self._ends = [until if until is None else real_function(self.parameters, [until]) for _, until in arcs]
+        self.rounding = share(*(part for arc in arcs for part in arc if part is not None), computed=INTEGRATED)
 
     def sections(self, values, duration):
         """Triples (begin, end, function of an array of times) between the jumps, from 0 to the given duration."""
@@ -47,7 +99,7 @@ class Control:
 
             return u
 
-        if self._ends is None:
+        if self._ends == [None]:
             u = smooth(self._values[0])
             breaks = jumps(u, duration)
             # The value at a jump itself is of no account: it is asked a little inside.
@@ -66,51 +118,13 @@ class Control:
         return [(a, b, u) for a, b, u in found if b > a]
 
 
-class Path:
-    """The motion under a student's control."""
-
-    def __init__(self, best, sections, where):
-        self.best, self.where, self.sections = best, where, sections
-        y = np.array(best.start, dtype=float)
-        self.times, self.states, self.controls = [0.0], [y], []
-        for begin, end, u in sections:
-            steps = max(8, int(240 * (end - begin) / best.duration))
-            h = (end - begin) / steps
-            times = begin + h / 2 * np.arange(2 * steps + 1)
-            said = u(times).tolist()
-            for k in range(1, 2 * steps, 2):
-                y = _step(best.field, said[k - 1:k + 2], y, h)
-                self.times.append(times[k + 1])
-                self.states.append(y)
-                self.controls.append((times[k], said[k]))
-
-    def admissible(self, rounding):
-        low, high = self.best.bounds
-        slack = max(1e-9, rounding / 10) * (high - low)
-        for t, u in self.controls:
-            if not low - slack <= u <= high + slack:
-                raise Wrong(f"{self.where}your control is {u:.4g} at t = {t:.4g}, outside its bounds {low:.4g} and "
-                            f"{high:.4g}")
-
-    def miss(self):
-        return float(np.max(np.abs(self.best.gap(self.states[-1])))), self.best.size()
-
-    def met_before_the_end(self):
-        return any(self.best.met_between(self.best.start, y) for y in self.states[1:-1])
-
-
-def _step(field, controls, y, h):
-    """A step of the method of Runge and Kutta under a control given at its begin, middle and end."""
-    begin, middle, end = controls
-    a = field(y, begin)
-    b = field(y + h / 2 * a, middle)
-    c = field(y + h / 2 * b, middle)
-    d = field(y + h * c, end)
-    return y + h / 6 * (a + 2 * b + 2 * c + d)
-
-
 def _is_list(answer):
     return isinstance(answer, (list, tuple, sp.Tuple))
+
+
+def _one_or_several(answer, symbols):
+    several = _is_list(answer) or isinstance(answer, (sp.MatrixBase, np.ndarray))
+    return coercion.as_expressions(answer if several else [answer], symbols)
 
 
 def jumps(u, duration, pieces=360):
@@ -139,6 +153,8 @@ def at_instants(function, times, *numbers):
     try:
         return function(times, *numbers)
     except Invalid:  # some functions, such as erf, are known for single numbers alone
+        if np.ndim(times) == 0:
+            raise
         return np.array([function(t, *numbers) for t in times]).T
 
 

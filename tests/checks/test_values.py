@@ -1,0 +1,36 @@
+"""Values are put in all at once where that gives a number, and one after the other where the order decides."""
+
+import pytest
+import sympy as sp
+
+from trajlib.checks.contract.verdict import Wrong
+from trajlib.checks.tools import values
+from trajlib.checks.tools.values import number_at, real_at
+
+x, y = sp.symbols("x y")
+ANGLE = sp.Symbol("psi", positive=True)
+CASES = {
+    "a factor that vanishes beside an infinite one": (x/(y - 1), {x: 0, y: 1}, 0),
+    "a later case has no value": (sp.Piecewise((2, x > 0), (1, sp.sqrt(x - 5) > 0), evaluate=False), {x: 1}, 2),
+    "a symbol that is bound": (sp.Integral(x*y, (x, 0, 1)), {x: 3, y: 2}, 1),
+    "floats": (sp.exp(-x)*sp.cos(y), {x: 0.5, y: -2.0}, float(sp.exp(-0.5)*sp.cos(2))),
+    "a root of a negative number": (sp.sqrt(x*y), {x: -2, y: 8}, 4j),
+    "a symbol of which more is assumed": (sp.sqrt(ANGLE**2*x), {ANGLE: 3, x: 4}, 6),
+}
+
+
+@pytest.mark.parametrize("claim, places, number", CASES.values(), ids=CASES)
+def test_the_number_is_that_of_one_after_the_other(claim, places, number):
+    one_by_one = complex(claim.subs(places).evalf(20))
+    assert number_at(claim, places) == pytest.approx(number) and one_by_one == pytest.approx(number)
+
+
+def test_what_has_no_value_has_none():
+    with pytest.raises(Wrong, match="undefined|infinite"):
+        number_at(1/(x - y), {x: 2, y: 2})
+    assert real_at(sp.Piecewise((1, sp.sqrt(x) > 0)), {x: -1}) is None
+
+
+def test_a_plain_expression_is_not_asked_for_one_after_the_other(monkeypatch):
+    monkeypatch.setattr(sp.Basic, "subs", None)
+    assert values.number_at(x**2 + y/3, {x: sp.Rational(1, 2), y: 3}) == 1.25

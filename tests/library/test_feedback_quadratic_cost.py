@@ -1,0 +1,103 @@
+"""Regulators with a quadratic cost: against python-control, Kleinman's equation and direct integration."""
+import control
+import numpy as np
+import pytest
+import sympy as sp
+from scipy.integrate import solve_ivp
+from scipy.linalg import solve_continuous_lyapunov
+
+from trajlib import feedback
+
+A = sp.Matrix([[0, 1, 0], [1, 0, 2], [0, -1, 1]])
+B = sp.Matrix([[0, 0], [1, 0], [0, 1]])
+G, N, F = sp.diag(2, 0, 1), sp.Matrix([[2, 1], [1, 3]]), sp.diag(1, 0, 2)
+MODES = {"-1": True, "0": False, "1": True}
+
+
+def floats(*matrices):
+    return [np.array(matrix, dtype=float) for matrix in matrices]
+
+
+def test_python_control_has_the_same_cost_and_the_other_sign():
+    ours = feedback.lqr(*floats(A, B, G, N))
+    gain, cost, roots = control.lqr(*floats(A, B, G, N), method="scipy")
+    np.testing.assert_allclose(ours.gain, -gain, atol=1e-10)
+    np.testing.assert_allclose(ours.cost, cost, atol=1e-10)
+    np.testing.assert_allclose(sorted(np.linalg.eigvals(ours.loop), key=np.real), sorted(roots, key=np.real), atol=1e-8)
+
+
+@pytest.mark.parametrize("matrix, weight", [([[0, 1], [1, 0]], sp.diag(0, 1)), ([[0, 1], [0, 1]], sp.eye(2)),
+                                            ([[0, 1], [-1, 0]], sp.diag(3, 0)), ([[1, 0], [1, 2]], sp.zeros(2))])
+def test_exact_and_floating_point_agree(matrix, weight):
+    exact = feedback.lqr(matrix, [0, 1] if matrix[0][0] == 0 else [1, 0], weight, 1)
+    near = feedback.lqr(*floats(matrix, [[0], [1]] if matrix[0][0] == 0 else [[1], [0]], weight, [[1]]))
+    for name in ("cost", "gain", "loop"):
+        np.testing.assert_allclose(*floats(getattr(exact, name), getattr(near, name)), atol=1e-9)
+
+
+@pytest.mark.parametrize("mode, attained", MODES.items())
+def test_an_unseen_mode_is_led_to_zero_or_left_alone(mode, attained):
+    """x1' = mode x1 + u, x2' = -x2 + u, and only x2 is paid for."""
+    for read in (lambda m: m, lambda m: np.array(m, dtype=float)):
+        system = [read(m) for m in (sp.diag(int(mode), -1), sp.Matrix([1, 1]), sp.diag(0, 1), sp.Matrix([[1]]))]
+        best, lazy = feedback.lqr(*system), feedback.lqr(*system, stable=False)
+        assert bool(best) == attained and lazy
+        assert abs(float(lazy.gain[0, 0])) < 1e-12 and abs(float(lazy.cost[0, 0])) < 1e-12
+        difference = np.array(best.cost - lazy.cost, dtype=float) if best else None
+        if mode == "-1":
+            np.testing.assert_allclose(difference, 0, atol=1e-12)
+        elif mode == "1":  # the stabilising solution is the greater one
+            assert np.linalg.eigvalsh(difference)[0] > -1e-12 and difference[0, 0] > 1
+
+
+def test_what_cannot_be_is_said():
+    assert "not stabilisable" in feedback.lqr(sp.diag(1, 2), [0, 1], sp.eye(2), 1).reason
+    assert "imaginary axis" in feedback.lqr([[0, 1], [0, 0]], [0, 1], sp.diag(0, 1), 1).reason
+    assert not feedback.lqg([[1]], [[1]], [[0]], 1, 1, 1, 1)
+    for bad in [(A, B, G, sp.zeros(2)), (A, B, -G, N), (A, B[:2, :], G, N), (A[:2, :], B, G, N)]:
+        with pytest.raises(ValueError):
+            feedback.lqr(*bad)
+
+
+@pytest.mark.parametrize("left", [0.0, 0.3, 2.0])
+def test_a_given_end_solves_the_equation(left):
+    """Integrated backwards from F, in the weights and signs of the docstring."""
+    a, b, g, n, f = floats(A, B, G, N, F)
+
+    def rate(_, flat):
+        S = flat.reshape(3, 3)
+        return (a.T @ S + S @ a + g - S @ b @ np.linalg.solve(n, b.T @ S)).ravel()
+
+    true = solve_ivp(rate, (0, left), f.ravel(), rtol=1e-10, atol=1e-12).y[:, -1].reshape(3, 3)
+    ours = feedback.finite_lqr(a, b, g, n, f, left)
+    np.testing.assert_allclose(ours.cost, true, atol=1e-7)
+    np.testing.assert_allclose(ours.gain, -np.linalg.solve(n, b.T @ true), atol=1e-7)
+
+
+def test_a_given_end_exactly():
+    left = sp.Symbol("left", positive=True)
+    found = feedback.finite_lqr([[0, 1], [0, 0]], [0, 1], sp.zeros(2), 1, sp.eye(2), left)
+    S = found.cost
+    rest = sp.Matrix([[0, 0], [1, 0]])*S + S*sp.Matrix([[0, 1], [0, 0]]) - S[:, 1]*S[1, :] - S.diff(left)
+    assert rest.applyfunc(sp.simplify) == sp.zeros(2) and S.subs(left, 0) == sp.eye(2)
+
+
+def test_the_price_is_that_of_the_whole_loop():
+    """x and e together: their covariance from Lyapunov's equation, no separation used; no gains nearby are cheaper."""
+    a, b, g, n = floats(A, B, G, N)
+    h, q, r = np.array([[1.0, 0, 0]]), np.diag([0.0, 2, 1]), np.array([[0.5]])
+    found = feedback.lqg(a, b, h, g, n, q, r)
+
+    def price(K, L):
+        loop = np.block([[a, b @ K], [L @ h, a + b @ K - L @ h]])
+        noise = np.block([[q, np.zeros((3, 3))], [np.zeros((3, 3)), L @ r @ L.T]])
+        P = solve_continuous_lyapunov(loop, -noise)
+        return np.trace(g @ P[:3, :3]) + np.trace(K.T @ n @ K @ P[3:, 3:])
+
+    K, L = found.regulator.gain, found.filter.gain
+    least = price(K, L)
+    assert abs(found.price - least) < 1e-8*least
+    rng = np.random.default_rng(54)
+    for _ in range(20):
+        assert price(K + 0.01*rng.normal(size=K.shape), L + 0.01*rng.normal(size=L.shape)) > least
+    assert np.trace(found.regulator.cost @ q) == pytest.approx(found.known) and found.known < found.price

@@ -1,0 +1,87 @@
+"""Costates along optimal processes, by the conditions of the maximum principle with lambda_0 = 1, and the switching
+function that they give. `problem` and `parameters` are those of `processes`."""
+
+import numpy as np
+
+from trajlib.checks.contract.claims import Expression
+from trajlib.checks.contract.verdict import Wrong, judged
+from trajlib.checks.pontryagin.followed import point_text, told_for
+from trajlib.checks.pontryagin.in_time import ENDING, Costates, InTime
+from trajlib.checks.truths.optima.best_processes import best_processes, free_at_the_start
+from trajlib.checks.truths.optima.transfer_optima import Transfer
+
+
+@judged(Costates("time", "parameters", problem="problem"))
+def optimal_costate(claims, problem, time, parameters=None):
+    """Costates along the optimal process with lambda_0 = 1, a list in the order of the states, or one expression."""
+    costate, sign = InTime(claims, time, parameters), -1 if problem.maximise else 1
+    free = np.array(free_at_the_start(problem, parameters))
+    for values, best in best_processes(problem, parameters):
+        where = told_for(values)
+        largest = np.abs(np.nan_to_num(costate.values(best.times, values))).max()
+        for k, t in enumerate(best.times):
+            psi, slope = (part(t * (1 - 1e-7), values) for part in (costate.values, costate.rates))
+            if not np.all(np.isfinite([*psi, *slope])):
+                raise Wrong(f"{where}at t = {t:.4g} your costates are not real")
+            # H is the product of this with the rates, the running cost being the last of them.
+            full, along = np.append(psi, -sign), (best, best.states[:, k], best.controls[k], costate.rounding)
+            _adjoint(full, slope, *along, largest, list(problem.dynamics), f"{where}at t = {t:.4g}")
+            _greatest(full, *along, problem.duration, f"{where}at t = {t:.4g}")
+        _, final, normals = best.jacobians(best.states[:, -1], best.controls[-1])
+        psi, begin = costate.values(ENDING * best.duration, values), costate.values(0.0, values)
+        _transversal(psi + sign * final[0], normals, costate.rounding * (largest + np.abs(final).sum()),
+                     f"{where}at the end your costates are {point_text(psi)}")
+        if not np.all(np.abs(begin[free]) <= 10 * costate.rounding * largest):
+            raise Wrong(f"{where}at the beginning your costates are {point_text(begin)}; what is free there has none")
+    return "adjoint equations, maximum condition and transversality hold along the best process found"
+
+
+@judged(Expression("time"))
+def optimal_switching(claim, problem, time):
+    """The switching function dH/du along a transfer to a line in least or greatest time, with lambda_0 = 1."""
+    function, ((_, best),) = InTime([claim], time, ()), Transfer(problem).samples()
+    found = best.switching_function()
+    size = max(abs(value) for _, value in found)
+    for t, true in found:
+        said = function.values(t, {})[0]
+        if not abs(said - true) <= 4 * function.rounding * size:
+            raise Wrong(f"at t = {t:.4g} your function is {said:.4g}; dH/du has another "
+                        f"{'sign' if said * true < 0 else 'value'} there, if the costate that transversality and H = 0 "
+                        f"determine at the end is followed back along the best process")
+    return "it is dH/du along the best process, with the costate followed back from the end"
+
+
+def _adjoint(full, slope, best, y, u, rounding, largest, state, there):
+    terms = -best.jacobians(y, u)[0].T * full
+    size, wanted = np.abs(terms).sum() + largest / best.duration, terms.sum(axis=1)
+    if not np.all(np.abs(slope - wanted) <= 10 * rounding * size):
+        j = int(np.argmax(np.abs(slope - wanted)))
+        raise Wrong(f"{there} the adjoint equation for {state[j]} does not hold: the derivative of your costate is "
+                    f"{slope[j]:.4g}, the equation with your costates demands {wanted[j]:.4g}")
+
+
+def _greatest(full, best, y, u, rounding, duration, there):
+    here, *others = (full * best.field(np.append(y, 0), v) for v in (u, *_others(best, u)))
+    H, most = here.sum(), max(other.sum() for other in others)
+    size = max(abs(H), *(abs(other.sum()) for other in others)) + np.abs(here).sum()
+    if not H >= most - 10 * rounding * size:
+        raise Wrong(f"{there} the optimal control does not make H greatest with your costates: it gives {H:.4g}, "
+                    f"another one {most:.4g}")
+    if (duration is None or isinstance(duration, tuple)) and not abs(H) <= 10 * rounding * (size + 1):
+        raise Wrong(f"{there} H is {H:.4g} with your costates; the duration is free")
+
+
+def _transversal(rest, normals, allowed, what):
+    if len(normals):
+        rest = rest - normals.T @ np.linalg.lstsq(normals.T, rest, rcond=None)[0]
+    if not np.all(np.abs(rest) <= 10 * allowed + 1e-9):
+        raise Wrong(f"{what}; the condition of transversality does not hold for them")
+
+
+def _others(best, u):
+    """Controls with which that of the optimum is compared."""
+    low, high = best.bounds
+    around = u + (1 + abs(u)) * np.array([-1, -0.1, 0.1, 1])
+    return [*np.clip(around, low, high), *(v for v in (low, high) if np.isfinite(v))]
+
+

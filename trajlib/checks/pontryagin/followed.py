@@ -1,0 +1,87 @@
+"""What a process has to do, whatever its cost: keep to the bounds of the control and to the ends, and cost what the
+best process found costs. The motion under a control in time is followed in small steps."""
+
+import numpy as np
+
+from trajlib.checks.contract.verdict import Wrong
+from trajlib.checks.pontryagin.in_time import INTEGRATED
+from trajlib.checks.tools.wording import rounded_text
+
+#: Up to which share of its terms the least cost is known, and the cost of a process that is followed in small steps.
+COSTS = 1e-6
+
+
+class Path:
+    """The motion under a student's control: lists of times, of states with the cost so far as the last entry, and of
+    pairs (time, control)."""
+
+    def __init__(self, best, sections, where):
+        self.best, self.where = best, where
+        y = np.array(best.start, dtype=float)
+        self.times, self.states, self.controls = [0.0], [y], []
+        for begin, end, u in sections:
+            steps = max(8, int(240 * (end - begin) / best.duration))
+            h = (end - begin) / steps
+            times = begin + h / 2 * np.arange(2 * steps + 1)
+            said = u(times).tolist()
+            for k in range(1, 2 * steps, 2):
+                y = _step(best.field, said[k - 1:k + 2], y, h)
+                self.times.append(times[k + 1])
+                self.states.append(y)
+                self.controls.append((times[k], said[k]))
+
+    def admissible(self, rounding):
+        low, high = self.best.bounds
+        slack = max(1e-9, rounding / 10) * (high - low)
+        for t, u in self.controls:
+            if not low - slack <= u <= high + slack:
+                raise Wrong(f"{self.where}your control is {u:.4g} at t = {t:.4g}, outside its bounds {low:.4g} and "
+                            f"{high:.4g}")
+
+
+def does_as_well(times, states, best, problem, rounding, where, whose):
+    """Raise `Wrong` unless a process keeps to the ends and costs no more than the best one; `states` hold the cost so
+    far as the last entry, `whose` says what the process is made by."""
+    if problem.first_return:
+        meets_once(times, states, best, where)
+    keeps_to_the_ends(states[-1], best, rounding, f"{where}under {whose}")
+    cost = best.total(states[-1])
+    excess = (best.cost - cost) if problem.maximise else (cost - best.cost)
+    allowed = max(COSTS, rounding if rounding > INTEGRATED else 0) * best.cost_size()
+    if excess < -10 * allowed:
+        raise RuntimeError(f"a process was given that does better than the best one found, by {-excess:.2g}")
+    if not excess <= allowed:
+        raise Wrong(f"{where}{whose} costs {cost:.4g}; there is an admissible process with the same ends that costs "
+                    + ("more, and the cost is to be great" if problem.maximise else "less"))
+
+
+def keeps_to_the_ends(y, best, rounding, what):
+    gap = best.gap(y)
+    if len(gap) and not np.max(np.abs(gap)) <= 2 * rounding * best.size():
+        raise Wrong(f"{what} the state is {point_text(y[:-1])} when the best process ends, which is not on the target")
+
+
+def meets_once(times, states, best, where):
+    sides = np.array([best.gap(y)[0] for y in states[1:-1]])
+    small = 1e-6 * best.size()
+    if sides.min(initial=0) < -small and sides.max(initial=0) > small:
+        k = int(np.flatnonzero(np.sign(sides) != np.sign(sides[np.argmax(np.abs(sides[:9]))]))[0])
+        raise Wrong(f"{where}the target is met at the time {times[k + 1]:.4g} already, and the process ends there")
+
+
+def told_for(values):
+    return f"for {rounded_text(values)} " if values else ""
+
+
+def point_text(values):
+    return f"{values[0] + 0:.4g}" if len(values) == 1 else "(" + ", ".join(f"{v + 0:.4g}" for v in values) + ")"
+
+
+def _step(field, controls, y, h):
+    """A step of the method of Runge and Kutta under a control given at its begin, middle and end."""
+    begin, middle, end = controls
+    a = field(y, begin)
+    b = field(y + h / 2 * a, middle)
+    c = field(y + h / 2 * b, middle)
+    d = field(y + h * c, end)
+    return y + h / 6 * (a + 2 * b + 2 * c + d)

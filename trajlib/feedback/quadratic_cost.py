@@ -1,0 +1,176 @@
+"""Linear regulators with a quadratic cost: for all time (LQR), up to an end, and by a measurement with noise (LQG).
+
+For x' = Ax + Bu the cost is J = integral of (x^T G x + u^T N u) dt, with the end given plus x(T)^T F x(T). Its least
+value from x is x^T S x, the law u = Kx has K = -N^-1 B^T S, and S obeys the Riccati equation
+
+    -S' = A^T S + S A + G - S B N^-1 B^T S,    S(T) = F,
+
+without S' for all time. It is that of a filter's covariance for (A^T, B^T, G, N) with time turned round, and is solved
+there. A factor before the whole cost, as 1/2, changes neither S nor K: then J = x^T S x / 2.
+"""
+from dataclasses import dataclass
+
+import numpy as np
+import sympy as sp
+
+from ..estimation.continuous_filter import ContinuousFilter
+from ..estimation.linear import latex, symmetric, tidy
+from ..estimation.reading import in_floats, read_covariance, read_matrix, read_square
+from ..estimation.stationary_filters import StationaryFilter, stationary_filter
+from ..stability.regions import latex_condition
+from ..stability.systems import as_prose
+from ..structure.splitting import observability_decomposition
+
+
+@dataclass(frozen=True)
+class QuadraticRegulator:
+    """The best linear law u = Kx for a quadratic cost; false in an `if` if there is none.
+
+    - `cost`: S, n x n, the least cost from x is x^T S x; `gain`: K, s x n; `loop`: A + BK;
+    - `where`: the condition on symbols under which all this holds; `reason`: what there is, or why there is nothing.
+    """
+
+    cost: object
+    gain: object
+    loop: object
+    where: object
+    reason: str
+
+    def __bool__(self):
+        return self.cost is not None
+
+    def _repr_markdown_(self):
+        if not self:
+            return as_prose(self.reason)
+        shown = rf"S = {latex(self.cost)},\quad K = {latex(self.gain)}"
+        where = "" if self.where == sp.true else rf",\quad {latex_condition(self.where)}"
+        return rf"$\displaystyle {shown}{where}$"
+
+
+def lqr(A, B, G, N, stable=True):
+    """The law u = Kx of least cost for all time (MATLAB: -lqr(A, B, G, N); python-control: -lqr(A, B, G, N)[0]).
+
+    `A`: n x n; `B`: n x s; `G`: n x n, positive semidefinite; `N`: s x s, positive definite. Exact, also with symbols,
+    or floats. Note the sign, u = Kx. With `stable` the best of the laws that bring every state to zero, from the
+    stabilising solution of the Riccati equation; there is one if and only if (A, B) is stabilisable and the cost sees
+    every mode on the imaginary axis. With `stable=False` the best of all, whatever becomes of states that the cost does
+    not see: the least S >= 0 that solves the equation. Returns `QuadraticRegulator`, for general values of symbols.
+    Raises ValueError for shapes that do not fit and weights that are none, NotImplementedError for exact spectra beyond
+    square roots. Source: section 5.4 of the problem book.
+
+    >>> lqr(1, 1, 1, 2).gain    # problem 5.63
+    Matrix([[-sqrt(6)/2 - 1]])
+    >>> lqr(1, 1, 0, 1).gain[0], lqr(1, 1, 0, 1, stable=False).gain[0]
+    (-2, 0)
+    >>> print(lqr([[0, 1], [0, 1]], [0, 1], [[0, 0], [0, 1]], 1).reason)    # problem 5.67b
+    no stabilising law of least cost: a mode on the imaginary axis is not seen by the cost
+    """
+    A, B, G, N = _read(A, B, G, N)
+    if not stable:
+        return _without_the_unseen(A, B, G, N)
+    filter = stationary_filter(A.T, B.T, G, N)
+    if not filter:
+        controlled = bool(stationary_filter(A.T, B.T, _unit(A), N))  # with a cost that sees everything
+        return QuadraticRegulator(None, None, None, sp.false, "no stabilising law of least cost: " + (
+            "a mode on the imaginary axis is not seen by the cost" if controlled else
+            "not stabilisable, a mode that does not decay is not controlled"))
+    general = "" if filter.where == sp.true else f"; where {filter.where}"
+    return QuadraticRegulator(filter.covariance, -filter.gain.T, filter.errors.T, filter.where,
+                              f"the stabilising law of least cost{general}")
+
+
+def finite_lqr(A, B, G, N, F, left):
+    """The law u = K(t) x of least cost up to an end T, where x^T F x is paid, at the time T - `left`.
+
+    `F`: n x n, positive semidefinite; `left`: a number >= 0 or, for exact matrices, a symbol; the rest and the errors
+    as for `lqr`. Returns `QuadraticRegulator`. Source: section 5.4 of the problem book.
+
+    >>> left = sp.Symbol("left", positive=True)
+    >>> finite_lqr(0, 1, 0, 1, 1, left).gain[0]
+    -1/(left + 1)
+    """
+    A, B, G, N = _read(A, B, G, N)
+    dual = ContinuousFilter(A.T, B.T, G, N)
+    F = read_covariance(F if not isinstance(A, np.ndarray) else np.asarray(F, dtype=float), "F", A.shape[0],
+                        isinstance(A, np.ndarray))
+    cost = dual.covariance(F, left)
+    gain = -(N.inv()*B.T*cost if isinstance(cost, sp.MatrixBase) else np.linalg.solve(N, B.T @ cost))
+    return QuadraticRegulator(cost, gain, A + B @ gain, sp.true, "the law of least cost up to the end")
+
+
+@dataclass(frozen=True)
+class StochasticRegulator:
+    """The best feedback by a measurement with noise, u = Ke, e' = (A + BK - LH) e + Lz; false in an `if` if none.
+
+    - `regulator`: `QuadraticRegulator`, as if the state were known; `filter`: `StationaryFilter`, with the gain L and
+      the covariance P of x - e, as if there were no control: the separation theorem;
+    - `controller`: A + BK - LH, n x n;
+    - `price`: lim M[x^T G x + u^T N u] = tr(SQ) + tr(P K^T N K); `known`: the first term, what the noise costs if the
+      state is known.
+    """
+
+    regulator: QuadraticRegulator
+    filter: StationaryFilter
+    controller: object
+    price: object
+    known: object
+
+    def __bool__(self):
+        return self.price is not None
+
+
+def lqg(A, B, H, G, N, Q, R):
+    """The best feedback for x' = Ax + Bu + q, z = Hx + r and the cost lim M[x^T G x + u^T N u] (MATLAB: lqg).
+
+    `H`: m x n; `Q`: n x n, the intensity of q; `R`: m x m, that of r; the rest and the errors as for `lqr`. Returns
+    `StochasticRegulator`. Source: section 5.4 of the problem book, with Theorem 4.4.
+
+    >>> found = lqg([[0, 1], [-1, 0]], [0, 1], [[0, 1]], sp.diag(0, 1), 1, sp.diag(0, 4), 1)    # problem 5.70
+    >>> found.regulator.gain, found.filter.gain.T, found.price
+    (Matrix([[0, -1]]), Matrix([[0, 2]]), 6)
+    """
+    filter = stationary_filter(A, H, Q, R)
+    A, B, G, N = _read(A, B, G, N)
+    regulator = lqr(A, B, G, N)
+    if not (regulator and filter):
+        return StochasticRegulator(regulator, filter, None, None, None)
+    floats = isinstance(filter.covariance, np.ndarray) or isinstance(A, np.ndarray)
+    H, Q = read_matrix(H, "H", None, A.shape[0], floats), read_covariance(Q, "Q", A.shape[0], floats)
+    K, P = regulator.gain, filter.covariance
+    known, unknown = (_trace(product) for product in (regulator.cost @ Q, P @ K.T @ N @ K))
+    return StochasticRegulator(regulator, filter, tidy(regulator.loop - filter.gain @ H), known + unknown, known)
+
+
+def _read(A, B, G, N):
+    floats = in_floats(A, B, G, N)
+    A = read_square(A, "A", floats)
+    n = A.shape[0]
+    flat = np.ndim(B if floats or isinstance(B, sp.MatrixBase) else np.array(B, dtype=object)) < 2
+    B = read_matrix(B, "B", None, None, floats)
+    B = read_matrix(B.T if flat and n > 1 else B, "B", n, None, floats)
+    return A, B, read_covariance(G, "G", n, floats), read_covariance(N, "N", B.shape[1], floats, definite=True)
+
+
+def _without_the_unseen(A, B, G, N):
+    """What the cost does not see is left out: of the rest, y = Ty x, every mode is seen, and S is unique."""
+    split = observability_decomposition(A, G)
+    n, floats = split.sizes[0], isinstance(A, np.ndarray)
+    if not n:
+        zero = B.T*0
+        return QuadraticRegulator(G*0, zero, A + B @ zero, sp.true, "the cost sees nothing: no control costs least")
+    T = split.transformation
+    back = np.linalg.inv(T) if floats else T.inv()
+    seen, into = T[:n, :], back[:, :n]
+    part = lqr((T @ A @ back)[:n, :n], seen @ B, symmetric(into.T @ G @ into), N)
+    if not part:
+        return part
+    cost, gain = symmetric(seen.T @ part.cost @ seen), tidy(part.gain @ seen)
+    return QuadraticRegulator(cost, gain, tidy(A + B @ gain), part.where, part.reason.replace("stabilising ", ""))
+
+
+def _unit(A):
+    return np.eye(len(A)) if isinstance(A, np.ndarray) else sp.eye(A.rows)
+
+
+def _trace(matrix):
+    return float(np.trace(matrix)) if isinstance(matrix, np.ndarray) else sp.simplify(matrix.trace())
