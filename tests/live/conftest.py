@@ -37,7 +37,7 @@ class Lecture:
 @pytest.fixture
 def lecture(tmp_path):
     """A context manager that opens a lecture without a browser; whatever happens, no process of it stays."""
-    temporary = tmp_path / "temporary"
+    temporary = tmp_path / ("temporary" + 100 * "-")  # longer than the path of a socket may be
     temporary.mkdir()
 
     @contextmanager

@@ -6,6 +6,7 @@ import signal
 import socket
 import subprocess
 import sys
+import time
 import urllib.request
 from pathlib import Path
 from urllib.parse import parse_qs, urlsplit
@@ -104,6 +105,23 @@ def test_no_process_is_left_however_it_ends(lecture, number):
         live.end(number)
 
 
+def test_a_process_that_ended_before_it_read_is_put_away():
+    process = subprocess.Popen([sys.executable, "-c", ""], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+    process.wait(60)
+    process.stdin.write(b"unread")
+    presenting._end(process)
+    assert process.returncode == 0
+
+
+def test_kernels_are_forked_however_long_the_path_is(lecture, tmp_path):
+    with lecture("1.15", "--discard") as live:
+        end = time.monotonic() + 30
+        while not (found := list(tmp_path.glob("temporary*/trajlib-live-*/kernels"))) and time.monotonic() < end:
+            time.sleep(0.2)
+        assert found and found[0].is_socket()
+        live.end()
+
+
 def test_what_is_saved_goes_to_the_copy_and_is_kept_where_asked(lecture, tmp_path):
     before = {path: path.read_bytes() for path in (ROOT / "solutions" / "ch1" / "p15.md",
                                                    ROOT / "exercises" / "ch1" / "p15.ipynb")}
@@ -114,7 +132,7 @@ def test_what_is_saved_goes_to_the_copy_and_is_kept_where_asked(lecture, tmp_pat
         assert "kept: monday.ipynb" in live.end()
     assert "spoilt" in (tmp_path / "monday.ipynb").read_text()
     assert {path: path.read_bytes() for path in before} == before
-    assert not list((tmp_path / "temporary").glob("trajlib-live-*"))
+    assert not list(tmp_path.glob("temporary*/trajlib-live-*"))
 
 
 def test_who_cannot_be_asked_loses_nothing(tmp_path, monkeypatch):

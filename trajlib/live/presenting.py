@@ -58,7 +58,8 @@ def _running(folder, subject, port):
     """The kernels' process and JupyterLab, side by side from the first moment; both end with this context."""
     token = secrets.token_hex(16)
     environment = os.environ | lab.furnish(folder) | {
-        SOCKET: str(folder / "kernels"), "JUPYTER_TOKEN": token, "TRAJLIB_LIVE": " ".join(subject.problems),
+        # without the folder, in which both stand: the path of a socket has 107 characters at most
+        SOCKET: "kernels", "JUPYTER_TOKEN": token, "TRAJLIB_LIVE": " ".join(subject.problems),
         "PYTHONPATH": os.environ.get("PYTHONPATH", ""), "MPLBACKEND": "module://matplotlib_inline.backend_inline"}
     copy = folder / "copy" / f"{subject.word}.ipynb"
     copy.parent.mkdir()
@@ -88,7 +89,8 @@ def _running(folder, subject, port):
 
 def _end(process):
     """Its standard input ends, on which it ends by itself; what does not is ended."""
-    process.stdin.close()
+    with suppress(BrokenPipeError):  # it has ended, and never read what was written
+        process.stdin.close()
     try:
         process.wait(10)
     except subprocess.TimeoutExpired:
