@@ -221,9 +221,9 @@ def _spread(inside):
 
 def _depth(condition, symbols, X, Y):
     """A function on the grid that is positive where the condition holds and continuous across its boundary."""
-    if condition == True:  # noqa: E712
+    if condition is sp.true:
         return np.ones_like(X)
-    if condition == False:  # noqa: E712
+    if condition is sp.false:
         return -np.ones_like(X)
     if isinstance(condition, (sp.And, sp.Or)):
         parts = [_depth(part, symbols, X, Y) for part in condition.args]

@@ -113,13 +113,7 @@ class Process:
     def __post_init__(self):
         n, m = _matrix(self.A, None).rows, _matrix(self.H, None).rows if self.H != 0 else 0
         shapes = {"A": (n, n), "Q": (n, n), "H": (m, n), "R": (m, m), "mean": (n, 1), "covariance": (n, n)}
-        for name, shape in shapes.items():
-            matrix = _matrix(getattr(self, name), shape)
-            if matrix.shape != shape:
-                raise ValueError(f"{name} has the shape {matrix.shape}; with this A and H it has to have {shape}")
-            if name in ("Q", "R", "covariance") and sp.expand(matrix - matrix.T) != sp.zeros(*shape):
-                raise ValueError(f"{name} is a covariance or an intensity, so it has to be symmetric")
-            object.__setattr__(self, name, matrix.as_immutable())
+        _set_matrices(self, shapes, "A and H", ("Q", "R", "covariance"), "a covariance or an intensity")
 
     def subs(self, *values):
         """The process with values, or other expressions, for its symbols."""
@@ -154,13 +148,7 @@ class Quadratic:
     def __post_init__(self):
         n, s = _matrix(self.A, None).rows, _matrix(self.B, None).cols
         shapes = {"A": (n, n), "B": (n, s), "G": (n, n), "N": (s, s), "F": (n, n)}
-        for name, shape in shapes.items():
-            matrix = _matrix(getattr(self, name), shape)
-            if matrix.shape != shape:
-                raise ValueError(f"{name} has the shape {matrix.shape}; with this A and B it has to have {shape}")
-            if name in ("G", "N", "F") and sp.expand(matrix - matrix.T) != sp.zeros(*shape):
-                raise ValueError(f"{name} is the weight of a square, so it has to be symmetric")
-            object.__setattr__(self, name, matrix.as_immutable())
+        _set_matrices(self, shapes, "A and B", ("G", "N", "F"), "the weight of a square")
 
     def subs(self, *values):
         """The problem with values, or other expressions, for its symbols."""
@@ -197,17 +185,24 @@ class Coloured:
         n = sp.Matrix(self.A).rows if isinstance(self.A, (list, tuple)) else _matrix(self.A, None).rows
         m = _matrix(self.H if n else self.C, None).rows
         shapes = {"A": (n, n), "B": (n, 1), "H": (m, n), "C": (m, 1), "R": (m, m), "covariance": (n, n)}
-        for name, shape in shapes.items():
-            matrix = _matrix(getattr(self, name), shape) if 0 not in shape else sp.zeros(*shape)
-            if matrix.shape != shape:
-                raise ValueError(f"{name} has the shape {matrix.shape}; with this A and H it has to have {shape}")
-            object.__setattr__(self, name, matrix.as_immutable())
+        _set_matrices(self, shapes, "A and H")
         object.__setattr__(self, "correlation", sp.sympify(self.correlation))
 
     def subs(self, *values):
         """The system with values, or other expressions, for its symbols."""
         return Coloured(self.correlation.subs(*values), self.delay,
                         *(getattr(self, name).subs(*values) for name in ("A", "B", "H", "C", "R", "covariance")))
+
+
+def _set_matrices(record, shapes, given, symmetric=(), meaning=""):
+    """Make the named fields matrices of these shapes; those `symmetric` are what `meaning` says."""
+    for name, shape in shapes.items():
+        matrix = _matrix(getattr(record, name), shape) if 0 not in shape else sp.zeros(*shape)
+        if matrix.shape != shape:
+            raise ValueError(f"{name} has the shape {matrix.shape}; with this {given} it has to have {shape}")
+        if name in symmetric and sp.expand(matrix - matrix.T) != sp.zeros(*shape):
+            raise ValueError(f"{name} is {meaning}, so it has to be symmetric")
+        object.__setattr__(record, name, matrix.as_immutable())
 
 
 def _matrix(given, shape):

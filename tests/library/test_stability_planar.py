@@ -69,7 +69,7 @@ def test_the_table_covers_the_parameters_once():
     samples = [tuple(map(int, row)) for row in random.integers(-2, 3, size=(150, 4))]
     for values in samples:
         point = dict(zip(entries, values))
-        kinds = [kind for condition, kind in table if condition.subs(point) == True]  # noqa: E712
+        kinds = [kind for condition, kind in table if condition.subs(point) is sp.true]
         assert kinds == [classify_planar(M(2, 2, values))]
 
 

@@ -156,7 +156,7 @@ def _definite_in_one(part, x):
             return from_order(order + 1)
         here = positive(derivative) if order % 2 == 0 else sp.false
         vanishes = sp.Eq(derivative, 0)
-        if here is sp.true or vanishes == False or sign_of(derivative):  # noqa: E712
+        if here is sp.true or vanishes is sp.false or sign_of(derivative):
             return here
         beyond = from_order(order + 1)
         # Where a coefficient vanishes for some value of a parameter the next one decides.

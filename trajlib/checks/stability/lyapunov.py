@@ -304,7 +304,7 @@ def _border(inside, directions, nearest=1e-2, extent=60.0):
 
 def _membership(condition, state):
     """A condition as a function of many states in floating-point numbers; False where it is not defined."""
-    if condition == True or condition == False:  # noqa: E712
+    if condition in (sp.true, sp.false):
         return lambda points: np.full(len(points), bool(condition))
     if isinstance(condition, (sp.And, sp.Or)):
         parts = [_membership(part, state) for part in condition.args]
@@ -346,6 +346,6 @@ def _holds_equilibrium(claim, field, state, values, others):
     for point in others:
         exact = {x: sp.Rational(Fraction(float(v)).limit_denominator(1000)) for x, v in zip(state, point)}
         if all(sp.sympify(f).subs(values).subs(exact) == 0 for f in field) and all(
-                claim.subs(exact) == True for claim in claims):  # noqa: E712
+                claim.subs(exact) is sp.true for claim in claims):
             return f"it contains the equilibrium {point_text(point)}"
     return ""

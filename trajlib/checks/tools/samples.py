@@ -53,7 +53,7 @@ def _allowed(parameters, given, count):
     allowed = []
     for scale in (1, 4, 16):
         allowed += [values for values in (_scaled(parameters, scale, one) for one in sample_values(
-            parameters, 12 * count)) if given.subs(values) == True]  # noqa: E712
+            parameters, 12 * count)) if given.subs(values) is sp.true]
         if len(allowed) >= count:
             break
     else:

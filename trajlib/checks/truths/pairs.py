@@ -121,7 +121,7 @@ class Pair:
         inside, outside = (all_seen, something_unseen) if holds else (something_unseen, all_seen)
 
         def at(values):
-            return None if given.subs(values) == False else (self.dimension_at(values) == 0) == holds  # noqa: E712
+            return None if given.subs(values) is sp.false else (self.dimension_at(values) == 0) == holds
 
         return Truth((inside,), (outside,), at)
 

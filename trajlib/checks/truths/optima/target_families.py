@@ -34,7 +34,7 @@ class TargetFamily:
         point = {s: sp.sympify(e).subs(place).subs(probe) for s, e in along.items()}
         slope = [sp.sympify(g).subs(place).subs(probe) for g in gradient]
         ahead = {s: float(point[s]) + 1e-3 * float(g) for s, g in zip(state, slope)}
-        return 1 if start.subs(probe).subs(ahead) == True else -1  # noqa: E712
+        return 1 if start.subs(probe).subs(ahead) is sp.true else -1
 
     def reached(self):
         """Where optimal motions end, and where no motion can arrive: two conditions; between the two lie the ends of
