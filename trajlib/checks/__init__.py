@@ -68,6 +68,7 @@ __getattr__, __dir__, __all__ = lazy_names(__name__, {
     "pontryagin.maximum_principle": ["adjoint_equations", "extremal_control", "kelley_expression", "kelley_holds",
         "maximising_control", "pontryagin_function", "singular_control", "singular_order", "singular_surface",
         "switching_function", "switching_rate", "transversality"],
+    "pontryagin.control_equations": ["control_equation"],
     "pontryagin.processes": ["optimal_control", "optimal_cost", "optimal_duration", "optimal_motion"],
     "pontryagin.costates": ["optimal_costate", "optimal_switching"],
     "pontryagin.optimal_laws": ["optimal_change", "optimal_law"],
