@@ -12,6 +12,7 @@ import re
 FORMULA = re.compile(r"\$([^$]+)\$")
 #: In this order: what stands in braces is read before what it belongs to.
 TYPED = [(re.compile(pattern), typed) for pattern, typed in [
+    (r"(\\(?!d{1,3}ot|bar|[lr]vert)[A-Za-z]+)(?=\\[A-Za-z])", r"\1 "),
     (r"\\(d{1,3})ot(?![a-z]) ?(\\?[A-Za-z]+(?:_(?:\w|\{\w+\}))?)", lambda m: m[2] + "'"*len(m[1])),
     (r"\\bar ?(\w)", r"\1bar"),
     (r"\\operatorname\{(\w+)\}", r"\1"),
@@ -20,12 +21,17 @@ TYPED = [(re.compile(pattern), typed) for pattern, typed in [
     (r"\^\{(-?\w+)\}", r"^\1"),
     (r"\^\{([^{}]*)\}", r"^(\1)"),
     (r"\^\*", "*"),
+    (r"\\frac(\d)(\d)", r"\1/\2"),
+    (r"\\frac\{([^{}]*)\}\{([^{}]*)\}", lambda m: "/".join(_whole(part) for part in m.groups())),
+    (r"\\lvert |\\[lr]vert", "|"),
+    (r"\\partial", "d"),
     (r"\\,", " "),
-    (r"\\(leq|geq|neq|to|cdot|dots|infty|top)(?![A-Za-z])", lambda m: SIGNS[m[1]]),
+    (r"\\(leq?|geq|neq|to|cdot|dots|infty|top|pm|equiv)(?![A-Za-z])", lambda m: SIGNS[m[1]]),
     (r"\\var(?=phi|epsilon)|\\(?=[A-Za-z{}])", ""),
     (r"  +", " "),
 ]]
-SIGNS = {"leq": "<=", "geq": ">=", "neq": "!=", "to": "->", "cdot": "*", "dots": "...", "infty": "oo", "top": "T"}
+SIGNS = {"leq": "<=", "le": "<=", "geq": ">=", "neq": "!=", "equiv": "==", "pm": "+-", "to": "->", "cdot": "*",
+         "dots": "...", "infty": "oo", "top": "T"}
 
 SET = {"<=": "≤", ">=": "≥", "!=": "≠", "->": "→", "oo": "∞", "-": "−"}
 GREEK = dict(zip("alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau upsilon "
@@ -47,6 +53,11 @@ MATHEMATICS = re.compile(r"""
 def plain(text):
     """A text with its formulas as one would type them, for comments and terminals."""
     return FORMULA.sub(lambda formula: _typed(formula[1]), text).replace("`", "")
+
+
+def _whole(part):
+    """A numerator or denominator, in brackets unless it is of one piece."""
+    return part if re.fullmatch(r"\\?\w+", part) else f"({part})"
 
 
 def _typed(formula):

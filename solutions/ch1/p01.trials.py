@@ -1,5 +1,5 @@
 # %% wrong
-a_equilibria = [[1, 1]]  # Has the quadratic equation for y2 only one root? (hint 2)
+a_equilibria = [[1, 1]]  # Has the quadratic equation for $y_2$ only one root? (hint 2)
 # May the signs of the two coordinates be chosen freely, or does the second equation tie one to the other? (hint 1)
 a_equilibria = [[1, 1], [1, -1], [-1, 1], [-1, -1]]
 # Is a logarithm zero where its argument is zero? (hint 2)
@@ -13,7 +13,7 @@ a_stable = [[-1, -1]]  # Have the two points changed places? Compare trace and d
 b_equilibria = [[2, 3], [-1, 0]]  # In which order are the coordinates asked for? (hint 2)
 # Was a sign lost when one unknown was expressed by the other? Put the points into the linear equation. (hint 1)
 b_equilibria = [[y_root - 1, y_root] for y_root in (0, 1)]
-# Which sign has the derivative of the denominator y^2 - x by x? (hint 1)
+# Which sign has the derivative of the denominator $y^2 - x$ by $x$? (hint 1)
 b_spectra = [[3, 2, sp.sqrt(5), -sp.sqrt(5)], [0, -1, sp.I, -sp.I]]
 # Did the imaginary unit get lost under a root? Look at the discriminant once more. (hint 1)
 b_spectra = [[3, 2, 1, -3], [0, -1, -1 + sp.sqrt(2), -1 - sp.sqrt(2)]]

@@ -14,7 +14,7 @@ a_growth = omega  # Is this what comes out if friction is forgotten? (hint 1)
 a_growth = (-delta - sp.sqrt(delta**2 + 4*omega**2))/2  # Which of the two roots makes a deviation grow? (hint 1)
 # Does friction enter the characteristic equation with this sign? (hint 1)
 a_growth = (delta + sp.sqrt(delta**2 + 4*omega**2))/2
-# Do the terms with the product x1 x2 really stay, once both rates are put in? (hint 1)
+# Do the terms with the product $x_1 x_2$ really stay, once both rates are put in? (hint 1)
 b_rate = omega**2*x1*x2 - delta*x2**2
 # Is the derivative of V negative definite? Find a state other than zero where it vanishes. (hint 1)
 b_null = sp.And(sp.Eq(x1, 0), sp.Eq(x2, 0))

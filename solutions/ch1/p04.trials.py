@@ -5,12 +5,12 @@ a_stable = epsilon <= 0  # Do imaginary roots make the first approximation asymp
 a_unstable = epsilon >= 0  # Is everything unstable that is not asymptotically stable? (hint 1)
 a_critical = "asymptotically stable"  # Do the motions come closer to zero, or do they only stay near it? (hint 2)
 b_rate = -epsilon*(x1**2 - 1)*x2  # Was a factor lost in the derivative of the kinetic part? (hint 1)
-# Which sign has the term with epsilon once it stands on the right-hand side? (hint 1)
+# Which sign has the term with $\varepsilon$ once it stands on the right-hand side? (hint 1)
 b_rate = epsilon*(x1**2 - 1)*x2**2
 b_null = sp.Eq(x2, 0)  # Does this product have another factor that can vanish? (hint 1)
 b_stable = epsilon <= 0  # Is a derivative of V that vanishes everywhere a proof of asymptotic stability? (hint 1)
 b_basin = sp.Abs(x1) < 1  # Do all motions in this strip stay in it? The set has to be bounded by a level of V. (hint 2)
-# Is this disc the one of the level V = 1? Does it lie inside the strip where V does not grow? (hint 2)
+# Is this disc the one of the level $V = 1$? Does it lie inside the strip where V does not grow? (hint 2)
 b_basin = x1**2 + x2**2 < 2
 
 # %% right

@@ -24,9 +24,9 @@ a_stability = "stable"
 # Was another coordinate struck out than the one asked for? (hint 1)
 b_matrix = sp.Matrix([[0, 0, 0, 1, 0], [0, 0, 0, 0, 1], [0, 0, 0, -2*Omega/r0, 0], [0, 0, 2*r0*Omega, 0, 0],
                       [0, -Omega**2, 0, 0, 0]])
-# Is this the spectrum of the full system? What leaves with x1? (hint 1)
+# Is this the spectrum of the full system? What leaves with $x_1$? (hint 1)
 b_eigenvalues = [[0, 2, 1], [sp.I*Omega, 2, 2], [-sp.I*Omega, 2, 2]]
-b_eigenvalues = [[sp.I*Omega, 2, 2], [-sp.I*Omega, 2, 2]]  # Do both zero eigenvalues leave with x1? (hint 1)
+b_eigenvalues = [[sp.I*Omega, 2, 2], [-sp.I*Omega, 2, 2]]  # Do both zero eigenvalues leave with $x_1$? (hint 1)
 # Is this form positive in every direction, or is there one along which it is zero? (hint 1)
 b_integral = v2**2 + (3*Omega*x2 + 2*r0*y1)**2 + v3**2 + Omega**2*x3**2
 # About which height does the satellite swing? Ask which combination keeps its value. (hint 2)

@@ -3,12 +3,12 @@
 a_program = {"x": V0*t, "y": 0, "alpha": 0, "V": V0, "omega": 0, "u_S": 0, "u_D": 0}
 # Is the place on the track constant while the robot moves? (hint 1)
 a_program = {"x": 0, "y": 0, "alpha": 0, "V": V0, "omega": 0, "u_S": V0, "u_D": 0}
-# Is the term V sin(alpha) small of second order? The program speed is not zero. (hint 2)
+# Is the term $V \sin\alpha$ small of second order? The program speed is not zero. (hint 2)
 a_matrix = sp.Matrix([[0, 0, 0, 1, 0], [0, 0, 0, 0, k0], [0, 0, 0, 0, 1], [0, 0, 0, -1, 0],
                       [0, 0, 0, 0, -k3*(1 + k2*V0/k1)]])
 # Was the program speed put in, or is this the linearisation about rest? (hint 1)
 a_matrix = sp.Matrix([[0, 0, 0, 1, 0], [0, 0, V0, 0, k0], [0, 0, 0, 0, 1], [0, 0, 0, -1, 0], [0, 0, 0, 0, -k3]])
-# Was the square of omega taken along as if it were linear? (hint 1)
+# Was the square of $\omega$ taken along as if it were linear? (hint 1)
 a_matrix = sp.Matrix([[0, 0, 0, 1, 0], [0, 0, V0, 0, k0], [0, 0, 0, 0, 1], [0, 0, 0, -1, 2*k1*k2],
                       [0, 0, 0, 0, -k3*(1 + k2*V0/k1)]])
 # Did the two columns change places? Which control stands first? (hint 1)
@@ -23,7 +23,7 @@ b_stability = "unstable"  # Does a zero eigenvalue always mean instability? (hin
 # How many independent eigenvectors has the double eigenvalue? (hint 2)
 c_eigenvalues = [[0, 2, 2], [-k3*(1 + k2*V0/k1), 1, 1]]
 c_eigenvalues = [[0, 2, 1], [k3*(1 + k2*V0/k1), 1, 1]]  # Did the eigenvalue get the wrong sign? (hint 1)
-# Does the equation for omega allow the robot to keep turning? (hint 1)
+# Does the equation for $\omega$ allow the robot to keep turning? (hint 1)
 c_growing = sp.Matrix([V0*alpha0*t**2/2, alpha0*t, alpha0])
 c_growing = sp.Matrix([alpha0, 0, 0])  # Does a mere displacement grow? (hint 1)
 c_stability = "stable"  # Is it enough that no eigenvalue lies on the right? (hint 1)

@@ -6,7 +6,7 @@ minus_point = [-sp.sqrt(1 - b**2)/ubar, -sp.acos(b)]
 minus_point = [sp.sqrt(1 - b**2)/ubar, -sp.acos(b)]  # Is this the stationary solution for the other control? (hint 2)
 # Which sign has the derivative of the cosine? (hint 2)
 plus_matrix = sp.Matrix([[0, sp.sqrt(1 - b**2)], [ubar**2/sp.sqrt(1 - b**2), b*ubar/sp.sqrt(1 - b**2)]])
-# Was sin(beta)/rho differentiated by the angle too? (hint 2)
+# Was $\sin\beta/\rho$ differentiated by the angle too? (hint 2)
 plus_matrix = sp.Matrix([[0, -sp.sqrt(1 - b**2)], [ubar**2/sp.sqrt(1 - b**2), 0]])
 # Does the trace change its sign together with the control? (hint 1)
 minus_matrix = sp.Matrix([[0, sp.sqrt(1 - b**2)], [-ubar**2/sp.sqrt(1 - b**2), -b*ubar/sp.sqrt(1 - b**2)]])

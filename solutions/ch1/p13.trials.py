@@ -1,5 +1,5 @@
 # %% wrong
-a_polar = [-r**2*(r**2 - 1), -1]  # Is x1 x1' + x2 x2' the rate of r itself? (hint 1)
+a_polar = [-r**2*(r**2 - 1), -1]  # Is $x_1 \dot x_1 + x_2 \dot x_2$ the rate of $r$ itself? (hint 1)
 a_polar = [-r*(r**2 - 1), 1]  # In which sense do the motions turn? (hint 2)
 a_polar = [-r*(r**2 - 1), -r]  # Is this the transverse velocity instead of the rate of the angle? (hint 2)
 a_origin = "stable"  # Was the 1 in the bracket overlooked? It gives a linear term. (hint 1)
@@ -12,7 +12,7 @@ a_cycles = [0, 1]  # Is an equilibrium a limit cycle? (hint 1)
 a_cycles = [1, -1]  # Can a radius be negative? (hint 1)
 a_kind = "unstable"  # Does an unstable equilibrium inside make the cycle unstable? Look at both sides of it. (hint 1)
 a_slope = sp.exp(-2)  # Is this the factor for a unit of time instead of a turn? (hint 1)
-a_slope = -2  # Is this the slope of the rate r' instead of that of the return map? (hint 1)
+a_slope = -2  # Is this the slope of the rate $\dot r$ instead of that of the return map? (hint 1)
 b_polar = [-r*(r**2 - 1), -1]  # Are these the rates of system a? (hint 1)
 b_polar = [r*(r**2 - 1), 1]  # Was time reversed for the rotation too? (hint 1)
 b_origin = "unstable"  # Was the sign before the bracket taken for that of the linear term? (hint 1)
@@ -28,7 +28,8 @@ c_cycles = []  # Is a cycle only there where the rate of r changes its sign? (hi
 c_kind = "stable"  # Were only the motions outside looked at? (hint 1)
 c_kind = "unstable"  # Were only the motions inside looked at? (hint 1)
 c_slope = 0  # Is this the exponent instead of its exponential? (hint 1)
-c_slope = sp.exp(-16*sp.pi)  # Which derivative of r' belongs into the exponent, the first or the second one? (hint 1)
+# Which derivative of $\dot r$ belongs into the exponent, the first or the second one? (hint 1)
+c_slope = sp.exp(-16*sp.pi)
 
 # %% right
 a_polar = sp.Matrix([r - r**3, -1])  # multiplied out, as a column

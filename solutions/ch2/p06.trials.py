@@ -10,7 +10,7 @@ b_lost = {sp.I*Omega, -sp.I*Omega}  # Is the oscillation unseen by an altimeter?
 c_observable = True  # Does integrating a rate give the quantity itself, or up to a constant? (hint 1)
 # Is this all that z does not contain at the first moment? Its derivatives tell more. (hint 1)
 c_unseen = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 0, 1]]
-c_lost = set()  # Was the row of the measurement written with its factor lambda? (hint 1)
+c_lost = set()  # Was the row of the measurement written with its factor $\lambda$? (hint 1)
 d_observable = True  # Does a velocity give the height, and this all the rest? Look at the constants. (hint 1)
 d_unseen = [[1, 0, 0, 0]]  # Must there be as many unseen states as the theorem finds exceptions? (hint 1)
 d_unseen = [[1, 0, 0, 0], [0, 1, 0, 0]]  # Does the height change without any change of the rate? (hint 2)

@@ -12,7 +12,7 @@ a_split = sp.Matrix([[1, 0, 0, 0, 0, 0], [0, 1, 0, 0, 0, 0], [0, 0, 0, 0, 1, 0],
                      [1, 0, 0, 0, 0, 1], [0, 0, 0, 1, 0, 0]])
 b_observable = True  # Do all six variables act on each other? (hint 1)
 b_unseen = []  # Are the coupled variables the whole state? (hint 1)
-# Would a measurement of the height miss this shift? Ask what z2 measures. (hint 1)
+# Would a measurement of the height miss this shift? Ask what $z_2$ measures. (hint 1)
 b_unseen = [[1, 0, 0, 1, 0, 0], [0, 0, 0, 0, 1, 0], [0, 0, 0, 0, 0, 1]]
 # Which coordinates have to stand first? (hint 1)
 b_split = sp.Matrix([[0, 0, 0, 0, 1, 0], [0, 0, 0, 0, 0, 1], [1, 0, 0, 0, 0, 0], [0, 1, 0, 0, 0, 0],

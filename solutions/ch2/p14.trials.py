@@ -1,6 +1,6 @@
 # %% wrong
 a_observable = False  # Are two measurements too few for four variables? (hint 1)
-a_unseen_z1 = [[0, 1, 1, 0], [0, 0, 0, 1]]  # Is this what z1 and its first derivative alone do not see? (hint 1)
+a_unseen_z1 = [[0, 1, 1, 0], [0, 0, 0, 1]]  # Is this what $z_1$ and its first derivative alone do not see? (hint 1)
 a_unseen_z3 = []  # Does this instrument see everything, as the other one does? (hint 1)
 a_unseen_z3 = [[1, 0, 0, 0]]  # Does the velocity turn with a satellite that is shifted along the orbit? (hint 2)
 # Are these the measurement and its derivatives as they come? (hint 2)

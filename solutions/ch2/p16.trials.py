@@ -5,11 +5,11 @@ a_augmented = [sp.Matrix([[-1, 0, 1], [1, 0, 0], [0, 0, 0]]), sp.Matrix([[1, 0, 
 a_augmented = [sp.Matrix([[-1, 0, 0], [1, 0, 0], [0, 0, 0]]), sp.Matrix([[1, 0, 0]])]
 # At which rate does a constant change? (hint 1)
 a_augmented = [sp.Matrix([[-1, 0, 0], [1, 0, 0], [0, 0, 1]]), sp.Matrix([[1, 0, 1]])]
-a_observable = True  # Does it follow that all is found once x1 and the error are? (hint 1)
+a_observable = True  # Does it follow that all is found once $x_1$ and the error are? (hint 1)
 a_unseen = [[0, 1, -1]]  # Can two constants be confused if only one of them is measured? (hint 1)
 a_unseen = [[0, 1, 0], [0, 0, 1]]  # Is the error really hidden, too? (hint 1)
-a_amplitude = z  # Is this the error only in the end, when x1 has died out? (hint 1)
-a_amplitude = z - z1  # Which sign has the rate at which x1 decays? (hint 1)
+a_amplitude = z  # Is this the error only in the end, when $x_1$ has died out? (hint 1)
+a_amplitude = z - z1  # Which sign has the rate at which $x_1$ decays? (hint 1)
 # Is the error constant here? (hint 1)
 b_augmented = [sp.Matrix([[0, 1, 0], [-1, 0, 0], [0, 0, 0]]), sp.Matrix([[0, 1, 1]])]
 b_observable = False  # Does a growing error cover everything? It moves in another way than the system. (hint 1)

@@ -7,7 +7,7 @@ output = x10*sp.cos((omega - 1)*t) + x20*sp.sin((omega - 1)*t)  # Have the two s
 rows = sp.Matrix.vstack(H, H*A)  # Are these the frozen rows? The instrument turns, too. (hint 2)
 rows = sp.Matrix.vstack(H, H.diff(t))  # Was the motion left out of the derivative? (hint 2)
 rows = sp.Matrix.vstack(H, H.diff(t) - H*A)  # Which sign has the part of the motion in the derivative? (hint 2)
-gramian = sp.pi*sp.eye(2)  # Does the interval hold whole periods of z for every omega? (hint 2)
+gramian = sp.pi*sp.eye(2)  # Does the interval hold whole periods of $z$ for every $\omega$? (hint 2)
 # Is this the mean instead of the integral? (hint 1)
 s, c = sp.sin(4*sp.pi*omega), 1 - sp.cos(4*sp.pi*omega)
 gramian = sp.eye(2)/2 + sp.Matrix([[-s, c], [c, s]])/(8*sp.pi*(omega - 1))

@@ -1,6 +1,6 @@
 # %% wrong
 a_uncontrolled = [[0, 1, 0]]  # Is this the variable that the control enters? (hint 1)
-a_uncontrolled = [[1, 0, -1]]  # Does x2 cancel in the difference, or in the sum? (hint 1)
+a_uncontrolled = [[1, 0, -1]]  # Does $x_2$ cancel in the difference, or in the sum? (hint 1)
 # Does this lead from x to the new coordinates, instead of from them to x?
 a_split = sp.Matrix([[0, 1, 2], [1, 1, 3], [0, -1, -3]]).inv()
 a_split = sp.Matrix([[2, 1, 0], [3, 1, 1], [-3, -1, 0]])  # Which coordinates have to stand first? (hint 1)
@@ -11,7 +11,7 @@ b_uncontrolled = [[1, 1, 1]]  # Does the sum of all three equations lose the con
 b_split = sp.Matrix([[0, 1, 1], [1, 0, 0], [0, -1, 0]]).inv()
 b_split = sp.Matrix([[1, 1, 0], [0, 0, 1], [0, -1, 0]])  # Which coordinates have to stand first? (hint 1)
 b_split = sp.eye(3)  # Can the coordinates be left as they are? (hint 1)
-c_uncontrolled = [[1, 0, -1]]  # Which sign has the effect of x2 on the other two? (hint 1)
+c_uncontrolled = [[1, 0, -1]]  # Which sign has the effect of $x_2$ on the other two? (hint 1)
 c_uncontrolled = [[1, 1, -1]]  # Is this an eigenvector of A instead of its transpose?
 # Does this lead from x to the new coordinates, instead of from them to x?
 c_split = sp.Matrix([[0, 1, 1], [1, 1, 0], [0, -1, 0]]).inv()
@@ -34,7 +34,7 @@ e_split = sp.eye(3)  # Can the coordinates be left as they are? (hint 1)
 f_uncontrolled = [[1, -1, 0]]
 f_uncontrolled = [[0, 1, 1]]  # Is this an eigenvector of A instead of its transpose? (hint 1)
 f_split = sp.Matrix([[0, 1, 1], [1, -2, 1], [1, 0, 0]])  # Which coordinates have to stand first? (hint 1)
-g_uncontrolled = [[1, -1, 0]]  # Was a sign lost? Does x3 act on this difference? (hint 1)
+g_uncontrolled = [[1, -1, 0]]  # Was a sign lost? Does $x_3$ act on this difference? (hint 1)
 g_uncontrolled = [[1, 0, 0], [0, 1, 0]]  # Are both variables lost that have no u in their equations? (hint 1)
 g_split = sp.Matrix([[1, 1, 0], [0, -1, 0], [0, 1, 1]])  # Which coordinates have to stand first? (hint 1)
 g_split = sp.Matrix.hstack(b_g, A_g*b_g, A_g**2*b_g)  # Has this matrix an inverse? (hint 1)

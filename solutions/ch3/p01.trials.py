@@ -1,7 +1,7 @@
 # %% wrong
 a_gain = sp.Matrix([beta1, beta2])  # Was the repulsion forgotten in the matrix? (hint 1)
 a_gain = sp.Matrix([beta1, beta2 - 1])  # Which sign has the repulsion in the characteristic polynomial? (hint 2)
-# Is this the sign of a feedback u = Kx? The correction L(z - He) enters the errors with a minus. (hint 1)
+# Is this the sign of a feedback $u = Kx$? The correction $L(z - He)$ enters the errors with a minus. (hint 1)
 a_gain = sp.Matrix([-beta1, -beta2 - 1])
 a_margins = mu <= 1  # Does the margin end at the rate of the system's own motion? (hint 1)
 b_gain = sp.Matrix([beta1, beta2 + 1])  # Is this the gain of item a? Another coordinate is measured here. (hint 1)

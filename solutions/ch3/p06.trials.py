@@ -2,7 +2,7 @@
 family = sp.Matrix([beta1, beta2, beta3])  # Are these the coefficients of the polynomial instead of the gain? (hint 2)
 # Was the change of coordinates left out that the canonical form needs? (hint 1)
 family = sp.Matrix([beta1 + 1, beta2 + 1, beta3 - 2])
-# Is this the sign of a feedback u = Kx? The correction enters the errors with a minus. (hint 2)
+# Is this the sign of a feedback $u = Kx$? The correction enters the errors with a minus. (hint 2)
 family = -sp.Matrix([9*beta1 - 6*beta2 + 4*beta3 - 5, -5*beta1 + 9*beta2 - 6*beta3 + 16,
                      16*beta1 - 5*beta2 + 9*beta3 - 7])/17
 region = sp.And(2*l2 > 1, l2 + 2*l3 > 1, 3*l3 - 3*l2 + 2 > 0)  # Are positive coefficients enough for a cubic? (hint 2)

@@ -1,5 +1,5 @@
 # %% wrong
-# Is this the sign of a feedback u = Kx? The correction enters the errors with a minus. (hint 1)
+# Is this the sign of a feedback $u = Kx$? The correction enters the errors with a minus. (hint 1)
 gain = sp.Matrix([-1, -1, -1])
 gain = sp.Matrix([6, 11, 6])  # Are these the coefficients of the polynomial instead of the gain? (hint 1)
 gain = sp.Matrix([3, 12, 9])  # Are these differences of coefficients, as in a canonical form? (hint 1)

@@ -9,8 +9,8 @@ a_repaired_region = k <= 0  # What do the roots look like if the spring has no s
 a_repaired_region = k < -sp.Rational(1, 4)  # Is this where the roots become complex? They may be complex.
 b_region = k < -sp.Rational(1, 2)  # Enough stiffness; what has become of the friction?
 b_region = k > -3  # Enough friction; what has become of the stiffness?
-b_region = sp.And(k > -3, k < sp.Rational(1, 2))  # A sign in the last coefficient: try k = 0.
-b_region = sp.And(k > -3, k < -2)  # Was z taken for x1 with its factor 4 left out of the stiffness?
+b_region = sp.And(k > -3, k < sp.Rational(1, 2))  # A sign in the last coefficient: try $k = 0$.
+b_region = sp.And(k > -3, k < -2)  # Was $z$ taken for $x_1$ with its factor 4 left out of the stiffness?
 b_region = sp.And(k >= -3, k <= -sp.Rational(1, 2))  # On the border, do the motions decay?
 
 # %% right

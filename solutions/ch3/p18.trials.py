@@ -1,13 +1,14 @@
 # %% wrong
 static_region = k < 0  # Does a force against the displacement make the oscillation die out, or only faster?
 static_region = k > -1  # The oscillator has a spring then; has it any friction?
-control_region = sp.And(k1 < 1, k2 > 0)  # Was the feedback taken with a minus sign, u = -Kx?
+control_region = sp.And(k1 < 1, k2 > 0)  # Was the feedback taken with a minus sign, $u = -Kx$?
 control_region = k2 < 0  # There is friction; what becomes of the spring if the control pushes hard the other way?
-control_region = sp.And(k1 < 1, k2 < 0)  # In which direction does u push x1? Follow the signs through both equations.
+# In which direction does $u$ push $x_1$? Follow the signs through both equations.
+control_region = sp.And(k1 < 1, k2 < 0)
 error_region = sp.And(l1 > 0, l2 > -1)  # Was the minus sign in the first equation lost?
 error_region = sp.And(l1 > -1, l2 < 1)  # Is the free motion damped, so that a little of the wrong sign does no harm?
 error_region = sp.And(l1 < 0, l2 > 1)  # Was the correction added with the opposite sign, L(He - z)?
-gains = [sp.Matrix([[0, 2]]), sp.Matrix([4, -3])]  # Does this control brake or drive? It enters as u = +Ke.
+gains = [sp.Matrix([[0, 2]]), sp.Matrix([4, -3])]  # Does this control brake or drive? It enters as $u = +Ke$.
 gains = [sp.Matrix([[0, -2]]), sp.Matrix([4, 3])]  # Look at the product of the roots of the errors.
 gains = [sp.Matrix([[-2, 0]]), sp.Matrix([4, -3])]  # Is a force that depends on the position alone friction?
 gains = [sp.Matrix([[0, -2]]), sp.Matrix([0, -3])]  # Does the correction act on the first estimate at all?

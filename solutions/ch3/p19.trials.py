@@ -1,6 +1,6 @@
 # %% wrong
 control = sp.Matrix([[-b3, -b2, -b1]])  # Is the system in canonical form already, with nothing of its own to cancel?
-control = -sp.Matrix([[b1 - b2 - 2, -b1, b2 - b1 - b3]])  # Is the feedback taken with a minus sign, u = -Kx?
+control = -sp.Matrix([[b1 - b2 - 2, -b1, b2 - b1 - b3]])  # Is the feedback taken with a minus sign, $u = -Kx$?
 control = sp.Matrix([[b1 - b2, -b1, b2 - b1 - b3]])  # Has the polynomial of the system itself been taken off?
 control = sp.Matrix([[b3 - b2 - 2, -b3, b2 - b1 - b3]])  # In which order do the coefficients of the polynomial stand?
 correction = sp.Matrix([g1, g2, g3])  # Are these the numbers for a system in canonical form?
@@ -12,7 +12,7 @@ gains = [sp.Matrix([[-2, -3, -1]]), sp.Matrix([5, 10, -1])]  # Try the roots of 
 # A feedback that is fast enough; how fast does the estimate become right?
 gains = [sp.Matrix([[-2, -3, -1]]), sp.Matrix([247, 634, 41])/384]
 gains = [sp.Matrix([[0, -2, 0]]), sp.Matrix([5, 10, 1])]  # Friction alone: what do the other two coefficients need?
-gains = [sp.Matrix([[2, 3, 1]]), sp.Matrix([5, 10, 1])]  # Is the feedback taken with a minus sign, u = -Ke?
+gains = [sp.Matrix([[2, 3, 1]]), sp.Matrix([5, 10, 1])]  # Is the feedback taken with a minus sign, $u = -Ke$?
 # Does the copy know what the control does to the plant?
 equations = [e2 + 5*(z - e1 - e3), e1 + e2 + e3 + 10*(z - e1 - e3), e1 - e3 + (z - e1 - e3)]
 # What would the copy measure: the first coordinate alone?

@@ -1,6 +1,6 @@
 # %% wrong
 a_control = sp.Matrix([[-b2, -b1]])  # Has what the plant itself brings along been cancelled?
-a_control = sp.Matrix([[2 + b2, 1 + b1]])  # Is the feedback taken with a minus sign, u = -Kx?
+a_control = sp.Matrix([[2 + b2, 1 + b1]])  # Is the feedback taken with a minus sign, $u = -Kx$?
 a_control = sp.Matrix([[-1 - b1, -2 - b2]])  # Which of the two numbers is multiplied by x, and which by its rate?
 a_correction = sp.Matrix([g1 + 1, g2 + 2])  # The product of the roots holds both numbers. Is the second one complete?
 a_correction = sp.Matrix([g1, g2])  # Are these the numbers for a plant without roots of its own?
@@ -9,7 +9,8 @@ b_margins = sp.true  # Is there a motion that the measurement does not show? Wha
 b_margins = sp.false  # Something is hidden. Does it grow or decay?
 b_margins = mu < 1  # Look at the margin 1 itself: can the slowest root be as fast as that?
 b_margins = mu <= 2  # Which of the two roots is the one that stays?
-b_correction = sp.Matrix([g, 0])  # Put it into A - LH: where is the second root for gamma = 1?
+# Put it into $A - LH$: where is the second root for $\gamma = 1$?
+b_correction = sp.Matrix([g, 0])
 b_correction = sp.Matrix([g + 1, g + 3])  # Is this the gain of a measurement of x alone?
 b_correction = sp.Matrix([g + 2, g + 2])  # In which combination do the two numbers enter the polynomial?
 c_margins = mu <= 1  # The exponential that is not shown: is it a motion of this plant?
@@ -21,8 +22,8 @@ c_correction = sp.Matrix([g1 - 2, g2 + 1])  # Are these the numbers themselves, 
 d_margins = sp.false  # Does the plant move like the exponential that the measurement does not show?
 d_margins = mu <= 2  # Is a zero of the measurement a root that no gain can move?
 d_control = sp.Matrix([[-2 - b2, -1 - b1]])  # Is this the equation of item a? Mind the sign of the friction.
-d_control = sp.Matrix([[2 + b2, b1 - 1]])  # Is the feedback taken with a minus sign, u = -Kx?
-d_correction = sp.Matrix([2*g1 + g2, 2*g2 + 4])  # Is the right-hand side divided by what stands before l1 and l2?
+d_control = sp.Matrix([[2 + b2, b1 - 1]])  # Is the feedback taken with a minus sign, $u = -Kx$?
+d_correction = sp.Matrix([2*g1 + g2, 2*g2 + 4])  # Is the right-hand side divided by what stands before $l_1$ and $l_2$?
 d_correction = sp.Matrix([g1/2, g2/2 + 1])  # The sum of the roots holds both numbers. Is the first one complete?
 
 # %% right

@@ -18,7 +18,7 @@ margins = mu <= 1  # Is this what the system has without any feedback?
 margins = mu < 3  # Look at the end of your interval: may all roots be as slow as that one?
 margins = sp.false  # Something is lost. Does it grow or decay?
 margins = mu <= 2  # Which of the three roots is the one that stays? (hint 1)
-gains = [*system, -gains[4], gains[5]]  # Which sign has K in u = Ke? (hint 1)
+gains = [*system, -gains[4], gains[5]]  # Which sign has $K$ in $u = Ke$? (hint 1)
 gains = [*system, gains[4], -gains[5]]  # Which sign has L in the observer? (hint 2)
 gains = [*system, sp.zeros(1, 3), gains[5]]  # Is the loop faster than without a control? (hint 1)
 gains = [*gains[:5], sp.zeros(3, 1)]  # How do the errors decay without a correction? (hint 2)

@@ -7,9 +7,9 @@ a_augmented = [sp.Matrix([[0, 1, 0], [1, 0, 0], [0, 0, 0]]), sp.Matrix([[1, 1, 0
 a_margins = sp.true  # Does the measurement show every motion of the equation?
 a_margins = sp.false  # Something is hidden. Is it the offset, and does what is hidden grow?
 a_margins = mu < 1  # Look at the margin 1 itself: which root could be slower?
-a_gains = [sp.Matrix([[-2, -2]]), sp.Matrix([4, 0, 4])]  # Try the roots of the errors: what does the sign of l3 do?
+a_gains = [sp.Matrix([[-2, -2]]), sp.Matrix([4, 0, 4])]  # Try the roots of the errors: what does the sign of $l_3$ do?
 a_gains = [sp.Matrix([[-2, -2]]), sp.Matrix([9, 0, 0])]  # Can an estimate that is never corrected become right?
-a_gains = [sp.Matrix([[2, 2]]), sp.Matrix([9, 0, -4])]  # Is the feedback taken with a minus sign, u = -Ke?
+a_gains = [sp.Matrix([[2, 2]]), sp.Matrix([9, 0, -4])]  # Is the feedback taken with a minus sign, $u = -Ke$?
 a_gains = [sp.Matrix([[-1, -1]]), sp.Matrix([9, 0, -4])]  # What is left of the stiffness with this control?
 a_gains = [sp.Matrix([[-2, -2]]), sp.Matrix([2, 0, -sp.Rational(1, 2)])]  # Stable; is it fast enough?
 # Does the error of the instrument push the body?
@@ -19,7 +19,7 @@ b_margins = mu <= 2  # Which of the two roots of the equation belongs to the mot
 b_margins = sp.false  # Is the hidden motion the growing one?
 b_gains = [sp.Matrix([[-3, -3]]), sp.Matrix([8, 0, 2])]  # Which sign has the product of the roots of the errors?
 b_gains = [sp.Matrix([[-2, -2]]), sp.Matrix([8, 0, -2])]  # Is this the control of item a? Look at the friction here.
-b_gains = [sp.Matrix([[3, 3]]), sp.Matrix([8, 0, -2])]  # Is the feedback taken with a minus sign, u = -Ke?
+b_gains = [sp.Matrix([[3, 3]]), sp.Matrix([8, 0, -2])]  # Is the feedback taken with a minus sign, $u = -Ke$?
 
 # %% right
 # twice r for the coordinate

@@ -23,8 +23,8 @@ place_margins = mu <= 1  # Is the root of the friction out of reach, or hidden? 
 place_margins = sp.false  # Was the velocity thought to be needed? What does a record of the place tell of it?
 speed_margins = sp.true  # Which column of the matrix N is zero? (hint 1)
 speed_margins = mu <= 1  # Which of the two motions is the hidden one? (hint 1)
-observer_margins = sp.And(sp.Ne(a, 0), sp.Ne(a, b))  # What is hidden if a = b, and what becomes of it? (hint 2)
-observer_margins = sp.Ne(a, 0)  # Look at a = b. Is every margin possible? (hint 2)
+observer_margins = sp.And(sp.Ne(a, 0), sp.Ne(a, b))  # What is hidden if $a = b$, and what becomes of it? (hint 2)
+observer_margins = sp.Ne(a, 0)  # Look at $a = b$. Is every margin possible? (hint 2)
 observer_margins = sp.Ne(b, 0)  # Which of the two is needed, the place or the velocity? (hint 1)
 # Is the velocity of the decaying motion in step with its place, or against it? (hint 1)
 observer_margins = sp.And(sp.Ne(a, 0), sp.Or(sp.Ne(b, -a), mu <= 1))

@@ -7,7 +7,7 @@ a_observation_split = sp.Matrix([[1, -1], [3, -5]])  # Which coordinate does the
 a_observation_split = sp.eye(2)  # Does the measurement hold one of the old coordinates alone?
 a_margins = sp.true  # One root stays where it is. Which one?
 a_margins = sp.false  # Is it the growing motion that is left to itself?
-a_gains = [sp.Matrix([[2, 0]]), sp.Matrix([1, 0])]  # Is the feedback taken with a minus sign, u = -Ke?
+a_gains = [sp.Matrix([[2, 0]]), sp.Matrix([1, 0])]  # Is the feedback taken with a minus sign, $u = -Ke$?
 a_gains = [sp.Matrix([[-2, 0]]), sp.Matrix([-1, 0])]  # In which direction does this correction move the error?
 a_gains = [sp.Matrix([[-2, 2]]), sp.Matrix([1, 0])]  # In which combination do the two numbers enter?
 b_control_split = sp.Matrix([[7, 1], [4, 1]])  # Which of the two coordinates does the control drive, the first?

@@ -10,7 +10,7 @@ a_observation_split = sp.Matrix([[1, 0, -7], [0, 1, 1], [-1, 0, 10]])
 a_observation_split = sp.Matrix([[0, 4, -sp.Rational(2, 5)], [1, 0, 0], [0, 0, 1]])
 a_margins = sp.true  # Add the first and the last equation: can anything change the root of this combination?
 a_margins = mu < 1  # Look at the margin 1 itself: which root could be slower?
-a_gains = [sp.Matrix([[5, 17, 0]]), sp.Matrix([5, 3, -5])/2]  # Is the feedback taken with a minus sign, u = -Ke?
+a_gains = [sp.Matrix([[5, 17, 0]]), sp.Matrix([5, 3, -5])/2]  # Is the feedback taken with a minus sign, $u = -Ke$?
 a_gains = [sp.Matrix([[-17, -5, 0]]), sp.Matrix([5, 3, -5])/2]  # Which number belongs to which coordinate?
 a_gains = [sp.Matrix([[-5, -17, 0]]), -sp.Matrix([5, 3, -5])/2]  # Does this correction pull towards the measurement?
 b_control_split = sp.Matrix([[2, 1, 0], [-3, 1, 1], [7, -1, 0]])  # Which coordinates are to come first?

@@ -19,22 +19,22 @@ exists = b > 0  # Can an unstable motion be followed too? (hint 1)
 exists = sp.And(a > 0, b > 0)  # Must the system itself be stable? (hint 1)
 exists = sp.true  # Is there a position that no measured speed tells of? (hint 2)
 exists = sp.Or(sp.Ne(b, 0), a > 0)  # Does an error of the position decay without a spring, however strong the damping?
-# Does P12 vanish for both signs of b? (hint 1)
+# Does $P_{12}$ vanish for both signs of $b$? (hint 1)
 negative = sp.diag(-R*(sp.sqrt(a**2 + Q/R) - a)/b, R*(sp.sqrt(a**2 + Q/R) - a))
-# Is P11 a variance here? (hint 1)
+# Is $P_{11}$ a variance here? (hint 1)
 negative = sp.diag(R*(sp.sqrt(a**2 + Q/R) - a)/b, R*(sp.sqrt(a**2 + Q/R) - a))
-# Does the equation for the variance of the speed have P12 in it? (hint 2)
+# Does the equation for the variance of the speed have $P_{12}$ in it? (hint 2)
 negative = sp.Matrix([[-R*(sp.sqrt(a**2 + Q/R) + a)/b, 2*R], [2*R, R*(sp.sqrt(a**2 + Q/R) - a)]])
 # Which root of the quadratic equation is a variance? (hint 2)
 positive = sp.diag(-R*(sp.sqrt(a**2 + Q/R) + a)/b, -R*(sp.sqrt(a**2 + Q/R) + a))
-# What does the equation for P12 say at rest? (hint 1)
+# What does the equation for $P_{12}$ say at rest? (hint 1)
 positive = sp.diag(R*(sp.sqrt(a**2 + Q/R) - a), R*(sp.sqrt(a**2 + Q/R) - a))
-# Is this P12 one with which P11 is a variance? (hint 2)
+# Is this $P_{12}$ one with which $P_{11}$ is a variance? (hint 2)
 positive = sp.Matrix([[-R*(sp.sqrt(a**2 + Q/R) + a)/b, 2*R], [2*R, R*(sp.sqrt(a**2 + Q/R) - a)]])
 positive_gain = [0, R*(sp.sqrt(a**2 + Q/R) - a)]  # Is this the column of P itself? (hint 1)
 positive_gain = [(sp.sqrt(a**2 + Q/R) - a)/b, 0]  # Which column of P does H pick out? (hint 1)
-positive_gain = [2, sp.sqrt(a**2 + Q/R) - a]  # Which value does P12 have here?
-negative_gain = [0, sp.sqrt(a**2 + Q/R - 4*b) - a]  # Which value does P12 have here?
+positive_gain = [2, sp.sqrt(a**2 + Q/R) - a]  # Which value does $P_{12}$ have here?
+negative_gain = [0, sp.sqrt(a**2 + Q/R - 4*b) - a]  # Which value does $P_{12}$ have here?
 negative_gain = [2*R, R*(sp.sqrt(a**2 + Q/R - 4*b) - a)]  # Is this the column of P itself? (hint 1)
 
 # %% right

@@ -17,7 +17,7 @@ gain_negative = [0, sp.sqrt(a**2 + Q/R) - a]  # With this gain, do the errors de
 gain_negative = [2, sp.sqrt(a**2 + Q/R) - a]
 # Which sign has b in the root? It was to be negative. (hint 2)
 gain_negative = [2, sp.sqrt(a**2 + Q/R + 4*b) - a]
-limit_exists = b > 0  # Does it suffice that the position is held? Try a = 0. (hint 1)
+limit_exists = b > 0  # Does it suffice that the position is held? Try $a = 0$. (hint 1)
 limit_exists = a > 0  # Does the covariance stay bounded if the position is pushed away from zero? (hint 2)
 limit_exists = sp.Ne(b, 0)  # Is this where a filter exists for each R? What happens as R grows? (hint 1)
 limit = sp.zeros(2)  # Does one know everything if the measurement is worth nothing? (hint 1)

@@ -1,7 +1,7 @@
 # %% wrong
 # Was the growth of the coordinates forgotten? Look at the second row of A. (hint 1)
 covariance = sp.Matrix([[sp.sqrt(2*sp.sqrt(3)), sp.sqrt(3)], [sp.sqrt(3), sp.sqrt(6*sp.sqrt(3))]])
-# Are these the errors of a system that swings? Which sign has x1 in the second equation? (hint 1)
+# Are these the errors of a system that swings? Which sign has $x_1$ in the second equation? (hint 1)
 covariance = sp.Matrix([[sp.sqrt(2), 1], [1, 2*sp.sqrt(2)]])
 covariance = sp.diag(sp.sqrt(6), 2*sp.sqrt(6))  # Are the errors of both coordinates independent? (hint 1)
 # Which term of the middle equation was left out? (hint 1)

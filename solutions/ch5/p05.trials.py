@@ -3,7 +3,7 @@ reached = sp.Ne(sp.sin(alpha), 0)  # Is the whole circle reached from outside, a
 reached = sp.sin(alpha)*sp.cos(alpha) < 0  # Can the control help the motion to come inwards? (hint 1)
 # Was the control followed forwards in time instead of backwards? (hint 2)
 curve = [R*sp.cos(alpha) - R*sp.sin(alpha)*sp.tan(alpha) - sp.tan(alpha)**2/2, R*sp.sin(alpha) + sp.tan(alpha)]
-# Does the curve for R = 1 simply scale with the circle? (hint 1)
+# Does the curve for $R = 1$ simply scale with the circle? (hint 1)
 curve = [R*(1/sp.cos(alpha) - sp.tan(alpha)**2/2), R*(sp.sin(alpha) - sp.tan(alpha))]
 law = -sp.sign(x1 + x2*sp.Abs(x2)/2)  # Is this the law of the transfer to the origin? (hint 1)
 law = -sp.sign(x2)  # Does the law have no switching curve besides the axis? (hint 1)

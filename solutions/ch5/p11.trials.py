@@ -15,7 +15,7 @@ trajectory = sp.sin(2*t)/2  # Where does the motion start? (hint 1)
 # Was transversality forgotten? Look at psi1 at the end. (hint 1)
 costate = [sp.cos(2*t)/2 - sp.sin(2*t)/2, -sp.cos(2*t)/4 - sp.sin(2*t)/4]
 costate = [-2*sp.sin(2*t), -sp.cos(2*t)]  # Does H vanish with these costates? They have to be normalised. (hint 2)
-costate = [sp.sin(2*t)/2, sp.cos(2*t)/4]  # Is lambda_0 positive with this sign? (hint 2)
+costate = [sp.sin(2*t)/2, sp.cos(2*t)/4]  # Is $\lambda_0$ positive with this sign? (hint 2)
 costate = [-sp.cos(2*t)/4, -sp.sin(2*t)/2]  # Did the two costates change places? (hint 1)
 switching = -sp.cos(2*t)**2/4  # Did the function get the wrong sign? (hint 1)
 switching = -sp.cos(2*t)/4  # Is this psi2 alone? (hint 1)

@@ -22,7 +22,7 @@ cost = -sp.sqrt(u_min/u_max)  # Is this the nearest place of rest? (hint 1)
 # Does H grow with u where it should? Look at the sign of the costate at the end. (hint 1)
 costate = [-sp.sqrt(u_max/u_min)*sp.cos(sp.sqrt(u_max)*t), sp.sqrt(u_max/u_min)*sp.sin(sp.sqrt(u_max)*t)/sp.sqrt(u_max)]
 costate = [sp.cos(sp.sqrt(u_max)*t), -sp.sin(sp.sqrt(u_max)*t)/sp.sqrt(u_max)]  # Was the switching forgotten? (hint 3)
-costate = [0, 0]  # Can lambda_0 be 1 with costates that vanish? (hint 1)
+costate = [0, 0]  # Can $\lambda_0$ be 1 with costates that vanish? (hint 1)
 
 # %% right
 # a list of arcs

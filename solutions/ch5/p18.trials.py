@@ -1,6 +1,6 @@
 # %% wrong
 control = -1  # Is the mass slow at the end with this force? (hint 2)
-# How often can a linear psi2 with psi2(0) = 0 change its sign? (hint 2)
+# How often can a linear $\psi_2$ with $\psi_2(0) = 0$ change its sign? (hint 2)
 control = sp.Piecewise((-1, t < sp.Rational(1, 2)), (1, True))
 control = 2  # Is this force within its bounds? (hint 1)
 trajectory = t  # Is this the printed plant, with a constant velocity? (hint 1)

@@ -1,5 +1,5 @@
 # %% wrong
-gain = 1 + sp.sqrt(6)/2  # Which sign has a feedback that holds the motion back, with u = Kx? (hint 1)
+gain = 1 + sp.sqrt(6)/2  # Which sign has a feedback that holds the motion back, with $u = Kx$? (hint 1)
 gain = -1 + sp.sqrt(6)/2  # Which root of the Riccati equation was taken, and where does the motion go with it? (hint 2)
 gain = -(2 + sp.sqrt(6))  # Was the weight of the control in the square forgotten? (hint 1)
 gain = -(1 + sp.sqrt(2))  # Is the weight of the control 1 here? (hint 1)

@@ -15,7 +15,7 @@ S = sp.Matrix([[1 + tau, tau + tau**2/2], [tau + tau**2/2, 1 + tau**2 + tau**3/3
 S = sp.eye(2)  # Does the price of a state not change with the time that is left? (hint 1)
 # Is this the inverse of the matrix that was asked for? (hint 2)
 S = sp.Matrix([[1 + (1 - t)**2 + (1 - t)**3/3, t - 1 - (1 - t)**2/2], [t - 1 - (1 - t)**2/2, 2 - t]])
-# Which sign has a feedback u = Kx that brakes? (hint 1)
+# Which sign has a feedback $u = Kx$ that brakes? (hint 1)
 tau = 1 - t
 gain = [(tau + tau**2/2)/(1 + tau + tau**3/3 + tau**4/12), (1 + tau**2 + tau**3/3)/(1 + tau + tau**3/3 + tau**4/12)]
 # Do these gains belong to the time that is left, or to the time that has gone? (hint 1)

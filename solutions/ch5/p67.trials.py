@@ -4,7 +4,7 @@ a_cost = sp.Matrix([[2, 1], [1, 3]])/2  # Is there a half before the integral?
 # Can a form with a zero on its diagonal and something beside it keep one sign? (hint 2)
 a_cost = sp.Matrix([[0, -1], [-1, 1]])
 a_cost = sp.Matrix([[-2, 1], [1, -1]])  # Can a cost be negative? (hint 2)
-a_gain = [1, 3]  # Which sign has a feedback u = Kx that holds the motion back? (hint 1)
+a_gain = [1, 3]  # Which sign has a feedback $u = Kx$ that holds the motion back? (hint 1)
 a_gain = [-1, -2]  # Is this the coefficient of the loop, with the free motion in it?
 a_gain = [-2, -1]  # Which row of S does B select? (hint 1)
 a_gain = [-1, 1]  # Which root of the third equation has this law? Does its loop decay?

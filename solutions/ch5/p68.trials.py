@@ -4,7 +4,7 @@ a_cost = sp.Matrix([[-2*sp.sqrt(2), 1], [1, -sp.sqrt(2)]])  # Can a cost be nega
 # Which sign has the off-diagonal entry in the second equation? (hint 1)
 a_cost = sp.Matrix([[2*sp.sqrt(2), -1], [-1, sp.sqrt(2)]])
 a_cost = sp.Matrix([[sp.sqrt(2), 1], [1, 2*sp.sqrt(2)]])  # Have the two coordinates changed places?
-a_gain = [1, sp.sqrt(2)]  # Which sign has a feedback u = Kx that brakes? (hint 1)
+a_gain = [1, sp.sqrt(2)]  # Which sign has a feedback $u = Kx$ that brakes? (hint 1)
 a_gain = [-2*sp.sqrt(2), -1]  # Which row of S does B select? (hint 1)
 a_gain = [-3, -sp.sqrt(6)]  # Was the sign of the spring lost in the Riccati equation?
 a_gain = [-sp.sqrt(3), -sp.sqrt(2*sp.sqrt(3))]  # Is there no spring in this equation?

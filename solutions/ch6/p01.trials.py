@@ -4,8 +4,8 @@ a_polynomial = lam**4 + (kappa/6 - 4)*lam**3 + (kappa/3 + 6)*lam**2 - (kappa/6 +
 a_polynomial = (lam - 1)**4  # Are these the eigenvalues of the motion without measurements? (hint 1)
 # Is the square of w the same as the sum of the two squares? (hint 2)
 b_reduced = w**2 + (kappa/6 - 4)*w + 2*kappa/3 + 6
-b_reduced = (w - 2)**2 + kappa*(w + 4)  # Did a number in front of kappa get lost? (hint 1)
-# What is the sum of lambda and its inverse on the circle? (hint 1)
+b_reduced = (w - 2)**2 + kappa*(w + 4)  # Did a number in front of $\kappa$ get lost? (hint 1)
+# What is the sum of $\lambda$ and its inverse on the circle? (hint 1)
 b_circle = (sp.cos(phi) - 2)**2 + kappa/6*(sp.cos(phi) + 4)
 # Is this still complex, without the division that makes it real?
 b_circle = (sp.exp(sp.I*phi) - 1)**4 + kappa/6*sp.exp(sp.I*phi)*(sp.exp(2*sp.I*phi) + 4*sp.exp(sp.I*phi) + 1)

@@ -10,7 +10,7 @@ b_weight = rho*a/(D*omega**2)  # Was the 1 forgotten that stands for the record 
 # Is the matrix positive definite with this root? (hint 2)
 c_riccati = sp.Matrix([[-sp.sqrt(2)*rho**sp.Rational(3, 4)*M**sp.Rational(1, 4), sp.sqrt(rho*M)],
                        [sp.sqrt(rho*M), -sp.sqrt(2)*rho**sp.Rational(1, 4)*M**sp.Rational(3, 4)]])
-# Did rho and M change places? (hint 2)
+# Did $\rho$ and $M$ change places? (hint 2)
 c_riccati = sp.Matrix([[sp.sqrt(2)*rho**sp.Rational(1, 4)*M**sp.Rational(3, 4), sp.sqrt(rho*M)],
                        [sp.sqrt(rho*M), sp.sqrt(2)*rho**sp.Rational(3, 4)*M**sp.Rational(1, 4)]])
 # Are these the signs of the matrix that the paper writes down? (hint 1)

@@ -1,4 +1,4 @@
-"""Formulas in answers and hints are set, between dollars, wherever a person reads them."""
+"""Formulas in answers, hints and the sentences on mistakes are set, between dollars, wherever a person reads them."""
 
 import re
 from pathlib import Path
@@ -6,8 +6,9 @@ from pathlib import Path
 import pytest
 
 from trajlib.formulas import plain
-from trajlib.masters import master_paths
+from trajlib.masters import master_paths, read
 from trajlib.masters.front_matter import read_front_matter
+from trajlib.masters.mistakes import sentence
 
 SOLUTIONS = Path(__file__).resolve().parents[2] / "solutions"
 #: What is set between dollars, code between backticks, a reference, an answer of no items; not mathematics as typed.
@@ -28,9 +29,17 @@ def test_no_formula_is_left_as_typed(path):
 
 
 @pytest.mark.parametrize("path", master_paths(SOLUTIONS), ids=lambda path: f"{path.parent.name}/{path.stem}")
+def test_no_formula_of_a_mistake_is_left_as_typed(path):
+    master = read(path)
+    said = [trial.comment for trial in master.trials["wrong"] if sentence(master, trial)]
+    found = {text: typed[0] for text in said if (typed := TYPED.search(SET.sub("", text)))}
+    assert not found, "put formulas between dollars, code between backticks"
+
+
+@pytest.mark.parametrize("path", master_paths(SOLUTIONS), ids=lambda path: f"{path.parent.name}/{path.stem}")
 def test_every_formula_can_be_read_where_nothing_is_set(path):
-    for text in texts(path):
-        assert not re.search(r"[$\\`]", plain(text)), text
+    for text in [*texts(path), *(trial.comment for trial in read(path).trials["wrong"])]:
+        assert not re.search(r"[$\\`]|\b([dt]?frac(?![a-z])\w*|[lr]vert|mathrm)\b", plain(text)), text
 
 
 @pytest.mark.parametrize("typed, found", [
@@ -44,6 +53,9 @@ def test_what_is_taken_for_a_formula(typed, found):
     (r"$\dot x_1 = -k_1 x_1$", "x1' = -k1 x1"), (r"$\ddot\psi$ and $\lambda^{-k}$", "psi'' and lambda^-k"),
     (r"$\exp(-\lambda_0 t) \leq 1/\sqrt{2}$", "exp(-lambda0 t) <= 1/sqrt(2)"), (r"$x^\top G x$, $x^*$", "x^T G x, x*"),
     (r"$u = \bar u$ for $\varepsilon \to \infty$", "u = ubar for epsilon -> oo"),
+    (r"$\frac12u^2 \leq \frac{\cos y}{1 - \cos y}$, $\frac{\beta}{2}$", "1/2u^2 <= (cos y)/(1 - cos y), beta/2"),
+    (r"$\lvert y\rvert \le 1$, $\psi \equiv 0$, $a = \pm1$, $\sin\beta/\rho$, $\dot\psi$",
+     "|y| <= 1, psi == 0, a = +-1, sin beta/rho, psi'"),
     ("the basis of `a_unseen`", "the basis of a_unseen")])
 def test_a_formula_as_typed(formula, typed):
     assert plain(formula) == typed

@@ -20,12 +20,15 @@ PATIENCE = 600
 
 
 def sentence(master, trial):
-    """What the giver of a wrong trial reads, with its hint in a second line; None if its comment is only a note."""
+    """What the giver of a wrong trial reads, with its hint in a second line; None if its comment is only a note.
+
+    Formulas are as one types them, since it is read in terminals too; HTML sets them (`trajlib.formulas.typeset`).
+    """
     said = SENTENCE.fullmatch(trial.comment)
     if said is None:
         return None
     hint = f"\nHint {said['hint']}: {plain(master.hints[trial.name][int(said['hint']) - 1])}" if said["hint"] else ""
-    return said["text"] + hint
+    return plain(said["text"]) + hint
 
 
 def text_of(master):
