@@ -95,7 +95,8 @@ def _border(symbol, data):
     for part in data:
         interval = (part.get(symbol) if isinstance(part, dict) else
                     part.as_set() if isinstance(part, LOGIC) and part.free_symbols == {symbol} else None)
-        if isinstance(interval, (tuple, list)) and all(sp.sympify(end).is_finite for end in interval):
+        if isinstance(interval, (tuple, list)) and all(sp.sympify(end).is_number and sp.sympify(end).is_finite
+                                                       for end in interval):
             return sp.Rational(sum(interval)) / 2
         if isinstance(interval, sp.FiniteSet):
             return sp.Add(*interval) / len(interval)
