@@ -37,11 +37,13 @@ def control_equation(claim, problem, domain=None):
     u = problem.control[0]
     for values, true, size in places:
         said = value_at(claim, values, f"{u}'")
-        if not same(said, true, claim, size=size, computed=EXACT):
-            shown = {s: value for s, value in values.items() if s in truth.symbols | claim.free_symbols}
-            raise Wrong(f"for {rounded_text(shown)} dH/d{u} stays zero only if {u}' is "
-                        + (f"{true:.4g}; your expression gives {said:.4g}" if told else
-                           f"something else than the {said:.4g} of your expression"))
+        if same(said, true, claim, size=size, computed=EXACT):
+            continue
+        if not told:
+            raise Wrong(f"dH/d{u} does not stay zero where your expression gives {u}' the value {said:.4g}")
+        shown = {s: value for s, value in values.items() if s in truth.symbols | claim.free_symbols}
+        raise Wrong(f"for {rounded_text(shown)} dH/d{u} stays zero only if {u}' is {true:.4g}; your expression gives "
+                    f"{said:.4g}")
     return f"under it dH/d{u} stays zero, tried at {PLACES} places"
 
 
