@@ -17,6 +17,7 @@ from trajlib.masters.links import Links
 from trajlib.masters.mistakes import origin, text_of
 from trajlib.masters.reading import read, read_all
 from trajlib.masters.statements import assigned_names, reported_names
+from trajlib.masters.study_time import study_time
 from trajlib.mistakes import file_beside
 
 CREDIT = ("S. S. Lemak, V. M. Morozov, M. Yu. Popelensky, V. V. Tikhomirov, O. Yu. Cherkasov, "
@@ -207,7 +208,8 @@ def _origin(master):
         f"You need the library `trajlib`: from a checkout of the workbook run `pip install -e .`, or install "
         f"the wheel that the workbook's site offers. Replace each `...` by your answer and run the check cell below "
         f"it: it says what holds and what does not, as often as you like. The theory stands in chapter {chapter}."
-        + (f"\n\n{core_text(master.core)}" if master.core else ""),
+        + f"\n\nThis problem takes {study_time(master.level, master.answers, master.core)}, at a guess."
+        + (f" {core_text(master.core)}" if master.core else ""),
         [("the wheel that the workbook's site offers", f"wheels/{WHEEL}"),
          (f"chapter {chapter}", f"book/ch{chapter}.html")])
 

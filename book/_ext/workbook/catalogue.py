@@ -13,6 +13,7 @@ from sphinx.errors import ExtensionError
 from trajlib import exercises
 from trajlib.masters import MasterError
 from trajlib.masters.front_matter import read_front_matter
+from trajlib.masters.study_time import study_time
 
 PAGE = re.compile(r"(solutions|exercises)/ch\d+/p\d+")
 
@@ -48,6 +49,10 @@ class Problem:
     def notebook(self):
         """The student's notebook: its place in the repository and its address on the site."""
         return self.page.replace("solutions/", "exercises/", 1) + ".ipynb"
+
+    @property
+    def study_time(self):
+        return study_time(self.level, self.answers, self.core)
 
     @property
     def solved(self):

@@ -77,6 +77,7 @@ class ProblemHead(SphinxDirective):
         chips = nodes.paragraph(classes=["problem-chips"])
         chips += _chip(f"{problem.section}", "section")
         chips += _chip("★ starred" if problem.level == "starred" else problem.level, problem.level)
+        chips += _chip(problem.study_time, "time")
         for topic in problem.topics:
             chips += to_label(self.env.docname, topic_label(topic), topic, "chip", "topic")
         notebook = nodes.paragraph("", "", link(problem.page, problem.notebook, "Student’s notebook"),
