@@ -28,8 +28,7 @@ class Workbench:
         self.reference = {name: solved[name] for name in master.answers}
         self.calls = {name: call for source in master.code("check") for name, call in check_calls(source).items()}
         self._forms = {}
-        self._alone = {name: compile(_only(source, name), "<check cell>", "exec")
-                       for source in master.code("check") for name in reported_names(source)}
+        self._alone = alone(master)
 
     def judge(self, answers):
         """Verdicts on `answers`; those left out are missing."""
@@ -99,6 +98,12 @@ def data_of(master):
     for source in master.code("data"):
         execute(source, "data", data)
     return data
+
+
+def alone(master):
+    """The check cell of each answer with its report reduced to this answer, compiled."""
+    return {name: compile(_only(source, name), "<check cell>", "exec")
+            for source in master.code("check") for name in reported_names(source)}
 
 
 def execute(source, role, namespace):
