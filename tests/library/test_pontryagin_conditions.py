@@ -152,3 +152,13 @@ def test_the_statement_is_shown():
                    duration=(1, 2))._repr_markdown_()
     for part in (r"|u| \le 1", r"0 \le v", r"x_{2}(0)\ \text{free}", r"\int_0", r"1 \le t_k \le 2", r"\to \min"):
         assert part in text
+
+
+def test_control_without_costates():
+    x, y, v, u, k = sp.symbols("x y v theta k")
+    plane = {x: v*sp.cos(u), y: v*sp.sin(u), v: -k*v**2 - sp.sin(u)}
+    field = Problem(plane, {u: None}, {x: 0, y: 0, v: 1}, final=-x, duration=1).conditions().control_field
+    assert list(field) == [u, v] and field[v] == plane[v]
+    assert sp.simplify(field[u] - sp.cos(u)*(1 + 3*k*v**2*sp.sin(u))/v) == 0
+    with pytest.raises(ValueError, match="2 costates are not known"):
+        Problem(plane, {u: None}, {x: 0, y: 0, v: 1}, [y], final=-x, duration=1).conditions().control_field  # noqa: B018

@@ -28,6 +28,7 @@ class Conditions:
     - `switching`: {control: dH/du} for the controls in which H is linear
     - `maximising`: {control: the control that makes H largest, a Piecewise}
     - `singular`: {control: SingularArc} for the controls in `switching`
+    - `control_field`: {control: its rate, state: ...}, the motion of a control inside its bounds without the costates
     - `transversality`: expressions that vanish at the end, `reduced_transversality` the same without lambda1, ...,
       lambdam
     - `initial_transversality`: the psi_i that vanish at the start
@@ -60,6 +61,12 @@ class Conditions:
     @cached_property
     def singular(self) -> dict[sp.Symbol, SingularArc]:
         return {u: singular_arc(self, u) for u in self.switching}
+
+    @cached_property
+    def control_field(self):
+        from .elimination import control_field
+
+        return control_field(self)
 
     @cached_property
     def transversality(self):

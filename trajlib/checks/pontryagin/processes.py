@@ -26,6 +26,9 @@ from trajlib.checks.tools.values import real_function, value_at
 from trajlib.checks.truths.optima.best_processes import best_processes, free_at_the_start
 from trajlib.checks.truths.optima.transfer_optima import SAMPLES
 
+#: Between the bounds of a control the rates of the states are tried in so many parts, then closer to the extreme.
+PARTS, ROUNDS = 24, 4
+
 
 @judged(Control("time", "parameters", time="time"))
 def optimal_control(claim, problem, time, parameters=None):
@@ -91,7 +94,24 @@ def _rates(best, y):
             for u in best.bounds]
     if not all(map(np.isfinite, best.bounds)):
         return np.where(moved, -np.inf, ends[0]), np.where(moved, np.inf, ends[1])
-    return np.minimum(*ends), np.maximum(*ends)
+    low, high = np.minimum(*ends), np.maximum(*ends)
+    if np.allclose(best.field(y, np.mean(best.bounds))[:-1], (ends[0] + ends[1]) / 2, rtol=1e-12, atol=1e-12):
+        return low, high
+    return _extremes(best, y, np.argmin), _extremes(best, y, np.argmax)
+
+
+def _extremes(best, y, which):
+    """The least, or the greatest, rate of each state where the rates are no linear functions of the control."""
+    found = []
+    for j in range(len(y) - 1):
+        begin, end = best.bounds
+        for _ in range(ROUNDS):
+            places = np.linspace(begin, end, PARTS + 1)
+            values = [best.field(y, u)[j] for u in places]
+            k = int(which(values))
+            begin, end = places[max(k - 1, 0)], places[min(k + 1, PARTS)]
+        found.append(values[k])
+    return np.array(found)
 
 
 @judged(Expression("parameters"))

@@ -22,6 +22,12 @@ HELD = Piecewise((-sp.sign(a), t < sp.Abs(a)), (0, True))
 FAR = Problem({x1: x2, x2: u}, {u: (-1, 1)}, {x1: 0, x2: None}, [x1 - 1], final=x1**2 / 2 + x2**2 / 2, duration=1,
               maximise=True)
 BEAM = Problem({x1: x2, x2: u}, {u: (None, None)}, {x1: 0, x2: 0}, [], running=u**2 - 48 * x1, duration=1)
+# A fall from rest along the path that comes farthest: the control enters by its sine and cosine.
+FALL = Problem({x1: x2 * sp.cos(u), x2: -sp.sin(u)}, {u: (-sp.pi / 2, sp.pi / 2)}, {x1: 0, x2: 0}, final=x1,
+               duration=T, maximise=True)
+LONG = {T: sp.Interval(1, 3)}
+BENT = T**2 / sp.pi**2 * (sp.pi * t / T - sp.sin(sp.pi * t / T)), 2 * T / sp.pi * sp.sin(sp.pi * t / (2 * T))
+SLIDE = t**2 / 4, t / sp.sqrt(2)
 
 CASES = [
     Case("optimal_control", Piecewise((high, t < TURN), (low, True)), (SWING, t, STIFF), "right", "two arcs, cases"),
@@ -44,6 +50,10 @@ CASES = [
     Case("optimal_motion", [a + Piecewise((-sp.sign(a) * t, t < sp.Abs(a)), (-a, True))], (NEAR, t, STARTS), "right",
          "one state in a list"),
     Case("optimal_motion", [t / 2 + t**2 / 2, t + 0.5], (FAR, t), "right", "both states, the beginning free"),
+    Case("optimal_motion", BENT, (FALL, t, LONG), "right", "the equations are not linear in the control"),
+    Case("optimal_motion", SLIDE, (FALL, t, LONG), "wrong", "a possible motion, not the best"),
+    Case("optimal_motion", (BENT[0], t), (FALL, t, LONG), "wrong", "possible rates, but not together"),
+    Case("optimal_motion", (2 * t, t), (FALL, t, LONG), "wrong", "faster than the speed"),
     Case("optimal_motion", sp.cos(sp.sqrt(high) * t), (SWING, t, STIFF), "wrong", "one arc for both"),
     Case("optimal_motion", a * sp.sin(t), (ENERGY, t, PLACES), "wrong", "another start"),
     Case("optimal_motion", a * (1 - sp.cos(t)), (ENERGY, t, PLACES), "wrong", "another control, with the same ends"),

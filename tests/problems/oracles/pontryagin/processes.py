@@ -8,7 +8,7 @@ from oracles.pontryagin.transfers import same_transfer
 def same_parts(mutant, reference, *_, **__):
     """True if two answers agree part by part."""
     lists = [list(one) if isinstance(one, (list, tuple, sp.MatrixBase)) else [one] for one in (mutant, reference)]
-    return len(lists[0]) == len(lists[1]) and all(map(same_transfer, *lists))
+    return len(lists[0]) == len(lists[1]) and all(map(same_transfer, *(map(sp.sympify, one) for one in lists)))
 
 
 def same_or_mirrored(mutant, reference, problem, *_, **__):
