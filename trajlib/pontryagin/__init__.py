@@ -28,7 +28,6 @@ _EXPORTS = {
     "proof": ["Proof", "Enclosure"],
     "errors": ["PontryaginError", "Infeasible", "Unbounded", "Chattering", "WrongStructure", "NotUnique",
                "NotConverged", "StartOnTarget"],
-    "reduction": ["reduced_field"],
     "planar.synthesis": ["Synthesis", "synthesis"],
 }
 __getattr__, __dir__, __all__ = lazy_names(__name__, _EXPORTS)

@@ -1,8 +1,9 @@
 """The motion of a control inside its bounds, with the costates eliminated.
 
 Where H is greatest inside the bounds, H_u = 0 all the time, and so is its derivative along the motion and the adjoint
-equations: u' = -(derivative of H_u for a fixed u)/H_uu. If one costate is not known from the end of the process,
-H_u = 0 expresses it by the state and the control.
+equations: u' = -(derivative of H_u for a fixed u)/H_uu. If one costate that enters is not known from the end of the
+process, H_u = 0 expresses it by the state and the control; if two are, and nothing stands beside them, it tells their
+ratio, which is enough.
 """
 
 import sympy as sp
@@ -15,15 +16,23 @@ def control_field(conditions):
         raise ValueError("problem: the costates are eliminated for problems with one control")
     u = problem.control[0]
     known = _known(conditions)
-    free = [psi for psi in conditions.costate if psi not in known]
-    if len(free) != 1:
-        raise ValueError(f"problem: {len(free)} costates are not known from the end of the process, and the condition "
-                         "H_u = 0 can eliminate one")
     slope = sp.diff(H, u)
     drift = sum((sp.diff(slope, y)*f for y, f in problem.dynamics.items()), sp.S.Zero)
-    drift += sum((sp.diff(slope, psi)*rate for psi, rate in conditions.adjoint.items()), sp.S.Zero)
-    (value,) = sp.solve(slope.subs(known), free[0])
-    rate = (-drift/sp.diff(slope, u)).subs(known).subs(free[0], value)
+    drift += sum((sp.diff(slope, psi)*rate.subs(conditions.multiplier, 1) for psi, rate in conditions.adjoint.items()),
+                 sp.S.Zero)
+    slope, drift, bend = (sp.expand(e.subs(known)) for e in (slope, drift, sp.diff(slope, u)))
+    free = [psi for psi in conditions.costate if any(e.has(psi) for e in (slope, drift, bend))]
+    rest, gains = slope.subs(dict.fromkeys(free, 0)), [sp.diff(slope, psi) for psi in free]
+    if len(free) == 2 and rest == 0:
+        values = {free[0]: gains[1], free[1]: -gains[0]}
+    elif len(free) == 1:
+        values = {free[0]: -rest/gains[0]}
+    elif not free:
+        values = {}
+    else:
+        raise ValueError(f"problem: {len(free)} costates are not known from the end of the process, and the condition "
+                         "H_u = 0 does not eliminate them")
+    rate = -sp.simplify(drift.subs(values))/sp.simplify(bend.subs(values))
     field = {u: sp.expand(sp.trigsimp(sp.simplify(rate)))}
     met = {y for y in problem.dynamics if field[u].has(y)}
     while more := {y for y in problem.dynamics if y not in met and any(problem.dynamics[z].has(y) for z in met)}:

@@ -18,6 +18,8 @@ from trajlib.checks.tools.values import real_function
 STARTS, ENOUGH = 160, 8
 #: Newton's steps, and what is left of the equations at a point, as a share of their terms.
 STEPS, SOLVED = 40, 1e-11
+#: What counts as zero in the derivative of dH/du that holds the control.
+VANISHES = 1e-6
 
 
 def hamiltonian(problem, costates):
@@ -67,6 +69,10 @@ class SingularArcs:
         self._slopes = real_function([*self._unknown, *given],
                                      [sp.diff(e, s) for e in self._equations for s in self._unknown])
         self._gain = real_function([*self._unknown, *given], [sp.diff(H, u).subs(self._known) for u in self.others])
+        #: The derivative of order 2q without the control, and the factor of the control in it.
+        last = [sp.S.Zero, sp.S.One] if self.highest is None else [self.highest.subs(control, 0),
+                                                                   sp.diff(self.highest, control)]
+        self._last = real_function([*self._unknown, *given], last)
 
     def points(self, domain=None):
         """Values {symbol: number} of states, costates, parameters and other controls at points of singular arcs, at
@@ -82,6 +88,9 @@ class SingularArcs:
                 if point is None or not self._inside(point, domain):
                     continue
                 gains = self._gain(*point, *values.values(), *others)
+                rest, factor = self._last(*point, *values.values(), *others)
+                if abs(factor) <= VANISHES * (1 + abs(rest)) and abs(rest) > VANISHES:
+                    continue  # no control keeps S at zero here
                 if all((gain >= -1e-9) == (u == high) for gain, u, (_, high) in zip(gains, others, ends)):
                     values |= dict(zip(self._unknown, point)) | dict(zip(self.others, others))
                     found.append(values | {s: float(e.subs(values)) for s, e in self._known.items()})
@@ -106,9 +115,31 @@ class SingularArcs:
             matrix, constant = matrix / size[:, None], constant / size
             found = np.linalg.lstsq(matrix, -constant, rcond=1e-9)[0]
             rest = matrix @ found + constant
-            if np.all(np.abs(rest) <= share * (1 + np.abs(matrix) @ np.abs(found))):
+            if np.all(np.abs(rest) <= share * (1 + np.abs(matrix) @ np.abs(found))) and self._kept(
+                    matrix, constant, point, given, left, share):
                 return True
         return False
+
+    def _kept(self, matrix, constant, point, given, left, share):
+        """Whether among the costates for which the equations hold there are some with which a control keeps S at
+        zero."""
+        at = [self._unknown.index(s) for s in left]
+
+        def last(costates):
+            full = np.array(point, dtype=float)
+            full[at] = costates
+            return self._last(*full, *given)
+
+        zero = last(np.zeros(len(left)))
+        slopes = np.array([last(row) - zero for row in np.eye(len(left))]).reshape(len(left), 2)
+        found = np.linalg.lstsq(matrix, -constant, rcond=1e-9)[0]
+        _, sizes, basis = np.linalg.svd(matrix)
+        free = basis[int((sizes > 1e-9 * max(sizes.max(initial=0), 1e-300)).sum()):]
+        (rest, factor), turns = zero + found @ slopes, free @ slopes
+        size = 1 + np.abs(slopes).max(initial=0)
+        if max(abs(factor), np.abs(turns[:, 1]).max(initial=0)) > share * size:
+            return True
+        return abs(rest) <= share * size or np.abs(turns[:, 0]).max(initial=0) > share * size
 
     def _derivatives(self, first):
         derivatives = [first]

@@ -23,6 +23,7 @@ FASTER = {b: sp.Interval(1, 3)}
 ROBOT = Problem({y1: v * sp.cos(alpha), y2: v * sp.sin(alpha), alpha: w}, {v: (0, speed), w: (-1, 1)},
                 {y1: 0, y2: 0, alpha: 0}, [y1 - 1, y2 - 2])
 CIRCLE = Problem({x1: x2, x2: u}, {u: (-1, 1)}, {x1: 3, x2: 0}, [x1**2 + x2**2 - 1])
+GUIDED = Problem({rho: x1, x1: rho * w**2, w: (u - 2 * x1) * w / rho}, {u: (-1, 1)}, {rho: 1, x1: 0, w: 1}, [rho - 2])
 TOTAL = Problem({x1: u, x2: -u * x1}, {u: (-1, 1)}, {x1: 0, x2: 0}, final=x2, duration=1)
 ANY = {c: sp.Interval(-1, 1)}
 H_ROCKET = psi1 * v + psi2 * ((P - k * v**2) / m - g) - psi3 * P / gas
@@ -78,6 +79,8 @@ CASES = [
     Case("singular_order", "two", (FULLER, TWO), "invalid", "a word"),
     Case("singular_surface", x1, (SQUARE, TWO), "right", "one of the states"),
     Case("singular_surface", [x1, x2], (FULLER, TWO), "right", "a point"),
+    Case("singular_surface", sp.Eq(w, 0), (GUIDED, THREE), "right", "elsewhere no control keeps dH/du at zero"),
+    Case("singular_surface", w * (rho - 1), (GUIDED, THREE), "wrong", "a place where none does as well"),
     Case("singular_surface", sp.Eq(x1**2, x2**2), (LINES, TWO), "right", "two lines"),
     Case("singular_surface", sp.Eq(SURFACE, 0), (ROCKET, THREE), "right", "with parameters"),
     Case("singular_surface", sp.sin(beta), (ESCORT, TWO, u, FASTER), "right", "a function with many zeros"),
