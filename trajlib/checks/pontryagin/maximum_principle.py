@@ -131,6 +131,25 @@ def maximising_control(answer, problem, costates, domain=None):
     return f"no admissible control gives a greater H, tried at {PLACES} places"
 
 
+@judged(Expression(lambda data: [*data["problem"].state, *data["costates"], *data["problem"].parameters]))
+def greatest_hamiltonian(claim, problem, costates, domain=None):
+    """The greatest value of H over the admissible controls with lambda_0 = 1, of controls that enter it linearly."""
+    H, controls = sp.expand(hamiltonian(problem, costates)), list(problem.control)
+    if any(sp.diff(H, one, other) != 0 for one in controls for other in controls):
+        raise ValueError("H is not linear in the controls")
+    rest, slopes = H.subs(dict.fromkeys(controls, 0)), [sp.diff(H, u) for u in controls]
+    for values in _places(problem, costates, domain, controls=False):
+        numbers = [float(e.subs(values)) for e in slopes]
+        terms = [max(slope * low, slope * high) for slope, (low, high) in zip(numbers, _bounds(problem, values))]
+        parts = [float(part.subs(values)) for part in sp.Add.make_args(rest)]
+        said, wanted = value_at(claim, values, "the greatest value of H"), sum(parts) + sum(terms)
+        if not same(said, wanted, claim, size=max(map(abs, [*parts, *terms])), computed=EXACT):
+            raise Wrong(f"for {rounded_text(values)} your expression gives {said:.4g}; " + (
+                "no admissible control gives H so great a value" if said > wanted else
+                "there are admissible controls that give H a greater value"))
+    return f"it is the greatest value of H, at {PLACES} places"
+
+
 # Singular arcs.
 
 
@@ -186,6 +205,23 @@ def singular_control(claim, problem, costates, control=None, domain=None):
             raise Wrong(f"at a point of a singular arc your control gives {said:.4g}, under which "
                         f"dH/d{arcs.control} does not stay zero")
     return "it keeps dH/du at zero on singular arcs"
+
+
+@judged(Expressions(lambda data: [*data["problem"].state, *data["problem"].control, *data["problem"].parameters],
+                    length="costates"))
+def singular_costates(claims, problem, costates, control=None, domain=None):
+    """What the costates are, with lambda_0 = 1, as long as one control is singular, in states, parameters and the other
+    controls, which lie on their bounds; the conditions at the end have no part in it."""
+    arcs = singular_arcs(problem, control or problem.control[0], tuple(costates))
+    for values in _points(arcs, domain):
+        for psi, claim in zip(costates, claims):
+            if arcs.control in claim.free_symbols:
+                raise Wrong(f"your {psi} depends on {arcs.control}, which can have any value there for a moment")
+            said, size = value_at(claim, values, str(psi)), max(abs(values[one]) for one in costates)
+            if not same(said, values[psi], claim, size=size, computed=POINTS):
+                raise Wrong(f"for {rounded_text({s: values[s] for s in (*arcs.state, *arcs.others)})} your {psi} is "
+                            f"{said:.4g}; with it dH/d{arcs.control} does not vanish for a while, or H does not")
+    return "with them dH/du stays zero, and H is what it has to be"
 
 
 @judged(Expression(lambda data: [*data["problem"].state, *data["costates"], *data["problem"].parameters]))

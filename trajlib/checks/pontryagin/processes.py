@@ -7,7 +7,10 @@ costates. All answers are judged in one way: a process has to be admissible, to 
 than the optimum that was found.
 """
 
+import itertools
+
 import numpy as np
+import sympy as sp
 
 from trajlib.checks.contract.claims import Expression
 from trajlib.checks.contract.tolerance import same
@@ -28,6 +31,8 @@ from trajlib.checks.truths.optima.transfer_optima import SAMPLES
 
 #: Between the bounds of a control the rates of the states are tried in so many parts, then closer to the extreme.
 PARTS, ROUNDS = 24, 4
+#: To what share of its range a control on an arc of the best process is known, and of the duration an arc.
+CERTAIN, ARC = 1e-3, 1e-4
 
 
 @judged(Control("time", "parameters", time="time"))
@@ -161,3 +166,21 @@ def optimal_duration(claim, problem, parameters=None):
         if not same(said, best.duration, claim, computed=INTEGRATED):
             raise Wrong(f"{told_for(values)}your duration is {said:.4g}; {best.told_duration(said)}")
     return "it is the duration of the best process found"
+
+
+@judged(Expression("parameters"))
+def held_at_first(claim, problem, control, value, parameters):
+    """How long the best process keeps one of several controls at a value in the beginning; zero where it begins with
+    another."""
+    j = list(problem.controls).index(control)
+    low, high = problem.controls[control]
+    for values, best in best_processes(problem, parameters):
+        said, given = value_at(claim, values, "the time"), float(sp.sympify(value).subs(values))
+        near = CERTAIN * float((high - low).subs(values))
+        first = itertools.takewhile(lambda arc: abs(arc[1][j] - given) <= near, best.arcs)
+        true = float(sum(length for length, _ in first))
+        if not same(said, true, claim, best.duration, ARC):
+            raise Wrong(f"{told_for(values)}you keep {control} = {value} for {said:.4g} at first; the best process "
+                        f"found does so " + ("longer" if true > said else "for a shorter time" if true else
+                                             "at no time in the beginning"))
+    return "the best processes found keep it so long"

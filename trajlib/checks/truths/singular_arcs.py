@@ -83,7 +83,8 @@ class SingularArcs:
             ends = [tuple(None if b.is_finite is False else float(b.subs(values)) for b in self.problem.controls[u])
                     for u in self.others]
             start = [draw(random, s, domain) for s in self._unknown]
-            for others in itertools.product(*ends):
+            # Neither bound of the other controls always comes first.
+            for others in list(itertools.product(*ends))[::(-1) ** k]:
                 point = self._near(start, [*values.values(), *others]) if None not in others else None
                 if point is None or not self._inside(point, domain):
                     continue

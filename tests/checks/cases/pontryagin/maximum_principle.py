@@ -106,6 +106,19 @@ CASES = [
     Case("kelley_holds", "yes", (WORST, TWO), "wrong", "it fails"),
     Case("kelley_holds", "no", (FULLER, TWO), "wrong", "it holds"),
     Case("kelley_holds", 2, (SQUARE, TWO), "invalid", "a number"),
+    Case("greatest_hamiltonian", sp.Abs(psi2) + psi1 * x2 - x1**2, (FULLER, TWO), "right", "one control"),
+    Case("greatest_hamiltonian", speed * sp.Max(0, psi1 * sp.cos(alpha) + psi2 * sp.sin(alpha)) + sp.Abs(psi3) - 1,
+         (ROBOT, THREE), "right", "two controls, one of them not negative"),
+    Case("greatest_hamiltonian", psi2 + psi1 * x2 - x1**2, (FULLER, TWO), "wrong", "one bound for all"),
+    Case("greatest_hamiltonian", speed * (psi1 * sp.cos(alpha) + psi2 * sp.sin(alpha)) + sp.Abs(psi3) - 1,
+         (ROBOT, THREE), "wrong", "full speed always"),
+    Case("greatest_hamiltonian", u * psi2, (FULLER, TWO), "invalid", "the control is left in it"),
+    Case("singular_costates", [sp.cos(alpha) / v, sp.sin(alpha) / v, 0], (ROBOT, THREE, w), "right", "straight on"),
+    Case("singular_costates", [0, 0, 1 / w], (ROBOT, THREE, v), "right", "the other control; the end has no part"),
+    Case("singular_costates", [sp.cos(alpha), sp.sin(alpha), 0], (ROBOT, THREE, w), "wrong", "another length"),
+    Case("singular_costates", [0, 0, 1], (ROBOT, THREE, v), "wrong", "another sign on one side"),
+    Case("singular_costates", [0, 0, 1 / w + v], (ROBOT, THREE, v), "wrong", "with the control that is singular"),
+    Case("singular_costates", [0, 0], (ROBOT, THREE, v), "invalid", "two of three"),
     Case("extremal_control", c * (1 - 2 * t), (TOTAL, t, ANY, c), "right", "a line through its mean"),
     Case("extremal_control", c * sp.cos(sp.pi * t), (TOTAL, t, ANY, c), "right", "half a wave"),
     Case("extremal_control", 0, (SQUARE, t), "right", "singular all the time"),
@@ -119,6 +132,8 @@ CASES = [
 ]
 
 LIMITS = [
+    "`singular_costates`: what `pontryagin.Problem` says of the end has no part in it, so that such an arc may be "
+    "excluded by it. `greatest_hamiltonian`: controls that enter H linearly, between bounds.",
     "`singular_control` and its like: points of singular arcs are searched with lambda_0 = 1; abnormal ones do not "
     "count.",
     "`singular_surface`: an equation is followed to its zeros by Newton's method from random places, so that a part of "

@@ -29,7 +29,21 @@ LONG = {T: sp.Interval(1, 3)}
 BENT = T**2 / sp.pi**2 * (sp.pi * t / T - sp.sin(sp.pi * t / T)), 2 * T / sp.pi * sp.sin(sp.pi * t / (2 * T))
 SLIDE = t**2 / 4, t / sp.sqrt(2)
 
+# A robot with two controls, which turns on the spot and then runs straight to a place on a line behind it.
+v, w, y1, y2, q, bound = (*sp.symbols("v w y1 y2 q", real=True), sp.Symbol("vbar", positive=True))
+ROBOT = Problem({y1: v * sp.cos(q), y2: v * sp.sin(q), q: w}, {v: (0, bound), w: (-1, 1)}, {y1: 0, y2: 0, q: 0},
+                [y1 + a * bound, y2 - 2 * bound])
+BEHIND = {a: sp.Interval(1, 3), bound: sp.Interval(1, 2)}
+SPOT = sp.pi - sp.atan(2 / a) - sp.acos(1 / sp.sqrt(a**2 + 4))
+
 CASES = [
+    Case("held_at_first", SPOT, (ROBOT, v, 0, BEHIND), "right", "a turn on the spot"),
+    Case("held_at_first", 0, (ROBOT, v, bound, BEHIND), "right", "it does not begin with the other bound"),
+    Case("held_at_first", sp.pi - sp.atan(2 / a), (ROBOT, v, 0, BEHIND), "wrong", "until it looks at the target"),
+    Case("held_at_first", 0, (ROBOT, v, 0, BEHIND), "wrong", "not at all"),
+    Case("held_at_first", q, (ROBOT, v, 0, BEHIND), "invalid", "in the state"),
+    Case("optimal_duration", SPOT + sp.pi / 2 + sp.sqrt(a**2 + 3) - 1, (ROBOT, BEHIND), "right", "two controls"),
+    Case("optimal_duration", SPOT + sp.pi / 2 + sp.sqrt(a**2 + 3), (ROBOT, BEHIND), "wrong", "two controls"),
     Case("optimal_control", Piecewise((high, t < TURN), (low, True)), (SWING, t, STIFF), "right", "two arcs, cases"),
     Case("optimal_control", [[high, TURN], [low, TURN + sp.pi / (2 * sp.sqrt(low))]], (SWING, t, STIFF), "right",
          "a list of arcs"),
@@ -84,4 +98,8 @@ CASES = [
     Case("optimal_costate", [sp.sin(t)], (ENERGY, t, PLACES), "invalid", "one of two"),
 ]
 
-LIMITS = ["One control. The optimum is the best process found: a proof only where the problem is convex."]
+LIMITS = [
+    "One control. The optimum is the best process found: a proof only where the problem is convex.",
+    "`optimal_duration`, `held_at_first` with several controls: the best process found among those whose controls are "
+    "constant on a few arcs, from a given start in least time.",
+]

@@ -2,6 +2,7 @@
 
 import sympy as sp
 
+from oracles.pontryagin.processes import same_parts
 from oracles.sameness import same_value
 
 
@@ -27,7 +28,7 @@ def same_zeros(mutant, reference, problem, *_, **__):
 def same_on_the_arc(mutant, reference, problem, costates, control=None, domain=None):
     """True if two expressions agree on the surface of the singular arcs, as the library finds it."""
     arc = problem.conditions().singular[control or problem.control[0]]
-    difference = (mutant - reference).subs(_known(problem, costates))
+    difference = sp.sympify(mutant - reference).subs(_known(problem, costates))
     for solution in sp.solve(list(arc.surface), list(problem.state), dict=True) if arc.surface else [{}]:
         if sp.simplify(difference.subs(solution)) != 0:
             return False
@@ -71,4 +72,5 @@ def _factors(equation, state):
 ORACLES = {
     "transversality": same_conditions, "singular_surface": same_zeros, "singular_control": same_on_the_arc,
     "kelley_expression": same_on_the_arc, "switching_function": same_sign, "switching_rate": same_rate,
+    "maximising_control": same_parts,
 }

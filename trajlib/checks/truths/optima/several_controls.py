@@ -1,0 +1,176 @@
+"""The fastest process with several controls: constant on a few arcs of free lengths, found without costates.
+
+Each arc has a length and its controls, within their bounds; the states are followed in small steps. Of many random
+processes those that come closest to the target in a short time are improved by IPOPT. Then a short arc with other
+controls is put in wherever this saves time, as long as there is such a place; the best process counts. Processes whose
+controls vary on an arc are not among those compared. The problem is a `pontryagin.Problem` in least
+time from a given start; only its statement is used.
+"""
+
+import functools
+import itertools
+
+import casadi as ca
+import numpy as np
+import sympy as sp
+
+#: Arcs at first and at most, and steps of each.
+ARCS, MOST, STEPS = 3, 5, 16
+#: So many random processes, so many of them improved, and so many values of the parameters.
+TRIED, IMPROVED, CASES = 1500, 3, 24
+#: No arc of a random process is longer than this.
+LONGEST = 4.0
+#: How often arcs are put in, of what length, and what a unit of it has to save.
+ROUNDS, INSERTED, SAVED = 5, 1e-4, 1e-3
+#: Which part of the duration an arc has to take to be one.
+SHORT = 1e-4
+SOLVER = {"ipopt.print_level": 0, "print_time": False, "ipopt.sb": "yes", "ipopt.tol": 1e-10, "ipopt.max_iter": 60,
+          "ipopt.bound_relax_factor": 0.0, "ipopt.acceptable_iter": 0, "show_eval_warnings": False,
+          "error_on_fail": False}
+
+
+def optima(problem, parameters=None):
+    """Pairs ({parameter: value}, `Optimum`) for values of the parameters, a dict from symbols to bounded intervals."""
+    if not problem.time_optimal or problem.maximise or problem.first_return or None in problem.initial.values():
+        raise ValueError("with several controls the cost has to be the least time from a given start")
+    stated = (*(tuple(table.items()) for table in (problem.dynamics, problem.controls, problem.initial)),
+              tuple(problem.terminal))
+    return _optima(stated, tuple((parameters or {}).items()))
+
+
+class Optimum:
+    """A fastest process: `duration`, which is the `cost`, and `arcs`, pairs (length, values of the controls)."""
+
+    def __init__(self, lengths, controls):
+        self.duration = self.cost = float(sum(lengths))
+        self.arcs = [(h, u) for h, u in zip(lengths, controls) if h > SHORT * self.duration]
+
+    def told_duration(self, said):
+        return "the best process found ends " + ("earlier" if said > self.duration else "later")
+
+    def cost_size(self):
+        return self.duration
+
+
+@functools.lru_cache(maxsize=16)
+def _optima(stated, parameters):
+    names, random = [symbol for symbol, _ in parameters], np.random.default_rng(19)
+    count = CASES if names else 1
+    search, cases = _Search(stated, names), []
+    for _, domain in parameters:
+        # Each parameter takes values all over its interval.
+        shares = (random.permutation(count) + random.uniform(size=count)) / count
+        cases.append([sp.Rational(round(1000 * value), 1000) for value in
+                      float(domain.inf) + (float(domain.sup) - float(domain.inf)) * shares])
+    return [(dict(zip(names, case)), search.best([float(value) for value in case]))
+            for case in (zip(*cases) if names else [()])]
+
+
+class _Search:
+    def __init__(self, stated, names):
+        dynamics, controls, self._initial, terminal = stated
+        state, field = zip(*dynamics)
+        own, bounds = zip(*controls)
+        if any(b is None or b.is_finite is False for pair in bounds for b in pair):
+            raise ValueError("with several controls each has to have bounds")
+        self._bounds = sp.lambdify(names, list(bounds), "math")
+        self._start = sp.lambdify(names, [value for _, value in self._initial], "math")
+        self._size, self._programmes = len(own), {}
+        symbols = [*state, *own, *names]
+        self._rates = sp.lambdify(symbols, list(field), ca)
+        self._gap = sp.lambdify([*state, *names], list(terminal), ca)
+        self._counts = len(state), len(names)
+
+    def best(self, case):
+        """The best process found for values of the parameters."""
+        random, known = np.random.default_rng(23), np.array([*self._start(*case), *case], dtype=float)
+        bounds = np.array(self._bounds(*case), dtype=float).T
+        shares = random.integers(0, 3, (TRIED, ARCS, self._size)) / 2
+        lengths = LONGEST * random.uniform(size=(TRIED, ARCS)) ** 2
+        tried = np.concatenate([lengths, (bounds[0] + np.ptp(bounds, axis=0) * shares).reshape(TRIED, -1)], axis=1)
+        order = np.argsort(lengths.sum(axis=1) + 4 * np.linalg.norm(self._ends(tried, known), axis=1))
+        # No two guesses have the same controls at first.
+        kinds = shares[order, 0] @ 3 ** np.arange(self._size)
+        order, found = order[np.sort(np.unique(kinds, return_index=True)[1])], []
+        begun = 0
+        for guess in tried[order]:
+            for _ in range(ROUNDS):
+                one = self._improved(guess, known, bounds)
+                if one is None:
+                    break
+                found.append(one[:2])
+                guess = self._with_an_arc(*one, known, bounds)
+                if guess is None:
+                    break
+            begun += one is not None
+            if begun == IMPROVED:
+                break
+        if not found:
+            raise RuntimeError("no process that satisfies the conditions was found")
+        return Optimum(*min(found, key=lambda one: one[0].sum()))
+
+    def _improved(self, guess, known, bounds):
+        """(Lengths, controls, what the target's conditions are worth) of IPOPT's optimum from a guess, or None."""
+        count = len(guess) // (1 + self._size)
+        solver, _ = self._programme(count)
+        lower, upper = (np.concatenate([np.full(count, end), np.tile(own, count)])
+                        for end, own in zip((0.0, np.inf), bounds))
+        one = solver(x0=np.clip(guess, lower, upper), lbx=lower, ubx=upper, lbg=0, ubg=0, p=known)
+        if solver.stats()["return_status"] != "Solve_Succeeded":
+            return None
+        found = np.array(one["x"]).ravel()
+        return found[:count], found[count:].reshape(count, self._size), np.array(one["lam_g"]).ravel()
+
+    def _with_an_arc(self, lengths, controls, worth, known, bounds):
+        """The process with the arc put in that saves most, or None if none does."""
+        kept = [(h, u) for h, u in zip(lengths, controls) if h > SHORT * lengths.sum()]
+        if len(kept) >= MOST:
+            return None
+        plain, best, chosen = self._ends(_packed(kept)[None], known), -SAVED, None
+        # Between arcs, and inside of one, which it divides.
+        for base, places in ((kept, range(len(kept) + 1)), *((
+                [*kept[:k], *[(kept[k][0] * part, kept[k][1]) for part in (share, 1 - share)], *kept[k + 1:]], [k + 1])
+                for k in range(len(kept)) for share in (0.5, 0.9))):
+            guesses = [_packed([*base[:place], (INSERTED, np.array(rival)), *base[place:]])
+                       for place in places for rival in itertools.product(*bounds.T)]
+            rates = 1 + (self._ends(np.array(guesses), known) - plain) @ worth / INSERTED
+            if rates.min() < best:
+                best, chosen = rates.min(), guesses[int(np.argmin(rates))]
+        return None if chosen is None else np.where(chosen == INSERTED, 0.1 * lengths.sum(), chosen)
+
+    def _ends(self, processes, known):
+        """What is left at the end of each of many processes, a row each."""
+        _, left = self._programme(processes.shape[1] // (1 + self._size))
+        return np.array(left(processes.T, np.repeat(known[:, None], len(processes), axis=1))).T
+
+    def _programme(self, arcs):
+        """For so many arcs, IPOPT's function and what is left of the target's conditions at the end."""
+        if arcs not in self._programmes:
+            lengths, u = ca.SX.sym("T", arcs), ca.SX.sym("u", self._size, arcs)
+            start, p = (ca.SX.sym(name, count) for name, count in zip("yp", self._counts))
+            y, given = start, ca.vertsplit(p) if self._counts[1] else []
+            for k in range(arcs):
+                held = ca.vertsplit(u[:, k])
+                y = _followed(lambda z, held=held: ca.vertcat(*self._rates(*ca.vertsplit(z), *held, *given)), y,
+                              lengths[k])
+            left = ca.vertcat(*self._gap(*ca.vertsplit(y), *given))
+            unknown, known = ca.vertcat(lengths, ca.vec(u)), ca.vertcat(start, p)
+            self._programmes[arcs] = (
+                ca.nlpsol("several", "ipopt", {"x": unknown, "p": known, "f": ca.sum1(lengths), "g": left}, SOLVER),
+                ca.Function("left", [unknown, known], [left]))
+        return self._programmes[arcs]
+
+
+def _packed(parts):
+    return np.concatenate([[h for h, _ in parts], *(u for _, u in parts)])
+
+
+def _followed(rates, y, length):
+    """The state at the end of an arc, by the method of Runge and Kutta."""
+    h = length / STEPS
+    for _ in range(STEPS):
+        a = rates(y)
+        b = rates(y + h / 2 * a)
+        c = rates(y + h / 2 * b)
+        y = y + h / 6 * (a + 2 * b + 2 * c + rates(y + h * c))
+    return y
