@@ -34,10 +34,10 @@ VERDICT_SECONDS = {"5": 3.0}
 #: Seconds of computing that the tests of one problem may take: with 194 problems everybody waits for them. In chapter 5
 #: an answer is judged by simulating it.
 PROBLEM_SECONDS = {"5": 55}
-#: Conditions and sets whose verdict rests on samples and says so: basins and fields of motions, bearings, from where a
+#: Conditions and sets whose verdict rests on samples and says so: basins and fields of motions, from where a
 #: circle can be reached, where the fastest time jumps. All others are proved for all values.
 SAMPLED = {"1.3": {"b_basin"}, "1.4": {"b_basin"}, "1.10": {"c_heading"}, "5.6": {"continuous"},
-           "5.9": {"a_solvable", "b_solvable"}, "7.2": {"b_condition"}, "7.3": {"d_insufficient"}}
+           "5.9": {"a_solvable", "b_solvable"}, "7.3": {"d_insufficient"}}
 #: Wrong trials that agree with what is right, or with another mistake, at all places where answers are compared.
 LIKE_ANOTHER = {"2.3": 1, "2.26": 3}
 #: Conditions that the statement takes for granted in one item and asks for in another, or has as a formula whose value

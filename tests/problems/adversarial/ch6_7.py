@@ -16,7 +16,10 @@ ROWS = [
           "after a quarter of a period the cosine is negative"),
     right("7.1", "d_worst", "sp.Max(1/(1 - sp.cos(sp.sqrt(g/R)*tau)) - sp.Rational(1, 2), sp.Rational(1, 2))*2*delta/R",
           "by cases of the cosine"),
+    wrong("7.2", "b_condition", "sp.Ne(p**2*(y + w*t)**2, q**2*(x + u*t)**2)", "squaring adds a direction"),
     right("7.2", "b_condition", "sp.Ne((x + u*t)*q, (y + w*t)*p)", "the two products"),
+    wrong("7.3", "b_unseen", "[[n1, 0, -n1**2/n3, 0, -2*omega*n1, 2*n1*n2*omega/n3], [0, 2, -2*n2/n3, omega, 0, "
+          "-n1*omega/n3]]", "the first one vanishes for n1 = 0"),
     wrong("7.3", "d_insufficient", "sp.Eq(n1*k1 + n2*k2 + n3*k3, 1)", "opposite directions see the same"),
     right("7.3", "d_insufficient", "sp.Eq(sp.Abs(n1*k1 + n2*k2 + n3*k3), 1)", "the angle is 0 or pi"),
     right("7.4", "c_condition", "sp.exp(sp.asinh(1/delta))", "an inverse hyperbolic function"),

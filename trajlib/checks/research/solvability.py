@@ -16,9 +16,11 @@ from trajlib.checks.contract import coercion
 from trajlib.checks.contract.claims import ConditionOn, Expression, Expressions, Integer
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
 from trajlib.checks.tools.comparisons import Same
-from trajlib.checks.tools.samples import random_values
+from trajlib.checks.tools.conditions import compare, exactly, place_text
+from trajlib.checks.tools.samples import joined, random_values
 from trajlib.checks.tools.values import truth_at, value_at
 from trajlib.checks.tools.wording import rounded_text
+from trajlib.checks.truths.exceptional_values import judge_everywhere
 
 MOMENTS = 12
 #: What counts as nothing beside numbers of size one.
@@ -94,34 +96,24 @@ def unseen_by_bearings(answer, relative, t):
     return "it changes no bearing to first order, for random motions"
 
 
-@judged(ConditionOn("relative", "t", "T", "turn"))
-def bearing_tells_range(claim, relative, t, T, turn):
+@judged
+def bearing_tells_range(answer, relative, t, T, turn):
     """Condition that one bearing at t > T, after the observer's velocity has changed by `turn`, fixes the range."""
     symbols = _symbols(sp.Matrix(relative), t) + [t, T, *turn]
-    random = np.random.default_rng(76)
-    # in general position, and where one or two of the numbers are zero
-    motion = [s for s in symbols if s not in (t, T)]
-    zeros = [(), *itertools.combinations(motion, 1), *itertools.combinations(motion, 2)]
-    for number, zero in enumerate(nothing for nothing in [*[()]*20, *zeros] for _ in range(2)):
-        values = {s: sp.Rational(int(random.choice((-1, 1))*random.integers(1, 30)), 7) for s in symbols}
-        values |= dict.fromkeys(zero, sp.Integer(0))
-        values[T], values[t] = abs(values[T]), abs(values[T]) + abs(values[t])
-        before = [part.subs(values) for part in relative]
-        if number % 2:                    # along the line of sight, forwards or back
-            share = sp.Rational(int(random.choice((-1, 1))*random.integers(1, 9)), 4)
-            values |= {s: share*part for s, part in zip(turn, before)}
-        after = [part - values[s]*(values[t] - values[T]) for part, s in zip(before, turn)]
-        if after == [0, 0]:
-            continue
-        # the targets left over by the bearings before T are those whose relative motion is `before` times a factor
-        change = after[0]*before[1] - after[1]*before[0]
-        if truth_at(claim, values) != (change != 0):
-            raise Wrong(f"for {rounded_text(values)} a small change of the range " + (
-                f"turns the bearing by {float(change/(after[0]**2 + after[1]**2)):.3g} rad per unit of its factor, "
-                f"yet your condition fails"
-                if change else "does not change the bearing, yet your condition holds"))
-    return ("it agrees with the change of the bearing, for motions in general position and for turns along the line "
-            "of sight")
+    after = [part - change*(t - T) for part, change in zip(relative, turn)]
+    # the targets left over by the bearings before T are those whose relative motion is `relative` times a factor
+    told = sp.expand(after[0]*relative[1] - after[1]*relative[0])
+    # divided by what is positive, it has fewer terms
+    told = sp.Mul(*(factor for factor in sp.Mul.make_args(sp.factor(told)) if factor not in (t - T, T - t)))
+    here = sp.And(t > T, sp.Or(*(sp.Ne(part, 0) for part in after)))
+
+    def reason(values, holds):
+        return (f"for {place_text(values)} a small change of the range " + (
+            "turns the bearing, yet your condition fails" if holds else
+            "does not change the bearing, yet your condition holds"))
+
+    agreement = compare(answer, symbols, exactly(sp.Ne(told, 0), here), reason)
+    return f"it agrees with the change of the bearing: {agreement}"
 
 
 @judged(Expression("relative", "t", "T", "turn", "delta"))
@@ -161,8 +153,9 @@ def modes_of_range(claims, matrix, sight, initial, rate, t):
 
 
 @judged
-def unseen_motions(answer, matrix, sight, count):
-    """`count` independent initial states whose motion does not change the range."""
+def unseen_motions(answer, matrix, sight, count, given=()):
+    """`count` independent initial states whose motion does not change the range, for all values of the symbols that
+    are as `given`."""
     if isinstance(answer, sp.MatrixBase) and answer.cols == count != 1 and answer.rows == matrix.rows:
         answer = [list(answer.col(j)) for j in range(count)]
     if not isinstance(answer, (list, tuple)):
@@ -185,6 +178,8 @@ def unseen_motions(answer, matrix, sight, count):
                                 f"range at t = {time:.3g} by {seen:.3g}")
         if not np.linalg.svd(directions, compute_uv=False)[-1] >= 1e-6:
             raise Wrong(f"for {rounded_text(values)} your motions are not independent: a combination of them is zero")
+    judge_everywhere(sp.Matrix(claims).T, symbols, lambda: joined(given), "one of your motions is undefined",
+                     "your motions are dependent")
     return "they are independent and leave the range as it is, for random directions"
 
 

@@ -21,7 +21,7 @@ BEARINGS = (RELATIVE, t)
 TURN = (RELATIVE, t, T, [p, q])
 ERROR = (*TURN, delta)
 MODES = (ORBIT, SIGHT, [x, y, z, vx, vy, vz], omega, t)
-TWO = (ORBIT, SIGHT, 2)
+TWO = (ORBIT, SIGHT, 2, [sp.Ne(n2, 0), sp.Ne(n3, 0)])
 AXES = (ORBIT, [[1, 0, 0], [0, 1, 0], [0, 0, 1]])
 STATIONS = (ORBIT, SIGHT, SECOND)
 BOUND = (sp.Matrix([[1, 0], [0, sp.Rational(1, 100)], [0, 0]]), [1, 0], 5)
@@ -71,6 +71,7 @@ CASES = [
     Case("bearing_tells_range", cross**2 > 0, TURN, "right", "its square"),
     Case("bearing_tells_range", sp.Or(sp.Ne(p, 0), sp.Ne(q, 0)), TURN, "wrong", "any turn"),
     Case("bearing_tells_range", sp.And(sp.Ne(cross, 0), sp.Ne(p, 0)), TURN, "wrong", "a turn along y left out"),
+    Case("bearing_tells_range", sp.Ne(p**2*(y + w*t)**2, q**2*(x + u*t)**2), TURN, "wrong", "squared"),
     Case("bearing_tells_range", cross > 0, TURN, "wrong", "one sign only"),
     Case("bearing_tells_range", True, TURN, "wrong", "always"),
     Case("bearing_tells_range", cross, TURN, "invalid", "an expression"),
@@ -100,6 +101,10 @@ CASES = [
     Case("unseen_motions", [FIRST], TWO, "wrong", "one of two"),
     Case("unseen_motions", [[-n2, n1, 0, 0, 0, 0], [0, -n3, n2, 0, 0, 0]], TWO, "wrong", "displacements across"),
     Case("unseen_motions", [FIRST, [0]*6], TWO, "wrong", "a motion that is none"),
+    Case("unseen_motions", [[n1*a for a in FIRST], OTHER], TWO, "wrong",
+         "zero for a sight across"),
+    Case("unseen_motions", [[n2*n3*a for a in FIRST], OTHER], TWO, "right",
+         "zero where it is not asked"),
     Case("unseen_motions", FIRST, TWO, "invalid", "a vector"),
     Case("unseen_motions", ..., TWO, "missing", "the untouched stub"),
     Case("numbers_seen", [3, 4, 2], AXES, "right", "a list"),
