@@ -73,6 +73,12 @@ def test_a_condition_at_the_roots_of_two(condition, high, low):
     assert (claim.holds([sp.sqrt(2)]), claim.holds([-sp.sqrt(2)])) == (high, low)
 
 
+def test_a_root_that_is_not_real_is_not_zero():
+    assert judged(sp.Ne(sp.sqrt(3 - x), 0), exactly(sp.Ne(x, 3)), [x]).startswith("proved")
+    assert judged(sp.Eq(sp.sqrt(3 - x), 0), exactly(sp.Eq(x, 3)), [x]).startswith("proved")
+    assert judged(sp.Ne(sp.sqrt(3 - x), 0), exactly(x < 3), [x]).startswith("False at")
+
+
 def test_a_false_difference_of_the_solver_is_never_told(monkeypatch):
     monkeypatch.setattr(conditions._Question, "answer", lambda *_: (sp.Integer(2), sp.Integer(3)))
     assert judged(sp.And(x > 0, x * y > 1)).startswith("agrees at ")

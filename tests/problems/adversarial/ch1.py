@@ -26,6 +26,7 @@ ROWS = [
     right("1.3", "b_global", "sp.Or(sp.Eq(b, 0), 1/b > 0)", "by the stiffness of the cube"),
     wrong("1.4", "b_null", "sp.Eq(x2*(x1 - 1), 0)", "x1 = -1 is left out"),
     wrong("1.4", "b_basin", "x1**2 + x2**2 < sp.Rational(101, 100)", "the largest level is 1/2 exactly"),
+    wrong("1.4", "b_basin", "sp.And(x1**2 + x2**2 < 1, sp.Ne(x1, 0))", "the axis belongs to the disc"),
     right("1.4", "b_null", "sp.Eq(epsilon*x2*(x1**2 - 1), 0)", "for epsilon = 0 the derivative vanishes everywhere"),
     right("1.4", "b_null", "sp.Or(sp.Eq(x2, 0), sp.Contains(x1, sp.FiniteSet(-1, 1)))", "with a set of two values"),
     right("1.4", "b_basin", "sp.Abs(x1 + sp.I*x2) < 1", "the modulus of a complex number"),

@@ -65,6 +65,9 @@ ROWS = [
     wrong("2.26", "c_region", "sp.Ne(k**2 - 13.1*k + 5, 0)", "13 to three digits is 13.0"),
     right("2.26", "c_region", "sp.And(sp.Ne(k, 12.6), sp.Ne(k, 0.397))", "the roots to three digits"),
     right("2.26", "c_region", "sp.And(*[sp.Ne(k, float(root)) for root in np.roots([1, -13, 5])])", "as NumPy does"),
+    wrong("2.26", "d_roots", "[sp.I, -sp.I, sp.sqrt(sp.Abs(3 - beta)), -sp.sqrt(sp.Abs(3 - beta))]",
+          "imaginary for beta > 3"),
+    right("2.26", "d_region", "sp.Ne(sp.sqrt(3 - beta), 0)", "the root that comes to zero"),
     wrong("2.27", "controllable", "sp.Ne(beta**3, beta)", "beta = -1 is controllable"),
     wrong("2.27", "equation", "sp.Eq(beta*(z.diff(t, 2) + 3*z.diff(t) + 2*z), beta*((1 + alpha*beta)*u.diff(t)"
           " + (2 - beta + alpha*beta)*u))", "for beta = 0 this says nothing"),

@@ -26,6 +26,7 @@ ROWS = [
     wrong("3.12", "gain", "[[-1, 2]]", "a root is zero"),
     wrong("3.12", "margins", "sp.Or(mu <= 2, epsilon > 0)", "a negative epsilon couples as well"),
     right("3.12", "gain", "[[-2, 2 - epsilon/(1 + epsilon**2)]]", "the determinant is 2 + epsilon**2/(1 + epsilon**2)"),
+    right("3.12", "gain", "[[-2 - 3*sp.Abs(epsilon), 2]]", "k1 is below -1 everywhere"),
     right("3.12", "margins", "sp.Or(mu <= 2, epsilon**2 > 0)", "a square"),
     wrong("3.13", "margins", "sp.Ne(epsilon**2, 1)", "epsilon = -1 is controllable"),
     right("3.13", "margins", "(epsilon - 1)**2 > 0", "a square"),

@@ -10,7 +10,17 @@ from sympy.core.relational import Relational
 from trajlib.checks.contract import coercion
 from trajlib.checks.contract.claims import ConditionOn, Expression
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
-from trajlib.checks.tools.conditions import Case, Condition, Truth, compare, exactly, on_borders, place_text, readings
+from trajlib.checks.tools.conditions import (
+    Case,
+    Condition,
+    Truth,
+    compare,
+    decide,
+    exactly,
+    on_borders,
+    place_text,
+    readings,
+)
 from trajlib.checks.tools.samples import allowed_values, joined, sample_values
 from trajlib.checks.tools.values import number_at
 from trajlib.checks.tools.wording import point_text, values_text
@@ -212,6 +222,7 @@ def basin_estimate(condition, function, field, state, parameters=(), given=()):
                   or _holds_equilibrium(condition, field, state, values, others))
         if broken:
             raise Wrong(f"V does not prove attraction for all of this set: {broken}{where}")
+        _has_no_holes(claim, state, sp.sympify(function).subs(values), height, border, where)
         if not _breaks(rate, 1.004 * border, others, level, 1.008 * height):
             raise Wrong("the set is contained in the basin, but V proves more: "
                         f"its derivative is still nowhere positive on a larger level set{where}")
@@ -285,6 +296,22 @@ def _reach(claim, state, directions, where):
             raise Wrong(f"the set has a part away from zero, at {point_text(place)} for instance, "
                         f"and motions from there need not come to zero{where}")
     return reach
+
+
+def _has_no_holes(claim, state, height, level, border, where):
+    """Raise `Wrong` where the set leaves out a line or a point that rays from zero do not meet."""
+    shrunk = sp.Rational(0.98 * level).limit_denominator(10**6)
+    box = [sp.Abs(x) < sp.Rational(float(end)).limit_denominator(10**6)
+           for x, end in zip(state, np.abs(border).max(axis=0))]
+    truth = Truth((Case(sp.And(height < shrunk, *box)),), (Case(sp.false),))
+    _, place = decide(readings(claim)[0], state, truth)
+    if place:
+        point = np.array([float(x) for x in place[0].values()])
+        # Some other part of {V < c} may lie in the box.
+        away = np.linalg.norm(border - point, axis=1)
+        if np.linalg.norm(point) <= 1.01 * np.linalg.norm(border[np.argmin(away)]):
+            raise Wrong(f"your set leaves out the state {place_text(place[0])}, where V is smaller than on its boundary"
+                        f"{where}")
 
 
 def _border(inside, directions, nearest=1e-2, extent=60.0):

@@ -33,6 +33,8 @@ DIGITS, NOTHING = 60, mpmath.mpf(10) ** -40
 LARGEST_DEGREE, MOST_TERMS, MOST_WRITTEN_OUT = 40, 4000, 20_000
 #: The product of the degrees of algebraic numbers up to which a value is told from zero exactly.
 LARGEST_FIELD = 8
+#: The "sign" of a number that is not real.
+NOT_REAL = "not real"
 HOW = {sp.Gt: operator.gt, sp.Ge: operator.ge, sp.Lt: operator.lt, sp.Le: operator.le, sp.Eq: operator.eq,
        sp.Ne: operator.ne}
 REVERSED = {sp.Gt: sp.Lt, sp.Ge: sp.Le, sp.Lt: sp.Gt, sp.Le: sp.Ge}
@@ -176,7 +178,7 @@ def allowed(symbol, sign):
 
 
 class _Sign:
-    """The sign of the difference of the sides of a relation, -1, 0 or 1, or None where it is undefined."""
+    """The sign of the difference of the sides of a relation, -1, 0 or 1, NOT_REAL, or None where it is undefined."""
 
     def __init__(self, relation, symbols):
         self.symbols, self._numeric, self._parts = symbols, None, None
@@ -208,8 +210,10 @@ class _Sign:
         except (ZeroDivisionError, ValueError, TypeError, OverflowError):
             # TypeError: a Piecewise without a case for this place gives None, and complex numbers have no order.
             return None
-        if mpmath.isnan(number) or abs(mpmath.im(number)) > NOTHING:
+        if mpmath.isnan(number):
             return None
+        if abs(mpmath.im(number)) > NOTHING:
+            return NOT_REAL
         # At 60 digits a value this small is a zero: no answer of a student lives at that scale.
         return 0 if abs(number) < NOTHING else _sign(mpmath.re(number))
 
@@ -509,13 +513,28 @@ class Plain:
                     ordered = self._ordered(angle, how, other, defined)
                     return sp.And(*defined, ordered)
             squares = _squares(difference) if isinstance(node, (sp.Eq, sp.Ne)) else None
-            parts = [node.func(self._term(part, defined), 0) for part in squares or [difference]]
+            terms = [self._term(part, defined) for part in squares or [difference]]
+            if isinstance(node, sp.Ne) and any(isinstance(part, sp.Ge) for part in defined):
+                return self._not_equal(terms, defined)
+            parts = [node.func(term, 0) for term in terms]
             return sp.And(*defined, (sp.Or if isinstance(node, sp.Ne) else sp.And)(*parts))
         if isinstance(node, (sp.Implies, sp.Equivalent)):
             node = sp.to_nnf(node, simplify=False)
         if not isinstance(node, (sp.And, sp.Or, sp.Not, sp.Xor, sp.ITE)):
             raise Invalid("expected inequalities joined by And, Or and Not")
         return node.func(*map(self.condition, node.args))
+
+    def _not_equal(self, terms, defined):
+        """That a difference with a root is not zero: where the root is not real, it is not, if nothing else is added to
+        or multiplied with it that is not."""
+        under = [part for part in defined if isinstance(part, sp.Ge)]
+        others = [part for part in defined if part not in under]
+        w = next((w for key, w in self._known.items() if isinstance(key, tuple) and key[:2] == ("root", under[0].lhs)),
+                 None)
+        if (w is None or not len(terms) == len(under) == 1 or not terms[0].is_polynomial(w)
+                or sp.degree(terms[0], w) != 1 or not terms[0].expand().coeff(w).is_number):
+            raise _Undecidable
+        return sp.And(*others, sp.Or(sp.Not(under[0]), sp.Ne(terms[0], 0)))
 
     def _term(self, node, defined):
         if node.is_Symbol:
@@ -734,6 +753,8 @@ def _beyond_all(relation):
 
 
 def _compared(relation, sign):
+    if sign is NOT_REAL:
+        return isinstance(relation, sp.Ne)  # such a number is not zero, and it has no order
     if sign is None:
         return False
     return HOW[type(relation)](sign, 0)

@@ -61,14 +61,23 @@ def _spectrum(system, parameters, margin):
     return Spectrum(system, parameters, margin)
 
 
+def _rational(matrix):
+    """A matrix with a symbol for each entry that is no rational function, a modulus for instance, and what the symbols
+    mean: SymPy cannot order the factors of its characteristic polynomial otherwise."""
+    others = {entry: sp.Dummy("entry", real=True) for entry in matrix
+              if entry.free_symbols and not entry.is_rational_function(*entry.free_symbols)}
+    return matrix.applyfunc(lambda entry: others.get(entry, entry)), {symbol: entry for entry, symbol in others.items()}
+
+
 class Spectrum:
     """The characteristic polynomial with coefficients in the parameters, shifted by the margin."""
 
     def __init__(self, system, parameters, margin):
         self.parameters, self.margin = list(parameters), sp.nsimplify(margin)
         if isinstance(system, sp.MatrixBase):
+            system, meant = _rational(system)
             characteristic = system.charpoly()
-            symbol, polynomial = characteristic.gen, characteristic.as_expr()
+            symbol, polynomial = characteristic.gen, characteristic.as_expr().xreplace(meant)
         else:
             (symbol,) = system.free_symbols - set(parameters)
             polynomial = sp.sympify(system)
@@ -101,9 +110,10 @@ class Spectrum:
         hurwitz = sp.Matrix(n, n, lambda i, j: self._terms[2 * j - i + 1] if 0 <= 2 * j - i + 1 <= n else 0)
         minors = [self._terms[0]]
         for k in range(1, n + 1):
-            matrix = DomainMatrix.from_Matrix(hurwitz[:k, :k])
+            rational, meant = _rational(hurwitz[:k, :k])
+            matrix = DomainMatrix.from_Matrix(rational)
             # The characteristic polynomial of a matrix of order k ends with (-1)^k times its determinant.
-            minors.append(sp.expand((-1)**k * matrix.domain.to_sympy(matrix.charpoly()[-1])))
+            minors.append(sp.expand((-1)**k * matrix.domain.to_sympy(matrix.charpoly()[-1]).xreplace(meant)))
         for sign in (1, -1):
             signs.append(sp.And(*(sign**(k + (k == 0)) * minor > 0 for k, minor in enumerate(minors))))
         return sp.Or(*signs)

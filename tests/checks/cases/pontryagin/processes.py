@@ -28,6 +28,11 @@ FALL = Problem({x1: x2 * sp.cos(u), x2: -sp.sin(u)}, {u: (-sp.pi / 2, sp.pi / 2)
 LONG = {T: sp.Interval(1, 3)}
 BENT = T**2 / sp.pi**2 * (sp.pi * t / T - sp.sin(sp.pi * t / T)), 2 * T / sp.pi * sp.sin(sp.pi * t / (2 * T))
 SLIDE = t**2 / 4, t / sp.sqrt(2)
+# The fastest way under a heading where the speed grows with the height: circles.
+theta, y = sp.symbols("theta y", real=True)
+CLIMB = Problem({x: (1 + y) * sp.cos(theta), y: (1 + y) * sp.sin(theta)}, {theta: (None, None)}, {x: -2 * a, y: 0},
+                [x, y])
+WIDE = {a: sp.Interval(sp.Rational(1, 2), 2)}
 
 # A robot with two controls, which turns on the spot and then runs straight to a place on a line behind it.
 v, w, y1, y2, q, bound = (*sp.symbols("v w y1 y2 q", real=True), sp.Symbol("vbar", positive=True))
@@ -96,6 +101,13 @@ CASES = [
          "the sign"),
     Case("optimal_costate", [sp.sin(t), sp.cos(t)], (ENERGY, t, PLACES), "wrong", "another multiple"),
     Case("optimal_costate", [sp.sin(t)], (ENERGY, t, PLACES), "invalid", "one of two"),
+    Case("optimal_extent", sp.sqrt(1 + a**2) - 1, (CLIMB, y, WIDE), "right", "how high a way leads"),
+    Case("optimal_extent", 2 * a, (CLIMB, x, WIDE), "right", "between the ends"),
+    Case("optimal_extent", 3, (FAR, x1 + 2 * x2), "right", "a quantity of two states"),
+    Case("optimal_extent", sp.sqrt(1 + a**2), (CLIMB, y, WIDE), "wrong", "the greatest value of another quantity"),
+    Case("optimal_extent", a / 2, (CLIMB, y, WIDE), "wrong", "half the way"),
+    Case("optimal_extent", 0, (CLIMB, y, WIDE), "wrong", "along the straight way"),
+    Case("optimal_extent", y, (CLIMB, y, WIDE), "invalid", "the quantity itself"),
 ]
 
 LIMITS = [

@@ -133,7 +133,7 @@ CASES = [
 ]
 LIMITS = [
     "Decompositions with parameters are judged at six rational values in general position, and wherever they are "
-    "undefined or without an inverse; those that are very long at the six values alone.",
+    "undefined or without an inverse; those that are very long at the eight values alone.",
     "A system given by rounded decimals is compared with the given one to about three digits; where eigenvalues lie "
     "close together, "
     "rounding may turn it into another system, and it is refused.",

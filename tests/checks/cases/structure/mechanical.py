@@ -87,6 +87,10 @@ CASES = [
     Case("mechanical_roots", [i * sp.sqrt(stiff), -i * sp.sqrt(stiff)], TUNED, "right",
          "the same with the imaginary unit"),
     Case("mechanical_roots", [sp.sqrt(stiff), -sp.sqrt(stiff)], TUNED, "wrong", "the sign of the stiffness"),
+    Case("mechanical_roots", [i * sp.sqrt(sp.Abs(stiff - 4) + 4), -i * sp.sqrt(sp.Abs(stiff - 4) + 4)], TUNED, "wrong",
+         "right for stiff springs alone"),
+    Case("mechanical_roots", [i * sp.sqrt(4 - sp.Abs(stiff - 4)), -i * sp.sqrt(4 - sp.Abs(stiff - 4))], TUNED, "wrong",
+         "right for soft springs alone"),
     Case("mechanical_roots", [i, -i], SPRINGS, "wrong", "two overlooked"),
     Case("mechanical_roots", [1, root3], SPRINGS, "wrong", "the frequencies"),
     Case("mechanical_roots", [-1, -3], SPRINGS, "wrong", "the squares"),
@@ -117,5 +121,6 @@ LIMITS = [
     "The roots and the unseen states (x, x') are asked of systems with invertible M alone.",
     "Where M is singular for some values of the parameters, these values are left out; where it is singular for all, "
     "only systems without parameters are judged.",
-    "Values of lambda that depend on parameters are compared at six values of them in general position.",
+    "Values of lambda that depend on parameters are compared at eight values of them in general position, two of them "
+    "large.",
 ]

@@ -26,6 +26,6 @@ def _symmetric(problem):
             and set(problem.initial.values()) == {0})
 
 
-ORACLES = dict.fromkeys((
-    "held_at_first", "optimal_cost", "optimal_costate", "optimal_duration", "optimal_motion"), same_parts) | {
+ORACLES = dict.fromkeys(("held_at_first", "optimal_cost", "optimal_costate", "optimal_duration", "optimal_extent",
+                         "optimal_motion"), same_parts) | {
     "optimal_control": same_or_mirrored}
