@@ -32,8 +32,6 @@ from trajlib.checks.truths.optima.transfer_optima import SAMPLES
 
 #: Between the bounds of a control the rates of the states are tried in so many parts, then closer to the extreme.
 PARTS, ROUNDS = 24, 4
-#: To what share the extreme values of a quantity along the best process are known.
-FOLLOWED = 5e-4
 #: To what share of its range a control on an arc of the best process is known, and of the duration an arc.
 CERTAIN, ARC = 1e-3, 1e-4
 #: To what share the extreme values of a quantity along the best process are known.
@@ -171,28 +169,6 @@ def optimal_duration(claim, problem, parameters=None):
         if not same(said, best.duration, claim, computed=INTEGRATED):
             raise Wrong(f"{told_for(values)}your duration is {said:.4g}; {best.told_duration(said)}")
     return "it is the duration of the best process found"
-
-
-@judged(Expression("parameters"))
-def optimal_extent(claim, problem, quantity, parameters=None):
-    """How far a quantity ranges along the optimal process, from its least value to its greatest, as an expression in
-    the parameters; where several processes are optimal, it is the same for all of them."""
-    symbols, named = list(problem.dynamics), list(parameters or {})
-    value = real_function([*symbols, *named], [quantity])
-    slopes = real_function([*symbols, *named], [quantity.diff(s) for s in symbols])
-    for values, best in best_processes(problem, parameters):
-        given = [float(values[p]) for p in named]
-        along = np.column_stack([best.start[:-1], best.states])
-        controls = [best.controls[0], *best.controls]
-        rates = [best.field(np.append(y, 0), u)[:-1] for y, u in zip(along.T, controls)]
-        path = CubicHermiteSpline(np.append(0, best.times), value(*along, *given)[0],
-                                  [slopes(*y, *given) @ rate for y, rate in zip(along.T, rates)])
-        true = float(np.ptp(path(np.linspace(0, best.duration, 4001))))
-        said = value_at(claim, values, "the extent")
-        if not same(said, true, claim, computed=FOLLOWED):
-            raise Wrong(f"{told_for(values)}your expression gives {said:.4g}; along the best process found {quantity} "
-                        f"ranges over {'less' if said > true else 'more'}")
-    return "so far it ranges along the best process found"
 
 
 @judged(Expression("parameters"))
