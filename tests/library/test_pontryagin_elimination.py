@@ -2,7 +2,7 @@
 import pytest
 import sympy as sp
 
-from trajlib.pontryagin import Problem
+from trajlib.pontryagin import ControlField, Problem
 
 x, y, v, w, u, k, b, c, r = sp.symbols("x y v w u k b c r", real=True)
 
@@ -10,6 +10,9 @@ x, y, v, w, u, k, b, c, r = sp.symbols("x y v w u k b c r", real=True)
 def test_a_costate_that_does_not_enter():
     approach = Problem({r: k*r, w: u - 2*k*w}, {u: None}, {r: 1, w: 0}, [r - 2], running=r**2*(u**2 + (k**2 - w**2)**2))
     assert sp.expand(approach.conditions().control_field[u] - 2*w*(w**2 - k**2)) == 0
+    named = ControlField(approach, [w, u])
+    assert str(named) == "ControlField: w', u' along extremals" and len(named) == 2
+    assert named[0] == u - 2*k*w and sp.expand(named.subs({k: -1})[1] - 2*w**3 + 2*w) == 0
 
 
 @pytest.mark.parametrize("maximise", [False, True])
@@ -18,6 +21,7 @@ def test_the_ratio_of_two_costates(maximise):
     evasion = Problem({r: sp.cos(u) - b*sp.cos(y), y: turn/(r*c)}, {u: None}, {r: 2, y: 1}, [r - 1], maximise=maximise)
     field = evasion.conditions().control_field
     assert set(field) == {u, r, y}
+    assert sp.simplify(ControlField(evasion, [y, u], factor=r)[0] - turn/c) == 0
     assert sp.simplify(r*field[u] - turn + b*(1 - c)/c*sp.cos(u)*sp.sin(u - y)) == 0
 
 

@@ -28,6 +28,7 @@ _EXPORTS = {
     "proof": ["Proof", "Enclosure"],
     "errors": ["PontryaginError", "Infeasible", "Unbounded", "Chattering", "WrongStructure", "NotUnique",
                "NotConverged", "StartOnTarget"],
+    "elimination": ["ControlField"],
     "planar.synthesis": ["Synthesis", "synthesis"],
 }
 __getattr__, __dir__, __all__ = lazy_names(__name__, _EXPORTS)

@@ -6,7 +6,49 @@ process, H_u = 0 expresses it by the state and the control; if two are, and noth
 ratio, which is enough.
 """
 
+from collections.abc import Sequence
+from functools import cached_property
+
 import sympy as sp
+
+
+class ControlField(Sequence):
+    """The right-hand sides for a control and some states, the costates eliminated, as data of a statement.
+
+    They are those of `conditions().control_field`. problem: a `Problem` with one control; symbols: the control and
+    states, in the order that is wanted; factor: each side is multiplied by it, which is another measure of time. The
+    sides are worked out when they are asked for, so that a statement can name what the student is to find.
+
+    >>> from trajlib.pontryagin import ControlField, Problem
+    >>> x, v, u, g = sp.symbols("x v u g")
+    >>> flight = Problem({x: v*sp.cos(u), v: -g*sp.sin(u)}, {u: None}, {x: 0, v: 1}, final=-x, duration=1)
+    >>> field = ControlField(flight, [u, v])
+    >>> field
+    ControlField: u', v' along extremals
+    >>> list(field)
+    [g*cos(u)/v, -g*sin(u)]
+    """
+
+    def __init__(self, problem, symbols, factor=1):
+        self.problem, self.symbols, self.factor = problem, tuple(symbols), sp.sympify(factor)
+
+    def __len__(self):
+        return len(self.symbols)
+
+    def __getitem__(self, k):
+        return self._sides[k]
+
+    def __repr__(self):
+        return "ControlField: " + ", ".join(f"{s}'" for s in self.symbols) + " along extremals"
+
+    def subs(self, values):
+        """The same with values, {parameter: value}, for parameters of the problem."""
+        return ControlField(self.problem.subs(values), self.symbols, self.factor.subs(values))
+
+    @cached_property
+    def _sides(self):
+        sides = dict(self.problem.dynamics) | self.problem.conditions().control_field
+        return [sp.simplify(self.factor * sides[s]) if self.factor != 1 else sides[s] for s in self.symbols]
 
 
 def control_field(conditions):
