@@ -66,7 +66,7 @@ class Conditions:
     def control_field(self):
         from .elimination import control_field
 
-        return control_field(self)
+        return control_field(self.problem)
 
     @cached_property
     def transversality(self):

@@ -47,23 +47,23 @@ class ControlField(Sequence):
 
     @cached_property
     def _sides(self):
-        sides = dict(self.problem.dynamics) | self.problem.conditions().control_field
+        sides = dict(self.problem.dynamics) | control_field(self.problem)
         return [sp.simplify(self.factor * sides[s]) if self.factor != 1 else sides[s] for s in self.symbols]
 
 
-def control_field(conditions):
+def control_field(problem):
     """{control: u', state: ...}: the equation of the control, and those of the states that enter it, in their order."""
-    problem, H = conditions.problem, conditions.hamiltonian.subs(conditions.multiplier, 1)
     if len(problem.control) != 1:
         raise ValueError("problem: the costates are eliminated for problems with one control")
-    u = problem.control[0]
-    known = _known(conditions)
+    (u,), sign = problem.control, -1 if problem.maximise else 1
+    costates = sp.symbols(f"psi:{len(problem.state)}", cls=sp.Dummy, real=True)
+    H = sum(psi*f for psi, f in zip(costates, problem.field)) - sign*problem.running
     slope = sp.diff(H, u)
-    drift = sum((sp.diff(slope, y)*f for y, f in problem.dynamics.items()), sp.S.Zero)
-    drift += sum((sp.diff(slope, psi)*rate.subs(conditions.multiplier, 1) for psi, rate in conditions.adjoint.items()),
-                 sp.S.Zero)
+    drift = sum(sp.diff(slope, y)*f - sp.diff(slope, psi)*sp.diff(H, y)
+                for y, f, psi in zip(problem.state, problem.field, costates))
+    known = _known(problem, costates, sign)
     slope, drift, bend = (sp.expand(e.subs(known)) for e in (slope, drift, sp.diff(slope, u)))
-    free = [psi for psi in conditions.costate if any(e.has(psi) for e in (slope, drift, bend))]
+    free = [psi for psi in costates if any(e.has(psi) for e in (slope, drift, bend))]
     rest, gains = slope.subs(dict.fromkeys(free, 0)), [sp.diff(slope, psi) for psi in free]
     if len(free) == 2 and rest == 0:
         values = {free[0]: gains[1], free[1]: -gains[0]}
@@ -82,8 +82,9 @@ def control_field(conditions):
     return field | {y: f for y, f in problem.dynamics.items() if y in met}
 
 
-def _known(conditions):
-    """Costates that do not change, with the values that the end gives them."""
-    ends = [e.subs(conditions.multiplier, 1) for e in conditions.reduced_transversality]
-    return {psi: psi - e for psi in conditions.costate if conditions.adjoint[psi] == 0
-            for e in ends if sp.diff(e, psi) == 1 and not (psi - e).free_symbols}
+def _known(problem, costates, sign):
+    """Costates of states that enter neither the equations nor the target, and the final cost linearly: the end tells
+    them, and they do not change."""
+    entered = set().union(*(e.free_symbols for e in (*problem.field, problem.running, *problem.terminal)))
+    told = {psi: -sign*sp.diff(problem.final, y) for psi, y in zip(costates, problem.state) if y not in entered}
+    return {psi: value for psi, value in told.items() if not value.free_symbols & set(problem.state)}
