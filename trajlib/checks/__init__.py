@@ -72,6 +72,7 @@ __getattr__, __dir__, __all__ = lazy_names(__name__, {
     "pontryagin.control_equations": ["control_equation"],
     "pontryagin.processes": ["held_at_first", "optimal_control", "optimal_cost", "optimal_duration", "optimal_extent",
         "optimal_motion"],
+    "pontryagin.duration_equations": ["duration_equation"],
     "pontryagin.costates": ["optimal_costate", "optimal_switching"],
     "pontryagin.optimal_laws": ["optimal_change", "optimal_law"],
     "pontryagin.syntheses": ["barrier", "continuous_time", "dispersal_curve", "minimal_time", "other_extremal_time",

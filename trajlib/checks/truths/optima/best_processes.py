@@ -1,13 +1,14 @@
 """The best processes of a `pontryagin.Problem`, found without the maximum principle: in the way that suits the problem.
 
-Of a transfer in least or greatest time whose kind `transfer_optima` knows the optimum has a formula or a search of its
-own; of any other problem it comes from `direct_optimum`, or, with more than one control, from `several_controls`, which
-tells durations and arcs alone. The others give it with the same attributes: `duration`, `cost`,
-`times`, `states` (a column for each time), `controls`, `start`, `bounds`, `field`, `gap`, `total`, `jacobians`.
+Of a transfer in least or greatest time whose kind `transfer_optima` or `thrust_optima` knows the optimum has a formula
+or a search of its own; of any other problem it comes from `direct_optimum`, or, with more than one control, from
+`several_controls`, which tells durations and arcs alone. The others give it with the same attributes: `duration`,
+`cost`, `times`, `states` (a column for each time), `controls`, `start`, `bounds`, `field`, `gap`, `total`, `jacobians`.
 """
 
 from trajlib.checks.truths.optima.direct_optimum import optima
 from trajlib.checks.truths.optima.several_controls import optima as optima_of_several
+from trajlib.checks.truths.optima.thrust_optima import thrust_optima
 from trajlib.checks.truths.optima.transfer_optima import SAMPLES, Transfer, Unknown
 
 
@@ -19,6 +20,9 @@ def best_processes(problem, parameters=None, count=SAMPLES):
     """
     if len(problem.controls) > 1:
         return optima_of_several(problem, parameters)
+    found = thrust_optima(problem, parameters) if isinstance(parameters or {}, dict) else None
+    if found is not None:
+        return found
     if not isinstance(parameters, dict):
         try:
             return Transfer(problem, parameters or ()).samples(count)
