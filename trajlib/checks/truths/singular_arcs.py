@@ -2,7 +2,8 @@
 
 The problem is a `pontryagin.Problem`, of which the statement alone is used, with lambda_0 = 1. For a control u that
 enters H linearly, S = dH/du and its derivatives along the trajectories vanish on a singular arc, up to the order 2q of
-the first that contains u, and H does if the duration is free. The other controls make H greatest.
+the first that contains u, and H does if the duration is free. The other controls make H greatest. Where all of this
+holds with no costate but zero, it is not a singular arc.
 """
 
 import functools
@@ -64,6 +65,10 @@ class SingularArcs:
             equations.append(H.subs(control, 0))
         self._equations = [e for e in (sp.expand(e.subs(self._known)) for e in equations) if e != 0]
         self._unknown = [s for s in (*self.state, *self.costates) if s not in self._known]
+        #: Whether the equations say nothing of the size of the costates, which may be any then, but not zero.
+        self._scalable = bool(self._equations) and not any(self._known.values()) and all(
+            e.subs(dict.fromkeys(self.costates, 0)) == 0 for e in self._equations)
+        self._costate = np.array([s in self.costates for s in self._unknown])
         given = [*self.parameters, *self.others]
         self._values = real_function([*self._unknown, *given], self._equations)
         self._slopes = real_function([*self._unknown, *given],
@@ -114,12 +119,25 @@ class SingularArcs:
             general = self._slopes(*(1.0 if s in left else values[s] for s in self._unknown), *given)
             size = np.abs(general.reshape(slopes.shape)).max(axis=1) + np.abs(constant)
             matrix, constant = matrix / size[:, None], constant / size
+            if self._scalable:
+                if self._scaled(matrix, point, given, left, share):
+                    return True
+                continue
             found = np.linalg.lstsq(matrix, -constant, rcond=1e-9)[0]
             rest = matrix @ found + constant
             if np.all(np.abs(rest) <= share * (1 + np.abs(matrix) @ np.abs(found))) and self._kept(
                     matrix, constant, point, given, left, share):
                 return True
         return False
+
+    def _scaled(self, matrix, point, given, left, share):
+        """Whether costates of length 1 satisfy equations that are linear in them, and a control keeps S at zero."""
+        costates = np.linalg.svd(matrix)[2][-1]
+        full = np.array(point, dtype=float)
+        full[[self._unknown.index(s) for s in left]] = costates
+        rest, factor = self._last(*full, *given)
+        return bool(np.all(np.abs(matrix @ costates) <= share * (np.abs(matrix) @ np.abs(costates)))
+                    and (abs(factor) > share * (1 + abs(rest)) or abs(rest) <= share))
 
     def _kept(self, matrix, constant, point, given, left, share):
         """Whether among the costates for which the equations hold there are some with which a control keeps S at
@@ -159,6 +177,9 @@ class SingularArcs:
         for _ in range(STEPS):
             rest = self._values(*point, *given)
             slopes = self._slopes(*point, *given).reshape(len(rest), -1)
+            if self._scalable:
+                costates = np.where(self._costate, point, 0.0)
+                rest, slopes = np.append(rest, costates @ costates - 1), np.vstack([slopes, 2 * costates])
             if not (np.isfinite(rest).all() and np.isfinite(slopes).all()):
                 return None
             if np.all(np.abs(rest) <= SOLVED * (np.abs(slopes) @ (1 + np.abs(point)))):

@@ -17,6 +17,8 @@ FULLER = Problem({x1: x2, x2: u}, {u: (-1, 1)}, {x1: 1, x2: 0}, [x1, x2], runnin
 LINES = Problem({x1: x2, x2: u}, {u: (-1, 1)}, {x1: 1, x2: 0}, [x1, x2], running=(x1 - x2)**2 / 2)
 ROCKET = Problem({h: v, v: (P - k * v**2) / m - g, m: -P / gas}, {P: (0, full)}, {h: 0, v: 0, m: 2}, [v, m - left],
                  final=-h)
+# With h downwards, a landing: nothing says how large its costates are.
+LANDING = Problem({h: v, v: g - (P + k * v**2) / m, m: -P / gas}, {P: (0, full)}, {h: -2, v: 0, m: 2}, [h, v], final=-m)
 ESCORT = Problem({rho: b - sp.cos(beta), beta: sp.sin(beta) / rho + u}, {u: (-1, 1)}, {rho: 1, beta: 1}, [rho - 2],
                  maximise=True)
 FASTER = {b: sp.Interval(1, 3)}
@@ -84,6 +86,10 @@ CASES = [
     Case("singular_surface", sp.Eq(x1**2, x2**2), (LINES, TWO), "right", "two lines"),
     Case("singular_surface", sp.Eq(SURFACE, 0), (ROCKET, THREE), "right", "with parameters"),
     Case("singular_surface", sp.sin(beta), (ESCORT, TWO, u, FASTER), "right", "a function with many zeros"),
+    Case("singular_surface", sp.Eq(k * v**2 * (v - gas), m * g * gas), (LANDING, THREE), "right",
+         "costates of any size"),
+    Case("singular_surface", sp.Eq(k * v**2 * (v + gas), m * g * gas), (LANDING, THREE), "wrong", "that of the ascent"),
+    Case("singular_surface", sp.Eq(m * g, k * v**2), (LANDING, THREE), "wrong", "costates would have to vanish"),
     Case("singular_surface", x1, (FULLER, TWO), "wrong", "too much"),
     Case("singular_surface", sp.Eq(x1, x2), (LINES, TWO), "wrong", "one line of two"),
     Case("singular_surface", sp.Eq(m * g, k * v**2), (ROCKET, THREE), "wrong", "weight and drag"),
