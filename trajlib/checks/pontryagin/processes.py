@@ -30,8 +30,9 @@ from trajlib.checks.tools.values import real_function, value_at
 from trajlib.checks.truths.optima.best_processes import best_processes, free_at_the_start
 from trajlib.checks.truths.optima.transfer_optima import SAMPLES
 
-#: Between the bounds of a control the rates of the states are tried in so many parts, then closer to the extreme.
-PARTS, ROUNDS = 24, 4
+#: Where rates are no linear functions of the control, it is tried at so many places between its bounds, then closer to
+#: the best of them, so often; and so far to both sides where it has no bounds.
+PARTS, ROUNDS, UNBOUNDED = 24, 7, 20.0
 #: To what share of its range a control on an arc of the best process is known, and of the duration an arc.
 CERTAIN, ARC = 1e-3, 1e-4
 #: To what share the extreme values of a quantity along the best process are known.
@@ -86,40 +87,36 @@ def _possible(motion, t, values, best, problem, where):
     if not np.all(np.isfinite([*y, *rate])):
         raise Wrong(f"{where}your motion is not real at t = {t:.4g}")
     scale = 10 * motion.rounding * (1 + np.abs(best.states).max() * (1 + 1 / best.duration))
-    low, high = _rates(best, y)
-    if not np.all((rate >= low - scale) & (rate <= high + scale)):
-        j = int(np.argmax(np.maximum(low - scale - rate, rate - high - scale)))
+    off = np.abs(_nearest_rates(best, y, rate) - rate)
+    if not np.all(off <= scale):
+        j = int(np.argmax(off))
+        others = "" if len(y) == 1 else ", with the other rates that it has there"
         raise Wrong(f"{where}at t = {t:.4g} your motion is at {point_text(y)} with "
-                    f"{list(problem.dynamics)[j]}' = {rate[j]:.4g}, which no admissible control gives there")
+                    f"{list(problem.dynamics)[j]}' = {rate[j]:.4g}, which no admissible control gives there{others}")
     return np.append(y, 0)
 
 
-def _rates(best, y):
-    """The least and the greatest rate of each state that an admissible control gives."""
-    y = np.append(y, 0)
-    moved = best.field(y, 1.0)[:-1] != best.field(y, 0.0)[:-1]
-    ends = [best.field(y, u)[:-1] if np.isfinite(u) else np.where(moved, u, best.field(y, 0.0)[:-1])
-            for u in best.bounds]
-    if not all(map(np.isfinite, best.bounds)):
-        return np.where(moved, -np.inf, ends[0]), np.where(moved, np.inf, ends[1])
-    low, high = np.minimum(*ends), np.maximum(*ends)
-    if np.allclose(best.field(y, np.mean(best.bounds))[:-1], (ends[0] + ends[1]) / 2, rtol=1e-12, atol=1e-12):
-        return low, high
-    return _extremes(best, y, np.argmin), _extremes(best, y, np.argmax)
+def _nearest_rates(best, y, rate):
+    """Of the rates of the states that admissible controls give, those nearest to `rate`."""
+    def rates(u):
+        return np.array([best.field(np.append(y, 0), one)[:-1] for one in u]).T
 
-
-def _extremes(best, y, which):
-    """The least, or the greatest, rate of each state where the rates are no linear functions of the control."""
-    found = []
-    for j in range(len(y) - 1):
-        begin, end = best.bounds
-        for _ in range(ROUNDS):
-            places = np.linspace(begin, end, PARTS + 1)
-            values = [best.field(y, u)[j] for u in places]
-            k = int(which(values))
-            begin, end = places[max(k - 1, 0)], places[min(k + 1, PARTS)]
-        found.append(values[k])
-    return np.array(found)
+    low, high = best.bounds
+    zero, one, two = rates([0.0, 1.0, 2.0]).T
+    slope = one - zero
+    if np.allclose(two - one, slope, rtol=1e-12, atol=1e-12) and np.allclose(
+            rates([-np.pi])[:, 0], zero - np.pi * slope, rtol=1e-9, atol=1e-9):
+        size = slope @ slope
+        return zero + slope * np.clip(slope @ (rate - zero) / size if size else 0.0, low, high)
+    # An angle is tried all round, what is no angle as far as `UNBOUNDED`.
+    turns = np.allclose(rates([0.3, 1.7]), rates([0.3 + 2 * np.pi, 1.7 + 2 * np.pi]), rtol=1e-9, atol=1e-9)
+    begin, end = np.clip((-np.pi, np.pi) if turns and high - low >= 2 * np.pi else (-UNBOUNDED, UNBOUNDED), low, high)
+    for _ in range(ROUNDS):
+        places = np.linspace(begin, end, PARTS + 1)
+        found = rates(places)
+        k = int(np.argmin(np.linalg.norm(found - rate[:, None], axis=0)))
+        begin, end = places[max(k - 1, 0)], places[min(k + 1, PARTS)]
+    return found[:, k]
 
 
 @judged(Expression("parameters"))

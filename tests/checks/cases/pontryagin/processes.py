@@ -26,6 +26,9 @@ BEAM = Problem({x1: x2, x2: u}, {u: (None, None)}, {x1: 0, x2: 0}, [], running=u
 FALL = Problem({x1: x2 * sp.cos(u), x2: -sp.sin(u)}, {u: (-sp.pi / 2, sp.pi / 2)}, {x1: 0, x2: 0}, final=x1,
                duration=T, maximise=True)
 LONG = {T: sp.Interval(1, 3)}
+# A ship in a current, on any heading.
+STREAM = Problem({x1: sp.cos(u) + sp.Rational(1, 2), x2: sp.sin(u)}, {u: (None, None)}, {x1: 0, x2: 0},
+                 [x1 - 1, x2 - 2])
 BENT = T**2 / sp.pi**2 * (sp.pi * t / T - sp.sin(sp.pi * t / T)), 2 * T / sp.pi * sp.sin(sp.pi * t / (2 * T))
 SLIDE = t**2 / 4, t / sp.sqrt(2)
 # The fastest way under a heading where the speed grows with the height: circles.
@@ -73,6 +76,8 @@ CASES = [
     Case("optimal_motion", SLIDE, (FALL, t, LONG), "wrong", "a possible motion, not the best"),
     Case("optimal_motion", (BENT[0], t), (FALL, t, LONG), "wrong", "possible rates, but not together"),
     Case("optimal_motion", (2 * t, t), (FALL, t, LONG), "wrong", "faster than the speed"),
+    Case("optimal_motion", (t / 2, t), (STREAM, t), "right", "an angle without bounds, the time free"),
+    Case("optimal_motion", (t**2 / 4, t), (STREAM, t), "wrong", "the right ends and time, but faster than the ship"),
     Case("optimal_motion", sp.cos(sp.sqrt(high) * t), (SWING, t, STIFF), "wrong", "one arc for both"),
     Case("optimal_motion", a * sp.sin(t), (ENERGY, t, PLACES), "wrong", "another start"),
     Case("optimal_motion", a * (1 - sp.cos(t)), (ENERGY, t, PLACES), "wrong", "another control, with the same ends"),
