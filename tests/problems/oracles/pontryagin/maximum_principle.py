@@ -65,8 +65,8 @@ def _difference(part):
 
 def _factors(equation, state):
     numerator = sp.numer(sp.together(_difference(equation)))
-    return {factor for factor, _ in sp.factor_list(numerator, *state)[1]} if numerator.is_polynomial(*state) else {
-        sp.simplify(numerator)}
+    return {factor for factor, _ in (sp.factor_list(numerator, *state) if numerator.is_polynomial(*state) else
+                                     sp.factor_list(sp.simplify(numerator)))[1]}
 
 
 ORACLES = {

@@ -36,6 +36,8 @@ TWICE = 1e-6
 ON_BOUND = 2e-4
 #: Which part of the duration an arc has to take to be one.
 SHORT = 1e-4
+#: To what share of the distance of its bounds a control is about zero, and up to what two costs are the same.
+QUIET, SAME = 0.05, 1e-9
 #: IPOPT's first barriers, each with the most steps: from the higher one it looks farther, from the lower one it
 #: converges more often.
 BARRIERS = {1e-4: 150, 1e-1: 50}
@@ -179,7 +181,41 @@ class _Search:
                 for barrier in BARRIERS if (one := self._run(case, span, side, *guess, barrier))]
         if not fine:
             raise RuntimeError("the arcs of the best process could not be made exact")
-        return self._optimum(case, *min(fine, key=lambda one: one[0])[:3])
+        least = min(fine, key=lambda one: one[0])
+        quiet = self._quiet(case, *guesses[0])
+        zero = quiet and self._run(case, span, side, *quiet)
+        if zero and zero[0] <= least[0] + SAME * (1 + abs(least[0])) + 10 * self._defect(case, *least[1:3]):
+            least = zero
+        return self._optimum(case, *least[:3])
+
+    def _quiet(self, case, arcs, unknown):
+        """The same arcs with the control zero on those inside the bounds on which it is about zero on the average, or
+        None: there the cost hardly tells where such an arc begins, unless its control is a single number."""
+        (low, high), count = self.bounds(case), FINE[0] * FINE[1]
+        if self._curved or self._absolute or not low < 0 < high or not np.isfinite(high - low) or len(arcs) == 1:
+            return None
+        *_, controls, _ = self._unpacked(arcs, unknown)
+        middles = [controls[k * count:(k + 1) * count][count // 4:-count // 4] for k in range(len(arcs))]
+        kinds = [0.0 if kind is None and abs(middle.mean()) <= QUIET * (high - low) else kind
+                 for (kind, _), middle in zip(arcs, middles)]
+        return ([(kind, pieces) for kind, (_, pieces) in zip(kinds, arcs)], unknown) if kinds != _kinds(arcs) else None
+
+    def _defect(self, case, arcs, unknown):
+        """How far the states at the end of a piece are from where the control, followed in small steps, leads to."""
+        times, states, controls, _ = self._unpacked(arcs, unknown)
+        degree, worst = _degree(arcs), 0.0
+        for begin in range(0, len(controls), degree):
+            nodes = times[begin + 1:begin + degree + 1]
+            held = np.polynomial.Polynomial.fit(nodes, controls[begin:begin + degree], degree - 1)
+            y, h = states[:, begin], (nodes[-1] - times[begin]) / 20
+
+            def rates(t, z, held=held):
+                return np.array(self.rates(*z, held(t), *case)[:-1])
+
+            for k in range(20):
+                y = rk4(rates, times[begin] + k * h, y, h)
+            worst = max(worst, np.abs(y - states[:, begin + degree]).max())
+        return worst
 
     def _convex(self, case):
         """Whether no pair of points shows that the cost is not convex."""
