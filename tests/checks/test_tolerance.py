@@ -5,7 +5,8 @@ import pytest
 import sympy as sp
 
 from trajlib import checks
-from trajlib.checks.contract.tolerance import EXACT, in_decimals, rounds_to, same, share
+from trajlib.checks.contract.tolerance import EXACT, MOST_FOLLOWED, in_decimals, rounds_to, same, share
+from trajlib.checks.tools.values import uncertain_at
 
 k = sp.Symbol("k", positive=True)
 x, v, r, t = sp.symbols("x v r t", real=True)
@@ -44,6 +45,15 @@ def test_rounded_coefficients_of_an_expression_cost_their_share():
     # 1.11 k is 1.1149 k to three digits; at k = 8.9 the values, 9.879 and 9.923, differ by more than half a unit.
     assert same(1.11 * 8.9, 1.1149 * 8.9, 1.11 * k)
     assert not same(9.879, 9.923, sp.Float(9.879))
+
+
+def test_the_decimals_of_an_expression_leave_open_what_they_make_of_it():
+    claim = 1 + 0.331 * k
+    assert not same(1 + 0.331 * 0.01, 1 + 0.01 / 3, claim, uncertain=uncertain_at(claim, {k: 0.01}))
+    assert same(0.667 - 0.66, 0.0067, 0.667 - k, uncertain=uncertain_at(0.667 - k, {k: 0.66}))
+    assert uncertain_at(x**0.5 + sp.Rational(1, 3) * x, {x: 4}) == 0  # nothing is rounded
+    assert np.isnan(uncertain_at(sp.Float(0.33), {}))  # a number has digits of its own
+    assert np.isnan(uncertain_at(sum(sp.Float(n + 0.5) * x**n for n in range(MOST_FOLLOWED + 1)), {x: 1}))
 
 
 # The same numbers in checks of all kinds: 9.985 is 9.99 within half a unit, 9.95 is not.

@@ -1,8 +1,9 @@
 """How far a number of an answer may be off: the only place that knows.
 
 - Exact: what is written without decimals has to be right, up to the rounding of what is computed with it.
-- Decimals: a number counts to three significant digits, which is half a unit of the third digit of the true number. In
-  an expression with symbols, and in what is computed from numbers, they make each term uncertain by such a share of it.
+- Decimals: a number counts to three significant digits, which is half a unit of the third digit of the true number. An
+  expression with symbols is as uncertain as such a change of each of its decimals makes it (`changed`); where that
+  cannot be followed, and in what is computed from numbers, they make each term uncertain by such a share of it.
 - Computed: where the truth itself is known to a precision only, as by a search, that stands for `EXACT`.
 
 Numbers are compared by `same`, entry by entry; a residual has no digits of its own, and gets a `share` of its terms.
@@ -21,12 +22,31 @@ DECIMALS = 5e-3
 NEGLIGIBLE = 1e-3
 #: The terms of an expression with symbols may cancel to this share of their size.
 CANCELLED = 0.1
+#: The change of each decimal is followed in expressions that have no more of them.
+MOST_FOLLOWED = 12
 
 
 def in_decimals(*written):
     """Whether answers, SymPy objects or lists of them, hold decimals; a zero is exact however it is written."""
     return any(in_decimals(*part) if isinstance(part, (list, tuple)) else
                any(not number.is_zero for number in sp.sympify(part).atoms(sp.Float)) for part in written)
+
+
+def changed(*written):
+    """Pairs of lists of the SymPy objects with one of their decimals smaller and larger by what three digits leave
+    open; None if there are too many. The exponent of a root is exact however it is written.
+
+    That is the share for any number, since SymPy multiplies: of 2*0.318*a it keeps 0.636*a.
+    """
+    written = [sp.sympify(part) for part in written]
+    roots = {power: sp.Pow(power.base, sp.nsimplify(power.exp, rational=True)) for part in written
+             for power in part.atoms(sp.Pow) if power.exp.is_Float and float(4 * power.exp).is_integer()}
+    written = [part.xreplace(roots) for part in written]
+    decimals = sorted({number for part in written for number in part.atoms(sp.Float) if number != 0}, key=float)
+    if len(decimals) > MOST_FOLLOWED:
+        return None
+    return [[[part.xreplace({number: number * (1 + side * DECIMALS)}) for part in written] for side in (-1, 1)]
+            for number in decimals]
 
 
 def share(*written, computed=EXACT):
@@ -45,17 +65,20 @@ def rounds_to(said, true, size=0.0):
     return bool(abs(float(said) - float(true)) <= half_unit(max(abs(float(true)), NEGLIGIBLE * float(size))))
 
 
-def same(said, true, written, size=0.0, computed=EXACT):
+def same(said, true, written, size=0.0, computed=EXACT, uncertain=None):
     """Whether numbers, real or complex, that an answer became are the true ones: a bool, or an array of them.
 
     `written` is the answer, an expression or a matrix of the same shape; `size` that of the numbers that were computed
-    with.
+    with; `uncertain` by how much its decimals leave open what an expression with symbols becomes, nan if not known.
     """
     wrong = np.asarray(said) - true
     allowed = computed * np.maximum(np.abs(true), size)
     if in_decimals(written):
         has_symbols = np.vectorize(lambda e: bool(sp.sympify(e).free_symbols), otypes=[bool])(_entries(written))
-        allowed = np.maximum(allowed, np.where(has_symbols, DECIMALS * np.maximum(np.abs(true), CANCELLED * size),
+        open_ = DECIMALS * np.maximum(np.abs(true), CANCELLED * size)
+        if uncertain is not None:
+            open_ = np.where(np.isfinite(uncertain), uncertain, open_)
+        allowed = np.maximum(allowed, np.where(has_symbols, open_,
                                                half_unit(np.maximum(np.abs(true), NEGLIGIBLE * size))))
     found = (np.abs(wrong.real) <= allowed) & (np.abs(wrong.imag) <= allowed)
     return found if found.shape else bool(found)

@@ -39,26 +39,41 @@ class Path:
                             f"{high:.4g}")
 
 
-def does_as_well(times, states, best, problem, rounding, where, whose):
+def does_as_well(times, states, best, problem, rounding, where, whose, others=()):
     """Raise `Wrong` unless a process keeps to the ends and costs no more than the best one; `states` hold the cost so
-    far as the last entry, `whose` says what the process is made by."""
+    far as the last entry, `whose` says what the process is made by. `others` are the pairs of ends to which it comes
+    when one of its decimals is changed by what it leaves open."""
     if problem.first_return:
         meets_once(times, states, best, where)
-    keeps_to_the_ends(states[-1], best, rounding, f"{where}under {whose}")
+    keeps_to_the_ends(states[-1], best, rounding, f"{where}under {whose}", others)
+    sign = -1 if problem.maximise else 1
     cost = best.total(states[-1])
-    excess = (best.cost - cost) if problem.maximise else (cost - best.cost)
+    excess = sign * (cost - best.cost)
     allowed = max(COSTS, rounding if rounding > INTEGRATED else 0) * best.cost_size()
-    if excess < -10 * allowed:
+    least = excess + sum(reach(*(sign * (best.total(end) - cost) for end in sides))[0] for sides in others)
+    if least < -10 * allowed and not others:
         raise RuntimeError(f"a process was given that does better than the best one found, by {-excess:.2g}")
-    if not excess <= allowed:
+    if not least <= allowed:
         raise Wrong(f"{where}{whose} costs {cost:.4g}; there is an admissible process with the same ends that costs "
                     + ("more, and the cost is to be great" if problem.maximise else "less"))
 
 
-def keeps_to_the_ends(y, best, rounding, what):
-    gap = best.gap(y)
-    if len(gap) and not np.max(np.abs(gap)) <= 2 * rounding * best.size():
+def keeps_to_the_ends(y, best, rounding, what, others=()):
+    """Raise `Wrong` unless a process ends on the target; `others` are pairs of ends that a decimal leaves open."""
+    gap, allowed = best.gap(y), 2 * rounding * best.size()
+    ranges = [reach(*(best.gap(end) - gap for end in sides)) for sides in others]
+    least, greatest = (gap + sum((part[k] for part in ranges), np.zeros(len(gap))) for k in (0, 1))
+    if len(gap) and not np.all((least <= allowed) & (greatest >= -allowed)):
         raise Wrong(f"{what} the state is {point_text(y[:-1])} when the best process ends, which is not on the target")
+
+
+def reach(below, above):
+    """The least and the greatest value on [-1, 1] of the parabola through zero that has the given values at its ends;
+    of arrays entry by entry."""
+    slope, bend = np.subtract(above, below) / 2, np.asarray(np.add(above, below) / 2)
+    with np.errstate(all="ignore"):
+        inner = np.where(np.abs(slope) < 2 * np.abs(bend), -slope**2 / (4 * bend), 0.0)
+    return np.minimum.reduce([below, above, inner]), np.maximum.reduce([below, above, inner])
 
 
 def meets_once(times, states, best, where):

@@ -8,7 +8,7 @@ import sympy as sp
 
 from trajlib.checks.contract import coercion
 from trajlib.checks.contract.claims import Claim
-from trajlib.checks.contract.tolerance import share
+from trajlib.checks.contract.tolerance import changed, in_decimals, share
 from trajlib.checks.contract.verdict import Invalid, Wrong
 from trajlib.checks.tools.values import real_function
 
@@ -48,9 +48,14 @@ class InTime:
 
     def __init__(self, claims, time, parameters):
         symbols = [time, *(parameters or ())]
-        self._values, self._rates = (real_function(symbols, part)
-                                     for part in (claims, [sp.diff(claim, time) for claim in claims]))
-        self.rounding = share(*claims, computed=INTEGRATED)
+
+        def compiled(parts):
+            return [real_function(symbols, each) for each in (parts, [sp.diff(part, time) for part in parts])]
+
+        self._values, self._rates = compiled(claims)
+        followed = changed(*claims) if in_decimals(*claims) else []
+        self._changed = [[compiled(side) for side in sides] for sides in followed or ()]
+        self.rounding = share(*claims, computed=INTEGRATED) if followed is None else INTEGRATED
 
     def values(self, times, parameters):
         """What the expressions are at an instant, or at an array of them: a row for each; nan where not real."""
@@ -58,6 +63,18 @@ class InTime:
 
     def rates(self, times, parameters):
         return at_instants(self._rates, times, *map(float, parameters.values()))
+
+
+    def uncertain(self, times, parameters):
+        """By how much the decimals of the expressions leave open their values and their rates at an instant, or at an
+        array of them: two arrays, a row for each expression."""
+        numbers = [float(value) for value in parameters.values()]
+        found = [np.zeros_like(part(times, parameters)) for part in (self.values, self.rates)]
+        for sides in self._changed:
+            for k, here in enumerate((self.values(times, parameters), self.rates(times, parameters))):
+                moved = [np.abs(at_instants(side[k], times, *numbers) - here) for side in sides]
+                found[k] = found[k] + np.nan_to_num(np.fmax(*moved))
+        return found
 
 
 class Control(Claim):
@@ -75,11 +92,17 @@ class Control(Claim):
 class Steering:
     """A control that was read, evaluated for many parameters."""
 
-    def __init__(self, arcs, time, parameters):
+    def __init__(self, arcs, time, parameters, followed=True):
         self.time, self.parameters = time, list(parameters or ())
         self._values = [real_function([time, *self.parameters], [value]) for value, _ in arcs]
         self._ends = [until if until is None else real_function(self.parameters, [until]) for _, until in arcs]
-        self.rounding = share(*(part for arc in arcs for part in arc if part is not None), computed=INTEGRATED)
+        parts = [part for arc in arcs for part in arc if part is not None]
+        others = changed(*parts) if followed and in_decimals(*parts) else []
+        #: Pairs of controls that the decimals of this one leave open.
+        self.changed = [[Steering(_arcs(side, arcs), time, parameters, False) for side in sides]
+                        for sides in others or ()]
+        self.rounding = share(*parts, computed=INTEGRATED) if others is None else INTEGRATED
+        self.lasting = (1 if followed else 3) * share(*parts, computed=INTEGRATED)
 
     def sections(self, values, duration):
         """Triples (begin, end, function of an array of times) between the jumps, from 0 to the given duration."""
@@ -110,12 +133,18 @@ class Steering:
             if not end > begin:
                 raise Wrong(f"your arcs end at times that do not grow: {end:.4g} comes after {begin:.4g}")
             found.append((begin, min(end, duration), smooth(value)))
-            if begin > duration * (1 + self.rounding):
+            if begin > duration * (1 + self.lasting):
                 raise Wrong(f"your last arc begins at {begin:.4g}, when the target should be met already")
             begin = end
-        if begin < duration * (1 - self.rounding):
+        if begin < duration * (1 - self.lasting):
             raise Wrong(f"your last arc ends at {begin:.4g}, when the target cannot yet be met")
         return [(a, b, u) for a, b, u in found if b > a]
+
+
+def _arcs(parts, arcs):
+    """Arcs made of a flat list of their parts, as those of `arcs` are."""
+    parts = iter(parts)
+    return [tuple(None if part is None else next(parts) for part in arc) for arc in arcs]
 
 
 def _is_list(answer):

@@ -26,7 +26,7 @@ from trajlib.checks.pontryagin.followed import (
     told_for,
 )
 from trajlib.checks.pontryagin.in_time import ENDING, INTEGRATED, Control, InTime, Motion, Steering, jumps
-from trajlib.checks.tools.values import real_function, value_at
+from trajlib.checks.tools.values import real_function, uncertain_at, value_at
 from trajlib.checks.truths.optima.best_processes import best_processes, free_at_the_start
 from trajlib.checks.truths.optima.transfer_optima import SAMPLES
 
@@ -47,8 +47,10 @@ def optimal_control(claim, problem, time, parameters=None):
     for values, best in best_processes(problem, parameters):
         where = told_for(values)
         path = Path(best, read.sections(values, best.duration), where)
-        path.admissible(read.rounding)
-        does_as_well(path.times, path.states, best, problem, read.rounding, where, "your control" + begun)
+        path.admissible(read.lasting)
+        others = [[Path(best, side.sections(values, best.duration), where).states[-1] for side in sides]
+                  for sides in read.changed]
+        does_as_well(path.times, path.states, best, problem, read.rounding, where, "your control" + begun, others)
     return "it is admissible, keeps to the ends, and no process was found that does better"
 
 
@@ -62,18 +64,23 @@ def optimal_motion(claims, problem, time, parameters=None):
     for values, best in best_processes(problem, parameters):
         where, slack = told_for(values), motion.rounding * best.size()
         start = motion.values(0.0, values)
-        if not np.all((np.abs(start - best.start[:-1]) <= slack)[given]):
+        if not np.all((np.abs(start - best.start[:-1]) <= slack + motion.uncertain(0.0, values)[0])[given]):
             raise Wrong(f"{where}your motion starts at {point_text(start)}, not where it should")
         states = [_possible(motion, t, values, best, problem, where) for t in best.times]
         for j, name in enumerate(problem.dynamics):
             for t in jumps(lambda times, j=j: motion.values(times, values)[j], best.duration):
-                raise Wrong(f"{where}on your motion {name} jumps at t = {t:.4g}")
+                before, after = (motion.values(t * (1 + side * 1e-6), values)[j] for side in (-1, 1))
+                if not abs(after - before) <= motion.uncertain(t * (1 - 1e-6), values)[0][j] + slack:
+                    raise Wrong(f"{where}on your motion {name} jumps at t = {t:.4g}")
         if problem.first_return:
             meets_once([0.0, *best.times], [start, *states], best, where)
-        keeps_to_the_ends(np.append(motion.values(ENDING * best.duration, values), 0), best, motion.rounding,
-                          where + "on your motion")
-        off = np.abs(np.array(states)[:, :-1].T - best.states).max()
-        if not (only_time or off <= 3 * slack):
+        end = np.append(motion.values(ENDING * best.duration, values), 0)
+        keeps_to_the_ends(end, best, motion.rounding, where + "on your motion",
+                          [(end - side, end + side) for side in np.diag(np.append(motion.uncertain(
+                              ENDING * best.duration, values)[0], 0))])
+        differences = np.abs(np.array(states)[:, :-1].T - best.states)
+        off = differences.max()
+        if not (only_time or np.all(differences <= 3 * slack + motion.uncertain(best.times, values)[0])):
             raise Wrong(f"{where}your motion is one that the system can have, but another one with the same ends does "
                         f"better; the two come to be {off:.4g} apart")
     return "it starts where it should, obeys the equations, keeps to the ends, and is the best motion found"
@@ -87,6 +94,10 @@ def _possible(motion, t, values, best, problem, where):
     if not np.all(np.isfinite([*y, *rate])):
         raise Wrong(f"{where}your motion is not real at t = {t:.4g}")
     scale = 10 * motion.rounding * (1 + np.abs(best.states).max() * (1 + 1 / best.duration))
+    open_y, open_rate = motion.uncertain(near, values)
+    if open_y.any():
+        middle = np.mean(np.nan_to_num(best.bounds, posinf=0, neginf=0))
+        scale = scale + open_rate + np.abs(best.jacobians(y, middle)[0])[:-1, :len(y)] @ open_y
     off = np.abs(_nearest_rates(best, y, rate) - rate)
     if not np.all(off <= scale):
         j = int(np.argmax(off))
@@ -134,7 +145,7 @@ def optimal_cost(claim, problem, parameters=None):
     for values, best in best_processes(problem, parameters, 2 * SAMPLES):
         where = told_for(values)
         said = value_at(claim, values, "the cost")
-        if not same(said, best.cost, claim, best.cost_size(), COSTS):
+        if not same(said, best.cost, claim, best.cost_size(), COSTS, uncertain_at(claim, values)):
             beyond = (said < best.cost) != problem.maximise
             raise Wrong(f"{where}your cost is {said:.4g}; " + (
                 "no admissible process that keeps to the ends was found that does so well" if beyond else
@@ -163,7 +174,7 @@ def optimal_duration(claim, problem, parameters=None):
     """The duration of the optimal process, as an expression in the parameters."""
     for values, best in best_processes(problem, parameters, 2 * SAMPLES):
         said = value_at(claim, values, "the duration")
-        if not same(said, best.duration, claim, computed=INTEGRATED):
+        if not same(said, best.duration, claim, computed=INTEGRATED, uncertain=uncertain_at(claim, values)):
             raise Wrong(f"{told_for(values)}your duration is {said:.4g}; {best.told_duration(said)}")
     return "it is the duration of the best process found"
 

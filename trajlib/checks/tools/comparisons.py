@@ -18,9 +18,9 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from trajlib.checks.contract.tolerance import EXACT, same
+from trajlib.checks.contract.tolerance import EXACT, in_decimals, same
 from trajlib.checks.contract.verdict import Wrong
-from trajlib.checks.tools.values import matrix_at, truth_at, value_at
+from trajlib.checks.tools.values import matrix_at, truth_at, uncertain_at, value_at
 from trajlib.checks.tools.wording import rounded_text
 
 
@@ -39,7 +39,7 @@ class Same:
         said = value_at(self.claim, self.values, self.what)
         if not cmath.isfinite(self.true):
             raise RuntimeError(f"{self.what} could not be computed")
-        if not same(said, self.true, self.claim, self.size, self.computed):
+        if not same(said, self.true, self.claim, self.size, self.computed, uncertain_at(self.claim, self.values)):
             if not self.values:  # the true number would be the answer itself
                 raise Wrong(f"{self.what} is another number than {said:.4g}")
             raise Wrong(f"for {rounded_text(self.values)} {self.what} is {self.true:.4g}; "
@@ -62,7 +62,9 @@ class Entries:
 
     def judge(self):
         said, true = matrix_at(self.claim, self.values), np.asarray(self.true)
-        right = same(said, true, self.claim, self.size, self.computed)
+        uncertain = [[uncertain_at(self.claim[i, j], self.values) for j in range(self.claim.cols)]
+                     for i in range(self.claim.rows)] if in_decimals(*self.claim) else None
+        right = same(said, true, self.claim, self.size, self.computed, uncertain)
         if not right.all():
             row = int(np.argmin(right.all(axis=1)))
             raise Wrong(self.told(said, row, int(np.argmax(abs(said[row] - true[row]) * ~right[row]))))

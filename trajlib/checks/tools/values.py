@@ -15,6 +15,7 @@ import numpy as np
 import sympy as sp
 
 from trajlib.checks.contract.coercion import LARGEST
+from trajlib.checks.contract.tolerance import changed, in_decimals
 from trajlib.checks.contract.verdict import Invalid, Wrong
 from trajlib.checks.tools.wording import rounded_text
 
@@ -59,6 +60,18 @@ def value_at(claim, values, what):
     if abs(number.imag) > 1e-12 * (1 + abs(number)):
         raise Wrong(f"for {rounded_text(values)} your expression gives no real number for {what}")
     return number.real
+
+
+def uncertain_at(claim, values):
+    """By how much the decimals of an expression leave open what it becomes; nan where that cannot be followed."""
+    followed = changed(claim) if in_decimals(claim) and sp.sympify(claim).free_symbols else None
+    if followed is None:
+        return np.nan
+    try:
+        here = complex(_put(claim, values))
+        return sum(max(abs(complex(_put(part, values)) - here) for (part,) in sides) for sides in followed)
+    except TypeError:
+        return np.nan
 
 
 def real_at(claim, values):
