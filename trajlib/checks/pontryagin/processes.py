@@ -97,7 +97,7 @@ def _possible(motion, t, values, best, problem, where):
     open_y, open_rate = motion.uncertain(near, values)
     if open_y.any():
         middle = np.mean(np.nan_to_num(best.bounds, posinf=0, neginf=0))
-        scale = scale + open_rate + np.abs(best.jacobians(y, middle)[0])[:-1, :len(y)] @ open_y
+        scale += (open_rate + np.abs(best.jacobians(y, middle)[0])[:-1, :len(y)] @ open_y).sum()
     off = np.abs(_nearest_rates(best, y, rate) - rate)
     if not np.all(off <= scale):
         j = int(np.argmax(off))
