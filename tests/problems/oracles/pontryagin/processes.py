@@ -12,9 +12,19 @@ def same_parts(mutant, reference, *_, **__):
 
 
 def same_or_mirrored(mutant, reference, problem, *_, **__):
-    """True if a control is the other one, or its mirror image where this changes nothing in the problem."""
-    return same_parts(mutant, reference) or (_symmetric(problem) and isinstance(mutant, sp.Expr)
-                                             and same_parts(-mutant, reference))
+    """True if a control is the other one, or its mirror image where this changes nothing in the problem, or another
+    turn of the same angle."""
+    return same_parts(mutant, reference) or isinstance(mutant, sp.Expr) and (
+        _symmetric(problem) and same_parts(-mutant, reference)
+        or _of_angle(problem) and isinstance(reference, sp.Expr)
+        and same_parts([sp.cos(mutant), sp.sin(mutant)], [sp.cos(reference), sp.sin(reference)]))
+
+
+def _of_angle(problem):
+    """Whether the control is an angle without bounds, of which only the direction counts."""
+    ((u, bounds),) = problem.controls.items()
+    return all(b.is_infinite for b in bounds) and all(
+        sp.expand(f.subs(u, u + 2 * sp.pi) - f) == 0 for f in (*problem.field, problem.running))
 
 
 def _symmetric(problem):
