@@ -406,9 +406,11 @@ def _difference(part, symbols):
 def _on_target(problem):
     """States at the end, and parameters, as dicts."""
     zeros = _Zeros(list(problem.terminal), list(problem.state), list(problem.parameters)) if problem.terminal else None
-    random, found = np.random.default_rng(3), []
-    for _ in range(4 * PLACES):
-        values = {s: draw(random, s, None) for s in (*problem.state, *problem.parameters)}
+    random, found, symbols = np.random.default_rng(3), [], (*problem.state, *problem.parameters)
+    for k in range(4 * PLACES):
+        if k % PLACES == 0:  # each symbol takes values all over its range
+            shares = {s: (random.permutation(PLACES) + random.uniform(size=PLACES)) / PLACES for s in symbols}
+        values = {s: draw(random, s, None, shares[s][k % PLACES]) for s in symbols}
         place = zeros.near(values) if zeros else values
         if place is not None and len(found) < PLACES:
             found.append(place)
