@@ -1,0 +1,22 @@
+"""Every problem stands in the section in which the problem book has it."""
+
+from pathlib import Path
+
+from trajlib.masters import master_paths, read
+
+SOLUTIONS = Path(__file__).resolve().parents[2] / "solutions"
+#: The first problem of each section, as the book counts them.
+FIRST = {1: (1, 14), 2: (1, 3, 8, 16, 18, 28), 3: (1, 9, 17), 4: (5, 10, 15, 22, 33), 5: (1, 14, 46, 63)}
+#: These stand in the text of the chapter, before its first section.
+IN_THE_TEXT = {"4.1", "4.2", "4.3", "4.4"}
+
+
+def test_sections_are_those_of_the_book():
+    found = {}
+    for master in map(read, master_paths(SOLUTIONS)):
+        chapter, number = map(int, master.number.split("."))
+        if chapter in FIRST and master.number not in IN_THE_TEXT:
+            section = f"§{chapter}.{sum(first <= number for first in FIRST[chapter])}"
+            if master.section != section:
+                found[master.number] = (master.section, section)
+    assert not found
