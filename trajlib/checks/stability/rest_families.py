@@ -13,7 +13,7 @@ import sympy as sp
 from trajlib.checks.contract import coercion
 from trajlib.checks.contract.claims import Expression
 from trajlib.checks.contract.members import VECTORS, families
-from trajlib.checks.contract.tolerance import rounds_to
+from trajlib.checks.contract.tolerance import half_unit, in_decimals, rounds_to
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
 from trajlib.checks.stability.rest_sets import agreement
 from trajlib.checks.tools.conditions import Case, Truth, compare, contrary
@@ -172,18 +172,24 @@ def saddle_slopes(answer, field, state):
 
     Judged by the direction of the field close to each saddle: along these lines it points to or away from it.
     """
-    slopes = [float(number) for number in map(coercion.as_number, coercion.as_expressions(answer, (), 2))]
+    claims = list(map(coercion.as_number, coercion.as_expressions(answer, (), 2)))
     ((_, flow, found),) = _systems(field, state, (), ())
     saddles = [point for point in found if np.linalg.det(flow.jacobian(point)) < 0]
     if not saddles:
         raise RuntimeError("the equation has no saddle")
     for point in saddles:
-        for slope, sign, told in zip(slopes, (1, -1), ("leave", "come to")):
+        def rates(slope, point=point):
             line = np.array([1.0, slope]) / np.hypot(1, slope)
             velocity = flow.derivative(point, line)
-            across, along = line[0] * velocity[1] - line[1] * velocity[0], velocity @ line
-            # Three significant digits of a slope turn the line by at most this angle.
-            if not abs(across) <= 0.006 * np.linalg.norm(flow.jacobian(point)) or not along * sign > 0:
+            return line[0] * velocity[1] - line[1] * velocity[0], velocity @ line
+
+        for claim, sign, told in zip(claims, (1, -1), ("leave", "come to")):
+            slope = float(claim)
+            across, along = rates(slope)
+            moved = [slope - half_unit(slope), slope + half_unit(slope)] if in_decimals(claim) else []
+            allowed = 1e-7 * np.linalg.norm(flow.jacobian(point)) + max((abs(rates(other)[0] - across)
+                                                                         for other in moved), default=0.0)
+            if not abs(across) <= allowed or not along * sign > 0:
                 raise Wrong(f"along the line of slope {slope:.4g} through the saddle at {state[0]} = {point[0]:.4g} "
                             f"small deviations change at the rate {along:.3g} along it and {across:.3g} across it: "
                             f"these motions do not {told} the saddle")

@@ -17,11 +17,11 @@ import sympy as sp
 from trajlib.checks.contract import coercion
 from trajlib.checks.contract.claims import Choice, Expression
 from trajlib.checks.contract.members import VECTORS, in_order
-from trajlib.checks.contract.tolerance import same
+from trajlib.checks.contract.tolerance import changed, half_unit, in_decimals, same
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
 from trajlib.checks.tools.conditions import Case, Truth, compare, exactly, place_text
 from trajlib.checks.tools.samples import draw, ends
-from trajlib.checks.tools.values import real_at
+from trajlib.checks.tools.values import real_at, uncertain_at
 from trajlib.checks.tools.wording import other_rate, point_text, roots_text, sample_text
 from trajlib.checks.truths.rest_points import rest_points
 
@@ -207,11 +207,22 @@ def first_integral(answer, field, state, parameters, domain=None):
     if not np.any(abs(gradient) > 1e-12):
         raise Wrong("your expression does not depend on the state: a constant tells nothing about the motions")
     rates, sizes = (gradient * velocity).sum(axis=0), abs(gradient * velocity).sum(axis=0)
-    worst = int(np.argmax(abs(rates) - 1e-9 * sizes))
-    if not abs(rates[worst]) <= 1e-9 * sizes[worst] < math.inf:
+    allowed = 1e-9 * sizes + _left_open(claim, lambda part: (np.array([
+        _values(sp.diff(part, x), symbols, places) for x in state]) * velocity).sum(axis=0))
+    worst = int(np.argmax(abs(rates) - allowed))
+    if not abs(rates[worst]) <= allowed[worst] < math.inf:
         raise Wrong("along the motion through " + ", ".join(f"{s} = {x:.3g}" for s, x in zip(symbols, places[:, worst]))
                     + f" your expression changes at the rate {rates[worst]:.4g}, not zero")
     return "it keeps its value along the motions, at random states"
+
+
+def _left_open(claim, found):
+    """By how much the decimals of an expression leave open what is `found` of it."""
+    followed = changed(claim) if in_decimals(claim) else []
+    if followed is None:
+        raise Invalid("your answer holds more decimals than can be followed; write exact numbers")
+    here = found(claim) if followed else 0.0
+    return sum(np.maximum(*(abs(found(part) - here) for (part,) in sides)) for sides in followed)
 
 
 @judged
@@ -237,8 +248,14 @@ def phase_curve(answer, field, state, parameters, through, domain=None):
                                else f"{second} = {y:.3g}, outside the domain"))
             velocity = family(np.array([float(x), y]), numbers)
             scale = max(scale, y)
-            if not abs(dy * velocity[0] - velocity[1]) <= 1e-8 * (np.linalg.norm(velocity)
-                                                                  + abs(dy * velocity[0])) < math.inf:
+
+            def turned(part, at=values | {first: x}, numbers=numbers):
+                y, dy = (real_at(expression, at) or 0.0 for expression in (part, sp.diff(part, first)))
+                velocity = family(np.array([float(at[first]), y]), numbers)
+                return dy * velocity[0] - velocity[1]
+
+            allowed = 1e-8 * (np.linalg.norm(velocity) + abs(dy * velocity[0])) + _left_open(claim, turned)
+            if not abs(dy * velocity[0] - velocity[1]) <= allowed < math.inf:
                 raise Wrong(f"{where} your curve has the slope {dy:.4g}, but a motion that is there moves along the "
                             f"slope {velocity[1] / velocity[0]:.4g}")
         for end_x, end_y in through:
@@ -266,14 +283,15 @@ def _judge_points(answer, family, noun, searched=None):
             if any(coordinate is None for coordinate in place):
                 outside = "; what your answer gives is not real"
                 continue
-            place = family.reduced(np.array(place))
+            place = _rounded_inside(family.reduced(np.array(place)), point, family)
             if not family.inside(place):
                 outside = f"; {_place_told(family.state, place)}, which your answer gives, lies outside the domain"
                 continue
             met[k] = True
-            here = [j for j, rest in enumerate(missed) if family.same(place, rest, point)]
+            open_ = [uncertain_at(coordinate, values) for coordinate in point]
+            here = [j for j, rest in enumerate(missed) if family.same(place, rest, point, open_)]
             if not here:
-                if any(family.same(place, rest, point) for rest in rests):
+                if any(family.same(place, rest, point, open_) for rest in rests):
                     raise Wrong(f"for {sample_text(values)} two of your points are the same")
                 rates = family(place, numbers)
                 if not rests and np.all(abs(rates) < 1e-9):
@@ -288,6 +306,16 @@ def _judge_points(answer, family, noun, searched=None):
     if not all(met):
         raise Wrong(f"point {met.index(False) + 1} of your list lies in the domain for none of the sample values")
     return f"for sample values of the parameters it gives every {noun} in the domain and nothing else"
+
+
+def _rounded_inside(place, written, family):
+    """A place whose decimals were rounded to the other side of the border of the domain, on the border."""
+    for k, (symbol, coordinate) in enumerate(zip(family.state, written)):
+        low, high = ends(symbol, family.domain)
+        for end in (low, high) if in_decimals(coordinate) and not low <= place[k] <= high else ():
+            if math.isfinite(end) and abs(place[k] - end) <= half_unit(end):
+                place[k] = end
+    return place
 
 
 def _judge_existence(answer, family, noun):

@@ -127,14 +127,17 @@ class RestPoints:
                 result &= places[k] < high - (END if interval.right_open else -END)
         return result
 
-    def same(self, place, rest, written):
-        """Whether a claimed place is this rest point: to three significant digits if it is written in decimals."""
+    def same(self, place, rest, written, uncertain=None):
+        """Whether a claimed place is this rest point: to three significant digits if it is written in decimals, which
+        may leave open the coordinates by so much."""
         difference = place - rest
         for k, angle in enumerate(self._angles):
             if angle:
                 difference[k] = (difference[k] + math.pi) % (2 * math.pi) - math.pi
         size = max(np.abs(rest).max(), 1e-12)
-        return all(same(r + d, r, expression, size) for d, r, expression in zip(difference, rest, written))
+        uncertain = [None] * len(rest) if uncertain is None else uncertain
+        return all(same(r + d, r, expression, size, uncertain=open_)
+                   for d, r, expression, open_ in zip(difference, rest, written, uncertain))
 
     def samples(self, count=7, need_rest=True, alone=True):
         """Triples (exact values, their floats, the stationary point), or unless `alone` with all points of the domain,

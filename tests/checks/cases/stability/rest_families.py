@@ -95,6 +95,9 @@ CASES = [
     Case("saddle_slopes", np.array([1.0, -2.0]), PORTRAIT, "right", "an array"),
     Case("saddle_slopes", [-2, 1], PORTRAIT, "wrong", "the other order"),
     Case("saddle_slopes", [1, -1], PORTRAIT, "wrong", "symmetric, as without friction"),
+    Case("saddle_slopes", [1, -2.02], PORTRAIT, "wrong", "one per cent off"),
+    Case("saddle_slopes", [1, -2 - sp.Rational(1, 1000)], PORTRAIT, "wrong", "a fraction is meant exactly"),
+    Case("saddle_slopes", [1.0, -2.004], PORTRAIT, "right", "-2.00 to three digits"),
     Case("saddle_slopes", [1, -2.1], PORTRAIT, "wrong", "the second digit off"),
     Case("saddle_slopes", [1], PORTRAIT, "invalid", "one slope"),
 ]

@@ -14,6 +14,7 @@ ANY = {theta: sp.Interval.Lopen(-sp.pi, sp.pi), v: open_ray}
 SHOT = ([-g * sp.cos(theta) / v, P - k * v**2 - g * sp.sin(theta)], [theta, v], [P, g, k], ANY)
 UP = SHOT[:3] + (ANY | {theta: sp.Interval.open(0, sp.pi)},)
 DOWN = SHOT[:3] + (ANY | {theta: sp.Interval.open(-sp.pi, 0)},)
+DOWN_TO_ITS_BORDER = SHOT[:3] + (ANY | {theta: sp.Interval(-sp.pi / 2, 0)},)
 SLOWEST = (SHOT[0][1], v, [theta, P, g, k], ANY)
 BOTH = [[-sp.pi / 2, sp.sqrt((P + g) / k)], [sp.pi / 2, sp.sqrt((P - g) / k)]]
 GLIDER = ([k1 * v - g * sp.cos(theta) / v, -k * v**2 - g * sp.sin(theta)], [theta, v], [k, k1, g], ANY)
@@ -36,6 +37,9 @@ CASES = [
     Case("stationary_points", BOTH, SHOT, "right", "two points, one of which exists for some parameters only"),
     Case("stationary_points", BOTH[::-1], SHOT, "right", "another order"),
     Case("stationary_points", sp.Matrix(BOTH), SHOT, "right", "the rows of a matrix"),
+    Case("stationary_points", [[-1.5708, sp.sqrt((P + g) / k)]], DOWN_TO_ITS_BORDER, "right",
+         "an angle at the border of the domain, rounded to its other side"),
+    Case("stationary_points", [[-1.58, sp.sqrt((P + g) / k)]], DOWN_TO_ITS_BORDER, "wrong", "too far beyond it"),
     Case("stationary_points", [0, 1], TOUCHING, "right", "a double zero", SIMPLE),
     Case("stationary_points", [1], TOUCHING, "wrong", "a double zero overlooked", SIMPLE),
     Case("stationary_points", [{v: BOTH[0][1], theta: 3 * sp.pi / 2}, dict(zip((theta, v), BOTH[1]))], SHOT, "right",
@@ -123,11 +127,15 @@ CASES = [
     Case("first_integral", k1 * v**3 / 3 - g * v * sp.cos(theta), NO_DRAG, "right", "the stream function"),
     Case("first_integral", (k1 * v**3 - 3 * g * v * sp.cos(theta)) ** 2 + 5, NO_DRAG, "right", "a function of it"),
     Case("first_integral", k1 * v**2 / 2 - g * sp.cos(theta), NO_DRAG, "wrong", "not kept"),
+    Case("first_integral", 0.333 * k1 * v**3 - g * v * sp.cos(theta), NO_DRAG, "right", "three digits of a third"),
+    Case("first_integral", 0.337 * k1 * v**3 - g * v * sp.cos(theta), NO_DRAG, "wrong", "one per cent off"),
     Case("first_integral", g * k1, NO_DRAG, "wrong", "a constant"),
     Case("first_integral", sp.DiracDelta(v), NO_DRAG, "wrong", "what has no values"),
     Case("first_integral", sp.Eq(v, 0), NO_DRAG, "invalid", "an equation"),
     Case("phase_curve", sp.sqrt(3 * g * sp.cos(theta) / k1), BORDER, "right", "the curve"),
     Case("phase_curve", sp.sqrt(3) * sp.sqrt(g / k1) * sp.sqrt(sp.cos(theta)), BORDER, "right", "separate roots"),
+    Case("phase_curve", 1.73 * sp.sqrt(g / k1) * sp.sqrt(sp.cos(theta)), BORDER, "right", "three digits of a root"),
+    Case("phase_curve", 1.75 * sp.sqrt(g / k1) * sp.sqrt(sp.cos(theta)), BORDER, "wrong", "one per cent off"),
     Case("phase_curve", sp.sqrt(g * sp.cos(theta) / k1), BORDER, "wrong", "another slope"),
     Case("phase_curve", -sp.sqrt(3 * g * sp.cos(theta) / k1), BORDER, "wrong", "outside the domain"),
     Case("phase_curve", v**3 - 3 * v * sp.cos(theta), BORDER, "invalid", "an equation without its right-hand side"),
