@@ -11,11 +11,11 @@ import numpy as np
 import sympy as sp
 
 from trajlib.checks.contract.claims import Claim, Laid, Parts
-from trajlib.checks.contract.tolerance import DECIMALS, EXACT, in_decimals
+from trajlib.checks.contract.tolerance import EXACT, in_decimals
 from trajlib.checks.contract.verdict import Wrong, judged
 from trajlib.checks.tools.conditions import Case, Truth, compare, exactly
 from trajlib.checks.tools.samples import general_values, joined
-from trajlib.checks.tools.values import matrix_at
+from trajlib.checks.tools.values import matrix_at, uncertain_entries
 from trajlib.checks.tools.wording import number_text, where_text
 from trajlib.checks.truths.fixed_modes import fixed_eigenvalues, slower_than
 from trajlib.checks.truths.pairs import pair_of
@@ -96,9 +96,10 @@ class Requirement:
         allowed = EXACT*np.maximum(abs(true), size**np.arange(len(true)))
         if in_decimals(gain):
             # Every coefficient is linear in each entry: what its last digit may change.
+            left_open = uncertain_entries(gain, values)
             for k in np.ndindex(there.shape):
                 moved = there.copy()
-                moved[k] *= 1 + DECIMALS
+                moved[k] += left_open[k]
                 allowed = allowed + abs(found(moved) - said)
         wrong = ~(abs(said - true) <= allowed)
         if wrong.any():

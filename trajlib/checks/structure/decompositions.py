@@ -24,10 +24,10 @@ import sympy as sp
 
 from trajlib.checks.contract import coercion
 from trajlib.checks.contract.claims import Matrix
-from trajlib.checks.contract.tolerance import half_unit, share
+from trajlib.checks.contract.tolerance import EXACT, half_unit, share
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
 from trajlib.checks.structure.canonical_forms import BY_OBSERVATION, shape_of_form
-from trajlib.checks.tools.values import matrix_at
+from trajlib.checks.tools.values import matrix_at, uncertain_entries
 from trajlib.checks.tools.wording import number_text, where_text
 from trajlib.checks.truths.exceptional_values import judge_everywhere
 from trajlib.checks.truths.invariant_subspaces import echelon, product, unseen_subspace
@@ -187,7 +187,8 @@ def _judge_split(claim, pair, side):
         said, size = matrix_at(claim, values), n - len(unseen)
         _invertible(said, tolerance, values)
         space, _ = np.linalg.qr(unseen.T)
-        if _vanishes(said[:size], space, tolerance):
+        if (abs(said[:size] @ space) <= EXACT * np.linalg.norm(said[:size], axis=1)[:, None]
+                + uncertain_entries(claim, values)[:size] @ abs(space)).all():
             continue
         if _vanishes(np.linalg.inv(said)[:size], space, tolerance):
             raise Wrong(f"this matrix gives {side.reverse}; asked is {side.asked}")

@@ -9,12 +9,12 @@ import numpy as np
 import sympy as sp
 
 from trajlib.checks.contract.claims import Number, Table, Vectors
-from trajlib.checks.contract.tolerance import in_decimals, rounds_to, share
+from trajlib.checks.contract.tolerance import EXACT, in_decimals, rounds_to, share
 from trajlib.checks.contract.verdict import Wrong
 from trajlib.checks.structure.dual_questions import left_over
 from trajlib.checks.tools.comparisons import Members
 from trajlib.checks.tools.conditions import allowed
-from trajlib.checks.tools.values import number_at
+from trajlib.checks.tools.values import number_at, uncertain_entries
 from trajlib.checks.tools.wording import number_text, where_text
 from trajlib.checks.truths.exceptional_values import judge_everywhere
 from trajlib.checks.truths.invariant_subspaces import to_floats
@@ -30,11 +30,13 @@ def judge_basis(vectors, pair, side, at=None):
                           for i, entry in enumerate(vector, 1)]
                          for k, vector in enumerate(vectors, 1)]).reshape(len(vectors), n)
         space, _ = np.linalg.qr(to_floats(unseen, n).T)
+        left_open = uncertain_entries(sp.Matrix(len(vectors), n, [entry for one in vectors for entry in one]), values)
+        across = abs(np.eye(n) - space @ space.T)
         for k, vector in enumerate(said, 1):
             size = np.linalg.norm(vector)
             if size == 0:
                 raise Wrong(f"your vector {k} is zero{where}; a basis consists of vectors that are not")
-            if not np.linalg.norm(vector - space @ (space.T @ vector)) <= tolerance * size:
+            if not (abs(vector - space @ (space.T @ vector)) <= EXACT * size + across @ left_open[k - 1]).all():
                 raise Wrong(f"{_seen(pair, place, vector, k, side)}{where}")
         if len(said) and np.linalg.svd(said / np.linalg.norm(said, axis=1)[:, None],
                                        compute_uv=False)[-1] < 1e-2 * tolerance:

@@ -15,7 +15,7 @@ import numpy as np
 import sympy as sp
 
 from trajlib.checks.contract.coercion import LARGEST
-from trajlib.checks.contract.tolerance import changed, in_decimals
+from trajlib.checks.contract.tolerance import DECIMALS, changed, in_decimals
 from trajlib.checks.contract.verdict import Invalid, Wrong
 from trajlib.checks.tools.wording import rounded_text
 
@@ -72,6 +72,17 @@ def uncertain_at(claim, values):
         return sum(max(abs(complex(_put(part, values)) - here) for (part,) in sides) for sides in followed)
     except TypeError:
         return np.nan
+
+
+def uncertain_entries(claim, values):
+    """By how much its decimals leave open each entry of a matrix of expressions; zero where there are none."""
+    def entry(part):
+        if not in_decimals(part):
+            return 0.0
+        known = uncertain_at(part, values)
+        return known if np.isfinite(known) else DECIMALS * abs(number_at(part, values))
+
+    return np.array([[entry(claim[i, j]) for j in range(claim.cols)] for i in range(claim.rows)]).reshape(claim.shape)
 
 
 def real_at(claim, values):

@@ -37,6 +37,8 @@ CASES = [
     Case("observability_split", M([[1, 0, 1], [0, 3, 0], [0, 0, 1]]), SEEN, "right",
          "other observable coordinates, another rest"),
     Case("observability_split", np.array([[0, 1, 0], [0.333, 0.333, 0.333], [1, 0, 0]]), SEEN, "right", "decimals"),
+    Case("observability_split", np.array([[0, 1, 0], [0.333, 0.333, 0.337], [1, 0, 0]]), SEEN, "wrong",
+         "one per cent off"),
     Case("observability_split", SUM_AND_DIFFERENCE, TWINS, "right", "with a parameter"),
     Case("observability_split", SUM_AND_DIFFERENCE, PENDULUMS, "right", "for every length but zero"),
     Case("observability_split", (w**2 + 1)*SUM_AND_DIFFERENCE, TWINS, "right", "a factor that vanishes nowhere"),

@@ -93,6 +93,7 @@ CASES = [
     Case("unseen_states", [-2, 0, 2], LOST, "right", "the vector itself, another length"),
     Case("unseen_states", M([1, 0, -1]), LOST, "right", "a column"),
     Case("unseen_states", np.array([[0.707, 0, -0.707]]), LOST, "right", "decimals"),
+    Case("unseen_states", np.array([[0.707, 0, -0.716]]), LOST, "wrong", "one per cent off"),
     Case("unseen_states", [M(u), M(v)], TWINS, "right", "as nullspace() gives them"),
     Case("unseen_states", M([u, [1, w, -1, -w]]).T, TWINS, "right", "columns of a matrix, one with a parameter"),
     Case("unseen_states", {tuple(u), (0, 1, 0, -1)}, TWINS, "right", "a set of tuples"),
