@@ -11,7 +11,6 @@ import itertools
 
 import numpy as np
 import sympy as sp
-from scipy.interpolate import CubicHermiteSpline
 
 from trajlib.checks.contract.claims import Expression
 from trajlib.checks.contract.tolerance import same
@@ -201,6 +200,8 @@ def held_at_first(claim, problem, control, value, parameters):
 def optimal_extent(claim, problem, quantity, parameters=None):
     """How far a quantity ranges along the optimal process, from its least value to its greatest, as an expression in
     the parameters; where several processes are optimal, it is the same for all of them."""
+    from scipy.interpolate import CubicHermiteSpline
+
     symbols, named = list(problem.dynamics), list(parameters or {})
     value = real_function([*symbols, *named], [quantity])
     slopes = real_function([*symbols, *named], [quantity.diff(s) for s in symbols])

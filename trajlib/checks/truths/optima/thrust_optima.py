@@ -15,7 +15,6 @@ import functools
 
 import numpy as np
 import sympy as sp
-from scipy.optimize import fsolve
 
 from trajlib.checks.tools.samples import sample_cases
 
@@ -121,6 +120,8 @@ class ThrustOptimum:
         return T, lambda t: np.where(np.asarray(t) < first, early, late), states
 
     def _to_rest(self, place, speed):
+        from scipy.optimize import fsolve
+
         shortest = max(np.linalg.norm(speed), np.sqrt(2 * np.linalg.norm(place)) - np.linalg.norm(speed), 1e-6)
         for span in SPANS:
             for k in range(DIRECTIONS):
