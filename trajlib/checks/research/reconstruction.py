@@ -16,7 +16,7 @@ from trajlib.checks.contract.tolerance import half_unit, in_decimals, rounds_to
 from trajlib.checks.contract.verdict import Wrong, judged
 from trajlib.checks.tools.comparisons import Same
 from trajlib.checks.tools.samples import random_values, spread
-from trajlib.checks.tools.values import value_at
+from trajlib.checks.tools.values import uncertain_entries, value_at
 from trajlib.checks.tools.wording import rounded_text
 
 RECORDS = 6
@@ -124,8 +124,10 @@ def weight_for_bound(claim, times, samples, rho, D):
         weight = value_at(claim, values, "M")
         if weight <= 0:
             raise Wrong(f"for {rounded_text(values)} your M = {weight:.4g} is not positive")
-        greatest = abs(_middle(t, *_least_cost(t, h, values[rho], weight)))
-        if not abs(greatest - values[D]) <= 1e-8*values[D]:
+        ((open_,),) = uncertain_entries(sp.Matrix([[claim]]), values)
+        greatest, *others = (abs(_middle(t, *_least_cost(t, h, values[rho], max(one, weight/2))))
+                             for one in (weight, weight - open_, weight + open_))
+        if not abs(greatest - values[D]) <= 1e-8*values[D] + max(abs(other - greatest) for other in others):
             raise Wrong(f"for {rounded_text(values)} the motion of least cost with your M = {weight:.4g} has the "
                         f"greatest acceleration {greatest:.4g}, not {values[D]:.4g}")
     return "the motion of least cost with this weight has the greatest acceleration D, for random samples and bounds"
@@ -205,12 +207,15 @@ def steady_costate(claim, rho, M):
     A, b = np.array([[0.0, 1], [0, 0]]), np.array([0.0, 1])
     for values in random_values([rho, M], SEED):
         P = np.array([[value_at(claim[i, j], values, f"p{i + 1}{j + 1}") for j in range(2)] for i in range(2)])
-        if not abs(P[0, 1] - P[1, 0]) <= 1e-9*np.abs(P).max():
+        open_ = uncertain_entries(claim, values)
+        if not abs(P[0, 1] - P[1, 0]) <= 1e-9*np.abs(P).max() + open_[0, 1] + open_[1, 0]:
             raise Wrong(f"for {rounded_text(values)} your matrix is not symmetric; it is a matrix of second "
                         f"derivatives of a cost")
         terms = [P@A, A.T@P, -np.outer(P@b, b@P)/values[M], np.diag([values[rho], 0])]
         residual, size = sum(terms), sum(map(np.abs, terms))
-        if not (np.abs(residual) <= 1e-9*size.max()).all():
+        acted = np.outer(open_@b, np.abs(b@P))/values[M]
+        allowed = 1e-9*size.max() + open_@A + A.T@open_ + acted + acted.T
+        if not (np.abs(residual) <= allowed).all():
             i, j = np.unravel_index(np.abs(residual).argmax(), (2, 2))
             raise Wrong(f"for {rounded_text(values)} your P would not stay constant: the element ({i + 1}, {j + 1}) "
                         f"of its rate is {-residual[i, j]:.4g}")
