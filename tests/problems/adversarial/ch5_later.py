@@ -252,6 +252,7 @@ ROWS = [
     wrong("5.37", "a_portrait", "g", "a constant, on all curves the same"),
     right("5.37", "a_portrait", "-sp.cos(theta)**2/v**2", "the reciprocal of a square of what is positive"),
     wrong("5.38", "portrait", "sp.Integer(1)", "a constant"),
+    right("5.38", "portrait", "((v + v**3*sp.sin(theta))/sp.cos(theta))**2", "a square keeps its value, too"),
     wrong("5.45", "kept", "k", "the gain itself"),
     wrong("5.50", "a_matrix", "sp.Matrix.hstack(B, A*B, A.T*B, (A.T)**2*B)", "the transposed matrix"),
     wrong("5.51", "law", "sp.Piecewise((0, w <= v), (P_max, 1.05*k*v**2*(1 + v/c) < mass*g), (k*v**2*(v + 2*c)*(3*v + "
