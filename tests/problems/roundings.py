@@ -1,0 +1,57 @@
+"""The worked answer with its awkward numbers in decimals: rounded, which is right, and one per cent off, which is not.
+
+Awkward is a number that two digits do not say: a root, pi, a third. Whole numbers stay, and so do exponents.
+"""
+
+import sympy as sp
+
+#: How many of its numbers are changed in one answer, one after the other.
+MOST = 2
+
+
+def roundings(value):
+    """Pairs (what was done, answer, verdict that is due); none of an answer without awkward numbers."""
+    found = list(dict.fromkeys(_numbers(value)))
+    for digits in (3, 4, 6) if found else ():
+        yield f"{digits} digits", _put(value, {n: sp.Float(f"{float(n):.{digits - 1}e}") for n in found}), "right"
+    for number in found[:MOST]:
+        off = sp.Float(f"{1.01 * float(number):.3e}")
+        yield f"{number} one per cent larger", _put(value, {number: off}), "wrong"
+
+
+def _numbers(value):
+    if isinstance(value, (list, tuple)):
+        for part in value:
+            yield from _numbers(part)
+    elif isinstance(value, dict):
+        yield from _numbers([*value, *value.values()])
+    elif isinstance(value, sp.MatrixBase):
+        yield from _numbers(list(value))
+    elif isinstance(value, sp.Expr) and value.is_number:
+        if _awkward(value):
+            yield value
+    elif isinstance(value, sp.Pow):
+        yield from _numbers(value.base)
+    elif isinstance(value, sp.Basic):
+        yield from _numbers(value.args)
+
+
+def _awkward(number):
+    return bool(number.is_real and number.is_finite and not number.is_integer
+                and float(number) != float(f"{float(number):.1e}"))
+
+
+def _put(value, decimals):
+    if isinstance(value, (list, tuple)):
+        return type(value)(_put(part, decimals) for part in value)
+    if isinstance(value, dict):
+        return {_put(key, decimals): _put(part, decimals) for key, part in value.items()}
+    if isinstance(value, sp.MatrixBase):
+        return value.applyfunc(lambda entry: _put(entry, decimals))
+    if not isinstance(value, sp.Basic) or value in decimals:
+        return decimals.get(value, value) if isinstance(value, sp.Basic) else value
+    if isinstance(value, sp.Expr) and value.is_number or not value.args:
+        return value
+    if isinstance(value, sp.Pow):
+        return sp.Pow(_put(value.base, decimals), value.exp)
+    return value.func(*(_put(part, decimals) for part in value.args))
