@@ -6,7 +6,7 @@ a_pontryagin = psi1*v*sp.cos(theta) + (psi2*v - psi3*g)*sp.sin(theta) + x
 a_adjoint = [0, 0, psi1*sp.cos(theta) + psi2*sp.sin(theta)]  # Which sign stands before the derivative of $H$? (hint 1)
 # Was $H$ differentiated with respect to the control as well? (hint 1)
 a_adjoint = [0, 0, -psi1*sp.cos(theta) - psi2*sp.sin(theta) + g*sp.cos(theta)*psi3]
-a_transversality = [psi1 + 1, psi2, psi3]  # Is the range to be small or great? (hint 1)
+a_transversality = [psi1 + 1, psi2, psi3]  # Which sign does a range have that is to be great? (hint 1)
 a_transversality = [psi1 - 1, psi2]  # Is the speed prescribed at the end? (hint 1)
 a_direction = sp.atan2(psi2*v + psi3*g, psi1*v)  # Which sign has the weight in the third equation? (hint 1)
 a_direction = sp.atan((psi2*v - psi3*g)/(psi1*v))  # For which signs does this angle make $H$ least? (hint 2)

@@ -5,7 +5,7 @@ pontryagin = psi1*v*sp.cos(theta) + psi2*v*sp.sin(theta) + psi3*(v**2 - sp.sin(t
 adjoint = [0, 0, -psi1*sp.cos(theta) - psi2*sp.sin(theta)]  # Does a higher speed cost nothing in air? (hint 1)
 # Follow the two minus signs of the drag. (hint 1)
 adjoint = [0, 0, -psi1*sp.cos(theta) - psi2*sp.sin(theta) - 2*v*psi3]
-transversality = [psi1 + 1, psi2, psi3]  # Is the range to be small or great? (hint 1)
+transversality = [psi1 + 1, psi2, psi3]  # Which sign does a range have that is to be great? (hint 1)
 transversality = [psi1 - 1, psi2]  # Is the speed prescribed at the end? (hint 1)
 equation = sp.cos(theta)/v  # Is this the flight without drag? (hint 1)
 equation = sp.cos(theta)/v*(1 + v**2*sp.sin(theta))  # Was the drag put into the equation of the speed only? (hint 2)

@@ -1,5 +1,6 @@
 # %% wrong
-pontryagin = psi1*v + psi2*rho*omega**2 + psi3*(k - 2*v)*omega/rho + 1  # Is the time to be small or great? (hint 1)
+# Was the time counted with the sign that this aim asks for? (hint 1)
+pontryagin = psi1*v + psi2*rho*omega**2 + psi3*(k - 2*v)*omega/rho + 1
 pontryagin = psi1*v + psi2*rho*omega**2 + psi3*k*omega/rho - 1  # Where is the Coriolis term? (hint 1)
 # Which sign stands before the derivative of $H$? (hint 1)
 adjoint = [psi2*omega**2 - psi3*(k - 2*v)*omega/rho**2, psi1 - 2*psi3*omega/rho,

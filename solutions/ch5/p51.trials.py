@@ -29,7 +29,7 @@ law = sp.Piecewise((0, w <= v), (P_max, k*v**2 < mass*g), (0, True))
 # Do the two sides of the surface have their right names? (hint 1)
 law = sp.Piecewise((0, w <= v), (0, k*v**2*(1 + v/c) < mass*g), (P_max, True))
 height = 0.519305  # Is this full thrust until the fuel is spent? (hint 1)
-height = sp.Rational(1, 2)  # Which arcs follow one another? (hint 1)
+height = sp.Rational(1, 2)  # Is this the sequence of arcs that the synthesis gives? (hint 1)
 
 # %% right
 transversality = sp.Eq(psi_h, 1)  # a single equation

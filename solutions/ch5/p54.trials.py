@@ -1,5 +1,5 @@
 # %% wrong
-# Is the time to be small or great? (hint 1)
+# Was the time counted with the sign that this aim asks for? (hint 1)
 a_pontryagin = psi1*(b - sp.cos(beta)) + psi2*(sp.sin(beta)/rho + u) - 1
 a_pontryagin = psi1*(b - sp.cos(beta)) + psi2*(sp.sin(beta)/rho + u)  # Where is the cost? (hint 1)
 # Which sign stands before the derivative of $H$? (hint 1)

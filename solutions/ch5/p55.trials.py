@@ -1,5 +1,5 @@
 # %% wrong
-# Is the time to be small or great? (hint 1)
+# Was the time counted with the sign that this aim asks for? (hint 1)
 pontryagin = psi1*(sp.cos(alpha) - b) + psi2*(u - sp.sin(alpha)/rho) - 1
 pontryagin = psi1*(sp.cos(alpha) - b) + psi2*(u - sp.sin(alpha)/rho)  # Where is the cost? (hint 1)
 # Which sign stands before the derivative of $H$? (hint 1)
