@@ -82,6 +82,8 @@ def line_of(text, part):
     ("a_poly = s**3", "a_poly = = s**3", "no Python"),
     ("checks.stability_region(b_region", "checks.stability_regoin(b_region", "did you mean stability_region"),
     ("(b_region, b_poly", "(b_region, b_pol", "b_pol is neither .* did you mean b_poly"),
+    ("{solution-start} ex-1-15", "{solution-start} ex-1-15 a", "a solution begins with .solution-start. ex-1-15"),
+    ("```{solution-start}", "## Item a\n\n```{solution-start}", "one heading, its title"),
 ])
 def test_a_broken_contract_is_named(written, old, new, said):
     assert old in GOOD

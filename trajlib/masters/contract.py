@@ -106,6 +106,21 @@ def hold_drawings(master):
                 raise MasterError(master.path, cell.line, "under a drawing stands its caption, a paragraph in emphasis")
 
 
+def hold_blocks(master):
+    """Raises `MasterError` at what the site cannot read: a heading below the title, a solution that begins otherwise
+    than with the label of its exercise."""
+    label = "ex-" + master.number.replace(".", "-")
+    for cell in master.cells:
+        if cell.role:
+            continue
+        for k, text in enumerate(cell.source.split("\n")):
+            if re.match(r"##+ ", text):
+                raise MasterError(master.path, cell.line + k, "a master has one heading, its title; items are in bold")
+            begun = re.match(r"`{3,}\{solution-start\}\s*(.*?)\s*$", text)
+            if begun and begun[1] != label:
+                raise MasterError(master.path, cell.line + k, f"a solution begins with {{solution-start}} {label}")
+
+
 def caption_above(text):
     """The caption that a text begins with, "" if its first paragraph is none."""
     first = text.strip().split("\n\n")[0]

@@ -4,7 +4,7 @@ import ast
 from dataclasses import dataclass
 from pathlib import Path
 
-from trajlib.masters.contract import hold_code, hold_drawings, hold_front_matter
+from trajlib.masters.contract import hold_blocks, hold_code, hold_drawings, hold_front_matter
 from trajlib.masters.errors import MasterError
 from trajlib.masters.front_matter import read_front_matter
 from trajlib.masters.trials import read_trials, trials_file
@@ -83,6 +83,7 @@ def read(path):
                     hints, _cells(path, text), read_trials(trials_file(path), answers), tuple(said.get("core", ())))
     hold_code(master, lines)
     hold_drawings(master)
+    hold_blocks(master)
     return master
 
 
