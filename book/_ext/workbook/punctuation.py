@@ -18,7 +18,9 @@ class KeepWithFormula(SphinxPostTransform):
             signs = re.match(r"[.,;:!?)\]-]+", after.astext()) if isinstance(after, nodes.Text) else None
             if signs:
                 rest = after.astext()[signs.end():]
-                after.parent.replace(after, [nodes.Text(rest)] if rest else [])
+                # By identity: a text is equal to any other of the same words, and the first would be replaced.
+                k = next(k for k, node in enumerate(after.parent.children) if node is after)
+                after.parent[k:k + 1] = [nodes.Text(rest)] if rest else []
                 together = formula.deepcopy(), nodes.Text(signs[0])
                 formula.replace_self(nodes.inline("", "", *together, classes=["unbroken"]))
 
