@@ -44,7 +44,7 @@ BARRIERS = {1e-4: 150, 1e-1: 50}
 SOLVER = {"ipopt.print_level": 0, "print_time": False, "ipopt.sb": "yes", "ipopt.tol": 1e-11,
           "ipopt.bound_relax_factor": 0.0, "ipopt.acceptable_iter": 0, "ipopt.compl_inf_tol": 1e-11,
           "ipopt.constr_viol_tol": 1e-11, "ipopt.dual_inf_tol": 1e-8, "show_eval_warnings": False,
-          "error_on_fail": False}
+          "error_on_fail": False, "calc_lam_p": False}  # of which it would complain where a search fails
 
 
 def optima(problem, parameters=None):

@@ -26,7 +26,7 @@ ROUNDS, INSERTED, SAVED = 5, 1e-4, 1e-3
 SHORT = 1e-4
 SOLVER = {"ipopt.print_level": 0, "print_time": False, "ipopt.sb": "yes", "ipopt.tol": 1e-10, "ipopt.max_iter": 60,
           "ipopt.bound_relax_factor": 0.0, "ipopt.acceptable_iter": 0, "show_eval_warnings": False,
-          "error_on_fail": False}
+          "error_on_fail": False, "calc_lam_p": False}
 
 
 def optima(problem, parameters=None):
