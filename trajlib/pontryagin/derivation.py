@@ -15,6 +15,8 @@ from functools import cached_property
 
 import sympy as sp
 
+from trajlib.flows import lie_derivative
+
 from .singular import SingularArc, singular_arc
 from .statement import Problem
 
@@ -107,8 +109,7 @@ class Conditions:
 
     def derivative(self, expression):
         """Time derivative of a function of state and costate along the trajectories (the controls constant)."""
-        flow = {**self.problem.dynamics, **self.adjoint}
-        return sum((sp.diff(expression, s)*rate for s, rate in flow.items()), sp.Integer(0))
+        return lie_derivative(expression, {**self.problem.dynamics, **self.adjoint})
 
     def _repr_markdown_(self):
         from .presentation import conditions_markdown

@@ -6,6 +6,8 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from trajlib.flows import lie_derivative
+
 from .inequalities import positive, sign_of, tidied
 from .real_solutions import solve_real
 from .systems import as_prose, as_real, exact_decimals, read_expression, read_field, read_symbols, vanishes, with_names
@@ -23,12 +25,8 @@ def lyapunov_derivative(V, field, state):
     """
     V = exact_decimals(read_expression(V, "V"))
     field, state = read_field(field, state)
-    rate = _along(V, [exact_decimals(f) for f in field], state)
+    rate = sp.expand(lie_derivative(V, dict(zip(state, map(exact_decimals, field)))))
     return min((rate, sp.factor(rate)), key=sp.count_ops)
-
-
-def _along(function, field, state):
-    return sp.expand(sum(sp.diff(function, x)*f for x, f in zip(state, field)))
 
 
 @dataclass(frozen=True)
@@ -257,12 +255,12 @@ def _is_definite_form(g, state):
 
 def _trajectories_within(g, field, state):
     """Whole trajectories in {g = 0} besides the origin: pairs (what, condition), and a doubt in words or None."""
-    rate = _along(g, field, state)
+    rate = sp.expand(lie_derivative(g, dict(zip(state, field))))
     if g.is_polynomial(*state) and rate.is_polynomial(*state) and sp.rem(rate, g, *state) == 0:
         return [(sp.Eq(g, 0), sp.true)], None
     system = [g]
     for _ in state:
-        system.append(_along(system[-1], field, state))
+        system.append(sp.expand(lie_derivative(system[-1], dict(zip(state, field)))))
         found = solve_real(system, state)
         if found.unsolved:
             return [], f"the trajectories in {g} = 0 were not decided"
