@@ -3,6 +3,8 @@
 The truth about the spectrum stands in `truths.spectra`.
 """
 
+import functools
+
 import sympy as sp
 
 from trajlib.checks.contract.verdict import judged
@@ -30,6 +32,7 @@ def stable_equation(answer, equation, motion, parameters):
     return compare_region(answer, characteristic_of(equation, motion), parameters, "stable")
 
 
+@functools.lru_cache(maxsize=16)
 def characteristic_of(equation, motion):
     """The characteristic polynomial of a linear equation: its left-hand side for x(t) = e^(s t), divided by e^(s t)."""
     (time,) = motion.args

@@ -351,10 +351,8 @@ def _judge_roots(answer, family, sign, noun):
         return (f"for {place_text(values)} the stationary point is {'' if holds else 'not '}{noun}, yet your condition "
                 f"{'does not hold' if holds else 'holds'}")
 
-    matrix = sp.Matrix(family.field).jacobian(family.state)
-    trace, determinant = sp.expand(matrix.trace()), sp.expand(matrix.det())
-    discriminant = sp.expand(trace**2 - 4 * determinant)
-    decided = sp.And(family.given, family.at_rest, *(sp.Ne(x, 0) for x in (trace, determinant, discriminant)))
+    _, determinant, discriminant = family.invariants
+    decided = sp.And(family.given, family.at_rest, *(sp.Ne(x, 0) for x in family.invariants))
     truth = exactly(sp.And(sign * discriminant > 0, determinant > 0), decided, tuple(family.state), at)
     agreement = compare(answer, family.parameters, truth, told)
     return f"the stationary point is {noun} exactly for these parameters: {agreement}"

@@ -55,8 +55,9 @@ class _Constants(Pair):
         super().__init__(sp.zeros(rows.cols), rows, parameters)
         self._rows = rows
 
-    def _seen(self, given):
-        return Case(sp.And(given, sp.Not(self._lost))), Case(sp.And(given, self._lost))
+    @functools.cached_property
+    def _seen(self):
+        return Case(sp.And(self._given, sp.Not(self._lost))), Case(sp.And(self._given, self._lost))
 
     @functools.cached_property
     def _lost(self):

@@ -51,14 +51,15 @@ class Starts(Pair):
         found = [relation[:self.unknowns] for relation in relations]
         return found if self._of is None else echelon([[vector[i] for i in self._of] for vector in found])[0]
 
-    def _seen(self, given):
+    @functools.cached_property
+    def _seen(self):
         """Of what is asked for alone: no u that is unseen has a part in it."""
         if self._of is None:
-            return super()._seen(given)
+            return super()._seen
         u = sp.symbols(f"u:{self.unknowns}", real=True, cls=sp.Dummy)
-        unseen = sp.And(given, *(sp.Eq(row, 0) for row in self._derivative_rows().to_Matrix() * sp.Matrix(u)))
+        unseen = sp.And(self._given, *(sp.Eq(row, 0) for row in self._derivative_rows().to_Matrix() * sp.Matrix(u)))
         asked = sp.Or(*(sp.Ne(u[i], 0) for i in self._of))
-        return Case(sp.And(given, sp.Not(sp.And(unseen, asked))), u, every=True), Case(sp.And(unseen, asked), u)
+        return Case(sp.And(self._given, sp.Not(sp.And(unseen, asked))), u, every=True), Case(sp.And(unseen, asked), u)
 
     def dimension_at(self, values):
         if self._of is None or all(value.is_Rational for value in values.values()):

@@ -116,18 +116,24 @@ class Pair:
     def truth(self, holds):
         """The `Truth` of a condition on the parameters under which all unknowns are seen, or with `holds` False are
         not."""
-        given = sp.And(*(sp.Ne(poly.as_expr(), 0) for poly in self._denominators))
-        all_seen, something_unseen = self._seen(given)
+        all_seen, something_unseen = self._seen
         inside, outside = (all_seen, something_unseen) if holds else (something_unseen, all_seen)
 
         def at(values):
-            return None if given.subs(values) is sp.false else (self.dimension_at(values) == 0) == holds
+            return None if self._given.subs(values) is sp.false else (self.dimension_at(values) == 0) == holds
 
         return Truth((inside,), (outside,), at)
 
-    def _seen(self, given):
+    @functools.cached_property
+    def _given(self):
+        """That the matrices are defined, as a condition."""
+        return sp.And(*(sp.Ne(poly.as_expr(), 0) for poly in self._denominators))
+
+    @functools.cached_property
+    def _seen(self):
+        """The `Case` in which all unknowns are seen, and the one in which something is not."""
         zero = sp.Eq(self._determinant.as_expr(), 0)
-        return Case(sp.And(given, sp.Not(zero))), Case(sp.And(given, zero))
+        return Case(sp.And(self._given, sp.Not(zero))), Case(sp.And(self._given, zero))
 
     def dimension_at(self, values):
         """The number of independent unseen states at exact values of the parameters."""

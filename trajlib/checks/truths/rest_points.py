@@ -171,16 +171,23 @@ class RestPoints:
     def _rests_of_tries(self):
         return self.rests(self._tries[1])
 
-    @property
+    @functools.cached_property
     def given(self):
         """What the domain says of the parameters, as a condition."""
         return sp.And(*(_within(p, interval_of(p, self.domain)) for p in self.parameters))
 
-    @property
+    @functools.cached_property
     def at_rest(self):
         """That a state lies in the domain and the right-hand sides vanish there, as a condition."""
         return sp.And(*(_within(x, interval_of(x, self.domain)) for x in self.state),
                       *(sp.Eq(component, 0) for component in self.field))
+
+    @functools.cached_property
+    def invariants(self):
+        """Trace, determinant and discriminant of the first approximation in the plane, as expressions."""
+        matrix = sp.Matrix(self.field).jacobian(self.state)
+        trace, determinant = sp.expand(matrix.trace()), sp.expand(matrix.det())
+        return trace, determinant, sp.expand(trace**2 - 4 * determinant)
 
     def numbers(self, values):
         """Values of the parameters as one column of floats, or None outside the domain."""
