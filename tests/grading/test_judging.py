@@ -4,11 +4,9 @@ what is."""
 import json
 import os
 import random
-import re
 import subprocess
 import sys
 import time
-from contextlib import suppress
 from pathlib import Path
 
 import numpy as np
@@ -17,6 +15,7 @@ import sympy as sp
 
 sys.path.insert(0, str(Path(__file__).parent))
 from classroom import RIGHT_1_15  # noqa: E402
+from foreign import Watch  # noqa: E402
 
 from trajlib import exercises  # noqa: E402
 from trajlib.checks.contract.encoding import encode  # noqa: E402
@@ -102,96 +101,6 @@ def test_without_a_check_nothing_is_right():
 # Nothing of the student's runs
 
 
-class Watch:
-    """Notes what the process is asked to do, by Python's own audit."""
-
-    #: Unpickling, starting programs, calling out, changing files.
-    FORBIDDEN = ("pickle.find_class", "os.system", "os.exec", "os.posix_spawn", "os.fork", "subprocess.Popen",
-                 "socket.connect",
-                 "ctypes.dlopen", "os.remove", "os.rename", "os.mkdir", "os.chmod", "shutil.rmtree", "os.putenv")
-
-    def __init__(self):
-        self.events = []
-        sys.addaudithook(self._note)
-
-    def _note(self, event, given):
-        if event in self.FORBIDDEN:
-            self.events.append(f"{event} {given!r:.200}")
-        elif event == "compile" and given[0] is not None:
-            # Code is made of our own cells, and of expressions by lambdify, whose names have a narrow alphabet.
-            if not str(given[1]).startswith(("<data cell>", "<check cell>", "<lambdifygenerated-", "<string>")):
-                self.events.append(f"compile {given!r:.200}")
-            if "MARK" in (given[0].decode(errors="replace") if isinstance(given[0], bytes) else str(given[0])):
-                self.events.append(f"compile of foreign text {given!r:.200}")
-        elif event == "open" and isinstance(given[1], str) and set("wax+") & set(given[1]):
-            self.events.append(f"open {given!r:.200}")
-        elif event == "import" and "MARK" in str(given):
-            self.events.append(f"import {given!r:.200}")
-
-
-PAYLOADS = [
-    "__import__('os').system('true MARK')", "MARK", "exec('MARK = 1')", "().__class__.__base__.__subclasses__()[MARK]",
-    "k1 > 0 if MARK else 1",
-    "lambda: MARK", "x=open('MARK', 'w')", "import MARK", "{MARK}", "%MARK", "Symbol('MARK')", "S('MARK')", "cos\nMARK",
-    "'\"MARK", "\\MARK",
-]
-
-
-def _watched(messages, numbers):
-    """In a child: judge each message for each problem under watch; (events, verdict statuses that were seen)."""
-    import casadi  # noqa: F401, so that nothing is left to be imported
-    import matplotlib.pyplot  # noqa: F401
-    import scipy.optimize  # noqa: F401
-    import z3  # noqa: F401
-
-    import trajlib.mistakes.likeness
-    import trajlib.mistakes.sealing  # noqa: F401
-    found = []
-    for number in numbers:
-        exercise = exercises.find(number)
-        names = list(exercise.about["answers"])
-        cells = exercise.code("data", "check")
-        judge_cells(cells, {}, {}, names)  # what our own cells import, they have imported
-        watch = Watch()
-        for message in messages:
-            message = message.replace('"*"', json.dumps(names[0]))
-            encoded, unreadable, _, _ = judging._read(message.encode(), names)
-            if not encoded and '"every"' in message:
-                encoded = dict.fromkeys(names, json.loads(message)["encoded"]["every"])
-            for status, *_ in judge_cells(cells, encoded, unreadable, names).values():
-                if status == RIGHT:
-                    found.append(f"{number}: right: {message:.300}")
-        found += [f"{number}: {event}" for event in watch.events]
-        watch.events = []
-    return sorted(set(found))
-
-
-def _texts():
-    """Texts that are code, as strings and wherever a text can stand in an encoding."""
-    for payload in PAYLOADS:
-        symbol = {"kind": "Symbol", "name": payload, "assumptions": {}}
-        written = json.loads(encode(sp.Symbol("q")))
-        for node in (payload, [payload], {"kind": payload}, symbol, written | {"name": payload},
-                     {"kind": "dict", "items": [[payload, payload]]},
-                     {"kind": "Integral",
-                      "args": [written, {"kind": "Tuple", "args": [written | {"name": payload}, 0, 1]}]},
-                     {"kind": "float", "value": payload},
-                     {"kind": "array", "dtype": payload, "shape": [1], "data": payload}):
-            yield json.dumps(node, ensure_ascii=False, sort_keys=True, separators=(",", ":"))
-
-
-def _numbers():
-    return [exercise.number for exercise in exercises.read_all()]
-
-
-@pytest.mark.parametrize("number", _numbers())
-def test_text_is_never_code(number):
-    """For every problem: texts that would run, were they evaluated, unpickled or imported anywhere in a check."""
-    messages = [json.dumps({"encoded": {"every": text}, "unreadable": {}, "errors": [], "stopped": []})
-                for text in _texts()]
-    assert in_child(_watched, messages, [number], timeout=300) == []
-
-
 def test_the_watch_sees_what_it_looks_for():
     assert in_child(_what_a_watch_sees, timeout=60) == ["compile of foreign text", "open", "os.system",
                                                         "pickle.find_class"]
@@ -207,69 +116,6 @@ def _what_a_watch_sees():
     open(os.devnull, "w").close()
     pickle.loads(b"cbuiltins\nlen\n.")
     return sorted({" ".join(event.split(" (")[:1]) for event in watch.events})
-
-
-#: By problem, what is right although it looks like nothing: there are no such angles in 1.6, and where a system is
-#: observable (or controllable) no state is unseen and no eigenvalue lost; no parameter makes that of 2.24 d
-#: controllable; where there is no observer there is no gain. Eigenvalues may come as a dictionary with their
-#: multiplicities.
-EMPTY_AND_RIGHT = {**dict.fromkeys(["2.3", "2.5", "2.14", "2.24", "3.1", "3.2", "3.16", "3.17", "3.18", "3.24", "5.67"],
-                                   [[], ()]),
-                   **dict.fromkeys(["1.6", "2.6", "2.7", "2.26", "2.32", "2.37"], [[], (), {}])}
-NOTHING = [float("nan"), float("inf"), -float("inf"), sp.nan, sp.zoo, sp.oo, -sp.oo, complex(float("nan"), 1),
-           10**1999, [], {}, (), "", "right", [sp.nan] * 2,
-           sp.Matrix([[sp.nan, sp.nan], [sp.nan, sp.nan]]), [[float("nan")] * 2] * 2, sp.Eq(k1, sp.nan, evaluate=False),
-           {"right": "right"}]
-
-
-@pytest.mark.parametrize("number", _numbers())
-def test_no_number_at_all_is_never_right(number):
-    """NaN passes `not abs(x - y) > tolerance`, infinities cancel, and an empty list has no wrong element."""
-    messages = [json.dumps({"encoded": {"every": encode(value).decode()}, "unreadable": {}, "errors": [],
-                            "stopped": []}) for value in NOTHING
-                if value not in EMPTY_AND_RIGHT.get(number, ())]
-    assert in_child(_watched, messages, [number], timeout=300) == [], "what is truly right belongs into EMPTY_AND_RIGHT"
-
-
-def _odd_answers(symbol):
-    """What can be written down and is the answer to nothing; in a symbol of the data, or else its name would tell."""
-    x = sp.Symbol(symbol)
-    function = sp.Lambda(x, x**2)
-    return {"text": "x", "none": {"none": "none"}, "number": 3, "not real": sp.sqrt(-1 - x**2) > 0,
-            "function": function,
-            "functions": [function, function], "images": sp.ImageSet(function, sp.S.Integers),
-            "delta": sp.DiracDelta(x),
-            "condition on delta": sp.DiracDelta(x) > 0, "gamma": sp.gamma(x) > 0,
-            "equal matrices": sp.Eq(sp.Matrix([x]), sp.Matrix([1]))}
-
-
-def _odd_verdicts(number):
-    """In a child: what is said of odd answers that it must not: that our check failed, or an example that is right."""
-    exercise = exercises.find(number)
-    names, cells = list(exercise.about["answers"]), exercise.code("data", "check")
-    data = {}
-    for role, source in cells:
-        if role == "data":
-            exec(source, data)
-    symbol = next((value.name for value in data.values() if isinstance(value, sp.Symbol)), "x")
-    found, examples = [], {name: set() for name in names}
-    for what, value in _odd_answers(symbol).items():
-        encoded = dict.fromkeys(names, encode(value).decode())
-        for name, (status, message, _) in judge_cells(cells, encoded, {}, names).items():
-            found += [f"{name}, {what}: {message}"] if status == UNCHECKED else []
-            examples[name] |= set(re.findall(r"such as (.+?)(?:, got|;|$)", message)) if status != RIGHT else set()
-    for name, told in examples.items():
-        for example in {part for text in told for part in (text, *text.split(" or "))}:
-            with suppress(Exception):  # words rather than an example
-                encoded = {name: encode(sp.sympify(example, locals={"sp": sp})).decode()}
-                if judge_cells(cells, encoded, {}, names)[name][0] == RIGHT:
-                    found.append(f"{name} is told as an example what is right: {example}")
-    return found
-
-
-@pytest.mark.parametrize("number", _numbers())
-def test_odd_answers_are_the_students_affair_and_are_not_told_the_right_one(number):
-    assert in_child(_odd_verdicts, number, timeout=300) == []
 
 
 # Bytes of all sorts

@@ -10,6 +10,7 @@ from contextlib import suppress
 from pathlib import Path
 
 import pytest
+from foreign import judged_under_watch
 from harness import called_functions, check_calls, data_of, each_part, execute
 from mutants import mutants
 from nonsense import NOT_ASKED, nonsense
@@ -331,13 +332,28 @@ def _mutants(bench):
     return result
 
 
+def test_text_is_never_code(master):
+    """Texts that would run, were they evaluated, unpickled or imported anywhere in a check."""
+    assert found(master, "foreign")["texts"] == []
+
+
+def test_no_number_at_all_is_never_right(master):
+    """NaN passes `not abs(x - y) > tolerance`, infinities cancel, and an empty list has no wrong element."""
+    assert found(master, "foreign")["nothing"] == [], "what is truly right belongs into EMPTY_AND_RIGHT"
+
+
+def test_odd_answers_are_the_students_affair_and_are_not_told_the_right_one(master):
+    assert found(master, "foreign")["odd"] == []
+
+
 def _solved(bench):
     """The answers, to be judged elsewhere, and what was called to find them."""
     return {"answers": _encoded(bench), "called": sorted(bench.called)}
 
 
 PARTS = {"reference": _reference, "untouched": _untouched, "wrong": _wrong, "forms": _forms, "right": _right,
-         "mutants": _mutants, "mistakes": _mistakes, "decimals": _decimals, "solved": _solved, "told": _told}
+         "mutants": _mutants, "mistakes": _mistakes, "decimals": _decimals, "solved": _solved, "told": _told,
+         "foreign": judged_under_watch}
 
 
 def test_the_data_tell_no_condition_that_is_asked_for(master):
