@@ -12,6 +12,8 @@ from pathlib import Path
 os.environ.setdefault("MPLBACKEND", "Agg")
 # Several tests run side by side: each numerical library gets one thread.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+# All of Jupyter loads jsonschema, and this the grammars of a checker that nobody asks: two seconds in each process.
+sys.modules["rfc3987_syntax"] = None
 for folder in ("problems", "checks", "library", "browser"):
     sys.path.insert(0, str(Path(__file__).parent / folder))
 
@@ -28,7 +30,7 @@ from trajlib import checks  # noqa: E402
 
 #: Tests that share what costs much: the proof of a problem, the parsed pages of an edition, syntheses, a cluster, an
 #: installed bundle. The tests of a group are those with the same parts in their ids.
-TOGETHER = re.compile(r"(problems/test_masters).*\[([\d.]+)\]|(site/)\S*\[(full|student)\]"
+TOGETHER = re.compile(r"(problems/test_)(?:masters|exercises).*\[([\d.]+)\]|(site/)\S*\[(full|student)\]"
                       r"|(library/test_pontryagin_synthesis|grading/test_cluster|grading/test_gradescope)\.py")
 _BEGAN, _APART = pytest.StashKey(), pytest.StashKey()
 #: glibc's numbers of two settings: from which size an array gets pages of its own, and from which on free memory is
