@@ -106,7 +106,7 @@ EXPRESSIONS = [
     sp.Derivative(f(t) ** 2, f(t)),
     (f(t).diff(t) ** 2).diff(f(t).diff(t)), sp.Derivative(f(t), (t, sp.Symbol("m", integer=True, positive=True))),
     sp.Integral(f(t), t), sp.Integral(f(t), (t, 0, x)), sp.Integral(x * y, (x, 0, 1), (y, 0, x)),
-    sp.Integral(sp.exp(-(x**2)), (x, -sp.oo, sp.oo)),
+    sp.Integral(sp.exp(-(x**2)), (x, -sp.oo, sp.oo)), sp.Sum(y**x, (x, 0, t)),
     sp.Piecewise((1, t < 0), (t, t < 1), (0, True)),
     sp.Piecewise((1, sp.And(x > 0, y > 0)), (sp.Piecewise((2, x > 1), (3, True)), y > 1)),
     sp.Lambda(x, x**2), sp.Lambda((x, y), x + y), sp.Lambda(((x, y), z), x * y * z), sp.S.IdentityFunction,
@@ -189,6 +189,7 @@ def test_decoded_objects_work():
     union = decode(encode(sp.Union(sp.Interval(0, 1), sp.FiniteSet(2))))
     assert 2 in union and 3 not in union and union.measure == 1 and sp.Interval(0, 3) - union
     assert decode(encode(sp.Integral(x, (x, 0, y)))).doit() == y**2 / 2
+    assert decode(encode(sp.Sum(x, (x, 1, 4)))).doit() == 10
     assert decode(encode(sp.Derivative(x**3, x, x))).doit() == 6 * x
     assert decode(encode(sp.Lambda((x, y), x - y)))(3, 1) == 2
     assert decode(encode(sp.Max(x, y))).subs({x: 1, y: 2}) == 2
@@ -596,6 +597,7 @@ HOSTILE = {
     "derivative of negative order": text(node("Derivative", X, node("Tuple", X, integer(-1)))),
     "integral over a number": text(node("Integral", X, node("Tuple", ONE))),
     "integral without limits": text(node("Integral", X)),
+    "sum without an end": text(node("Sum", X, node("Tuple", X, ONE))),
     "function of nothing": text({"kind": "apply", "name": "f", "assumptions": {}, "args": []}),
     "function of a condition": text({"kind": "apply", "name": "f", "assumptions": {}, "args": [POSITIVE]}),
     "thousand functions": text([{"kind": "apply", "name": f"f{i}", "assumptions": {}, "args": [X]}
@@ -951,7 +953,7 @@ UNFIT = {
     "sparse matrix": (sp.SparseMatrix(10**6, 10**6, {}), "matrix of"),
     "CasADi SX": (casadi.SX.sym("x"), "SymPy"),
     "CasADi MX": (casadi.MX.sym("x"), "SymPy"),
-    "sum": (sp.Sum(x, (x, 1, y)), "of the type Sum"),
+    "product": (sp.Product(x, (x, 1, y)), "of the type Product"),
     "matrix symbol": (sp.MatrixSymbol("A", 2, 2), "MatrixSymbol"),
     "symbol that does not commute": (sp.Symbol("A", commutative=False), "commute"),
     "Wild": (x + sp.Wild("w"), r"answer\.args\[.\] is of the type Wild"),

@@ -3,7 +3,7 @@
 import pytest
 import sympy as sp
 
-from trajlib.checks.contract.verdict import Wrong
+from trajlib.checks.contract.verdict import Invalid, Wrong
 from trajlib.checks.tools import values
 from trajlib.checks.tools.values import number_at, real_at
 
@@ -13,6 +13,8 @@ CASES = {
     "a factor that vanishes beside an infinite one": (x/(y - 1), {x: 0, y: 1}, 0),
     "a later case has no value": (sp.Piecewise((2, x > 0), (1, sp.sqrt(x - 5) > 0), evaluate=False), {x: 1}, 2),
     "a symbol that is bound": (sp.Integral(x*y, (x, 0, 1)), {x: 3, y: 2}, 1),
+    "a sum": (sp.Sum(x**y, (y, 0, 3)), {x: 2, y: 7}, 15),
+    "a sum of nothing": (1 + sp.Sum(x*y, (y, 1, x)), {x: 0}, 1),
     "floats": (sp.exp(-x)*sp.cos(y), {x: 0.5, y: -2.0}, float(sp.exp(-0.5)*sp.cos(2))),
     "a root of a negative number": (sp.sqrt(x*y), {x: -2, y: 8}, 4j),
     "a symbol of which more is assumed": (sp.sqrt(ANGLE**2*x), {ANGLE: 3, x: 4}, 6),
@@ -29,6 +31,12 @@ def test_what_has_no_value_has_none():
     with pytest.raises(Wrong, match="undefined|infinite"):
         number_at(1/(x - y), {x: 2, y: 2})
     assert real_at(sp.Piecewise((1, sp.sqrt(x) > 0)), {x: -1}) is None
+
+
+@pytest.mark.parametrize("limits", [(0, 10**9), (0, sp.oo), (0, sp.Rational(1, 2)), (0, x)])
+def test_a_sum_that_cannot_be_written_out_is_refused(limits):
+    with pytest.raises(Invalid, match="write it without"):
+        number_at(sp.Sum(sp.sin(y**2), (y, *limits)), {})
 
 
 def test_a_plain_expression_is_not_asked_for_one_after_the_other(monkeypatch):

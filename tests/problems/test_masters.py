@@ -45,8 +45,7 @@ LIKE_ANOTHER = {"2.3": 1, "2.26": 3}
 #: Answers of which one number may be one per cent off: it belongs to a row that may be any, to a border at which two
 #: cases agree to first order, to two terms that cancel, to a small term of a sum (5.62), to the moment of a switching,
 #: whose price is of second order (5.59), or the other numbers together make more uncertain (5.35).
-HARDLY_MATTERS = {"3.25": {"b_observation_split", "d_observation_split"}, "3.26": {"a_observation_split"},
-                  "5.26": {"control"}, "5.35": {"angle"}, "5.59": {"d_control"}, "5.62": {"d_cost"},
+HARDLY_MATTERS = {"5.26": {"control"}, "5.35": {"angle"}, "5.59": {"d_control"}, "5.62": {"d_cost"},
                   "5.65": {"control"}}
 #: Answers that have to be exact to be told from the best: an optimum that only touches.
 EXACT_ALONE = {"5.50": {"b_control"}}

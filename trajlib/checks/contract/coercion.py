@@ -20,7 +20,7 @@ EXAMPLE_OF_CONDITION = "such as x + 77 < y or sp.And(x + 77 < y, y < 99)"
 #: No answer has nearly as many relations; to work with more takes a time that grows faster than their number.
 MOST_WRITTEN_OUT = 200
 #: They have no values at points, or none that the checks can compute.
-NOT_IN_CONDITIONS = (sp.DiracDelta, sp.gamma, sp.factorial, sp.binomial, sp.Lambda)
+NOT_IN_CONDITIONS = (sp.DiracDelta, sp.gamma, sp.factorial, sp.binomial, sp.Lambda, sp.Sum)
 
 
 def as_expression(answer, symbols=()):

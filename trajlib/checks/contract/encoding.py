@@ -542,9 +542,10 @@ def _text_of_array(value, data):
 def _text_of_sympy(value, data):
     import sympy
 
-    # Sorting terms for print evaluates the numbers among them, integrals too; so only what is small and has none is
-    # sorted.
-    return sympy.sstr(value, order="none" if len(data) > 20_000 or b'"Integral"' in data else None)
+    # Sorting terms for print evaluates the numbers among them, integrals and sums too; so only what is small and has
+    # none is sorted.
+    slow = len(data) > 20_000 or b'"Integral"' in data or b'"Sum"' in data
+    return sympy.sstr(value, order="none" if slow else None)
 
 
 _TEXTS = {

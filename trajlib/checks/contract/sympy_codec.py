@@ -101,6 +101,10 @@ def limits(x):
     return type(x) is sp.Tuple and 1 <= len(x) <= 3 and symbol(x[0]) and all(map(scalar, x))
 
 
+def range_of(x):
+    return limits(x) and len(x) == 3
+
+
 def derivation(x):
     """A variable and how often: differentiated by 10**9 times, an expression would list it as often."""
     if type(x) is not sp.Tuple or len(x) != 2 or not (symbol(x[0]) or isinstance(x[0], (AppliedUndef, sp.Derivative))):
@@ -142,7 +146,7 @@ def elements(cls, *args):
     return node
 
 
-def integral(cls, *args):
+def with_limits(cls, *args):
     node = sp.Basic.__new__(cls, *args)
     node.is_commutative = True
     return node
@@ -185,7 +189,8 @@ _ROWS = [
     Node(sp.Tuple, bare, (), part),
     Node(sp.Lambda, bare, (signature, part)),
     Node(sp.Derivative, bare, (scalar, derivation), derivation),
-    Node(sp.Integral, integral, (scalar, limits), limits),
+    Node(sp.Integral, with_limits, (scalar, limits), limits),
+    Node(sp.Sum, with_limits, (scalar, range_of), range_of),
     Node(sp.Interval, bare, (scalar, scalar, truth, truth)),
     Node(sp.FiniteSet, elements, (part,), part),
     *[Node(cls, operands, (a_set,), a_set) for cls in (sp.Union, sp.Intersection)],

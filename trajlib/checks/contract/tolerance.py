@@ -69,9 +69,11 @@ def same(said, true, written, size=0.0, computed=EXACT, uncertain=None):
     """Whether numbers, real or complex, that an answer became are the true ones: a bool, or an array of them.
 
     `written` is the answer, an expression or a matrix of the same shape; `size` that of the numbers that were computed
-    with; `uncertain` by how much its decimals leave open what an expression with symbols becomes, nan if not known.
+    with, in an array that of those beside it; `uncertain` by how much its decimals leave open what an expression with
+    symbols becomes, nan if not known.
     """
     wrong = np.asarray(said) - true
+    beside = NEGLIGIBLE * size if wrong.shape else 0  # a number alone has the digits of its own
     allowed = computed * np.maximum(np.abs(true), size)
     if in_decimals(written):
         has_symbols = np.vectorize(lambda e: bool(sp.sympify(e).free_symbols), otypes=[bool])(_entries(written))
@@ -79,7 +81,7 @@ def same(said, true, written, size=0.0, computed=EXACT, uncertain=None):
         if uncertain is not None:
             open_ = np.where(np.isfinite(uncertain), uncertain, open_)
         allowed = np.maximum(allowed, np.where(has_symbols, open_,
-                                               half_unit(np.maximum(np.abs(true), NEGLIGIBLE * size))))
+                                               half_unit(np.maximum(np.abs(true), beside))))
     found = (np.abs(wrong.real) <= allowed) & (np.abs(wrong.imag) <= allowed)
     return found if found.shape else bool(found)
 

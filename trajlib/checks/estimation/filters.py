@@ -18,7 +18,7 @@ from trajlib.checks.tools.comparisons import Entries, Members
 from trajlib.checks.tools.conditions import compare, contrary, exactly, place_text
 from trajlib.checks.tools.samples import allowed_values, joined
 from trajlib.checks.tools.values import numbers_at
-from trajlib.checks.tools.wording import number_text, where_text
+from trajlib.checks.tools.wording import entry_text, number_text, part_text, where_text
 from trajlib.checks.truths import processes
 from trajlib.checks.truths.spectra import decays
 
@@ -32,8 +32,8 @@ def estimate(claim, process, measured, at, parameters=(), given=sp.true):
     for one, values, known, time in _measured(process, measured, at, parameters, given):
         true, _ = processes.given(one, known, time)
         yield Entries(claim, true, lambda said, i, j: (
-            f"component {i + 1} of your estimate{where_text(values)}, {number_text(said[i, 0])}, is not the mean of "
-            "the state under the condition of what was measured"), values, abs(true).max() + _size(known))
+            f"{part_text('estimate', said, i)}{where_text(values)}; this is not the mean of the state under the "
+            "condition of what was measured"), values, abs(true).max() + _size(known))
     return "it is the mean of the state under the condition of what was measured"
 
 
@@ -54,8 +54,8 @@ def estimate_deviations(claim, process, measured, at, parameters=(), given=sp.tr
     for one, values, known, time in _measured(process, measured, at, parameters, given):
         true = np.sqrt(np.diag(processes.given(one, known, time)[1]))[:, None]
         yield Entries(claim, true, lambda said, i, j: (
-            f"the standard deviation of the error of component {i + 1} is another number than "
-            f"{number_text(said[i, 0])}{where_text(values)}"), values)
+            f"{part_text('answer', said, i)}{where_text(values)}; its square is not the variance "
+            "of the error of the best estimate"), values)
     return "its square is the variance of the state under the condition of what was measured"
 
 
@@ -206,5 +206,4 @@ def _size(known):
 
 
 def _other(whose, values):
-    return lambda said, i, j: (f"the covariance of {whose} is another one{where_text(values)}: look at the entry "
-                               f"({i + 1}, {j + 1}), where yours is {number_text(said[i, j])}")
+    return lambda said, i, j: f"the covariance of {whose} is another one{where_text(values)}: {entry_text(said, i, j)}"

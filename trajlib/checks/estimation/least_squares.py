@@ -13,7 +13,7 @@ from trajlib.checks.contract.tolerance import same
 from trajlib.checks.contract.verdict import Wrong, judged
 from trajlib.checks.tools.comparisons import Entries, Same
 from trajlib.checks.tools.samples import general_values
-from trajlib.checks.tools.values import numbers_at
+from trajlib.checks.tools.values import numbers_at, uncertain_at
 from trajlib.checks.tools.wording import number_text, where_text
 
 
@@ -23,7 +23,8 @@ def least_squares(claims, measured, unknowns, deviations=None, parameters=()):
     for values in general_values(parameters):
         rows, wanted = _weighted(measured, unknowns, deviations, values)
         true, said = np.linalg.lstsq(rows, wanted, rcond=None)[0], numbers_at(claims, values, unknowns)
-        if not same(said, true, claims, abs(true).max()).all():
+        uncertain = [uncertain_at(claim, values) for claim in claims]
+        if not same(said, true, claims, abs(true).max(), uncertain=uncertain).all():
             residuals = wanted - rows @ said.real
             slopes = rows.T @ residuals
             k = int(np.argmax(abs(slopes)))

@@ -16,7 +16,7 @@ from trajlib.checks.tools.comparisons import Entries, Members, Same
 from trajlib.checks.tools.conditions import compare, contrary, exactly
 from trajlib.checks.tools.samples import allowed_values, joined
 from trajlib.checks.tools.values import numbers_at
-from trajlib.checks.tools.wording import number_text, where_text
+from trajlib.checks.tools.wording import entry_text, number_text, where_text
 from trajlib.checks.truths import processes
 from trajlib.checks.truths.spectra import decays
 
@@ -91,8 +91,9 @@ def shaping_equation(claims, process, parameters=(), given=sp.true):
     for values in allowed_values(parameters, given, len(TIMES)):
         D, a = (float(part.subs(values)) for part in processes.variance_and_rate(process))
         for claim, true, what in zip(claims, (-a, 2 * a * D, D), (
-                "the coefficient of w", "the intensity", "the variance at the start")):
-            yield Same(claim, true, what + " that keeps the given correlation", values, max(a, a * D, D))
+                "the coefficient", "the intensity", "the variance at the start")):
+            yield Same(claim, true, f"{what} of the equation that keeps the given correlation", values,
+                       max(a, a * D, D))
     return "what it makes has the given correlation at all times"
 
 
@@ -106,9 +107,8 @@ def settled_covariance(claim, process, parameters=(), given=sp.true):
         one = processes.numbers(process, values, start=False)
         true = processes.settled(one)
         yield Entries(claim, true, lambda said, i, j: (
-            f"a process with your matrix as its covariance does not keep it{where_text(values)}: look at the entry "
-            f"({i + 1}, {j + 1}), which is {number_text(said[i, j])}, in the dispersion equation"), values,
-            abs(true).max())
+            f"a process that had your covariance would not keep it{where_text(values)}: by the dispersion equation it "
+            f"changes; {entry_text(said, i, j)}"), values, abs(true).max())
     return "the process keeps this covariance, and comes to it from any other"
 
 
@@ -184,8 +184,7 @@ def _in_time(process, time, parameters, given, times):
 def _told(what, values):
     def told(said, i, j):
         if list(values.values())[-1] == 0:
-            return f"at the start the {what} is given, and yours is not it: the entry ({i + 1}, {j + 1})"
-        return (f"the {what}{where_text(values)} is another one: look at the entry ({i + 1}, {j + 1}), where yours is "
-                f"{number_text(said[i, j])}")
+            return f"at the start the {what} is given, and it is another one: {entry_text(said, i, j)}"
+        return f"the {what}{where_text(values)} is another one: {entry_text(said, i, j)}"
 
     return told

@@ -62,16 +62,17 @@ class Requirement:
                 return True
         return False
 
-    def hold(self, loop, gain, what):
-        """Raise `Wrong` unless the matrix `loop(gain)`, called `what` in a message, meets it."""
+    def hold(self, loop, gain, what, by="your gain"):
+        """Raise `Wrong` unless the matrix `loop(gain)`, called `what` in a message, meets it; `by` is what the
+        student calls the answer."""
         for values in self.samples():
             if abs(matrix_at(gain, values).imag).max(initial=0) > 0:
-                raise Wrong(f"the gain is not real{where_text(values)}")
+                raise Wrong(f"with {by} {what} is not real{where_text(values)}")
             if self.polynomial is not None:
-                self._hold_polynomial(loop, gain, what, values)
+                self._hold_polynomial(loop, gain, what, by, values)
         if self.polynomial is not None:
             return f"the characteristic polynomial of {what} is the one required"
-        return self._hold_margin(loop, gain, what)
+        return self._hold_margin(loop, gain, what, by)
 
     def _asked(self, values):
         return joined(self.given).subs(values) is sp.true
@@ -83,7 +84,7 @@ class Requirement:
         poly = sp.Poly(self.polynomial, self.symbol)
         return np.array([complex(c.subs(values)) for c in poly.all_coeffs()])/complex(poly.LC().subs(values))
 
-    def _hold_polynomial(self, loop, gain, what, values):
+    def _hold_polynomial(self, loop, gain, what, by, values):
         def found(matrix):
             closed = loop(sp.Matrix(matrix))
             return np.poly(np.array(closed.subs(values).evalf(30).tolist(), dtype=complex))
@@ -104,11 +105,11 @@ class Requirement:
         wrong = ~(abs(said - true) <= allowed)
         if wrong.any():
             k = int(np.argmax(wrong))
-            raise Wrong(f"with your gain the characteristic polynomial of {what} is not the one required"
+            raise Wrong(f"with {by} the characteristic polynomial of {what} is not the one required"
                         f"{where_text(values)}: the coefficient of {self.symbol}^{len(said) - 1 - k} is "
                         f"{number_text(said[k] if abs(said[k]) > EXACT*size**k else 0)}")
 
-    def _hold_margin(self, loop, gain, what):
+    def _hold_margin(self, loop, gain, what, by):
         matrix, slack = loop(in_fractions(gain)), 0
         if self.margin and in_decimals(gain):
             slack = self._slack(loop, gain)
@@ -119,8 +120,8 @@ class Requirement:
 
         def told(values, holds):
             if undefined(values):
-                return f"your gain has no value{where_text(values)}"
-            return f"with your gain {what} is not as required{where_text(values)}: {spectrum.describe(values)}"
+                return f"an entry of {by} has no value{where_text(values)}"
+            return f"with {by} {what} is not as required{where_text(values)}: {spectrum.describe(values)}"
 
         if self.parameters:
             # A pole of an entry may cancel in the characteristic polynomial.

@@ -7,10 +7,11 @@ A margin mu is that of Definition 1.5, Re lambda <= -mu for all eigenvalues.
 import sympy as sp
 
 from trajlib.checks.contract import coercion
-from trajlib.checks.contract.tolerance import share
+from trajlib.checks.contract.tolerance import EXACT
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
+from trajlib.checks.feedback.loops import in_fractions
 from trajlib.checks.tools.conditions import compare, exactly, place_text
-from trajlib.checks.tools.values import matrix_at, number_at
+from trajlib.checks.tools.values import matrix_at, number_at, uncertain_entries
 from trajlib.checks.tools.wording import number_text, where_text
 from trajlib.checks.truths.fixed_modes import ON_BORDER, greatest_margin, margins_with_parameters, slower_than
 from trajlib.checks.truths.pairs import pair_of
@@ -103,10 +104,11 @@ def observer_obstacle(answer, A, H, parameters=()):
     zero = {p: sp.Integer(0) for p in parameters}
     if parameters and not any(p.is_nonzero for p in parameters) and not sp.Matrix.vstack(A, H).subs(zero).has(sp.zoo):
         places.append(zero)
-    for values in places:
-        where = where_text(values)
-        for value, vector in claims.items():
-            _hold_mode(value, vector, A, H, values, where)
+    for value, vector in claims.items():
+        for values in places:
+            _hold_mode(value, vector, A, H, values, where_text(values))
+        compare(sp.true, parameters, exactly(sp.Or(*(sp.Ne(entry, 0) for entry in in_fractions(vector)))),
+                lambda values, holds: f"your vector v is zero for {place_text(values)}")
     return "it is a mode that does not decay, and nothing can be done about it: A v = lambda v"
 
 
@@ -115,12 +117,14 @@ def _hold_mode(value, vector, A, H, values, where):
     matrix, output = matrix_at(A, values), matrix_at(H, values)
     if not abs(column).max() > 0:
         raise Wrong(f"your vector v is zero{where}")
-    tolerance = share(value, *vector)
+    open_, (open_root,) = uncertain_entries(vector, values), *uncertain_entries(sp.Matrix([value]), values)
     image = matrix @ column
     size = (abs(matrix) @ abs(column)).max() + abs(root)*abs(column).max()
-    if not abs(image - root*column).max() <= tolerance*size:
+    left_open = abs(matrix) @ open_ + abs(root)*open_ + open_root*abs(column)
+    if not (abs(image - root*column) <= EXACT*size + left_open).all():
         raise Wrong(f"v and lambda = {number_text(root)} do not satisfy A v = lambda v{where}")
-    if not abs(output @ column).max() <= tolerance*max((abs(output) @ abs(column)).max(), 1e-300):
+    shown = abs(output) @ abs(column)
+    if not (abs(output @ column) <= EXACT*shown + abs(output) @ open_).all():
         k = int(abs(output @ column).argmax())
         raise Wrong(f"the output shows it: H v has the component {number_text((output @ column)[k, 0])}{where}, not 0")
     if not root.real > -ON_BORDER:

@@ -8,12 +8,12 @@ import numpy as np
 import sympy as sp
 
 from trajlib.checks.contract.claims import Expressions
-from trajlib.checks.contract.tolerance import share
+from trajlib.checks.contract.tolerance import EXACT
 from trajlib.checks.contract.verdict import Wrong, judged
 from trajlib.checks.feedback.loops import Requirement, in_fractions
 from trajlib.checks.tools.comparisons import Same
 from trajlib.checks.tools.samples import general_values, sample_values, signed_values
-from trajlib.checks.tools.values import number_at
+from trajlib.checks.tools.values import matrix_at, number_at, uncertain_entries
 from trajlib.checks.tools.wording import number_text, where_text
 
 
@@ -29,12 +29,12 @@ def observer_equations(claims, A, B, H, estimates, outputs, controls=(), paramet
     right = sp.Matrix(claims)
     _hold_linear(claims, symbols, parameters, estimates)
     F, G, J = (right.jacobian(part) if part else sp.zeros(A.rows, 0) for part in (estimates, outputs, controls))
-    tolerance = share(*claims)
     for values in general_values(parameters):
-        _hold_same(J, B, values, tolerance, "a control that is known acts on the estimate as on the state", controls)
-        _hold_same(F + G*H, A, values, tolerance,
+        open_F, open_G, open_J = (uncertain_entries(part, values) for part in (F, G, J))
+        _hold_same(J, B, values, open_J, "a control that is known acts on the estimate as on the state", controls)
+        _hold_same(F + G*H, A, values, open_F + open_G @ abs(matrix_at(H, values)),
                    "an estimate that is exact at one moment does not stay so while the state moves", estimates)
-    return requirement.hold(in_fractions, F, "the matrix of the errors")
+    return requirement.hold(in_fractions, F, "the matrix of the errors", "your equations")
 
 
 @judged(Expressions("state", "estimates", "time", "K", "L",
@@ -76,9 +76,9 @@ def _hold_linear(claims, symbols, parameters, estimates):
                 raise Wrong(f"the right-hand side for {symbol} is not linear in {', '.join(map(str, symbols))}")
 
 
-def _hold_same(said, true, values, tolerance, what, names):
+def _hold_same(said, true, values, left_open, what, names):
     found, wanted = (np.array(m.subs(values).evalf(30).tolist(), dtype=complex).reshape(m.shape) for m in (said, true))
-    wrong = ~(abs(found - wanted) <= tolerance*(abs(wanted).max(initial=0) + abs(found).max(initial=0) + 1))
+    wrong = ~(abs(found - wanted) <= left_open + EXACT*(abs(wanted).max(initial=0) + abs(found).max(initial=0) + 1))
     if wrong.any():
         i, k = np.argwhere(wrong)[0]
         raise Wrong(f"{what}{where_text(values)}: in equation {i + 1} the part of {names[k]} adds up to "

@@ -109,6 +109,8 @@ def stationary_value(claim, expression, field, state, parameters, domain=None):
         true, said = float(reading(rest, numbers)[0]), real_at(claim, values)
         if said is None or not same(said, true, claim, _scale(expression, values, state, rest)):
             told = "no real number" if said is None else f"{said:.4g}"
+            if not values:  # the true number would be the answer itself
+                raise Wrong(f"the value at the stationary solution is another one than {told}")
             raise Wrong(f"for {sample_text(values)} the value is {true:.4g}; your expression gives {told}")
     return "it is the value at the stationary solution, for sample values of the parameters"
 
@@ -370,6 +372,8 @@ def _points(answer, family):
 
     if isinstance(answer, sp.MatrixBase) and 1 not in answer.shape:
         answer = [list(answer.row(k)) for k in range(answer.rows)]
+    if isinstance(answer, np.ndarray):
+        answer = answer.tolist()
     if isinstance(answer, (set, frozenset, sp.FiniteSet)):
         return [single(point) for point in answer]
     if isinstance(answer, (list, tuple)) and (n == 1 or any(isinstance(point, (dict, *VECTORS)) for point in answer)):

@@ -37,14 +37,16 @@ def sample_values(parameters, count=6, seed=5):
 
 def general_values(parameters):
     """Rational values for parameters as `sample_values` gives them, but none a small number or a small multiple of
-    another; the last two are large, of either sign: a root or a modulus may be right close by alone."""
+    another; the last two are large, of either sign: a root or a modulus may be right close by alone. Those of integer
+    symbols are whole."""
     if not parameters:
         return [{}]
     primes = (997, 1009, 1013, 1019, 1021, 1031, 1033, 1039)
     found = [{p: value * sp.Rational(prime, 1000) for (p, value), prime in zip(values.items(), itertools.cycle(primes))}
              for values in sample_values(parameters, 6)]
     far = {p: FAR * value for p, value in found[1].items()}
-    return [*found, far, {p: value if p.is_nonnegative or p.is_nonpositive else -value for p, value in far.items()}]
+    far = [far, {p: value if p.is_nonnegative or p.is_nonpositive else -value for p, value in far.items()}]
+    return [_scaled(values, 1, values) for values in (*found, *far)]
 
 
 def allowed_values(parameters, given, count):

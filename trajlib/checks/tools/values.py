@@ -21,6 +21,8 @@ from trajlib.checks.tools.wording import rounded_text
 
 #: At how many places integrals are computed for one verdict.
 MOST_INTEGRATED = 400
+#: How many terms of a sum are added up.
+MOST_ADDED = 1000
 
 
 def number_at(claim, values, what="your expression"):
@@ -111,7 +113,7 @@ def real_function(symbols, expressions):
     real number."""
     # Only SymPy functions of the data's own symbols come here (coercion.with_symbols), so the code made is ours.
     # A docstring would take as long as the code.
-    compiled = [_integrated(symbols, e) if e.has(sp.Integral) else
+    compiled = [_integrated(symbols, e) if e.has(sp.Integral, sp.Sum) else
                 sp.lambdify(symbols, _printable(e), [{"select": _first_of}, "numpy"], docstring_limit=0)
                 for e in expressions]
 
@@ -143,14 +145,14 @@ def real_function(symbols, expressions):
 
 
 def _integrated(symbols, e):
-    """An expression with integrals, one place after the other; slow, so not for a law."""
+    """An expression with integrals or sums, one place after the other; slow, so not for a law."""
     places = 0
 
     def value(*numbers):
         nonlocal places
         places += 1
         if places > MOST_INTEGRATED:
-            raise Invalid("your answer holds an integral and is asked for at many places; write it without")
+            raise Invalid("your answer holds an integral or a sum and is asked for at many places; write it without")
         found = real_at(e, dict(zip(symbols, map(sp.Float, numbers))))
         return np.nan if found is None else found
 
@@ -197,9 +199,22 @@ def _put(claim, values):
             if cmath.isfinite(complex(number)):
                 return number
     try:
-        return claim.subs(values).evalf(20)
+        return _added(claim.subs(values)).evalf(20)
     except TypeError:
         return sp.nan
+
+
+def _added(claim):
+    """The claim with its sums added up term by term: what SymPy makes of a long one may take minutes."""
+    def added(term, limits, *others):
+        index, first, last = limits
+        if others or not (first.is_number and last.is_number and first == sp.floor(first) and last == sp.floor(last)
+                          and last - first < MOST_ADDED):
+            raise Invalid(f"a sum is added up term by term, between whole numbers and up to {MOST_ADDED} terms; yours "
+                          "cannot be: write it without sp.Sum")
+        return sp.Add(*(term.xreplace({index: sp.Integer(k)}) for k in range(int(first), int(last) + 1)))
+
+    return claim.replace(sp.Sum, added) if claim.has(sp.Sum) else claim
 
 
 @functools.lru_cache(maxsize=256)

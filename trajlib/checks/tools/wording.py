@@ -18,6 +18,17 @@ def values_text(values):
     return ", ".join(f"{symbol} = {x if x.q < 1000 else f'{float(x):.6g}'}" for symbol, x in values.items())
 
 
+def entry_text(said, i, j):
+    """Where a matrix is wrong and what it says there; of a single number only that."""
+    place = "yours" if said.size == 1 else f"look at the entry ({i + 1}, {j + 1}), where yours"
+    return f"{place} is {number_text(said[i, j])}"
+
+
+def part_text(what, said, i):
+    """What is wrong in a column: `component 2 of your estimate is 0.5`; of a single number `your estimate is 0.5`."""
+    return (f"component {i + 1} of " if said.size > 1 else "") + f"your {what} is {number_text(said[i, 0])}"
+
+
 def where_text(values):
     """The values of a sample for the end of a message; nothing where there are none."""
     return f" for {values_text(values)}" if values else ""

@@ -12,6 +12,8 @@ CASES = [
     Case("least_squares", [sp.Rational(1, 2), sp.Rational(5, 2)], LINE, "right", "a line through three points"),
     Case("least_squares", [0.5, 2.5], LINE, "right", "decimals"),
     Case("least_squares", [(1 + q)/2], OF_Q, "right", "the mean"),
+    Case("least_squares", [0.333*q - 0.667], ([(a, 2 - q), (a, q), (a, q - 4)], [a], None, [q]), "right",
+         "decimals with a parameter, which may cancel"),
     Case("least_squares", [sp.Rational(8, 5)], WEIGHED, "right", "weights"),
     Case("least_squares", [q/(n + 1)], MANY, "right", "any number of measurements"),
     Case("least_squares", q/(n + 1), MANY, "right", "a single unknown without brackets"),

@@ -70,6 +70,10 @@ CASES = [
     Case("observer_obstacle", {}, (SADDLE, HIDES_GROWTH), "wrong", "there is one"),
     Case("observer_obstacle", {1: [1, -1/a]}, (sp.eye(2), M([[1, a]]), [a]), "wrong", "without a value at a = 0"),
     Case("observer_obstacle", {1: [a, -a**2]}, (sp.eye(2), M([[1, a]]), [a]), "wrong", "zero at a = 0"),
+    Case("observer_obstacle", {2: [1, 2.02]}, (SADDLE, HIDES_GROWTH), "wrong", "one per cent off"),
+    Case("observer_obstacle", {2.02: [1, 2]}, (SADDLE, HIDES_GROWTH), "wrong", "the rate one per cent off"),
+    Case("observer_obstacle", {1: [-a*(a**2 - 2), a**2 - 2]}, (sp.eye(2), M([[1, a]]), [a]), "wrong",
+         "zero at the root of 2"),
     Case("observer_obstacle", [2, 1, 2], (SADDLE, HIDES_GROWTH), "invalid", "a list"),
     Case("observer_obstacle", {2: [1, 2, 3]}, (SADDLE, HIDES_GROWTH), "invalid", "three components"),
 ]

@@ -1,3 +1,4 @@
+import numpy as np
 import sympy as sp
 from case import Case
 
@@ -37,6 +38,7 @@ CASES = [
     Case("stationary_points", BOTH, SHOT, "right", "two points, one of which exists for some parameters only"),
     Case("stationary_points", BOTH[::-1], SHOT, "right", "another order"),
     Case("stationary_points", sp.Matrix(BOTH), SHOT, "right", "the rows of a matrix"),
+    Case("stationary_points", np.array([[0.0], [1.0]]), TOUCHING, "right", "an array with a point in each row", SIMPLE),
     Case("stationary_points", [[-1.5708, sp.sqrt((P + g) / k)]], DOWN_TO_ITS_BORDER, "right",
          "an angle at the border of the domain, rounded to its other side"),
     Case("stationary_points", [[-1.58, sp.sqrt((P + g) / k)]], DOWN_TO_ITS_BORDER, "wrong", "too far beyond it"),
