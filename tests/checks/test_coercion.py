@@ -179,3 +179,17 @@ def test_choices(word):
                                            (sp.false, False)])
 def test_yes_and_no(answer, value):
     assert coercion.as_yes_no(answer) is value
+
+
+@pytest.mark.parametrize("answer, word", [(sp.eye(2), "got a matrix"), (np.zeros(2), "got an array"),
+                                          (x, "an expression"), ({x: 1}, "got a dict"), ([], "got a list"),
+                                          (2.5, "got a number")])
+def test_what_came_instead_of_a_condition_is_told_in_a_word(answer, word):
+    with pytest.raises(Invalid, match=word):
+        coercion.as_condition(answer, [x, y])
+
+
+@pytest.mark.parametrize("values", [[sp.nan, 1], np.array([1, np.nan]), sp.Matrix([sp.zoo])])
+def test_values_that_are_undefined_are_no_condition(values):
+    with pytest.raises(Invalid, match="undefined"):
+        coercion.as_condition(values, [x])

@@ -19,6 +19,11 @@ LARGEST = 1e50
 EXAMPLE_OF_CONDITION = "such as x + 77 < y or sp.And(x + 77 < y, y < 99)"
 #: No answer has nearly as many relations; to work with more takes a time that grows faster than their number.
 MOST_WRITTEN_OUT = 200
+#: What an answer is called that is of another kind than asked; the first that fits.
+KINDS = (((bool, np.bool_), "a truth value"), (str, "a text"), ((int, float, complex, np.number), "a number"),
+         (sp.MatrixBase, "a matrix"), (np.ndarray, "an array"), (sp.Lambda, "an sp.Lambda"),
+         (sp.Expr, "an expression"), (sp.logic.boolalg.Boolean, "a condition"),
+         ((sp.Set, set, frozenset), "a set"), ((list, tuple, sp.Tuple), "a list"), (dict, "a dict"))
 #: They have no values at points, or none that the checks can compute.
 NOT_IN_CONDITIONS = (sp.DiracDelta, sp.gamma, sp.factorial, sp.binomial, sp.Lambda, sp.Sum)
 
@@ -51,8 +56,8 @@ def _applied(function, symbols):
     known = {symbol.name: symbol for symbol in symbols}
     variables = function.signature
     if not all(isinstance(variable, sp.Symbol) for variable in variables) or len(variables) > len(symbols):
-        raise Invalid("expected an expression, or sp.Lambda of "
-                      + (", ".join(known) if known else "nothing: a number is asked"))
+        raise Invalid(f"expected an expression, or sp.Lambda of {', '.join(known)}" if known else
+                      "expected a number, got an sp.Lambda")
     named = all(variable.name in known for variable in variables)
     at = [known[v.name] for v in variables] if named else list(symbols)[:len(variables)]
     value = function.expr.xreplace(dict(zip(variables, at)))
@@ -143,8 +148,12 @@ def as_matrix(answer, symbols=(), shape=None):
     if not isinstance(answer, sp.MatrixBase):
         raise Invalid(f"expected a matrix, got {_named(answer)}")
     if shape is not None and answer.shape != tuple(shape):
-        raise Invalid(f"expected a matrix of shape {tuple(shape)}, got {answer.shape}")
+        raise Invalid(f"expected {_shaped(tuple(shape))}, got {_shaped(answer.shape)}")
     return answer.applyfunc(lambda entry: as_expression(entry, symbols)).as_immutable()
+
+
+def _shaped(shape):
+    return "a single expression" if shape == (1, 1) else f"a matrix of shape {shape}"
 
 
 def as_condition(answer, symbols):
@@ -158,6 +167,8 @@ def as_condition(answer, symbols):
                "write sp.Ne(x, 1) and sp.Eq(x, 1)")
         return sp.true if answer else sp.false
     if len(symbols) == 1 and (values := _listed_numbers(answer)) is not None:
+        if any(sp.sympify(value).has(sp.nan, sp.zoo) for value in values):
+            raise Invalid("one of the values is undefined (nan, or a division by zero)")
         answer = sp.FiniteSet(*values)
     if isinstance(answer, (list, tuple, set, frozenset)) and answer:
         answer = sp.And(*[as_condition(part, symbols) for part in answer])
@@ -320,4 +331,5 @@ def _named(answer):
         return "None (was the value computed but not assigned?)"
     if callable(answer) and not isinstance(answer, sp.Basic):
         return "a function"
-    return f"a value of type {type(answer).__name__}"
+    words = (word for types, word in KINDS if isinstance(answer, types))
+    return next(words, f"a value of type {type(answer).__name__}")
