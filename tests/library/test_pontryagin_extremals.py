@@ -8,6 +8,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 from scipy.linalg import expm
+from scipy.optimize import fsolve
 
 from trajlib.pontryagin import Problem, compare
 from trajlib.pontryagin.numeric import NumericProblem
@@ -381,3 +382,20 @@ def test_pictures_are_drawn():
         assert len(axes) == count and all(ax.lines for ax in axes)
         axes[0].figure.canvas.draw()
         plt.close("all")
+
+
+def test_a_body_that_stops_turning_does_not_chatter():
+    """Three bang arcs; on the singular arc through the target the other torques would turn the body again."""
+    w, torques = sp.symbols("w1:4"), sp.symbols("u1:4")
+    rates = {w[0]: w[1]*w[2]/2 + torques[0], w[1]: torques[1] - w[0]*w[2], w[2]: w[0]*w[1]/3 + torques[2]}
+    problem = Problem(rates, dict.fromkeys(torques, (-half, half)), dict(zip(w, (1, -half, 3*half/2))), w)
+
+    def end(lengths):
+        state = [1, -0.5, 0.75]
+        for length, u in zip(lengths, ((-1, 1, 1), (-1, 1, -1), (-1, 1, 1))):
+            state = solve_ivp(lambda t, y: [y[1]*y[2]/2 + u[0]/2, u[1]/2 - y[0]*y[2], y[0]*y[1]/3 + u[2]/2],
+                              (0, length), state, rtol=1e-12, atol=1e-13, method="DOP853").y[:, -1]
+        return state
+
+    lengths = fsolve(end, [0.06, 1.5, 0.2], xtol=1e-13)
+    assert problem.solve().duration == pytest.approx(lengths.sum(), rel=1e-10)

@@ -9,7 +9,7 @@ import sympy as sp
 from scipy.integrate import quad, solve_ivp
 from scipy.optimize import brentq, fsolve, minimize
 
-from trajlib.pontryagin import Chattering, Infeasible, NotConverged, NotUnique, Problem, Unbounded
+from trajlib.pontryagin import Chattering, Infeasible, NotUnique, Problem, Unbounded
 
 R = sp.Rational
 x, y, u, v, w, p, m, h, a, r, b = sp.symbols("x y u v w p m h a r b")
@@ -303,6 +303,17 @@ def headed(field, start, target):
     return Problem(dict(zip((x, y), field)), FREE, dict(zip((x, y), start)), [x - target[0], y - target[1]])
 
 
+def meeting(start):
+    """5.35: to rest at the origin."""
+    return Problem(thrust_along(), FREE, dict(zip((x, y, v, w), start)), [x, y, v, w])
+
+
+def round_trip(wind):
+    """5.41: the greatest area of a closed flight."""
+    return Problem({x: sp.cos(u) - wind, y: sp.sin(u)}, FREE, {x: 0, y: 0}, [x, y],
+                   running=-(x*sp.sin(u) - y*(sp.cos(u) - wind))/2, duration=3)
+
+
 def navigation(ratio, c, start, end, **more):
     return Problem({r: sp.cos(u) - ratio*sp.cos(b), b: (-sp.sin(u) + ratio*sp.sin(b))/(r*c)}, FREE,
                    dict(zip((r, b), start)), [r - end], **more)
@@ -327,6 +338,9 @@ CASES = {
     "5.33": Case(Problem(thrust_along(), FREE, AT_REST, [y - 1, w, v - 2]), lambda: orbit(1, 2), "linear tangent"),
     "5.33, to rest": Case(Problem(thrust_along(), FREE, {x: 0, y: 0, v: 2, w: 0}, [y - 1, w, v]), lambda: orbit(1, 2),
                           "the same, backwards"),
+    "5.35, from rest": Case(meeting((1, 2, 0, 0)), 2*5**0.25, "on a line: half of the way each"),
+    "5.35, too fast": Case(meeting((1, 1, -2, -2)), 2*np.sqrt(2) + np.sqrt(16 - 4*np.sqrt(2)),
+                           "on a line: past the target and back"),
     "5.36 as 5.32": Case(Problem(thrust_along(R(1, 3)), FREE, AT_REST, [y - 1, w], final=-v, duration=3),
                          lambda: against_gravity(1/3, 1, T=3), "linear tangent"),
     "5.36 as 5.33": Case(Problem(thrust_along(R(1, 3)), FREE, AT_REST, [y - 1, w, v - 2]),
@@ -360,9 +374,9 @@ CASES = {
                          np.arctan(np.sqrt(2)), "the arc between two points of a sphere"),
     "5.40, fast lane": Case(headed((LANE*sp.cos(u), LANE*sp.sin(u)), (-3, 1), (3, 1)), lambda: down_to_the_lane(),
                             "two quadratures, by Snell's law"),
-    "5.41": Case(Problem({x: sp.cos(u) - R(3, 10), y: sp.sin(u)}, FREE, {x: 0, y: 0}, [x, y],
-                         running=-(x*sp.sin(u) - y*(sp.cos(u) - R(3, 10)))/2, duration=3),
+    "5.41": Case(round_trip(R(3, 10)),
                  -9/(4*np.pi)*0.91**1.5, "an ellipse"),
+    "5.41, strong wind": Case(round_trip(R(19, 20)), -9/(4*np.pi)*(1 - 0.95**2)**1.5, "an ellipse"),
     "5.42": Case(navigation(2, -1, (3, R(3, 10)), 1, maximise=True), lambda: guided(2, -1, (3, 0.3), 1, -1.5, 1.5),
                  "the book's boundary value problem"),
     "5.43": Case(navigation(R(1, 2), -1, (1, R(3, 10)), R(3, 2)), lambda: guided(0.5, -1, (1, 0.3), 1.5, -1.2, 1.2),
@@ -426,7 +440,8 @@ def test_cost(name):
 
 
 @pytest.mark.parametrize("problem, error, message", [
-    (Problem(thrust_along(), FREE, AT_REST, [y - 3, w], final=-v, duration=3), NotConverged, "Nothing is proved"),
+    (Problem(thrust_along(), FREE, AT_REST, [y - 3, w], final=-v, duration=3), Infeasible, "least time .* 3.4641"),
+    (round_trip(R(6, 5)), Infeasible, "cannot exceed -0.6"),
     (Problem({x: 1 - y**2, y: u}, ONE, {x: 0, y: -1}, [y - 1], final=-x, duration=1), Infeasible, "cannot exceed 0"),
     (Problem({x1: u, x2: -u*x1}, ONE, {x1: 0, x2: 0}, [x1], final=x2, duration=1), NotUnique, "leaves u open"),
     (Problem({x1: x2, x2: x1 + u}, ONE, {x1: R(1, 2), x2: R(1, 4)}, [x1, x2], running=x1**2 + 2*x2**2), Unbounded,
@@ -436,7 +451,8 @@ def test_cost(name):
     (Problem(CART, ONE, {a: R(3, 5), w: R(1, 2), x: 0, v: 0}, [a, w, x, v], running=1 + x**2), Infeasible,
      "cannot fall below 1.1"),
     (Problem(PLANE, ONE, {x1: 2, x2: -2}, [x1 - 2, x2 - 2], running=x1**2, duration=8), Chattering, "infinitely often"),
-], ids=["5.32 too high", "5.49 too late", "5.48 closed", "5.59", "5.59 out of reach", "5.60 fallen", "5.62"])
+], ids=["5.32 too high", "5.41 blown away", "5.49 too late", "5.48 closed", "5.59", "5.59 out of reach", "5.60 fallen",
+        "5.62"])
 def test_a_true_word(problem, error, message):
     with pytest.raises(error, match=message):
         problem.solve()

@@ -45,9 +45,11 @@ def refuse_chattering(numeric, arcs, end, duration):
 
 
 def _rests_on_arc(numeric, flow, j, end):
-    """Whether the end state lies on the singular arc with lambda_0 = 1, H = 0 and a control strictly inside its bounds.
+    """Whether the end state lies on the singular arc with lambda_0 = 1, H = 0 and a control strictly inside its bounds,
+    and the arc keeps to the target.
 
-    H = 0, since the final time is free: where the cost runs on along the arc, resting there is not free of charge.
+    H = 0, since the final time is free: where the cost runs on along the arc, resting there is not free of charge. Nor
+    does the process rest there where other controls, at their bounds, drive it away from the target.
     """
     n = numeric.n
     # Where its switching function vanishes H does not depend on the singular control.
@@ -60,6 +62,10 @@ def _rests_on_arc(numeric, flow, j, end):
     missed = np.max(np.abs(matrix[:, :n] @ psi + matrix[:, n]))
     if missed > 1e-7*(1 + np.max(np.abs(matrix))):
         return False
-    u = float(flow.functions["control"](np.concatenate([end, psi]), 1.0).full()[j, 0])
+    control = flow.functions["control"](np.concatenate([end, psi]), 1.0)
+    leaving = ca.Function("leaving", [numeric.x, numeric.u], [ca.jtimes(numeric.target, numeric.x, numeric.field)])
+    if np.max(np.abs(leaving(end, control).full())) > 1e-7*(1 + np.max(np.abs(end))):
+        return False
+    u = float(control.full()[j, 0])
     width = numeric.upper[j] - numeric.lower[j]
     return numeric.lower[j] + 1e-6*width < u < numeric.upper[j] - 1e-6*width

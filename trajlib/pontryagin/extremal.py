@@ -11,13 +11,14 @@ import sympy as sp
 
 from .chattering import refuse_chattering
 from .errors import NotUnique, WrongStructure
+from .flow import STEADY
 from .guesses import read_guess
 from .numeric import NumericProblem
-from .optimality import Optimality, theorem
+from .optimality import Optimality, theorem_with_discs
 from .polishing import arc_lengths, polish
 from .searching import INTERVALS, escaped, finer_picture, refuse_endless, refuse_falling, search, settled_duration
 from .second_order import along_extremal, of_picture, second_variation
-from .structure import Arc, detect, name, read_structure
+from .structure import Arc, detect, keeps_to_a_line, name, read_structure
 from .transcription import Picture, target_multipliers
 
 
@@ -109,7 +110,7 @@ class Extremal:
         def known(kind, reason):
             return Optimality(kind, reason, self._starts, self._found)
 
-        proof = theorem(self.problem)
+        proof = theorem_with_discs(self.problem)
         if proof and (self.normal or not proof[1]):
             return known("proved", proof[0])
         if not self.normal:
@@ -257,13 +258,17 @@ def _joined(problem, numeric, picture, side, found, made, reasons):
     factor = 1
     while factor is not None:
         duration = settled_duration(numeric, picture)
-        arcs = detect(numeric, picture)
-        refuse_chattering(numeric, arcs, picture.states[-1], duration)
-        try:
-            extremal = _extremal(problem, numeric, polish(numeric, picture, arcs, duration, made), found)
-            reason = _refused(extremal)
-        except WrongStructure as error:
-            reason = error
+        refuse_chattering(numeric, detect(numeric, picture), picture.states[-1], duration)
+        to_and_fro = any(keeps_to_a_line(numeric, picture, i) for i in range(numeric.k))
+        for steady in (True, False)[not to_and_fro:]:
+            try:
+                arcs = detect(numeric, picture, steady=steady)
+                extremal = _extremal(problem, numeric, polish(numeric, picture, arcs, duration, made), found)
+                reason = _refused(extremal)
+            except WrongStructure as error:
+                reason = error
+            if not reason:
+                break
         if not reason:
             if extremal.optimality.proved or not extremal.normal or extremal._variation.sign > 0:
                 return extremal
@@ -318,8 +323,9 @@ def _extremal(problem, numeric, shot, found):
             for flow, start, length, steps in zip(shot.flows, shot.starts, shot.lengths, shot.steps)]
     times = [float(t) for t in np.concatenate([[0.0], np.cumsum(arc_lengths(shot))])]
     flows = [flow for i, flow in enumerate(shot.flows) if not i or flow is not shot.flows[i - 1]]
-    arcs = tuple((flow.kinds[0] if numeric.k == 1 else flow.kinds, begin, end)
-                 for flow, begin, end in zip(flows, times, times[1:]))
+    shown = [tuple("interior" if kind in STEADY else kind for kind in flow.kinds) for flow in flows]
+    arcs = tuple((kinds[0] if numeric.k == 1 else kinds, begin, end)
+                 for kinds, begin, end in zip(shown, times, times[1:]))
     cost = sum(end[-1] for end in ends) + float(numeric.final_value(ends[-1][:n]))
     extremal = Extremal(problem, float(-cost if problem.maximise else cost), times[-1], arcs, shot.multiplier,
                      tuple(float(v) for v in shot.terminal_multipliers), shot.residual, numeric, shot,

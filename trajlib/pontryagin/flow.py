@@ -5,8 +5,11 @@ The kinds, one for each control: "u-" and "u+" (at a bound), "interior" (dH/du =
 
     w' = -(d2H/du2)^-1 d/dt(dH/du with u held),
 
-so that no equation has to be solved on the way and no root be chosen. The integrator is the extrapolated explicit
-midpoint rule (Gragg) with 2, 4, 6 and 8 substeps, of order 8; it needs no table of coefficients.
+so that no equation has to be solved on the way and no root be chosen. An angle whose part of H vanishes at one moment
+jumps there by half a turn: where it is constant before and after, the arcs are "ahead" (u = w) and "back"
+(u = w + pi) with w' = 0 (a motion along a line under a thrust that only turns round). The integrator is the
+extrapolated explicit midpoint rule (Gragg) with 2, 4, 6 and 8 substeps, of order 8; it needs no table of
+coefficients.
 """
 from functools import cached_property
 
@@ -16,6 +19,8 @@ import numpy as np
 from .errors import NotUnique, WrongStructure
 
 KINDS = ("u-", "u+", "interior", "singular")
+# Arcs of a constant angle, with the angle that is added to the common one. To the user they are interior.
+STEADY = {"ahead": 0.0, "back": np.pi}
 _SUBSTEPS = (2, 4, 6, 8)
 
 
@@ -28,7 +33,7 @@ class ArcFlow:
 
     def __init__(self, numeric, kinds):
         self.numeric, self.kinds = numeric, kinds
-        self.interior = [i for i, kind in enumerate(kinds) if kind == "interior"]
+        self.interior = [i for i, kind in enumerate(kinds) if kind == "interior" or kind in STEADY]
         self.singular = [i for i, kind in enumerate(kinds) if kind == "singular"]
         self.w = ca.SX.sym("w", len(self.interior))
         self.y = ca.vertcat(numeric.x, numeric.psi, self.w)
@@ -41,7 +46,7 @@ class ArcFlow:
                 raise WrongStructure(f"an arc {kind} of {numeric.problem.control[i]}, which has no such bound")
             control[i] = bound
         for component, i in enumerate(self.interior):
-            control[i] = self.w[component]
+            control[i] = self.w[component] + STEADY.get(kinds[i], 0.0)
         conditions = []
         for i in self.singular:
             derivatives, value = singular_control(numeric, i, control, kinds)
@@ -49,7 +54,8 @@ class ArcFlow:
             conditions += derivatives
             control[i] = value
         self.control = control
-        conditions += [numeric.slopes[i] for i in self.interior]
+        for i in self.interior:
+            conditions += steady_slopes(numeric, i) if kinds[i] in STEADY else [numeric.slopes[i]]
         self.entry = ca.vertcat(*map(self._with_control, conditions))
 
     def _with_control(self, expression):
@@ -61,9 +67,12 @@ class ArcFlow:
         numeric = self.numeric
         motion = ca.vertcat(numeric.field, numeric.adjoint)
         if self.interior:
-            slopes, free = numeric.slopes[self.interior], numeric.u[self.interior]
+            moving = [i for i in self.interior if self.kinds[i] == "interior"]
+            slopes, free = numeric.slopes[moving], numeric.u[moving]
             drift = ca.jtimes(slopes, ca.vertcat(numeric.x, numeric.psi), motion)
-            motion = ca.vertcat(motion, -ca.solve(ca.jacobian(slopes, free), drift))
+            turning = ca.SX(numeric.k, 1)
+            turning[moving] = -ca.solve(ca.jacobian(slopes, free), drift) if moving else 0
+            motion = ca.vertcat(motion, turning[self.interior])
         return self._with_control(motion)
 
     @cached_property
@@ -180,6 +189,18 @@ def singular_control(numeric, i, control, kinds):
         derivatives.append(_without(following, u, moving))
     raise NotUnique(f"the maximum condition leaves {numeric.problem.control[i]} open on an arc: its switching function "
                     "vanishes there whatever it does")
+
+
+def steady_slopes(numeric, i):
+    """dH/du of an angle and its time derivatives while it does not turn: all of them vanish on its arc."""
+    motion, point = ca.vertcat(numeric.field, numeric.adjoint), ca.vertcat(numeric.x, numeric.psi)
+    derivatives = [numeric.slopes[i]]
+    for _ in range(2*numeric.n - 1):
+        following = ca.jtimes(derivatives[-1], point, motion)
+        if _vanishes(numeric, following):
+            break
+        derivatives.append(following)
+    return derivatives
 
 
 def _without(expression, u, moving):

@@ -8,6 +8,8 @@
    for all k: it is what the free motion makes of it. If this is not q^T d, the target cannot be reached.
 3. *A separating costate.* For a linear plant and a given time all states that can be reached lie on one side of
    a hyperplane, and the target on the other: q^T (G y(T) - d) > 0 for the control that makes it least.
+
+Angles count as vectors in discs (`discs`): a plant that is linear in cos u and sin u is linear here.
 """
 import numpy as np
 import sympy as sp
@@ -21,7 +23,7 @@ MARGIN = 1e-9
 def refuse_infeasible(numeric):
     """Raise `Infeasible` if a quantity that goes one way cannot come to the value that the target asks for."""
     target = _linear_target(numeric.problem)
-    if target is None or np.isnan(numeric.start).any():
+    if target is None or numeric.relaxed is None or np.isnan(numeric.start).any():
         return
     G, d = target
     for p, mu, drift, gains in _quantities(numeric):
@@ -44,7 +46,8 @@ def refuse_infeasible(numeric):
 
 def _refuse_unmoved(numeric):
     """Raise `Infeasible` if a combination of the terminal equations is out of reach of all controls, bounded or not."""
-    problem, plant = numeric.problem, _linear_plant(numeric.problem)
+    problem = numeric.relaxed.problem
+    plant = _linear_plant(problem)
     if plant is None:
         return
     A, B, c = plant
@@ -95,7 +98,8 @@ def separated(numeric, duration, ends):
     A proof for linear plants and targets; False elsewhere, and where the separation is not clear of errors of
     integration.
     """
-    target, plant = _linear_target(numeric.problem), _linear_plant(numeric.problem)
+    target = _linear_target(numeric.problem)
+    plant = _linear_plant(numeric.relaxed.problem) if numeric.relaxed else None
     if target is None or plant is None or np.isnan(numeric.start).any():
         return False
     from scipy.linalg import expm
@@ -112,11 +116,9 @@ def separated(numeric, duration, ends):
     for _ in range(panels):
         row = row @ step
         rows.append(row)
-    gains = np.array(rows)[:, :n] @ B
-    bounds = np.where(gains > 0, numeric.lower, np.where(gains < 0, numeric.upper, 0.0))
-    if not np.isfinite(bounds).all():
+    least = numeric.relaxed.least(np.array(rows)[:, :n] @ B)
+    if not np.isfinite(least).all():
         return False  # a control without bounds leads beyond every hyperplane
-    least = (gains*bounds).sum(axis=1)
     gap = rows[-1] @ np.append(numeric.start,
                                1.0) - missed @ d + duration*(np.sum(least) - (least[0] + least[-1])/2)/panels
     return bool(np.isfinite(gap) and gap > 0.1*missed @ missed > 0)
@@ -145,7 +147,7 @@ def _linear_plant(problem):
 
 def _quantities(numeric):
     """(p, mu, drift, gains): l = p^T y with l' = mu l + drift + gains^T u."""
-    problem, n = numeric.problem, numeric.n
+    problem, n = numeric.relaxed.problem, numeric.n
     plant = _linear_plant(problem)
     if plant is not None:
         A, B, c = plant
@@ -164,10 +166,9 @@ def _quantities(numeric):
 
 def _range(value, mu, drift, gains, numeric):
     """The least and the greatest value of l at the duration, or at any time if it is free."""
-    used = gains != 0
-    pushes = [gains[used]*bounds[used] for bounds in (numeric.lower, numeric.upper)]
+    least, greatest = numeric.relaxed.least(gains), -numeric.relaxed.least(-gains)
     result = []
-    for push, choose in ((drift + np.minimum(*pushes).sum(), min), (drift + np.maximum(*pushes).sum(), max)):
+    for push, choose in ((drift + float(least), min), (drift + float(greatest), max)):
         longest = numeric.duration or (numeric.longest if numeric.time_bounds_given else np.inf)
         end = _after(value, mu, push, longest)
         result.append(end if numeric.duration is not None else choose(value, end))

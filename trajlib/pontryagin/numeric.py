@@ -6,6 +6,7 @@ import numpy as np
 import sympy as sp
 
 from .compiled import to_casadi
+from .discs import is_angle, relaxed
 
 
 class NumericProblem:
@@ -31,7 +32,7 @@ class NumericProblem:
         # Whether H is linear in a control, so that a bound or a singular arc makes it largest.
         self.affine = [u in switching for u in problem.control]
         # Angles without bounds: a whole turn more changes nothing.
-        self.angles = [_is_angle(problem, u) for u in problem.control]
+        self.angles = [is_angle(problem, u) for u in problem.control]
         self.n, self.k, self.m = len(problem.state), len(problem.control), len(problem.terminal)
         self.x, self.psi = ca.SX.sym("x", self.n), ca.SX.sym("psi", self.n)
         self.u, self.multiplier = ca.SX.sym("u", self.k), ca.SX.sym("lambda0")
@@ -70,6 +71,11 @@ class NumericProblem:
         return -ca.gradient(self.hamiltonian, self.x)
 
     @cached_property
+    def relaxed(self):
+        """The problem with discs for its angles, or None (see `discs`)."""
+        return relaxed(self.problem)
+
+    @cached_property
     def target_value(self):
         return ca.Function("target", [self.x], [self.target, ca.jacobian(self.target, self.x)])
 
@@ -82,17 +88,6 @@ class NumericProblem:
         low = np.where(np.isfinite(self.lower), self.lower, np.where(np.isfinite(self.upper), self.upper - 1, 0.0))
         high = np.where(np.isfinite(self.upper), self.upper, np.where(np.isfinite(self.lower), self.lower + 1, 0.0))
         return (low + high)/2
-
-
-def _is_angle(problem, u):
-    """Whether a control without bounds occurs only in sines and cosines of whole multiples of it."""
-    turning = {}
-    for e in (*problem.field, problem.running):
-        for wave in e.atoms(sp.sin, sp.cos):
-            if sp.diff(wave.args[0], u).is_integer:
-                turning[wave] = sp.Dummy()
-    rest = set().union(*(e.xreplace(turning).free_symbols for e in (*problem.field, problem.running)))
-    return problem.controls[u] == (-sp.oo, sp.oo) and u not in rest
 
 
 def _refuse_kinks(problem):

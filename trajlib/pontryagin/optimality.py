@@ -10,10 +10,15 @@ controls and linear terminal equations.
   at y_k, and would end there at t_k like the extremal: it maximises H almost everywhere, so that max H = 0 while it
   waits. This contradicts lambda_0 > 0; and for lambda_0 = 0 controllability by each single control makes the maximising
   control unique, so that both are one process.
+
+A plant that is linear in the cosine and the sine of an angle is linear in a vector of the disc (`discs`): an extremal
+of the problem is one of the problem with discs, and what is optimal there is optimal here.
 """
 from dataclasses import dataclass
 
 import sympy as sp
+
+from .discs import relaxed
 
 
 @dataclass(frozen=True)
@@ -53,11 +58,19 @@ def theorem(problem):
     """
     # A problem does not change: the theorem is looked for once.
     if "_theorem" not in problem.__dict__:
-        object.__setattr__(problem, "_theorem", _theorem(problem))
+        object.__setattr__(problem, "_theorem", _theorem(problem, [(i,) for i in range(len(problem.control))]))
     return problem._theorem
 
 
-def _theorem(problem):
+def theorem_with_discs(problem):
+    """As `theorem`, for angles as vectors in discs too. A process that is stationary need not be the best one then: a
+    thrust against q is stationary as well; an extremal is.
+    """
+    one = relaxed(problem)
+    return theorem(problem) if one is None or one.problem is problem else _theorem(one.problem, one.blocks)
+
+
+def _theorem(problem, blocks):
     y, u = sp.Matrix(problem.state), sp.Matrix(problem.control)
     both = [*y, *u]
     slopes = sp.Matrix(problem.field).jacobian(both)
@@ -70,8 +83,8 @@ def _theorem(problem):
             return "a linear plant, a convex cost and a given duration", True
         return None
     fastest = problem.time_optimal and not problem.maximise and problem.duration is None and not problem.first_return
-    if fastest and _can_be_held(problem, slopes, targets):
-        return "least time of a linear plant to a point at which it can be held", not _normal(slopes, len(y))
+    if fastest and _can_be_held(problem, slopes, targets, blocks):
+        return "least time of a linear plant to a point at which it can be held", not _normal(slopes, len(y), blocks)
     return None
 
 
@@ -80,7 +93,8 @@ def held(problem):
     y, u = sp.Matrix(problem.state), sp.Matrix(problem.control)
     slopes = sp.Matrix(problem.field).jacobian([*y, *u])
     targets = sp.Matrix(problem.terminal).jacobian(y)
-    return not slopes.free_symbols and not targets.free_symbols and _can_be_held(problem, slopes, targets)
+    blocks = [(i,) for i in range(len(u))]
+    return not slopes.free_symbols and not targets.free_symbols and _can_be_held(problem, slopes, targets, blocks)
 
 
 def _constant(matrix, symbols):
@@ -95,7 +109,7 @@ def _convex(expression, symbols):
     return hessian.is_zero_matrix or bool(hessian.is_positive_semidefinite)
 
 
-def _can_be_held(problem, slopes, targets):
+def _can_be_held(problem, slopes, targets, blocks):
     """Whether the target is one point, and some admissible control makes it a point of rest."""
     n = len(problem.state)
     if targets.rows != n or targets.rank() < n:
@@ -106,10 +120,11 @@ def _can_be_held(problem, slopes, targets):
     # The least control that does it, if any does.
     hold = -gains.pinv()*drift if any(drift) else sp.zeros(gains.cols, 1)
     return bool((gains*hold + drift).applyfunc(sp.simplify).is_zero_matrix
-                and all(low <= value <= high for value, (low, high) in zip(hold, bounds)))
+                and all(low <= value <= high for value, (low, high) in zip(hold, bounds))
+                and all(sum(hold[i]**2 for i in block) <= 1 for block in blocks if len(block) == 2))
 
 
-def _normal(slopes, n):
-    """Whether every single control controls the plant."""
+def _normal(slopes, n, blocks):
+    """Whether every single control, or vector of a disc, controls the plant."""
     A, B = slopes[:, :n], slopes[:, n:]
-    return all(sp.Matrix.hstack(*(A**i*B[:, j] for i in range(n))).rank() == n for j in range(B.cols))
+    return all(sp.Matrix.hstack(*(A**i*B[:, list(block)] for i in range(n))).rank() == n for block in blocks)

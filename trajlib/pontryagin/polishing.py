@@ -4,10 +4,11 @@ from copy import copy
 import numpy as np
 
 from .errors import WrongStructure
+from .flow import STEADY
 from .maximum_condition import wanted_arcs
 from .multipliers import several_multipliers
 from .shooting import CANCELLING, ArcEquations, Shot, build_flows, newton
-from .structure import Arc, name
+from .structure import Arc, line_of, name
 from .transcription import Picture, target_multipliers
 
 # Largest relative residual of an accepted solution; most end near 1e-15.
@@ -143,7 +144,8 @@ def _point(picture, flow, begin, length, scale):
     x = [np.interp(begin, picture.times, column) for column in picture.states.T]
     # The multipliers of the ends of the intervals: the first is not reliable where the start is fixed.
     psi = [np.interp(begin, picture.times, column)/scale for column in picture.costates.T]
-    w = [np.interp(begin + 0.02*length, middles, picture.controls[:, j]) for j in flow.interior]
+    w = [line_of(picture.controls[:, j]) if flow.kinds[j] in STEADY else
+         np.interp(begin + 0.02*length, middles, picture.controls[:, j]) for j in flow.interior]
     return np.array(x + psi + w)
 
 

@@ -6,8 +6,9 @@ and the multipliers of the terminal equations. The equations:
     initial state; psi_i(0) = 0 for a free one                              state and costate continuous
     at a switching between bounds: the switching function is zero           (H the same on both sides where it is
     curved) where a singular arc begins: its switching function and the derivatives of orders 1 to 2q-1 are zero where
-    an interior arc begins: dH/du = 0; where it meets a bound: its control is at the bound between two segments of one
-    arc: equal lengths terminal equations, transversality, H = 0 or the given duration         c (lambda_0, psi(0)) = 1
+    an interior arc begins: dH/du = 0; where it meets a bound: its control is at the bound; where an angle jumps by half
+    a turn: H the same on both sides, and the constant angle too; between two segments of one arc: equal lengths
+    terminal equations, transversality, H = 0 or the given duration         c (lambda_0, psi(0)) = 1
 
 The last one takes one of the proportional multipliers, and leaves the abnormal case lambda_0 = 0 within reach.
 Equations may be redundant (a singular arc from the start) and multipliers not unique, so Newton's steps are
@@ -18,12 +19,14 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
-from .flow import ArcFlow
+from .flow import STEADY, ArcFlow
 
 # Size of cancelling terms up to which residuals are judged against them: what may grow along a segment.
 CANCELLING = 1e3
 # Share of the largest singular value of the Jacobian below which directions are left out where steps get short.
 RANK = 1e-8
+# Newton's method is given up where the residual has not fallen to this share of itself within so many steps.
+CRAWLING, PATIENCE = 0.9, 10
 
 
 @dataclass
@@ -147,6 +150,12 @@ class ArcEquations:
                     self._at_start(index + 1, right.functions["slopes"], [j])
                 else:
                     self._same_hamiltonian(index, end, derivative)
+            elif before in STEADY and after in STEADY:
+                self._same_hamiltonian(index, end, derivative)
+                i, column = 2*n + left.interior.index(j), block.start + 2*n + right.interior.index(j)
+                row = derivative[i].copy()
+                row[column] -= 1
+                self._add(end[i] - self.z[column], row)
             elif before == "interior" and after in bounds:
                 i = 2*n + left.interior.index(j)
                 self._add(end[i] - bounds[after], derivative[i])
@@ -191,8 +200,10 @@ def newton(equations, z, iterations=80):
     equation (at least to one, at most to CANCELLING), the uncertainty relative to the duration.
     """
     r, J = equations.residual(z)
+    sizes = []
     for _ in range(iterations):
-        if not np.isfinite(J).all():
+        sizes.append(np.linalg.norm(r))
+        if not np.isfinite(J).all() or sizes[-1] > CRAWLING*max(sizes[-PATIENCE - 1:-PATIENCE], default=np.inf):
             break
         # Steps that have to be shortened much may go along a family of solutions (a closed path may begin anywhere).
         better = _shortened(equations, z, r, J, 1e-13, 1e-2) or _shortened(equations, z, r, J, RANK, 1e-7)

@@ -4,7 +4,10 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
-from .flow import KINDS
+from .flow import KINDS, STEADY
+
+# The sine of the angle to a line, and the share of the intervals, up to which an angle keeps to that line.
+OFF_LINE = 0.1
 
 
 @dataclass(frozen=True)
@@ -16,14 +19,16 @@ class Arc:
     end: float
 
 
-def detect(numeric, picture, tolerance=1e-3):
+def detect(numeric, picture, tolerance=1e-3, steady=False):
     """The arcs of a `Picture`, a list of `Arc`.
 
-    An interval belongs to a bound if its control is there to within `tolerance` of the distance between the bounds. One
-    or two intervals between different bounds are a switching that falls between the nodes.
+    `steady`: an angle that keeps to one line is taken to be constant but for jumps by half a turn. An interval belongs
+    to a bound if its control is there to within `tolerance` of the distance between the bounds. One or two intervals
+    between different bounds are a switching that falls between the nodes.
     """
     N = len(picture.controls)
-    columns = [_labels(numeric, picture, i, tolerance) for i in range(numeric.k)]
+    columns = [_steady_labels(picture.controls[:, i]) if steady and keeps_to_a_line(numeric, picture, i)
+               else _labels(numeric, picture, i, tolerance) for i in range(numeric.k)]
     boundaries = [_runs(numeric, picture, i, column) for i, column in enumerate(columns)]
     cuts = sorted({0.0, float(N)} | {begin for runs in boundaries for _, begin, _ in runs})
     step = picture.duration/N
@@ -33,6 +38,24 @@ def detect(numeric, picture, tolerance=1e-3):
         kinds = tuple(next(kind for kind, b, e in runs if b <= middle <= e) for runs in boundaries)
         arcs.append(Arc(kinds, begin*step, end*step))
     return arcs
+
+
+def line_of(angles):
+    """The direction along which, or against which, angles point in the mean."""
+    return np.angle(np.mean(np.exp(2j*angles)))/2
+
+
+def keeps_to_a_line(numeric, picture, i):
+    """Whether a control is an angle that points along one line, to and fro, on nearly all intervals."""
+    angles = picture.controls[:, i]
+    turned = np.cos(angles - line_of(angles)) > 0
+    off_line = np.abs(np.sin(angles - line_of(angles))) > OFF_LINE
+    return numeric.angles[i] and 0 < turned.sum() < len(turned) and off_line.mean() < OFF_LINE
+
+
+def _steady_labels(angles):
+    ahead, back = STEADY
+    return np.where(np.cos(angles - line_of(angles)) > 0, ahead, back)
 
 
 def _labels(numeric, picture, i, tolerance):
