@@ -120,6 +120,8 @@ def as_points(answer, dimension):
     """A list of points: lists, tuples, arrays, SymPy columns, a FiniteSet, or dicts like those of `solve`."""
     if isinstance(answer, sp.MatrixBase) and answer.cols == dimension != 1:
         answer = [list(answer.row(i)) for i in range(answer.rows)]
+    elif isinstance(answer, sp.MatrixBase) and answer.shape == (dimension, 1):
+        answer = [list(answer)]
     points = (list(answer) if isinstance(answer, (list, tuple, set, frozenset, sp.FiniteSet, sp.Tuple, np.ndarray))
               else None)
     if answer is sp.S.EmptySet:

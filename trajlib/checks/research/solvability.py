@@ -25,6 +25,8 @@ from trajlib.checks.truths.exceptional_values import judge_everywhere
 MOMENTS = 12
 #: What counts as nothing beside numbers of size one.
 ZERO = 1e-8
+#: What may become of a change of the unknowns at special values of the symbols.
+OF_CHANGE = "your change is undefined", "your change is zero"
 
 
 @judged(Expression("matrix", "initial", "t"))
@@ -49,6 +51,7 @@ def unseen_direction(claim, matrix, output):
             if not abs(seen) <= ZERO:
                 raise Wrong(f"for {rounded_text(values)}, scaled to length 1, your change alters the measurement at t "
                             f"= {time:.3g} by {seen:.3g}")
+    judge_everywhere(sp.Matrix(claim), _symbols(matrix), lambda: sp.true, *OF_CHANGE)
     return "it changes the state and no measurement, for random values of the symbols"
 
 
@@ -93,6 +96,9 @@ def unseen_by_bearings(answer, relative, t):
             if not abs(turned) <= ZERO:
                 raise Wrong(f"for {rounded_text(values)}, scaled to length 1, your change turns the bearing at t = "
                             f"{time:.3g} by {turned:.3g} rad per unit")
+    (x, y), (dx, dy) = relative, (sp.diff(part, t) for part in relative)
+    judge_everywhere(sp.Matrix(claim), _symbols(sp.Matrix(relative), t), lambda: sp.Ne(sp.expand(x*dy - y*dx), 0),
+                     *OF_CHANGE)
     return "it changes no bearing to first order, for random motions"
 
 

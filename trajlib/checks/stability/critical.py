@@ -17,7 +17,7 @@ from trajlib.checks.contract.verdict import Invalid, Wrong, judged
 from trajlib.checks.stability.first_approximation import STABILITY
 from trajlib.checks.stability.programs import Motion
 from trajlib.checks.tools.comparisons import Word
-from trajlib.checks.tools.conditions import Truth, compare, contrary
+from trajlib.checks.tools.conditions import Truth, compare, contrary, decide, exactly, place_text
 from trajlib.checks.tools.samples import sample_values
 from trajlib.checks.tools.values import matrix_at, number_at, numbers_at
 from trajlib.checks.tools.wording import number_text, point_text, rounded_text, where_text
@@ -168,6 +168,10 @@ def conserved_form(answer, field, state, parameters, program=None, part=None):
             told = ", ".join(f"{s} = {x:.3g}" for s, x in zip(part, direction))
             value = "zero" if lowest[0] >= -1e-9 * lowest[-1] else f"{direction @ weights @ direction / 2:.3g}"
             raise Wrong(f"it is conserved but not positive definite: it is {value} at {told}{where_text(values)}")
+    minors = [sp.hessian(sp.expand(form), part)[:k, :k].det(method="berkowitz") for k in range(1, len(part) + 1)]
+    _, place = decide(sp.And(*(minor > 0 for minor in minors)), parameters, exactly(sp.true))
+    if place:
+        raise Wrong(f"it is conserved, but for {place_text(place[0])} it is not positive definite")
     return "it is positive away from zero, and its derivative along the motions vanishes identically"
 
 

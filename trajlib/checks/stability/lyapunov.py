@@ -293,18 +293,27 @@ def _reach(claim, state, directions, where):
         again = inside(beyond)
         if np.any(again):
             place = beyond[np.argmax(again)]
-            raise Wrong(f"the set has a part away from zero, at {point_text(place)} for instance, "
-                        f"and motions from there need not come to zero{where}")
+            raise Wrong(_away(point_text(place), where))
     return reach
 
 
+def _away(place, where):
+    return (f"the set has a part away from zero, at {place} for instance, and motions from there need not come to zero"
+            f"{where}")
+
+
 def _has_no_holes(claim, state, height, level, border, where):
-    """Raise `Wrong` where the set leaves out a line or a point that rays from zero do not meet."""
-    shrunk = sp.Rational(0.98 * level).limit_denominator(10**6)
-    box = [sp.Abs(x) < sp.Rational(float(end)).limit_denominator(10**6)
-           for x, end in zip(state, np.abs(border).max(axis=0))]
-    truth = Truth((Case(sp.And(height < shrunk, *box)),), (Case(sp.false),))
-    _, place = decide(readings(claim)[0], state, truth)
+    """Raise `Wrong` where the set leaves out a line or a point that rays from zero do not meet, or has a part that they
+    miss."""
+    shrunk, grown = (sp.Rational(factor * level).limit_denominator(10**6) for factor in (0.98, 1.02))
+    size = [sp.Rational(float(end)).limit_denominator(10**6) for end in np.abs(border).max(axis=0)]
+    inside = sp.And(height < shrunk, *(sp.Abs(x) < end for x, end in zip(state, size)))
+    outside = sp.Or(height > grown, *(sp.Abs(x) > sp.Rational(51, 50) * end for x, end in zip(state, size)))
+    said, never = readings(claim)[0], (Case(sp.false),)
+    _, place = decide(said, state, Truth(never, (Case(outside),)))
+    if place:
+        raise Wrong(_away(place_text(place[0]), where))
+    _, place = decide(said, state, Truth((Case(inside),), never))
     if place:
         point = np.array([float(x) for x in place[0].values()])
         # Some other part of {V < c} may lie in the box.

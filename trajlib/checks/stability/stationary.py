@@ -11,6 +11,7 @@ only one in the domain: a data cell that leaves room for two makes the answer un
 import cmath
 import math
 
+import mpmath
 import numpy as np
 import sympy as sp
 
@@ -23,6 +24,7 @@ from trajlib.checks.tools.conditions import Case, Truth, compare, exactly, place
 from trajlib.checks.tools.samples import draw, ends
 from trajlib.checks.tools.values import real_at, uncertain_at
 from trajlib.checks.tools.wording import other_rate, point_text, roots_text, sample_text
+from trajlib.checks.truths.exceptional_values import judge_factors
 from trajlib.checks.truths.rest_points import rest_points
 
 STABILITY = ("asymptotically stable", "stable", "unstable")
@@ -170,7 +172,7 @@ def dulac(answer, field, state, parameters, domain=None):
     random = np.random.default_rng(9)
     places = np.array([[draw(random, symbol, domain) for _ in range(300)] for symbol in symbols])
     with np.errstate(all="ignore"):
-        parts = np.array([_values(term, symbols, places) for term in (*terms, divergence, multiplier)])
+        parts, places = _within_reach([_values(e, symbols, places) for e in (*terms, divergence, multiplier)], places)
     for k, place in enumerate(places.T):
         where = ", ".join(f"{s} = {x:.3g}" for s, x in zip(symbols, place))
         if not np.all(np.isfinite(parts[:, k])):
@@ -188,6 +190,7 @@ def dulac(answer, field, state, parameters, domain=None):
         raise Wrong("the divergence changes its sign in the domain: it is negative at "
                     + ", ".join(f"{s} = {x:.3g}" for s, x in zip(symbols, low)) + " and positive at "
                     + ", ".join(f"{s} = {x:.3g}" for s, x in zip(symbols, high)))
+    judge_factors(terms, state, domain, "the divergence vanishes everywhere")
     return "the divergence belongs to this multiplier and keeps one sign at 300 points of the domain"
 
 
@@ -200,7 +203,8 @@ def first_integral(answer, field, state, parameters, domain=None):
     random = np.random.default_rng(10)
     places = np.array([[draw(random, symbol, domain) for _ in range(60)] for symbol in symbols])
     with np.errstate(all="ignore"):
-        levels, *gradient = np.array([_values(part, symbols, places) for part in (claim, *slopes)])
+        (levels, *gradient), places = _within_reach([_values(part, symbols, places) for part in (claim, *slopes)],
+                                                    places)
         velocity = np.array([_values(component, symbols, places) for component in field])
     gradient = np.array(gradient)
     for k in np.flatnonzero(~np.isfinite([levels, *gradient]).all(axis=0)):
@@ -215,6 +219,7 @@ def first_integral(answer, field, state, parameters, domain=None):
     if not abs(rates[worst]) <= allowed[worst] < math.inf:
         raise Wrong("along the motion through " + ", ".join(f"{s} = {x:.3g}" for s, x in zip(symbols, places[:, worst]))
                     + f" your expression changes at the rate {rates[worst]:.4g}, not zero")
+    judge_factors(slopes, state, domain, "your expression does not depend on the state")
     return "it keeps its value along the motions, at random states"
 
 
@@ -258,8 +263,9 @@ def phase_curve(answer, field, state, parameters, through, domain=None):
 
             allowed = 1e-8 * (np.linalg.norm(velocity) + abs(dy * velocity[0])) + _left_open(claim, turned)
             if not abs(dy * velocity[0] - velocity[1]) <= allowed < math.inf:
-                raise Wrong(f"{where} your curve has the slope {dy:.4g}, but a motion that is there moves along the "
-                            f"slope {velocity[1] / velocity[0]:.4g}")
+                steep = abs(velocity[0]) <= 1e-9 * abs(velocity[1])
+                raise Wrong(f"{where} your curve has the slope {dy:.4g}, but a motion that is there moves "
+                            + ("straight up or down" if steep else f"along the slope {velocity[1] / velocity[0]:.4g}"))
         for end_x, end_y in through:
             middle = sum(ends(first, domain)) / 2
             close = sp.Float(middle + (1 - 1e-8) * (float(end_x) - middle), 25)
@@ -390,19 +396,30 @@ def _cycles(radius):
     return {radius: sp.Interval.open(0, sp.oo)}
 
 
+def _within_reach(values, places):
+    """Values, a row for each expression, and places without those where a value is too large for a float."""
+    fits = ~np.isinf(values).any(axis=0)
+    if not fits.any():
+        raise Invalid("your answer has no values of a size that can be computed with")
+    return np.array(values)[:, fits], places[:, fits]
+
+
 def _values(expression, symbols, places):
-    """An expression at many places; nan where it is not real. Symbols and functions are known
-    (`coercion.with_symbols`)."""
+    """An expression at many places; nan where it is not real, inf where a float cannot hold it. Symbols and functions
+    are known (`coercion.with_symbols`)."""
     if expression.has(sp.nan, sp.zoo):
         return np.full(places.shape[1], math.nan)
     function = sp.lambdify(symbols, expression, "mpmath")
 
     def value(place):
         try:
-            number = complex(function(*place))
+            found = function(*place)
+            number = complex(found)
         # TypeError: a Piecewise without a case for this place; NameError: what has no values, as a delta function
         except (ZeroDivisionError, ValueError, OverflowError, TypeError, NameError):
             return math.nan
+        if cmath.isinf(number) and isinstance(found, mpmath.mpf) and mpmath.isfinite(found):
+            return math.inf
         return number.real if cmath.isfinite(number) and abs(number.imag) < 1e-9 * (1 + abs(number)) else math.nan
 
     return np.array([value(place.tolist()) for place in places.T])

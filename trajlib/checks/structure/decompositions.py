@@ -218,9 +218,11 @@ def _judge_system(matrix, output, pair, side):
                 or (abs(new_H[:, size:]) > bound * np.linalg.norm(new_H)).any()):
             raise Wrong(f"in your system {_first_mixed(new_A, new_H, size, side)}{where_text(values)}; xi has as many "
                         f"coordinates as {side.size} says")
-        if not _same_system(A, H, new_A, new_H, tolerance):
+        open_ = uncertain_entries(matrix, values)
+        if not _same_system(A, H, new_A, new_H, tolerance, A, open_):
             part = new_A[:size, :size], new_H[:, :size]
-            if size < n and np.allclose(np.poly(new_A), np.poly(A)) and _same_system(A, H, *part, tolerance):
+            if size < n and np.allclose(np.poly(new_A), np.poly(A)) and _same_system(
+                    A, H, *part, tolerance, _seen_part(A, unseen), open_):
                 raise Wrong(f"your {side.part} part is that of the given system, but no change of variables gives the "
                             f"rest of your equations{where_text(values)}: look at eta, and at how the two parts act on "
                             "each other")
@@ -237,7 +239,7 @@ def _judge_part(matrix, output, pair):
             raise Wrong(f"your subsystem has the order {matrix.rows}; the observable one has the order rank N, and "
                         f"that is not {matrix.rows}{where_text(values)}")
         new_A, new_H = matrix_at(matrix, values), matrix_at(output, values)
-        if not _same_system(A, H, new_A, new_H, tolerance):
+        if not _same_system(A, H, new_A, new_H, tolerance, _seen_part(A, unseen), uncertain_entries(matrix, values)):
             raise Wrong(_why_different(None, new_A, new_A, new_H, values, OUTPUT))
     _serves_everywhere(matrix, output, pair, OUTPUT)
     return "its outputs are those of the given system, and it is observable"
@@ -254,18 +256,22 @@ def _serves_everywhere(matrix, output, pair, side):
                      f"less of your system than of the given one is {side.part}")
 
 
-def _same_system(A, H, new_A, new_H, tolerance):
-    """Whether T A = A' T, H = H' T has a solution T of full rank; T has as many rows as A'."""
+def _seen_part(A, unseen):
+    """The matrix of the states without what is unseen, in an orthonormal basis."""
+    kept = np.linalg.svd(unseen)[2][len(unseen):] if len(unseen) else np.eye(len(A))
+    return kept @ A @ kept.T
+
+
+def _same_system(A, H, new_A, new_H, tolerance, similar=None, open_=()):
+    """Whether T A = A' T, H = H' T has a solution T of full rank; T has as many rows as A'. Decimals leave A' `open_`
+    by so much; it has to be similar to the matrix `similar`."""
     # Decimals may have all their digits, or stand for simple fractions.
     if tolerance > 1e-6 and (_same_system(A, H, new_A, new_H, 1e-9)
                              or _same_system(A, H, _as_fractions(new_A), _as_fractions(new_H), 1e-9)):
         return True
-    if tolerance > 1e-6 and len(A) == len(new_A):
-        # Rounded entries leave some T almost a solution for an eigenvalue that is off; the characteristic polynomial
-        # tells.
-        powers = max(np.linalg.norm(new_A), 1e-300) ** np.arange(len(A) + 1)
-        if not (abs(np.poly(new_A) - np.poly(A)) <= tolerance * powers).all():
-            return False
+    # Rounded entries leave some T almost a solution for an eigenvalue that is off; the characteristic polynomial tells.
+    if tolerance > 1e-6 and not _same_polynomial(new_A, similar, open_):
+        return False
     rows, n = len(new_A), len(A)
     weight, unit = max(np.linalg.norm(H), 1e-300), max(np.linalg.norm(A) + np.linalg.norm(new_A), 1e-300)
     scale = max(np.linalg.norm(new_H), 1e-300)
@@ -287,6 +293,18 @@ def _same_system(A, H, new_A, new_H, tolerance):
         if spread.size == 0 or spread[-1] > (1e-3 if tolerance > 1e-6 else 1e-8) * spread[0]:
             return True
     return False
+
+
+def _same_polynomial(said, true, open_):
+    """Whether two matrices have the same characteristic polynomial, up to what the entries of the first are off by."""
+    own = np.poly(said)
+    allowed = EXACT * max(np.linalg.norm(said), np.linalg.norm(true)) ** np.arange(len(own))
+    for i, j in np.ndindex(said.shape):
+        step = np.zeros(said.shape)
+        step[i, j] = open_[i, j]
+        allowed = allowed + abs(np.poly(said + step) - own)
+    # A hundredth for products of two such steps.
+    return bool((abs(own - np.poly(true)) <= 1.01 * allowed).all())
 
 
 @functools.partial(np.vectorize, otypes=[complex])

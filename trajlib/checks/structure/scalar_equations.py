@@ -12,10 +12,10 @@ import sympy as sp
 from sympy.core.function import AppliedUndef
 
 from trajlib.checks.contract.claims import Expressions
-from trajlib.checks.contract.tolerance import same, share
+from trajlib.checks.contract.tolerance import EXACT, same, share
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
 from trajlib.checks.tools.samples import general_values
-from trajlib.checks.tools.values import number_at, numbers_at
+from trajlib.checks.tools.values import number_at, numbers_at, uncertain_entries
 from trajlib.checks.tools.wording import number_text, where_text
 from trajlib.checks.truths.exceptional_values import judge_everywhere
 from trajlib.checks.truths.pairs import pair_of
@@ -77,7 +77,6 @@ class _LinearEquation:
 
     def __init__(self, answer, motion, control, parameters):
         (self.time,), self.names = motion.args, (motion.func.__name__, control.func.__name__)
-        self.tolerance = share([answer]) if isinstance(answer, sp.Basic) else None
         sides = [self._own_functions(side, motion, control, parameters) for side in self._sides(answer)]
         self.derivatives = [[sp.Dummy(f"{name}{k}") for k in range(LARGEST_ORDER + 1)] for name in self.names]
         known = {function.diff(self.time, k): symbol for function, symbols in zip((motion, control), self.derivatives)
@@ -104,6 +103,7 @@ class _LinearEquation:
         n, where = A.rows, where_text(values)
         numbers = [[number_at(a, values, "a coefficient of your equation") if a != 0 else 0 for a in row]
                    for row in self.coefficients]
+        self.uncertain = [uncertain_entries(sp.Matrix([row]), values)[0] for row in self.coefficients]
         size = max(abs(a) for row in numbers for a in row)
         present = [[k for k, a in enumerate(row) if abs(a) > 1e-9 * size] for row in numbers]
         y, u = self.names
@@ -161,8 +161,8 @@ class _LinearEquation:
                                np.array(numbers[1])[:len(state) - n] * state[n:]])
 
     def _fails(self, numbers, to_all, state):
-        terms = self._terms(numbers, to_all, state)
-        return not abs(sum(terms)) <= self.tolerance * sum(abs(terms))
+        terms, open_ = self._terms(numbers, to_all, state), self._terms(self.uncertain, to_all, state)
+        return not abs(sum(terms)) <= EXACT * sum(abs(terms)) + sum(abs(open_))
 
     def _sides(self, answer):
         if isinstance(answer, sp.Eq):

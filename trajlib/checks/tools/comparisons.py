@@ -21,7 +21,7 @@ import sympy as sp
 from trajlib.checks.contract.tolerance import EXACT, in_decimals, same
 from trajlib.checks.contract.verdict import Wrong
 from trajlib.checks.tools.values import matrix_at, truth_at, uncertain_at, value_at
-from trajlib.checks.tools.wording import rounded_text
+from trajlib.checks.tools.wording import apart, rounded_text
 
 
 @dataclass
@@ -42,8 +42,8 @@ class Same:
         if not same(said, self.true, self.claim, self.size, self.computed, uncertain_at(self.claim, self.values)):
             if not self.values:  # the true number would be the answer itself
                 raise Wrong(f"{self.what} is another number than {said:.4g}")
-            raise Wrong(f"for {rounded_text(self.values)} {self.what} is {self.true:.4g}; "
-                        f"your expression gives {said:.4g}")
+            true, said = apart(self.true, said)
+            raise Wrong(f"for {rounded_text(self.values)} {self.what} is {true}; your expression gives {said}")
 
 
 @dataclass

@@ -15,7 +15,7 @@ import numpy as np
 import sympy as sp
 
 from trajlib.checks.contract.coercion import LARGEST
-from trajlib.checks.contract.tolerance import DECIMALS, changed, in_decimals
+from trajlib.checks.contract.tolerance import DECIMALS, changed, half_unit, in_decimals
 from trajlib.checks.contract.verdict import Invalid, Wrong
 from trajlib.checks.tools.wording import rounded_text
 
@@ -81,6 +81,8 @@ def uncertain_entries(claim, values):
     def entry(part):
         if not in_decimals(part):
             return 0.0
+        if not part.free_symbols:
+            return half_unit(abs(number_at(part, values)))
         known = uncertain_at(part, values)
         return known if np.isfinite(known) else DECIMALS * abs(number_at(part, values))
 
@@ -200,7 +202,7 @@ def _put(claim, values):
                 return number
     try:
         return _added(claim.subs(values)).evalf(20)
-    except TypeError:
+    except (TypeError, ValueError):  # ValueError: the greater of two such numbers, in Max or Min
         return sp.nan
 
 

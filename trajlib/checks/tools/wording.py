@@ -8,6 +8,16 @@ def number_text(number):
             else f"{z.real:.4g} {'+' if z.imag > 0 else '-'} {abs(z.imag):.4g}i")
 
 
+def apart(*numbers):
+    """Different real numbers for a message, with as many digits, four at least, as tell them apart."""
+    told = [f"{number:.4g}" for number in numbers]
+    for digits in range(5, 16):
+        if len(set(told)) > 1:
+            break
+        told = [f"{number:.{digits}g}" for number in numbers]
+    return told
+
+
 def roots_text(roots):
     """The roots of an equation for a message; what rounding leaves of a zero imaginary part is none."""
     return " and ".join(number_text(z.real if abs(z.imag) < 1e-9 * (1 + abs(z)) else z) for z in map(complex, roots))

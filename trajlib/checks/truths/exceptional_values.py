@@ -8,7 +8,7 @@ import mpmath
 import sympy as sp
 
 from trajlib.checks.contract.verdict import Wrong
-from trajlib.checks.tools.conditions import compare, exactly, place_text
+from trajlib.checks.tools.conditions import compare, decide, exactly, place_text
 
 #: Answers longer than this are tried at values in general position alone.
 MOST_OPERATIONS = 600
@@ -36,6 +36,20 @@ def judge_everywhere(matrix, parameters, given, undefined, dependent=None):
         if condition != sp.true:
             compare(condition, parameters, exactly(sp.true, given()),
                     lambda values, holds: f"{failure} for {place_text(values)}, where the answer is to serve too")
+
+
+def judge_factors(expressions, variables, domain, failure):
+    """Raise `Wrong` at values of the other symbols where expressions that are not zero all vanish, whatever the
+    variables are, by a factor that they share."""
+    shared = [{power.as_base_exp()[0] for power in sp.Mul.make_args(sp.factor(e))} for e in expressions
+              if e != 0 and sp.count_ops(e) <= MOST_OPERATIONS]
+    for factor in sorted(set.intersection(*shared) if shared else (), key=sp.default_sort_key):
+        symbols = sorted(factor.free_symbols, key=str)
+        if symbols and not factor.has(*variables):
+            given = sp.And(*(domain[s].as_relational(s) for s in symbols if domain and s in domain))
+            _, place = decide(sp.Ne(factor, 0), symbols, exactly(sp.true, given))
+            if place:
+                raise Wrong(f"{failure} for {place_text(place[0])}, where the answer is to serve too")
 
 
 def _sign_changes(function, symbols):
