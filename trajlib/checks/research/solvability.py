@@ -13,12 +13,12 @@ import numpy as np
 import sympy as sp
 
 from trajlib.checks.contract import coercion
-from trajlib.checks.contract.claims import ConditionOn, Expression, Expressions, Integer
+from trajlib.checks.contract.claims import Expression, Expressions, Integer
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
 from trajlib.checks.tools.comparisons import Same
 from trajlib.checks.tools.conditions import compare, exactly, place_text
 from trajlib.checks.tools.samples import joined, random_values
-from trajlib.checks.tools.values import truth_at, value_at
+from trajlib.checks.tools.values import value_at
 from trajlib.checks.tools.wording import rounded_text
 from trajlib.checks.truths.exceptional_values import judge_everywhere
 
@@ -203,52 +203,59 @@ def numbers_seen(claims, matrix, sights):
     return "the stacked matrices of many ranges have these ranks"
 
 
-@judged(ConditionOn("first", "second"))
-def stations_insufficient(claim, matrix, first, second):
-    """Condition on two directions, none of whose components vanish, under which ranges along both leave something
+@judged
+def stations_insufficient(answer, matrix, first, second):
+    """Condition on two unit vectors, none of whose components vanish, under which ranges along both leave something
     unseen."""
-    for values, insufficient in _pairs_of_stations(sp.ImmutableMatrix(matrix), tuple(first), tuple(second)):
-        said = truth_at(claim, values)
-        if said != insufficient:
-            raise Wrong(f"for {rounded_text(values)} the ranges determine "
-                        f"{'not everything' if insufficient else 'everything'}, yet your "
-                        f"condition {'holds' if said else 'fails'}")
-    return ("it agrees with the rank, for directions in general position, parallel ones and those parallel in two "
-            "components")
+    symbols = [*first, *second]
+    given = sp.And(*(sp.Eq(sum(n**2 for n in sight), 1) for sight in (first, second)), *(sp.Ne(n, 0) for n in symbols))
+    unseen = _unseen_along(matrix.subs({s: sp.Rational(2, 3) for s in _symbols(matrix)}), first, second)
+
+    def told(values, holds):
+        return (f"for {place_text(values)} the ranges determine "
+                + ("not everything, yet your condition fails" if holds else "everything, yet your condition holds"))
+
+    truth = exactly(unseen, given, points=lambda: (dict(zip(symbols, pair)) for pair in _pairs_of_directions()))
+    agreement = compare(answer, symbols, truth, told)
+    return f"it agrees with the rank, for directions in general position and in special ones: {agreement}"
 
 
-@functools.lru_cache(maxsize=16)
-def _pairs_of_stations(matrix, first, second):
-    """Pairs of directions, as values of their symbols, and whether ranges along both leave something unseen."""
-    random, found = np.random.default_rng(82), []
-    A = matrix.subs({s: sp.Rational(2, 3) for s in _symbols(matrix)})
-    powers = [A**k for k in range(matrix.rows)]
+def _unseen_along(matrix, *sights):
+    """The condition under which ranges along all of the directions miss a motion of x' = A x (Popov's criterion)."""
+    rows = sp.Matrix([[*sight, *[0]*(matrix.rows - len(sight))] for sight in sights])
+    found = []
+    for _, _, vectors in matrix.eigenvects():
+        seen = rows*sp.Matrix.hstack(*vectors)
+        minors = [seen.extract(list(chosen), list(range(seen.cols))).det()
+                  for chosen in itertools.combinations(range(seen.rows), seen.cols)]
+        found.append(sp.And(*(sp.Eq(part, 0) for minor in minors for part in sp.expand(minor).as_real_imag())))
+    return sp.Or(*found)
+
+
+def _pairs_of_directions(count=48):
+    """Pairs of unit vectors of fractions, none of whose components vanish, each pair in a row: general ones, the same
+    and the opposite direction, mirrored and perpendicular ones, close ones and those with two components in proportion.
+    """
+    random = np.random.default_rng(82)
+
+    def unit(a, b):
+        """Stereographic coordinates."""
+        return [2*a/(1 + a*a + b*b), 2*b/(1 + a*a + b*b), (1 - a*a - b*b)/(1 + a*a + b*b)]
 
     def drawn():
         return sp.Rational(int(random.choice((-1, 1))*random.integers(1, 12)), int(random.integers(13, 17)))
 
-    def unit(a, b, last):
-        """A unit vector with whole ratios: a, b are its stereographic coordinates, `last` the place of the third."""
-        size = 1 + a*a + b*b
-        parts = [2*a/size, 2*b/size]
-        return [*parts[:last], (1 - a*a - b*b)/size, *parts[last:]]
-
-    number = 0
-    while len(found) < 24:
-        a, b, factor, last = drawn(), drawn(), drawn(), (number//3) % 3
-        one, number = unit(a, b, last), number + 1
-        if number % 3 == 0:
-            other = [(-1)**(number//3)*part for part in one]  # the same direction, or the opposite one
-        elif number % 3 == 1:                # parallel in two components only
-            other = unit(factor*a, factor*b, last)
-        else:
-            other = unit(drawn(), drawn(), last)
-        if not all([*one, *other]):
-            continue
-        rows = sp.Matrix.vstack(*[sp.Matrix([[*n, *[0]*(matrix.rows - len(n))]])*power for n in (one, other)
-                                  for power in powers])
-        found.append((dict(zip([*first, *second], [*one, *other])), rows.rank() < matrix.rows))
-    return found
+    for number in range(count):
+        a, b, factor, k = drawn(), drawn(), drawn(), number//8 % 3
+        one = unit(a, b)
+        mirror = [-n if i == k else n for i, n in enumerate(one)]
+        # a and b turn about the first one's axis: these are orthonormal
+        across = [1 - 2*a*a/(1 + a*a + b*b), -2*a*b/(1 + a*a + b*b), -2*a/(1 + a*a + b*b)]
+        other = [one, [-n for n in one], mirror, [-n for n in mirror], across, unit(a*sp.Rational(101, 100), b),
+                 unit(factor*a, factor*b), unit(drawn(), drawn())][number % 8]
+        turned = [*one[k:], *one[:k]], [*other[k:], *other[:k]]
+        if all(turned[0]) and all(turned[1]):
+            yield turned[0] + turned[1]
 
 
 @judged(Expressions(length=lambda data: data["matrix"].rows))
