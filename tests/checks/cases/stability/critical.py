@@ -88,6 +88,8 @@ CASES = [
     Case("conserved_form", -(v**2) - w**2 * x**2, SWING, "wrong", "negative definite"),
     Case("conserved_form", x**2 + v**2, TWO, "wrong", "one oscillator only"),
     Case("conserved_form", x**2 + v**2 + y**2 + u**2 + 3 * (x * y + v * u), TWO, "wrong", "conserved but indefinite"),
+    Case("conserved_form", (w - 3)**2 * (v**2 + w**2 * x**2), SWING, "wrong", "zero for omega = 3"),
+    Case("conserved_form", sp.exp(-w) * (v**2 + w**2 * x**2), SWING, "right", "times what is positive everywhere"),
     Case("conserved_form", v**2 + w**2 * x**2 + 1, SWING, "wrong", "not zero at zero"),
     Case("conserved_form", (v**2 + w**2 * x**2) ** 2, SWING, "wrong", "no quadratic form"),
     Case("conserved_form", ..., SWING, "missing", "the untouched stub"),

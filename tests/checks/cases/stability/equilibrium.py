@@ -68,6 +68,7 @@ CASES = [
     Case("stable_equilibria", [(0, -1)], PARABOLA, "right", "the focus"),
     Case("stable_equilibria", (0, -1), PARABOLA, "right", "one point without the outer list"),
     Case("stable_equilibria", {x: 0, y: -1}, PARABOLA, "right", "one dict"),
+    Case("stable_equilibria", sp.Matrix([0, -1]), PARABOLA, "right", "one column"),
     Case("stable_equilibria", [[-1, 0], [1, 0]], WELLS, "right", "both wells"),
     Case("stable_equilibria", [], EMPTY, "right", "none exist"),
     Case("stable_equilibria", [(3, 2)], PARABOLA, "wrong", "the saddle"),

@@ -88,6 +88,9 @@ CASES = [
     Case("basin_estimate", sp.And(SPRING[0] < c, sp.Abs(x) < r, sp.Ne(x, y)), SOFT, "wrong", "a diagonal left out"),
     Case("basin_estimate", sp.Abs(x) < r, SOFT, "wrong", "the strip between the saddles"),
     Case("basin_estimate", sp.And(SPRING[0] < c / 2, sp.Abs(x) < r), SOFT, "wrong", "half the level"),
+    Case("basin_estimate", sp.Or(sp.And(SPRING[0] < c, sp.Abs(x) < r), x > 1000), SOFT, "wrong", "a part far away"),
+    Case("basin_estimate", sp.Or(x**2 + y**2 < 1, (x - 9)**2 + y**2 < sp.Rational(1, 100)), POL, "wrong",
+         "a small disc far away"),
     Case("basin_estimate", ..., WELL, "missing", "the untouched stub"),
     Case("basin_estimate", 0.5, POL, "invalid", "the level alone"),
 ]

@@ -83,6 +83,8 @@ CASES = [
          "the second coordinate does not see the first"),
     Case("observability_split_system", [SPLIT, M([[1, 0, 1]])], SEEN, "wrong",
          "the output contains the unobservable part"),
+    Case("observability_split_system", [M([[0, 1, 0], [0, 2.02, 0], [1, 1, 0]]), M([[1, 0, 0]])], SEEN, "wrong",
+         "an eigenvalue one per cent off"),
     Case("observability_split_system", SPLIT, SEEN, "invalid", "the matrix alone"),
     Case("observability_split_system", [SPLIT, M([[1, 0]])], SEEN, "invalid", "an output of another length"),
     Case("controllability_split_system", [P_SPLIT, M([1, 0, 0])], DRIVEN, "right", "in the basis b, Ab"),
