@@ -39,7 +39,7 @@ PROBLEM_SECONDS = {"5": 55}
 #: Conditions and sets whose verdict rests on samples and says so: basins and fields of motions, from where a
 #: circle can be reached, where the fastest time jumps. All others are proved for all values.
 SAMPLED = {"1.3": {"b_basin"}, "1.4": {"b_basin"}, "1.10": {"c_heading"}, "5.6": {"continuous"},
-           "5.9": {"a_solvable", "b_solvable"}, "7.3": {"d_insufficient"}}
+           "5.9": {"a_solvable", "b_solvable"}}
 #: Wrong trials that agree with what is right, or with another mistake, at all places where answers are compared.
 LIKE_ANOTHER = {"2.3": 1, "2.26": 3}
 #: Answers of which one number may be one per cent off: it belongs to a row that may be any, to a border at which two
