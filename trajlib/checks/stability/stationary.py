@@ -127,8 +127,8 @@ def stationary_stability(claim, field, state, parameters, domain=None):
         if abs(largest) < 1e-9 * (1 + max(abs(eigenvalues))):
             raise RuntimeError("the first approximation does not decide here")
         if claim != ("unstable" if largest > 0 else "asymptotically stable"):
-            raise Wrong(f"this does not agree with the first approximation: for {sample_text(values)} its roots are "
-                        f"{roots_text(eigenvalues)}")
+            raise Wrong(f"this does not agree with the first approximation: for {sample_text(values)} its "
+                        f"{'roots are' if len(eigenvalues) > 1 else 'root is'} {roots_text(eigenvalues)}")
     return "it agrees with the roots of the first approximation, for sample values of the parameters"
 
 
