@@ -11,12 +11,12 @@ import sympy as sp
 
 from trajlib.checks.contract.claims import Claim, Laid
 from trajlib.checks.contract.coercion import as_matrix
-from trajlib.checks.contract.tolerance import share
+from trajlib.checks.contract.tolerance import EXACT
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
 from trajlib.checks.feedback.loops import Requirement
 from trajlib.checks.feedback.margins import compare_margins, up_to
 from trajlib.checks.tools.comparisons import Follows
-from trajlib.checks.tools.values import matrix_at
+from trajlib.checks.tools.values import matrix_at, moved, uncertain_entries
 from trajlib.checks.tools.wording import number_text
 from trajlib.checks.truths.fixed_modes import common_margin
 from trajlib.checks.truths.pairs import pair_of
@@ -77,7 +77,7 @@ def equation_region(answer, equation, gain, parameters):
 
 
 def _comparisons(form, equation):
-    n, tolerance = equation.order, share(*form)
+    n = equation.order
     parts = [matrix_at(part, {}) for part in form]
     if any(part.imag.any() for part in parts):
         raise Wrong("an entry of your form is not real")
@@ -86,28 +86,39 @@ def _comparisons(form, equation):
         raise Wrong(f"the equation is of order {n}: so many initial values, of x, x', ..., can be chosen; "
                     f"your form has {len(A)}")
     left, right, measured = (np.array([*map(float, row), *[0.0]*(n + 1 - len(row))]) for row in equation.coefficients)
-    on_state = [C]
-    while len(on_state) <= n:
-        on_state.append(on_state[-1] @ A)
-    on_state = np.vstack(on_state)
-    # Row k: how x^(k) depends on u, u', ...
-    on_control = np.array([[(on_state[k - 1 - j] @ B)[0] if j < k else 0.0 for j in range(n)]
-                           for k in range(n + 1)])
-    sizes = abs(left) @ abs(on_state), abs(left) @ abs(on_control), abs(measured) @ abs(on_state) + abs(H[0])
+
+    def motions(A, B, C):
+        """Row k: how x^(k) depends on y, and how on u, u', ..."""
+        on_state = [C]
+        while len(on_state) <= n:
+            on_state.append(on_state[-1] @ A)
+        return np.vstack(on_state), np.array([[(on_state[k - 1 - j] @ B)[0, 0] if j < k else 0.0 for j in range(n)]
+                                              for k in range(n + 1)])
+
+    def sides(A, B, C, H):
+        on_state, on_control = motions(A, B, C)
+        return left @ on_state, left @ on_control, measured @ on_state - H[0]
+
+    on_state, on_control = motions(A, B, C)
     found = left @ on_state, left @ on_control, measured @ on_state
-    yield Follows(found[0], 0, max(sizes[0]), lambda place: (
+    sizes = abs(left) @ abs(on_state), abs(left) @ abs(on_control), abs(measured) @ abs(on_state) + abs(H[0])
+    here = sides(A, B, C, H)
+    others = [sides(*other) for other in moved((A, B, C, H), [uncertain_entries(part, {}) for part in form])]
+    allowed = [EXACT*(max(size) + extra) + sum(abs(other[k] - here[k]) for other in others)
+               for k, (size, extra) in enumerate(zip(sizes, (0, max(abs(right)), 0)))]
+    yield Follows(found[0], 0, allowed[0], lambda place: (
         f"the motion of your form without control from y{place[0] + 1} = 1, the others zero, does not satisfy the "
-        f"equation: its left-hand side begins with {number_text(found[0][place])}"), tolerance)
-    yield Follows(found[1], right[:-1], max(sizes[1]) + max(abs(right)), lambda place: (
+        f"equation: its left-hand side begins with {number_text(found[0][place])}"), 1)
+    yield Follows(found[1], right[:-1], allowed[1], lambda place: (
         f"from rest your form does not satisfy the equation: u{_primes(place[0])} enters its left-hand side with the "
-        f"coefficient {number_text(found[1][place])}, its right-hand side with {number_text(right[place])}"), tolerance)
+        f"coefficient {number_text(found[1][place])}, its right-hand side with {number_text(right[place])}"), 1)
     if pair_of(form[0], form[2]).unseen[0]:
         raise Wrong("your form satisfies the equation, but does not have all its motions: x = Cy stays zero from some "
                     "states other than zero, so that fewer initial values of x, x', ... can be chosen than the "
                     "equation allows")
-    yield Follows(H[0], found[2], max(sizes[2]), lambda place: (
+    yield Follows(H[0], found[2], allowed[2], lambda place: (
         f"z is not what is measured: at y{place[0] + 1} = 1, the others zero, your row H gives "
-        f"{number_text(H[0][place])}, and x and its derivatives {number_text(found[2][place])}"), tolerance)
+        f"{number_text(H[0][place])}, and x and its derivatives {number_text(found[2][place])}"), 1)
 
 
 def _primes(order):

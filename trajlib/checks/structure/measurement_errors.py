@@ -11,12 +11,12 @@ import sympy as sp
 
 from trajlib.checks.contract import coercion
 from trajlib.checks.contract.claims import Expression, Vectors, YesNo
-from trajlib.checks.contract.tolerance import same, share
+from trajlib.checks.contract.tolerance import EXACT, same
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
 from trajlib.checks.structure.dual_questions import Side, judge_region, judge_yes_no
 from trajlib.checks.structure.unseen_bases import bases_by_value, judge_basis, judge_where_lost
 from trajlib.checks.tools.comparisons import Same
-from trajlib.checks.tools.values import matrix_at
+from trajlib.checks.tools.values import matrix_at, moved, uncertain_entries
 from trajlib.checks.tools.wording import number_text, where_text
 from trajlib.checks.truths.invariant_subspaces import echelon, product, to_floats
 from trajlib.checks.truths.known_starts import starts_of
@@ -89,7 +89,6 @@ def augmented_system(answer, A, H, S, c, start, parameters=()):
                       f"after those of x; the shape of yours is {matrix.shape}")
     row = answer[1] if isinstance(answer[1], sp.MatrixBase) else [answer[1]] if _is_flat(answer[1]) else answer[1]
     row = coercion.as_matrix(row, parameters, (H.rows, matrix.rows))
-    tolerance = share(matrix, row)
     for values, place in pair.samples:
         where = where_text(values)
         true_A, true_H = (to_floats(rows, pair.order) for rows in pair.at(place))
@@ -102,8 +101,8 @@ def augmented_system(answer, A, H, S, c, start, parameters=()):
                 (row, (slice(None), x), true_H[:, x], "the columns of x in H' are those of H")):
             said = (said_A if claim is matrix else said_H)[block]
             _compare_block(said, true + 0 * said, claim[block], what, where)
-        _compare_errors(said_A[n:, n:], said_H[:, n:], _error_derivatives(pair, place, n, matrix.rows), where,
-                        tolerance)
+        open_ = uncertain_entries(matrix, values)[w, w], uncertain_entries(row, values)[:, w]
+        _compare_errors(said_A[w, w], said_H[:, w], open_, _error_derivatives(pair, place, n, matrix.rows), where)
     return ("its outputs are those of the motions with every error of the kind, and no coordinate of the error can be "
             "spared")
 
@@ -153,26 +152,31 @@ def _error_derivatives(pair, place, n, count):
     return found
 
 
-def _compare_errors(S, c, derivatives, where, tolerance):
-    """Whether w' = S w, z = c w makes the error from some start, and whether it needs all its coordinates."""
+def _compare_errors(S, c, left_open, derivatives, where):
+    """Whether w' = S w, z = c w makes the error from some start, and whether it needs all its coordinates; `left_open`
+    is by how much the decimals of S and c leave them open."""
     size, count = len(S), len(derivatives)
     half = count // 2
     order = len(echelon([[x for entry in derivatives[i:i + half] for x in entry] for i in range(half)])[1])
     if size > order:
         raise Wrong(f"your error has {size} coordinates, but fewer are enough for a linear equation of its "
                     f"own{where}; what is superfluous could not be observed, and would not matter")
-    rows, row = [], c
-    for _ in range(count):
-        rows.append(row)
-        row = row @ S
     rate = max(1.0, np.linalg.norm(S, 2))
     weights = np.repeat(rate ** -np.arange(count, dtype=float), len(c))
-    told = np.vstack(rows) * weights[:, None]
     wanted = np.array([float(x) for entry in derivatives for x in entry]) * weights
-    if not np.isfinite(told).all():
-        raise Wrong(f"the derivatives of your error are not finite{where}")
-    start = np.linalg.lstsq(told, wanted.astype(complex), rcond=1e-12)[0]
-    rest = told @ start - wanted
-    if not np.linalg.norm(rest) <= 10 * tolerance * np.linalg.norm(wanted):
+
+    def rest(S, c):
+        rows = [c]
+        while len(rows) < count:
+            rows.append(rows[-1] @ S)
+        told = np.vstack(rows) * weights[:, None]
+        if not np.isfinite(told).all():
+            raise Wrong(f"the derivatives of your error are not finite{where}")
+        start = np.linalg.lstsq(told, wanted.astype(complex), rcond=1e-12)[0]
+        return told @ start - wanted
+
+    here = rest(S, c)
+    allowed = sum(np.linalg.norm(rest(*other) - here) for other in moved((S, c), left_open))
+    if not np.linalg.norm(here) <= 10 * EXACT * np.linalg.norm(wanted) + allowed:
         raise Wrong(f"from no start do your coordinates of the error give the error of the statement{where}: the "
                     f"derivatives of z at t = 0 do not agree")

@@ -89,6 +89,15 @@ def uncertain_entries(claim, values):
     return np.array([[entry(claim[i, j]) for j in range(claim.cols)] for i in range(claim.rows)]).reshape(claim.shape)
 
 
+def moved(parts, left_open):
+    """The arrays `parts` with one entry larger by what is left open of it, for each entry that is not exact."""
+    for k, open_ in enumerate(left_open):
+        for place in zip(*np.nonzero(open_)):
+            other = parts[k].copy()
+            other[place] += open_[place]
+            yield (*parts[:k], other, *parts[k + 1:])
+
+
 def real_at(claim, values):
     """The real number that an expression becomes, or None where it is not real, or not defined."""
     try:

@@ -30,6 +30,8 @@ CASES = [
     Case("state_form", [M([[2]]), [1], [1], [1]], (COMMON,), "wrong", "the common factor cancelled"),
     Case("state_form", [M([[0, 1], [2, 1]]), M([0, 1]), TOP, TOP], (COMMON,), "wrong", "without the derivative"),
     Case("state_form", [M([[0, 1], [-2, -1]]), M([1, 2]), TOP, TOP], (COMMON,), "wrong", "signs"),
+    Case("state_form", [M([[0, 1], [2, 1]]), M([1, 2.02]), TOP, TOP], (COMMON,), "wrong",
+         "one per cent off, in decimals"),
     Case("state_form", [M([[0, 1], [0, 0]]), [0, 1], TOP, M([[1, -1]])], (RATE,), "wrong", "another output"),
     Case("state_form", [M([[0, 1], [0, 0]]), [0, sp.I], M([[-sp.I, 0]]), M([[sp.I, -sp.I]])], (RATE,), "wrong",
          "not real"),

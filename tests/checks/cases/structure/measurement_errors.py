@@ -96,6 +96,8 @@ CASES = [
          "a motion that makes errors"),
     Case("augmented_system", [sp.diag(FREE[0], 1), sp.Matrix([[1, 0, 1]])], FREE, "wrong",
          "a growing error for a constant"),
+    Case("augmented_system", [sp.diag(FREE[0], 0.01), sp.Matrix([[1.0, 0, 1]])], FREE, "wrong",
+         "an error that grows slowly, in decimals"),
     Case("augmented_system", [sp.diag(FREE[0], 0), sp.Matrix([[2, 0, 1]])], FREE, "wrong",
          "another output of the motion"),
     Case("augmented_system", [FREE[0], FIRST], FREE, "invalid", "nothing added"),
