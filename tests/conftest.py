@@ -17,16 +17,10 @@ sys.modules["rfc3987_syntax"] = None
 for folder in ("problems", "checks", "library", "browser"):
     sys.path.insert(0, str(Path(__file__).parent / folder))
 
-import casadi  # noqa: E402, F401
 import control  # noqa: E402, F401
-import matplotlib.pyplot  # noqa: E402, F401
-import numpy  # noqa: E402, F401
 import pytest  # noqa: E402
-import scipy.integrate  # noqa: E402, F401
-import sympy  # noqa: E402, F401
-import z3  # noqa: E402, F401
 
-from trajlib import checks  # noqa: E402
+from trajlib.grading.preloading import ALWAYS, LIBRARIES, THEMES, preload  # noqa: E402
 
 #: Tests that share what costs much: the proof of a problem, the parsed pages of an edition, syntheses, a cluster, an
 #: installed bundle. The tests of a group are those with the same parts in their ids.
@@ -48,8 +42,8 @@ def keep_what_was_freed():
 
 
 keep_what_was_freed()
-for name in dir(checks):  # with what each is made of: every problem is judged in several processes
-    getattr(checks, name)
+# Every problem is solved and judged in processes of its own, which would import it all again.
+preload(*ALWAYS, *LIBRARIES, themes=["checks", *THEMES])
 
 
 def together(nodeid):
