@@ -10,8 +10,12 @@ from trajlib.grading.nursery import Nursery
 from trajlib.grading.preloading import ALWAYS, LIBRARIES, needed
 
 
+def loaded(problems, sources):
+    return [name for names in needed(problems, sources).values() for name in names]
+
+
 def libraries(problems, *sources):
-    return {name for name in needed(problems, sources) if name in LIBRARIES}
+    return {name for name in loaded(problems, sources) if name in LIBRARIES}
 
 
 def test_no_library_that_nothing_of_the_homework_uses():
@@ -24,14 +28,23 @@ def test_no_library_that_nothing_of_the_homework_uses():
 
 def test_functions_of_ours_that_a_notebook_names():
     cells = ["from trajlib import stability", "minors = stability.hurwitz_minors(p)[1:]"]
-    more = set(needed(["1.15"], cells)) - set(needed(["1.15"], []))
-    assert more == {"trajlib.stability.hurwitz"}
-    assert not set(needed(["1.15"], ["hurwitz_minors = 1"])) - set(needed(["1.15"], [])), "no theme is named"
+    more = set(needed(["1.15"], cells)["notebooks"]) - set(loaded(["1.15"], []))
+    assert more == {"trajlib.stability.hurwitz", "trajlib.stability.systems"}, "with what it imports itself"
+    assert not set(loaded(["1.15"], ["hurwitz_minors = 1"])) - set(loaded(["1.15"], [])), "no theme is named"
+
+
+def test_sandboxes_have_what_notebooks_use_and_not_what_only_checks_do():
+    assert {"z3", "trajlib.checks.stability.regions"} <= set(needed(["1.15"], [])["checks"])
+    assert "z3" in needed(["1.15"], ["import z3"])["notebooks"]
+    functions = needed(["1.15"], ["from trajlib import feedback\nfeedback.lqr(A, B, G, N)"])
+    assert "scipy.linalg" in functions["notebooks"], "which the library imports when it is called"
+    for modules in (functions, needed(["1.15"], [])):
+        assert not set(modules["notebooks"]) & set(modules["checks"]), "nothing twice"
 
 
 def test_words_of_a_notebook_only_choose_among_ours():
     foreign = ["import evil, casadi.evil\nfrom scipy.optimize.evil import x", "__import__('trajlib.evil')"]
-    named = needed(["1.15"], foreign)
+    named = loaded(["1.15"], foreign)
     assert not [name for name in named if "evil" in name]
     assert {name for name in named if not name.startswith("trajlib.")} <= {*ALWAYS, *LIBRARIES}
 
@@ -47,7 +60,7 @@ def test_a_judge_finds_all_that_it_imports():
             "judge_cells(exercise.code('data', 'check'), {'a_region': encode(k > 0).decode()}, {}, names)\n"
             "print([name for name in set(sys.modules) - before if name.split('.')[0] in "
             "('trajlib', 'sympy', 'scipy', 'casadi', 'z3')])")
-    done = subprocess.run([sys.executable, "-c", code, json.dumps(needed(["1.15"], []))], capture_output=True,
+    done = subprocess.run([sys.executable, "-c", code, json.dumps(loaded(["1.15"], []))], capture_output=True,
                           text=True, timeout=120)
     assert done.stdout == "[]\n", done.stdout + done.stderr
 

@@ -21,10 +21,9 @@ from importlib import metadata
 
 from trajlib import exercises
 from trajlib.dependencies import module_closure
-from trajlib.grading import bench
+from trajlib.grading import bench, lanes
 from trajlib.grading.fingerprint import fingerprint
 from trajlib.grading.isolation import NoIsolation, NotStarted, shown_through
-from trajlib.grading.lanes import Lane, modules
 from trajlib.grading.nursery import Nursery
 
 #: Libraries whose version may decide whether an answer is right.
@@ -135,12 +134,14 @@ class _Kept:
         with _guard:
             if self.run in _ended:
                 raise Unfit("the run has ended")
-            self._nursery = Nursery.start(modules(given))
+            self._nursery, mine = Nursery.start([]), []
             try:
-                self._lane = Lane(self.settings | {"patience": PATIENCE}, self._nursery)
-            except NotStarted:
+                lanes.begin(mine, 1, self.settings | {"patience": PATIENCE, "modules": lanes.modules(given)},
+                            self._nursery)
+            except NoIsolation:
                 self._nursery.close()
                 raise
+            (self._lane,) = mine
             _all.add(self)
         try:
             with self._using:

@@ -109,8 +109,6 @@ def _judgements(pending, count, limits, bounds, trusting, cluster, nursery=None)
                                 [source for unit in by_key.values() for source in unit["sources"]])
     settings = bench.settings(limits, bounds, trusting) | {"modules": modules}
     if cluster is None:
-        if nursery is not None:
-            nursery.load(modules)
         grading = lanes.grade_all(by_key.values(), min(count, len(by_key)), settings, nursery)
     else:
         from trajlib.grading.cluster import grade_all

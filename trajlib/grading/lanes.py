@@ -28,9 +28,9 @@ def grade_all(units, count, settings, nursery=None):
     anything is graded if a sandbox cannot be had. Close it (`contextlib.closing`) to end the lanes at once.
     """
     waiting = iter(units)
-    lanes, nursery = [], nursery or Nursery.start(modules(settings))
+    lanes, nursery = [], nursery or Nursery.start([])
     try:
-        lanes += [Lane(settings, nursery) for _ in range(count)]
+        begin(lanes, count, settings, nursery)
         for number in range(count):
             lanes[number] = _ready(lanes[number], settings)
         busy = {lane: unit for lane in lanes if (unit := lane.take(waiting)) is not None}
@@ -43,8 +43,8 @@ def grade_all(units, count, settings, nursery=None):
                     lane.stop()
                     if not nursery.alive():  # then this is the first of its lanes that is found dead; the others follow
                         nursery.close()
-                        nursery = Nursery.start(modules(settings))
-                    lanes[lanes.index(lane)] = lane = _ready(Lane(settings, nursery), settings)
+                        nursery = Nursery.start([name for names in modules(settings).values() for name in names])
+                    lanes[lanes.index(lane)] = lane = _ready(Lane(settings, nursery).begin(), settings)
                 following = lane.take(waiting)  # it goes on while this result is stored
                 if following is not None:
                     busy[lane] = following
@@ -58,8 +58,20 @@ def grade_all(units, count, settings, nursery=None):
 
 
 def modules(settings):
-    """What the nursery of lanes with these settings imports."""
-    return settings.get("modules", (*ALWAYS, *LIBRARIES))
+    """What the nursery of lanes with these settings imports: for notebooks, and then for checks."""
+    return settings.get("modules", {"notebooks": [*ALWAYS, *LIBRARIES], "checks": []})
+
+
+def begin(lanes, count, settings, nursery):
+    """Begin `count` lanes from a nursery, each added to the list `lanes` at once: whoever has the list can stop them.
+
+    Where their sandboxes come from is forked before the nursery imports what checks alone use.
+    """
+    nursery.load(modules(settings)["notebooks"])
+    lanes += [Lane(settings, nursery) for _ in range(count)]
+    nursery.load(modules(settings)["checks"])
+    for lane in lanes:
+        lane.begin()
 
 
 def _ready(lane, settings):
@@ -72,22 +84,28 @@ def _ready(lane, settings):
             lane.stop()
             if not tries_left:
                 raise
-            lane = Lane(settings, lane.nursery)
+            lane = Lane(settings, lane.nursery).begin()
 
 
 class Lane:
-    """The grader's end of one lane."""
+    """The grader's end of one lane; the lane itself runs when it is told to `begin`."""
 
     def __init__(self, settings, nursery):
+        self.nursery, self._settings, self._code, self._requests = nursery, settings, None, None
+        self._bubblewrap = None if settings["trusting"] else nursery.bubblewrap
+        self._sandboxes, self._control = nursery.divided()  # a nursery of its own, from which its sandboxes come
+
+    def begin(self):
         # It inherits neither the grade store nor another lane's pipes.
-        self.nursery, self._code, self._requests = nursery, None, None
-        bwrap = None if settings["trusting"] else nursery.bubblewrap
         (theirs, self._requests), (self._results, results) = os.pipe(), os.pipe()
         try:
-            self._number = nursery.fork("lane", [settings, bwrap], [theirs, results])
+            self._number = self.nursery.fork("lane", [self._settings, self._bubblewrap],
+                                             [theirs, results, None, self._control.fileno()])
         finally:
             os.close(theirs)
             os.close(results)
+            self._control.close()
+        return self
 
     def fileno(self):
         return self._results
@@ -133,10 +151,11 @@ class Lane:
     def stop(self):
         if self._requests is None:
             return
-        # What the lane has started ends with it (`end_with_parent`).
+        # What the lane has started ends with it (`end_with_parent`), or with where its sandboxes come from.
         self.end()
         with suppress(NotStarted):
             self._code = self.nursery.end(self._number, within=5)
+            self.nursery.end(self._sandboxes)
         os.close(self._requests)
         os.close(self._results)
         self._requests = None
@@ -151,7 +170,7 @@ def _tidy_up(*_):
 def work(settings, bwrap):
     """The lane's end, in a process forked from a nursery: grade what comes in until nothing does, or not for as long as
     the settings say."""
-    nursery = Nursery.branch(bwrap)  # before anything of a student's is here
+    nursery = Nursery.at(3, bwrap)
     signal.signal(signal.SIGTERM, _tidy_up)
     # Results have a descriptor of their own: what a check might print does not come between them.
     results = os.dup(1)

@@ -1,12 +1,14 @@
 """A process that has imported what grading needs, and from which others are forked that need not import it again.
 
 It is started afresh with an empty environment, and hears only what to fork, never anything of a student's: whatever it
-held would stand in the memory of every notebook's process. A lane that is forked from it forks, before it hears of its
-first notebook, a nursery of its own, from which its sandboxes come; so nothing that a lane learns is ever inside one.
+held would stand in the memory of every notebook's process. Sandboxes come from a second nursery, forked from the first
+before that imports what checks alone use: the smaller a process, the cheaper its forks. A lane asks for them there, and
+is itself no ancestor of theirs; so nothing that a lane learns is ever inside one.
 """
 
 import json
 import os
+import select
 import signal
 import socket
 import subprocess
@@ -30,9 +32,8 @@ HIGHEST_DESCRIPTOR = 4096
 class Nursery:
     """The other processes' end: asks for forks. Several threads may."""
 
-    def __init__(self, control, alive, end=lambda: None, bubblewrap=None):
-        self._control, self.alive, self._end, self._asking = control, alive, end, threading.Lock()
-        self._bubblewrap = bubblewrap
+    def __init__(self, control, end=lambda: None, bubblewrap=None):
+        self._control, self._end, self._bubblewrap, self._asking = control, end, bubblewrap, threading.Lock()
         control.settimeout(TO_ANSWER)
 
     @classmethod
@@ -45,20 +46,27 @@ class Nursery:
             process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
                                        env=isolation.environment_outside(), pass_fds=[theirs.fileno()],
                                        start_new_session=True, preexec_fn=partial(end_with_parent, os.getpid()))
-        return cls(ours, lambda: process.poll() is None, lambda: (process.kill(), process.wait()))
+        return cls(ours, lambda: (process.kill(), process.wait()))
 
     @classmethod
-    def branch(cls, bubblewrap):
-        """One that is forked from this very process, which must not have read anything of a student's yet.
+    def at(cls, descriptor, bubblewrap):
+        """One that was `divided` off by another process, which handed the socket over.
 
         `bubblewrap` is where the grader found it, whose PATH this process has not.
         """
+        return cls(socket.socket(fileno=descriptor), bubblewrap=bubblewrap)
+
+    def divided(self):
+        """Fork a nursery from this one, which has imported what this one has by now: its number, and the socket on
+        which whoever holds that can ask it; it ends when nobody does."""
         ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
-        this, child = os.getpid(), os.fork()
-        if child == 0:
-            _run_to_the_end(_branch, ours, theirs, this)
-        theirs.close()
-        return cls(ours, lambda: os.waitpid(child, os.WNOHANG)[0] == 0, bubblewrap=bubblewrap)
+        with theirs:
+            return self.fork("nursery", [], [theirs.fileno()]), ours
+
+    def alive(self):
+        """Whether its process runs; nobody may be waiting for an answer of it."""
+        with self._asking:  # nothing but its end comes unasked
+            return self._control.fileno() >= 0 and not select.select([self._control], [], [], 0)[0]
 
     @property
     def bubblewrap(self):
@@ -71,8 +79,11 @@ class Nursery:
             self._tell({"load": list(modules)})
 
     def fork(self, kind, given, descriptors):
-        """Fork a process of a `kind` (of `_KINDS`) with these descriptors as its 0, 1, ...; returns its number."""
-        return self._ask({"fork": kind, "given": given}, descriptors)["number"]
+        """Fork a process of a `kind` (of `_KINDS`) with these descriptors as its 0, 1, ..., where None leaves what is
+        there; returns its number."""
+        numbers = [number for number, descriptor in enumerate(descriptors) if descriptor is not None]
+        return self._ask({"fork": kind, "given": given, "numbers": numbers},
+                         [descriptors[number] for number in numbers])["number"]
 
     def ended(self, number, within=0.0):
         """The exit code of a process forked here, negative for a signal; None if it runs on after so many seconds."""
@@ -111,17 +122,6 @@ def main(control, modules):
     _serve(socket.socket(fileno=control))
 
 
-def _branch(ours, theirs, parent):
-    end_with_parent(parent)
-    ours.detach()
-    nothing = os.open("/dev/null", os.O_RDWR)
-    for descriptor in (0, 1):  # the pipes of its parent
-        os.dup2(nothing, descriptor)
-    os.dup2(theirs.detach(), 3)
-    os.closerange(4, HIGHEST_DESCRIPTOR)
-    _serve(socket.socket(fileno=3))
-
-
 def _serve(control):
     """Fork as asked until nobody is there to ask. Requests are the grader's own; nothing else ever comes in."""
     this = os.getpid()
@@ -137,7 +137,7 @@ def _serve(control):
             number = os.fork()
             if number == 0:
                 control.detach()
-                _run_to_the_end(_become, request["fork"], request["given"], descriptors, this)
+                _run_to_the_end(_become, request["fork"], request["given"], descriptors, request["numbers"], this)
             for descriptor in descriptors:
                 os.close(descriptor)
             answer = {"number": number}
@@ -175,12 +175,12 @@ def _end(number, within):
     return _codes.pop(number)
 
 
-def _become(kind, given, descriptors, parent):
+def _become(kind, given, descriptors, numbers, parent):
     os.setsid()
     end_with_parent(parent)
-    for number, descriptor in enumerate(descriptors):
+    for number, descriptor in zip(numbers, descriptors, strict=True):  # both ascend, so that none is in the way
         os.dup2(descriptor, number)
-    os.closerange(3, HIGHEST_DESCRIPTOR)
+    os.closerange(max([2, *numbers]) + 1, HIGHEST_DESCRIPTOR)
     _codes.clear()
     _KINDS[kind](*given)
 
@@ -200,6 +200,13 @@ def _run_to_the_end(function, *given):
         os._exit(code)
 
 
+def _nursery():
+    control, nothing = os.dup(0), os.open("/dev/null", os.O_RDONLY)
+    os.dup2(nothing, 0)
+    os.close(nothing)
+    _serve(socket.socket(fileno=control))
+
+
 def _lane(settings, bubblewrap):
     from trajlib.grading import lanes
 
@@ -212,4 +219,4 @@ def _worker(mode, limits, bubblewrap, folder):
     worker.begin(mode, limits, bubblewrap, folder)
 
 
-_KINDS = {"lane": _lane, "worker": _worker}
+_KINDS = {"nursery": _nursery, "lane": _lane, "worker": _worker}

@@ -1,5 +1,6 @@
 """Import once, in the process that forks, what its children would otherwise import each for itself."""
 
+import ctypes
 import gc
 import importlib
 import re
@@ -9,6 +10,7 @@ from trajlib import exercises
 from trajlib._lazy import home_of
 from trajlib.dependencies import module_closure, path_of
 from trajlib.grading.fingerprint import JUDGES
+from trajlib.grading.isolation import system_call
 
 #: SymPy imports these inside its functions, when `solve`, `simplify`, `lambdify`, a derivative by a matrix or a set
 #: first needs them.
@@ -26,16 +28,25 @@ THEMES = ("estimation", "feedback", "pontryagin", "reconstruction", "solvability
 
 
 def needed(problems, sources):
-    """The modules, by name, that grading notebooks for these problems uses: each costs every run its time.
+    """{"notebooks": the modules, by name, that notebooks for these problems use, "checks": those that judging them uses
+    besides}: each costs every run its time, and each fork of its process.
 
     `sources` are the notebooks' cells. They only choose among `LIBRARIES` and the public names of `THEMES`, so nothing
     of theirs goes any further.
     """
-    cells = [source for problem in problems for _, source in exercises.find(problem).code("data", "check")]
-    ours = module_closure("\n".join([JUDGES, *cells]))
+    data, checks = ([source for problem in problems for _, source in exercises.find(problem).code(role)]
+                    for role in ("data", "check"))
+    functions = [f"import {module}" for module in _functions(sources)]
+    notebooks = _with_libraries(["import trajlib.cells", *data, *functions], sources)
+    return {"notebooks": [*ALWAYS, *notebooks],
+            "checks": [name for name in _with_libraries([JUDGES, *data, *checks]) if name not in notebooks]}
+
+
+def _with_libraries(cells, sources=()):
+    """The modules of trajlib under some cells, and the libraries that these use, or that `sources` do."""
+    ours = module_closure("\n".join(cells))
     imports = [line for module in ours for line in _IMPORT.findall(path_of(module).read_text(encoding="utf-8"))]
-    used = [name for name in LIBRARIES if _uses(name, sources) or _computes(name) and _uses(name, imports)]
-    return [*ALWAYS, *used, *ours, *_functions(sources)]
+    return [name for name in LIBRARIES if _uses(name, sources) or _computes(name) and _uses(name, imports)] + [*ours]
 
 
 #: A line that imports, also inside a function.
@@ -78,3 +89,21 @@ def preload(*modules, themes=()):
             getattr(home, name)
     gc.freeze()
     gc.enable()
+    _into_huge_pages()
+
+
+#: Bytes of a huge page, and the advice to make such of small ones (Linux 6.1).
+HUGE_PAGE, MADV_COLLAPSE = 2**21, 25
+
+
+def _into_huge_pages():
+    """Hold what is loaded in huge pages, where the kernel will: a fork copies the table of all pages, and where they
+    are huge it has an entry for every five hundred. Where a child writes, it gets a small page of its own as before."""
+    with suppress(OSError), open("/proc/self/maps") as file:  # not Linux
+        for line in file.readlines():
+            place, rights, _, _, inode, *_ = line.split()
+            begin, end = (int(each, 16) for each in place.split("-"))
+            begin, end = -(-begin // HUGE_PAGE) * HUGE_PAGE, end // HUGE_PAGE * HUGE_PAGE
+            if rights == "rw-p" and inode == "0" and begin < end:
+                with suppress(OSError):
+                    system_call("madvise", ctypes.c_void_p(begin), ctypes.c_size_t(end - begin), MADV_COLLAPSE)
