@@ -70,6 +70,8 @@ def test_conditions(answer, condition):
 @pytest.mark.parametrize("answer, said", [
     (sp.sqrt(-1 - plain**2) > 0, "not real"), ([sp.sqrt(-1 - plain**2) > 0], "not real"),
     (sp.DiracDelta(plain) > 0, "contains DiracDelta"), (sp.gamma(plain) > 0, "contains gamma"),
+    (sp.Derivative(sp.Abs(plain), plain) > 0, "contains Derivative"),
+    (sp.Integral(plain, plain) > 0, "an integral without limits"),
     (sp.ImageSet(sp.Lambda(plain, plain**2), sp.S.Integers), "expected a condition or a set"),
     (sp.Eq(sp.Matrix([plain]), sp.Matrix([1])), "compares numbers, not matrices"), ("x", "expected a condition")])
 def test_no_conditions(answer, said):
@@ -136,6 +138,15 @@ def test_values_of_a_single_symbol(values):
 def test_what_is_half_a_condition_is_none(answer):
     with pytest.raises(Invalid):
         coercion.as_condition(answer, [x])
+
+
+def test_values_that_are_none():
+    with pytest.raises(Invalid, match="is undefined"):
+        coercion.as_condition(np.array([[np.nan, 1.0], [np.inf, 0.0]]), [x])
+    for integral in (sp.Integral(plain, plain), sp.Integral(plain, (plain, 1)), sp.Integral(plain, plain, (y, 0, 1))):
+        with pytest.raises(Invalid, match="an integral without limits"):
+            coercion.as_expression(integral, [x, y])
+    assert coercion.as_expression(sp.Integral(plain, (plain, 0, 1)), [x]).doit() == sp.Rational(1, 2)
 
 
 def test_cases_that_are_true_or_false_are_no_expression():

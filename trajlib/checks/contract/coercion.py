@@ -25,7 +25,7 @@ KINDS = (((bool, np.bool_), "a truth value"), (str, "a text"), ((int, float, com
          (sp.Expr, "an expression"), (sp.logic.boolalg.Boolean, "a condition"),
          ((sp.Set, set, frozenset), "a set"), ((list, tuple, sp.Tuple), "a list"), (dict, "a dict"))
 #: They have no values at points, or none that the checks can compute.
-NOT_IN_CONDITIONS = (sp.DiracDelta, sp.gamma, sp.factorial, sp.binomial, sp.Lambda, sp.Sum)
+NOT_IN_CONDITIONS = (sp.DiracDelta, sp.gamma, sp.factorial, sp.binomial, sp.Lambda, sp.Sum, sp.Derivative)
 
 
 def as_expression(answer, symbols=()):
@@ -82,6 +82,8 @@ def with_symbols(answer, symbols):
     if foreign:
         raise Invalid(f"the answer contains {', '.join(foreign)}; expected only "
                       + (", ".join(sorted(known)) if known else "numbers"))
+    if any(len(limits) < 3 for integral in answer.atoms(sp.Integral) for limits in integral.limits):
+        raise Invalid("the answer contains an integral without limits, which has no value at a point; work it out")
     return answer.xreplace({s: known[s.name] for s in answer.free_symbols})
 
 
