@@ -2,12 +2,23 @@
 
 import json
 import os
+import signal
 import subprocess
 import sys
+from unittest.mock import patch
+
+import pytest
 
 from trajlib import exercises
+from trajlib.grading import bench, lanes
+from trajlib.grading.isolation import NotStarted
+from trajlib.grading.judging import Bounds
 from trajlib.grading.nursery import Nursery
 from trajlib.grading.preloading import ALWAYS, LIBRARIES, needed
+from trajlib.grading.sandbox import Limits
+
+#: Of lanes that import nothing beforehand.
+SETTINGS = bench.settings(Limits(), Bounds()) | {"modules": {"notebooks": [], "checks": []}}
 
 
 def loaded(problems, sources):
@@ -88,9 +99,47 @@ def nursery_process(nursery):
 
 def _is_its(number):
     try:
-        with open(f"/proc/{number}/stat") as file:
-            parent = int(file.read().rpartition(")")[2].split()[1])
         with open(f"/proc/{number}/cmdline", "rb") as file:
-            return parent == os.getpid() and b"nursery.main" in file.read()
+            return parent_of(number) == os.getpid() and b"nursery.main" in file.read()
     except OSError:
         return False
+
+
+def test_a_nursery_that_ends_while_lanes_begin_is_told():
+    """By its own error, also where some lanes have begun and others have not."""
+    nursery, begun, fork = Nursery.start([]), [], Nursery.fork
+
+    def killed_after_one(nursery, kind, *given):
+        if kind == "lane" and begun:
+            os.kill(int(nursery_process(nursery)), signal.SIGKILL)
+        begun.extend([kind] * (kind == "lane"))
+        return fork(nursery, kind, *given)
+
+    with patch.object(Nursery, "fork", killed_after_one), pytest.raises(NotStarted, match="ended|gone"):
+        next(lanes.grade_all([], 3, SETTINGS, nursery))
+    assert begun == ["lane", "lane"] and not nursery.alive()
+
+
+def test_no_lane_is_an_ancestor_of_a_sandbox():
+    """So that nothing a lane has heard is in the memory of a notebook's process."""
+    nursery, begun = Nursery.start([]), []
+    try:
+        lanes.begin(begun, 1, SETTINGS, nursery)
+        begun[0].greeted()
+        number = int(nursery_process(nursery))
+        lane, sandboxes = begun[0]._number, begun[0]._sandboxes
+        parents = {parent_of(each) for each in os.listdir("/proc") if each.isdigit()}
+        assert parent_of(lane) == parent_of(sandboxes) == number
+        assert sandboxes in parents, "the sandbox's process"
+        assert lane not in parents, "nothing comes from a lane but judges"
+    finally:
+        begun[0].stop()
+        nursery.close()
+
+
+def parent_of(number):
+    try:
+        with open(f"/proc/{number}/stat") as file:
+            return int(file.read().rpartition(")")[2].split()[1])
+    except OSError:
+        return None

@@ -91,13 +91,14 @@ class Lane:
     """The grader's end of one lane; the lane itself runs when it is told to `begin`."""
 
     def __init__(self, settings, nursery):
-        self.nursery, self._settings, self._code, self._requests = nursery, settings, None, None
+        self.nursery, self._settings = nursery, settings
+        self._number = self._code = self._requests = None
         self._bubblewrap = None if settings["trusting"] else nursery.bubblewrap
         self._sandboxes, self._control = nursery.divided()  # a nursery of its own, from which its sandboxes come
 
     def begin(self):
         # It inherits neither the grade store nor another lane's pipes.
-        (theirs, self._requests), (self._results, results) = os.pipe(), os.pipe()
+        (theirs, requests), (mine, results) = os.pipe(), os.pipe()
         try:
             self._number = self.nursery.fork("lane", [self._settings, self._bubblewrap],
                                              [theirs, results, None, self._control.fileno()])
@@ -105,6 +106,7 @@ class Lane:
             os.close(theirs)
             os.close(results)
             self._control.close()
+        self._requests, self._results = requests, mine
         return self
 
     def fileno(self):
@@ -132,7 +134,7 @@ class Lane:
             framing.send(self._requests, json.dumps(message).encode())
 
     def alive(self):
-        if self._code is None:
+        if self._number is not None and self._code is None:
             with suppress(NotStarted):
                 self._code = self.nursery.ended(self._number)
                 return self._code is None
