@@ -167,8 +167,8 @@ def as_condition(answer, symbols):
     the values of a single one, cases that are conditions, True and False.
     """
     if isinstance(answer, (bool, np.bool_)):
-        remark(f"What was handed over is a bare {bool(answer)}: in Python x != 1 is True and x == 1 is False at once; "
-               "write sp.Ne(x, 1) and sp.Eq(x, 1)")
+        remark(f"What was handed over is a bare {bool(answer)}: in Python x != 77 is True and x == 77 is False at "
+               "once; write sp.Ne(x, 77) and sp.Eq(x, 77)")
         return sp.true if answer else sp.false
     if len(symbols) == 1 and (values := _listed_numbers(answer)) is not None:
         if any(sp.sympify(value).has(sp.nan, sp.zoo) for value in values):

@@ -136,7 +136,7 @@ def judge_form(claim, pair, form):
         true = np.array([float(c) for c in characteristic_coefficients(pair.at(place)[0])])
         own = np.array([1, *(0 - said[:, 0])])  # not -said: a zero would be told as -0
         if not same(own[1:], true[1:], list(claim[:, 0]), max(abs(true))).all():
-            at = max((0, 1, -1, 2, -2, 3, 5),
+            at = max((1, -1, 2, -2, 3, 5),  # not 0: the value there is a coefficient, which is asked for
                      key=lambda x: min(abs(np.polyval(own - true, x)), 0.5 * max(abs(own - true))))
             raise Wrong(f"the characteristic polynomials differ{where_text(values)}: at lambda = {at} that of A is "
                         f"{number_text(np.polyval(true, at))}, that of your matrix {number_text(np.polyval(own, at))}")

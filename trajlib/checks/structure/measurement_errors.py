@@ -139,7 +139,7 @@ def _compare_block(said, true, claim, what, where):
     bad = ~same(said, true, claim, max(abs(true).max(initial=0), 1.0))
     if bad.any():
         i, j = np.argwhere(bad)[0]
-        raise Wrong(f"{what}{where}, and yours has {number_text(said[i, j])} where {number_text(true[i, j])} belongs")
+        raise Wrong(f"{what}{where}; yours has {number_text(said[i, j])} there")
 
 
 def _error_derivatives(pair, place, n, count):
