@@ -60,7 +60,7 @@ def nonsense(value, data=()):
     if isinstance(value, LOGIC):
         yield from _conditions(value)
         return
-    places = list(_entries(value))
+    places = list(entries(value))
     if not places:
         return
     for name, bad in CONSTANT.items():
@@ -69,7 +69,7 @@ def nonsense(value, data=()):
         # A cycle that begins with oo - oo in the last entry: there a loop that gives up early has not looked.
         for place, (name, bad) in zip([places[-1], *places[:4]], itertools.cycle(CONSTANT.items())):
             yield f"{name} in {place}", _put(value, [place], lambda entry, bad=bad: bad)
-    symbols = sorted(set().union(*(sp.sympify(_get(value, place)).free_symbols for place in places)), key=str)
+    symbols = sorted(set().union(*(sp.sympify(entry_at(value, place)).free_symbols for place in places)), key=str)
     if symbols:
         yield f"defined for {symbols[0]} > {NEVER} alone", _put(value, places, lambda entry: _only(entry, symbols[0],
                                                                                                    symbols[0] > NEVER))
@@ -118,21 +118,21 @@ def _conditions(condition):
                                                                                  evaluate=False)})
 
 
-def _entries(value, path=()):
+def entries(value, path=()):
     """The paths to the numbers and expressions of an answer."""
     if isinstance(value, (list, tuple)):
         for k, part in enumerate(value):
-            yield from _entries(part, (*path, k))
+            yield from entries(part, (*path, k))
     elif isinstance(value, dict):
         for key, part in value.items():
-            yield from _entries(part, (*path, key))
+            yield from entries(part, (*path, key))
     elif isinstance(value, (sp.MatrixBase, np.ndarray)):
         yield from ((*path, k) for k in np.ndindex(value.shape))
     elif isinstance(value, (sp.Expr, int, float, np.number)) and not isinstance(value, (bool, np.bool_)):
         yield path
 
 
-def _get(value, path):
+def entry_at(value, path):
     for step in path:
         value = value[step]
     return value

@@ -10,10 +10,11 @@ from contextlib import suppress
 from pathlib import Path
 
 import pytest
+import sympy as sp
 from foreign import judged_under_watch
 from harness import called_functions, check_calls, data_of, each_part, execute
 from mutants import mutants
-from nonsense import NOT_ASKED, nonsense
+from nonsense import NOT_ASKED, entries, entry_at, nonsense
 from oracles import is_right
 from roundings import roundings
 from sympy.logic.boolalg import Boolean
@@ -52,6 +53,8 @@ EXACT_ALONE = {"5.50": {"b_control"}}
 #: Conditions that the statement takes for granted in one item and asks for in another, or has as a formula whose value
 #: is asked for.
 TOLD = {"1.2": {"b_stable"}, "1.3": {"a_stable"}, "3.3": {"c_speed_observable"}, "3.13": {"margins"}}
+#: Wrong trials that are half of what is right, where a message tells their double: at most so far turns a direction.
+DOUBLED = {"5.11": {"time"}, "5.12": {"latest"}, "5.13": {"time"}}
 #: Options of checks that may be written as numbers in a check cell.
 TOLERANCES = {"tolerance", "horizon"}
 #: Solvers of other libraries that an answer and its check must not share.
@@ -144,6 +147,8 @@ def test_wrong_trials_are_wrong_and_harm_no_other_answer(master):
     assert seen["trials"] and [trial for trial in seen["trials"] if trial["status"] != "wrong"] == []
     for trial in seen["trials"]:
         assert len(trial["message"]) > 20 and trial["reference"] not in trial["message"], trial
+    told = {trial["answer"] for trial in seen["trials"] if trial["told"]}
+    assert told == DOUBLED.get(master.number, set()), seen["trials"]
 
 
 def _wrong(bench):
@@ -158,10 +163,24 @@ def _wrong(bench):
             verdicts = bench.judge_among_right({name: trial["value"] for name, trial in tried.items()})
             for name, verdict in verdicts.items():
                 if name in tried:
-                    tried[name].update(status=verdict.status, message=verdict.message)
+                    tried[name].update(status=verdict.status, message=verdict.message,
+                                       told=_told_of(bench.reference[name], tried[name]["value"], verdict.message))
                 elif verdict.status != "right":
                     harmed.append(f"{name} is {verdict.status} beside {[trial['comment'] for trial in tried.values()]}")
     return {"trials": [_as_data(trial) for name in trials for trial in trials[name]], "harmed": harmed}
+
+
+def _told_of(right, wrong, message):
+    """Numbers of three digits or more in a message that are numbers of the right answer and not of the wrong one."""
+    rights, wrongs = _numbers(right), _numbers(wrong)
+    said = [number for number in re.findall(r"\d+\.?\d*", message) if len(number.replace(".", "").strip("0")) > 2]
+    return [number for number in said for true in rights if abs(float(number) - true) <= 5e-4 * true
+            and not any(abs(float(number) - other) <= 5e-4 * other for other in wrongs)]
+
+
+def _numbers(answer):
+    found = [sp.sympify(entry_at(answer, place)) for place in entries(answer)]
+    return [abs(complex(number)) for number in found if number.is_number]
 
 
 def test_every_form_of_an_answer_is_right(master):

@@ -14,8 +14,9 @@ CENSUS = """(() => {
     const right = document.querySelector('article').getBoundingClientRect().right;
     return {
         inline: of('article mjx-container:not([display="true"])').filter(clips).length,
-        displayed: of('article div.math').filter(
-            e => scrolls(e) && !getComputedStyle(e).backgroundAttachment.includes('local')).length,
+        displayed: of('article div.math').filter(scrolls).length,
+        tables: of('article table').filter(e => e.getBoundingClientRect().right > right + 1
+            || getComputedStyle(e.parentElement).overflowX !== 'visible' && scrolls(e.parentElement)).length,
         beyond: of('article span.math svg').filter(e => e.getBoundingClientRect().right > right).length,
         code: of('article .cell_input pre, article .highlight-pycon pre').filter(scrolls).length,
         printed: of('article .cell_output pre').filter(scrolls).length,
@@ -41,13 +42,13 @@ def test_nothing_is_cut_off_at_a_desk(browser, addresses, wide_pages):
     assert not faults
 
 
-#: Grounds of all that may have to scroll; code, printed lines and formulas.
-GROUNDS = """[...document.querySelectorAll('article div.math, article pre')].map(
+#: Grounds of all that may have to scroll; code, printed lines, formulas and tables.
+GROUNDS = """[...document.querySelectorAll('article :is(div.math, pre, .pst-scrollable-table-container)')].map(
     e => getComputedStyle(e).backgroundAttachment)"""
 
 
-@pytest.mark.parametrize("page", ["solutions/ch1/p15.html", "book/errata/ch5.html", "book/library/estimation.html",
-                                  "book/guides/grading.html"])
+@pytest.mark.parametrize("page", ["solutions/ch1/p15.html", "solutions/ch4/p17.html", "book/errata/ch5.html",
+                                  "book/library/estimation.html", "book/guides/grading.html"])
 def test_what_has_to_scroll_on_a_phone_shows_a_shadow(browser, addresses, page):
     browser.resize(390, 844, phone=True)
     browser.open(f"{addresses['http']}/{page}")

@@ -130,7 +130,8 @@ class SatelliteFix:
 
     def _repr_latex_(self):
         shown = [sp.Matrix(x) if isinstance(x, np.ndarray) else x for x in self.roots]
-        return r"$\displaystyle " + r",\quad ".join(map(latex, shown)) + rf"\quad \text{{({self.reason})}}$"
+        return (r"$\displaystyle \begin{gathered}" + r",\quad ".join(map(latex, shown))
+                + rf" \\ \text{{({self.reason})}}\end{{gathered}}$")
 
 
 def satellite_fix(satellites, squared_ranges):

@@ -101,7 +101,8 @@ def _as_text(verdicts):
 
 def _as_html(verdicts):
     lines = (f'<div class="trajlib-verdict {v.status}" style="{_style(v.status)}"><span class="mark">{MARKS[v.status]}'
-             f"</span> <code>{html.escape(name)}</code> <span>{v.status}: {typeset(v.message)}</span>"
+             f'</span> <code style="color: inherit; background: none">{html.escape(name)}</code> '
+             f"<span>{v.status}: {typeset(v.message)}</span>"
              + "".join(f'<div class="mistake" style="margin-top: .3em">{typeset(line)}</div>'
                        for line in v.mistake.splitlines()) + "</div>"
              for name, v in verdicts.items())

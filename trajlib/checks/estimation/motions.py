@@ -77,10 +77,13 @@ def correlation_motion(claim, process, time, of, parameters=(), given=sp.true, t
     `times` are those for which the answer is asked, if not for all after the start.
     """
     rows = processes.array(of, {})
+    found = []
     for one, values in _in_time(process, time, parameters, given, times or TIMES[1:]):
         covariance = rows @ processes.moments(one, values[time])[1] @ rows.T
-        yield Same(claim, covariance[0, 1] / np.sqrt(covariance[0, 0] * covariance[1, 1]),
-                   "the correlation coefficient", values)
+        found.append((covariance[0, 1] / np.sqrt(covariance[0, 0] * covariance[1, 1]), values))
+    constant = np.ptp([true for true, _ in found]) < 1e-9
+    for true, values in found:
+        yield Same(claim, true, "the correlation coefficient", values, constant=constant)
     return "it is the covariance as a share of what it could be at most"
 
 

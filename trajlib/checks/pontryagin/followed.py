@@ -5,6 +5,7 @@ import numpy as np
 
 from trajlib.checks.contract.verdict import Wrong
 from trajlib.checks.pontryagin.in_time import INTEGRATED
+from trajlib.checks.tools import wording
 from trajlib.checks.tools.wording import rounded_text
 
 #: Up to which share of its terms the least cost is known, and the cost of a process that is followed in small steps.
@@ -54,7 +55,8 @@ def does_as_well(times, states, best, problem, rounding, where, whose, others=()
     if least < -10 * allowed and not others:
         raise RuntimeError(f"a process was given that does better than the best one found, by {-excess:.2g}")
     if not least <= allowed:
-        raise Wrong(f"{where}{whose} costs {cost:.4g}; there is an admissible process with the same ends that costs "
+        told = cost if abs(cost) > 1e-9 * best.cost_size() else 0  # what is mere rounding
+        raise Wrong(f"{where}{whose} costs {told:.4g}; there is an admissible process with the same ends that costs "
                     + ("more, and the cost is to be great" if problem.maximise else "less"))
 
 
@@ -89,7 +91,9 @@ def told_for(values):
 
 
 def point_text(values):
-    return f"{values[0] + 0:.4g}" if len(values) == 1 else "(" + ", ".join(f"{v + 0:.4g}" for v in values) + ")"
+    """A state for a message; of one coordinate it is a number."""
+    text = wording.point_text(values)
+    return text[1:-1] if len(values) == 1 else text
 
 
 def _step(field, controls, y, h):

@@ -14,6 +14,7 @@ import sympy as sp
 from trajlib.checks.contract.claims import Expression, Expressions
 from trajlib.checks.contract.tolerance import same
 from trajlib.checks.contract.verdict import Wrong, judged
+from trajlib.checks.pontryagin.followed import told_for
 from trajlib.checks.tools.samples import sample_cases
 from trajlib.checks.tools.values import real_function, value_at
 from trajlib.checks.tools.wording import rounded_text
@@ -61,8 +62,9 @@ def end_under_law(claim, quantity, problem, law, time, unknown, parameters):
         values = dict(zip(parameters, case))
         true, said = wanted(*state, *found, *case)[0], value_at(claim, values, str(quantity))
         if not same(said, true, claim, size=size, computed=10 * FOLLOWED):
-            raise Wrong(f"for {rounded_text(values)} your {quantity} is {said:.4g}; if the constants of the law are "
-                        f"chosen so that the conditions at the end hold, it is {true:.4g}")
+            # The true number would be the answer itself where there are no parameters.
+            raise Wrong(f"{told_for(values)}your {quantity} is {said:.4g}; if the constants of the law are chosen so "
+                        f"that the conditions at the end hold, it is {f'{true:.4g}' if values else 'another number'}")
     return "it is what the conditions at the end make it, for all parameters tried"
 
 

@@ -60,7 +60,7 @@ def switching_function(claim, problem, costates, control=None, domain=None):
     for values in _places(problem, costates, domain, known=True):
         said, true = (value_at(e, values, "the switching function") for e in (claim, slope))
         if np.sign(said) != np.sign(true):
-            raise Wrong(f"for {rounded_text(values)} H {'grows' if true > 0 else 'falls'} with {control}, and your "
+            raise Wrong(f"for {rounded_text(values)}, H {'grows' if true > 0 else 'falls'} with {control}, and your "
                         f"function is {said:.4g}")
     # Of one sign at random places is less than vanishing together: there each has to.
     return _vanish_together(claim, slope, problem, costates, domain)

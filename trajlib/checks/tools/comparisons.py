@@ -26,7 +26,8 @@ from trajlib.checks.tools.wording import apart, rounded_text
 
 @dataclass
 class Same:
-    """An expression has the value `true` of the quantity `what`; `size` is that of the terms, which may cancel."""
+    """An expression has the value `true` of the quantity `what`; `size` is that of the terms, which may cancel. A value
+    that is `constant`, the same for all values of the symbols, is not told: it would be the answer itself."""
 
     claim: sp.Expr
     true: float
@@ -34,16 +35,17 @@ class Same:
     values: dict
     size: float = 0.0
     computed: float = EXACT
+    constant: bool = False
 
     def judge(self):
         said = value_at(self.claim, self.values, self.what)
         if not cmath.isfinite(self.true):
             raise RuntimeError(f"{self.what} could not be computed")
         if not same(said, self.true, self.claim, self.size, self.computed, uncertain_at(self.claim, self.values)):
-            if not self.values:  # the true number would be the answer itself
+            if self.constant or not self.values:
                 raise Wrong(f"{self.what} is another number than {said:.4g}")
             true, said = apart(self.true, said)
-            raise Wrong(f"for {rounded_text(self.values)} {self.what} is {true}; your expression gives {said}")
+            raise Wrong(f"for {rounded_text(self.values)}, {self.what} is {true}; your expression gives {said}")
 
 
 @dataclass

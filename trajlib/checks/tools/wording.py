@@ -1,5 +1,7 @@
 """How messages write numbers and the values of symbols."""
 
+import math
+
 
 def number_text(number):
     """A real or complex number for a message: `0.5`, `-1 + 2i`."""
@@ -63,5 +65,7 @@ def sample_text(values):
 
 
 def point_text(point):
-    """Numbers for a message: `(1, -0.5)`."""
-    return "(" + ", ".join(f"{float(x):.4g}" for x in point) + ")"
+    """Numbers for a message: `(1, -0.5)`. What is mere rounding beside the others is told as 0."""
+    numbers = [float(x) for x in point]
+    least = max([1e-12, *(1e-8 * abs(x) for x in numbers if math.isfinite(x))])
+    return "(" + ", ".join(f"{0 if abs(x) < least else x:.4g}" for x in numbers) + ")"
