@@ -38,15 +38,14 @@ VERDICT_SECONDS = {"5": 3.0}
 #: an answer is judged by simulating it.
 PROBLEM_SECONDS = {"5": 55}
 #: Conditions and sets whose verdict rests on samples and says so: basins and fields of motions, from where a
-#: circle can be reached, where the fastest time jumps. All others are proved for all values.
-SAMPLED = {"1.3": {"b_basin"}, "1.4": {"b_basin"}, "1.10": {"c_heading"}, "5.6": {"continuous"},
-           "5.9": {"a_solvable", "b_solvable"}}
+#: circle can be reached. All others are proved for all values.
+SAMPLED = {"1.3": {"b_basin"}, "1.4": {"b_basin"}, "1.10": {"c_heading"}, "5.9": {"a_solvable", "b_solvable"}}
 #: Wrong trials that agree with what is right, or with another mistake, at all places where answers are compared.
 LIKE_ANOTHER = {"2.3": 1, "2.26": 3}
-#: Answers of which one number may be one per cent off: it belongs to a border at which two cases agree to first order,
-#: to two terms that cancel, to a small term of a sum (5.62), to the moment of a switching, whose price is of second
-#: order (5.59), or the other numbers together make more uncertain (5.35).
-HARDLY_MATTERS = {"5.26": {"control"}, "5.35": {"angle"}, "5.59": {"d_control"}, "5.62": {"d_cost"},
+#: Answers of which one number may be one per cent off: it belongs to two terms that cancel, to a small term of a sum
+#: (5.62), to the moment of a switching, whose price is of second order (5.59), or the other numbers together make more
+#: uncertain (5.35).
+HARDLY_MATTERS = {"5.35": {"angle"}, "5.59": {"d_control"}, "5.62": {"d_cost"},
                   "5.65": {"control"}}
 #: Answers that have to be exact to be told from the best: an optimum that only touches.
 EXACT_ALONE = {"5.50": {"b_control"}}

@@ -35,6 +35,8 @@ def as_expression(answer, symbols=()):
         raise Invalid(f"expected an expression, got {_named(answer)}")
     if isinstance(answer, (int, float, complex, np.number)):
         answer = sp.sympify(answer.item() if isinstance(answer, np.number) else answer)
+    if isinstance(answer, sp.Eq):
+        raise Invalid("expected an expression, got an equation: of x = 2*y give 2*y alone")
     if not isinstance(answer, sp.Expr):
         raise Invalid(f"expected an expression, got {_named(answer)}")
     if isinstance(answer, sp.Lambda):

@@ -32,6 +32,7 @@ def optimal_costate(claims, problem, time, parameters=None):
             _adjoint(full, slope, *along, largest, list(problem.dynamics), f"{where}at t = {t:.4g}",
                      (open_psi, open_slope))
             _greatest(full, *along, problem.duration, f"{where}at t = {t:.4g}", np.append(open_psi, 0))
+        _equal_at_jumps(costate, best, values, sign, where)
         _, final, normals = best.jacobians(best.states[:, -1], best.controls[-1])
         psi, begin = costate.values(ENDING * best.duration, values), costate.values(0.0, values)
         _transversal(psi + sign * final[0], normals, costate.rounding * (largest + np.abs(final).sum()),
@@ -83,6 +84,22 @@ def _greatest(full, best, y, u, rounding, duration, there, left_open):
         raise Wrong(f"{there} H is {H:.4g} with your costates; the duration is free")
 
 
+def _equal_at_jumps(costate, best, values, sign, where):
+    """Where the best control jumps H has to be the same for both of its values. Of the fastest transfers H = 0 says
+    it."""
+    for j, *kinds in getattr(best, "changes", list)():
+        if None in kinds:
+            continue
+        t, y = best.times[j], np.append(best.states[:, j], 0)
+        full, left_open = (np.append(part, last) for part, last in (
+            (costate.values(t * (1 - 1e-7), values), -sign), (costate.uncertain(t * (1 - 1e-7), values)[0], 0)))
+        before, after = (best.field(y, u) for u in kinds)
+        allowed = 10 * costate.rounding * (np.abs(full) @ (np.abs(before) + np.abs(after)) + 1)
+        if not abs(full @ (after - before)) <= allowed + left_open @ np.abs(after - before):
+            raise Wrong(f"{where}where the optimal control jumps H has two values with your costates, "
+                        f"{full @ before:.4g} before the jump and {full @ after:.4g} after it")
+
+
 def _stationary(full, best, y, u, left_open, there):
     """dH/du = 0 where the control lies between its bounds."""
     step = 1e-4 * (1 + abs(u))
@@ -98,9 +115,8 @@ def _stationary(full, best, y, u, left_open, there):
 
 
 def _transversal(rest, normals, allowed, what, left_open):
-    if len(normals):
-        rest = rest - normals.T @ np.linalg.lstsq(normals.T, rest, rcond=None)[0]
-    if not np.all(np.abs(rest) <= 10 * allowed + 1e-9 + 2 * left_open.sum()):
+    along = np.eye(len(rest)) - np.linalg.pinv(normals) @ normals if len(normals) else np.eye(len(rest))
+    if not np.all(np.abs(along @ rest) <= 10 * allowed + 1e-9 + np.abs(along) @ left_open):
         raise Wrong(f"{what}; the condition of transversality does not hold for them")
 
 

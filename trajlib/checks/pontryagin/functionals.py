@@ -12,7 +12,7 @@ import numpy as np
 import sympy as sp
 
 from trajlib.checks.contract.claims import Expression, Number, YesNo
-from trajlib.checks.contract.tolerance import DECIMALS, in_decimals, same, share
+from trajlib.checks.contract.tolerance import DECIMALS, changed, in_decimals, same, share
 from trajlib.checks.contract.verdict import Wrong, judged
 from trajlib.checks.tools.comparisons import Same, Word
 from trajlib.checks.tools.samples import sample_values
@@ -44,7 +44,9 @@ def best_motion(claim, functional, parameters=()):
     """The motion x(t) on which a functional is least, or greatest, as an expression in time and parameters."""
     for values, best in _optima(functional, tuple(parameters)):
         where = f"for {values_text(values)} " if values else ""
-        motion = _Motion(claim.subs(values), best, where, share(claim, computed=COMPUTED))
+        sides = changed(claim) if in_decimals(claim) else []
+        motion = _Motion(claim.subs(values), best, where, share(claim) if sides is None else COMPUTED,
+                         [[_Motion(side.subs(values), best, where) for (side,) in pair] for pair in sides or ()])
         motion.has_the_given_ends()
         motion.is_stationary()
         motion.is_the_best()
@@ -121,9 +123,11 @@ def _rate(functional, duration, T, step=0.004):
 
 
 class _Motion:
-    """A student's motion for given values of the parameters."""
+    """A student's motion for given values of the parameters; `changed` are pairs of motions that its decimals leave
+    open."""
 
-    def __init__(self, claim, best, where, rounding):
+    def __init__(self, claim, best, where, rounding=COMPUTED, changed=()):
+        self.changed = changed
         self.functional, self.best, self.where, self.rounding = best.functional, best, where, rounding
         time, n = self.functional.time, self.functional.order
         self._at = real_function([time], [sp.diff(claim, time, k) for k in range(n + 1)])
@@ -145,7 +149,7 @@ class _Motion:
                     continue
                 said, wanted = self._value(k, place), float(value)
                 size = max(abs(wanted), np.abs(self._along()[1][k]).max())
-                if not abs(said - wanted) <= self.rounding * size:
+                if not abs(said - wanted) <= self.rounding * size + self._open(said, lambda one: one._value(k, place)):
                     raise Wrong(f"{self.where}{self._name(k)} is {said:.4g} at t = {place:.4g} for your motion, and "
                                 f"{wanted:.4g} is given")
 
@@ -155,7 +159,7 @@ class _Motion:
             a, b = self.begin + first * span, self.begin + last * span
             bump = np.poly1d([-1, a + b, -a * b]) ** n / ((b - a) / 2) ** (2 * n)
             rate, size = self._variation(bump, a, b)
-            if not abs(rate) <= self.rounding * size:
+            if not abs(rate) <= self.rounding * size + self._open(rate, lambda one: one._variation(bump, a, b)[0]):
                 part = "" if last - first == 1 else f" between t = {a:.4g} and t = {b:.4g} alone"
                 raise Wrong(f"{self.where}your motion, varied{part} with its ends kept, changes the functional to "
                             f"first order: the rate is {rate:.4g}. Along an extremal no variation does")
@@ -164,22 +168,36 @@ class _Motion:
             for k, value in enumerate(given):
                 if value is None:
                     move = _reaching(place, middle, k, n)
-                    rate, size = self._variation(move, min(place, middle), max(place, middle))
-                    at_end = self._at_end()[1 + k] if place == self.end else 0.0
-                    rate, size = rate + at_end, size + abs(at_end)
-                    if not abs(rate) <= self.rounding * size:
+                    rate, size = self._moved(move, place, middle, k)
+                    left_open = self._open(rate, lambda one: one._moved(move, place, middle, k)[0])
+                    if not abs(rate) <= self.rounding * size + left_open:
                         raise Wrong(f"{self.where}{self._name(k)} is not given at t = {place:.4g}; moved there, the "
                                     f"functional changes to first order: the rate is {rate:.4g}. So the natural "
                                     "condition at this end fails")
 
     def is_the_best(self):
+        said, size = self._functional()
+        left_open = self._open(said, lambda one: one._functional()[0])
+        if not abs(said - self.best.value) <= self.rounding * size + left_open:
+            raise Wrong(f"{self.where}your motion is an extremal and gives the functional the value {said:.4g}, but "
+                        "another motion with the given ends does better")
+
+    def _open(self, here, quantity):
+        """By how much the decimals leave open a quantity of the motion that is `here` as they are written."""
+        return sum(max(abs(quantity(side) - here) for side in pair) for pair in self.changed)
+
+    def _functional(self):
+        """The value of the functional, and the size of its terms."""
         nodes, along, weights = self._along()
         rates = self._rates(nodes, *along)[0]
         said = float(weights @ rates) + self._at_end()[0]
-        size = max(abs(said), float(weights @ abs(rates)))
-        if not abs(said - self.best.value) <= self.rounding * size:
-            raise Wrong(f"{self.where}your motion is an extremal and gives the functional the value {said:.4g}, but "
-                        "another motion with the given ends does better")
+        return said, max(abs(said), float(weights @ abs(rates)))
+
+    def _moved(self, move, place, middle, k):
+        """The first variation along a polynomial that moves a free end, and the size of its terms."""
+        rate, size = self._variation(move, min(place, middle), max(place, middle))
+        at_end = self._at_end()[1 + k] if place == self.end else 0.0
+        return rate + at_end, size + abs(at_end)
 
     def _variation(self, move, a, b):
         """The first variation along a polynomial on [a, b], and the size of its terms."""

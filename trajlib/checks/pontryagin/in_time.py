@@ -26,7 +26,7 @@ class Motion(Claim):
     def coerce(answer, symbols, problem, time):
         claims, state = _one_or_several(answer, symbols), list(problem.dynamics)
         while len(claims) < len(state) and problem.dynamics[state[len(claims) - 1]] == state[len(claims)]:
-            claims.append(sp.diff(claims[-1], time))
+            claims.append(_slope(claims[-1], time))
         if len(claims) != len(state):
             raise Invalid(f"expected the motion as expressions in {time}: {', '.join(map(str, state))}")
         return claims
@@ -50,7 +50,7 @@ class InTime:
         symbols = [time, *(parameters or ())]
 
         def compiled(parts):
-            return [real_function(symbols, each) for each in (parts, [sp.diff(part, time) for part in parts])]
+            return [real_function(symbols, each) for each in (parts, [_slope(part, time) for part in parts])]
 
         self._values, self._rates = compiled(claims)
         followed = changed(*claims) if in_decimals(*claims) else []
@@ -149,6 +149,11 @@ def _arcs(parts, arcs):
 
 def _is_list(answer):
     return isinstance(answer, (list, tuple, sp.Tuple))
+
+
+def _slope(expression, time):
+    """The derivative of an expression beside its jumps, which are looked for elsewhere."""
+    return sp.diff(expression, time).replace(sp.DiracDelta, lambda *_: sp.S.Zero)
 
 
 def _one_or_several(answer, symbols):

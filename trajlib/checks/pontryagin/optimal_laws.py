@@ -14,7 +14,7 @@ import sympy as sp
 
 from trajlib.checks.contract import coercion
 from trajlib.checks.contract.claims import Expression
-from trajlib.checks.contract.tolerance import in_decimals, same, share
+from trajlib.checks.contract.tolerance import changed, in_decimals, same, share
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
 from trajlib.checks.pontryagin.followed import does_as_well, point_text, told_for
 from trajlib.checks.tools.values import real_function
@@ -94,7 +94,7 @@ def _kind(best, value):
 class _Law:
     """A law, read once: at many states and times it gives values of the control."""
 
-    def __init__(self, answer, problem, parameters, time):
+    def __init__(self, answer, problem, parameters, time, followed=True):
         state, (self.control,) = list(problem.dynamics), problem.controls
         others = [p for p in parameters if p not in state]
         symbols = [*state, *others, *([time] if time else [])]
@@ -110,6 +110,9 @@ class _Law:
         self._function = real_function(symbols, [claim])
         self.none = "no solution between the bounds" if self.implicit else "no real number"
         self.decimals = in_decimals(claim)
+        #: Pairs of laws that the decimals of this one leave open; none if there are too many.
+        self.changed = [[_Law(sp.Eq(side, 0, evaluate=False) if self.implicit else side, problem, parameters, time,
+                              False) for (side,) in pair] for pair in changed(claim) or ()] if followed else ()
         self.rounding = share(claim, computed=LAGGING)
 
     def __call__(self, states, times, values, bounds):
@@ -156,13 +159,14 @@ class _Law:
 
 def _says_what_is_best(law, values, best):
     """Raise `Wrong` where the law differs from the control of the best process in all states around one of it."""
-    times, states, controls = _compared(best, BEFORE[law.decimals])
+    roughly = law.decimals and not law.changed
+    times, states, controls = _compared(best, BEFORE[roughly])
     low, high = best.bounds
     width = high - low if np.isfinite(high - low) else 1 + np.abs(controls)
     largest = np.abs(best.states).max(axis=1, initial=0, keepdims=True)
     far = (np.abs(states) > AWAY * largest).any(axis=0)
     times, states, controls = times[far], states[:, far], controls[far]
-    n, (steps,) = len(states), (BESIDE[law.decimals] * (np.abs(states) + 0.02 * largest)[None],)
+    n, (steps,) = len(states), (BESIDE[roughly] * (np.abs(states) + 0.02 * largest)[None],)
     shifts = np.array([s for s in itertools.product((-1, 0, 1), repeat=n) if n < 3 or np.count_nonzero(s) < 2])
     around = states + shifts[:, :, None] * steps
     said = law(np.concatenate(list(around), axis=1), np.tile(times, len(shifts)), values, best.bounds)
@@ -170,7 +174,10 @@ def _says_what_is_best(law, values, best):
     bends = [best.times[j] for j, *kinds in best.changes() if None in kinds]
     known = np.where([min((abs(t - one) for one in bends), default=np.inf) < AWAY * best.duration for t in times],
                      BENT, KNOWN)
-    slack = (known + (law.rounding if law.decimals else 0)) * width
+    slack = (known + (law.rounding if roughly else 0)) * width
+    for pair in law.changed:
+        here, *sides = (one(states, times, values, best.bounds) for one in (law, *pair))
+        slack = slack + np.nan_to_num(np.fmax(*(abs(side - here) for side in sides)))
     inside = (np.nanmin(said, axis=0, initial=np.inf) - slack <= controls) & (
         controls <= np.nanmax(said, axis=0, initial=-np.inf) + slack)
     for k in np.flatnonzero(~inside)[:1]:

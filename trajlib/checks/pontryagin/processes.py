@@ -25,6 +25,7 @@ from trajlib.checks.pontryagin.followed import (
     told_for,
 )
 from trajlib.checks.pontryagin.in_time import ENDING, INTEGRATED, Control, InTime, Motion, Steering, jumps
+from trajlib.checks.tools.searching import bisected
 from trajlib.checks.tools.values import real_function, uncertain_at, value_at
 from trajlib.checks.truths.optima.best_processes import best_processes, free_at_the_start
 from trajlib.checks.truths.optima.transfer_optima import SAMPLES
@@ -34,6 +35,11 @@ from trajlib.checks.truths.optima.transfer_optima import SAMPLES
 PARTS, ROUNDS, UNBOUNDED = 24, 7, 20.0
 #: To what share of its range a control on an arc of the best process is known, and of the duration an arc.
 CERTAIN, ARC = 1e-3, 1e-4
+#: How far from a change of the best control, as a part of the duration, that of another one is looked for, and by what
+#: share of the distance of its bounds a control that is found numerically may seem to jump.
+NEAR, BENT = 0.02, 4e-3
+#: Values of a control that differ by a smaller part of its jump are one; a jump takes so small a part of the duration.
+SAME, SUDDEN = 1e-6, 1e-9
 #: To what share the extreme values of a quantity along the best process are known.
 FOLLOWED = 5e-4
 
@@ -45,12 +51,62 @@ def optimal_control(claim, problem, time, parameters=None):
     begun = ", begun as the best process is," if any(free_at_the_start(problem, parameters)) else ""
     for values, best in best_processes(problem, parameters):
         where = told_for(values)
-        path = Path(best, read.sections(values, best.duration), where)
+        sections = read.sections(values, best.duration)
+        path = Path(best, sections, where)
         path.admissible(read.lasting)
         others = [[Path(best, side.sections(values, best.duration), where).states[-1] for side in sides]
                   for sides in read.changed]
         does_as_well(path.times, path.states, best, problem, read.rounding, where, "your control" + begun, others)
+        _jumps_where_it_should(sections, best, read.rounding, where)
+        _bends_where_it_should(sections, read.changed, best, values, where)
     return "it is admissible, keeps to the ends, and no process was found that does better"
+
+
+def _jumps_where_it_should(sections, best, rounding, where):
+    """Raise `Wrong` for a control that goes over by and by from one value to another where the best one jumps: if it is
+    quick, that costs next to nothing."""
+    times, controls = np.asarray(best.times), np.asarray(best.controls)
+    for k in range(1, len(times) - 2):
+        before, after = controls[k], controls[k + 1]
+        slack = max(rounding, SAME) * abs(after - before)
+        if not max(abs(controls[k - 1] - before), abs(controls[k + 2] - after)) < slack:
+            continue
+        first, last = times[[k - 1]], times[[k + 2]]
+        for u in (u for begin, end, u in sections if begin <= first[0] and last[0] <= end):
+            if abs(u(first)[0] - before) <= slack and abs(u(last)[0] - after) <= slack:
+                place = bisected(lambda t, _, u=u: abs(u(t) - before) <= slack, first, last, 50)[1]
+                said = u(place + SUDDEN * best.duration)[0]
+                if not abs(said - after) <= slack:
+                    raise Wrong(f"{where}at t = {place[0]:.4g} the best control jumps; yours takes values between")
+
+
+def _bends_where_it_should(sections, changed, best, values, where):
+    """Raise `Wrong` for a control that jumps where the best one leaves a bound, or comes to one, without a jump."""
+    low, high = best.bounds
+    for j, before, after in getattr(best, "changes", list)():
+        if (before is None) == (after is None):
+            continue
+        (t, s), (v, w) = best.times[j + 1:j + 3] - best.times[j], best.controls[j + 1:j + 3]
+        near, allowed = NEAR * best.duration, BENT * (high - low)
+        if abs((v - (w - v) * t / (s - t) if after is None else after) - best.controls[j]) > allowed:
+            continue  # to a singular arc the best one jumps too
+        bound, inner = best.times[j] + (near if before is None else -near) * np.array([1.0, -1.0])
+        said, *others = (_leap(one, bound, inner, SAME * (high - low)) for one in (
+            sections, *(side.sections(values, best.duration) for sides in changed for side in sides)))
+        left_open = sum(max(abs(one - said), abs(other - said)) for one, other in zip(others[::2], others[1::2]))
+        if not abs(said) <= allowed / 10 + left_open:
+            raise Wrong(f"{where}your control jumps by {said:.2g} where the best one changes without a jump")
+
+
+def _leap(sections, first, last, same):
+    """By how much a control jumps where it leaves the value that it has at the first of two instants."""
+    def u(times):
+        return np.concatenate([next(u for begin, end, u in sections if begin <= t <= end)(np.array([t]))
+                               for t in np.clip(times, sections[0][0], sections[-1][1])])
+
+    held = u([first])[0]
+    place = bisected(lambda t, _: abs(u(t) - held) <= same, np.array([first]), np.array([last]), 48)[1]
+    return u(place)[0] - held
 
 
 @judged(Motion("time", "parameters", problem="problem", time="time"))

@@ -557,6 +557,10 @@ class Plain:
         if isinstance(node, sp.Abs):
             base = self._term(node.args[0], defined)
             return self._symbol(("size", base), base, lambda w: (sp.Eq(w, base), sp.Eq(w, -base)))
+        if isinstance(node, sp.sign):
+            base = self._term(node.args[0], defined)
+            return self._symbol(("sign", base), base, lambda w: (
+                sp.Or(sp.And(base > 0, sp.Eq(w, 1)), sp.And(sp.Eq(base, 0), sp.Eq(w, 0))), sp.Eq(w, -1)))
         if isinstance(node, (sp.Max, sp.Min)):
             sign = 1 if isinstance(node, sp.Max) else -1
             return self._term(functools.reduce(lambda a, b: (a + b + sign * sp.Abs(a - b)) / 2, node.args), defined)

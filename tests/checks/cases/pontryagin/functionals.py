@@ -27,6 +27,7 @@ CASES = [
     Case("best_motion", PARABOLA, (FALL, [T]), "right", "with a parameter"),
     Case("best_motion", BENT, (BEAM,), "right", "second derivatives"),
     Case("best_motion", (t - t**4) / 24, (LOADED,), "right", "the greatest"),
+    Case("best_motion", 2.745**t, (GROWTH,), "wrong", "decimals one per cent off"),
     Case("best_motion", sp.cosh(t), (GROWTH,), "wrong", "the natural condition forgotten"),
     Case("best_motion", 1 + (sp.E - 1) * t, (GROWTH,), "wrong", "both ends right, straight between"),
     Case("best_motion", sp.Piecewise((sp.exp(t), t < HALF), (sp.exp(t) + t - HALF, True)), (GROWTH,), "wrong",

@@ -82,6 +82,8 @@ CASES = [
          "one state in a list"),
     Case("optimal_motion", [t / 2 + t**2 / 2, t + 0.5], (FAR, t), "right", "both states, the beginning free"),
     Case("optimal_motion", BENT, (FALL, t, LONG), "right", "the equations are not linear in the control"),
+    Case("optimal_control", high + (low - high) * (1 + sp.tanh(1000 * (t - TURN))) / 2, (SWING, t, STIFF), "wrong",
+         "it goes over by and by"),
     Case("optimal_motion", SLIDE, (FALL, t, LONG), "wrong", "a possible motion, not the best"),
     Case("optimal_motion", (BENT[0], t), (FALL, t, LONG), "wrong", "possible rates, but not together"),
     Case("optimal_motion", (2 * t, t), (FALL, t, LONG), "wrong", "faster than the speed"),

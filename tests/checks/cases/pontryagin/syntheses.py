@@ -183,6 +183,8 @@ CASES = [
     Case("continuous_time", interval(1, infinity), ELLIPSE, "right", "an interval"),
     Case("continuous_time", R <= 1, ELLIPSE, "wrong", "the other half"),
     Case("continuous_time", R >= sp.Rational(11, 10), ELLIPSE, "wrong", "off by a tenth"),
+    Case("continuous_time", R >= sp.Rational(1001, 1000), ELLIPSE, "wrong", "off by a thousandth"),
+    Case("continuous_time", sp.And(R >= 1, sp.Ne(R, 2)), ELLIPSE, "wrong", "a value left out"),
     Case("continuous_time", 1, ELLIPSE, "invalid", "a number"),
     Case("other_extremals", sp.And(x1*x2 < 0, x2**2 >= 2*sp.Abs(x1)), POSITIONS, "right", "both sides"),
     Case("other_extremals", sp.Or(sp.And(x1 > 0, x2 < -sp.sqrt(2*x1)), sp.And(x1 < 0, x2 > sp.sqrt(-2*x1))), POSITIONS,

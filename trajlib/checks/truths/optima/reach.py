@@ -74,6 +74,21 @@ def arrivals(field, state, control, bounds, target, ends):
     return sp.expand(middle) - sp.Abs(sp.factor(half))
 
 
+def touching(field, state, control, bounds, target):
+    """Where a motion touches the border of the target from the side where its expression is positive, while no other
+    control brings it closer: a condition on the state, and a wider one with what lies on the border."""
+    def rate(part, u):
+        return sum(sp.diff(part, x) * f.subs(control, u) for x, f in zip(state, field))
+
+    touched, almost = [], []
+    for u, other in (bounds, bounds[::-1]):
+        on = sp.And(sp.Eq(target, 0), sp.Eq(rate(target, u), 0))
+        worse, bend = sp.expand(rate(target, other) - rate(target, u)), rate(rate(target, u), u)
+        touched.append(sp.And(on, worse > 0, bend > 0))
+        almost.append(sp.And(on, sp.Or(sp.And(worse > 0, bend > 0), sp.And(worse >= 0, sp.Eq(bend, 0)))))
+    return sp.Or(*touched), sp.Or(*almost)
+
+
 def beyond_line(A, b, bounds, state, line, time):
     """How far beyond the line c.x + d = 0, to either side, the farthest states reached at a time lie: two polynomials
     in state and time. None where they are none, or the control that goes farthest switches.

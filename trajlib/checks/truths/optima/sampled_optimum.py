@@ -157,8 +157,8 @@ class SampledOptimum(FastestTimes):
                       control=np.where(same, solved.control, np.repeat(lanes.control, count)).reshape(-1, count))
 
     def next_to_curves(self):
-        """Starts on both sides of the switching curves, as close as they are known; far out too if the target is a
-        point, which the optimum meets as well as nearby."""
+        """Starts on both sides of the switching curves, as close as they are known, and of a target with a border; far
+        out too if the target is a point, which the optimum meets as well as nearby."""
         kept = self.kept.get("next")
         if kept is None:
             self.lanes(False)
@@ -169,11 +169,23 @@ class SampledOptimum(FastestTimes):
                 far = self.solve(x[self.allowed(x, case)], case[self.allowed(x, case)], far=True)
                 far = far.take(far.time < FAR_IN_TIME)
                 curves.append(self._between(far, lambda lanes: lanes.control, 16, far=True))
-            parts = [self._sides(near) for near in curves if near is not None]
+            parts = [self._sides(near, 0.02) for near in curves if near is not None]
+            if self.convex.g is not None:
+                parts.append(self._sides(self._on_target(16), 0.0))
             kept = self.kept["next"] = Lanes.joined(parts) if parts else None
         return kept
 
-    def _sides(self, near):
+    def _on_target(self, count):
+        """Points of the border of the target: (points, directions across, cases)."""
+        random, cases = np.random.default_rng(9), range(len(self.cases))
+        x, case = np.concatenate([self.convex.around(random, k, count) for k in cases]), np.repeat(cases, count)
+        for _ in range(30):
+            slope = self.convex.slope(x, case)
+            size = np.maximum((slope**2).sum(axis=1), 1e-9)[:, None]
+            x = x - self.convex.g(x, case)[:, None] * slope / size
+        return x, slope / np.sqrt(size), case
+
+    def _sides(self, near, shortest):
         """The starts next to a curve on which the fastest motions from all states around begin alike."""
         middle, direction, case = near
         shift = NEXT * (0.3 + np.linalg.norm(middle, axis=1))[:, None] * direction
@@ -182,7 +194,7 @@ class SampledOptimum(FastestTimes):
         lanes = self.solve(x[keep], case[keep], far=True)
         around = self._around(lanes, NEXT / 2, far=True, count=5)
         alike = np.isfinite(around.time) & (around.time > 0) & (around.control == lanes.control[:, None])
-        return lanes.take(np.isfinite(lanes.time) & (lanes.time > 0.02) & alike.all(axis=1))
+        return lanes.take(np.isfinite(lanes.time) & (lanes.time > shortest) & alike.all(axis=1))
 
     def robust(self, lanes, decimals):
         """True where the fastest motions from all states around begin alike: no switching curve is close."""

@@ -25,7 +25,7 @@ class TargetFamily:
         gradient = [sp.diff(target, v).subs(along, simultaneous=True) for v in state]
         self._point, self._gradient = sp.lambdify(symbols, list(ends), "numpy"), sp.lambdify(symbols, gradient, "numpy")
         self._target = state, control, bounds, field, target, ends
-        self._side = 1 if start is None else self._starts_side(target, state, start, along, gradient)
+        self.side = 1 if start is None else self._starts_side(target, state, start, along, gradient)
 
     def _starts_side(self, target, state, start, along, gradient):
         """1 if the starts lie where the target's expression is positive."""
@@ -40,7 +40,7 @@ class TargetFamily:
         """Where optimal motions end, and where no motion can arrive: two conditions; between the two lie the ends of
         arcs."""
         state, control, bounds, field, target, ends = self._target
-        rate = reach.arrivals(field, state, control, bounds, self._side * target, ends)
+        rate = reach.arrivals(field, state, control, bounds, self.side * target, ends)
         within = sp.And(*(interval.as_relational(symbol) for symbol, interval in self._domain.items()))
         return sp.And(within, rate < 0), sp.And(within, rate > 0)
 
@@ -73,7 +73,7 @@ class TargetFamily:
 
     def _towards(self, places, values):
         """The normals of the target on the side of the starts."""
-        return self._side * self._columns(self._gradient, places, values)
+        return self.side * self._columns(self._gradient, places, values)
 
     def rates(self, places, values):
         """The least rate along the normal towards the starts: where it is positive, no motion can arrive."""

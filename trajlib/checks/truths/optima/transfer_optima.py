@@ -24,6 +24,8 @@ from trajlib.checks.truths.optima.linear_plant import Plant
 
 #: For how many sets of parameters an answer is tried.
 SAMPLES = 10
+#: What is so many times as small as the others lies next to zero.
+CLOSE = sp.Rational(1, 10**6)
 
 
 class Unknown(RuntimeError):
@@ -92,6 +94,10 @@ class Transfer:
             for system in {best.system for _, best in fresh}:
                 system.foresee([best.begin for _, best in fresh if best.system is system])
             found += [(values, best) for values, best in fresh if math.isfinite(best.duration) and best.duration > 0]
+        if self._kind is _Line:  # next to zero too: a smooth function is not the sign of its argument there
+            near = ({p: v if p.is_positive or p.is_integer else v * CLOSE for p, v in values.items()}
+                    for values, _ in found[:2])
+            found += [(values, self.at(values)) for values in near if self.solvable(values)]
         return found
 
     def _key(self):
