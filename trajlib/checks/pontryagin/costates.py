@@ -81,7 +81,7 @@ def _greatest(full, best, y, u, rounding, duration, there, left_open):
     _stationary(full, best, y, u, left_open, there)
     open_H = left_open @ np.abs(fields[0])
     if (duration is None or isinstance(duration, tuple)) and not abs(H) <= 10 * rounding * (size + 1) + open_H:
-        raise Wrong(f"{there} H is {H:.4g} with your costates; the duration is free")
+        raise Wrong(f"{there} H is {H:.4g} with your costates, and not what a free duration demands")
 
 
 def _equal_at_jumps(costate, best, values, sign, where):

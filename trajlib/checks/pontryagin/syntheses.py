@@ -331,7 +331,7 @@ def _jumping(*curve):
         if not (jump > 0.02 and (left > 0.7 * jump or np.isinf(jump) and np.isinf(left))):
             raise Wrong(f"{told} of your curve the fastest time does not jump: on its two sides it is "
                         f"{one[0].time:.4g} and "
-                        f"{other[0].time:.4g}, closer by {one[1].time:.4g} and {other[1].time:.4g}")
+                        f"{other[0].time:.4g}, closer to it {one[1].time:.4g} and {other[1].time:.4g}")
     return "the fastest time jumps across the curve, at sample points"
 
 

@@ -140,8 +140,8 @@ def real_function(symbols, expressions):
         except (ZeroDivisionError, OverflowError):  # of the numbers in the expression itself
             return np.full(shape, np.nan)
         except (TypeError, ValueError, AttributeError, NameError):
-            raise Invalid("your answer cannot be evaluated: it has to be a real expression, such as "
-                          "a Piecewise") from None
+            raise Invalid("your answer cannot be evaluated at numbers: write it with functions such as sqrt, sin, Abs, "
+                          "sign or Piecewise") from None
         return np.where(np.isfinite(values) & (abs(values.imag) < 1e-9 * (1 + abs(values))), values.real, np.nan)
 
     def evaluate(*numbers):
