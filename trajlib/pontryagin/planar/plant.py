@@ -21,7 +21,7 @@ from .words import Words
 #: Numbers of substeps of the extrapolated midpoint rule.
 COLUMNS = (2, 4, 6, 8)
 ROWS = 7
-HELD = 6
+COST, HELD = 5, 6
 
 
 class Plant:
@@ -38,8 +38,9 @@ class Plant:
         psi, lambda_0 = sp.Matrix(sp.symbols("psi_1:3")), sp.Symbol("lambda_0")
         f, cost = sp.Matrix(problem.field), sign*problem.running
         motion, u = [*problem.state, *psi, lambda_0], list(self.controls)
+        # dz/dtau in full: lambda_0 and a held control do not change.
         self._rate = stacked([*motion, *u], [*(-f), *(f.jacobian(x).T*psi - lambda_0*sp.Matrix([cost]).jacobian(x).T),
-                                             cost])
+                                             sp.Integer(0), cost, sp.Integer(0)])
         self._levels = [part.levels for part in parts]
         surfaces = [(j, e, size) for j, part in enumerate(parts)
                     for e, size in part.surfaces(psi, lambda_0)]
@@ -131,13 +132,7 @@ class Plant:
 
     def rate(self, z, mode):
         """dz/dtau backwards in time."""
-        return self._rates(z, self.control(z, mode))
-
-    def _rates(self, z, u):
-        result = np.zeros(z.shape)
-        known = self._rate(*z[:5], *u)
-        result[:4], result[5] = known[:4], known[4]
-        return result
+        return self._rate(*z[:5], *self.control(z, mode))
 
     def velocity(self, z, mode):
         """x', shape (2, N)."""
@@ -145,12 +140,12 @@ class Plant:
 
     def costs(self, z, mode):
         """f_0 (with the opposite sign for a maximum), shape (N,)."""
-        return self._rate(*z[:5], *self.control(z, mode))[4]
+        return self._rate(*z[:5], *self.control(z, mode))[COST]
 
     def at(self, x, u):
         """x' and f_0 for given controls: arrays (2, N) and (N,)."""
         values = self._rate(*x, *np.zeros((3, np.shape(x)[1])), *u)
-        return -values[:2], values[4]
+        return -values[:2], values[COST]
 
     def surfaces(self, z):
         """The functions whose signs tell the levels, shape (S, N)."""
@@ -192,7 +187,7 @@ class Plant:
         """One step of length `h` (a number or one a column) backwards in time in the same mode."""
         with np.errstate(over="ignore", invalid="ignore"):      # what runs away to infinity leaves the box
             u, moving = self._plan(mode)
-            return extrapolated(lambda y: self._rates(y, self._filled(y, u, moving)), z, h)
+            return extrapolated(lambda y: self._rate(*y[:5], *self._filled(y, u, moving)), z, h)
 
     def advance(self, z, mode, h):
         """A step in which the mode changes where the motion crosses a surface.

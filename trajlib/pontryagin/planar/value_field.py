@@ -9,7 +9,7 @@ from dataclasses import dataclass, fields
 import numpy as np
 
 #: Share of the window's size: cells are sorted into squares of this size to find those around a point.
-SQUARES = 96
+SQUARES = 192
 #: How far outside of a triangle (in its barycentric coordinates) a point still counts as inside: borders are curved.
 SLACK = 0.02
 #: How many steps an interpolated cost may be wrong.
@@ -106,6 +106,10 @@ class ValueField:
         return float(np.median(spent[np.isfinite(spent)])) + float(ends)/self.fans[0].times[-1]
 
     def _sort(self):
+        # A corner, two edges and their determinant: a row each, since rows are fetched in any order.
+        corner, edges = self.points[:, 0], self.points[:, 1:] - self.points[:, :1]
+        (a1, a2), (b1, b2) = edges[:, 0].T, edges[:, 1].T
+        self._shape = np.column_stack([corner, a1, a2, b1, b2, a1*b2 - a2*b1])
         low = self._square(self.points.min(axis=1) - SLACK*np.ptp(self.points, axis=1))
         high = self._square(self.points.max(axis=1) + SLACK*np.ptp(self.points, axis=1))
         inside = ((high >= 0) & (low < SQUARES)).all(axis=1)
@@ -136,12 +140,10 @@ class ValueField:
         point = np.repeat(np.arange(count.size), count)
         within = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count)
         triangle = self._in_cell[np.repeat(begin, count) + within]
-        corner = self.points[triangle]
-        a, b = corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0]
-        d = x.T[point] - corner[:, 0]
-        det = a[:, 0]*b[:, 1] - a[:, 1]*b[:, 0]
-        v = (d[:, 0]*b[:, 1] - d[:, 1]*b[:, 0])/det
-        w = (a[:, 0]*d[:, 1] - a[:, 1]*d[:, 0])/det
+        x1, x2, a1, a2, b1, b2, det = self._shape[triangle].T
+        d1, d2 = np.repeat(x[0], count) - x1, np.repeat(x[1], count) - x2
+        v = (d1*b2 - d2*b1)/det
+        w = (a1*d2 - a2*d1)/det
         inside = (v >= -slack) & (w >= -slack) & (v + w <= 1 + slack)
         # The cells of a fan reach beyond the target, where its extremals have ended already.
         inside &= self._outside(x)[self.fan[triangle], point]
