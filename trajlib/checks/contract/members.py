@@ -22,6 +22,8 @@ def members(answer, expected, single=()):
         return list(answer)
     if isinstance(answer, (list, tuple, set, frozenset, sp.Tuple, sp.FiniteSet)) or answer is sp.S.EmptySet:
         return list(answer)
+    if isinstance(answer, sp.And):  # equations that hold together
+        return list(answer.args)
     if isinstance(answer, single) and not isinstance(answer, bool):
         return [answer]
     raise Invalid(f"expected {expected}")

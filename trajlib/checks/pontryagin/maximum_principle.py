@@ -6,18 +6,21 @@ it says at values of states, costates, controls and parameters; `domain` gives i
 may not take all values. Points of singular arcs come from `truths.singular_arcs`.
 """
 
+import itertools
+
 import numpy as np
 import sympy as sp
 
 from trajlib.checks.contract import coercion
 from trajlib.checks.contract.claims import Expression, Expressions, Integer, YesNo
 from trajlib.checks.contract.members import members
-from trajlib.checks.contract.tolerance import EXACT, same, share
+from trajlib.checks.contract.tolerance import DECIMALS, EXACT, changed, in_decimals, same, share
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
+from trajlib.checks.pontryagin.followed import reach
 from trajlib.checks.pontryagin.in_time import Control, Steering
 from trajlib.checks.tools.comparisons import Word
 from trajlib.checks.tools.samples import draw, ends, sample_cases
-from trajlib.checks.tools.values import number_at, real_at, real_function, value_at
+from trajlib.checks.tools.values import number_at, real_at, real_function, uncertain_entries, value_at
 from trajlib.checks.tools.wording import rounded_text
 from trajlib.checks.truths.optima.transfer_optima import rk4
 from trajlib.checks.truths.singular_arcs import hamiltonian, known_costates, singular_arcs
@@ -26,6 +29,8 @@ from trajlib.checks.truths.singular_arcs import hamiltonian, known_costates, sin
 PLACES, RIVALS = 8, 41
 #: How well points of singular arcs and of a claimed surface are known.
 POINTS = 1e-7
+#: How close to a switching a control is looked at, as a share of the way there.
+NEXT_TO = 1e-4
 #: Between what a control without a bound is compared.
 UNBOUNDED = 20.0
 
@@ -37,7 +42,7 @@ def pontryagin_function(claim, problem, costates, domain=None):
     true = hamiltonian(problem, costates)
     for values in _places(problem, costates, domain):
         _equal(claim, true, values, "H")
-    return f"it is H at {PLACES} places"
+    return f"it is H, tried at {PLACES} places"
 
 
 @judged(Expressions(lambda data: [*data["problem"].state, *data["problem"].control, *data["costates"],
@@ -114,20 +119,22 @@ def maximising_control(answer, problem, costates, domain=None):
     claims = [coercion.as_expression(answer, symbols)] if single else coercion.as_expressions(answer, symbols,
                                                                                               len(controls))
     H = real_function([*symbols, *controls], [hamiltonian(problem, costates)])
-    for values in _places(problem, costates, domain, controls=False):
+    for values in (*_places(problem, costates, domain, controls=False), *_near_switching(problem, costates, domain)):
         numbers, bounds = [float(values[s]) for s in symbols], _bounds(problem, values)
         said = np.array([value_at(claim, values, str(u)) for claim, u in zip(claims, controls)])
         for u, value, (low, high) in zip(controls, said, bounds):
             slack = share(*claims) * (1 + abs(value))
             if not low - slack <= value <= high + slack:
                 raise Wrong(f"for {rounded_text(values)} your {u} is {value:.4g}, which is not admissible")
-        rivals = np.array(np.meshgrid(*(_rivals(value, *pair) for value, pair in zip(said, bounds)))).reshape(
-            len(controls), -1)
-        found, others = H(*numbers, *said)[0], H(*numbers, *rivals)[0]
-        size = np.ptp(others) + abs(found)
-        if not found >= np.nanmax(others) - max(share(*claims), 1e-9) * size:
-            raise Wrong(f"for {rounded_text(values)} your control gives H = {found:.4g}, another admissible one "
-                        f"{np.nanmax(others):.4g}")
+        # What decimals leave open is a control, of which H near its maximum says little.
+        open_ = uncertain_entries(sp.Matrix(claims), values).ravel()
+        near, rivals = (np.array(np.meshgrid(*parts)).reshape(len(controls), -1) for parts in (
+            [np.clip(value + one * np.linspace(-1, 1, 21), *pair) for value, one, pair in zip(said, open_, bounds)],
+            [_rivals(value, *pair) for value, pair in zip(said, bounds)]))
+        found, others = H(*numbers, *near)[0] if open_.any() else H(*numbers, *said)[:1], H(*numbers, *rivals)[0]
+        if not found.max() >= np.nanmax(others) - 1e-9 * np.ptp(others) - 0.01 * np.ptp(found):
+            raise Wrong(f"for {rounded_text(values)} your control gives H = {H(*numbers, *said)[0]:.4g}, another "
+                        f"admissible one {np.nanmax(others):.4g}")
     return f"no admissible control gives a greater H, tried at {PLACES} places"
 
 
@@ -170,10 +177,9 @@ def singular_surface(answer, problem, costates, control=None, domain=None):
     symbols = [*problem.state, *problem.parameters]
     claims = [_difference(part, symbols) for part in members(answer, "an equation in the states, or several",
                                                              single=(sp.Expr, sp.Eq))]
-    allowed = share(*claims, computed=POINTS)
     surface = _Zeros(claims, list(problem.state), list(problem.parameters))
     for values in _points(arcs, domain):
-        if not surface.distance(values) <= allowed:
+        if not surface.distance(values) <= surface.left_open(values):
             raise Wrong("there are singular arcs on which your equation does not hold")
     seen = 0
     random = np.random.default_rng(23)
@@ -183,7 +189,7 @@ def singular_surface(answer, problem, costates, control=None, domain=None):
         if place is None or not _allowed(place, domain):
             continue
         seen += 1
-        if not arcs.multipliers_exist(place, 20 * allowed):
+        if not arcs.multipliers_exist(place, 20 * surface.left_open(place)):
             raise Wrong(f"at {rounded_text(place)} your equation holds, and with no costates this is a point of a "
                         "singular arc")
         if seen == PLACES:
@@ -191,11 +197,13 @@ def singular_surface(answer, problem, costates, control=None, domain=None):
     return f"singular arcs lie there and nowhere else, tried at {PLACES} places on either side"
 
 
-@judged(Expression(lambda data: [*data["problem"].state, *data["costates"], *data["problem"].parameters]))
+@judged(Expression(lambda data: [*data["problem"].state, *data["problem"].control, *data["costates"],
+                                 *data["problem"].parameters]))
 def singular_control(claim, problem, costates, control=None, domain=None):
     """The control on singular arcs, in states and parameters; what holds on the arcs may be used."""
     arcs = _arcs(problem, costates, control)
     rest, slope = arcs.highest.subs(arcs.control, 0), sp.diff(arcs.highest, arcs.control)
+    _without_control(claim, arcs)
     for values in _points(arcs, domain):
         a, b = (real_at(e, values) for e in (rest, slope))
         if b is None or abs(b) < POINTS * (1 + abs(a)):
@@ -226,11 +234,13 @@ def singular_costates(claims, problem, costates, control=None, domain=None):
     return "with them dH/du stays zero, and H is what it has to be"
 
 
-@judged(Expression(lambda data: [*data["problem"].state, *data["costates"], *data["problem"].parameters]))
+@judged(Expression(lambda data: [*data["problem"].state, *data["problem"].control, *data["costates"],
+                                 *data["problem"].parameters]))
 def kelley_expression(claim, problem, costates, control=None, domain=None):
     """The left-hand side of Kelley's condition, (-1)^q d/du d^(2q)/dt^(2q) dH/du, on singular arcs."""
     arcs = _arcs(problem, costates, control)
     true = (-1) ** arcs.order * sp.diff(arcs.highest, arcs.control)
+    _without_control(claim, arcs)
     for values in _points(arcs, domain):
         said = value_at(claim, values, "Kelley's expression")
         if not same(said, real_at(true, values), claim, computed=POINTS):
@@ -267,6 +277,18 @@ def extremal_control(answer, problem, time, parameters=None, start=None):
     function = real_function(symbols, [H])
     flow = real_function(symbols, [*problem.field, *(-sp.diff(H, y) for y in problem.state)])
     last = real_function(problem.state, [-sign * sp.diff(problem.final, y) for y in problem.state])
+
+    def advantage(steps):
+        """By how much the control makes H greater than others do: a row for each step, a column for each of these."""
+        y = np.array([float(v) for v in problem.initial.values()])
+        for _, h, controls in steps:
+            y = _step(lambda z, v: flow(*z, *np.zeros_like(z), v)[:len(z)], y, h, controls)
+        z, rows = np.concatenate([y, last(*y)]), []
+        for _, h, controls in reversed(steps):
+            z = _step(lambda z, v: flow(*z, v), z, -h, controls[::-1])
+            rows.append(function(*z, controls[0])[0] - function(*z, np.linspace(low, high, RIVALS))[0])
+        return np.array(rows[::-1])
+
     for case in sample_cases(parameters or {}):
         values = dict(zip(parameters or {}, case))
         where = f"for {rounded_text(values)} " if values else ""
@@ -277,16 +299,15 @@ def extremal_control(answer, problem, time, parameters=None, start=None):
                     raise Wrong(f"{where}your control is {value:.4g} near t = {t:.4g}, outside its bounds")
         if start is not None and not abs(steps[0][2][0] - values[start]) <= read.rounding:
             raise Wrong(f"{where}your control begins with {steps[0][2][0]:.4g}")
-        y = np.array([float(v) for v in problem.initial.values()])
-        for _, h, controls in steps:
-            y = _step(lambda z, v: flow(*z, *np.zeros_like(z), v)[:len(z)], y, h, controls)
-        z = np.concatenate([y, last(*y)])
-        for t, h, controls in reversed(steps):
-            z = _step(lambda z, v: flow(*z, v), z, -h, controls[::-1])
-            found, rivals = function(*z, controls[0])[0], function(*z, np.linspace(low, high, RIVALS))[0]
-            if not found >= rivals.max() - 10 * read.rounding * (1 + np.abs(rivals).max()):
-                raise Wrong(f"{where}at t = {t:.4g} your control gives H = {found:.4g} with the costates that belong "
-                            f"to it, another admissible one {rivals.max():.4g}")
+        found = advantage(steps)
+        others = [[advantage(_steps(side.sections(values, float(problem.duration)))) for side in sides]
+                  for sides in read.changed]
+        gained = sum((reach(*(side - found for side in sides))[1] for sides in others
+                      if all(side.shape == found.shape for side in sides)), np.zeros_like(found))
+        slack = 10 * read.rounding * (1 + np.abs(found).max())
+        for k in np.flatnonzero((found + gained < -slack).any(axis=1))[-1:]:
+            raise Wrong(f"{where}at t = {steps[k][0]:.4g} your control, with the costates that belong to it, gives an "
+                        f"H that is less by {-found[k].min():.4g} than another admissible one does")
     return "it makes H greatest all the time, with the costates that belong to it"
 
 
@@ -311,6 +332,11 @@ def _arcs(problem, costates, control):
     return arcs
 
 
+def _without_control(claim, arcs):
+    if arcs.control in claim.free_symbols:
+        raise Wrong(f"your expression contains {arcs.control} itself, on which nothing depends that is asked for here")
+
+
 def _points(arcs, domain):
     found = arcs.points(domain)
     if len(found) < 3:
@@ -325,6 +351,19 @@ class _Zeros:
         self._symbols, self._parameters, self._count = symbols, parameters, len(claims)
         self._values = real_function([*symbols, *parameters], claims)
         self._slopes = real_function([*symbols, *parameters], [sp.diff(e, s) for e in claims for s in symbols])
+        followed = changed(*claims) if in_decimals(*claims) else []
+        self._most = POINTS if followed == [] else DECIMALS
+        self._changed = [[real_function([*symbols, *parameters], side) for side in sides] for sides in followed or ()]
+
+    def left_open(self, values):
+        """How far from them a point may be, counted as `distance` is, for what decimals leave open."""
+        if not self._changed:
+            return self._most
+        numbers = [float(values[s]) for s in (*self._symbols, *self._parameters)]
+        here, slopes = self._values(*numbers), self._slopes(*numbers).reshape(self._count, -1)
+        moved = sum(np.fmax(*(abs(side(*numbers) - here) for side in sides)) for sides in self._changed)
+        steps = moved / np.maximum(np.linalg.norm(slopes, axis=1), 1e-300)
+        return float(np.fmin(self._most, POINTS + steps.max() / (1 + np.linalg.norm(numbers[:len(self._symbols)]))))
 
     def distance(self, values):
         """How far a point is from them, as a share of its own size, to first order; infinite where undefined."""
@@ -368,6 +407,19 @@ def _places(problem, costates, domain, controls=True, known=False):
         yield place | {psi: float(value.subs(place)) for psi, value in values.items()}
 
 
+def _near_switching(problem, costates, domain):
+    """Places next to those where a control does not enter H: a smooth imitation of a jump is seen there."""
+    symbols = [*costates, *problem.state]
+    for slope in (sp.diff(hamiltonian(problem, costates), u) for u in problem.control):
+        if slope.free_symbols & set(problem.control):
+            continue
+        zeros = _Zeros([slope], symbols, list(problem.parameters))
+        for values in itertools.islice(_places(problem, costates, domain, controls=False), 2):
+            place = zeros.near(values)
+            if place is not None and _allowed(place, domain):
+                yield {s: v + NEXT_TO * (values[s] - v) for s, v in place.items()}
+
+
 def _allowed(values, domain):
     """Whether values lie where those of their symbols may."""
     return all(low < values[s] < high for s in values for low, high in [ends(s, domain)])
@@ -390,8 +442,7 @@ def _vanish_together(claim, slope, problem, costates, domain):
     for values in _places(problem, costates, domain, known=True):
         for zeros, rival in ((own, other), (other, own)):
             place = zeros.near({s: v for s, v in values.items() if s not in known})
-            if place is not None and _allowed(place, domain) and not rival.distance(place) <= share(
-                    claim, computed=POINTS):
+            if place is not None and _allowed(place, domain) and not rival.distance(place) <= own.left_open(place):
                 raise Wrong(f"for {rounded_text(place)} your function "
                             + ("vanishes, and dH/du does not" if zeros is own else "does not vanish, and dH/du does"))
     return "it has the sign of dH/du and vanishes with it"
@@ -453,5 +504,6 @@ def _bounds(problem, values):
 def _rivals(value, low, high):
     """Admissible controls with which one is compared: all over its interval, and around it."""
     low, high = max(low, value - UNBOUNDED), min(high, value + UNBOUNDED)
-    return np.unique(np.concatenate([np.linspace(low, high, RIVALS), np.clip(value + (1 + abs(value)) * np.array(
-        [-0.1, -1e-2, 1e-2, 0.1]), low, high)]))
+    around = (1 + abs(value)) * np.geomspace(1e-4, 0.1, 13)
+    return np.unique(np.concatenate([np.linspace(low, high, RIVALS), np.clip([value - around, value + around], low,
+                                                                             high).ravel()]))

@@ -27,6 +27,7 @@ ROBOT = Problem({y1: v * sp.cos(alpha), y2: v * sp.sin(alpha), alpha: w}, {v: (0
 CIRCLE = Problem({x1: x2, x2: u}, {u: (-1, 1)}, {x1: 3, x2: 0}, [x1**2 + x2**2 - 1])
 GUIDED = Problem({rho: x1, x1: rho * w**2, w: (u - 2 * x1) * w / rho}, {u: (-1, 1)}, {rho: 1, x1: 0, w: 1}, [rho - 2])
 TOTAL = Problem({x1: u, x2: -u * x1}, {u: (-1, 1)}, {x1: 0, x2: 0}, final=x2, duration=1)
+STEERED = Problem({x1: sp.cos(alpha), x2: sp.sin(alpha)}, {alpha: None}, {x1: 0, x2: 0}, [x1 - 1, x2 - 2])
 ANY = {c: sp.Interval(-1, 1)}
 H_ROCKET = psi1 * v + psi2 * ((P - k * v**2) / m - g) - psi3 * P / gas
 SLOPE = k * v * (3 * v + 2 * gas)
@@ -50,6 +51,8 @@ CASES = [
     Case("switching_function", psi3, (ROBOT, THREE, w), "right", "one of two controls"),
     Case("switching_function", psi3 / gas - psi2 / m, (ROCKET, THREE, P), "wrong", "the other sign"),
     Case("switching_function", psi2, (ROCKET, THREE, P), "wrong", "a part"),
+    Case("switching_function", 1.0 * gas * psi2 - m * psi3, (ROCKET, THREE, P), "right", "in decimals"),
+    Case("switching_function", psi2 / m - 1.02 * psi3 / gas, (ROCKET, THREE, P), "wrong", "two per cent off"),
     Case("switching_function", psi3 * P, (ROBOT, THREE, w), "invalid", "another symbol"),
     Case("switching_rate", 0, (TOTAL, TWO), "right", "it does not change"),
     Case("switching_rate", -2 * psi2 * x1, (SQUARE, TWO), "right", "with the costate"),
@@ -73,6 +76,10 @@ CASES = [
                                 sp.sign(psi3)], (ROBOT, THREE), "right", "two controls"),
     Case("maximising_control", -sp.sign(psi2), (FULLER, TWO), "wrong", "the least H"),
     Case("maximising_control", psi2, (FULLER, TWO), "wrong", "not admissible"),
+    Case("maximising_control", sp.tanh(100 * psi2), (FULLER, TWO), "wrong", "a smooth imitation of the sign"),
+    Case("maximising_control", sp.atan2(1.0 * psi2, psi1), (STEERED, TWO), "right", "a direction in decimals"),
+    Case("maximising_control", sp.atan2(1.03 * psi2, psi1), (STEERED, TWO), "wrong",
+         "off by little, which H hardly shows"),
     Case("maximising_control", [0, 0, 0], (ROBOT, THREE), "invalid", "three of two"),
     Case("singular_order", 1, (ROCKET, THREE), "right", "a rocket"),
     Case("singular_order", 2, (FULLER, TWO), "right", "Fuller's problem"),
@@ -81,6 +88,7 @@ CASES = [
     Case("singular_order", "two", (FULLER, TWO), "invalid", "a word"),
     Case("singular_surface", x1, (SQUARE, TWO), "right", "one of the states"),
     Case("singular_surface", [x1, x2], (FULLER, TWO), "right", "a point"),
+    Case("singular_surface", sp.Eq(x1, 0) & sp.Eq(x2, 0), (FULLER, TWO), "right", "equations that hold together"),
     Case("singular_surface", sp.Eq(w, 0), (GUIDED, THREE), "right", "elsewhere no control keeps dH/du at zero"),
     Case("singular_surface", w * (rho - 1), (GUIDED, THREE), "wrong", "a place where none does as well"),
     Case("singular_surface", sp.Eq(x1**2, x2**2), (LINES, TWO), "right", "two lines"),
@@ -92,6 +100,8 @@ CASES = [
     Case("singular_surface", sp.Eq(m * g, k * v**2), (LANDING, THREE), "wrong", "costates would have to vanish"),
     Case("singular_surface", x1, (FULLER, TWO), "wrong", "too much"),
     Case("singular_surface", sp.Eq(x1, x2), (LINES, TWO), "wrong", "one line of two"),
+    Case("singular_surface", sp.Eq(x1**2, 1.0 * x2**2), (LINES, TWO), "right", "in decimals"),
+    Case("singular_surface", sp.Eq(x1**2, 1.02 * x2**2), (LINES, TWO), "wrong", "lines one per cent off"),
     Case("singular_surface", sp.Eq(m * g, k * v**2), (ROCKET, THREE), "wrong", "weight and drag"),
     Case("singular_surface", "x1 = 0", (SQUARE, TWO), "invalid", "a text"),
     Case("singular_control", 0, (SQUARE, TWO), "right", "zero"),
@@ -104,6 +114,9 @@ CASES = [
     Case("kelley_expression", -2, (SQUARE, TWO), "right", "a number"),
     Case("kelley_expression", 2 * psi2, (SQUARE, TWO), "right", "with the costate"),
     Case("kelley_expression", -2, (FULLER, TWO), "right", "order two"),
+    Case("kelley_expression", -v * (psi1 * sp.cos(alpha) + psi2 * sp.sin(alpha)), (ROBOT, THREE, w), "right",
+         "with the other control"),
+    Case("kelley_expression", -w, (ROBOT, THREE, w), "wrong", "with the control itself"),
     Case("kelley_expression", 2, (SQUARE, TWO), "wrong", "without the sign"),
     Case("kelley_expression", 2, (FULLER, TWO), "wrong", "the sign of order one"),
     Case("kelley_expression", c, (SQUARE, TWO), "invalid", "another symbol"),
@@ -127,6 +140,8 @@ CASES = [
     Case("singular_costates", [0, 0], (ROBOT, THREE, v), "invalid", "two of three"),
     Case("extremal_control", c * (1 - 2 * t), (TOTAL, t, ANY, c), "right", "a line through its mean"),
     Case("extremal_control", c * sp.cos(sp.pi * t), (TOTAL, t, ANY, c), "right", "half a wave"),
+    Case("extremal_control", c * sp.cos(3.14 * t), (TOTAL, t, ANY, c), "right", "in decimals"),
+    Case("extremal_control", c * sp.cos(3.18 * t), (TOTAL, t, ANY, c), "wrong", "one per cent off"),
     Case("extremal_control", 0, (SQUARE, t), "right", "singular all the time"),
     Case("extremal_control", 0, (WORST, t), "right", "the worst one"),
     Case("extremal_control", 1, (WORST, t), "right", "on a bound"),
