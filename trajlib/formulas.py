@@ -2,6 +2,8 @@ r"""Formulas in words: as TeX between dollars, as one would type them where noth
 
 >>> plain(r"the roots of $\det(M s^2 + D s + K)$, for $\dot x_1 \leq \sqrt{2}/x_{10}$ and $\varphi_0 \neq 0$")
 "the roots of det(M s^2 + D s + K), for x1' <= sqrt(2)/x10 and phi0 != 0"
+>>> plain(r"$\psi_x x_1x_2 + r_sv_{x0} = \ldots$")
+'psi_x x1 x2 + r_s v_x0 = ...'
 >>> typeset("at k1 = -2 the root of x**2 + k1*x >= 0 is a_root")
 'at <i>k</i><sub>1</sub> = −2 the root of <i>x</i><sup>2</sup> + <i>k</i><sub>1</sub>\u202f<i>x</i> ≥ 0 is a_root'
 >>> typeset("for psi_x = 1 and v_y = 2")
@@ -14,11 +16,13 @@ import re
 FORMULA = re.compile(r"\$([^$]+)\$")
 #: In this order: what stands in braces is read before what it belongs to.
 TYPED = [(re.compile(pattern), typed) for pattern, typed in [
+    (r"(?<=_[A-Za-z\d])(?=\\?[A-Za-z])", " "),
     (r"(\\(?!d{1,3}ot|bar|[lr]vert)[A-Za-z]+)(?=\\[A-Za-z])", r"\1 "),
     (r"\\(d{1,3})ot(?![a-z]) ?(\\?[A-Za-z]+(?:_(?:\w|\{\w+\}))?)", lambda m: m[2] + "'"*len(m[1])),
     (r"\\bar ?(\w)", r"\1bar"),
     (r"\\operatorname\{(\w+)\}", r"\1"),
-    (r"_\{(\w+)\}|_(\w)", lambda m: m[1] or m[2]),
+    (r"_\{(\d+)\}|_(\d)", lambda m: m[1] or m[2]),
+    (r"_\{([A-Za-z]\w*)\}", r"_\1"),
     (r"\\sqrt\{([^{}]*)\}", r"sqrt(\1)"),
     (r"\^\{(-?\w+)\}", r"^\1"),
     (r"\^\{([^{}]*)\}", r"^(\1)"),
@@ -28,12 +32,12 @@ TYPED = [(re.compile(pattern), typed) for pattern, typed in [
     (r"\\lvert |\\[lr]vert", "|"),
     (r"\\partial", "d"),
     (r"\\,", " "),
-    (r"\\(leq?|geq|neq|to|cdot|dots|infty|top|pm|equiv)(?![A-Za-z])", lambda m: SIGNS[m[1]]),
+    (r"\\(leq?|geq|neq|to|cdot|l?dots|infty|top|pm|equiv)(?![A-Za-z])", lambda m: SIGNS[m[1]]),
     (r"\\var(?=phi|epsilon)|\\(?=[A-Za-z{}])", ""),
     (r"  +", " "),
 ]]
 SIGNS = {"leq": "<=", "le": "<=", "geq": ">=", "neq": "!=", "equiv": "==", "pm": "+-", "to": "->", "cdot": "*",
-         "dots": "...", "infty": "oo", "top": "T"}
+         "dots": "...", "ldots": "...", "infty": "oo", "top": "T"}
 
 SET = {"<=": "≤", ">=": "≥", "!=": "≠", "->": "→", "oo": "∞", "-": "−"}
 GREEK = dict(zip("alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau upsilon "
