@@ -8,8 +8,8 @@ BIN := $(VENV)/bin
 INSTALLED ?= $(VENV)/.installed
 PYTEST := $(BIN)/python -m pytest
 SPHINX_FLAGS := -n -W --keep-going
-# Processes of tests: two a core, since a test that waits (for the site's build, a browser, a server) leaves its core idle.
-TWO_A_CORE := $(shell echo $$((2 * $$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1))))
+# Processes of tests: one more than cores, since a test that waits (for a browser, a server) leaves its core idle.
+MORE_THAN_CORES := $(shell echo $$((1 + $$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1))))
 
 .DEFAULT_GOAL := help
 .PHONY: help book book-student outputs serve test test-quick test-problem clean
@@ -42,14 +42,17 @@ serve:  ## show the built site at http://127.0.0.1:8000
 	@echo "The site is at http://127.0.0.1:8000 (Ctrl-C ends)"
 	@$(BIN)/python -m http.server --bind 127.0.0.1 --directory _build/html 8000
 
-# The tests of the grader mostly wait: four at a time run beside the others, and report after them.
+# Three runs side by side, so that no core is idle: the tests of the grader mostly wait, and those of the site begin with
+# its build. They report after the others.
 test: $(INSTALLED)  ## the style of the code and all tests
 	$(BIN)/ruff check
 	@mkdir -p _build/tests
-	@$(PYTEST) -n 4 tests/grading --junitxml=_build/tests/grader.xml > _build/tests/grader.log 2>&1 & grader=$$!; \
-	  trap 'kill $$grader' INT TERM; \
-	  $(PYTEST) -n $(TWO_A_CORE) --ignore=tests/grading --junitxml=_build/tests/others.xml; others=$$?; \
-	  wait $$grader; graded=$$?; cat _build/tests/grader.log; exit $$((others | graded))
+	@$(PYTEST) -n 3 tests/grading --junitxml=_build/tests/grader.xml > _build/tests/grader.log 2>&1 & grader=$$!; \
+	  $(PYTEST) -n 2 tests/site --junitxml=_build/tests/site.xml > _build/tests/site.log 2>&1 & site=$$!; \
+	  trap 'kill $$grader $$site' INT TERM; \
+	  $(PYTEST) -n $(MORE_THAN_CORES) --ignore=tests/grading --ignore=tests/site --junitxml=_build/tests/others.xml; \
+	  others=$$?; wait $$grader; graded=$$?; wait $$site; built=$$?; \
+	  cat _build/tests/grader.log _build/tests/site.log; exit $$((others | graded | built))
 
 test-problem: $(INSTALLED)  ## all tests of one problem: make test-problem N=2.30
 	@test -n "$(N)" || { echo "Name the problem: make test-problem N=2.30" >&2; exit 2; }
