@@ -1,5 +1,6 @@
-"""Every problem stands in the section in which the problem book has it."""
+"""Every problem stands in the section in which the problem book has it, and is referred to by one word."""
 
+import re
 from pathlib import Path
 
 from trajlib.masters import master_paths, read
@@ -20,3 +21,12 @@ def test_sections_are_those_of_the_book():
             if master.section != section:
                 found[master.number] = (master.section, section)
     assert not found
+
+
+def test_a_reference_says_only_once_that_it_leads_to_a_problem():
+    """{problem}`5.57` is set as "problem 5.57"."""
+    book = SOLUTIONS.parent / "book"
+    found = [f"{path.relative_to(book.parent)}: {line}" for root in (SOLUTIONS, book)
+             for path in sorted(root.rglob("*.md")) for line
+             in re.findall(r"[Pp]roblems? \{problem\}.*", path.read_text(encoding="utf-8"))]
+    assert found == []
