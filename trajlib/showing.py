@@ -1,7 +1,7 @@
 r"""Results with their words: `show` is `print` for whoever reads mathematics.
 
-In a notebook and on the site formulas are set, in a terminal they are what `print` writes. What is too long to stand
-beside words stands on a line of its own, a long sum on several.
+In a notebook and on the site formulas are set, in a terminal they are typed as `print` types them. What is too long to
+stand beside words stands on a line of its own, a long sum on several.
 
 >>> import sympy as sp
 >>> k1, k2 = sp.symbols("k1 k2")
@@ -26,7 +26,7 @@ UNSEEN = re.compile(r"\\(?:left|right|d?frac|displaystyle|limits|mathrm|operator
 
 
 def show(*values):
-    """Words and results in a line, as `print` writes them; in a notebook their formulas are set.
+    """Words and results in a line, with commas between results; in a notebook their formulas are set.
 
     Formulas in words stand between dollars. Results are what they are: SymPy expressions, lists and dicts of them, and
     what the functions of trajlib return.
@@ -48,9 +48,15 @@ def in_notebook():
 
 
 def _joined(values, texts):
-    """With a space between, but before a sign that ends or divides."""
-    follows = (isinstance(value, str) and value[:1] in (",", ".", ";", ":", ")") for value in values)
-    return "".join(text if follow else f" {text}" for text, follow in zip(texts, follows)).removeprefix(" ")
+    """With a space between, but before a sign that ends or divides, and a comma between two results: side by side they
+    would read as a product."""
+    joined, result = "", False
+    for value, text in zip(values, texts):
+        if not (isinstance(value, str) and value[:1] in (",", ".", ";", ":", ")")) and joined:
+            # what stands on lines of its own needs no comma
+            joined += ", " if result and not isinstance(value, str) and not joined.endswith("\n") else " "
+        joined, result = joined + text, not isinstance(value, str)
+    return joined
 
 
 def _markdown(value):

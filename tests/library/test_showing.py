@@ -35,7 +35,7 @@ def shown(monkeypatch):
 
 def test_a_terminal_is_printed_to(capsys):
     show("on $k_1 = 0$:", x**2/k1, [k1, 2], {k1: 1}, 0.5)
-    assert capsys.readouterr().out == "on k1 = 0: x**2/k1 [k1, 2] {k1: 1} 0.5\n"
+    assert capsys.readouterr().out == "on k1 = 0: x**2/k1, [k1, 2], {k1: 1}, 0.5\n"
 
 
 @pytest.mark.parametrize("value, said", [
@@ -54,6 +54,12 @@ def test_a_terminal_is_printed_to(capsys):
 def test_a_notebook_sets_it(shown, value, said):
     assert shown(value).set == said
     assert "**" not in said
+
+
+def test_results_side_by_side_do_not_read_as_a_product(shown):
+    assert shown("both:", x, k1, "and", 2, ";", k1).set == "both: $x$, $k_{1}$ and $2$; $k_{1}$"
+    wide = sp.expand((x + k1)**9)
+    assert "$$\n\n $x$" in shown(wide, x).set and ",\n\n$$" not in shown(wide, x).set
 
 
 def test_what_the_library_returns_shows_itself(shown):
