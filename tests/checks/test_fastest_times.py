@@ -7,6 +7,7 @@ import sympy as sp
 from trajlib.checks.truths.optima.convex_targets import ConvexTarget
 from trajlib.checks.truths.optima.fastest_times import FastestTimes
 from trajlib.checks.truths.optima.linear_plant import Plant
+from trajlib.checks.truths.optima.sampled_optimum import sampled_optimum
 
 x1, x2, u = STATE = sp.symbols("x1 x2 u", real=True)
 #: How far from a curve a start lies, as a share of the size of its state.
@@ -59,3 +60,19 @@ def test_inside_a_parabola_beside_the_curve_where_motions_part():
     pushed, braked = v + np.sqrt((2 * x + v**2) / 3), -v + np.sqrt(2 * x - v**2)
     np.testing.assert_allclose(found.time, np.minimum(pushed, braked), rtol=1e-7)
     assert (found.control == np.where(pushed < braked, -1, 1)).all()
+
+
+@pytest.mark.parametrize("push", [u, u - x1, u + x1, u - x2, u - x1 - x2 / 5], ids=str)
+def test_extremals_followed_back_are_the_fastest_motions(push):
+    truth = sampled_optimum((x2, push), (x1, x2), u, (-1, 1), (x1, x2), (), None)
+    lanes, changes = truth.extremals()
+    size = np.abs(lanes.x).max(axis=1)
+    known = lanes.take((size > 0.05) & (size < 8))
+    assert len(known.x) > 15 and size.min() < 1e-4 and size.max() > 50
+    np.testing.assert_array_equal(truth.solve(known.x, known.case, far=True).control, known.control)
+    assert len(changes.x) > 15
+
+
+def test_extremals_are_not_followed_back_from_where_no_control_can_stay():
+    assert sampled_optimum((x2, u), (x1, x2), u, (1, 2), (x1, x2), (), None).extremals() is None
+    assert sampled_optimum((x2, u), (x1, x2), u, (-1, 1), (x1,), (), None).extremals() is None

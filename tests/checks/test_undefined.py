@@ -86,7 +86,8 @@ LATE = sp.Piecewise((-1, MOVE.t < 1), (1, MOVE.t > sp.Rational(21, 20)))
 @pytest.mark.parametrize("check, answer, data, verdict, said", [
     ("time_optimal_law", STRIP, LAW.ORIGIN, "wrong", "no real number"),
     ("time_optimal_law", sp.Piecewise((-1, SIDES > 0), (1, SIDES < 0)), LAW.ORIGIN, "right", "shortest"),
-    ("time_optimal_law", sp.Piecewise((LAW.TO_ORIGIN, LAW.x2 < 9), (sp.oo, True)), LAW.ORIGIN, "right", "shortest"),
+    ("time_optimal_law", sp.Piecewise((LAW.TO_ORIGIN, LAW.x2 < 9), (sp.oo, True)), LAW.ORIGIN, "wrong",
+     "no real number"),
     ("optimal_control", PUSH, (MOVE.REST, MOVE.t), "right", "admissible"),
     ("optimal_control", LATE, (MOVE.REST, MOVE.t), "wrong", "your control at t = 1.0"),
     ("optimal_control", [(-1, 1), (1, sp.oo)], (MOVE.REST, MOVE.t), "wrong",

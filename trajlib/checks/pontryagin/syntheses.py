@@ -16,7 +16,7 @@ import numpy as np
 import sympy as sp
 
 from trajlib.checks.contract.claims import ConditionOn, Expression, Expressions
-from trajlib.checks.contract.tolerance import in_decimals, same, share
+from trajlib.checks.contract.tolerance import changed, in_decimals, same, share
 from trajlib.checks.contract.verdict import Wrong, judged
 from trajlib.checks.pontryagin.closed_loop import SAME, Law, follow
 from trajlib.checks.tools.conditions import Case, Truth, compare, place_text, readings
@@ -66,6 +66,7 @@ def _time_optimal(claim, data, curve):
         raise Wrong(f"{truth.told(lanes, k)} your law gives no real number")
     for k in np.flatnonzero((values < low - SAME) | (values > high + SAME)):
         raise Wrong(f"{truth.told(lanes, k)} your law gives {control} = {values[k]:.4g}, outside its bounds")
+    _judge_on_extremals(others, truth, control)
     other = np.flatnonzero(abs(values - lanes.control) > SAME)
     # The starts far from the switching curve first: there a law loses most.
     other = other[np.argsort(-abs(lanes.switching[other]))]
@@ -102,6 +103,21 @@ def _judge_next_to_curves(laws, truth, control):
     for k in differ[:1]:
         raise Wrong(f"{truth.told(lanes, k)} your law gives {control} = {said[0][k]:.4g}, and the fastest motion from "
                     f"there begins with another value")
+
+
+def _judge_on_extremals(laws, truth, control):
+    """Raise `Wrong` where all readings of a law differ from the control of an extremal, next to the target or far
+    out."""
+    lanes, _ = truth.extremals() or (None, None)
+    if lanes is None:
+        return
+    said = np.array([law(lanes.x, lanes.case) for law in laws])
+    differ = np.flatnonzero(~(abs(said - lanes.control) <= SAME).any(axis=0))
+    # Of states that are neither small nor large a student knows best what happens there.
+    for k in sorted(differ, key=lambda k: abs(np.log(np.linalg.norm(lanes.x[k]))))[:1]:
+        gives = f"{control} = {said[0][k]:.4g}" if np.isfinite(said[0][k]) else "no real number"
+        raise Wrong(f"{truth.told(lanes, k)} your law gives {gives}, and the fastest motion from there begins with "
+                    f"another value")
 
 
 def _judge_change(law, truth, lanes, control):
@@ -288,6 +304,7 @@ def _crossed(*curve):
             raise Wrong(f"{told} of your curve the fastest motions leave the curve on both sides: it is no place "
                         f"where they switch")
     _change_on(places, *curve)
+    _through_the_target(*curve)
     return "optimal motions cross the curve, or follow it, and change their control there, at sample points"
 
 
@@ -301,6 +318,25 @@ def _parting(*curve):
         if not abs(one - other) <= 1e-3 * one:
             raise Wrong(f"{told} of your curve the fastest times differ on the two sides: {one:.4g} and {other:.4g}")
     return "on both sides the fastest motions leave the curve, and their times agree on it, at sample points"
+
+
+def _through_the_target(claim, domain, data):
+    """Raise `Wrong` where a curve on both sides of a target that is a point leaves the places at which extremals
+    switch, next to the target or far out."""
+    truth, (variable, interval) = sampled_optimum(*data), domain
+    given = data.state.index(variable)
+    _, lanes = truth.extremals() or (None, None)
+    if lanes is None or not all(interval.inf < truth.convex.corner(k)[given] < interval.sup for k in set(lanes.case)):
+        return
+    symbols = [variable, *dict(data.parameters)]
+    cases = np.array(truth.cases, dtype=float).reshape(len(truth.cases), -1)[lanes.case]
+    numbers, true = (lanes.x[:, given], *cases.T), lanes.x[:, 1 - given]
+    said, *sides = (real_function(symbols, [one])(*numbers)[0] for one in (
+        claim, *(side for pair in changed(claim) or () for (side,) in pair)))
+    open_ = sum(np.fmax(abs(one - said), abs(other - said)) for one, other in zip(sides[::2], sides[1::2]))
+    for k in np.flatnonzero(~(abs(said - true) <= LOCATED * abs(true) + open_))[:1]:
+        raise Wrong(f"for {variable} = {numbers[0][k]:.4g} the control of the fastest motions does not change on your "
+                    f"curve, but beside it")
 
 
 def _change_on(places, claim, domain, data):

@@ -30,6 +30,10 @@ class ConvexTarget:
         made.g, made.point, made.kind, made._corners = None, True, "hull", np.asarray(points, dtype=float)[:, None, :]
         return made
 
+    def corner(self, case):
+        """The target that is a point."""
+        return self._corners[case, 0]
+
     def _curve(self, g, state, names, cases, zero):
         hessian, gradient = sp.hessian(g, state), sp.Matrix([g.diff(v) for v in state])
         if any(v.free_symbols & set(state) for v in hessian):

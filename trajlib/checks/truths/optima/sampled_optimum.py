@@ -23,6 +23,11 @@ BESIDE, BESIDE_DECIMALS = 0.006, 0.015
 NEXT, FAR_OUT = 0.0002, 14.0
 #: Up to this time the directions tried lie close enough for these.
 FAR_IN_TIME = 1.5 * HORIZON
+#: How long the last arcs of extremals are, the first of them the arcs of motions next to the target; from `WHOLE` on
+#: extremals are followed farther back than over one switching, until their states have the size `OUT` or time is up.
+LAST_ARCS, WHOLE, OUT, BACK = (1e-5, 1e-4, 1e-3, 1e-2, 0.1, 0.3, 0.8, 1.4, 2.0, 2.6), 0.3, 80.0, 130.0
+#: How far before a switching states are taken, in units of the last arc.
+EARLIER = (0.02, 1.0, 15.0, 49.0)
 #: How many sets of states around starts are kept with their optima.
 RINGS = 64
 
@@ -174,6 +179,45 @@ class SampledOptimum(FastestTimes):
                 parts.append(self._sides(self._on_target(16), 0.0))
             kept = self.kept["next"] = Lanes.joined(parts) if parts else None
         return kept
+
+    def extremals(self):
+        """(states next to a target that is a point, and far out, with the control there; places where it changes), as
+        extremals that are followed back tell without a search; None for another target.
+
+        For a linear plant an extremal is optimal if an admissible control can hold the state on the target.
+        """
+        if "extremals" not in self.kept:
+            parts = [self._followed_back(k) for k in range(len(self.cases))] if self.convex.point else [None]
+            self.kept["extremals"] = None if None in parts else tuple(map(Lanes.joined, zip(*parts)))
+        return self.kept["extremals"]
+
+    def _followed_back(self, case):
+        plant, end = self.plant, self.convex.corner(case)
+        free = plant.A @ end
+        rest = -(plant.b @ free) / (plant.b @ plant.b)
+        if not (np.allclose(free + rest * plant.b, 0) and plant.bounds[0] <= rest <= plant.bounds[1]):
+            return None
+        last = np.repeat(LAST_ARCS, 2)
+        p = plant.response(last)[0] @ np.array([[0, 1], [-1, 0]]) * np.tile((1, -1), len(LAST_ARCS))[:, None]
+        moves = np.max([p @ (free + u * plant.b) for u in plant.bounds], axis=0) > 1e-9 * np.linalg.norm(p, axis=1)
+        last, p = last[moves], p[moves]
+        u = np.where(p @ plant.b > 0, plant.bounds[1], plant.bounds[0])
+        x, begin, states, changes = np.tile(end, (len(last), 1)), np.zeros(len(last)), [], []
+        zeros = plant.zeros(p, np.full(len(last), BACK))
+        for k, zero in enumerate((*zeros.T, np.full(len(last), BACK))):
+            on = (begin < zero) & ((last >= WHOLE) | (k < 2))
+            for part in EARLIER if k else ():
+                step = part * np.minimum(last, (zero - begin) / 50)
+                states.append((plant.move(x, u, -step)[on], u[on]))
+            x, begin, on = plant.move(x, u, begin - zero), zero, on & (zero < BACK)
+            changes.append((x[on], u[on]))
+            u = sum(plant.bounds) - u
+        return [self._inner(*map(np.concatenate, zip(*part)), case) for part in (states, changes)]
+
+    def _inner(self, x, control, case):
+        x, control = (part[np.abs(x).max(axis=1) < OUT] for part in (x, control))
+        lanes = Lanes(x=x, case=np.full(len(x), case), control=control)
+        return lanes.take(self.allowed(lanes.x, lanes.case))
 
     def _on_target(self, count):
         """Points of the border of the target: (points, directions across, cases)."""
