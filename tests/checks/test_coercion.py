@@ -204,3 +204,33 @@ def test_what_came_instead_of_a_condition_is_told_in_a_word(answer, word):
 def test_values_that_are_undefined_are_no_condition(values):
     with pytest.raises(Invalid, match="undefined"):
         coercion.as_condition(values, [x])
+
+
+TOO_LARGE = {
+    "a tower of exp": sp.exp(sp.exp(sp.exp(sp.exp(x**99)))), "three of them": sp.exp(sp.exp(sp.exp(x))),
+    "a tower of powers": x**(x**(x**99)), "x^x^x": x**(x**x), "a large factorial": sp.factorial(10**6*x),
+    "a large gamma": sp.gamma(10**9*x), "a large binomial": sp.binomial(10**6*x, 10**5),
+    "a large angle": sp.cos(10**1000*x), "a large exponent": sp.exp(x**1000), "sinh": sp.sinh(sp.sinh(sp.sinh(x))),
+    "under an integral": sp.Integral(sp.exp(sp.exp(y**3)), (y, 0, x**99)),
+    "a long sum": sp.Sum(x/y, (y, 1, 10**9)), "Max of many": sp.Max(*[x + sp.sin(k*x) for k in range(9)]),
+    "many cases": sp.Piecewise(*((k*x, x < k) for k in range(300)), (x, True)),
+    "a high derivative": sp.Derivative(sp.exp(x**3)*sp.sin(x), (x, 60)),
+}
+LARGE_ENOUGH = [sp.exp(-sp.exp(-10*x)), sp.exp(1 - sp.exp(-x)), x**x, 2**(x**2), sp.exp(-x**2*y**2/2), x**4000,
+                sp.factorial(x), sp.sin(x**9*y), sp.tanh(1000*sp.sinh(x)), sp.sin(sp.sin(sp.sin(x))), (1 + x**9)**900,
+                sp.Integral(sp.exp(-y**2), (y, 0, x)), sp.Sum(x**y, (y, 0, sp.oo)), sp.Max(x, y, x + y)]
+
+
+@pytest.mark.parametrize("answer", TOO_LARGE.values(), ids=TOO_LARGE)
+@pytest.mark.parametrize("read", [
+    coercion.as_expression, lambda e, s: coercion.as_matrix([[e, 1], [0, e]], s), lambda e, s: coercion.as_number(e),
+    lambda e, s: coercion.as_expressions([1, e], s), lambda e, s: coercion.as_condition(e > 1, s),
+], ids=["expression", "matrix", "number", "list", "condition"])
+def test_what_is_too_large_to_be_computed_with_is_invalid(read, answer):
+    with pytest.raises(Invalid):
+        read(answer, [x, y])
+
+
+@pytest.mark.parametrize("answer", LARGE_ENOUGH, ids=str)
+def test_what_can_be_computed_is_not_too_large(answer):
+    assert coercion.as_expression(answer, [x, y]) == answer

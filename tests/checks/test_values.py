@@ -15,6 +15,8 @@ CASES = {
     "a symbol that is bound": (sp.Integral(x*y, (x, 0, 1)), {x: 3, y: 2}, 1),
     "a sum": (sp.Sum(x**y, (y, 0, 3)), {x: 2, y: 7}, 15),
     "a sum of nothing": (1 + sp.Sum(x*y, (y, 1, x)), {x: 0}, 1),
+    "a geometric series": (sp.Sum(x**y, (y, 0, sp.oo)), {x: sp.Rational(9, 10)}, 10),
+    "a slow series": (sp.Sum(y**-2, (y, 1, sp.oo)), {}, float(sp.pi**2/6)),
     "floats": (sp.exp(-x)*sp.cos(y), {x: 0.5, y: -2.0}, float(sp.exp(-0.5)*sp.cos(2))),
     "a root of a negative number": (sp.sqrt(x*y), {x: -2, y: 8}, 4j),
     "a symbol of which more is assumed": (sp.sqrt(ANGLE**2*x), {ANGLE: 3, x: 4}, 6),
@@ -37,6 +39,12 @@ def test_what_has_no_value_has_none():
 def test_a_sum_that_cannot_be_written_out_is_refused(limits):
     with pytest.raises(Invalid, match="write it without"):
         number_at(sp.Sum(sp.sin(y**2), (y, *limits)), {})
+
+
+@pytest.mark.parametrize("term", [1/y, (-2)**y, 1 + 0*y, y])
+def test_a_series_that_does_not_converge_has_no_sum(term):
+    with pytest.raises(Invalid, match="converge"):
+        number_at(sp.Sum(term, (y, 1, sp.oo)), {})
 
 
 def test_a_plain_expression_is_not_asked_for_one_after_the_other(monkeypatch):

@@ -9,6 +9,7 @@ import sys
 import numpy as np
 import sympy as sp
 
+from trajlib.checks.contract.magnitude import SYMBOL_BITS, grows_too_fast
 from trajlib.checks.contract.verdict import Invalid, remark
 
 YES = {True, "yes", "true", "y"}
@@ -17,6 +18,10 @@ NO = {False, "no", "false", "n"}
 LARGEST = 1e50
 #: What a condition looks like, and no condition that any problem has for its answer.
 EXAMPLE_OF_CONDITION = "such as x + 77 < y or sp.And(x + 77 < y, y < 99)"
+#: How many terms of a sum are added up, and how often an expression is differentiated.
+MOST_ADDED, MOST_DERIVED = 1000, 6
+#: SymPy asks of any two terms of a Max which one is greater, and of each case whether it is one of those before.
+MOST_COMPARED, MOST_CASES = 6, 100
 #: No answer has nearly as many relations; to work with more takes a time that grows faster than their number.
 MOST_WRITTEN_OUT = 200
 #: What an answer is called that is of another kind than asked; the first that fits.
@@ -86,6 +91,21 @@ def with_symbols(answer, symbols):
                       + (", ".join(sorted(known)) if known else "numbers"))
     if any(len(limits) < 3 for integral in answer.atoms(sp.Integral) for limits in integral.limits):
         raise Invalid("the answer contains an integral without limits, which has no value at a point; work it out")
+    if any(last - first > MOST_ADDED for part in answer.atoms(sp.Sum) for _, first, last in part.limits
+           if first.is_Integer and last.is_Integer):
+        raise Invalid(f"the answer contains a sum of more than {MOST_ADDED} terms; write it without sp.Sum")
+    if any(sum(order for _, order in part.variable_count if order.is_Integer) > MOST_DERIVED
+           for part in answer.atoms(sp.Derivative)):
+        raise Invalid("the answer contains a derivative that is still to be worked out, of an order beyond "
+                      f"{MOST_DERIVED}; work it out")
+    if any(len(part.args) > MOST_COMPARED for part in answer.atoms(sp.Max, sp.Min)):
+        raise Invalid(f"the answer contains the greatest or the least of more than {MOST_COMPARED} terms; give a "
+                      "simpler form of it")
+    if sum(len(part.args) for part in answer.atoms(sp.Piecewise)) > MOST_CASES:
+        raise Invalid(f"the answer distinguishes more than {MOST_CASES} cases; give a simpler form of it")
+    if grows_too_fast(answer):
+        raise Invalid("the answer grows too fast to be computed with: an exponent, an angle or the argument of a "
+                      f"factorial is too large already where the symbols are {2**SYMBOL_BITS}")
     return answer.xreplace({s: known[s.name] for s in answer.free_symbols})
 
 

@@ -39,11 +39,11 @@ from sympy.logic.boolalg import Boolean
 from sympy.matrices.matrixbase import MatrixBase
 
 from trajlib.checks.contract.encoding import MAX_DIGITS, MAX_NODES, write_elements
+from trajlib.checks.contract.magnitude import MAX_EXPONENT, log2, size
 
 MAX_NAME = 100  # characters of a symbol's or function's name
 MAX_FUNCTIONS = 100  # different undefined functions in an answer: each is a Python class
 MAX_ORDER = 100  # of a derivative
-MAX_EXPONENT = 4_096  # a number as exponent
 DOUBLE_BITS = 53  # precision of a float
 NUMBER_BITS = int(MAX_DIGITS * math.log2(10))  # magnitude of anything without symbols, and the precision of a Float
 
@@ -405,6 +405,16 @@ def _check_interval(walk, start, end, left_open, right_open):
         raise walk.error("is an Interval whose ends are not in order, or closed at infinity")
 
 
+def _check_size(walk, node):
+    if not scalar(node):
+        return
+    if isinstance(node, sp.Pow) and node.exp.is_Number and log2(node.exp) > math.log2(MAX_EXPONENT):
+        raise walk.error(f"is a power with an exponent beyond {MAX_EXPONENT}")
+    *bits, symbolic = size(node, walk.sizes)
+    if not symbolic and not max(bits) <= NUMBER_BITS:
+        raise walk.error(f"is a number with more than about {MAX_DIGITS} digits before or after the point")
+
+
 # Reading
 
 
@@ -515,66 +525,3 @@ READERS = {
     "Poly": (("gens", "terms"), _read_poly(sp.Poly)),
     "PurePoly": (("gens", "terms"), _read_poly(sp.PurePoly)),
 }
-
-
-# How large a number is, found without evaluating it: 10**10**9 costs no more than 10**9.
-
-
-def _check_size(walk, node):
-    if not scalar(node):
-        return
-    if isinstance(node, sp.Pow) and node.exp.is_Number and _log2(node.exp) > math.log2(MAX_EXPONENT):
-        raise walk.error(f"is a power with an exponent beyond {MAX_EXPONENT}")
-    size = _size(walk, node)
-    if size and not max(size) <= NUMBER_BITS:
-        raise walk.error(f"is a number with more than about {MAX_DIGITS} digits before or after the point")
-
-
-def _size(walk, node):
-    """(up, down) such that -down <= log2 |node| <= up, unless a sum cancels; None where the node has symbols."""
-    if node not in walk.sizes:
-        walk.sizes[node] = _measure(walk, node)
-    return walk.sizes[node]
-
-
-def _measure(walk, node):
-    if node.is_Number:
-        return _log2(node), -_log2(node)
-    if not node.args:
-        return (2, 1) if node.is_number else None  # pi and the like
-    sizes = [_size(walk, arg) for arg in node.args]
-    if None in sizes:
-        return None
-    ups, downs = zip(*sizes)
-    if isinstance(node, sp.Mul):
-        return sum(ups), sum(downs)
-    if isinstance(node, sp.Pow):
-        return _size_of_power(node.exp, *sizes)
-    if isinstance(node, (sp.exp, sp.sinh, sp.cosh, sp.sech, sp.csch)):
-        return (1.5 * _exp2(ups[0]),) * 2
-    if isinstance(node, (sp.factorial, sp.gamma, sp.binomial)):
-        return (_exp2(max(ups)) * max(1, *ups),) * 2
-    if isinstance(node, sp.log):
-        return (math.log2(1 + max(map(abs, sizes[0]))) + 1,) * 2
-    return max(ups) + len(ups).bit_length(), max(downs)
-
-
-def _size_of_power(exponent, base_size, exponent_size):
-    n = _exp2(exponent_size[0])
-    up, down = base_size
-    if not exponent.is_Number:
-        return (n * max(up, down, 1),) * 2
-    return (n * down, n * up) if exponent.is_negative else (n * up, n * down)
-
-
-def _log2(number):
-    """log2 |number|; 0 for zero, nan and the infinities."""
-    if number.is_Rational and number.p:
-        return math.log2(abs(number.p)) - math.log2(number.q)
-    if number.is_Float and number._mpf_[1]:
-        return int(number._mpf_[2]) + number._mpf_[3]
-    return 0.0
-
-
-def _exp2(x):
-    return 2.0**x if x < 1_000 else math.inf

@@ -409,7 +409,12 @@ def _values(expression, symbols, places):
     are known (`coercion.with_symbols`)."""
     if expression.has(sp.nan, sp.zoo):
         return np.full(places.shape[1], math.nan)
-    function = sp.lambdify(symbols, expression, "mpmath")
+    # The slope of a Max holds steps, for which SymPy would solve inequalities.
+    expression = expression.replace(sp.Heaviside, lambda x, *_: (1 + sp.sign(x)) / 2)
+    try:
+        function = sp.lambdify(symbols, expression, "mpmath")
+    except (ValueError, NotImplementedError):  # the slope of a floor
+        return np.full(places.shape[1], math.nan)
 
     def value(place):
         try:

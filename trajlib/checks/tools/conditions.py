@@ -31,6 +31,8 @@ STEPS, TIMES_SIZE, MEGABYTES = 200_000, 5_000_000, 300
 DIGITS, NOTHING = 60, mpmath.mpf(10) ** -40
 #: Terms larger than this a solver is not asked about.
 LARGEST_DEGREE, MOST_TERMS, MOST_WRITTEN_OUT = 40, 4000, 20_000
+#: The greatest of more terms would be written with twice as many absolute values for each.
+MOST_COMPARED = 5
 #: The product of the degrees of algebraic numbers up to which a value is told from zero exactly.
 LARGEST_FIELD = 8
 #: The "sign" of a number that is not real.
@@ -562,6 +564,8 @@ class Plain:
             return self._symbol(("sign", base), base, lambda w: (
                 sp.Or(sp.And(base > 0, sp.Eq(w, 1)), sp.And(sp.Eq(base, 0), sp.Eq(w, 0))), sp.Eq(w, -1)))
         if isinstance(node, (sp.Max, sp.Min)):
+            if len(node.args) > MOST_COMPARED:
+                raise _Undecidable
             sign = 1 if isinstance(node, sp.Max) else -1
             return self._term(functools.reduce(lambda a, b: (a + b + sign * sp.Abs(a - b)) / 2, node.args), defined)
         if node.is_number and node.is_real:

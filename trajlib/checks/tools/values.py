@@ -11,18 +11,19 @@ import cmath
 import functools
 from contextlib import suppress
 
+import mpmath
 import numpy as np
 import sympy as sp
 
-from trajlib.checks.contract.coercion import LARGEST
+from trajlib.checks.contract.coercion import LARGEST, MOST_ADDED
 from trajlib.checks.contract.tolerance import DECIMALS, changed, half_unit, in_decimals
 from trajlib.checks.contract.verdict import Invalid, Wrong
 from trajlib.checks.tools.wording import rounded_text
 
 #: At how many places integrals are computed for one verdict.
 MOST_INTEGRATED = 400
-#: How many terms of a sum are added up.
-MOST_ADDED = 1000
+#: The digits to which a series is summed.
+DIGITS = 25
 
 
 def number_at(claim, values, what="your expression"):
@@ -205,13 +206,14 @@ def _put(claim, values):
     if not _binds(claim):
         # All values at once take a third of the time. What comes out finite is the number; where a factor vanishes
         # beside an infinite one, or a case that is not reached has no value, the order matters and `subs` is asked.
-        with suppress(TypeError, ValueError, AttributeError):
+        with suppress(TypeError, ValueError, AttributeError, ArithmeticError):
             number = claim.xreplace({symbol: sp.sympify(value) for symbol, value in values.items()}).evalf(20)
             if cmath.isfinite(complex(number)):
                 return number
     try:
         return _added(claim.subs(values)).evalf(20)
-    except (TypeError, ValueError):  # ValueError: the greater of two such numbers, in Max or Min
+    except (TypeError, ValueError, ArithmeticError):
+        # ValueError: the greater of two such numbers, in Max or Min; ArithmeticError: all digits of a floor cancel.
         return sp.nan
 
 
@@ -219,13 +221,29 @@ def _added(claim):
     """The claim with its sums added up term by term: what SymPy makes of a long one may take minutes."""
     def added(term, limits, *others):
         index, first, last = limits
-        if others or not (first.is_number and last.is_number and first == sp.floor(first) and last == sp.floor(last)
-                          and last - first < MOST_ADDED):
+        whole = not others and first.is_number and first == sp.floor(first)
+        if whole and last is sp.oo:
+            return _series(lambda k: term.xreplace({index: sp.Integer(int(k))}), int(first))
+        if not (whole and last.is_number and last == sp.floor(last) and last - first < MOST_ADDED):
             raise Invalid(f"a sum is added up term by term, between whole numbers and up to {MOST_ADDED} terms; yours "
                           "cannot be: write it without sp.Sum")
         return sp.Add(*(term.xreplace({index: sp.Integer(k)}) for k in range(int(first), int(last) + 1)))
 
     return claim.replace(sp.Sum, added) if claim.has(sp.Sum) else claim
+
+
+def _series(term, first):
+    """The sum of the terms term(first), term(first + 1), ... by extrapolation. That would give a diverging series a sum
+    too, so the terms have to fall faster than those of the harmonic one."""
+    def number(k):
+        return mpmath.mpmathify(term(k).evalf(mpmath.mp.dps))  # of which nsum wants more and more
+
+    with mpmath.workdps(DIGITS):
+        near, far = (max(abs(number(first + count + k)) for k in range(8)) for count in (MOST_ADDED//4, MOST_ADDED//2))
+        if not (far <= 0.48 * near or far == 0):
+            raise Invalid("your answer holds an infinite sum that does not converge fast enough to be computed: write "
+                          "it without sp.Sum")
+        return sp.sympify(mpmath.nsum(number, [first, mpmath.inf]))
 
 
 @functools.lru_cache(maxsize=256)
