@@ -9,6 +9,7 @@ from sympy.core.relational import Relational
 
 from trajlib.checks.contract import coercion
 from trajlib.checks.contract.claims import ConditionOn, Expression
+from trajlib.checks.contract.tolerance import same
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
 from trajlib.checks.tools.conditions import (
     Case,
@@ -22,7 +23,7 @@ from trajlib.checks.tools.conditions import (
     readings,
 )
 from trajlib.checks.tools.samples import allowed_values, joined, sample_values
-from trajlib.checks.tools.values import number_at
+from trajlib.checks.tools.values import number_at, uncertain_at
 from trajlib.checks.tools.wording import point_text, values_text
 from trajlib.checks.truths.fields import Field
 
@@ -176,7 +177,7 @@ def basin_level(claim, function, field, state, parameters=(), given=()):
     """The largest level c for which V proves that the part of {V < c} around zero belongs to the basin of
     attraction."""
     directions = _directions(len(state))
-    for values, level, others, rate in _stable_systems(function, field, state, parameters, given):
+    for values, level, others, rate, largest in _stable_systems(function, field, state, parameters, given):
         number = number_at(claim, values, "your level")
         real = abs(number.imag) <= 1e-9 * abs(number)
         told = (f"for {values_text(values)} " if values
@@ -194,6 +195,10 @@ def basin_level(claim, function, field, state, parameters=(), given=()):
         if np.all(np.isfinite(high)) and not _breaks(rate, directions * high[:, None], others, level,
                                                      1.008 * number.real):
             raise Wrong(f"{told}: V proves attraction up to this level, but also up to a higher one")
+        true = largest(number.real, directions * low[:, None])
+        if true is not None and not same(number, float(true), claim, uncertain=uncertain_at(claim, values)):
+            raise Wrong(f"{told}: " + ("V does not prove attraction quite up to it" if number.real > true else
+                                       "V proves attraction up to this level, but also up to a higher one"))
     return ("up to this level the derivative of V is nowhere positive and no other equilibrium is met, and beyond it "
             "this ends")
 
@@ -207,7 +212,7 @@ def basin_estimate(condition, function, field, state, parameters=(), given=()):
     the parameters; where V < c has parts away from zero, it has to leave them out.
     """
     directions = _directions(len(state))
-    for values, level, others, rate in _stable_systems(function, field, state, parameters, given):
+    for values, level, others, rate, largest in _stable_systems(function, field, state, parameters, given):
         claim = condition.subs(values)
         where = f" (for {values_text(values)})" if values else ""
         reach = _reach(claim, state, directions, where)
@@ -223,11 +228,48 @@ def basin_estimate(condition, function, field, state, parameters=(), given=()):
         if broken:
             raise Wrong(f"V does not prove attraction for all of this set: {broken}{where}")
         _has_no_holes(claim, state, sp.sympify(function).subs(values), height, border, where)
+        true = largest(height, border)
+        if true is not None:
+            compare(claim, state, _part_around_zero(sp.sympify(function).subs(values), true, state, others, border),
+                    lambda place, holds, where=where: (
+                        f"your set leaves out the state {place_text(place)}, which V proves to be attracted{where}"
+                        if holds else f"your set holds the state {place_text(place)}; V does not prove that it is "
+                        f"attracted{where}"))
         if not _breaks(rate, 1.004 * border, others, level, 1.008 * height):
             raise Wrong("the set is contained in the basin, but V proves more: "
                         f"its derivative is still nowhere positive on a larger level set{where}")
     return ("its boundary is a level line of V, the derivative is nowhere positive inside, and no higher level has "
             "this property")
+
+
+def _largest_level(height, change, motion, state, others, near, border):
+    """The level c of V that the basin reaches, near one that is known, or None if it cannot be told exactly: an
+    equilibrium stands on it, or V' > 0 at once above it; below neither is so."""
+    exact = [{x: sp.Rational(Fraction(float(v)).limit_denominator(1000)) for x, v in zip(state, point)}
+             for point in others]
+    met = {height.subs(point) for point in exact if all(f.subs(point) == 0 for f in motion)}
+    box = sp.And(*(sp.Abs(x) <= 2 * sp.Rational(float(end)).limit_denominator(100)
+                   for x, end in zip(state, np.abs(border).max(axis=0))))
+
+    def rises_below(level):
+        return decide(sp.true, state, Truth((Case(sp.false),), (Case(sp.And(box, height < level, change > 0)),)))
+
+    simple = {sp.Rational(float(near)).limit_denominator(q) for q in (1, 2, 4, 8, 12, 60, 1000)}
+    for level in sorted(met | simple, key=lambda c: abs(c - near)):
+        if (abs(level - near) < near / 80 and rises_below(level) == (True, None)
+                and (level in met or rises_below(level * (1 + sp.Rational(1, 10**9)))[1])):
+            return level
+    return None
+
+
+def _part_around_zero(height, level, state, others, border):
+    """The truth that the part of {V < level} around zero is; an equilibrium on its boundary cuts it off from others."""
+    ends = [next((sp.Rational(Fraction(abs(float(v))).limit_denominator(1000)) for v in coordinates
+                  if abs(abs(v) - reach) < reach / 50), sp.Rational(51, 50) * sp.Rational(float(reach)))
+            for reach, coordinates in zip(np.abs(border).max(axis=0), np.reshape(others, (-1, len(state))).T)]
+    inside = sp.And(*(sp.Abs(x) < end for x, end in zip(state, ends)))
+    beyond = sp.Or(*(sp.Abs(x) > end for x, end in zip(state, ends)))
+    return Truth((Case(sp.And(height < level, inside)),), (Case(sp.Or(height > level, beyond)),))
 
 
 def _directions(n, count=240):
@@ -255,7 +297,8 @@ def _rate(function, field, state, parameters=()):
 
 
 def _stable_systems(function, field, state, parameters, given):
-    """(values, V, other equilibria, V') for sampled parameters at which the first approximation is stable."""
+    """(values, V, other equilibria, V', the exact level near one) for sampled parameters at which the first
+    approximation is stable."""
     return _sampled(sp.sympify(function), tuple(field), tuple(state), tuple(parameters),
                     joined(given))
 
@@ -270,8 +313,10 @@ def _sampled(function, field, state, parameters, given):
         if max(np.linalg.eigvals(flow.jacobian(np.zeros(len(state)))).real) >= 0:
             continue
         height, motion = function.subs(values), [sp.sympify(f).subs(values) for f in field]
+        change = sum(sp.diff(height, x) * f for x, f in zip(state, motion))
         others = [point for point in flow.rest_points(60) if np.linalg.norm(point) > 1e-6]
-        systems.append((values, _numeric(height, state), others, _rate(height, motion, state)))
+        systems.append((values, _numeric(height, state), others, _rate(height, motion, state),
+                        functools.partial(_largest_level, height, change, motion, state, others)))
         if len(systems) == 2:
             return systems
     if not systems:
