@@ -204,4 +204,4 @@ def _told(error):
     except BaseException:
         text = "(its text cannot be read)"
     said = advice(text)
-    return f"{name}: {text}" + (f". {said}" if said else "")
+    return f"{name}: {text}" + (". " + said.replace("\n", " ") if said else "")

@@ -4,10 +4,12 @@ r"""Formulas in words: as TeX between dollars, as one would type them where noth
 "the roots of det(M s^2 + D s + K), for x1' <= sqrt(2)/x10 and phi0 != 0"
 >>> plain(r"$\psi_x x_1x_2 + r_sv_{x0} = \ldots$")
 'psi_x x1 x2 + r_s v_x0 = ...'
+>>> plain(r"$K_{xx^2}$ and $r_{\tau}$")
+'K_(xx^2) and r_tau'
 >>> typeset("at k1 = -2 the root of x**2 + k1*x >= 0 is a_root")
 'at <i>k</i><sub>1</sub> = −2 the root of <i>x</i><sup>2</sup> + <i>k</i><sub>1</sub>\u202f<i>x</i> ≥ 0 is a_root'
->>> typeset("for psi_x = 1 and v_y = 2")
-'for ψ<sub><i>x</i></sub> = 1 and <i>v</i><sub><i>y</i></sub> = 2'
+>>> typeset("for psi_x = 1, v_y = 2 and K_xy = 3")
+'for ψ<sub><i>x</i></sub> = 1, <i>v</i><sub><i>y</i></sub> = 2 and <i>K</i><sub><i>xy</i></sub> = 3'
 """
 
 import html
@@ -22,7 +24,8 @@ TYPED = [(re.compile(pattern), typed) for pattern, typed in [
     (r"\\bar ?(\w)", r"\1bar"),
     (r"\\operatorname\{(\w+)\}", r"\1"),
     (r"_\{(\d+)\}|_(\d)", lambda m: m[1] or m[2]),
-    (r"_\{([A-Za-z]\w*)\}", r"_\1"),
+    (r"_\{(\\?[A-Za-z]\w*)\}", r"_\1"),
+    (r"_\{([^{}]*)\}", r"_(\1)"),
     (r"\\sqrt\{([^{}]*)\}", r"sqrt(\1)"),
     (r"\^\{(-?\w+)\}", r"^\1"),
     (r"\^\{([^{}]*)\}", r"^(\1)"),
@@ -48,8 +51,8 @@ TYPEWRITTEN = re.compile(r"\*\*|[\w)]\*[A-Za-z(]|\bsqrt\(")
 #: What is surely a formula in a line of words: letters with numbers, Greek letters, and letters beside a sign.
 MATHEMATICS = re.compile(r"""
     (?:\*\*|\^)\s*(?: (?P<power>-?\w+) | \((?P<powers>[^()]*)\) )
-  | (?<![\w.'"]) (?<!item\ ) (?P<letter>[A-Za-z]|%s) (?: _?(?P<index>\d+) | _(?P<name>[A-Za-z]|%s) )?
-    (?P<primes>'*)
+  | (?<![\w.'"]) (?<!item\ ) (?P<letter>[A-Za-z]|%s)
+    (?: _?(?P<index>\d+) | _(?P<name>[A-Za-z]|%s|(?<=[A-Z]_)[a-z]{2}) )? (?P<primes>'*)
     (?! [\w"'] | \.\w | (?<=\b[aAI])(?=\s+\w) )
   | (?<=[\w)]) (?P<times>\*|\ \*\ ) (?=[\w(])
   | (?P<sign><=|>=|!=|->|\boo\b|(?<![\w)])-(?=[\d.]|[A-Za-z]\w?\b|\()|(?<=\s)-(?=\s[\d(]))

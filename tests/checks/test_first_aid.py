@@ -52,7 +52,9 @@ def errors(outputs):
 def test_conditions_joined_as_in_python_are_told_what_to_write(first_day, mistake):
     [said] = errors(first_day[mistake])
     assert "sp.And(" in said and "(k1 > 0) & (k2 < k1)" in said
-    assert "site-packages" not in said and len(said.splitlines()) == 2
+    error, *advice = said.splitlines()
+    assert "site-packages" not in said and len(advice) == 4
+    assert max(map(len, advice)) <= 79, "VS Code does not break a long line of an error"
 
 
 def test_other_errors_stay_as_they_are(first_day):

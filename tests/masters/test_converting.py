@@ -34,6 +34,8 @@ def links(tmp_path):
     ("````{tip} A title\n```{math}\nx\n```\n````", "> **A title**\n>\n> $$\n> x\n> $$\n"),
     ("a {term}`root locus <locus>` and {index}`gain`", "a root locus and gain"),
     ("# Problem 1.15\n\nas in {problem}`1.4`", "as in problem 1.4"),
+    ("{problem}`1.4` is\n{problem}`1.5`. {problem}`1.6`:\n\n- **{problem}`1.7`**, {problem}`1.8`\n- {problem}`1.9`",
+     "Problem 1.4 is\nproblem 1.5. Problem 1.6:\n\n- **Problem 1.7**, problem 1.8\n- Problem 1.9"),
     ("(a-label)=\nText", "Text"),
     ("[no such](#thm-9-9)", "no such"),
 ])
@@ -101,7 +103,8 @@ def test_the_students_copy():
     roles = [cell["metadata"]["tags"][0] for cell in notebook["cells"] if cell["cell_type"] == "code"]
     assert roles == ["setup", "data", *["answer", "check"] * 5]
     code = [cell for cell in notebook["cells"] if cell["cell_type"] == "code"][1:]
-    assert code[1]["source"].startswith("a_region = ...  # condition: the set of (k1, k2)")
+    assert code[1]["source"] == ("# condition: the set of (k1, k2) where the equation of item a is asymptotically\n"
+                                 "# stable\na_region = ...")
     assert "nbgrader" not in code[1]["metadata"]
     assert code[2]["metadata"]["nbgrader"] | {"grade_id": ""} == {
         "schema_version": 3, "grade": True, "locked": True, "solution": False, "task": False, "cell_type": "code",
@@ -170,3 +173,39 @@ def test_a_drawing_that_cannot_be_drawn_is_named(tmp_path, cell, said):
 def test_converting_is_deterministic():
     master = read(ROOT / "solutions" / "ch1" / "p15.md")
     assert student_notebook(master, Links(ROOT)) == student_notebook(master, Links(ROOT))
+
+
+#: What the notebooks' formulas are written with. KaTeX 0.16.9, as in VS Code, sets all of it; try it there, or on
+#: katex.org, before a command is added. MathJax, in Jupyter and on the site, sets more.
+SET_BY_KATEX = set(
+    "Big Delta Omega Phi alpha arcsin bar begin beta big bigl bigr cdot cos cosh ddot delta det dfrac displaystyle dot "
+    "dots end equiv eta exp frac gamma geq hat in infty int kappa lambda ldots le left leq lim ln mathbb mathbf "
+    "mathring max min mp mu neq omega operatorname overset partial perp pi pm psi qquad quad rho right sigma sin sinh "
+    "sqrt sum tag tan tau text tfrac theta tilde to top varepsilon varkappa varphi varrho xi zeta".split())
+
+
+def test_vs_code_sets_every_formula():
+    """It shows what it does not know as an error in red, and a dollar beside a letter or a digit as a dollar."""
+    odd = []
+    for path in sorted((ROOT / "exercises").glob("*/*.ipynb")):
+        for cell in json.loads(path.read_text(encoding="utf-8"))["cells"]:
+            if cell["cell_type"] == "markdown":
+                text = re.sub(r"`[^`]*`", "", cell["source"])
+                for found in re.finditer(r"(\w?)(\$\$.+?\$\$|\$[^$]+\$)(\w?)", text, re.S):
+                    unknown = set(re.findall(r"\\([A-Za-z]+)", found[2])) - SET_BY_KATEX
+                    if unknown or found[1] or found[3]:
+                        odd.append((path.name, found[0], unknown))
+    assert not odd
+
+
+def test_third_derivatives_have_their_dots(links):
+    assert plain_markdown(r"$\dddot x + \dddot{z} = \dddot\varphi$", links)[0] == (
+        r"$\overset{\ldots}{x} + \overset{\ldots}{z} = \overset{\ldots}{\varphi}$")
+
+
+def test_what_to_answer_is_read_without_scrolling():
+    """A line of a code cell goes on behind the edge, in Jupyter and VS Code."""
+    for path in sorted((ROOT / "exercises").glob("*/*.ipynb")):
+        for cell in json.loads(path.read_text(encoding="utf-8"))["cells"]:
+            if "answer" in cell["metadata"].get("tags", []):
+                assert all(len(line) <= 79 for line in cell["source"].splitlines()), path

@@ -86,6 +86,19 @@ def test_on_paper_every_fold_is_open(browser, addresses, problem):
     assert browser.run("document.querySelectorAll('article details.solution[open]').length") == 0
 
 
+def test_on_paper_a_drawing_stands_without_its_code(browser, addresses):
+    """What draws the body of a statement is no part of the statement; the code of a solution is printed."""
+    browser.open(f"{addresses['http']}/solutions/ch5/p40.html")
+    browser.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
+    browser.run("document.querySelectorAll('article details').forEach(fold => fold.open = true)")
+    height = "e => e.getBoundingClientRect().height"
+    drawn = browser.run(f"[...document.querySelectorAll('.tag_drawing .cell_input')].map({height})")
+    pictures = browser.run(f"[...document.querySelectorAll('.tag_drawing img')].map({height})")
+    computed = browser.run(f"[...document.querySelectorAll('.tag_answer .cell_input')].map({height})")
+    browser.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
+    assert drawn and set(drawn) == {0} and min(pictures) > 50 and min(computed) > 20
+
+
 def test_on_paper_a_fold_does_not_fade_in(browser, addresses, problem):
     """What fades in as its fold opens is blank at the moment when the page is printed."""
     browser.open(f"{addresses['http']}/{problem.page}")

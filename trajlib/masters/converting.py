@@ -8,6 +8,7 @@ headings and paragraphs, so that the copy reads well in any Jupyter.
 import json
 import re
 from pathlib import Path
+from textwrap import wrap
 
 from trajlib import __version__, exercises
 from trajlib.formulas import plain
@@ -25,6 +26,8 @@ CREDIT = ("S. S. Lemak, V. M. Morozov, M. Yu. Popelensky, V. V. Tikhomirov, O. Y
           "Moscow, 2012")
 RESEARCH = "the research chapters of the workbook"
 WHEEL = f"trajlib-{__version__}-py3-none-any.whl"
+#: What a notebook's code cell shows of a line, in Jupyter and VS Code alike.
+WIDTH = 79
 #: The first code cell: one line to somebody who opens the notebook alone, instead of an error a cell.
 NEEDS = f"""\
 try:
@@ -118,15 +121,29 @@ def plain_markdown(text, links, number=""):
     text = re.sub(r"\{(?:ref|numref|prf:ref)\}`([^`<]+?)\s*<([\w-]+)>`", lambda m: _named(m[1], links.place(m[2])),
                   text)
     text = re.sub(r"\{eq\}`eq-([\w-]+)`", lambda m: f"({_tag(m[1])})", text)
-    text = re.sub(r"\{problem\}`([\d.]+)`", r"problem \1", text)
+    text = re.sub(r"\{problem\}`([\d.]+)`",
+                  lambda m: f"{'Pp'[not _begins(m.string[:m.start()])]}roblem {m[1]}", text)
     text = re.sub(r"\{cite(?::\w)?\}`[^`]*`", "", text)
     text = re.sub(r"\{[\w:]+\}`([^`<]+?)(?:\s*<[^>]*>)?`", r"\1", text)
+    text = THIRD.sub(lambda m: rf"\overset{{\ldots}}{{{m[1] or m[2]}}}", text)
     text = re.sub(r"\n{3,}", "\n\n", text).strip()
     return NAMED.sub(r"\1", text), [match.groups() for match in NAMED.finditer(text)]
 
 
+#: A third derivative: VS Code's KaTeX learned its three dots late, and shows an error in red for what it does not know.
+THIRD = re.compile(r"\\dddot\s*(?:\{(\w+)\}|(\w|\\[a-z]+))")
+
 #: A place while the text is being made; the characters occur in no text.
 NAMED = re.compile("\x02(.*?)\x03(.*?)\x04", re.S)
+
+
+#: What stands before the first word of a sentence, and before the first of a paragraph or an entry in Markdown.
+SENTENCE_END = re.compile(r"(?<!e\.g)(?<!i\.e)(?<!cf)[.!?][)\"”*]*\s+$")
+OPENING = re.compile(r"(\A|\n[>\s]*\n|\n(?=[>\s]*([-*+|]|\d+\.) ))[>\s]*(([-*+|]|\d+\.) +)?\**$")
+
+
+def _begins(before):
+    return bool(SENTENCE_END.search(before) or OPENING.search(before))
 
 
 def _named(text, place):
@@ -182,9 +199,15 @@ def _numbered(source, number):
 
 
 def _stub(master, source):
-    """One line `name = ...` for each answer that the cell assigns."""
-    return "\n".join(f"{name} = ...  # {master.answers[name].kind}: {plain(master.answers[name].text)}"
-                     for name in assigned_names(source, master.answers))
+    """A line `name = ...` for each answer that the cell assigns. What it is stands beside it, or above it where an
+    editor would cut the line off."""
+    told = {name: f"{master.answers[name].kind}: {plain(master.answers[name].text)}"
+            for name in assigned_names(source, master.answers)}
+    beside = [f"{name} = ...  # {what}" for name, what in told.items()]
+    if all(len(line) <= WIDTH for line in beside):
+        return "\n".join(beside)
+    return "\n\n".join("\n".join([*wrap(what, WIDTH, initial_indent="# ", subsequent_indent="# "), f"{name} = ..."])
+                       for name, what in told.items())
 
 
 def _hints(master, names):

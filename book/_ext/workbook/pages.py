@@ -11,6 +11,7 @@ import re
 from docutils import nodes
 from docutils.statemachine import StringList
 from sphinx import addnodes
+from sphinx.transforms import SphinxTransform
 from sphinx.transforms.post_transforms import SphinxPostTransform
 from sphinx.util import logging
 from sphinx.util.docutils import SphinxDirective, SphinxRole
@@ -19,7 +20,7 @@ from sphinx_exercise.nodes import exercise_node
 
 from trajlib import exercises
 from trajlib.masters.contract import item_of
-from trajlib.masters.converting import core_text
+from trajlib.masters.converting import SENTENCE_END, core_text
 from workbook import catalogue
 from workbook.boxes import details, summary
 from workbook.downloads import link
@@ -168,9 +169,29 @@ class ProblemRole(SphinxRole):
     def run(self):
         for problem in catalogue.of(self.env).values():
             if problem.number == self.text:
-                return [to_page(self.env.docname, problem.page, f"problem {problem.number}")], []
-        logger.info(f"problem {self.text} has no page yet", location=self.get_location())
-        return [nodes.inline("", f"problem {self.text}")], []
+                reference = to_page(self.env.docname, problem.page, f"problem {problem.number}")
+                break
+        else:
+            logger.info(f"problem {self.text} has no page yet", location=self.get_location())
+            reference = nodes.inline("", f"problem {self.text}")
+        reference["problem"] = self.text
+        return [reference], []
+
+
+class BeginWithCapital(SphinxTransform):
+    """What begins a sentence, a paragraph, an entry of a list or a cell of a table says "Problem 1.15"."""
+
+    default_priority = 880
+
+    def run(self, **kwargs):
+        for reference in self.document.findall(lambda node: isinstance(node, nodes.Element) and "problem" in node):
+            before, place = "", reference
+            while isinstance(place.parent, nodes.TextElement):  # emphasis begins with what it holds
+                before = "".join(node.astext() for node in place.parent[:place.parent.index(place)]) + before
+                place = place.parent
+            if not before.strip() or SENTENCE_END.search(before):
+                text = next(iter(reference.findall(nodes.Text)))
+                text.parent.replace(text, nodes.Text(text[0].upper() + text[1:]))
 
 
 def topic_label(topic):
@@ -225,3 +246,4 @@ def setup(app):
     app.add_directive("problem-answers", ProblemAnswers)
     app.add_post_transform(AnswersBesideItems)
     app.add_role("problem", ProblemRole())
+    app.add_transform(BeginWithCapital)

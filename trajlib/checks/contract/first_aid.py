@@ -11,9 +11,11 @@ import re
 stopped = {}
 
 ASSIGNED = re.compile(r"^([A-Za-z_][\w, ]*?)\s*(?::[^=\n]+)?=(?!=)", re.M)
-CONDITIONS = ("Join conditions of SymPy with & (and), | (or), ~ (not), each in brackets of its own: "
-              "(k1 > 0) & (k2 < k1); or write sp.And(...), sp.Or(...), sp.Not(...), or a list of conditions that all "
-              "hold. A chain such as 0 < k2 < k1 is sp.And(0 < k2, k2 < k1).")
+CONDITIONS = """\
+Join conditions of SymPy with & (and), | (or), ~ (not), each in brackets of
+its own: (k1 > 0) & (k2 < k1); or write sp.And(...), sp.Or(...), sp.Not(...),
+or a list of conditions that all hold. A chain such as 0 < k2 < k1 is
+sp.And(0 < k2, k2 < k1)."""
 _before = {}
 
 
