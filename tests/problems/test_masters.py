@@ -43,10 +43,8 @@ SAMPLED = {"1.3": {"b_basin"}, "1.4": {"b_basin"}, "1.10": {"c_heading"}, "5.9":
 #: Wrong trials that agree with what is right, or with another mistake, at all places where answers are compared.
 LIKE_ANOTHER = {"2.3": 1, "2.26": 3}
 #: Answers of which one number may be one per cent off: it belongs to two terms that cancel, to a small term of a sum
-#: (5.62), to the moment of a switching, whose price is of second order (5.59), or the other numbers together make more
-#: uncertain (5.35).
-HARDLY_MATTERS = {"5.35": {"angle"}, "5.59": {"d_control"}, "5.62": {"d_cost"},
-                  "5.65": {"control"}}
+#: (5.62), or the other numbers together make more uncertain (5.35).
+HARDLY_MATTERS = {"5.35": {"angle"}, "5.62": {"d_cost"}, "5.65": {"control"}}
 #: Conditions that the statement takes for granted in one item and asks for in another, or has as a formula whose value
 #: is asked for.
 TOLD = {"1.2": {"b_stable"}, "1.3": {"a_stable"}, "3.3": {"c_speed_observable"}, "3.13": {"margins"}}

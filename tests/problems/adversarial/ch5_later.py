@@ -4,6 +4,8 @@ from adversarial import right, wrong
 
 S_57 = "(psi1*sp.cos(alpha) + psi2*sp.sin(alpha))"
 G_58 = "(psi3 + k0*(psi2*sp.cos(alpha) - psi1*sp.sin(alpha)))"
+ENTRY_59 = "(sp.asinh(1/(1 - b)) - sp.asinh(1))"
+ARC_59 = f"[-(1 - (1 - b)*sp.cosh{ENTRY_59})*sp.exp(-(t - {ENTRY_59})/sp.sqrt(2))/2, 3]"
 
 ROWS = [
     wrong("5.29", "switching", "psi_v/m + psi_m/c", "the mass falls"),
@@ -793,4 +795,16 @@ ROWS = [
     wrong("5.61", "b_surface", "[sp.Eq(x1*x2, 0)]", "both vanish there, not one of them"),
     wrong("5.62", "a_pontryagin", "psi1*x2 + psi2*u + x1**2", "the sign"),
     wrong("5.62", "a_adjoint", "[2*x1, psi1]", "the sign"),
+    # Near an optimum the cost and the ends say little of a control.
+    wrong("5.33", "law", "sp.atan(2.05 - 0.8*t)", "eight per mille off"),
+    wrong("5.37", "b_angle", "0.506*g*t/v0 - 1.06", "1.2 per cent off in both numbers"),
+    wrong("5.37", "b_angle", "1.012*(g*t/(2*v0) - sp.pi/3)", "1.2 per cent off"),
+    right("5.37", "b_angle", "0.5*g*t/v0 - 1.05", "three digits"),
+    wrong("5.40", "c_heading", "-1.01*sp.atan(sp.sinh(k*t - sp.asinh(k*a/v0)))", "one per cent off"),
+    wrong("5.40", "c_heading", "-sp.Rational(101, 100)*sp.atan(sp.sinh(k*t - sp.asinh(k*a/v0)))", "exactly 1.01"),
+    right("5.40", "c_heading", "-1.0*sp.atan(sp.sinh(k*t - sp.asinh(k*a/v0)))", "a decimal that is one"),
+    wrong("5.59", "d_control", f"[[-1, 1.02*{ENTRY_59}], {ARC_59}]", "two per cent late, in decimals"),
+    right("5.59", "d_control", f"[[-1, 1.0*{ENTRY_59}], {ARC_59}]", "a decimal that is one"),
+    right("5.59", "d_control", f"[[-1, sp.asinh(1/(1 - b)) - 0.881], {ARC_59}]", "three digits of arsinh 1"),
+    wrong("5.30", "control", "1 + sp.tanh(200*(t - 1.5368534))", "a smooth imitation of the jump"),
 ]

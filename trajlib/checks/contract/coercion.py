@@ -53,9 +53,16 @@ def as_expression(answer, symbols=()):
         raise Invalid("expected an expression, got one with cases that are True or False")
     if answer.has(sp.sinc):
         answer = answer.replace(sp.sinc, lambda x: sp.Piecewise((sp.sin(x) / x, sp.Ne(x, 0)), (1, True)))
+    if answer.has(sp.nan):
+        answer = answer.replace(_ends_undefined, lambda cases: sp.Piecewise(*cases.args[:-1]))
     if answer.has(sp.nan, sp.zoo):
         raise Invalid("the expression contains an undefined value (nan or a division by zero)")
     return with_symbols(answer, symbols)
+
+
+def _ends_undefined(part):
+    """Whether the last case is nan, as SymPy writes it where none is given."""
+    return isinstance(part, sp.Piecewise) and len(part.args) > 1 and part.args[-1] == (sp.nan, True)
 
 
 def _applied(function, symbols):

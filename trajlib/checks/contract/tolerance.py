@@ -24,6 +24,8 @@ NEGLIGIBLE = 1e-3
 CANCELLED = 0.1
 #: The change of each decimal is followed in expressions that have no more of them.
 MOST_FOLLOWED = 12
+#: The change of two decimals at once is followed in expressions that have no more of them.
+MOST_TOGETHER = 3
 
 
 def in_decimals(*written):
@@ -34,19 +36,36 @@ def in_decimals(*written):
 
 def changed(*written):
     """Pairs of lists of the SymPy objects with one of their decimals smaller and larger by what three digits leave
-    open; None if there are too many. The exponent of a root is exact however it is written.
+    open, the same with either sign; None if there are too many. The exponent of a root is exact however it is written.
 
     That is the share for any number, since SymPy multiplies: of 2*0.318*a it keeps 0.636*a.
     """
+    written, decimals = _followed(written)
+    if len(decimals) > MOST_FOLLOWED:
+        return None
+    return [[_moved(written, (number,), side) for side in (-1, 1)] for number in decimals]
+
+
+def changed_together(*written):
+    """The same with two decimals larger: for each of them a list with a change for each that comes after it; empty if
+    there are more than `MOST_TOGETHER`."""
+    written, decimals = _followed(written)
+    return [[_moved(written, (one, other), 1) for other in decimals[k + 1:]]
+            for k, one in enumerate(decimals)] if len(decimals) <= MOST_TOGETHER else []
+
+
+def _followed(written):
+    """The objects without decimals in roots, and the sizes of their decimals."""
     written = [sp.sympify(part) for part in written]
     roots = {power: sp.Pow(power.base, sp.nsimplify(power.exp, rational=True)) for part in written
              for power in part.atoms(sp.Pow) if power.exp.is_Float and float(4 * power.exp).is_integer()}
     written = [part.xreplace(roots) for part in written]
-    decimals = sorted({number for part in written for number in part.atoms(sp.Float) if number != 0}, key=float)
-    if len(decimals) > MOST_FOLLOWED:
-        return None
-    return [[[part.xreplace({number: number * (1 + side * DECIMALS)}) for part in written] for side in (-1, 1)]
-            for number in decimals]
+    return written, sorted({abs(n) for part in written for n in part.atoms(sp.Float) if n != 0}, key=float)
+
+
+def _moved(written, numbers, side):
+    factors = {one: one * (1 + side * DECIMALS) for number in numbers for one in (number, -number)}
+    return [part.xreplace(factors) for part in written]
 
 
 def share(*written, computed=EXACT):

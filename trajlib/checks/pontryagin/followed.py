@@ -10,6 +10,10 @@ from trajlib.checks.tools.wording import rounded_text
 
 #: Up to which share of its terms the least cost is known, and the cost of a process that is followed in small steps.
 COSTS = 1e-6
+#: At so many values of each decimal, between those that three digits leave open, the cost is looked at.
+ACROSS = 41
+#: How well a parabola says what the cost is between three of them, as a part of its changes.
+BENT = 0.02
 
 
 class Path:
@@ -40,10 +44,11 @@ class Path:
                             f"{high:.4g}")
 
 
-def does_as_well(times, states, best, problem, rounding, where, whose, others=()):
+def does_as_well(times, states, best, problem, rounding, where, whose, others=(), together=()):
     """Raise `Wrong` unless a process keeps to the ends and costs no more than the best one; `states` hold the cost so
     far as the last entry, `whose` says what the process is made by. `others` are the pairs of ends to which it comes
-    when one of its decimals is changed by what it leaves open."""
+    when one of its decimals is changed by what it leaves open, `together` those where two are, as `changed_together`
+    lists them."""
     if problem.first_return:
         meets_once(times, states, best, where)
     keeps_to_the_ends(states[-1], best, rounding, f"{where}under {whose}", others)
@@ -51,10 +56,11 @@ def does_as_well(times, states, best, problem, rounding, where, whose, others=()
     cost = best.total(states[-1])
     excess = sign * (cost - best.cost)
     allowed = max(COSTS, rounding if rounding > INTEGRATED else 0) * best.cost_size()
-    least = excess + sum(reach(*(sign * (best.total(end) - cost) for end in sides))[0] for sides in others)
+    gained, both = ([[sign * (best.total(end) - cost) for end in ends] for ends in part] for part in (others, together))
+    least = excess + (_least_of_all(gained, both) if both else sum(reach(*sides)[0] for sides in gained))
     if least < -10 * allowed and not others:
         raise RuntimeError(f"a process was given that does better than the best one found, by {-excess:.2g}")
-    if not least <= allowed:
+    if not least <= allowed + BENT * max((abs(part) for sides in gained for part in sides), default=0):
         told = cost if abs(cost) > 1e-9 * best.cost_size() else 0  # what is mere rounding
         raise Wrong(f"{where}{whose} costs {told:.4g}; there is an admissible process with the same ends that costs "
                     + ("more, and the cost is to be great" if problem.maximise else "less"))
@@ -78,8 +84,21 @@ def reach(below, above):
     return np.minimum.reduce([below, above, inner]), np.maximum.reduce([below, above, inner])
 
 
+def _least_of_all(sides, both):
+    """The least value on [-1, 1]^n of the polynomial of second degree that vanishes at zero and has the given values
+    at -1 and 1 on the axes, and where two coordinates are 1."""
+    axes = np.meshgrid(*[np.linspace(-1, 1, ACROSS)] * len(sides))
+    value = sum((above - below) / 2 * s + (above + below) / 2 * s**2 for (below, above), s in zip(sides, axes))
+    for j, row in enumerate(both):
+        for k, corner in enumerate(row, j + 1):
+            value = value + (corner - sides[j][1] - sides[k][1]) * axes[j] * axes[k]
+    return float(value.min())
+
+
 def meets_once(times, states, best, where):
-    sides = np.array([best.gap(y)[0] for y in states[1:-1]])
+    # When the best process ends is known up to `INTEGRATED`.
+    early = np.asarray(times[1:-1]) < (1 - INTEGRATED) * times[-1]
+    sides = np.array([best.gap(y)[0] for y, inner in zip(states[1:-1], early) if inner])
     small = 1e-6 * best.size()
     if sides.min(initial=0) < -small and sides.max(initial=0) > small:
         k = int(np.flatnonzero(np.sign(sides) != np.sign(sides[np.argmax(np.abs(sides[:9]))]))[0])

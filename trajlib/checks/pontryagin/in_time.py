@@ -8,7 +8,7 @@ import sympy as sp
 
 from trajlib.checks.contract import coercion
 from trajlib.checks.contract.claims import Claim
-from trajlib.checks.contract.tolerance import changed, in_decimals, share
+from trajlib.checks.contract.tolerance import changed, changed_together, in_decimals, share
 from trajlib.checks.contract.verdict import Invalid, Wrong
 from trajlib.checks.tools.values import real_function
 
@@ -101,6 +101,9 @@ class Steering:
         #: Pairs of controls that the decimals of this one leave open.
         self.changed = [[Steering(_arcs(side, arcs), time, parameters, False) for side in sides]
                         for sides in others or ()]
+        #: The same with two of them changed, a row for each decimal and one for each after it.
+        self.together = [[Steering(_arcs(both, arcs), time, parameters, False) for both in row]
+                         for row in (changed_together(*parts) if others else ())]
         self.rounding = share(*parts, computed=INTEGRATED) if others is None else INTEGRATED
         self.lasting = (1 if followed else 3) * share(*parts, computed=INTEGRATED)
 

@@ -30,7 +30,7 @@ BEFORE, BESIDE = (3e-4, 2e-3), (5e-5, 5e-3)
 CLOSER = (0.05, 0.15, 0.25, 0.4)
 #: To what share of the distance of its bounds a control between them is known along the best process, and next to
 #: where it comes to a bound without a jump: the moment of this changes the cost in the third order only.
-KNOWN, BENT = 2e-4, 2e-3
+KNOWN, BENT = 2e-4, 1e-3
 #: What is a smaller part of the state than this is next to the origin, where all borders meet.
 AWAY = 0.05
 #: The law on both sides of a border, so close to it in parts of the way across, has to have both values.

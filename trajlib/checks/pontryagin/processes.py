@@ -40,6 +40,8 @@ CERTAIN, ARC = 1e-3, 1e-4
 NEAR, BENT = 0.02, 4e-3
 #: Values of a control that differ by a smaller part of its jump are one; a jump takes so small a part of the duration.
 SAME, SUDDEN = 1e-6, 1e-9
+#: How much better the duration of the best process is known, and so where it ends, if it is what is to be least.
+TIMED = 0.05
 #: To what share the extreme values of a quantity along the best process are known.
 FOLLOWED = 5e-4
 
@@ -49,35 +51,57 @@ def optimal_control(claim, problem, time, parameters=None):
     """The control of an optimal process: an expression in time and parameters, or a list of arcs [value, until]."""
     read = Steering(claim, time, parameters)
     begun = ", begun as the best process is," if any(free_at_the_start(problem, parameters)) else ""
+    timed = TIMED if _only_time(problem) and read.rounding == INTEGRATED else 1
     for values, best in best_processes(problem, parameters):
         where = told_for(values)
         sections = read.sections(values, best.duration)
         path = Path(best, sections, where)
         path.admissible(read.lasting)
-        others = [[Path(best, side.sections(values, best.duration), where).states[-1] for side in sides]
-                  for sides in read.changed]
-        does_as_well(path.times, path.states, best, problem, read.rounding, where, "your control" + begun, others)
+        others, together = ([[Path(best, side.sections(values, best.duration), where).states[-1] for side in sides]
+                             for sides in part] for part in (read.changed, read.together))
+        does_as_well(path.times, path.states, best, problem, timed * read.rounding, where, "your control" + begun,
+                     others, together)
         _jumps_where_it_should(sections, best, read.rounding, where)
         _bends_where_it_should(sections, read.changed, best, values, where)
     return "it is admissible, keeps to the ends, and no process was found that does better"
 
 
 def _jumps_where_it_should(sections, best, rounding, where):
-    """Raise `Wrong` for a control that goes over by and by from one value to another where the best one jumps: if it is
-    quick, that costs next to nothing."""
+    """Raise `Wrong` for a control that goes over by and by from one value to another where the best one jumps, or comes
+    to the value of its first or last arc by and by: if it is quick, that costs next to nothing."""
     times, controls = np.asarray(best.times), np.asarray(best.controls)
     for k in range(1, len(times) - 2):
         before, after = controls[k], controls[k + 1]
         slack = max(rounding, SAME) * abs(after - before)
-        if not max(abs(controls[k - 1] - before), abs(controls[k + 2] - after)) < slack:
+        if max(abs(controls[k - 1] - before), abs(controls[k + 2] - after)) < slack and (
+                place := _slowly(sections, times[k - 1], before, times[k + 2], after, slack, best.duration)):
+            raise Wrong(f"{where}at t = {place:.4g} the best control jumps; yours takes values between")
+    for inner, k, end in ((1, 0, SUDDEN * best.duration), (-2, -1, (1 - SUDDEN) * best.duration)):
+        held, slack = controls[k], max(rounding, SAME) * max(abs(controls[k]), SAME)
+        if abs(controls[inner] - held) < slack and (
+                place := _slowly(sections, times[inner], held, end, None, slack, best.duration)):
+            raise Wrong(f"{where}next to t = {place:.4g} the best control keeps one value; yours takes others")
+
+
+def _slowly(sections, first, before, last, after, slack, duration):
+    """The time at which a control leaves the value before and does not come to the one after at once; None where it
+    does, or has other values at the two instants. Without a value after that of the control itself stands for it."""
+    low, high = sorted((first, last))
+    for u in (u for begin, end, u in sections if begin <= low and high <= end):
+        after = u(np.array([last]))[0] if after is None else after
+        if abs(after - before) <= slack or not (abs(u(np.array([first]))[0] - before) <= slack
+                                                and abs(u(np.array([last]))[0] - after) <= slack):
             continue
-        first, last = times[[k - 1]], times[[k + 2]]
-        for u in (u for begin, end, u in sections if begin <= first[0] and last[0] <= end):
-            if abs(u(first)[0] - before) <= slack and abs(u(last)[0] - after) <= slack:
-                place = bisected(lambda t, _, u=u: abs(u(t) - before) <= slack, first, last, 50)[1]
-                said = u(place + SUDDEN * best.duration)[0]
-                if not abs(said - after) <= slack:
-                    raise Wrong(f"{where}at t = {place[0]:.4g} the best control jumps; yours takes values between")
+        place = bisected(lambda t, _, u=u: abs(u(t) - before) <= slack, np.array([first]), np.array([last]), 50)[1]
+        if not abs(u(place + np.sign(last - first) * SUDDEN * duration)[0] - after) <= slack:
+            return float(place[0])
+    return None
+
+
+def _values(sections, times):
+    """A control at instants."""
+    return np.concatenate([next(u for begin, end, u in sections if begin <= t <= end)(np.array([t]))
+                           for t in np.clip(times, sections[0][0], sections[-1][1])])
 
 
 def _bends_where_it_should(sections, changed, best, values, where):
@@ -100,13 +124,13 @@ def _bends_where_it_should(sections, changed, best, values, where):
 
 def _leap(sections, first, last, same):
     """By how much a control jumps where it leaves the value that it has at the first of two instants."""
-    def u(times):
-        return np.concatenate([next(u for begin, end, u in sections if begin <= t <= end)(np.array([t]))
-                               for t in np.clip(times, sections[0][0], sections[-1][1])])
+    held = _values(sections, [first])[0]
+    place = bisected(lambda t, _: abs(_values(sections, t) - held) <= same, np.array([first]), np.array([last]), 48)[1]
+    return _values(sections, place)[0] - held
 
-    held = u([first])[0]
-    place = bisected(lambda t, _: abs(u(t) - held) <= same, np.array([first]), np.array([last]), 48)[1]
-    return u(place)[0] - held
+
+def _only_time(problem):
+    return problem.running == 1 and problem.final == 0 and problem.duration is None
 
 
 @judged(Motion("time", "parameters", problem="problem", time="time"))
@@ -115,7 +139,7 @@ def optimal_motion(claims, problem, time, parameters=None):
     derivatives."""
     motion, given = InTime(claims, time, parameters), ~np.array(free_at_the_start(problem, parameters))
     # A motion that arrives at the least time is optimal, whatever it does before.
-    only_time = problem.running == 1 and problem.final == 0 and problem.duration is None
+    only_time = _only_time(problem)
     for values, best in best_processes(problem, parameters):
         where, slack = told_for(values), motion.rounding * best.size()
         start = motion.values(0.0, values)

@@ -186,10 +186,10 @@ class SampledOptimum(FastestTimes):
 
         For a linear plant an extremal is optimal if an admissible control can hold the state on the target.
         """
-        if "extremals" not in self.kept:
+        if "followed back" not in self.kept:
             parts = [self._followed_back(k) for k in range(len(self.cases))] if self.convex.point else [None]
-            self.kept["extremals"] = None if None in parts else tuple(map(Lanes.joined, zip(*parts)))
-        return self.kept["extremals"]
+            self.kept["followed back"] = None if None in parts else tuple(map(Lanes.joined, zip(*parts)))
+        return self.kept["followed back"]
 
     def _followed_back(self, case):
         plant, end = self.plant, self.convex.corner(case)
