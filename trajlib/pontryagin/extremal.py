@@ -224,7 +224,7 @@ def solve(problem, structure=None, guess=None):
         if reason:
             raise WrongStructure(reason)
         return extremal
-    refuse_falling(numeric, *found.pictures[0])
+    refuse_falling(numeric, found)
     reasons = []
     for picture, side in found.pictures:
         extremal = _joined(problem, numeric, picture, side, found, made, reasons)
@@ -232,7 +232,7 @@ def solve(problem, structure=None, guess=None):
             return extremal
     picture, side = found.pictures[0]
     if settled_duration(numeric, picture) is None:
-        refuse_endless(numeric, picture, side)
+        refuse_endless(numeric, finer_picture(numeric, picture, side, 4) or picture, side)
     cost = -picture.cost if problem.maximise else picture.cost
     open_control = next((reason for reason in reasons if isinstance(reason, NotUnique)), None)
     if open_control:

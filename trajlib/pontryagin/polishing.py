@@ -18,6 +18,8 @@ INTEGRATED = 2e-13
 # How far Newton's last step may move the ends of the arcs, relative to the duration.
 DETERMINED = 1e-8
 SAMPLES = 32
+# Steps of the integrator on one arc, at most.
+MOST_STEPS = 1024
 # Segments of one arc, at most.
 MOST_PIECES = 48
 
@@ -159,29 +161,34 @@ def _solved(numeric, shot, duration, abnormal):
     """Newton with steps that are halved until the integration is exact to rounding."""
     first = np.concatenate([[shot.multiplier], shot.starts[0][numeric.n:2*numeric.n]])
     shot.multiplier, scale = (0.0 if abnormal else shot.multiplier), np.linalg.norm(first)
+    before = np.inf
     for _ in range(8):
         equations = ArcEquations(numeric, shot.flows, shot.steps, duration, first/scale**2, abnormal)
         z, residual, uncertainty = newton(equations, equations.pack(shot))
         shot = equations.unpack(z, residual, uncertainty)
-        coarse = _coarse_arcs(shot)
-        if not coarse or not np.isfinite(residual):
+        steps = _finer_steps(shot)
+        if steps == shot.steps or not np.isfinite(residual):
             break
-        for i in coarse:
-            shot.steps[i] *= 2
-        if shot.residual > 1e-3:
+        shot.steps = steps
+        # What finer steps do not mend is no error of the steps.
+        if shot.residual > max(ACCEPTED, min(1e-3, before/2)):
             break
+        before = shot.residual
     return shot
 
 
-def _coarse_arcs(shot):
-    """The arcs whose ends change when their steps are halved."""
-    coarse = []
+def _finer_steps(shot):
+    """The steps of each arc, doubled as often as an error of order 8 needs where its end changes when they are
+    halved."""
+    finer = list(shot.steps)
     for i, (flow, start, length) in enumerate(zip(shot.flows, shot.starts, shot.lengths)):
-        begin = np.append(start, 0.0)
-        once, twice = (flow.nodes(begin, shot.multiplier, length, s)[-1] for s in (shot.steps[i], 2*shot.steps[i]))
-        if not np.max(np.abs(once - twice)/(1 + np.abs(twice))) < INTEGRATED and shot.steps[i] < 1024:
-            coarse.append(i)
-    return coarse
+        begin, steps = np.append(start, 0.0), shot.steps[i]
+        once, twice = (flow.nodes(begin, shot.multiplier, length, s)[-1] for s in (steps, 2*steps))
+        error = np.max(np.abs(once - twice)/(1 + np.abs(twice)))
+        if not error < INTEGRATED and steps < MOST_STEPS:
+            doublings = np.log2(error/INTEGRATED)/8 if np.isfinite(error) else 1
+            finer[i] = int(min(steps*2**np.clip(np.ceil(doublings), 1, 3), MOST_STEPS))
+    return finer
 
 
 def sampled(numeric, shot):

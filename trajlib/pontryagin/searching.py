@@ -20,17 +20,20 @@ COARSE, CLOSE = 30, 0.05
 PATIENCE, REFINING, AGREEING = 100, 80, 3
 # What a cost has to fall by, as a share of it, when the duration is doubled: more than a discrete picture is wrong by.
 FALLS = 1e-3
+# A free duration that changes by a smaller share from few intervals to many is one of the problem, not of its steps.
+SETTLED = 0.05
 
 
 @dataclass(frozen=True)
 class Search:
-    """Discrete pictures, each with its side of the target, the best first; from how many starts, and how many
-    differ.
+    """Discrete pictures, each with its side of the target, the best first; from how many starts, and how many differ;
+    the durations that these had on few intervals.
     """
 
     pictures: list
     starts: int
     found: int
+    coarse_durations: list
 
 
 def search(numeric, guess=None, structure=None):
@@ -50,7 +53,7 @@ def search(numeric, guess=None, structure=None):
         attempts.explain()
     pictures = [(_descended(numeric, picture, side, attempts), side) for picture, side in pictures]
     pictures.sort(key=lambda pair: pair[0].cost)
-    return Search(pictures, attempts.starts, max(attempts.found, 1))
+    return Search(pictures, attempts.starts, max(attempts.found, 1), attempts.coarse_durations)
 
 
 class _Attempts:
@@ -60,6 +63,7 @@ class _Attempts:
         self.numeric, self.structure = numeric, structure
         self.failures, self.closest, self.starts, self.found = [], np.inf, 0, 0
         self.nearest, self.convex = None, theorem(numeric.problem) is not None
+        self.coarse_durations = []
 
     def solved(self, programme, start):
         """The picture that a start leads to, in a list; what fails is noted."""
@@ -103,13 +107,17 @@ class _Attempts:
             if not rough and not tried and not self.runs_away():
                 rough = self._compared(fine, self.reaching(side))
         self.found += len(rough)
-        pictures, refined = [], Transcription(numeric, INTERVALS, None, side, patience=REFINING)
+        pictures, refined = [], Transcription(numeric, INTERVALS, None, side, patience=REFINING, near=True)
         for picture in rough:
             if len(pictures) == 3 or pictures and picture.cost > pictures[0].cost + CLOSE*abs(pictures[0].cost):
                 break
             # Where IPOPT does not come to an end on many intervals, the picture on few has to do.
-            pictures += ([picture] if len(picture.controls) == INTERVALS else self.solved(
-                refined, (picture.duration, picture.states, picture.controls)) or [picture])
+            if len(picture.controls) == INTERVALS:
+                pictures.append(picture)
+                continue
+            finer = self.solved(refined, (picture.duration, picture.states, picture.controls))
+            self.coarse_durations += [picture.duration]*len(finer)
+            pictures += finer or [picture]
         return [(picture, side) for picture in pictures]
 
     def _spread(self, side, ladder=False):
@@ -300,24 +308,27 @@ def settled_duration(numeric, picture):
     return None
 
 
-def refuse_falling(numeric, picture, side):
+def refuse_falling(numeric, found):
     """Raise `Unbounded` before any arcs are joined, if twice as much time costs less, and four times as much even less.
 
     At such a picture nothing is stationary but the errors of its steps, and to join its arcs takes minutes and fails.
+    With longer steps it has another duration: where it keeps its own, nothing has to be tried.
     """
-    problem = numeric.problem
+    problem, (picture, side) = numeric.problem, found.pictures[0]
     if problem.time_optimal or problem.first_return or settled_duration(numeric, picture) is not None:
+        return
+    if any(abs(duration - picture.duration) < SETTLED*picture.duration for duration in found.coarse_durations):
         return
     costs = [picture.cost]
     for factor in (2, 4):
-        result = _with_duration(numeric, picture, side, factor)
+        result = _with_duration(numeric, picture, side, factor, PATIENCE)
         if not isinstance(result, Picture) or not result.cost < costs[-1] - FALLS*abs(costs[-1]):
             return
         costs.append(result.cost)
     refuse_endless(numeric, picture, side)
 
 
-def _with_duration(numeric, picture, side, factor):
+def _with_duration(numeric, picture, side, factor, patience=400):
     """The picture, or the failure, for another duration, with steps as long as those of the picture."""
     from dataclasses import replace
 
@@ -325,7 +336,7 @@ def _with_duration(numeric, picture, side, factor):
 
     duration = factor*picture.duration
     fixed = NumericProblem(replace(numeric.problem, duration=duration))
-    programme = Transcription(fixed, int(np.ceil(factor*len(picture.controls))), side=side)
+    programme = Transcription(fixed, int(np.ceil(factor*len(picture.controls))), side=side, patience=patience)
     return programme.solve((duration, picture.states, picture.controls))
 
 

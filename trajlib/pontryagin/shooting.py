@@ -205,21 +205,27 @@ def newton(equations, z, iterations=80):
         sizes.append(np.linalg.norm(r))
         if not np.isfinite(J).all() or sizes[-1] > CRAWLING*max(sizes[-PATIENCE - 1:-PATIENCE], default=np.inf):
             break
-        # Steps that have to be shortened much may go along a family of solutions (a closed path may begin anywhere).
-        better = _shortened(equations, z, r, J, 1e-13, 1e-2) or _shortened(equations, z, r, J, RANK, 1e-7)
+        step = _least_squares(J, r, 1e-13)
+        better = _shortened(equations, z, r, step, 1e-2)
+        if not _rounded(z, sizes[-1]) and (better is None or np.linalg.norm(better[1]) > CRAWLING*sizes[-1]):
+            # Such a step may go along a family of solutions (a closed path may begin anywhere).
+            across = _least_squares(J, r, RANK)
+            if better is None or np.linalg.norm(across) < np.linalg.norm(step)/2:
+                other = _shortened(equations, z, r, across, 1e-7 if better is None else 1e-2)
+                better = min(filter(None, (better, other)), key=lambda tried: np.linalg.norm(tried[1]), default=None)
         if better is None:
             break
         z, r, J = better
     if not np.isfinite(J).all():
         return z, np.inf, np.inf
-    step = np.linalg.lstsq(J, -r, rcond=1e-13)[0][equations.lengths]
+    step = _least_squares(J, r, 1e-13)[equations.lengths]
     return (z, float(np.max(np.abs(r)/np.clip(np.abs(J) @ np.abs(z), 1.0, CANCELLING))),
             float(np.max(np.abs(step))/np.sum(z[equations.lengths])))
 
 
-def _shortened(equations, z, r, J, rank, shortest):
+def _shortened(equations, z, r, step, shortest):
     """(z, r, J) after a step along which the residual falls, its length being halved down to the shortest; or None."""
-    step, size = np.linalg.lstsq(J, -r, rcond=rank)[0], np.linalg.norm(r)
+    size = np.linalg.norm(r)
     lengths, change = z[equations.lengths], step[equations.lengths]
     shrinking = change < 0
     # An arc loses at most nine tenths of its length in one step.
@@ -231,10 +237,35 @@ def _shortened(equations, z, r, J, rank, shortest):
         if np.isfinite(size_trial) and size_trial < size*(1 - 1e-4*alpha):
             return trial, r_trial, J_trial
         # Near rounding error only a full step can still help.
-        if size <= 1e-12*(1 + np.linalg.norm(z)):
+        if _rounded(z, size):
             break
         alpha /= 2
     return None
+
+
+def _least_squares(J, r, rank):
+    """The shortest step for which J step + r is least, directions below the share `rank` of the largest singular value
+    of J being left out.
+
+    Where there are none, the step solves a square system, and no singular values are needed, which take most of the
+    time of long arcs with many segments.
+    """
+    count = len(r)
+    if J.shape[1] == count:
+        try:
+            inverse = np.linalg.inv(J)
+        except np.linalg.LinAlgError:
+            inverse = np.full_like(J, np.inf)
+        # The ratio of the singular values is at least 1/n of this one, by the norms.
+        if 1/(np.linalg.norm(J, 1)*np.linalg.norm(inverse, 1)) > count*rank:
+            step = -inverse @ r
+            return step - inverse @ (J @ step + r)
+    return np.linalg.lstsq(J, -r, rcond=rank)[0]
+
+
+def _rounded(z, size):
+    """Whether residuals of this size are near rounding error."""
+    return size <= 1e-12*(1 + np.linalg.norm(z))
 
 
 def build_flows(numeric, kinds, made):

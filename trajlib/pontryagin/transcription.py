@@ -45,10 +45,11 @@ class Transcription:
     `structure`: kinds of the arcs, as for `ArcFlow`; each arc then has intervals of its own and a length of its own,
     and its controls are kept at their bounds or left free. None: all intervals are equal and all controls free. `side`:
     the side of the target to stay on before the end (first return). `distance_only`: minimise the distance of the end
-    from the target instead of the cost.
+    from the target instead of the cost. `patience`: iterations at most. `near`: starts will be nearly solutions, from
+    which IPOPT may step without its filter.
     """
 
-    def __init__(self, numeric, intervals, structure=None, side=None, distance_only=False, patience=400):
+    def __init__(self, numeric, intervals, structure=None, side=None, distance_only=False, patience=400, near=False):
         self.numeric, self.structure = numeric, structure
         self.groups = 1 if structure is None else len(structure)
         self.each = max(12, intervals//self.groups) if structure else intervals
@@ -81,6 +82,8 @@ class Transcription:
                    "ipopt.max_iter": patience,
                    "ipopt.bound_relax_factor": 0.0, "ipopt.mu_strategy": "adaptive", "show_eval_warnings": False,
                    "error_on_fail": False}
+        if near:
+            options["ipopt.adaptive_mu_globalization"] = "kkt-error"
         self.solver = ca.nlpsol("transcription", "ipopt", {
             "x": ca.veccat(X, U, D), "f": cost, "g": ca.vertcat(*(e for e, _, _ in parts))}, options)
 
