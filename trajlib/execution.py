@@ -124,8 +124,9 @@ def judge_cells(cells, encoded, unreadable, names):
     return judge_answers(cells, lambda: decoded(encoded, unreadable, names), names)
 
 
-def judge_answers(cells, answers, names):
+def judge_answers(cells, answers, names, namespace=None):
     """The same, where `answers()` gives them by name as `decoded` does; it is called when the first check is due.
+    `namespace` is what cells before these have left.
 
     What was handed over reaches the check cells under the names of the answers alone: nothing else of theirs, such as
     the data, can be replaced by it.
@@ -133,19 +134,24 @@ def judge_answers(cells, answers, names):
     os.environ.setdefault("MPLBACKEND", "Agg")
     from trajlib.checks import collecting
 
-    given, namespace = None, {"__name__": "exercise"}
+    given, namespace = None, {"__name__": "exercise"} if namespace is None else namespace
     with collecting() as verdicts:
         for role, source in cells:
             if role != "check":
-                exec(compile(source, f"<{role} cell>", "exec"), namespace)
+                run_cell((role, source), namespace)
                 continue
             given = answers() if given is None else given
             namespace.update(given)
             with suppress(Exception):  # a check cell that fails leaves its own answers unchecked, and no others
-                exec(compile(source, "<check cell>", "exec"), namespace)
+                run_cell((role, source), namespace)
     unchecked = Verdict(UNCHECKED, "no check cell could judge this answer; the fault is the check's, not yours")
     return {name: [verdict.status, verdict.message, verdict.mistake]
             for name in names for verdict in [verdicts.get(name, unchecked)]}
+
+
+def run_cell(cell, namespace):
+    role, source = cell
+    exec(compile(source, f"<{role} cell>", "exec"), namespace)
 
 
 def decoded(encoded, unreadable, names):

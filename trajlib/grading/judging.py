@@ -1,7 +1,8 @@
 """Judge what a notebook handed over: decode, run data and check cells of the pristine exercise, within limits.
 
 Each judgement is a forked child with bounds on time and memory, since an answer can be an expression built to
-explode. It starts, and runs the data cells, while the notebook is still running. If the whole notebook cannot be judged
+explode. It starts while the notebook is still running, and finds the data cells run: its parent does that once a
+problem. If the whole notebook cannot be judged
 within them, its answers are judged one by one, so that one such answer costs only itself; it becomes `unchecked`, which
 a lecturer has to look at, never wrong and never right.
 """
@@ -14,10 +15,11 @@ import resource
 import sys
 from contextlib import suppress
 from dataclasses import dataclass, field
+from functools import lru_cache
 
 from trajlib.checks.contract.encoding import describe
 from trajlib.checks.contract.verdict import MISSING, UNCHECKED, Unusable, Verdict
-from trajlib.execution import CONTEXT, Child, TimeLimit, decoded, judge_answers
+from trajlib.execution import CONTEXT, Child, TimeLimit, decoded, judge_answers, run_cell
 from trajlib.grading.isolation import end_with_parent, loaded
 from trajlib.grading.printable import printable
 
@@ -80,7 +82,8 @@ class Judging:
     """Gets ready from now on to judge one notebook of an exercise; then `of` its outcome comes the judgement."""
 
     def __init__(self, exercise, bounds=Bounds()):
-        self._names, self._cells, self._bounds = list(exercise.about["answers"]), exercise.code("data", "check"), bounds
+        self._names, self._bounds = list(exercise.about["answers"]), bounds
+        self._cells = tuple(exercise.code("data", "check"))
         self._first = _Judge(self._cells, self._names, bounds.first_seconds, bounds.memory_megabytes)
 
     def of(self, outcome):
@@ -144,11 +147,26 @@ def _computed_by_children():
     return used.ru_utime + used.ru_stime
 
 
+@lru_cache(maxsize=16)
+def _begun(cells):
+    """(names and values after the data cells at the beginning, the cells that follow): ours, and the same for all who
+    are judged, who each get a copy with their process."""
+    first = next((k for k, (role, _) in enumerate(cells) if role == "check"), len(cells))
+    namespace = {"__name__": "exercise"}
+    try:
+        for cell in cells[:first]:
+            run_cell(cell, namespace)
+    except Exception:  # the judge meets it too, and tells
+        return None, cells
+    return namespace, cells[first:]
+
+
 class _Judge:
     """A child that judges once what is handed over: all answers, or `only` one."""
 
     def __init__(self, cells, names, seconds, megabytes, only=None):
         receiver, self._sender = CONTEXT.Pipe(duplex=False)
+        _begun(tuple(cells))  # here, so that it is there in all who are forked from this process
         self._child = Child(_judge, receiver, self._sender, cells, names, seconds, megabytes, only)
         self._seconds = seconds
         receiver.close()
@@ -185,7 +203,8 @@ def _judge(receiver, sender, cells, names, seconds, megabytes, only):
                            for name, text in encoded.items()}
         return given
 
-    verdicts = judge_answers(cells, answers, names)
+    namespace, following = _begun(tuple(cells))
+    verdicts = judge_answers(following, answers, names, namespace)
     told = {name: [status, printable(message[:2000], keep="\n"), mistake]
             for name, (status, message, mistake) in verdicts.items()}
     return [told, *(found[key] for key in ("texts", "remarks", "stopped", "hashes"))]

@@ -3,7 +3,8 @@
 It is started afresh with an empty environment, and hears only what to fork, never anything of a student's: whatever it
 held would stand in the memory of every notebook's process. Sandboxes come from a second nursery, forked from the first
 before that imports what checks alone use: the smaller a process, the cheaper its forks. A lane asks for them there, and
-is itself no ancestor of theirs; so nothing that a lane learns is ever inside one.
+is itself no ancestor of theirs; so nothing that a lane learns is ever inside one. In a sandbox, notebooks' processes
+come from a third one (`worker`).
 """
 
 import json
@@ -14,7 +15,7 @@ import socket
 import subprocess
 import threading
 import time
-from contextlib import suppress
+from contextlib import contextmanager, suppress
 from functools import partial
 
 from trajlib.grading import isolation
@@ -75,15 +76,39 @@ class Nursery:
 
     def load(self, modules):
         """Let it import more before it forks next. Nobody waits for that; if it dies of it, the next fork tells."""
-        with self._asking, suppress(OSError):
+        with self._asking, suppress(NotStarted):
             self._tell({"load": list(modules)})
 
     def fork(self, kind, given, descriptors):
         """Fork a process of a `kind` (of `_KINDS`) with these descriptors as its 0, 1, ..., where None leaves what is
         there; returns its number."""
+        with self._asking:
+            self.begin_fork(kind, given, descriptors)
+            return self.forked()
+
+    def begin_fork(self, kind, given, descriptors):
+        """What `fork` does, without waiting: whoever alone asks this nursery gets the number from `forked`."""
         numbers = [number for number, descriptor in enumerate(descriptors) if descriptor is not None]
-        return self._ask({"fork": kind, "given": given, "numbers": numbers},
-                         [descriptors[number] for number in numbers])["number"]
+        self._tell({"fork": kind, "given": given, "numbers": numbers}, [descriptors[number] for number in numbers])
+
+    def forked(self):
+        return self._answer()["number"]
+
+    def place_in_proc(self):
+        """Of one that tells it first of all: its number, and a descriptor of the /proc in which it has this number."""
+        with _told():
+            number, descriptors, _, _ = socket.recv_fds(self._control, LONGEST, 1)
+        if not descriptors:
+            raise NotStarted("the process that notebooks are forked from ended")
+        return int(number), descriptors[0]
+
+    def wake(self, number):
+        """Send a process that was forked here the signal of an alarm."""
+        self._tell({"wake": number})
+
+    def forget(self, number):
+        """What `end` does, without waiting."""
+        self._tell({"forget": number})
 
     def ended(self, number, within=0.0):
         """The exit code of a process forked here, negative for a signal; None if it runs on after so many seconds."""
@@ -98,20 +123,30 @@ class Nursery:
         self._control.close()
         self._end()
 
-    def _tell(self, request, descriptors=()):
-        socket.send_fds(self._control, [json.dumps(request).encode()], descriptors)
+    def _ask(self, request):
+        with self._asking:
+            self._tell(request)
+            return self._answer()
 
-    def _ask(self, request, descriptors=()):
-        try:
-            with self._asking:
-                self._tell(request, descriptors)
-                answer = self._control.recv(LONGEST)
-        except OSError as error:
-            raise NotStarted(f"the process that others are forked from is gone or too slow ({error})") from None
+    def _tell(self, request, descriptors=()):
+        with _told():
+            socket.send_fds(self._control, [json.dumps(request).encode()], descriptors)
+
+    def _answer(self):
+        with _told():
+            answer = self._control.recv(LONGEST)
         if not answer:
             raise NotStarted("the process that others are forked from ended: the machine may be out of memory; the same"
                              " command goes on from here")
         return json.loads(answer)
+
+
+@contextmanager
+def _told():
+    try:
+        yield
+    except OSError as error:
+        raise NotStarted(f"the process that others are forked from is gone or too slow ({error})") from None
 
 
 # In the nursery
@@ -119,25 +154,42 @@ class Nursery:
 
 def main(control, modules):
     preload(*modules, "trajlib.grading.lanes", "trajlib.grading.worker")
-    _serve(socket.socket(fileno=control))
+    serve(socket.socket(fileno=control), _KINDS)
 
 
-def _serve(control):
-    """Fork as asked until nobody is there to ask. Requests are the grader's own; nothing else ever comes in."""
-    this = os.getpid()
+def serve(control, kinds, apart=None, tidy=lambda: None):
+    """Fork as asked, of `kinds` (functions by name), until nobody is there to ask. Requests are the grader's own;
+    nothing else ever comes in.
+
+    `apart` is called before each fork where each process begins a namespace of its own, from which no parent is to be
+    seen; `tidy` when one was ended, and in the end.
+    """
+    this = os.getpid() if apart is None else 0
     while True:
         message, descriptors, _, _ = socket.recv_fds(control, LONGEST, 3)
         if not message:
+            tidy()
             return
         request = json.loads(message)
         if "load" in request:
             preload(*request["load"])
             continue
+        if "wake" in request:
+            with suppress(ProcessLookupError):
+                os.kill(request["wake"], signal.SIGALRM)
+            continue
+        if "forget" in request:
+            _end(request["forget"], 0)
+            tidy()
+            continue
         if "fork" in request:
+            if apart is not None:
+                apart()
             number = os.fork()
             if number == 0:
                 control.detach()
-                _run_to_the_end(_become, request["fork"], request["given"], descriptors, request["numbers"], this)
+                _run_to_the_end(_become, kinds[request["fork"]], request["given"], descriptors, request["numbers"],
+                                this)
             for descriptor in descriptors:
                 os.close(descriptor)
             answer = {"number": number}
@@ -145,6 +197,7 @@ def _serve(control):
             answer = {"code": _code(request["ended"], request["within"])}
         else:
             answer = {"code": _end(request["end"], request["within"])}
+            tidy()
         with suppress(BrokenPipeError, ConnectionResetError):
             control.send(json.dumps(answer).encode())
 
@@ -175,14 +228,15 @@ def _end(number, within):
     return _codes.pop(number)
 
 
-def _become(kind, given, descriptors, numbers, parent):
+def _become(function, given, descriptors, numbers, parent):
+    # Or signals to its process group, number 0, would reach its parent through all namespaces.
     os.setsid()
     end_with_parent(parent)
     for number, descriptor in zip(numbers, descriptors, strict=True):  # both ascend, so that none is in the way
         os.dup2(descriptor, number)
     os.closerange(max([2, *numbers]) + 1, HIGHEST_DESCRIPTOR)
     _codes.clear()
-    _KINDS[kind](*given)
+    function(*given)
 
 
 def _run_to_the_end(function, *given):
@@ -200,11 +254,16 @@ def _run_to_the_end(function, *given):
         os._exit(code)
 
 
-def _nursery():
+def control_of_input():
+    """The socket that this process was forked with as its input, which now leads nowhere."""
     control, nothing = os.dup(0), os.open("/dev/null", os.O_RDONLY)
     os.dup2(nothing, 0)
     os.close(nothing)
-    _serve(socket.socket(fileno=control))
+    return socket.socket(fileno=control)
+
+
+def _nursery():
+    serve(control_of_input(), _KINDS)
 
 
 def _lane(settings, bubblewrap):

@@ -3,18 +3,18 @@
 import json
 import os
 import signal
+import socket
 import subprocess
 import tempfile
 from contextlib import suppress
 from dataclasses import asdict, dataclass
+from functools import partial
 
 from trajlib.grading import framing, isolation, watching
 from trajlib.grading.nursery import Nursery
 from trajlib.grading.preloading import ALWAYS, LIBRARIES
 from trajlib.grading.worker import NOT_NESTED
 
-#: What a ready worker may need longer than the notebook itself: forking, namespaces, collecting.
-GRACE = 10.0
 #: Seconds that a worker may take to get ready, and how often it is started before that is given up.
 STARTING, STARTS = 60.0, 3
 
@@ -57,10 +57,12 @@ class Sandbox:
     Where the system allows no namespaces inside a sandbox, each notebook gets a sandbox of its own (`once`).
     """
 
+    _own_network = True
+
     def __init__(self, limits=Limits(), once=False, nursery=None):
         self.limits = limits
         self._once, self._nursery, self._own_nursery = once, nursery, None
-        self._worker = self._proc = None
+        self._worker = self._proc = self._place = None
         self._greeted = False
 
     def __enter__(self):
@@ -101,11 +103,16 @@ class Sandbox:
             self.start()
             self._greet()
             if self._once:
-                self._proc = os.open("/proc", os.O_RDONLY | os.O_DIRECTORY)
-                self._watch = watching.Watch(self._worker.pid, self._worker.stdout.fileno(), asdict(self.limits),
-                                             self._proc)
-                self._watch.prepared()
-            framing.send(self._worker.stdin.fileno(), self._request)
+                requests, results, below = self._worker.stdin.fileno(), self._worker.stdout.fileno(), self._worker.pid
+                self._proc, wake = os.open("/proc", os.O_RDONLY | os.O_DIRECTORY), lambda: None
+            else:
+                self._make_place()
+                requests, results, below = self._place.requests, self._place.results, self._below
+                self._place.number = self._worker.children.forked()
+                wake = partial(self._worker.children.wake, self._place.number)
+            self._watch = watching.Watch(below, results, asdict(self.limits), self._proc, self._own_network, wake)
+            self._watch.prepared()
+            framing.send(requests, self._request)
         except (framing.Broken, OSError, isolation.NoIsolation) as trouble:
             self._in_the_way = trouble
 
@@ -113,26 +120,31 @@ class Sandbox:
         try:
             if self._in_the_way is not None:
                 raise self._in_the_way
-            outcome = self._outcome_once() if self._once else self._outcome()
+            ended, message = self._watch.answers()
+            outcome = self._told(ended, self._how_it_died() if ended == b"died" else message)
         except (framing.Broken, OSError, isolation.NoIsolation) as trouble:
             outcome = Outcome("failed", str(trouble).encode())
         if self._once or outcome.ended == "failed":
             self._stop()
-        if self._once:
-            with suppress(isolation.NoIsolation):
-                self.start()  # it gets ready while this outcome is judged
+        with suppress(isolation.NoIsolation, OSError):  # the next one gets ready while this outcome is judged
+            if self._once:
+                self.start()
+            elif self._worker is not None:
+                self._leave_place()
+                self._make_place()
         return outcome
 
-    def _outcome(self):
-        ended, _, message = framing.receive(self._worker.stdout.fileno(), self.limits.wall_seconds
-                                            + GRACE).partition(b"|")
-        return self._told(ended, message)
+    def _make_place(self):
+        if self._place is None:
+            self._place = _Place(self._worker.children)
 
-    def _outcome_once(self):
-        ended, message = self._watch.answers()
-        if ended == b"died":
-            message = self._how_it_died()
-        return self._told(ended, message)
+    def _leave_place(self):
+        place, self._place = self._place, None
+        place.close()
+        self._put_away(place.number)
+
+    def _put_away(self, number):
+        self._worker.children.forget(number)
 
     def _told(self, ended, message):
         # The first process of a namespace cannot be killed from inside: this was the kernel, or somebody on the
@@ -141,6 +153,10 @@ class Sandbox:
                 else Outcome(ended.decode(), message))
 
     def _how_it_died(self):
+        """"exit 3", "signal 11", or "silent" if it lives on but has closed its pipe."""
+        if not self._once:
+            code = self._worker.children.ended(self._place.number, within=0.5)
+            return b"silent" if code is None else f"signal {-code}".encode() if code < 0 else f"exit {code}".encode()
         with suppress(subprocess.TimeoutExpired):
             code = self._worker.wait(timeout=1)
             # Bubblewrap's exit code is that of the process inside, or 128 and its signal.
@@ -168,6 +184,8 @@ class Sandbox:
             return
         self._greeted = greeting == b"ready"
         if self._greeted:
+            if not self._once:
+                self._below, self._proc = self._worker.children.place_in_proc()
             return
         self._stop()
         if greeting != NOT_NESTED:
@@ -221,25 +239,47 @@ class Sandbox:
             for pipe in (self._worker.stdin, self._worker.stdout, self._worker.stderr):
                 pipe.close()
             self._worker = None
+        if self._place is not None:
+            self._place.close()
+            self._place = None
         if self._proc is not None:
             os.close(self._proc)
             self._proc = None
 
 
+class _Place:
+    """A process, begun, in which the next notebook is to run, and the pipes to it and from it."""
+
+    def __init__(self, children):
+        self.number = None
+        (theirs, self.requests), (self.results, mine) = os.pipe(), os.pipe()
+        try:
+            children.begin_fork("notebook", [], [theirs, mine])
+        finally:
+            os.close(theirs)
+            os.close(mine)
+
+    def close(self):
+        os.close(self.requests)
+        os.close(self.results)
+
+
 class Forked:
-    """A worker forked from a nursery, to be used like a `subprocess.Popen`."""
+    """A worker forked from a nursery, to be used like a `subprocess.Popen`; itself the nursery of its `children`."""
 
     def __init__(self, nursery, *given):
         self._nursery, self.returncode = nursery, None
-        pipes = [os.pipe() for _ in range(3)]
-        inside = [pipes[0][0], pipes[1][1], pipes[2][1]]
+        self.stdin, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
+        self.children = Nursery(self.stdin)
+        pipes = [os.pipe() for _ in range(2)]
+        inside = [pipes[0][1], pipes[1][1]]
         try:
-            self.pid = nursery.fork("worker", given, inside)
+            with theirs:
+                self.pid = nursery.fork("worker", given, [theirs.fileno(), *inside])
         finally:
             for descriptor in inside:
                 os.close(descriptor)
-        self.stdin = open(pipes[0][1], "wb", buffering=0)
-        self.stdout, self.stderr = (open(pipe[0], "rb", buffering=0) for pipe in pipes[1:])
+        self.stdout, self.stderr = (open(pipe[0], "rb", buffering=0) for pipe in pipes)
 
     def wait(self, timeout=None):
         if self.returncode is None:
@@ -249,16 +289,17 @@ class Forked:
         return self.returncode
 
     def end(self):
-        """Kill it with its whole group, and forget it."""
+        """Let it end, which it does when nobody is there to ask, or kill it with its whole group; and forget it."""
+        self.stdin.close()
         with suppress(isolation.NotStarted):
-            self.returncode = self._nursery.end(self.pid)
+            self.returncode = self._nursery.end(self.pid, within=1)
 
 
 class Trusting(Sandbox):
     """No sandbox: notebooks run as the grader's own user, within limits. For students, or machines, that can be
     trusted."""
 
-    _folder = None
+    _folder, _own_network = None, False
 
     def start(self):
         if self._folder is None:
@@ -274,3 +315,6 @@ class Trusting(Sandbox):
 
     def _told(self, ended, message):
         return Outcome(ended.decode(), message)
+
+    def _put_away(self, number):
+        self._worker.children.end(number)  # with all that is left of it, which no namespace does here

@@ -35,11 +35,11 @@ class Watch:
     """Over the notebook that runs below the process `keeper` and hands over on `descriptor`.
 
     First wait until it is `prepared`, then give it its request, then wait for its `answers`. `proc` is a descriptor of
-    the /proc in which `keeper` is to be found. `wake(signal)` reaches the process that runs the cells, if there is a
+    the /proc in which `keeper` is to be found. `wake()` reaches the process that runs the cells, if there is a
     way to it: a cell that sleeps for half of the time left is stopped so, as `cells` does with one that computes.
     """
 
-    def __init__(self, keeper, descriptor, limits, proc, own_network=True, wake=lambda number: None):
+    def __init__(self, keeper, descriptor, limits, proc, own_network=True, wake=lambda: None):
         self._keeper, self._descriptor, self._limits = keeper, descriptor, limits
         self._proc, self._own_network, self._wake = proc, own_network, wake
 
@@ -91,7 +91,7 @@ class Watch:
         left = self._limits["cpu_seconds"] - (_seconds(processes) - self._seconds + self._idle)
         if self._idle_at_a_stretch > left:  # half of what was left when it fell asleep
             self._idle_at_a_stretch = 0.0
-            self._wake(signal.SIGALRM)
+            self._wake()
 
 
 def end_descendants(proc):

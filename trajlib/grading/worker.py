@@ -1,13 +1,13 @@
 """Runs students' notebooks inside the sandbox: a ready process that forks a child of its own for each.
 
-It forwards what each child handed over, as bytes it never looks into. The child is the first process of a PID
-namespace of its own, without network, with an empty /tmp and no /proc, without capabilities, within limits; when it
-is done, or out of time, everything it left behind ends with it.
+The child is the first process of a PID namespace of its own, without network, with an empty /tmp and no /proc, without
+capabilities, within limits; when it is done, or out of time, everything it left behind ends with it.
 
 The ready process never holds a request or an answer itself: whatever it had read would stand in the memory of every
-later child. Nor does any process that it was forked from (`nursery`). A keeper, forked for each notebook, forks the
-child, hands it the request, watches it and replies. Both are there, and the child is confined, before the request
-comes: while one notebook is judged, the next one's place gets ready.
+later child. Nor does any process that it was forked from (`nursery`). It only forks, and ends what it forked: the pipes
+on which the request comes and the answers leave lead from the grader to the child, and the grader watches it
+(`watching`). The child is there, and confined, before its request comes: while one notebook is judged, the next one's
+place gets ready.
 
 There are three modes: `nested`, as said; `once`, where the system allows no namespaces inside the sandbox: one
 notebook, run by this very process, which a sandbox of its own surrounds; `trusting`, with no sandbox around at all.
@@ -20,20 +20,18 @@ import math
 import os
 import resource
 import shutil
-import signal
+import socket
 import struct
 import tempfile
 import time
-from contextlib import suppress
+from functools import partial
 
 from trajlib.cells import prepare, run_cells
-from trajlib.grading import framing, system_calls, watching
+from trajlib.grading import framing, nursery, system_calls, watching
 from trajlib.grading.isolation import (
     CLONE_NEWIPC,
     CLONE_NEWNET,
     CLONE_NEWNS,
-    CLONE_NEWPID,
-    CLONE_NEWUSER,
     ENVIRONMENT,
     MS_BIND,
     MS_NODEV,
@@ -43,12 +41,12 @@ from trajlib.grading.isolation import (
     MS_REC,
     SCRATCH,
     NoIsolation,
-    end_with_parent,
     enter,
+    enter_namespaces,
+    enter_own_namespace,
     loaded,
     mount,
     system_call,
-    unshare,
     visible,
 )
 from trajlib.grading.preloading import ALWAYS, LIBRARIES, preload
@@ -60,18 +58,21 @@ NOT_NESTED = b"not nested"
 
 
 def begin(mode, limits, bubblewrap, folder):
-    """In a process forked from a nursery: go into a sandbox, and serve requests, each notebook within the limits
-    (`sandbox.Limits` as a dict); or with the mode "trusting" serve them here, with an empty `folder` for a home."""
+    """In a process forked from a nursery: go into a sandbox, and be the nursery of notebooks' processes there, each
+    within the limits (`sandbox.Limits` as a dict); or with the mode "trusting" here, with an empty `folder` for a
+    home."""
     home = {"HOME": folder, "TMPDIR": folder, "MPLCONFIGDIR": folder} if mode == "trusting" else {}
     # Visible folders (an installation) that lie where notebooks find an empty folder; found while paths are as outside.
     in_scratch = [str(path) for path in visible() if any(path.is_relative_to(folder) for folder in SCRATCH)]
+    apart = None
     if mode != "trusting":
         try:
             system_calls.check_known()
             enter(bubblewrap, limits)
             os.chdir("/tmp")
             _drop_capabilities()
-            if not _can_nest(limits, in_scratch):
+            apart = enter_own_namespace()
+            if not _can_nest(apart, limits, in_scratch):
                 raise OSError
         except NoIsolation as error:
             framing.send(1, str(error).encode())
@@ -82,14 +83,14 @@ def begin(mode, limits, bubblewrap, folder):
     os.environ.clear()
     os.environ.update(ENVIRONMENT | home)
     prepare()
+    control, proc = nursery.control_of_input(), os.open("/proc", os.O_RDONLY | os.O_DIRECTORY)
     framing.send(1, b"ready")
-    this = os.getpid()
-    while True:
-        keeper = os.fork()
-        if keeper == 0:
-            _keep(mode, limits, in_scratch, this)
-        if os.waitpid(keeper, 0)[1] != 0:
-            return  # no more requests, or the keeper failed: the grader sees a closed pipe
+    # Where the grader finds below which process notebooks run.
+    socket.send_fds(control, [os.readlink("/proc/self").encode()], [proc])
+    tidy = partial(_tidy, folder, proc) if mode == "trusting" else lambda: None
+    if mode == "trusting":  # orphans come to this process
+        system_call("prctl", PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
+    nursery.serve(control, {"notebook": partial(_run, limits, 0, 1, mode, folder, in_scratch)}, apart, tidy)
 
 
 def once(limits):
@@ -102,79 +103,35 @@ def once(limits):
     preload(*ALWAYS, *LIBRARIES)
     prepare()
     framing.send(1, b"ready")
-    _run(limits, 0, 1, "once")
+    _run(limits, 0, 1, "once", "/tmp", [])
 
 
-def _can_nest(limits, in_scratch):
+def _can_nest(apart, limits, in_scratch):
     """Try in a child whether this system allows namespaces inside the sandbox."""
+    apart()
     child = os.fork()
     if child == 0:
         try:
-            _enter_namespaces(limits, in_scratch)
+            _surround(limits, in_scratch)
             os._exit(0)
         finally:
             os._exit(1)
     return os.waitpid(child, 0)[1] == 0
 
 
-# The keeper
+def _tidy(folder, proc):
+    """What a trusted notebook left: processes, which end with nothing, and files."""
+    watching.end_descendants(proc)
+    shutil.rmtree(folder, ignore_errors=True)
+    os.makedirs(folder, exist_ok=True)
 
 
-def _keep(mode, limits, in_scratch, parent):
-    """Serve one request and end: 0 if it was answered."""
-    code, first, folder = 1, None, "/tmp"
-    try:
-        (childs_requests, requests), (results, childs_results) = os.pipe(), os.pipe()
-        proc = os.open("/proc", os.O_RDONLY | os.O_DIRECTORY)  # stays ours when the child's is covered
-        if mode == "nested":
-            _enter_namespaces(limits, in_scratch)
-        else:
-            end_with_parent(parent)
-            folder = tempfile.mkdtemp()
-            system_call("prctl", PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
-        keeper, first = os.getpid(), os.fork()
-        if first == 0:
-            _run(limits, childs_requests, childs_results, mode, folder, keeper)
-        os.close(childs_requests)
-        os.close(childs_results)
-        watch = watching.Watch(os.getpid(), results, limits, proc, own_network=mode == "nested",
-                               wake=lambda number: os.kill(first, number))
-        watch.prepared()
-        request = framing.receive(0)
-        with suppress(OSError):  # it has died, which its other pipe will tell
-            framing.send(requests, request)
-        ended, message = watch.answers()
-        if ended == b"died":
-            message = _how_it_died(first)
-        os.kill(first, signal.SIGKILL)
-        if mode == "trusting":  # nothing ends with it
-            _end(first, mode, folder, proc)
-        framing.send(1, ended + b"|" + message)
-        if mode == "nested":  # its memory and its namespaces are put away while the message is judged
-            os.waitpid(first, 0)
-        code = 0
-    except framing.Broken:
-        if first is not None:  # no more requests
-            _end(first, mode, folder, proc)
-    finally:
-        os._exit(code)
+# The notebook's own process
 
 
-def _end(first, mode, folder, proc):
-    """With the first process of its namespace every thread, child and daemon of the notebook ends."""
-    os.kill(first, signal.SIGKILL)
-    os.waitpid(first, 0)
-    if mode == "trusting":
-        watching.end_descendants(proc)
-        shutil.rmtree(folder, ignore_errors=True)
-
-
-def _enter_namespaces(limits, in_scratch):
-    user, group = os.getuid(), os.getgid()
-    unshare(CLONE_NEWUSER | CLONE_NEWNS | CLONE_NEWPID | CLONE_NEWNET | CLONE_NEWIPC)
-    for name, text in (("setgroups", "deny"), ("uid_map", f"{user} {user} 1"), ("gid_map", f"{group} {group} 1")):
-        with open(f"/proc/self/{name}", "w") as file:
-            file.write(text)
+def _surround(limits, in_scratch):
+    """Namespaces in which there is no network, and nothing that others wrote."""
+    enter_namespaces(CLONE_NEWNS | CLONE_NEWNET | CLONE_NEWIPC)
     mount("none", "/", flags=MS_REC | MS_PRIVATE)
     held = {path: os.open(path, os.O_PATH) for path in in_scratch}
     for folder in SCRATCH:
@@ -194,29 +151,14 @@ def _touch(path):
     open(path, "x").close()
 
 
-def _how_it_died(first):
-    """"exit 3", "signal 11", or "silent" if it lives on but has closed its pipe."""
-    give_up = time.monotonic() + 0.5
-    while time.monotonic() < give_up:
-        # Not reaped, so that its number stays its own until `_kill`.
-        ended = os.waitid(os.P_PID, first, os.WEXITED | os.WNOHANG | os.WNOWAIT)
-        if ended is not None:
-            return f"{'exit' if ended.si_code == os.CLD_EXITED else 'signal'} {ended.si_status}".encode()
-        time.sleep(0.01)
-    return b"silent"
-
-
-# The notebook's own process
-
-
-def _run(limits, requests, results, mode, folder="/tmp", keeper=None):
+def _run(limits, requests, results, mode, folder, in_scratch):
     """Give up everything, run the notebook that comes on `requests`, hand the answers over; never returns."""
     this = os.getpid()
     try:
         results, requests = _keep_only(results, requests)
         try:
-            _confine(limits, mode, keeper)
-            os.chdir(folder)
+            _confine(limits, mode, in_scratch)
+            os.chdir(tempfile.mkdtemp(dir=folder) if mode == "trusting" else folder)
         except Exception as error:
             framing.send(results, repr(error).encode())
             return
@@ -240,15 +182,13 @@ def _answers(request, limits):
                            "stopped": []}).encode()
 
 
-def _confine(limits, mode, keeper):
+def _confine(limits, mode, in_scratch):
+    if mode == "nested":
+        _surround(limits, in_scratch)
     _limit(limits, mode)
     if mode == "nested":
         mount("tmpfs", "/proc", "tmpfs", MS_NOSUID | MS_NODEV | MS_RDONLY, "nr_inodes=1,mode=555")
-    if mode != "once":
-        os.setsid()  # or signals to its process group, number 0, would reach the keeper through all namespaces
-    if mode == "trusting":
-        end_with_parent(keeper)
-    else:
+    if mode != "trusting":
         _give_up_privileges()
 
 
