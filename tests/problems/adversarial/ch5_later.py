@@ -4,6 +4,7 @@ from adversarial import right, wrong
 
 S_57 = "(psi1*sp.cos(alpha) + psi2*sp.sin(alpha))"
 G_58 = "(psi3 + k0*(psi2*sp.cos(alpha) - psi1*sp.sin(alpha)))"
+HALF_35 = "sp.sqrt(sp.sqrt(x0**2 + y0**2)/a)"
 ENTRY_59 = "(sp.asinh(1/(1 - b)) - sp.asinh(1))"
 ARC_59 = f"[-(1 - (1 - b)*sp.cosh{ENTRY_59})*sp.exp(-(t - {ENTRY_59})/sp.sqrt(2))/2, 3]"
 
@@ -807,4 +808,45 @@ ROWS = [
     right("5.59", "d_control", f"[[-1, 1.0*{ENTRY_59}], {ARC_59}]", "a decimal that is one"),
     right("5.59", "d_control", f"[[-1, sp.asinh(1/(1 - b)) - 0.881], {ARC_59}]", "three digits of arsinh 1"),
     wrong("5.30", "control", "1 + sp.tanh(200*(t - 1.5368534))", "a smooth imitation of the jump"),
+    right("5.32", "a_law", "mu*(T - 2*t)/2", "over a common denominator"),
+    wrong("5.32", "a_law", "mu*(T/2 - 1.01*t)", "one per cent off: it is not level at the end"),
+    right("5.32", "b_height", "a*T**2/4*(1/sp.sin(theta0) - sp.cot(theta0)**2*sp.log((1 + sp.sin(theta0))/"
+          "sp.cos(theta0)))", "by a logarithm"),
+    wrong("5.32", "b_height", "a*T**2/4*(1/sp.sin(theta0) - sp.cot(theta0)*sp.log((1 + sp.sin(theta0))/"
+          "sp.cos(theta0)))", "a square lost"),
+    right("5.32", "b_speed", "a*T*sp.cot(theta0)*sp.log(sp.tan(theta0/2 + sp.pi/4))", "by half the angle"),
+    right("5.34", "equation", "sp.Eq(4*((x0 + v_x0*T)**2 + (y0 + v_y0*T)**2)/T**4, a**2)", "solved for the thrust"),
+    wrong("5.34", "equation", "sp.Eq((x0 + v_x0*T)**2 + (y0 + v_y0*T)**2, 0.2525*a**2*T**4)", "one per cent off"),
+    right("5.35", "rest_control", f"[[sp.atan2(-y0, -x0), {HALF_35}], [sp.atan2(y0, x0), 2*{HALF_35}]]", "two arcs"),
+    wrong("5.35", "rest_control", f"[[sp.atan2(-y0, -x0), 1.01*{HALF_35}], [sp.atan2(y0, x0), 2*{HALF_35}]]",
+          "it turns round one per cent late"),
+    wrong("5.35", "rest_control", f"sp.atan2(-y0, -x0) + sp.pi*(1 + sp.tanh(1000*(t - {HALF_35})))/2",
+          "a smooth imitation of the turn"),
+    wrong("5.35", "rest_costate", f"[-k/(sp.sqrt(x0**2 + y0**2)*a*{HALF_35}) for k in (x0, y0, x0*(2*{HALF_35} - t), "
+          f"y0*(2*{HALF_35} - t))]", "it turns round at the end"),
+    right("5.35", "rest_costate", f"[-k/(sp.sqrt(x0**2 + y0**2)*a*{HALF_35}) for k in (x0, y0, x0*({HALF_35} - t), "
+          f"y0*({HALF_35} - t))]", "by the half of the time"),
+    right("5.40", "c_height", "a**2*k/(v0 + sp.sqrt(v0**2 + a**2*k**2))", "the root in the denominator, times k"),
+    wrong("5.43", "a_control", "sp.atan2(-psi2/c, psi1)", "the distance is forgotten"),
+    right("5.46", "transversality", "[psi1 + psi2 + 1, psi1 - psi2 - 1]", "sum and difference"),
+    wrong("5.47", "best", "sp.tanh(1000*t)", "it comes to the bound by and by"),
+    wrong("5.47", "best", "1 - sp.exp(-500*t)", "it comes to the bound by and by"),
+    right("5.47", "best", "2*sp.Heaviside(t) - 1", "a step at the start"),
+    right("5.50", "b_control", "[[v, sp.Rational(1, 2)], [-v, sp.Rational(3, 2)], [v, 2]]", "there and back"),
+    wrong("5.50", "b_control", "[[v, 1], [-v, sp.Rational(3, 2)], [v, 2]]", "it does not come back"),
+    right("5.50", "b_control", "v*sp.cos(sp.pi*t)", "a whole period"),
+    wrong("5.50", "b_control", "v*(1 - 1.01*t)", "one per cent off: it ends beside zero"),
+    wrong("5.50", "c_lost", "[[1, 0, -1, 0]]", "one of two"),
+    right("5.53", "surface", "sp.Eq(m, v**2*sp.sqrt(a*(c + v)/(b*(3*c + v))))", "solved for the mass"),
+    wrong("5.53", "glide", "m/(4*a)*sp.log((a*v1**4 + b*m)/(a*v2**4 + b*m))", "a square lost"),
+    right("5.57", "a_greatest", f"vbar*({S_57} + sp.Abs({S_57}))/2 + ombar*sp.sqrt(psi3**2) - 1", "half of the sum"),
+    wrong("5.57", "a_greatest", f"vbar*{S_57}*(1 + sp.tanh(1000*{S_57}))/2 + ombar*sp.Abs(psi3) - 1",
+          "a smooth imitation of a corner"),
+    wrong("5.57", "a_greatest", f"vbar*sp.Max({S_57}, 0) + ombar*psi3*sp.tanh(1000*psi3) - 1",
+          "a smooth imitation of the modulus"),
+    wrong("5.57", "a_control", f"[vbar*(1 + sp.tanh(1000*{S_57}))/2, ombar*sp.sign(psi3)]", "a smooth imitation"),
+    wrong("5.57", "c_duration", "sp.sqrt(a**2 + b**2)/vbar + sp.Abs(sp.atan2(b, a))/ombar", "it turns on the spot"),
+    right("5.62", "b_surface", "sp.Eq(x1**2 + x2**2, 0)", "a sum of squares"),
+    wrong("5.62", "d_leaving", "0.449*x2**2", "one per cent off"),
+    right("5.63", "gain", "-1 - sp.sqrt(1.5)", "the root of a decimal"),
 ]

@@ -145,7 +145,7 @@ def greatest_hamiltonian(claim, problem, costates, domain=None):
     if any(sp.diff(H, one, other) != 0 for one in controls for other in controls):
         raise ValueError("H is not linear in the controls")
     rest, slopes = H.subs(dict.fromkeys(controls, 0)), [sp.diff(H, u) for u in controls]
-    for values in _places(problem, costates, domain, controls=False):
+    for values in (*_places(problem, costates, domain, controls=False), *_near_switching(problem, costates, domain)):
         numbers = [float(e.subs(values)) for e in slopes]
         terms = [max(slope * low, slope * high) for slope, (low, high) in zip(numbers, _bounds(problem, values))]
         parts = [float(part.subs(values)) for part in sp.Add.make_args(rest)]
