@@ -8,6 +8,8 @@ r"""Formulas in words: as TeX between dollars, as one would type them where noth
 'K_(xx^2) and r_tau'
 >>> typeset("at k1 = -2 the root of x**2 + k1*x >= 0 is a_root")
 'at <i>k</i><sub>1</sub> = −2 the root of <i>x</i><sup>2</sup> + <i>k</i><sub>1</sub>\u202f<i>x</i> ≥ 0 is a_root'
+>>> typeset("A - LH - mu - a case")
+'<i>A</i> − LH − μ - a case'
 >>> typeset("for psi_x = 1, v_y = 2 and K_xy = 3")
 'for ψ<sub><i>x</i></sub> = 1, <i>v</i><sub><i>y</i></sub> = 2 and <i>K</i><sub><i>xy</i></sub> = 3'
 """
@@ -55,9 +57,10 @@ MATHEMATICS = re.compile(r"""
     (?: _?(?P<index>\d+) | _(?P<name>[A-Za-z]|%s|(?<=[A-Z]_)[a-z]{2}) )? (?P<primes>'*)
     (?! [\w"'] | \.\w | (?<=\b[aAI])(?=\s+\w) )
   | (?<=[\w)]) (?P<times>\*|\ \*\ ) (?=[\w(])
-  | (?P<sign><=|>=|!=|->|\boo\b|(?<![\w)])-(?=[\d.]|[A-Za-z]\w?\b|\()|(?<=\s)-(?=\s[\d(]))
+  | (?P<sign><=|>=|!=|->|\boo\b|(?<![\w)])-(?=[\d.]|[A-Za-z]\w?\b|\()
+      |(?<=\s)-(?=\s(?: [\d(] | (?!a\s)(?:[A-Za-z]|%s)(?:\d+|_\w+)?(?!\w) | [A-Z]{2}\b )))
   | \b(?P<root>sqrt)(?=\()
-""" % (2*("|".join(sorted(GREEK, key=len, reverse=True)),)), re.X)
+""" % (3*("|".join(sorted(GREEK, key=len, reverse=True)),)), re.X)
 
 
 def plain(text):

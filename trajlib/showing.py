@@ -60,6 +60,7 @@ def _joined(values, texts):
 
 
 def _markdown(value):
+    value = _read(value)
     if isinstance(value, str):
         parts = re.split(r"(\$[^$]+\$)", value)
         return "".join(part if FORMULA.fullmatch(part) else typeset(part, _escaped) for part in parts)
@@ -78,6 +79,21 @@ def _markdown(value):
     if type(value) in (list, tuple) and value and not all(isinstance(item, str) for item in value):
         return f"({', '.join(map(_markdown, value))})"
     return _markdown(str(value))
+
+
+def _read(value):
+    """Without what no reader wants: the comma after the only entry of a tuple, and digits of decimals beyond eight."""
+    if type(value) in (list, tuple):
+        entries = [_read(entry) for entry in value]
+        return entries[0] if type(value) is tuple and len(entries) == 1 else type(value)(entries)
+    if isinstance(value, float):
+        return float(f"{value:.8g}")
+    if hasattr(value, "xreplace"):
+        import sympy as sp
+
+        return value.xreplace({number: sp.Float(f"{float(number):.8g}") for number in value.atoms(sp.Float)
+                               if len(str(number)) > 9})
+    return value
 
 
 def _is_formula(value):

@@ -46,10 +46,17 @@ def test_a_terminal_is_printed_to(capsys):
     (["stable focus"], r"\['stable focus'\]"),
     ([(k1 > 0, "stable node")], "(($k_{1} > 0$, stable node))"),
     (0.5, "$0.5$"),
+    (2.5000000000000018, "$2.5$"),
+    (1.01668673480049e-11, r"$1.0166867 \cdot 10^{-11}$"),
+    ([sp.Float(2)/9*x], r"$\left[ 0.22222222 x\right]$"),
+    (sp.Rational(1, 3).evalf(4), "$0.3333$"),
+    ((psi2,), r"$\psi_{2}$"),
+    ([(x, 1.0), (k1,)], r"$\left[ \left( x, \  1.0\right), \  k_{1}\right]$"),
+    ((("u+", 0.0, 0.24999999999999986),), "(<i>u</i>+, $0.0$, $0.25$)"),
     (True, "True"),
     ("  at $k_1 = 0$, a_region [x](y) <b>", "\u2003at $k_1 = 0$, a\\_region \\[<i>x</i>\\](<i>y</i>) "
                                             "&lt;<i>b</i>&gt;"),
-    ("det = k1**2 - x/psi2", "det = <i>k</i><sub>1</sub><sup>2</sup> - <i>x</i>/ψ<sub>2</sub>"),
+    ("det = k1**2 - x/psi2", "det = <i>k</i><sub>1</sub><sup>2</sup> − <i>x</i>/ψ<sub>2</sub>"),
 ])
 def test_a_notebook_sets_it(shown, value, said):
     assert shown(value).set == said
