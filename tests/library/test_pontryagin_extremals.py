@@ -242,6 +242,39 @@ def test_record(name):
         assert evidence.kelley is None
 
 
+def test_units_of_the_states_change_nothing():
+    """Example 2 of the book in quarters of a millimetre: the same times, the costate in the inverse unit."""
+    large = Problem({x1: x2, x2: 4000*u}, ONE, {x1: 4000, x2: 0}, [x1, x2])
+    extremal = large.solve()
+    assert extremal.duration == pytest.approx(2, rel=1e-12)
+    assert extremal.switching_times == pytest.approx([1], rel=1e-11)
+    assert 4000*extremal.costate(0) == pytest.approx([-1, -1], rel=1e-10)
+    assert extremal.certificate().holds(1e-11) and extremal.optimality.proved
+    assert large.solve(guess=extremal).duration == pytest.approx(2, rel=1e-12)
+    given = large.solve(["u-", "u+"], guess={"duration": 3, x1: [4000, 0]})
+    assert given.duration == pytest.approx(2, rel=1e-12)
+
+
+def test_a_volume_in_cubic_millimetres():
+    """A tumour p and its vessels q under an inhibitor of which y may be given (Hahnfeldt and others; Ledzewicz and
+    Schaettler give 8533 for this start): full dose, a singular arc, a rest. The volumes in litres/1000 or in cubic
+    millimetres lead to the same process.
+    """
+    p, q, y = sp.symbols("p q y", positive=True)
+
+    def tumour(unit):
+        death = sp.Rational(2, 100) + sp.Rational(873, 100000)*(unit*p)**sp.Rational(2, 3)
+        return Problem({p: -sp.Rational(84, 1000)*p*sp.log(p/q),
+                        q: sp.Rational(585, 100)*p - death*q - sp.Rational(15, 100)*u*q, y: u}, {u: (0, 75)},
+                       {p: sp.Rational(12000, unit), q: sp.Rational(15000, unit), y: 0}, [y - 300], final=p)
+
+    fine, rough = tumour(1).solve(), tumour(1000).solve()
+    assert [kind for kind, _, _ in fine.arcs] == ["u+", "singular", "u-"] == [kind for kind, _, _ in rough.arcs]
+    assert fine.cost == pytest.approx(1000*rough.cost, rel=1e-11) and round(fine.cost) == 8533
+    assert fine.duration == pytest.approx(rough.duration, rel=1e-8)
+    assert fine.certificate().holds() and fine.certificate().kelley < 0
+
+
 def test_two_controls():
     """Two problems side by side, with arcs that begin and end at different times, cost the sum of both."""
     quadratic, resting = saturated(2.2), turnpike(1.0, 0.5)

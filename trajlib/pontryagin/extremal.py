@@ -20,6 +20,7 @@ from .searching import INTERVALS, escaped, finer_picture, refuse_endless, refuse
 from .second_order import along_extremal, of_picture, second_variation
 from .structure import Arc, detect, keeps_to_a_line, name, read_structure
 from .transcription import Picture, target_multipliers
+from .units import large_states, solve_in_units
 
 
 @dataclass(frozen=True, eq=False)
@@ -211,6 +212,9 @@ def solve(problem, structure=None, guess=None):
         pairs = split(problem)
         if pairs:
             return solve_split(problem, pairs, structure, guess)
+    units = large_states(problem)
+    if units:
+        return solve_in_units(problem, units, structure, guess)
     numeric = NumericProblem(problem)
     kinds = None if structure is None else read_structure(numeric, structure)
     found = search(numeric, read_guess(numeric, guess), kinds)
@@ -219,7 +223,7 @@ def solve(problem, structure=None, guess=None):
         picture, _ = found.pictures[0]
         arcs = _given_arcs(kinds, picture)
         shot = polish(numeric, picture, arcs, settled_duration(numeric, picture), made, keep_structure=True)
-        extremal = _extremal(problem, numeric, shot, found)
+        extremal = found_extremal(problem, numeric, shot, found.starts, found.found)
         reason = _refused(extremal)
         if reason:
             raise WrongStructure(reason)
@@ -263,7 +267,8 @@ def _joined(problem, numeric, picture, side, found, made, reasons):
         for steady in (True, False)[not to_and_fro:]:
             try:
                 arcs = detect(numeric, picture, steady=steady)
-                extremal = _extremal(problem, numeric, polish(numeric, picture, arcs, duration, made), found)
+                shot = polish(numeric, picture, arcs, duration, made)
+                extremal = found_extremal(problem, numeric, shot, found.starts, found.found)
                 reason = _refused(extremal)
             except WrongStructure as error:
                 reason = error
@@ -309,7 +314,7 @@ def _beside(numeric, extremal, side):
     return escaped(numeric, picture, variation, side) if variation.sign < 0 else None
 
 
-def _extremal(problem, numeric, shot, found):
+def found_extremal(problem, numeric, shot, starts, found):
     """An `Extremal` of a converged shot, with lambda_0 scaled to one in the normal case."""
     n = numeric.n
     largest = max(np.max(np.abs(start[n:2*n])) for start in shot.starts)
@@ -329,7 +334,7 @@ def _extremal(problem, numeric, shot, found):
     cost = sum(end[-1] for end in ends) + float(numeric.final_value(ends[-1][:n]))
     extremal = Extremal(problem, float(-cost if problem.maximise else cost), times[-1], arcs, shot.multiplier,
                      tuple(float(v) for v in shot.terminal_multipliers), shot.residual, numeric, shot,
-                        found.starts, found.found)
+                        starts, found)
     if problem.first_return and _passes_target(extremal):
         raise WrongStructure("the trajectory with these arcs meets the target before its end, against first_return")
     return extremal
