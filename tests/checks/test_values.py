@@ -18,6 +18,8 @@ CASES = {
     "a geometric series": (sp.Sum(x**y, (y, 0, sp.oo)), {x: sp.Rational(9, 10)}, 10),
     "a slow series": (sp.Sum(y**-2, (y, 1, sp.oo)), {}, float(sp.pi**2/6)),
     "floats": (sp.exp(-x)*sp.cos(y), {x: 0.5, y: -2.0}, float(sp.exp(-0.5)*sp.cos(2))),
+    "the least, one of which is the greatest": (sp.Min(sp.Max(x, sp.sin(x), 1), 5), {x: 7}, 5),
+    "the greatest of two like ones": (sp.Max(sp.sqrt(x)**2, x), {x: 2}, 2),
     "a root of a negative number": (sp.sqrt(x*y), {x: -2, y: 8}, 4j),
     "a symbol of which more is assumed": (sp.sqrt(ANGLE**2*x), {ANGLE: 3, x: 4}, 6),
 }
@@ -50,3 +52,8 @@ def test_a_series_that_does_not_converge_has_no_sum(term):
 def test_a_plain_expression_is_not_asked_for_one_after_the_other(monkeypatch):
     monkeypatch.setattr(sp.Basic, "subs", None)
     assert values.number_at(x**2 + y/3, {x: sp.Rational(1, 2), y: 3}) == 1.25
+
+
+def test_the_greatest_of_no_numbers_is_none():
+    with pytest.raises(Wrong, match="undefined"):
+        number_at(sp.Max(0, sp.acos(x)), {x: 3})

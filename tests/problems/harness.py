@@ -17,15 +17,15 @@ from trajlib.systems import Controlled
 
 
 class Workbench:
-    """A master with its data in place: judges whatever is put in the place of its answers."""
+    """A master with its data in place: judges whatever is put in the place of its answers.
 
-    def __init__(self, master):
+    Its own answers come from another process (`solve`), so that here nothing is known yet of what checks compute.
+    """
+
+    def __init__(self, master, answers):
         self.master = master
         self.data = data_of(master)
-        solved, self.called = dict(self.data), set()  # by the answer cells: what `called_functions` tells
-        for source in master.code("answer"):
-            self.called |= called_functions(source, "answer", solved)
-        self.reference = {name: solved[name] for name in master.answers}
+        self.reference = {name: decode(text.encode()) for name, text in answers.items()}
         self.calls = {name: call for source in master.code("check") for name, call in check_calls(source).items()}
         self._forms = {}
         self._alone = alone(master)
@@ -51,6 +51,12 @@ class Workbench:
         with checks.collecting() as verdicts:
             exec(self._alone[name], self.data | self.reference | {name: value})
         return verdicts[name]
+
+    def judge_under_profile(self, name):
+        """(verdict on a reference, the functions that were called for it)."""
+        profile = cProfile.Profile(builtins=False)
+        verdict = profile.runcall(self.judge_one, name, self.reference[name])
+        return verdict, called_functions(profile, "check")
 
     def after(self, source):
         """The names after a trial, which starts from the data and the reference."""
@@ -116,12 +122,33 @@ def check_calls(source):
     return {keyword.arg: keyword.value for keyword in report.keywords}
 
 
-def each_part(master, parts):
+def solve(master):
+    """{"answers": what the answer cells give, encoded, "called": the functions called for it, "seconds": of the
+    processor}."""
+    namespace, profile = data_of(master), cProfile.Profile(builtins=False)
+    for source in master.code("answer"):
+        profile.runcall(execute, source, "answer", namespace)
+    return {"answers": {name: encode(namespace[name]).decode() for name in master.answers},
+            "called": sorted(called_functions(profile, "answer")), "seconds": time.process_time()}
+
+
+def first_verdicts(master, answers):
+    """{name: seconds of the processor} that the first verdicts on the answers take, one after the other."""
+    bench, seconds = Workbench(master, answers), {}
+    bench.judge({})  # imports
+    for name in answers:
+        start = time.process_time()
+        bench.judge_one(name, bench.reference[name])
+        seconds[name] = time.process_time() - start
+    return seconds
+
+
+def each_part(master, answers, parts):
     """{name: ["done", part(bench)] or ["error", its traceback]}, one after the other: what they share is computed once.
 
     Under "seconds" stands the processor time they took together.
     """
-    bench, found = Workbench(master), {}
+    bench, found = Workbench(master, answers), {}
     for name, part in parts.items():
         try:
             found[name] = ["done", part(bench)]
@@ -130,16 +157,9 @@ def each_part(master, parts):
     return found | {"seconds": ["done", time.process_time()]}
 
 
-def called_functions(source, role, namespace):
-    """Functions (module, name) that run while a cell runs: those called from the cell or a check, and all of
-    trajlib."""
-    # a trace function in Python would take several times as long as the cell
-    profile = cProfile.Profile(builtins=False)
-    profile.enable()
-    try:
-        execute(source, role, namespace)
-    finally:
-        profile.disable()
+def called_functions(profile, role):
+    """Functions (module, name) that ran under a profile: those called from cells of a role or a check, and all of
+    trajlib. A trace function in Python would take several times as long."""
     modules = {getattr(module, "__file__", None): name for name, module in sys.modules.copy().items()}
     called, within = set(), set()
     for entry in profile.getstats():

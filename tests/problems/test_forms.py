@@ -13,7 +13,7 @@ import pytest
 import scipy.sparse
 import sympy as sp
 from forms import forms
-from harness import Workbench
+from harness import Workbench, solve
 
 from trajlib import exercises
 from trajlib.checks.contract.encoding import EncodingError, encode
@@ -84,13 +84,14 @@ REFUSED = {
 
 @pytest.mark.parametrize("number", PROBLEMS)
 def test_notebook_and_grade_agree(number):
-    assert in_child(_disagreements, number, timeout=300) == []
-
-
-def _disagreements(number):
     exercise = exercises.find(number)
-    bench = Workbench(read(SOLUTIONS / exercise.path.parent.name / f"{exercise.path.stem}.md"))
-    found = []
+    master = read(SOLUTIONS / exercise.path.parent.name / f"{exercise.path.stem}.md")
+    answers = in_child(solve, master, timeout=120)["answers"]
+    assert in_child(_disagreements, exercise, master, answers, timeout=300) == []
+
+
+def _disagreements(exercise, master, answers):
+    bench, found = Workbench(master, answers), []
     for form, answers, expected in _turns(bench):
         here = {name: [verdict.status, verdict.message] for name, verdict in bench.judge(answers).items()}
         graded = judge_cells(exercise.code("data", "check"), *_handed_over(answers), list(bench.reference))

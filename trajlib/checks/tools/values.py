@@ -207,7 +207,8 @@ def _put(claim, values):
         # All values at once take a third of the time. What comes out finite is the number; where a factor vanishes
         # beside an infinite one, or a case that is not reached has no value, the order matters and `subs` is asked.
         with suppress(TypeError, ValueError, AttributeError, ArithmeticError):
-            number = claim.xreplace({symbol: sp.sympify(value) for symbol, value in values.items()}).evalf(20)
+            numbers = {symbol: sp.sympify(value) for symbol, value in values.items()}
+            number = _without_extremes(claim, numbers).xreplace(numbers).evalf(20)
             if cmath.isfinite(complex(number)):
                 return number
     try:
@@ -215,6 +216,21 @@ def _put(claim, values):
     except (TypeError, ValueError, ArithmeticError):
         # ValueError: the greater of two such numbers, in Max or Min; ArithmeticError: all digits of a floor cancel.
         return sp.nan
+
+
+def _without_extremes(claim, numbers):
+    """The claim with that argument in the place of each Max and Min which clearly is the greatest or least with these
+    numbers: SymPy compares exact ones, such as an angle with zero, by thinking."""
+    chosen = {}
+    for part in sorted(claim.atoms(sp.Max, sp.Min), key=sp.count_ops):  # those within others first
+        sign = 1 if isinstance(part, sp.Max) else -1
+        sizes = {other: sign * complex(other.xreplace(numbers).evalf(20)) for arg in part.args
+                 for other in [arg.xreplace(chosen)]}
+        first, second, *_ = sorted(sizes, key=lambda arg: -sizes[arg].real)
+        if not any(size.imag for size in sizes.values()) and (sizes[first] - sizes[second]).real > 1e-9 * (
+                1 + abs(sizes[first])):
+            chosen[part] = first
+    return claim.xreplace(chosen)
 
 
 def _added(claim):
