@@ -63,6 +63,15 @@ def test_a_download(tmp_path, files, expected, archive):
     assert [one.student for one in find(into) if isinstance(one, Aside)] == ["Cid_104"] * (files is MOODLE)
 
 
+@pytest.mark.parametrize("place", ["Ann Able_101_assignsubmission_onlinetext/onlinetext.html",
+                                   "Ann Able_101_assignsubmission_onlinetext_.html"])
+def test_text_typed_in_is_told_as_that(tmp_path, place):
+    given = download(tmp_path, {place: 1, "Bob_102_assignsubmission_file_/ch1-p15.ipynb": 2}, True)
+    collected, aside = collect(given, "hw1", tmp_path / "submitted")
+    assert list(collected) == ["Bob_102"] and [(path, "typed in at Moodle" in why) for path, why in aside] == [
+        (place, True)]
+
+
 def test_a_later_download_keeps_what_was_there(tmp_path):
     collect(download(tmp_path, {"ableann_101_9001_ch1-p15.ipynb": 1}, True), "hw1", tmp_path / "submitted")
     collect(download(tmp_path, {"ableann_101_9009_ch1-p15.ipynb": 2}, True), "hw1", tmp_path / "submitted")

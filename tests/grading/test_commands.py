@@ -548,6 +548,10 @@ def test_every_command_of_the_lecturers_guide(tmp_path):
         if command.startswith("make "):
             # The tests of the site run these for real; here they are only looked up.
             command, folder, shown = command.replace("make", "make -n", 1), GUIDE.parents[2], ["..."]
+        elif command == "source .venv/bin/activate":
+            # The environment of these tests, in a terminal that knows nothing of it.
+            command = f"PATH=/usr/bin:/bin; source {sys.prefix}/bin/activate && command -v trajlib"
+            folder, shown = tmp_path, [f"{sys.prefix}/bin/trajlib"]
         else:
             folder = tmp_path
         done = subprocess.run(["bash", "-c", command], cwd=folder, env=environment, stdout=subprocess.PIPE,

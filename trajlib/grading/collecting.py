@@ -22,6 +22,8 @@ from trajlib.grading.reading import LARGEST
 #: Bytes; a file beside another of its name gets a number too.
 MOST_NAME = 240
 MOODLE = re.compile(r"(?P<name>[^/]+)_(?P<number>\d+)_assignsubmission_file(?:_(?P<file>[^/]*))?", re.DOTALL)
+#: What a student typed into Moodle's editor, which it hands out as a page of its own.
+TYPED = re.compile(r"[^/]+_\d+_assignsubmission_onlinetext.*", re.DOTALL)
 CANVAS = re.compile(r"[^_/]+_(?:LATE_)?(?P<number>\d+)_\d+_(?P<file>[^/]+)", re.DOTALL)
 
 
@@ -39,7 +41,10 @@ def collect(download, homework, into, worksheet=None):
     for path, size, when, read in _files(Path(download)):
         found = _whose(path, addresses)
         if found is None:
-            aside.append((printable_name(path), "its name is not one that Moodle or Canvas gives"))
+            why = ("this is text typed in at Moodle, not a file: nobody grades it but you"
+                   if any(TYPED.fullmatch(part) for part in path.split("/"))
+                   else "its name is not one that Moodle or Canvas gives")
+            aside.append((printable_name(path), why))
         elif len(os.fsencode(found[1])) > MOST_NAME or len(os.fsencode(found[0])) > MOST_NAME:
             aside.append((printable_name(path), "its name is too long"))
         elif size > LARGEST:
