@@ -10,6 +10,10 @@ r"""Formulas in words: as TeX between dollars, as one would type them where noth
 'at <i>k</i><sub>1</sub> = −2 the root of <i>x</i><sup>2</sup> + <i>k</i><sub>1</sub>\u202f<i>x</i> ≥ 0 is a_root'
 >>> typeset("A - LH - mu - a case")
 '<i>A</i> − LH − μ - a case'
+>>> typeset("a 3 x (n + 1) matrix x with x x' = 1")
+'a 3 × (<i>n</i> + 1) matrix <i>x</i> with <i>x</i> <i>x</i>′ = 1'
+>>> typeset("under it dH/dtheta stays zero")
+'under it <i>d</i><i>H</i>/<i>d</i>θ stays zero'
 >>> typeset("for psi_x = 1, v_y = 2 and K_xy = 3")
 'for ψ<sub><i>x</i></sub> = 1, <i>v</i><sub><i>y</i></sub> = 2 and <i>K</i><sub><i>xy</i></sub> = 3'
 """
@@ -60,7 +64,9 @@ MATHEMATICS = re.compile(r"""
   | (?P<sign><=|>=|!=|->|\boo\b|(?<![\w)])-(?=[\d.]|[A-Za-z]\w?\b|\()
       |(?<=\s)-(?=\s(?: [\d(] | (?!a\s)(?:[A-Za-z]|%s)(?:\d+|_\w+)?(?!\w) | [A-Z]{2}\b )))
   | \b(?P<root>sqrt)(?=\()
-""" % (3*("|".join(sorted(GREEK, key=len, reverse=True)),)), re.X)
+  | (?:(?<=\b[\dA-Za-z])|(?<=\)))\ (?P<cross>x)\ (?=[\dA-Za-z]\b|\()
+  | \bd(?P<above>[A-Za-z]|%s)/d(?P<below>[A-Za-z]|%s)(?!\w)
+""" % (5*("|".join(sorted(GREEK, key=len, reverse=True)),)), re.X)
 
 
 def plain(text):
@@ -94,6 +100,10 @@ def typeset(text, escape=html.escape):
 def _html(found):
     if found["power"] or found["powers"]:
         return f"<sup>{typeset(found['power'] or found['powers'])}</sup>"
+    if found["cross"]:
+        return " × "
+    if found["above"]:
+        return "/".join("<i>d</i>" + GREEK.get(found[part], f"<i>{found[part]}</i>") for part in ("above", "below"))
     if found["letter"]:
         letter, name = (GREEK.get(found[part], f"<i>{found[part]}</i>") for part in ("letter", "name"))
         lowered = found["index"] or found["name"] and name

@@ -76,8 +76,9 @@ def _markdown(value):
             text = getattr(value, form)()
             inner = re.fullmatch(r"\$(?:\\displaystyle)?([^$]+)\$", text)
             return _set(inner[1].strip()) if inner else f"\n\n{text}\n\n" if "\n" in text else text
-    if type(value) in (list, tuple) and value and not all(isinstance(item, str) for item in value):
-        return f"({', '.join(map(_markdown, value))})"
+    if type(value) in (list, tuple) and value:
+        listed = ", ".join(map(_markdown, value))
+        return listed if all(isinstance(item, str) for item in value) else f"({listed})"
     return _markdown(str(value))
 
 

@@ -43,7 +43,7 @@ def test_a_terminal_is_printed_to(capsys):
     ([k1, sp.Rational(1, 2)], r"$\left[ k_{1}, \  \frac{1}{2}\right]$"),
     ({k1: 2, "type": x**2}, "$k_{1}$: $2$, type: $x^{2}$"),
     (sp.And(x > 0, k1 < 1), r"$x > 0 \wedge k_{1} < 1$"),
-    (["stable focus"], r"\['stable focus'\]"),
+    (["stable focus", "u+"], "stable focus, <i>u</i>+"),
     ([(k1 > 0, "stable node")], "(($k_{1} > 0$, stable node))"),
     (0.5, "$0.5$"),
     (2.5000000000000018, "$2.5$"),

@@ -30,6 +30,14 @@ def test_every_public_name_is_explained(editions, module):
         assert len(section.p.get_text()) > 20, name
 
 
+def test_formulas_of_docstrings_are_set():
+    """The prose is plain text for `help`; on the page nobody reads lambda_0."""
+    [said] = reference.described("H = psi^T f - lambda_0 f_0, for `lambda_0 >= 0` and an n x n matrix.")
+    assert [part.astext() for part in said.children] == [
+        "<i>H</i> = ψ<sup><i>T</i></sup> <i>f</i> − λ<sub>0</sub> <i>f</i><sub>0</sub>, for ", "lambda_0 >= 0",
+        " and an <i>n</i> × <i>n</i> matrix."]
+
+
 def test_links_lead_both_ways(pages):
     """Function -> page and page -> function are the same pairs, and what the checks of a page are not among them."""
     root, parsed = pages

@@ -10,6 +10,7 @@ import inspect
 import json
 import re
 from functools import cache
+from html import escape
 from pathlib import Path
 from textwrap import dedent, fill
 
@@ -17,6 +18,7 @@ from docutils import nodes
 from sphinx.util.docutils import SphinxDirective
 
 from trajlib import exercises
+from trajlib.formulas import typeset
 from workbook import catalogue
 from workbook.pages import to_label, to_page
 
@@ -137,9 +139,14 @@ def _prose(lines):
 
 
 def _spans(text):
-    """Words and the `code` between them."""
+    """Words, with their formulas set, and the `code` between them."""
     parts = re.split(r"`([^`]+)`", text)
-    return [nodes.literal("", part) if k % 2 else nodes.Text(part) for k, part in enumerate(parts) if part]
+    return [nodes.literal("", part) if k % 2 else _words(part) for k, part in enumerate(parts) if part]
+
+
+def _words(text):
+    html = typeset(text)
+    return nodes.Text(text) if html == escape(text) else nodes.raw("", html, format="html")
 
 
 def _code(text, language="python"):
