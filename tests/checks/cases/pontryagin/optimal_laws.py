@@ -18,6 +18,10 @@ FUEL = Problem(*PLANE, running=1 + R(3, 4) * sp.Abs(u))
 ENERGY = Problem(*PLANE, running=1 + u**2 / 2)
 WIDE = {a: sp.Interval(-16, 16), b: sp.Interval(-4, 4)}
 TURNED = x2 * sp.Abs(x2)
+# To the origin at a given moment, without bounds: the gain of the law grows beyond all bounds at the end.
+MOMENT = Problem({x: u}, {u: None}, {x: a}, [x], running=u**2 + x**2, duration=2)
+MOVED = Problem({x1: x2, x2: u}, {u: None}, {x1: a, x2: b}, [x1, x2], running=u**2, duration=2)
+NEARER = {a: sp.Interval(-1, 1), b: sp.Interval(-1, 1)}
 
 
 def fuel(off, on, drive=1):
@@ -51,6 +55,10 @@ CASES = [
     Case("optimal_law", sp.Eq(u, fuel(2, R(1, 2))), (FUEL, WIDE), "right", "an equation that is solved for u"),
     Case("optimal_law", energy(R(43, 6), R(1, 2)), (ENERGY, WIDE), "right", "an equation"),
     Case("optimal_law", energy(7.17, 0.5, 3.83), (ENERGY, WIDE), "right", "an equation in decimals"),
+    Case("optimal_law", -x * sp.coth(2 - t), (MOMENT, {a: NEARER[a]}, t), "right", "singular at the end"),
+    Case("optimal_law", -6 * x1 / (2 - t)**2 - 4 * x2 / (2 - t), (MOVED, NEARER, t), "right", "two states, the same"),
+    Case("optimal_law", -x * sp.tanh(2 - t), (MOMENT, {a: NEARER[a]}, t), "wrong", "the law of a free end"),
+    Case("optimal_law", -x / (2 - t), (MOMENT, {a: NEARER[a]}, t), "wrong", "the law of the control's price alone"),
     Case("optimal_law", -x, (NEAR, STARTS), "wrong", "beyond the bounds"),
     Case("optimal_law", -sp.sign(x), (LINEAR, STARTS, t), "wrong", "it costs more"),
     Case("optimal_law", fuel(2, R(49, 100)), (FUEL, WIDE), "wrong", "it brakes a little late"),
