@@ -30,11 +30,11 @@ class Desk:
         self._browser, self._keys, self._actions = browser, Keys, ActionChains
 
     def run(self, beginning, text=None):
-        """Run the first cell that begins like this, rewritten if a text is given, and wait for it."""
-        at = (f"{CELLS}.findIndex(cell => cell.querySelector('.cm-content').innerText.trim()"
-              f".startsWith({beginning!r}))")
+        """Run the first cell with a line that begins like this, rewritten if a text is given, and wait for it."""
+        at = (f"{CELLS}.findIndex(cell => ('\\n' + cell.querySelector('.cm-content').innerText)"
+              f".includes('\\n' + {beginning!r}))")
         number = self._browser.wait_for(f"{at} + 1", 60) - 1
-        assert number >= 0, f"no cell begins with {beginning}"
+        assert number >= 0, f"no line begins with {beginning}"
         cell = f"{CELLS}[{number}]"
         before = self._browser.run(f"{cell}.querySelector('.jp-InputPrompt').innerText")
         self._browser.run(f"{cell}.scrollIntoView({{block: 'center'}})")
