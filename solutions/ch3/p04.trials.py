@@ -1,5 +1,7 @@
 # %% wrong
 a_augmented = [sp.diag(A, 1), sp.Matrix([[1, 0, 1]])]  # At which rate does a constant change? (hint 1)
+# Is the third coordinate the error itself, or a part of it?
+a_augmented = [sp.Matrix([[0, 1, 0], [-k, 0, 0], [0, 0, 0]]), sp.Matrix([[1, 0, 3]])]
 # Does the error of an instrument push the pendulum? (hint 1)
 a_augmented = [sp.Matrix([[0, 1, 0], [-k, 0, 1], [0, 0, 0]]), sp.Matrix([[1, 0, 0]])]
 a_gain = sp.Matrix([beta1, beta2 - k, beta3])  # Were the coefficients compared as in a canonical form? (hint 1)
@@ -19,7 +21,6 @@ b_observer = [e2, -k*e1 + z - e2, z - e2]  # Was the offset taken off what is ex
 b_observer = [e2 + z - e2 - e3, -k*e1, z - e2 - e3]
 
 # %% right
-a_augmented = [sp.Matrix([[0, 1, 0], [-k, 0, 0], [0, 0, 0]]), sp.Matrix([[1, 0, 3]])]  # a third of the offset
 a_gain = sp.Matrix([(k*beta1 - beta3)/k, beta2 - k, beta3/k])  # over one denominator
 a_region = sp.And(l1*l3 > 0, l1 + l3 > 0)  # product and sum
 a_observer = [z - e1 - e3 + e2, -k*e1, sp.Rational(1, 2)*(z - e1 - e3)]  # a slower average

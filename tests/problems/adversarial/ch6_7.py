@@ -32,6 +32,8 @@ ROWS = [
     wrong("7.1", "a_speed", "v0 + (b - g*phi0)*t - g*eps*t**2/2", "a truncated series"),
     wrong("7.1", "b_unseen", "[0, g - R, 0, g*(g - R)]", "zero for g = R"),
     wrong("7.1", "c_error", "-1.01*b/g", "one per cent off"),
+    right("7.1", "b_unseen", "{'v0': 0, 'phi0': 1, 'eps': 0, 'b': g}", "a dict by the names"),
+    wrong("7.1", "b_unseen", "{'v0': 0, 'phi0': -1, 'eps': 0, 'b': g}", "a dict, with a wrong sign"),
     right("7.1", "d_worst", "sp.Max(1/(1 - sp.cos(sp.sqrt(g/R)*tau)) - sp.Rational(1, 2), sp.Rational(1, 2))*2*delta/R",
           "by cases of the cosine"),
     right("7.1", "a_speed", "v0 - 2*(v0 + R*eps)*sp.sin(sp.sqrt(g/R)*t/2)**2 + (b - g*phi0)*sp.sqrt(R/g)"

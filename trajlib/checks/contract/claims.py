@@ -12,7 +12,7 @@ import numbers
 import sympy as sp
 
 from trajlib.checks.contract import coercion
-from trajlib.checks.contract.members import NUMBERS, members, vectors
+from trajlib.checks.contract.members import NUMBERS, in_order, members, vectors
 from trajlib.checks.contract.verdict import Invalid
 
 
@@ -34,10 +34,12 @@ class Expression(Claim):
 
 
 class Expressions(Claim):
-    """A list of expressions, of the `length` given or as long as a datum; for a single one itself will do."""
+    """A list of expressions, of the `length` given or as long as a datum; for a single one itself will do, and a dict
+    for those of the `names` given."""
 
     @staticmethod
-    def coerce(answer, symbols, length=None):
+    def coerce(answer, symbols, length=None, names=()):
+        answer = in_order(answer, names) if names else answer
         length = length if length is None else _size(length)
         single = length == 1 and isinstance(answer, (sp.Expr, numbers.Number))
         return coercion.as_expressions([answer] if single else answer, symbols, length)

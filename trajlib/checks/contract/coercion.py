@@ -20,6 +20,8 @@ LARGEST = 1e50
 EXAMPLE_OF_CONDITION = "such as x + 77 < y or sp.And(x + 77 < y, y < 99)"
 #: How many terms of a sum are added up, and how often an expression is differentiated.
 MOST_ADDED, MOST_DERIVED = 1000, 6
+#: Conditions are tried far out, at numbers of so many bits, and their powers are written out.
+FAR_BITS, LARGEST_POWER = 20, 200
 #: SymPy asks of any two terms of a Max which one is greater, and of each case whether it is one of those before.
 MOST_COMPARED, MOST_CASES = 6, 100
 #: No answer has nearly as many relations; to work with more takes a time that grows faster than their number.
@@ -228,6 +230,9 @@ def as_condition(answer, symbols):
     if odd := answer.atoms(*NOT_IN_CONDITIONS):
         raise Invalid(f"the condition contains {', '.join(sorted({type(part).__name__ for part in odd}))}, "
                       "which cannot be judged here; write it without")
+    if grows_too_fast(answer, FAR_BITS) or any(abs(power.exp) > LARGEST_POWER for power in answer.atoms(sp.Pow)
+                                               if power.exp.is_number):
+        raise Invalid("the condition contains a power or an exponential that grows too fast to be computed with")
     try:
         return with_symbols(answer, symbols)
     except TypeError:  # SymPy refuses to compare what is not real, once it knows that the symbols are

@@ -25,11 +25,12 @@ def size(node, known):
     return known[node]
 
 
-def grows_too_fast(node):
-    """Whether a part of an expression or a condition with symbols is too large to be computed with."""
-    known = {}
+def grows_too_fast(node, bits=SYMBOL_BITS):
+    """Whether a part of an expression or a condition is too large to be computed with where its symbols have a size of
+    so many bits."""
+    known = {symbol: (bits, bits, True) for symbol in node.free_symbols}
     for part in node.atoms(sp.Integral, sp.Sum):  # their variables run up to the limits
-        for variable, *limits in part.limits:
+        for variable, *limits in (limits for limits in part.limits if len(limits) > 1):
             ups, downs, _ = zip(*(size(limit, known) for limit in limits))
             known[variable] = max(SYMBOL_BITS, *ups), max(SYMBOL_BITS, *downs), True
     return any(part.free_symbols and not _inner(part, known) <= 1 for part in sp.preorder_traversal(node))

@@ -16,7 +16,7 @@ from trajlib.checks.contract.tolerance import REPEATED, same
 from trajlib.checks.contract.verdict import judged
 from trajlib.checks.tools.comparisons import Entries, Members
 from trajlib.checks.tools.conditions import compare, contrary, exactly, place_text
-from trajlib.checks.tools.samples import allowed_values, joined
+from trajlib.checks.tools.samples import allowed_values, in_every_case, joined
 from trajlib.checks.tools.values import numbers_at
 from trajlib.checks.tools.wording import entry_text, number_text, part_text, where_text
 from trajlib.checks.truths import processes
@@ -29,7 +29,7 @@ BEFORE, AFTER = "before", "after"
 @judged(Laid("parameters", shape=processes.shape_of("mean")))
 def estimate(claim, process, measured, at, parameters=(), given=sp.true):
     """The best estimate of the state at a time from what was measured; of a single coordinate an expression."""
-    for one, values, known, time in _measured(process, measured, at, parameters, given):
+    for one, values, known, time in _measured(process, measured, at, claim, parameters, given):
         true, _ = processes.given(one, known, time)
         yield Entries(claim, true, lambda said, i, j: (
             f"{part_text('estimate', said, i)}{where_text(values)}; this is not the mean of the state under the "
@@ -40,7 +40,7 @@ def estimate(claim, process, measured, at, parameters=(), given=sp.true):
 @judged(Matrix("parameters", shape=processes.shape_of("A")))
 def estimate_covariance(claim, process, measured, at, parameters=(), given=sp.true):
     """The covariance matrix of the errors of the best estimate at a time; of a single coordinate the variance."""
-    for one, values, known, time in _measured(process, measured, at, parameters, given):
+    for one, values, known, time in _measured(process, measured, at, claim, parameters, given):
         true = processes.given(one, known, time)[1]
         yield Entries(claim, true, _other("the errors of the best estimate", values), values,
                       abs(processes.moments(one, time)[1]).max())
@@ -51,7 +51,7 @@ def estimate_covariance(claim, process, measured, at, parameters=(), given=sp.tr
 def estimate_deviations(claim, process, measured, at, parameters=(), given=sp.true):
     """The standard deviations of the errors of the best estimate at a time, a column; of a single coordinate an
     expression."""
-    for one, values, known, time in _measured(process, measured, at, parameters, given):
+    for one, values, known, time in _measured(process, measured, at, claim, parameters, given):
         true = np.sqrt(np.diag(processes.given(one, known, time)[1]))[:, None]
         yield Entries(claim, true, lambda said, i, j: (
             f"{part_text('answer', said, i)}{where_text(values)}; its square is not the variance "
@@ -63,7 +63,7 @@ def estimate_deviations(claim, process, measured, at, parameters=(), given=sp.tr
 def steady_covariance(claim, process, parameters=(), given=sp.true, moment=BEFORE):
     """The covariance matrix of the errors of the steady filter; in discrete time that `moment` of a measurement,
     "before" or "after"."""
-    for values in allowed_values(parameters, given, COUNT):
+    for values in in_every_case(allowed_values(parameters, given, COUNT), claim, given):
         one = processes.numbers(process, values, start=False)
         true = processes.steady(one)[(BEFORE, AFTER).index(moment)]
         yield Entries(claim, true, _other("the errors of the settled filter", values), values, abs(true).max())
@@ -74,7 +74,7 @@ def steady_covariance(claim, process, parameters=(), given=sp.true, moment=BEFOR
 def steady_gain(claim, process, parameters=(), given=sp.true):
     """The gain K of the steady filter, a column for each measurement: y' = A y + K (z - H y), in discrete time
     y+ = y + K (z - H y)."""
-    for values in allowed_values(parameters, given, COUNT):
+    for values in in_every_case(allowed_values(parameters, given, COUNT), claim, given):
         one = processes.numbers(process, values, start=False)
         true = processes.gain_of(one, processes.steady(one)[0])
         yield Entries(claim, true, lambda said, i, j: (
@@ -90,7 +90,7 @@ def covariance_with_gain(claim, process, gain, parameters=(), given=sp.true):
     symbols = [*parameters, *sorted(gain.free_symbols - set(parameters), key=str)]
     one = processes.plain(process)
     decaying = sp.And(joined(given), decays(one.A - gain * one.H, one.discrete))
-    for values in allowed_values(symbols, decaying, COUNT):
+    for values in in_every_case(allowed_values(symbols, decaying, COUNT), claim, decaying):
         one = processes.numbers(process, values, start=False)
         true = processes.erring(one, processes.array(gain, values))
         yield Entries(claim, true, _other("the errors with this gain", values), values, abs(true).max())
@@ -130,7 +130,7 @@ def filter_equation(claim, process, estimates, outputs, covariance, parameters=(
     """The right-hand side of the equation of the filter in continuous time, y' = ..., a column in the symbols of the
     estimates y, of the outputs z and of P, the `covariance` of the errors; of a single coordinate an expression."""
     symbols = [*parameters, *estimates, *outputs, *sorted(covariance.free_symbols, key=str)]
-    for values in allowed_values(symbols, sp.true, COUNT):
+    for values in in_every_case(allowed_values(symbols, sp.true, COUNT), claim):
         one, P = processes.numbers(process, values, start=False), processes.array(covariance, values)
         y, z = (processes.array(sp.Matrix(names), values) for names in (estimates, outputs))
         gain = processes.gain_of(one, P)
@@ -146,7 +146,7 @@ def riccati_equation(claim, process, covariance, parameters=()):
     """The right-hand side of the Riccati equation of the filter as a matrix in the symbols of P, the `covariance`: in
     continuous time P' = ..., in discrete time what P, the covariance before a measurement, is before the next one."""
     symbols = [*parameters, *sorted(covariance.free_symbols, key=str)]
-    for k, values in enumerate(allowed_values(symbols, sp.true, COUNT)):
+    for k, values in enumerate(in_every_case(allowed_values(symbols, sp.true, COUNT), claim)):
         values = _definite(covariance, values, sp.Rational(1, 9) if k % 2 else 1)
         one, P = processes.numbers(process, values, start=False), processes.array(covariance, values)
         if one.discrete:
@@ -165,7 +165,7 @@ def riccati_equation(claim, process, covariance, parameters=()):
 def error_eigenvalues(claims, process, parameters=(), given=sp.true):
     """The different eigenvalues of the matrix of the errors of the steady filter, A - K H, in discrete time
     A (E - K H)."""
-    for values in allowed_values(parameters, given, COUNT):
+    for values in in_every_case(allowed_values(parameters, given, COUNT), claims, given):
         one = processes.numbers(process, values, start=False)
         gain = processes.gain_of(one, processes.steady(one)[0])
         loop = one.A - (one.A @ gain if one.discrete else gain) @ one.H
@@ -189,9 +189,10 @@ def _definite(covariance, values, size):
     return values | dict(zip(covariance, size * definite))
 
 
-def _measured(process, measured, at, parameters, given):
+def _measured(process, measured, at, claim, parameters, given):
     """(process, values, measured, at) at numbers; at more of them for a formula in the time asked for."""
-    for values in allowed_values(parameters, given, COUNT * (1 + bool(sp.sympify(at).free_symbols))):
+    count = COUNT * (1 + bool(sp.sympify(at).free_symbols))
+    for values in in_every_case(allowed_values(parameters, given, count), claim, given):
         known = [(time, [float(sp.sympify(z).subs(values)) for z in np.atleast_1d(np.array(value, dtype=object))])
                  for moment, value in measured for time in _times(sp.sympify(moment).subs(values))]
         yield processes.numbers(process, values), values, known, sp.sympify(at).subs(values)

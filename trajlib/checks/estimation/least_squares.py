@@ -12,7 +12,7 @@ from trajlib.checks.contract.claims import Expression, Expressions, Matrix
 from trajlib.checks.contract.tolerance import same
 from trajlib.checks.contract.verdict import Wrong, judged
 from trajlib.checks.tools.comparisons import Entries, Same
-from trajlib.checks.tools.samples import general_values
+from trajlib.checks.tools.samples import general_values, in_every_case
 from trajlib.checks.tools.values import numbers_at, uncertain_at
 from trajlib.checks.tools.wording import number_text, where_text
 
@@ -20,7 +20,7 @@ from trajlib.checks.tools.wording import number_text, where_text
 @judged(Expressions("parameters", length=lambda data: len(data["unknowns"])))
 def least_squares(claims, measured, unknowns, deviations=None, parameters=()):
     """The estimate of the unknowns, in their order."""
-    for values in general_values(parameters):
+    for values in in_every_case(general_values(parameters), claims):
         rows, wanted = _weighted(measured, unknowns, deviations, values)
         true, said = np.linalg.lstsq(rows, wanted, rcond=None)[0], numbers_at(claims, values, unknowns)
         uncertain = [uncertain_at(claim, values) for claim in claims]
@@ -37,7 +37,7 @@ def least_squares(claims, measured, unknowns, deviations=None, parameters=()):
 @judged(Expression("parameters"))
 def least_sum(claim, measured, unknowns, deviations=None, parameters=()):
     """The least value of the weighted sum of the squared residuals."""
-    for values in general_values(parameters):
+    for values in in_every_case(general_values(parameters), claim):
         rows, wanted = _weighted(measured, unknowns, deviations, values)
         residuals = wanted - rows @ np.linalg.lstsq(rows, wanted, rcond=None)[0]
         yield Same(claim, residuals @ residuals, "the least sum", values, wanted @ wanted)
@@ -47,7 +47,7 @@ def least_sum(claim, measured, unknowns, deviations=None, parameters=()):
 @judged(Matrix("parameters", shape=lambda data: (len(data["unknowns"]),) * 2))
 def error_covariance(claim, measured, unknowns, deviations=None, parameters=()):
     """The covariance matrix of the errors of the estimate."""
-    for values in general_values(parameters):
+    for values in in_every_case(general_values(parameters), claim):
         rows, _ = _weighted(measured, unknowns, deviations, values)
         # Each estimate is a sum of measurements, whose weighted errors are independent with the variance 1.
         shares = np.linalg.pinv(rows)

@@ -11,7 +11,7 @@ from trajlib.checks.contract.claims import Expression, Expressions, Matrix, Valu
 from trajlib.checks.contract.tolerance import EXACT, same
 from trajlib.checks.contract.verdict import judged
 from trajlib.checks.tools.comparisons import Entries, Members, Same
-from trajlib.checks.tools.samples import general_values
+from trajlib.checks.tools.samples import general_values, in_every_case
 from trajlib.checks.tools.values import value_at
 from trajlib.checks.tools.wording import number_text, where_text
 
@@ -19,7 +19,7 @@ from trajlib.checks.tools.wording import number_text, where_text
 @judged(Expressions("parameters", length="quantities"))
 def expectations(claims, quantities, vector, law, parameters=()):
     """The means of quantities under the law {value: probability}."""
-    for values in general_values(parameters):
+    for values in in_every_case(general_values(parameters), claims):
         for claim, quantity in zip(claims, quantities):
             mean, size = _mean(quantity, vector, law, values)
             yield Same(claim, mean, f"the mean of {quantity}", values, size)
@@ -29,7 +29,7 @@ def expectations(claims, quantities, vector, law, parameters=()):
 @judged(Expression("parameters"))
 def covariance(claim, first, second, vector, law, parameters=()):
     """The covariance of two quantities."""
-    for values in general_values(parameters):
+    for values in in_every_case(general_values(parameters), claim):
         found, size = _covariances([first, second], vector, law, values)
         yield Same(claim, found[0, 1], "the covariance", values, size[0, 1])
     return "it is the mean of the product of the deviations from the means"
@@ -38,7 +38,7 @@ def covariance(claim, first, second, vector, law, parameters=()):
 @judged(Expression("parameters"))
 def correlation(claim, first, second, vector, law, parameters=()):
     """The correlation coefficient of two quantities."""
-    for values in general_values(parameters):
+    for values in in_every_case(general_values(parameters), claim):
         found, _ = _covariances([first, second], vector, law, values)
         yield Same(claim, found[0, 1] / np.sqrt(found[0, 0] * found[1, 1]), "the correlation coefficient", values)
     return "it is the covariance as a share of what it could be at most"
@@ -47,7 +47,7 @@ def correlation(claim, first, second, vector, law, parameters=()):
 @judged(Matrix("parameters", shape=lambda data: (len(data["quantities"]),) * 2))
 def covariance_matrix(claim, quantities, vector, law, parameters=()):
     """The covariance matrix of several quantities."""
-    for values in general_values(parameters):
+    for values in in_every_case(general_values(parameters), claim):
         found, size = _covariances(quantities, vector, law, values)
         yield Entries(claim, found, lambda said, i, j: (
             f"the entry ({i + 1}, {j + 1}) of your matrix is {number_text(said[i, j])}{where_text(values)}; the mean "

@@ -14,7 +14,7 @@ from trajlib.checks.contract.tolerance import REPEATED, same
 from trajlib.checks.contract.verdict import judged
 from trajlib.checks.tools.comparisons import Entries, Members, Same
 from trajlib.checks.tools.conditions import compare, contrary, exactly
-from trajlib.checks.tools.samples import allowed_values, joined
+from trajlib.checks.tools.samples import allowed_values, in_every_case, joined
 from trajlib.checks.tools.values import numbers_at
 from trajlib.checks.tools.wording import entry_text, number_text, where_text
 from trajlib.checks.truths import processes
@@ -32,7 +32,7 @@ def state_by_noise(claim, process, start, noises, parameters=(), given=sp.true):
     columns = [sp.Matrix(list(column) if isinstance(column, (list, tuple)) else [column])
                for column in (start, *noises)]
     symbols = list(dict.fromkeys(s for column in columns for s in sorted(column.free_symbols, key=str)))
-    for values in allowed_values([*parameters, *symbols], given, len(TIMES)):
+    for values in in_every_case(allowed_values([*parameters, *symbols], given, len(TIMES)), claim, given):
         A, (true, *added) = processes.array(process.A, values), [processes.array(c, values) for c in columns]
         size = abs(true)
         for noise in added:
@@ -49,7 +49,7 @@ def mean_motion(claim, process, time, parameters=(), given=sp.true, times=None):
 
     `times` are those for which the answer is asked, if not for all.
     """
-    for one, values in _in_time(process, time, parameters, given, times):
+    for one, values in _in_time(process, time, claim, parameters, given, times):
         F, _ = processes.moved(one, values[time])
         yield Entries(claim, F @ one.mean, _told("mean", values), values, abs(F) @ abs(one.mean))
     return "it is the mean at all times and parameters tried"
@@ -61,7 +61,7 @@ def covariance_motion(claim, process, time, parameters=(), given=sp.true, times=
 
     `times` are those for which the answer is asked, if not for all.
     """
-    for one, values in _in_time(process, time, parameters, given, times):
+    for one, values in _in_time(process, time, claim, parameters, given, times):
         F, N = processes.moved(one, values[time])
         # At the start too terms may cancel that are as large as the noise makes them soon.
         soon = N if values[time] else processes.moved(one, STEPS[1] if one.discrete else TIMES[1])[1]
@@ -78,7 +78,7 @@ def correlation_motion(claim, process, time, of, parameters=(), given=sp.true, t
     """
     rows = processes.array(of, {})
     found = []
-    for one, values in _in_time(process, time, parameters, given, times or TIMES[1:]):
+    for one, values in _in_time(process, time, claim, parameters, given, times or TIMES[1:]):
         covariance = rows @ processes.moments(one, values[time])[1] @ rows.T
         found.append((covariance[0, 1] / np.sqrt(covariance[0, 0] * covariance[1, 1]), values))
     constant = np.ptp([true for true, _ in found]) < 1e-9
@@ -91,7 +91,7 @@ def correlation_motion(claim, process, time, of, parameters=(), given=sp.true, t
 def shaping_equation(claims, process, parameters=(), given=sp.true):
     """[a, Q, D] of the equation w' = a w + q, with the intensity Q of q and the variance D of w(0), that makes the
     noise of a `Coloured` process."""
-    for values in allowed_values(parameters, given, len(TIMES)):
+    for values in in_every_case(allowed_values(parameters, given, len(TIMES)), claims, given):
         D, a = (float(part.subs(values)) for part in processes.variance_and_rate(process))
         for claim, true, what in zip(claims, (-a, 2 * a * D, D), (
                 "the coefficient", "the intensity", "the variance at the start")):
@@ -106,7 +106,7 @@ def settled_covariance(claim, process, parameters=(), given=sp.true):
     it does."""
     process = processes.plain(process)
     settling = sp.And(joined(given), decays(process.A, process.discrete))
-    for values in allowed_values(parameters, settling, len(TIMES)):
+    for values in in_every_case(allowed_values(parameters, settling, len(TIMES)), claim, settling):
         one = processes.numbers(process, values, start=False)
         true = processes.settled(one)
         yield Entries(claim, true, lambda said, i, j: (
@@ -120,7 +120,7 @@ def covariance_exponents(claims, process, parameters=(), given=sp.true):
     """The different l with e^(l t), in discrete time with l^k, in the covariance of a process that starts anywhere;
     what the noise makes it keep is not counted."""
     process = processes.plain(process)
-    for values in allowed_values(parameters, given, len(TIMES)):
+    for values in in_every_case(allowed_values(parameters, given, len(TIMES)), claims, given):
         modes = np.linalg.eigvals(processes.array(process.A, values))
         pairs = itertools.combinations_with_replacement(modes, 2)
         true = [first * second if process.discrete else first + second for first, second in pairs]
@@ -175,9 +175,9 @@ def covariance_rises(answer, process, parameters, given=sp.true):
     return f"it rises there and nowhere else: {agreement}"
 
 
-def _in_time(process, time, parameters, given, times):
+def _in_time(process, time, claim, parameters, given, times):
     times = times or (STEPS if processes.plain(process).discrete else TIMES)
-    samples = allowed_values(parameters, given, max(len(times), len(TIMES)))
+    samples = in_every_case(allowed_values(parameters, given, max(len(times), len(TIMES))), claim, given)
     # However few the times are, the parameters get as many values as elsewhere.
     count = max(len(times), len(samples))
     for moment, values, _ in zip(itertools.cycle(times), itertools.cycle(samples), range(count)):

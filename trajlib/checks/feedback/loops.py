@@ -14,9 +14,10 @@ from trajlib.checks.contract.claims import Claim, Laid, Parts
 from trajlib.checks.contract.tolerance import EXACT, in_decimals
 from trajlib.checks.contract.verdict import Wrong, judged
 from trajlib.checks.tools.conditions import Case, Truth, compare, exactly
-from trajlib.checks.tools.samples import general_values, joined
+from trajlib.checks.tools.samples import general_values, in_every_case, joined
 from trajlib.checks.tools.values import matrix_at, uncertain_entries
 from trajlib.checks.tools.wording import number_text, where_text
+from trajlib.checks.truths.exceptional_values import judge_everywhere
 from trajlib.checks.truths.fixed_modes import fixed_eigenvalues, slower_than
 from trajlib.checks.truths.pairs import pair_of
 from trajlib.checks.truths.spectra import Spectrum
@@ -65,7 +66,7 @@ class Requirement:
     def hold(self, loop, gain, what, by="your gain"):
         """Raise `Wrong` unless the matrix `loop(gain)`, called `what` in a message, meets it; `by` is what the
         student calls the answer."""
-        for values in self.samples():
+        for values in in_every_case(self.samples(), gain, joined(self.given)):
             if abs(matrix_at(gain, values).imag).max(initial=0) > 0:
                 raise Wrong(f"with {by} {what} is not real{where_text(values)}")
             if self.polynomial is not None:
@@ -168,6 +169,10 @@ def _judge(gain, loop, requirement, pair, what):
         return "there is no such gain: a mode that no gain changes forbids it"
     # That no gain would do is the answer, and so it is not told.
     told = requirement.hold(loop, gain, what)
+    if requirement.polynomial is not None:
+        in_general = sp.true if pair is None or not pair.parameters else pair.in_general
+        judge_everywhere(gain, requirement.parameters, lambda: sp.And(joined(requirement.given), in_general),
+                         "an entry of your gain has no value")
     if pair is not None and requirement.impossible(pair):
         raise Wrong(f"with your gain the spectrum of {what} is not as required")
     return told

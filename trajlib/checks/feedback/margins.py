@@ -9,10 +9,11 @@ import sympy as sp
 from trajlib.checks.contract import coercion
 from trajlib.checks.contract.tolerance import EXACT
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
-from trajlib.checks.feedback.loops import in_fractions
 from trajlib.checks.tools.conditions import compare, exactly, place_text
+from trajlib.checks.tools.samples import in_every_case
 from trajlib.checks.tools.values import matrix_at, number_at, uncertain_entries
 from trajlib.checks.tools.wording import number_text, where_text
+from trajlib.checks.truths.exceptional_values import judge_everywhere
 from trajlib.checks.truths.fixed_modes import ON_BORDER, greatest_margin, margins_with_parameters, slower_than
 from trajlib.checks.truths.pairs import pair_of
 from trajlib.checks.truths.spectra import compare_region
@@ -105,10 +106,9 @@ def observer_obstacle(answer, A, H, parameters=()):
     if parameters and not any(p.is_nonzero for p in parameters) and not sp.Matrix.vstack(A, H).subs(zero).has(sp.zoo):
         places.append(zero)
     for value, vector in claims.items():
-        for values in places:
+        for values in in_every_case(places, [value, vector]):
             _hold_mode(value, vector, A, H, values, where_text(values))
-        compare(sp.true, parameters, exactly(sp.Or(*(sp.Ne(entry, 0) for entry in in_fractions(vector)))),
-                lambda values, holds: f"your vector v is zero for {place_text(values)}")
+        judge_everywhere(vector, parameters, lambda: sp.true, "your vector v is undefined", "your vector v is zero")
     return "it is a mode that does not decay, and nothing can be done about it: A v = lambda v"
 
 

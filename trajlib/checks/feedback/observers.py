@@ -12,7 +12,7 @@ from trajlib.checks.contract.tolerance import EXACT
 from trajlib.checks.contract.verdict import Wrong, judged
 from trajlib.checks.feedback.loops import Requirement, in_fractions
 from trajlib.checks.tools.comparisons import Same
-from trajlib.checks.tools.samples import general_values, sample_values, signed_values
+from trajlib.checks.tools.samples import general_values, in_every_case, sample_values, signed_values
 from trajlib.checks.tools.values import matrix_at, number_at, uncertain_entries
 from trajlib.checks.tools.wording import number_text, where_text
 
@@ -28,8 +28,10 @@ def observer_equations(claims, A, B, H, estimates, outputs, controls=(), paramet
     symbols = [*estimates, *outputs, *controls]
     right = sp.Matrix(claims)
     _hold_linear(claims, symbols, parameters, estimates)
-    F, G, J = (right.jacobian(part) if part else sp.zeros(A.rows, 0) for part in (estimates, outputs, controls))
-    for values in general_values(parameters):
+    plain = dict.fromkeys(symbols, sp.Integer(0))
+    F, G, J = (right.jacobian(part).subs(plain) if part else sp.zeros(A.rows, 0)
+               for part in (estimates, outputs, controls))
+    for values in in_every_case(general_values(parameters), claims):
         open_F, open_G, open_J = (uncertain_entries(part, values) for part in (F, G, J))
         _hold_same(J, B, values, open_J, "a control that is known acts on the estimate as on the state", controls)
         _hold_same(F + G*H, A, values, open_F + open_G @ abs(matrix_at(H, values)),
@@ -57,7 +59,7 @@ def complete_model(claims, field, state, controls, desired, H, K, L, estimates, 
             *(A*e + B*K*e + L*H*(deviations - e))]
     symbols = sorted(set().union(*(right.free_symbols for right in true), *(claim.free_symbols for claim in claims)),
                      key=str)
-    for values in sample_values(symbols):
+    for values in in_every_case(sample_values(symbols), claims):
         for symbol, claim, right in zip((*state, *estimates), claims, true):
             terms = [abs(complex(term.subs(values))) for term in sp.Add.make_args(sp.expand(right))]
             yield Same(claim, complex(right.subs(values)).real, f"the rate of {symbol}", values, sum(terms))
@@ -68,7 +70,7 @@ def _hold_linear(claims, symbols, parameters, estimates):
     """Whether each right-hand side is a sum of multiples of the symbols, at values of them."""
     plain = dict.fromkeys(symbols, sp.Integer(0))
     coefficients = [[claim.diff(s).subs(plain) for s in symbols] for claim in claims]
-    for values, others in zip(general_values(parameters)*8, signed_values(symbols)):
+    for values, others in zip(general_values(parameters)*8, in_every_case(signed_values(symbols), claims)):
         for symbol, claim, parts in zip(estimates, claims, coefficients):
             said = number_at(claim, values | others, f"the right-hand side for {symbol}")
             terms = [number_at(part, values, "a coefficient")*others[s] for part, s in zip(parts, symbols)]

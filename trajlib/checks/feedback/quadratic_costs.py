@@ -13,7 +13,7 @@ from trajlib.checks.contract.tolerance import REPEATED, same
 from trajlib.checks.contract.verdict import Wrong, judged
 from trajlib.checks.feedback.loops import Gain
 from trajlib.checks.tools.comparisons import Entries, Members, Same
-from trajlib.checks.tools.samples import allowed_values
+from trajlib.checks.tools.samples import allowed_values, in_every_case
 from trajlib.checks.tools.values import matrix_at, numbers_at
 from trajlib.checks.tools.wording import number_text, point_text, where_text
 from trajlib.checks.truths import processes, regulators
@@ -41,7 +41,7 @@ def best_gain(claim, problem, time=None, parameters=(), given=sp.true):
             raise Wrong("there is a best law: what could forbid it is a mode that does not decay and is not controlled "
                         "or, if all states are to come to zero, one on the imaginary axis that the cost does not see")
         return "no law is the best one: a mode stands in the way that the control or the cost does not reach"
-    for values, one, moment in _moments(problem, time, parameters, given):
+    for values, one, moment in _moments(problem, time, claim, parameters, given):
         if np.isfinite(one.duration) or one.anywhere:
             true, told = one.gain_for(one.least(moment)), _other_control
         else:
@@ -83,7 +83,7 @@ def _other_control(values):
 @judged(Matrix("time", "parameters", shape=_square))
 def cost_matrix(claim, problem, time=None, parameters=(), given=sp.true):
     """The matrix S of the least cost from x, factor x^T S x, with a given end in the symbol of `time`."""
-    for values, one, moment in _moments(problem, time, parameters, given):
+    for values, one, moment in _moments(problem, time, claim, parameters, given):
         true = one.least(moment)
         yield Entries(claim, true, lambda said, i, j: (
             f"the least cost is another one{where_text(values)}: look at the entry ({i + 1}, {j + 1}), where yours is "
@@ -94,7 +94,7 @@ def cost_matrix(claim, problem, time=None, parameters=(), given=sp.true):
 @judged(Expression("start", "parameters"))
 def least_quadratic_cost(claim, problem, start, parameters=(), given=sp.true):
     """The least cost from a start at the time 0, in the symbols of the start."""
-    for values in allowed_values([*start, *parameters], given, 2*COUNT):
+    for values in in_every_case(allowed_values([*start, *parameters], given, 2*COUNT), claim, given):
         one, x = regulators.Regulator(problem, values), np.array([float(values[s]) for s in start])
         least = one.least()
         yield Same(claim, one.factor*x @ least @ x, "the least cost", values, one.factor*abs(x) @ abs(least) @ abs(x))
@@ -104,7 +104,7 @@ def least_quadratic_cost(claim, problem, start, parameters=(), given=sp.true):
 @judged(Values("parameters", expected="a list or a set of eigenvalues"))
 def best_eigenvalues(claims, problem, parameters=(), given=sp.true):
     """The different eigenvalues of A + BK under the law of least cost for infinite time."""
-    for values in allowed_values(parameters, given, COUNT):
+    for values in in_every_case(allowed_values(parameters, given, COUNT), claims, given):
         one = regulators.Regulator(problem, values)
         loop = one.A + one.B @ one.gain_for(one.least())
         said = numbers_at(claims, values, [f"value {k}" for k in range(1, len(claims) + 1)])
@@ -123,7 +123,7 @@ def best_rest(claim, problem, start, parameters=(), given=sp.true):
     """The state at which the motion under the law of least cost comes to rest, a column in the symbols of its start."""
     from scipy.linalg import null_space
 
-    for values in allowed_values([*start, *parameters], given, COUNT):
+    for values in in_every_case(allowed_values([*start, *parameters], given, COUNT), claim, given):
         one = regulators.Regulator(problem, values)
         loop = one.A + one.B @ one.gain_for(one.least())
         rest, kept = (null_space(matrix, rcond=ON_BORDER) for matrix in (loop, loop.T))  # where it may be, what stays
@@ -139,7 +139,7 @@ def best_rest(claim, problem, start, parameters=(), given=sp.true):
 def cost_rate(claim, problem, cost, parameters=()):
     """The right-hand side of the Riccati equation S' = ..., a matrix in the symbols of S, which are the `cost`."""
     symbols = [*parameters, *sorted(cost.free_symbols, key=str)]
-    for values in allowed_values(symbols, sp.true, COUNT):
+    for values in in_every_case(allowed_values(symbols, sp.true, COUNT), claim):
         one, S = regulators.Regulator(problem, values), processes.array(cost, values)
         K = one.gain_for(S)
         terms = -one.A.T @ S, -S @ one.A, -one.G, K.T @ one.N @ K
@@ -155,7 +155,7 @@ def steady_cost(claim, problem, process, parameters=(), given=sp.true):
     may depend on its measurements; on the state itself if the process has none."""
     from scipy.linalg import solve_continuous_lyapunov
 
-    for values in allowed_values(parameters, given, COUNT):
+    for values in in_every_case(allowed_values(parameters, given, COUNT), claim, given):
         loop, noise, weight = regulators.steady_loop(problem, process, values)
         covariance = solve_continuous_lyapunov(loop, -noise)
         factor = float(sp.sympify(problem.factor).subs(values))
@@ -167,7 +167,7 @@ def steady_cost(claim, problem, process, parameters=(), given=sp.true):
 def controller_equations(claim, problem, process, estimates, outputs, parameters=(), given=sp.true):
     """The right-hand sides of the equations of the best feedback by measurements, e' = ..., a column in the symbols of
     the estimates e and of the outputs z, its own control u = Ke put in."""
-    for values in allowed_values([*estimates, *outputs, *parameters], given, COUNT):
+    for values in in_every_case(allowed_values([*estimates, *outputs, *parameters], given, COUNT), claim, given):
         one, noise = regulators.Regulator(problem, values), processes.numbers(process, values, start=False)
         e, z = (processes.array(sp.Matrix(names), values) for names in (estimates, outputs))
         L = processes.gain_of(noise, processes.steady(noise)[0])
@@ -179,9 +179,9 @@ def controller_equations(claim, problem, process, estimates, outputs, parameters
     return "the estimate moves like the system with its control, and the innovation is taken in with the best gain"
 
 
-def _moments(problem, time, parameters, given):
+def _moments(problem, time, claim, parameters, given):
     """(values, regulator, time) at numbers; with a given end at several times each."""
-    for values in allowed_values(parameters, given, COUNT):
+    for values in in_every_case(allowed_values(parameters, given, COUNT), claim, given):
         one = regulators.Regulator(problem, values)
         if time is None:
             yield values, one, 0.0

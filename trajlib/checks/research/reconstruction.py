@@ -15,7 +15,7 @@ from trajlib.checks.contract.claims import Expression, Expressions, Matrix, Numb
 from trajlib.checks.contract.tolerance import half_unit, in_decimals, rounds_to
 from trajlib.checks.contract.verdict import Wrong, judged
 from trajlib.checks.tools.comparisons import Same
-from trajlib.checks.tools.samples import random_values, spread
+from trajlib.checks.tools.samples import in_every_case, random_values, spread
 from trajlib.checks.tools.values import uncertain_entries, value_at
 from trajlib.checks.tools.wording import rounded_text
 
@@ -167,7 +167,7 @@ def bounded_misfit(claim, times, samples, rho, D):
 @judged(Expression("omega", "rho", "M"))
 def filter_gain(claim, omega, rho, M):
     """The factor g with which x = g cos(omega t) solves M x'''' + rho (x - cos(omega t)) = 0."""
-    for values in random_values([omega, rho, M], SEED):
+    for values in in_every_case(random_values([omega, rho, M], SEED), claim):
         gain = value_at(claim, values, "the factor")
         left = values[M]*values[omega]**4*gain + values[rho]*(gain - 1)
         if not abs(left) <= 1e-9*(values[M]*values[omega]**4 + values[rho]):
@@ -179,7 +179,7 @@ def filter_gain(claim, omega, rho, M):
 def boundary_decay(claim, rho, M):
     """The rate at which the influence of an end dies out: -Re s of the solutions exp(s t) of M x'''' + rho x = 0 that
     decay."""
-    for values in random_values([rho, M], SEED):
+    for values in in_every_case(random_values([rho, M], SEED), claim):
         roots = np.roots([values[M], 0, 0, 0, values[rho]])
         yield Same(claim, -max(root.real for root in roots if root.real < 0), "the rate of decay", values)
     return "the solutions exp(s t) that decay have -Re s equal to it, for random weights"
@@ -188,7 +188,7 @@ def boundary_decay(claim, rho, M):
 @judged(Expression("amplitude", "omega", "rho", "D"))
 def weight_of_harmonic(claim, amplitude, omega, rho, D):
     """The weight M for which the reconstruction of `amplitude` cos(omega t) has the greatest acceleration D."""
-    for values in random_values([amplitude, omega, rho, D], SEED):
+    for values in in_every_case(random_values([amplitude, omega, rho, D], SEED), claim):
         values[D] = values[amplitude]*values[omega]**2*0.8*values[D]/(1 + values[D])
         weight = value_at(claim, values, "M")
         if weight <= 0:
@@ -205,7 +205,7 @@ def weight_of_harmonic(claim, amplitude, omega, rho, D):
 def steady_costate(claim, rho, M):
     """The constant matrix P >= 0 of (psi1, psi2) = c - P (x, y) for steady continuous measurements of weight rho."""
     A, b = np.array([[0.0, 1], [0, 0]]), np.array([0.0, 1])
-    for values in random_values([rho, M], SEED):
+    for values in in_every_case(random_values([rho, M], SEED), claim):
         P = np.array([[value_at(claim[i, j], values, f"p{i + 1}{j + 1}") for j in range(2)] for i in range(2)])
         open_ = uncertain_entries(claim, values)
         if not abs(P[0, 1] - P[1, 0]) <= 1e-9*np.abs(P).max() + open_[0, 1] + open_[1, 0]:

@@ -17,7 +17,7 @@ from trajlib.checks.contract.claims import Expression, Expressions, Integer
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
 from trajlib.checks.tools.comparisons import Same
 from trajlib.checks.tools.conditions import compare, exactly, place_text
-from trajlib.checks.tools.samples import joined, random_values
+from trajlib.checks.tools.samples import in_every_case, joined, random_values
 from trajlib.checks.tools.values import value_at
 from trajlib.checks.tools.wording import rounded_text
 from trajlib.checks.truths.exceptional_values import judge_everywhere
@@ -34,16 +34,16 @@ def measured_motion(claim, matrix, output, initial, t):
     """The measured component of the solution of x' = A x through the initial values."""
     from scipy.linalg import expm
 
-    for values in random_values([*_symbols(matrix), *initial, t], 71):
+    for values in in_every_case(random_values([*_symbols(matrix), *initial, t], 71), claim):
         states = expm(_array(matrix, values)*values[t])@[values[s] for s in initial]
         yield Same(claim, _seen(output, values, states), "what is measured", values, np.abs(states).max())
     return "it is what is measured along the motion, for random values of all symbols"
 
 
-@judged(Expressions("matrix", length=lambda data: data["matrix"].rows))
-def unseen_direction(claim, matrix, output):
-    """A change of the initial state of x' = A x that no measurement sees."""
-    for values in random_values(_symbols(matrix), 72):
+@judged(Expressions("matrix", length=lambda data: data["matrix"].rows, names="unknowns"))
+def unseen_direction(claim, matrix, output, unknowns=()):
+    """A change of the initial state of x' = A x, of the `unknowns`, that no measurement sees."""
+    for values in in_every_case(random_values(_symbols(matrix), 72), claim):
         direction = _direction(claim, values)
         times = np.linspace(0, 3, MOMENTS)
         for time, move in zip(times, _moves(matrix, values, times)):
@@ -60,7 +60,7 @@ def bias_of_estimate(claim, matrix, output, unknowns, wanted, left_out):
     """The error of the estimate of `wanted` when the constant unknown `left_out` is taken for zero."""
     j, k = list(unknowns).index(wanted), list(unknowns).index(left_out)
     kept = [i for i in range(matrix.rows) if i != k]
-    for values in random_values([*_symbols(matrix), left_out], 73):
+    for values in in_every_case(random_values([*_symbols(matrix), left_out], 73), claim):
         rows = _rows(matrix, output, values, np.linspace(0, 4, 3*MOMENTS))
         found = np.linalg.lstsq(rows[:, kept], rows[:, k]*values[left_out], rcond=None)[0]
         yield Same(claim, found[kept.index(j)], f"the error of the estimate of {wanted}", values, abs(values[left_out]),
@@ -72,7 +72,7 @@ def bias_of_estimate(claim, matrix, output, unknowns, wanted, left_out):
 def worst_of_three(claim, matrix, output, unknowns, wanted, tau, delta):
     """The greatest error of `wanted` from three measurements at 0, tau, 2 tau with errors up to delta."""
     j = list(unknowns).index(wanted)
-    for values in random_values([*_symbols(matrix), tau, delta], 74):
+    for values in in_every_case(random_values([*_symbols(matrix), tau, delta], 74), claim):
         A = _array(matrix, values)
         fastest = np.abs(np.linalg.eigvals(A)).max()
         values[tau] *= 1.1/fastest                # between an eighth and seven eighths of half a period
@@ -128,7 +128,7 @@ def range_error(claim, relative, t, T, turn, delta):
     order."""
     symbols = _symbols(sp.Matrix(relative), t) + [t, T, *turn, delta]
     random = np.random.default_rng(77)
-    for values in random_values(symbols, 78):
+    for values in in_every_case(random_values(symbols, 78), claim):
         values |= {s: values[s]*float(random.choice((-1, 1))) for s in symbols if s not in (t, T, delta)}
         values[t] += values[T]
         before = np.array([float(part.subs(values)) for part in relative])
@@ -145,7 +145,7 @@ def range_error(claim, relative, t, T, turn, delta):
 def modes_of_range(claims, matrix, sight, initial, rate, t):
     """The four coefficients of 1, t, cos(rate t), sin(rate t) in the deviation of a range."""
     symbols = [*_symbols(matrix), *sight, *initial]
-    for values in random_values(symbols, 79):
+    for values in in_every_case(random_values(symbols, 79), claims):
         now = [value_at(claim, values, "a coefficient") for claim in claims]
         w, start = values[rate], np.array([values[s] for s in initial])
         times, towards = np.linspace(0.1, 7, MOMENTS), np.array([values[s] for s in sight])

@@ -8,7 +8,7 @@ import sympy as sp
 from trajlib.checks.contract.claims import Choice, Matrix
 from trajlib.checks.contract.verdict import Wrong, judged
 from trajlib.checks.tools.comparisons import Word
-from trajlib.checks.tools.samples import sample_values
+from trajlib.checks.tools.samples import in_every_case, sample_values
 from trajlib.checks.tools.values import matrix_at
 from trajlib.checks.tools.wording import other_rate, where_text
 from trajlib.checks.truths.fields import Field, known_field
@@ -24,7 +24,7 @@ FLOOR = 1e-25
 def linearisation(claim, field, state, at, parameters=()):
     """The n x n matrix A of the equations in deviations x' = A x at the stationary point `at` (n expressions)
     of the field (n expressions in the n symbols `state`)."""
-    for values in sample_values(parameters):
+    for values in in_every_case(sample_values(parameters), claim):
         true = Field(field, state, values).jacobian([float(sp.sympify(x).subs(values)) for x in at])
         yield Rates(claim, true, state, values)
     return "for small deviations in every direction the field changes as the matrix says"

@@ -22,7 +22,7 @@ from trajlib.checks.tools.conditions import (
     place_text,
     readings,
 )
-from trajlib.checks.tools.samples import allowed_values, joined, sample_values
+from trajlib.checks.tools.samples import allowed_values, in_every_case, joined, sample_values
 from trajlib.checks.tools.values import number_at, uncertain_at
 from trajlib.checks.tools.wording import point_text, values_text
 from trajlib.checks.truths.fields import Field
@@ -32,7 +32,7 @@ from trajlib.checks.truths.fields import Field
 def lyapunov_derivative(claim, function, field, state, parameters=()):
     """The derivative of V along the motions of x' = f(x) (Definition 1.4), as an expression in the state."""
     random = np.random.default_rng(4)
-    for values in sample_values(parameters):
+    for values in in_every_case(sample_values(parameters), claim):
         flow, level = Field(field, state, values), Field([function], state, values)
         for _ in range(4):
             point = random.normal(size=len(state))
@@ -397,12 +397,18 @@ def _membership(condition, state):
     if not isinstance(condition, Relational):
         raise Invalid("expected inequalities joined by And, Or and Not")
     # Symbols are the data's own and functions are SymPy's (coercion.as_condition), so the code made is ours.
-    difference = _numeric(condition.lhs - condition.rhs, state)
+    try:
+        difference = _numeric(condition.lhs - condition.rhs, state)
+    except NotImplementedError:
+        raise Invalid("the condition cannot be evaluated at many states: write it without integrals and sums") from None
     compare = {sp.StrictGreaterThan: np.greater, sp.GreaterThan: np.greater_equal, sp.StrictLessThan: np.less,
                sp.LessThan: np.less_equal, sp.Equality: np.equal, sp.Unequality: np.not_equal}[type(condition)]
 
     def holds(points):
-        values = difference(points)
+        try:
+            values = difference(points)
+        except (OverflowError, TypeError, AttributeError):
+            raise Invalid("the condition cannot be evaluated at numbers: write it without such functions") from None
         return compare(values.real, 0) & (np.imag(values) == 0) & np.isfinite(values)
 
     return holds

@@ -18,7 +18,7 @@ from trajlib.checks.contract.verdict import Invalid, Wrong, judged
 from trajlib.checks.stability.first_approximation import Rates
 from trajlib.checks.stability.rest_sets import WANTED, agreement
 from trajlib.checks.tools.conditions import Case, Truth, compare, contrary, exactly, place_text
-from trajlib.checks.tools.samples import sample_values
+from trajlib.checks.tools.samples import in_every_case, sample_values
 from trajlib.checks.tools.values import number_at, numbers_at
 from trajlib.checks.tools.wording import roots_text, values_text
 from trajlib.checks.truths.fields import STEP
@@ -61,7 +61,7 @@ def program_motion(answer, field, state, parameters, program, controls, time):
 def linearisation_along(claim, field, state, parameters, program):
     """The n x n matrix A of the equations in deviations x' = A x + B w from a program motion (n symbols `state`)."""
     motion = Motion(field, state, parameters, program)
-    for values in sample_values(parameters):
+    for values in in_every_case(sample_values(parameters), claim):
         yield Rates(claim, motion.matrix(values), state, values)
     return AS_IT_SAYS
 
@@ -70,7 +70,7 @@ def linearisation_along(claim, field, state, parameters, program):
 def input_matrix_along(claim, field, state, parameters, program, controls):
     """The n x s matrix B of the equations in deviations x' = A x + B w from a program motion (s symbols `controls`)."""
     motion = Motion(field, state, parameters, program)
-    for values in sample_values(parameters):
+    for values in in_every_case(sample_values(parameters), claim):
         yield Rates(claim, motion.input_matrix(values, controls), controls, values)
     return AS_IT_SAYS
 

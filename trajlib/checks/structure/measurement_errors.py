@@ -77,9 +77,9 @@ def unseen_with_error_where_lost(claim, A, H, S, c, start, parameter):
 
 
 @judged
-def augmented_system(answer, A, H, S, c, start, parameters=()):
-    """[A', H']: the system of x together with coordinates of the error, as few as it has, in any scale and
-    combination."""
+def augmented_system(answer, A, H, S, c, start, parameters=(), own=False):
+    """[A', H']: the system of x together with coordinates of the error, as few as it has, in any scale and combination;
+    or those of S and c themselves, where these are the error's `own`."""
     if not isinstance(answer, (list, tuple)) or len(answer) != 2:
         raise Invalid("expected a list [A', H'] of the matrix of the augmented system and the row of its output")
     n, pair = A.rows, _starts(A, H, S, c, start, parameters)
@@ -101,6 +101,9 @@ def augmented_system(answer, A, H, S, c, start, parameters=()):
                 (row, (slice(None), x), true_H[:, x], "the columns of x in H' are those of H")):
             said = (said_A if claim is matrix else said_H)[block]
             _compare_block(said, true + 0 * said, claim[block], what, where)
+        if own and matrix.rows == pair.order:
+            _compare_block(said_A[w, w], true_A[w, w], matrix[w, w], "the last coordinate is the error itself", where)
+            _compare_block(said_H[:, w], true_H[:, w], row[:, w], "the last coordinate is the error itself", where)
         open_ = uncertain_entries(matrix, values)[w, w], uncertain_entries(row, values)[:, w]
         _compare_errors(said_A[w, w], said_H[:, w], open_, _error_derivatives(pair, place, n, matrix.rows), where)
     return ("its outputs are those of the motions with every error of the kind, and no coordinate of the error can be "

@@ -11,7 +11,7 @@ from trajlib.checks.contract.claims import Matrix, Parts
 from trajlib.checks.contract.tolerance import share
 from trajlib.checks.contract.verdict import Wrong, judged
 from trajlib.checks.tools.comparisons import Follows
-from trajlib.checks.tools.samples import general_values
+from trajlib.checks.tools.samples import general_values, in_every_case
 from trajlib.checks.tools.values import matrix_at
 from trajlib.checks.tools.wording import number_text, where_text
 from trajlib.checks.truths.exceptional_values import judge_everywhere
@@ -25,7 +25,7 @@ def _like(name):
               expected="a list of three matrices, [M, K, L] of M q'' + K q = L u"))
 def mechanical_equations(claim, system, parameters=()):
     """The list [M, K, L] of equations M q'' + K q = L u with the accelerations of the `Mechanical` system."""
-    for values in general_values(parameters):
+    for values in in_every_case(general_values(parameters), claim):
         mass, *said = (matrix_at(part, values) for part in claim)
         if not np.linalg.cond(mass) < 1e12:
             raise Wrong(f"your equations do not determine the accelerations: M has no inverse{where_text(values)}")

@@ -14,7 +14,7 @@ from sympy.core.function import AppliedUndef
 from trajlib.checks.contract.claims import Expressions
 from trajlib.checks.contract.tolerance import EXACT, same, share
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
-from trajlib.checks.tools.samples import general_values
+from trajlib.checks.tools.samples import general_values, in_every_case
 from trajlib.checks.tools.values import number_at, numbers_at, uncertain_entries
 from trajlib.checks.tools.wording import number_text, where_text
 from trajlib.checks.truths.exceptional_values import judge_everywhere
@@ -51,7 +51,7 @@ def canonical_equation(answer, A, B, motion, control, parameters=()):
 def canonical_coordinate(claim, A, B, parameters=()):
     """The row c (of n entries) for which y = c x is the first coordinate of the canonical form by control (2.4) (A: n x
     n, B: n x 1)."""
-    for values in general_values(list(parameters)):
+    for values in in_every_case(general_values(list(parameters)), claim):
         there, b = A.subs(values), B.subs(values)
         row = numbers_at(claim, values, [f"coefficient of x{k}" for k in range(1, A.rows + 1)])
         true = _floats(_first_coordinate(there, b))[0]

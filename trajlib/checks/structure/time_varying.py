@@ -18,7 +18,7 @@ from trajlib.checks.contract.verdict import Wrong, judged
 from trajlib.checks.structure.dual_questions import OUTPUT, judge_region
 from trajlib.checks.structure.unseen_bases import bases_by_value, judge_where_lost
 from trajlib.checks.tools.comparisons import Entries, Same
-from trajlib.checks.tools.samples import signed_values
+from trajlib.checks.tools.samples import in_every_case, signed_values
 from trajlib.checks.tools.values import value_at
 from trajlib.checks.tools.wording import number_text, rounded_text
 from trajlib.checks.truths.known_starts import starts_of
@@ -32,7 +32,7 @@ def varying_output(claim, A, H, time, start, parameters):
     """z(t) along the motion from the start, an expression in the symbols of the start, the time and the parameters."""
     from scipy.linalg import expm
 
-    for values in signed_values([time, *start, *parameters], positive=[time]):
+    for values in in_every_case(signed_values([time, *start, *parameters], positive=[time]), claim):
         x = np.array([values[symbol] for symbol in start])
         matrix, row = _at(A, values), _at(H, values)
         z = float((row @ expm(values[time] * matrix) @ x)[0])
@@ -45,7 +45,7 @@ def derivative_rows(claim, A, H, time, parameters):
     """The n x n matrix of the rows N0, ..., N(n-1) with z = N0 x, z' = N1 x, ... along all motions (H: 1 x n)."""
     n = A.rows
     slopes = [H.diff(time, k) if k else H for k in range(n)]
-    for values in signed_values([time, *parameters], positive=[time]):
+    for values in in_every_case(signed_values([time, *parameters], positive=[time]), claim):
         rows, powers = _at(sp.Matrix.vstack(*slopes), values), [_at(A**k, values) for k in range(n)]
         # The derivative of order k of the product H(t) x(t), by the rule of Leibniz.
         terms = [[comb(k, j) * rows[j] @ powers[k - j] for j in range(k + 1)] for k in range(n)]
@@ -71,7 +71,7 @@ def output_gramian(claim, A, H, time, duration, parameters):
 
     nodes, weights = np.polynomial.legendre.leggauss(160)
     moments, weights = (nodes + 1) / 2 * float(duration), weights / 2 * float(duration)
-    for values in signed_values(parameters):
+    for values in in_every_case(signed_values(parameters), claim):
         matrix = _at(A, values)
         row = sp.lambdify(time, list(H.subs(values)), "numpy")  # of the data, never of an answer
         measured = np.array([np.broadcast_to(entry, moments.shape) for entry in row(moments)]).T
@@ -88,7 +88,7 @@ def output_gramian(claim, A, H, time, duration, parameters):
 @judged(Expression("time", "parameters"))
 def frozen_determinant(claim, A, H, time, parameters):
     """The determinant of the rows H(t), H(t) A, ..., H(t) A^(n-1) of one moment, with H taken as it is then."""
-    for values in signed_values([time, *parameters], positive=[time]):
+    for values in in_every_case(signed_values([time, *parameters], positive=[time]), claim):
         matrix, row = _at(A, values), _at(H, values)
         rows = [(row @ np.linalg.matrix_power(matrix, k))[0] for k in range(A.rows)]
         scale, said = np.prod([np.linalg.norm(r) for r in rows]), value_at(claim, values, "this determinant")

@@ -11,9 +11,14 @@ from fractions import Fraction
 
 import numpy as np
 import sympy as sp
+from sympy.core.relational import Relational
+
+from trajlib.checks.tools.conditions import Condition, allowed
 
 #: How many times as large as the others a value is that lies far out.
 FAR = sp.Integer(10)
+#: How many combinations of values are looked at for cases that an answer distinguishes.
+MOST_CASES = 64
 POSITIVE, NEGATIVE = sp.Interval.open(0, sp.oo), sp.Interval.open(-sp.oo, 0)
 
 
@@ -73,6 +78,51 @@ def _scaled(parameters, scale, values):
     """Sample values times a scale; those of integer symbols whole."""
     return {p: (sp.sign(values[p]) * max(int(3 * scale * abs(values[p])), 1 if p.is_nonzero else 0) if p.is_integer else
                 scale * values[p]) for p in parameters}
+
+
+def in_every_case(samples, claim, given=sp.true):
+    """Sample values, and more of them where an answer distinguishes cases that these do not meet, as far as the symbols
+    and the condition `given` allow: in general position, between and beyond all borders along lines."""
+    samples = list(samples)
+    pieces = set().union(*(part.atoms(sp.Piecewise) for part in _parts(claim)))
+    relations = sorted({relation for piece in pieces for relation in piece.atoms(Relational)
+                        if relation.free_symbols and samples and relation.free_symbols <= samples[0].keys()}, key=str)
+    met = {_truths(relations, values) for values in samples}
+    for base in samples[:2] if relations else ():
+        choices = [[base[s], *_between_borders(relations, base, s)] for s in base]
+        for chosen in itertools.islice(itertools.product(*choices), MOST_CASES):
+            values = dict(zip(base, chosen))
+            truths = _truths(relations, values)
+            if truths not in met and joined(given).subs(values) is sp.true:
+                met.add(truths)
+                samples.append(values)
+    return samples
+
+
+def _parts(claim):
+    """The expressions and matrices in an answer that is read."""
+    if isinstance(claim, (list, tuple)):
+        return [part for one in claim for part in _parts(one)]
+    return [claim] if isinstance(claim, (sp.Basic, sp.MatrixBase)) else []
+
+
+def _truths(relations, values):
+    return tuple(relation.subs(values) for relation in relations)
+
+
+def _between_borders(relations, base, symbol):
+    symbols = [s for s in base if any(relation.has(s) for relation in relations)]
+    if symbol not in symbols:
+        return []
+    place = [sp.nsimplify(base[s], rational=True) for s in symbols]
+    found = sorted({root for relation in relations
+                    for root in Condition(relation, symbols).borders(place, symbols.index(symbol))})
+    if not found:
+        return []
+    ends = found[0] - 0.37 * (1 + abs(found[0])), found[-1] + 0.37 * (1 + abs(found[-1]))
+    places = [*(0.61 * one + 0.39 * other for one, other in itertools.pairwise(found)), *ends]
+    as_given = float if isinstance(base[symbol], float) else lambda x: sp.Rational(Fraction(x).limit_denominator(1000))
+    return [as_given(x) for x in (map(round, places) if symbol.is_integer else places) if allowed(symbol, np.sign(x))]
 
 
 def joined(given):

@@ -26,8 +26,9 @@ def roots_text(roots):
 
 
 def values_text(values):
-    """Rational values of symbols for a message: `k = 1/3, omega = 2`."""
-    return ", ".join(f"{symbol} = {x if x.q < 1000 else f'{float(x):.6g}'}" for symbol, x in values.items())
+    """Values of symbols for a message: `k = 1/3, omega = 2`, in decimals where they are no simple fractions."""
+    return ", ".join(f"{symbol} = {x if x.is_Rational and x.q < 1000 else f'{float(x):.6g}'}"
+                     for symbol, x in values.items())
 
 
 def entry_text(said, i, j):

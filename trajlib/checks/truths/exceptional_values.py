@@ -22,16 +22,20 @@ def judge_everywhere(matrix, parameters, given, undefined, dependent=None):
         return
     matrix = matrix.applyfunc(lambda entry: sp.cancel(sp.nsimplify(entry, rational=True))
                               if entry.is_rational_function(*used) else entry)
-    conditions = {undefined: sp.And(*(sp.Ne(sp.denom(sp.together(entry)), 0) for entry in matrix))}
+    below = [sp.denom(sp.together(entry)) for entry in matrix]
+    conditions, vanishing = {undefined: sp.And(*(sp.Ne(part, 0) for part in below))}, [(undefined, sp.Mul(*set(below)))]
     if dependent:
         minors = [matrix.extract(list(rows), list(range(matrix.cols))).det(method="berkowitz")
                   for rows in itertools.combinations(range(matrix.rows), matrix.cols)]
-        if len(minors) == 1 and not (
-                minors[0].is_rational_function(*used) or minors[0].has(*_JUMPING)):
-            for values in _sign_changes(minors[0], used):
-                if given().subs(values) == sp.true:
-                    raise Wrong(f"{dependent} for a value near {place_text(values)}, where the answer is to serve too")
+        if not matrix.has(*_JUMPING):
+            shared = set.intersection(*(set(sp.Mul.make_args(sp.factor(minor))) for minor in minors if minor != 0))
+            vanishing.append((dependent, sp.Mul(*shared)))
         conditions[dependent] = sp.Or(*(sp.Ne(sp.numer(sp.together(minor)), 0) for minor in minors))
+    for failure, function in vanishing:
+        if not (function.is_rational_function(*used) or function.has(*_JUMPING)):
+            for values in _sign_changes(function, used):
+                if given().subs(values) == sp.true:
+                    raise Wrong(f"{failure} for a value near {place_text(values)}, where the answer is to serve too")
     for failure, condition in conditions.items():
         if condition != sp.true:
             compare(condition, parameters, exactly(sp.true, given()),

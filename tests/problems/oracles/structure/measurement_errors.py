@@ -57,7 +57,7 @@ def are_bases(mutant, reference, N, parameter):
     return all(is_basis(basis, N.subs(parameter, value)) for value, basis in mutant.items())
 
 
-def augmented_system(mutant, reference, A, H, S, c, start, parameters=()):
+def augmented_system(mutant, reference, A, H, S, c, start, parameters=(), own=False):
     """True for the blocks A, 0, 0 and H, with an error block of the least order from some start of which the error
     comes."""
     if len(mutant) != 2:
@@ -66,6 +66,8 @@ def augmented_system(mutant, reference, A, H, S, c, start, parameters=()):
     if (matrix.rows != matrix.cols or row.shape != (1, matrix.rows) or matrix.rows <= n or matrix[:n, :n] != A
         or row[:, :n] != H \
              or any(matrix[:n, n:]) or any(matrix[n:, :n])):
+        return False
+    if own and (matrix[n:, n:] != S or row[:, n:] != c):
         return False
     error, shown, count = matrix[n:, n:], row[:, n:], 2 * (matrix.rows + S.rows)
     wanted = sp.Matrix([(c * S**k * sp.Matrix(start))[0] for k in range(count)])
