@@ -45,6 +45,7 @@ SHAPES = {
         "measured": "list of expressions of the unknowns",
         "motion": "function of time, y(t), or dict from the state to functions of time", "output": "row of n entries",
         "outputs": "list of symbols for z, z', ...", "quantities": "dict from names to expressions",
+        "own": "True or False",
         "start": "symbols of x(0), or the column that C is multiplied with in w(0)", "system": "Mechanical",
         "time": "symbol", "unknowns": "list of symbols",
     },
