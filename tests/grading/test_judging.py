@@ -53,6 +53,12 @@ def test_right_and_wrong():
     assert found.final == FINAL and found.remarks == () and found.answers["b_region"] == "k1 > 0"
 
 
+def test_a_variable_that_was_renamed_is_told_apart_from_a_stub():
+    found = judged(handed_over({"b_region": ..., "c_region": sp.true}))
+    assert statuses(found)["a_region"] == statuses(found)["b_region"] == "missing"
+    assert found.verdicts["a_region"].message == judging.NEVER_ASSIGNED != found.verdicts["b_region"].message
+
+
 def test_answers_are_known_by_the_whole_of_them():
     """Their texts are cut; two that differ beyond have other hashes, the same ones have the same, also when each is
     judged alone."""

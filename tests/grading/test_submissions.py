@@ -190,6 +190,13 @@ def test_large_files_that_are_no_notebooks(tmp_path, content, said, monkeypatch)
     assert said in found.trouble and found.submitted > 0
 
 
+@pytest.mark.parametrize("content, said", [(b"", "empty"), (b" \r\n", "empty"), (b"PK\x03\x04rest", ".zip archive")])
+def test_files_that_came_in_a_wrong_wrapping(tmp_path, content, said):
+    hand_in(tmp_path, "ada", "1.15", {}).write_bytes(content)
+    (found,) = find(tmp_path / "submitted")
+    assert said in found.trouble and found.problem == "1.15" and found.cells == ()
+
+
 def test_reading_has_limits(tmp_path, monkeypatch):
     """Twenty megabytes of empty lists are half a gigabyte in memory."""
     monkeypatch.setattr(reading, "MEMORY", 100 * 2**20)

@@ -35,6 +35,7 @@ ENDS = {
 }
 #: Seconds that every honest answer can be judged in: as much is tried for each one while any time is left.
 ENOUGH = 5
+NEVER_ASSIGNED = "no cell of the notebook assigned this variable: was it renamed, or did its cell fail?"
 FINAL, WITHIN_LIMITS, NOT_FINAL = "yes", "within limits", "no"
 
 
@@ -198,6 +199,8 @@ def _judge(receiver, sender, cells, names, seconds, megabytes, only):
                                                                         [name for name in names
                                                                          if only in (None, name)])
         given = decoded(encoded, unreadable, names)
+        # Nothing at all was handed over where what was cannot be read: then the remark says enough.
+        found["never assigned"] = set(names) - {*encoded, *unreadable} if encoded or unreadable else set()
         found["texts"] = {name: _described(given[name]) for name in encoded}
         found["hashes"] = {name: hashlib.sha256(text.encode("utf-8", "surrogatepass")).hexdigest()
                            for name, text in encoded.items()}
@@ -205,7 +208,8 @@ def _judge(receiver, sender, cells, names, seconds, megabytes, only):
 
     namespace, following = _begun(tuple(cells))
     verdicts = judge_answers(following, answers, names, namespace)
-    told = {name: [status, printable(message[:2000], keep="\n"), mistake]
+    told = {name: [status, NEVER_ASSIGNED if status == MISSING and name in found["never assigned"]
+                   else printable(message[:2000], keep="\n"), mistake]
             for name, (status, message, mistake) in verdicts.items()}
     return [told, *(found[key] for key in ("texts", "remarks", "stopped", "hashes"))]
 

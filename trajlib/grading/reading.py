@@ -88,6 +88,10 @@ def _within_limits(content):
 
 
 def _notebook(content):
+    if not content.strip():
+        raise Unreadable("the file is empty")
+    if content.startswith(b"PK\x03\x04"):
+        raise Unreadable("the file is a .zip archive with the name of a notebook")
     try:
         given = json.loads(content.decode("utf-8-sig"))
         cells = tuple(_source(cell) for cell in _cells(given) if cell.get("cell_type") == "code")
