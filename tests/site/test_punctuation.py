@@ -33,6 +33,6 @@ def test_a_sentence_begins_with_a_capital():
     document += nodes.bullet_list("", nodes.list_item("", nodes.paragraph("", "", nodes.strong("", "", problem("1.5")),
                                                                           nodes.Text("; "), problem("1.6"))))
     document += nodes.paragraph("", "", nodes.Text("by "), nodes.emphasis("", "", problem("1.7")))
-    BeginWithCapital(document).run()
+    BeginWithCapital(document).apply()
     assert [p.astext() for p in document.findall(nodes.paragraph)] == [
         "Problem 1.1 and problem 1.2. Problem 1.3, e.g. problem 1.4", "Problem 1.5; problem 1.6", "by problem 1.7"]

@@ -183,7 +183,7 @@ class BeginWithCapital(SphinxTransform):
 
     default_priority = 880
 
-    def run(self, **kwargs):
+    def apply(self, **kwargs):
         for reference in self.document.findall(lambda node: isinstance(node, nodes.Element) and "problem" in node):
             before, place = "", reference
             while isinstance(place.parent, nodes.TextElement):  # emphasis begins with what it holds
