@@ -48,7 +48,8 @@ def _problem_cells(students):
     for cell in students[2:]:
         source, tags = "".join(cell["source"]), cell["metadata"].get("tags", [])
         if "answer" in tags:
-            cells.append(code(f"%answer {source.split(' ', 1)[0]}"))
+            first = re.search(r"^(\w+) = \.\.\.", source, re.MULTILINE)  # below what it is, where this is long
+            cells.append(code(f"%answer {first[1]}"))
         elif "check" in tags:
             cells += [code(f"%check {name}") for name in reported_names(source)]
         elif cell["cell_type"] == "code":
