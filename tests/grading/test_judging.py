@@ -239,6 +239,23 @@ def test_an_answer_that_explodes_costs_only_itself():
     assert "took longer than 3 s" in found.verdicts["a_region"].message and found.final == WITHIN_LIMITS
 
 
+def _tower(value):
+    return sp.exp(sp.exp(sp.exp(sp.exp(value))))
+
+
+@pytest.mark.parametrize("huge", [_tower(k1**99), sp.sin(_tower(k1**99)), 2 ** (3 ** (5 ** (7**k1)))], ids=str)
+def test_a_tower_is_refused_by_its_size_before_anything_is_computed_with_it(huge):
+    """A condition, and an expression in another exercise."""
+    fuel = exercises.find("5.25")
+    before = judging._computed_by_children()
+    for exercise, answers in ((EXERCISE, dict.fromkeys(NAMES, huge > k2)),
+                              (fuel, {"cost": huge.subs(k1, sp.Symbol("a"))})):
+        found = judge(exercise, Outcome("done", handed_over(answers)), Bounds())
+        assert found.final == FINAL and {found.verdicts[name].status for name in answers} == {INVALID}
+        assert all("grows too fast to be computed with" in found.verdicts[name].message for name in answers)
+    assert judging._computed_by_children() - before < 6
+
+
 def test_a_notebook_full_of_them_costs_no_more_than_its_time():
     before = judging._computed_by_children()
     found = judged(handed_over(dict.fromkeys(NAMES, EXPLOSIVE)), Bounds(seconds=8, answer_seconds=6))
