@@ -5,8 +5,9 @@ import numpy as np
 
 from trajlib.checks.contract.claims import Expression
 from trajlib.checks.contract.verdict import Wrong, judged
-from trajlib.checks.pontryagin.followed import point_text, told_for
+from trajlib.checks.pontryagin.followed import point_text
 from trajlib.checks.pontryagin.in_time import ENDING, Costates, InTime
+from trajlib.checks.tools.wording import told_for
 from trajlib.checks.truths.optima.best_processes import best_processes, free_at_the_start
 from trajlib.checks.truths.optima.transfer_optima import Transfer
 

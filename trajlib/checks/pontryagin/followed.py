@@ -6,7 +6,6 @@ import numpy as np
 from trajlib.checks.contract.verdict import Wrong
 from trajlib.checks.pontryagin.in_time import INTEGRATED
 from trajlib.checks.tools import wording
-from trajlib.checks.tools.wording import rounded_text
 
 #: Up to which share of its terms the least cost is known, and the cost of a process that is followed in small steps.
 COSTS = 1e-6
@@ -103,10 +102,6 @@ def meets_once(times, states, best, where):
     if sides.min(initial=0) < -small and sides.max(initial=0) > small:
         k = int(np.flatnonzero(np.sign(sides) != np.sign(sides[np.argmax(np.abs(sides[:9]))]))[0])
         raise Wrong(f"{where}the target is met at the time {times[k + 1]:.4g} already, and the process ends there")
-
-
-def told_for(values):
-    return f"for {rounded_text(values)} " if values else ""
 
 
 def point_text(values):

@@ -14,10 +14,9 @@ import sympy as sp
 from trajlib.checks.contract.claims import Expression, Expressions
 from trajlib.checks.contract.tolerance import same
 from trajlib.checks.contract.verdict import Wrong, judged
-from trajlib.checks.pontryagin.followed import told_for
 from trajlib.checks.tools.samples import sample_cases
 from trajlib.checks.tools.values import real_function, value_at
-from trajlib.checks.tools.wording import rounded_text
+from trajlib.checks.tools.wording import rounded_text, told_for
 
 #: In so many steps a motion is followed, and how well its states are known then.
 STEPS, FOLLOWED = 240, 1e-7

@@ -16,10 +16,12 @@ from trajlib.checks.contract import coercion
 from trajlib.checks.contract.claims import Expression
 from trajlib.checks.contract.tolerance import changed, in_decimals, same, share
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
-from trajlib.checks.pontryagin.followed import does_as_well, point_text, told_for
+from trajlib.checks.pontryagin.followed import does_as_well, point_text
 from trajlib.checks.tools.values import real_function
+from trajlib.checks.tools.wording import told_for
 from trajlib.checks.truths.optima.direct_optimum import optima
 from trajlib.checks.truths.optima.transfer_optima import rk4
+from trajlib.checks.truths.scales import TIME, alike, same_at_every_scale, scales
 
 #: A law is followed in so many steps. Where it switches it lags by a step, which costs it this share at most.
 STEPS, LAGGING = 1500, 2e-3
@@ -52,6 +54,9 @@ def optimal_law(answer, problem, parameters, time=None):
     found = list(optima(problem, parameters))
     for values, best in found:
         _says_what_is_best(law, values, best)
+    for factors in scales(problem, parameters):
+        for values, best in found:
+            _same_at_a_scale(law, values, best, factors)
     for (values, best), times, states in zip(found, *_followed(law, found)):
         does_as_well(times, states, best, problem, law.rounding, told_for(values), "your law")
     return "from all starts tried it does what the best process found does, keeps to the ends, and costs no more"
@@ -69,22 +74,23 @@ def optimal_change(claim, problem, change, domain, parameters):
     state = list(problem.dynamics)
     k, low, high = state.index(given), float(interval.inf), float(interval.sup)
     others = [p for p in parameters if p not in state]
-    curve, points = real_function([given, *others], [claim]), 0
+    curve, places = real_function([given, *others], [claim]), []
     for values, best in optima(problem, parameters):
         for j, *kinds in best.changes():
             y = best.states[:, j]
             if [_kind(best, u) for u in kinds] != list(change) or not low <= y[k] <= high:
                 continue
             said, true = float(curve(y[k], *(float(values[p]) for p in others))[0]), y[1 - k]
-            points += 1
+            places.append({given: y[k], **{p: values[p] for p in others}})
             if not np.isfinite(said):
                 raise Wrong(f"for {given} = {y[k]:.4g} your curve gives no real number")
             if not same(said, true, claim, true, LOCATED):
                 raise Wrong(f"for {given} = {y[k]:.4g} your curve gives {state[1 - k]} = {said:.4g}; the control of "
                             f"the best process {told_for(values)}does not change there")
-    if not points:
+    if not places:
         raise RuntimeError("on no process that was found the control changes so")
-    return f"the control of the best processes changes there, at {points} places"
+    same_at_every_scale(claim, problem, parameters, places, state[1 - k], str(state[1 - k]))
+    return f"the control of the best processes changes there, at {len(places)} places"
 
 
 def _kind(best, value):
@@ -95,9 +101,9 @@ class _Law:
     """A law, read once: at many states and times it gives values of the control."""
 
     def __init__(self, answer, problem, parameters, time, followed=True):
-        state, (self.control,) = list(problem.dynamics), problem.controls
-        others = [p for p in parameters if p not in state]
-        symbols = [*state, *others, *([time] if time else [])]
+        self.state, (self.control,) = list(problem.dynamics), problem.controls
+        others = [p for p in parameters if p not in self.state]
+        symbols = [*self.state, *others, *([time] if time else [])]
         self._timed, self._others, self.implicit = time is not None, others, isinstance(answer, sp.Eq)
         if self.implicit:
             left, right = (coercion.as_expression(side, [self.control, *symbols]) for side in answer.args)
@@ -186,6 +192,20 @@ def _says_what_is_best(law, values, best):
         raise Wrong(f"{told_for(values)}the best process found comes to {point_text(states[:, k])} at t = "
                     f"{times[k]:.4g}; there your law gives {gives}, and the best control is another one")
     _jumps_where_it_should(law, values, best)
+
+
+def _same_at_a_scale(law, values, best, factors):
+    """Raise `Wrong` for a law that gives other values in other units, in which the problem is the same."""
+    times, states, _ = _compared(best, BEFORE[law.decimals])
+    weights = [float(factors[x]) for x in law.state]
+    there, own = np.array(weights)[:, None] * states, {p: v * factors[p] for p, v in values.items()}
+    scale, time = float(factors[law.control]), float(factors[TIME])
+    said = law(there, times * time, own, [scale * bound for bound in best.bounds])
+    wanted = scale * law(states, times, values, best.bounds)
+    for k in np.flatnonzero(~(alike(said, wanted, KNOWN) | np.isnan(wanted)))[:1]:
+        raise Wrong(f"{told_for(values)}at {point_text(states[:, k])} your law gives {wanted[k] / scale:.4g}. In other "
+                    f"units the problem is the same, so that {told_for(own)}at {point_text(there[:, k])} it has to "
+                    f"give {wanted[k]:.4g}; it gives {said[k]:.4g}")
 
 
 def _compared(best, share):

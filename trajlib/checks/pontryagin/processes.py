@@ -22,13 +22,14 @@ from trajlib.checks.pontryagin.followed import (
     keeps_to_the_ends,
     meets_once,
     point_text,
-    told_for,
 )
 from trajlib.checks.pontryagin.in_time import ENDING, INTEGRATED, Control, InTime, Motion, Steering, jumps
 from trajlib.checks.tools.searching import bisected
 from trajlib.checks.tools.values import real_function, uncertain_at, value_at
+from trajlib.checks.tools.wording import told_for
 from trajlib.checks.truths.optima.best_processes import best_processes, free_at_the_start
 from trajlib.checks.truths.optima.transfer_optima import SAMPLES
+from trajlib.checks.truths.scales import COST, TIME, same_at_every_scale
 
 #: Where rates are no linear functions of the control, it is tried at so many places between its bounds, then closer to
 #: the best of them, so often; and so far to both sides where it has no bounds.
@@ -42,6 +43,8 @@ NEAR, BENT = 0.02, 4e-3
 SAME, SUDDEN = 1e-6, 1e-9
 #: How much better the duration of the best process is known, and so where it ends, if it is what is to be least.
 TIMED = 0.05
+#: A smaller part of a time than this is none; after so small parts of a way its growth is looked at.
+ABSENT, GROWN = 1e-13, (1e-2, 1e-6)
 #: To what share the extreme values of a quantity along the best process are known.
 FOLLOWED = 5e-4
 
@@ -221,7 +224,8 @@ def optimal_cost(claim, problem, parameters=None):
     anywhere = (problem.duration is None and not problem.first_return and len(set(starts)) == len(starts)
                 and all(start in (parameters or {}) for start in starts))
     cost_of = real_function([*starts, *(p for p in parameters if p not in starts)], [claim]) if anywhere else None
-    for values, best in best_processes(problem, parameters, 2 * SAMPLES):
+    found = best_processes(problem, parameters, 2 * SAMPLES)
+    for values, best in found:
         where = told_for(values)
         said = value_at(claim, values, "the cost")
         if not same(said, best.cost, claim, best.cost_size(), COSTS, uncertain_at(claim, values)):
@@ -231,6 +235,7 @@ def optimal_cost(claim, problem, parameters=None):
                 f"there is an admissible process with a cost that is {better}"))
         if anywhere:
             _left_over(claim, cost_of, values, best, starts, parameters)
+    same_at_every_scale(claim, problem, parameters, [values for values, _ in found], COST, "cost")
     return "it is the cost of the best process found"
 
 
@@ -251,10 +256,12 @@ def _left_over(claim, cost_of, values, best, starts, parameters):
 @judged(Expression("parameters"))
 def optimal_duration(claim, problem, parameters=None):
     """The duration of the optimal process, as an expression in the parameters."""
-    for values, best in best_processes(problem, parameters, 2 * SAMPLES):
+    found = best_processes(problem, parameters, 2 * SAMPLES)
+    for values, best in found:
         said = value_at(claim, values, "the duration")
         if not same(said, best.duration, claim, computed=INTEGRATED, uncertain=uncertain_at(claim, values)):
             raise Wrong(f"{told_for(values)}your duration is {said:.4g}; {best.told_duration(said)}")
+    same_at_every_scale(claim, problem, parameters, [values for values, _ in found], TIME, "duration")
     return "it is the duration of the best process found"
 
 
@@ -264,16 +271,44 @@ def held_at_first(claim, problem, control, value, parameters):
     another."""
     j = list(problem.controls).index(control)
     low, high = problem.controls[control]
+    held = []
     for values, best in best_processes(problem, parameters):
         said, given = value_at(claim, values, "the time"), float(sp.sympify(value).subs(values))
         near = CERTAIN * float((high - low).subs(values))
         first = itertools.takewhile(lambda arc: abs(arc[1][j] - given) <= near, best.arcs)
         true = float(sum(length for length, _ in first))
+        held.append((values, true))
         if not same(said, true, claim, best.duration, ARC):
             raise Wrong(f"{told_for(values)}you keep {control} = {value} for {said:.4g} at first; the best process "
                         f"found does so " + ("longer" if true > said else "for a shorter time" if true else
                                              "at no time in the beginning"))
+    _begins_at_once(claim, held)
+    same_at_every_scale(claim, problem, parameters, [values for values, _ in held], TIME, "time")
     return "the best processes found keep it so long"
+
+
+def _begins_at_once(claim, held):
+    """Raise `Wrong` for a time that grows from zero by and by, on the way from parameters for which it is zero to
+    others: where the arc appears it grows with a corner, so that next to it the slope is no smaller."""
+    symbols = [s for s in held[0][0] if s in claim.free_symbols]
+    none, some = (np.array([[float(values[s]) for s in symbols] for values, true in held if (true > 0) == part])
+                  for part in (False, True))
+    function, count = real_function(symbols, [claim]), min(len(none), len(some))
+    if not count:
+        return
+
+    def said(parts, rows):
+        return function(*(none[rows] + parts[:, None] * (some[rows] - none[rows])).T)[0]
+
+    rows = np.arange(count)
+    whole = said(np.ones(count), rows)
+    begun = bisected(lambda parts, rows: abs(said(parts, rows)) <= ABSENT * whole[rows], np.zeros(count),
+                     np.ones(count), 50)[1]
+    here, *grown = (said(np.minimum(begun + step, 1), rows) for step in (0, *GROWN))
+    far, near = ((one - here) / step for one, step in zip(grown, GROWN))
+    for k in np.flatnonzero(~((near > far / 2) & (abs(said(np.zeros(count), rows)) <= ABSENT * whole)))[:1]:
+        at = dict(zip(symbols, none[k] + begun[k] * (some[k] - none[k])))
+        raise Wrong(f"{told_for(at)}your time leaves zero by and by; that of the best process does so at once")
 
 
 @judged(Expression("parameters"))

@@ -52,6 +52,11 @@ def rounded_text(values):
     return ", ".join(f"{symbol} = {float(value):.3g}" for symbol, value in values.items())
 
 
+def told_for(values):
+    """The beginning of a sentence that holds for values of symbols: `for M = 0.713 `."""
+    return f"for {rounded_text(values)} " if values else ""
+
+
 def other_rate(symbol, said, true):
     """That a matrix of equations in deviations is wrong in a column: where, and what it says there, not what is
     right."""

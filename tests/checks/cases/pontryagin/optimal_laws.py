@@ -17,7 +17,7 @@ PLANE = ({x1: x2, x2: u}, {u: (-1, 1)}, {x1: a, x2: b}, [x1, x2])
 FUEL = Problem(*PLANE, running=1 + R(3, 4) * sp.Abs(u))
 ENERGY = Problem(*PLANE, running=1 + u**2 / 2)
 WIDE = {a: sp.Interval(-16, 16), b: sp.Interval(-4, 4)}
-TURNED = x2 * sp.Abs(x2)
+TURNED, STEEP, ROUND = x2 * sp.Abs(x2), x2**2 * sp.tanh(10**6 * x2), sp.sqrt(x2**2 + R(1, 10**12))
 # To the origin at a given moment, without bounds: the gain of the law grows beyond all bounds at the end.
 MOMENT = Problem({x: u}, {u: None}, {x: a}, [x], running=u**2 + x**2, duration=2)
 MOVED = Problem({x1: x2, x2: u}, {u: None}, {x1: a, x2: b}, [x1, x2], running=u**2, duration=2)
@@ -69,6 +69,10 @@ CASES = [
     Case("optimal_law", fuel(2, R(1, 2), -1), (FUEL, WIDE), "wrong", "the sides exchanged"),
     Case("optimal_law", smooth(100), (FUEL, WIDE), "wrong", "a smooth imitation"),
     Case("optimal_law", smooth(10**5), (FUEL, WIDE), "wrong", "a steep imitation"),
+    Case("optimal_law", -(sp.sign(x1 + 2 * STEEP) + sp.sign(x1 + STEEP / 2)) / 2, (FUEL, WIDE), "wrong",
+         "curves with a smooth imitation of the sign, which differ next to the target alone"),
+    Case("optimal_law", -(sp.sign(x1 + 2 * x2 * ROUND) + sp.sign(x1 + x2 * ROUND / 2)) / 2, (FUEL, WIDE), "wrong",
+         "curves with a smooth imitation of the modulus"),
     Case("optimal_law", Piecewise((fuel(2, R(1, 2)), sp.Abs(x1) < 8), (-sp.sign(x1), True)), (FUEL, WIDE), "wrong",
          "right in a window, it does not drift far out"),
     Case("optimal_law", -sp.sign(x1 + TURNED / 2), (FUEL, WIDE), "wrong", "the fastest law"),
@@ -84,6 +88,11 @@ CASES = [
     Case("optimal_change", -7.17 * TURNED, (ENERGY, LEFT, RANGE, WIDE), "right", "where the control only bends"),
     Case("optimal_change", -R(201, 100) * TURNED, (FUEL, LEFT, RANGE, WIDE), "wrong", "half a percent off"),
     Case("optimal_change", 2 * x2**2, (FUEL, LEFT, RANGE, WIDE), "wrong", "one parabola for both sides"),
+    Case("optimal_change", -2 * STEEP, (FUEL, LEFT, RANGE, WIDE), "wrong", "a smooth imitation of the sign"),
+    Case("optimal_change", -2 * x2**2 * sp.tanh(20 * x2), (FUEL, LEFT, RANGE, WIDE), "wrong", "one less steep"),
+    Case("optimal_change", -x2 * ROUND / 2, (FUEL, REACHED, RANGE, WIDE), "wrong", "one of the modulus"),
+    Case("optimal_change", -2 * sp.sign(x2) * sp.Abs(x2)**2.0, (FUEL, LEFT, RANGE, WIDE), "right",
+         "an exponent in decimals"),
     Case("optimal_change", -2 * TURNED, (FUEL, REACHED, RANGE, WIDE), "wrong", "the other change"),
     Case("optimal_change", sp.sqrt(-1 - x2**2), (FUEL, LEFT, RANGE, WIDE), "wrong", "not real"),
     Case("optimal_change", sp.Eq(x1, x2), (FUEL, LEFT, RANGE, WIDE), "invalid", "an equation"),

@@ -43,12 +43,25 @@ ROBOT = Problem({y1: v * sp.cos(q), y2: v * sp.sin(q), q: w}, {v: (0, bound), w:
                 [y1 + a * bound, y2 - 2 * bound])
 BEHIND = {a: sp.Interval(1, 3), bound: sp.Interval(1, 2)}
 SPOT = sp.pi - sp.atan(2 / a) - sp.acos(1 / sp.sqrt(a**2 + 4))
+# The same on both sides, where it need not turn on the spot at all; and the carriage at least cost, from rest.
+AROUND = BEHIND | {a: sp.Interval(-3, 3)}
+SMALL, TURNED = sp.Rational(1, 10**4), sp.atan2(2, -a) - sp.acos(1 / sp.sqrt(a**2 + 4))
+AWAY = {a: sp.Interval(-6, 6)}
+CARRIAGE = Problem({x1: x2, x2: u}, {u: (-1, 1)}, {x1: a, x2: 0}, [x1, x2], running=1 + sp.Rational(3, 4) * sp.Abs(u))
 
 CASES = [
     Case("held_at_first", SPOT, (ROBOT, v, 0, BEHIND), "right", "a turn on the spot"),
     Case("held_at_first", 0, (ROBOT, v, bound, BEHIND), "right", "it does not begin with the other bound"),
     Case("held_at_first", sp.pi - sp.atan(2 / a), (ROBOT, v, 0, BEHIND), "wrong", "until it looks at the target"),
     Case("held_at_first", 0, (ROBOT, v, 0, BEHIND), "wrong", "not at all"),
+    Case("held_at_first", sp.Max(TURNED, 0), (ROBOT, v, 0, AROUND), "right", "at some places alone"),
+    Case("held_at_first", (TURNED + sp.Abs(TURNED)) / 2, (ROBOT, v, 0, AROUND), "right", "by a modulus"),
+    Case("held_at_first", sp.Max(sp.N(TURNED, 4), 0), (ROBOT, v, 0, AROUND), "right", "in decimals"),
+    Case("held_at_first", (TURNED + sp.sqrt(TURNED**2 + sp.Rational(1, 10**9))) / 2, (ROBOT, v, 0, AROUND), "wrong",
+         "the corner made smooth by a root"),
+    Case("held_at_first", TURNED * (1 + sp.tanh(10**4 * TURNED)) / 2, (ROBOT, v, 0, AROUND), "wrong", "by a tanh"),
+    Case("held_at_first", Piecewise((0, TURNED < -SMALL), ((TURNED + SMALL)**2 / (4 * SMALL), TURNED < SMALL),
+                                    (TURNED, True)), (ROBOT, v, 0, AROUND), "wrong", "by a parabola"),
     Case("held_at_first", q, (ROBOT, v, 0, BEHIND), "invalid", "in the state"),
     Case("optimal_duration", SPOT + sp.pi / 2 + sp.sqrt(a**2 + 3) - 1, (ROBOT, BEHIND), "right", "two controls"),
     Case("optimal_duration", SPOT + sp.pi / 2 + sp.sqrt(a**2 + 3), (ROBOT, BEHIND), "wrong", "two controls"),
@@ -100,10 +113,16 @@ CASES = [
     Case("optimal_cost", sp.sqrt(high / low), (SWING, STIFF), "wrong", "the sign"),
     Case("optimal_cost", a**2 * sp.pi / 2, (ENERGY, PLACES), "wrong", "of a constant control"),
     Case("optimal_cost", 1, (FAR,), "wrong", "without the velocity"),
+    Case("optimal_cost", sp.sqrt(10 * sp.Abs(a)), (CARRIAGE, AWAY), "right", "from both sides"),
+    Case("optimal_cost", 3.162 * sp.Abs(a)**0.5, (CARRIAGE, AWAY), "right", "an exponent in decimals"),
+    Case("optimal_cost", sp.sqrt(10 * a * sp.tanh(1000 * a)), (CARRIAGE, AWAY), "wrong", "a smooth imitation"),
+    Case("optimal_cost", sp.sqrt(10 * sp.sqrt(a**2 + SMALL**3)), (CARRIAGE, AWAY), "wrong", "its corner made smooth"),
     Case("optimal_cost", sp.Eq(x, 1), (FAR,), "invalid", "an equation"),
     Case("optimal_duration", sp.pi / 2 * (1 / sp.sqrt(low) + 1 / sp.sqrt(high)), (SWING, STIFF), "right", "two arcs"),
     Case("optimal_duration", 1.5708 * (low**-0.5 + high**-0.5), (SWING, STIFF), "right", "decimals"),
     Case("optimal_duration", sp.pi / sp.sqrt(low), (SWING, STIFF), "wrong", "of the soft spring"),
+    Case("optimal_duration", sp.sqrt(sp.Abs(a) * sp.Rational(49, 10)), (CARRIAGE, AWAY), "right", "from both sides"),
+    Case("optimal_duration", sp.sqrt(4.9 * sp.sqrt(a**2 + SMALL**3)), (CARRIAGE, AWAY), "wrong", "its corner smooth"),
     Case("optimal_duration", 2 * TURN, (SWING, STIFF), "wrong", "of the stiff spring"),
     Case("optimal_duration", "pi", (SWING, STIFF), "invalid", "text"),
     Case("optimal_costate", [8 * a / sp.pi * sp.sin(t), 8 * a / sp.pi * sp.cos(t)], (ENERGY, t, PLACES), "right",
