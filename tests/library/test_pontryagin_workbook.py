@@ -230,6 +230,17 @@ def cart():
     return run(lengths)[1], list(np.cumsum(lengths)[:-1])
 
 
+def across_a_tangent():
+    """x' = u, 0 <= u <= 3, int u^3/3 - u^2 + (2 - t) u over [0, 2]: H passes its own tangent from 0 to 3/2, of slope
+    -3/4, so that u jumps there; beyond it u = 1 + sqrt(1 - s) with s = 2 - t.
+    """
+    def density(s):
+        u = 1 + np.sqrt(1 - s)
+        return u**3/3 - u**2 + s*u
+
+    return quad(density, 0, 0.75, epsabs=1e-15)[0]
+
+
 def boundary_layers():
     """x' = u - x^3, int x^2 + u^2, from 3/2 to 1 in a long time: along each layer H = 0, x' = -+sqrt(x^6 + x^2)."""
     def root(s):
@@ -373,6 +384,12 @@ STATEMENTS = {
                                                                                    "equations"),
     "5.60": statement(Problem({a: w, w: a + u, x: v, v: u}, ONE, {a: R(3, 10), w: 0, x: 0, v: 0}, [a, w, x, v],
                               running=1 + x**2), cart(), LOCAL, "four equations"),
+    "from a bound to an interior arc by a jump": statement(
+        Problem({x: u}, {u: (0, 3)}, {x: 0}, running=u**3/3 - u**2 + x, duration=2), across_a_tangent(), LOCAL,
+        "a tangent, a quadrature", [1.25]),
+    "from an interior arc to a bound by a jump": statement(
+        Problem({x: u}, {u: (0, 3)}, {x: 0}, running=u**3/3 - u**2 - x, final=2*x, duration=2), across_a_tangent(),
+        LOCAL, "the same, backwards", [0.75]),
     # From elsewhere: a stationary start that is a maximum, a far start, boundary layers, a plant without drift.
     "away from zero": statement(Problem({x: u}, ONE, {x: 0}, {x: 0}, running=u**2 - x**2, duration=4),
                                 away_from_zero(), LOCAL,
@@ -449,6 +466,25 @@ def test_absolute_values_that_are_not_split(cost, error, message):
         Problem({x: u}, ONE, {x: 1}, [x], running=cost, duration=3).solve()
 
 
+def test_fastest_to_trim():
+    """F-8 Crusader (Garrard and Jordan; the benchmark of Sager's collection, best value of bang-bang controls
+    3.780855775). H is of third degree in the control, which once swings from bound to bound within 2e-4.
+    """
+    c = R("0.05236")
+    rate = (-R("0.877")*x + z - R("0.088")*x*z + R("0.47")*x**2 - R("0.019")*y**2 - x**2*z + R("3.846")*x**3
+            - R("0.215")*w + R("0.28")*x**2*w + R("0.47")*x*w**2 + R("0.63")*w**3)
+    turning = (-R("4.208")*x - R("0.396")*z - R("0.47")*x**2 - R("3.564")*x**3 - R("20.967")*w + R("6.265")*x**2*w
+               + 46*x*w**2 + R("61.4")*w**3)
+    flight = Problem({x: rate, y: z, z: turning}, {w: (-c, c)}, {x: R("0.4655"), y: 0, z: 0}, [x, y, z])
+    extremal = flight.solve()
+    kinds, begins, ends = zip(*extremal.arcs)
+    assert kinds == ("u+", "u-", "u+", "interior", "u-") and ends[3] - begins[3] < 3e-4
+    # Better than any bang-bang control, by little.
+    assert 0 < 3.780855775 - extremal.cost < 1e-8 and extremal.certificate().holds()
+    with pytest.raises(WrongStructure, match="where interior is wanted"):
+        flight.solve(["u+", "u-", "u+", "u-"])
+
+
 def test_saddles_are_left():
     """The trivial motions satisfy every first-order condition, and are not returned even when they are the guess."""
     trivial = {x: 0, u: 0}
@@ -467,6 +503,16 @@ def test_several_guesses_are_compared():
 @pytest.mark.parametrize("problem, error, message", [
     # The infimum 1/4 belongs to x = sqrt(1 - t), whose rate is not bounded.
     (Problem({x: u}, FREE, {x: 1}, running=x**2*u**2, final=x**2, duration=1), PontryaginError, "could not be joined"),
+    # No process has the infimum, 0, but one that switches for ever between u = 1 and u = -1; likewise -1.
+    (Problem({x: u}, ONE, {x: 0}, running=(u**2 - 1)**2 + x**2, duration=1), Unbounded, "ever faster switching"),
+    (Problem({x: u}, {u: (-2, 2)}, {x: 0}, running=(u**2 - 1)**2 + x**2, duration=1), Unbounded,
+     "between u = 1 and u = -1 at .* infimum is about [0-9.]+e-"),
+    (Problem({x: u}, FREE, {x: 0}, [x], running=(u**2 - 1)**2 + x**2, duration=1), Unbounded, "ever faster switching"),
+    (Problem({x: u}, ONE, {x: 0}, running=u**2 - x**2, duration=1, maximise=True), Unbounded,
+     "The infimum is about 1, that"),
+    # A mixture of u = 0 and u = 3/2 in any order is best: no switching is needed, and that is not claimed.
+    (Problem({x: u}, {u: (0, 3)}, {x: 0}, [x - 1], running=u**3/3 - u**2, duration=2), WrongStructure,
+     "could not be joined"),
     (Problem({x1: x1 + u, x2: -x2}, ONE, {x1: 0, x2: 1}, [x1, x2], running=u**2, duration=1), Infeasible,
      "x2 begins at 1 and cannot fall below 0.367879 at the time 1"),
     (Problem({x: sp.sin(y)*u, y: v, m: -u}, {u: (0, 1), v: (-1, 1)}, {x: 0, y: 0, m: 1}, [m - 2]), Infeasible,

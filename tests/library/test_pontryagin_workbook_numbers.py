@@ -465,3 +465,20 @@ def test_numbers_of_true_chattering(start):
     numbers, (cost, ratio) = caught.value.numbers, fuller(*map(float, start))
     assert abs(numbers.cost - cost) < numbers.cost_error < 1e-11
     assert abs(numbers.ratio - ratio) < numbers.ratio_error < 1e-4
+
+
+def test_switchings_that_accumulate_at_an_arc_of_order_three():
+    """The third derivative of x is u, the cost x^2: with 4 switchings a stationary process costs 1.2521203, with more
+    of them less.
+
+    The cost that is told is that of its arcs, here by polynomials.
+    """
+    with pytest.raises(Chattering, match="order 3: ever more arcs cost ever less") as caught:
+        Problem({x: v, v: w, w: u}, ONE, {x: 1, v: 0, w: 0}, [x, v, w], running=x**2).solve()
+    numbers, state, cost, sign = caught.value.numbers, [1.0, 0.0, 0.0], 0.0, -1
+    for length in numbers.lengths:
+        path = np.polynomial.Polynomial([state[0], state[1], state[2]/2, sign/6])
+        cost += (path**2).integ()(length)
+        state, sign = [path(length), path.deriv()(length), path.deriv(2)(length)], -sign
+    assert np.max(np.abs(state)) < 1e-10 and abs(cost - numbers.cost) < 1e-11
+    assert numbers.cost < 1.252112728 < 1.252120322 and numbers.cost_error < 1e-9

@@ -4,6 +4,10 @@ On a singular arc of even order q with (-1)^q b < 0 and a control inside the bou
 of the control: the optimal control switches infinitely often before it gets there (Fuller's problem, q = 2, where the
 arcs shrink by the factor 4.13). No finite list of arcs describes such an extremal, so it is refused, with the numbers
 of `accumulation` where they can be had.
+
+A bang arc can join a singular arc of odd order q > 1, but only from the few states of one motion: from the others the
+cost may fall with every further arc as well (the third derivative of x as control, the cost x^2, q = 3). There the
+numbers decide.
 """
 import casadi as ca
 import numpy as np
@@ -14,7 +18,8 @@ from .flow import ArcFlow
 
 
 def refuse_chattering(numeric, arcs, end, duration):
-    """Raise `Chattering` if the arcs join a bang arc to a singular arc of even order, or end on one.
+    """Raise `Chattering` if the arcs join a bang arc to a singular arc of even order, or end on one; of odd order above
+    one only if further arcs lower the cost.
 
     `arcs`: list of `Arc`; `end`: final state; `duration`: None if the final time is free. A free final time in which
     the target lies on the singular arc is the case of Fuller: resting there costs nothing more.
@@ -33,14 +38,18 @@ def refuse_chattering(numeric, arcs, end, duration):
         except WrongStructure:
             continue
         q = flow.orders[j]
-        if q % 2 == 0 and (joined or _rests_on_arc(numeric, flow, j, end)):
+        if q > 1 and (joined or _rests_on_arc(numeric, flow, j, end)):
             numbers = accumulation(numeric, arcs, flow, duration)
+            if q % 2 and not numbers:
+                continue
+            why = ("ever more arcs cost ever less" if q % 2 else
+                   "a bang arc cannot join a singular arc of even order, so the control switches infinitely often "
+                   "before")
             lengths = ", ".join(f"{arc.end - arc.begin:.3g}" for arc in arcs if arc.kinds[j] != "singular")
             told = f"With ever more arcs {numbers}." if numbers else f"First arcs: {lengths}."
             raise Chattering(
                 f"the switchings of {numeric.problem.control[j]} accumulate where the trajectory reaches a singular "
-                f"arc of order {q}: a bang arc cannot join a singular arc of even order, so the control switches "
-                f"infinitely often before. {told} No list of arcs describes it; bound the number of switchings in "
+                f"arc of order {q}: {why}. {told} No list of arcs describes it; bound the number of switchings in "
                 "another way, for example by a cost on the control.", numbers)
 
 

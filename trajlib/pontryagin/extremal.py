@@ -16,8 +16,18 @@ from .guesses import read_guess
 from .numeric import NumericProblem
 from .optimality import Optimality, theorem_with_discs
 from .polishing import arc_lengths, polish
-from .searching import INTERVALS, escaped, finer_picture, refuse_endless, refuse_falling, search, settled_duration
+from .searching import (
+    INTERVALS,
+    escaped,
+    finer_picture,
+    refuse_endless,
+    refuse_falling,
+    search,
+    settled_duration,
+    with_controls,
+)
 from .second_order import along_extremal, of_picture, second_variation
+from .sliding import in_turn, refuse_sliding, relaxed_picture
 from .structure import Arc, detect, keeps_to_a_line, name, read_structure
 from .transcription import Picture, target_multipliers
 from .units import large_states, solve_in_units
@@ -235,6 +245,13 @@ def solve(problem, structure=None, guess=None):
         if extremal is not None:
             return extremal
     picture, side = found.pictures[0]
+    relaxed = relaxed_picture(numeric, picture, side)
+    if relaxed is not None:
+        separate = with_controls(numeric, relaxed, side, in_turn(numeric, relaxed))
+        refuse_sliding(numeric, picture, relaxed, separate)
+        extremal = _joined(problem, numeric, separate, side, found, made, reasons)
+        if extremal is not None:
+            return extremal
     if settled_duration(numeric, picture) is None:
         refuse_endless(numeric, finer_picture(numeric, picture, side, 4) or picture, side)
     cost = -picture.cost if problem.maximise else picture.cost

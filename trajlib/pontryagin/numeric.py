@@ -8,6 +8,9 @@ import sympy as sp
 from .compiled import to_casadi
 from .discs import is_angle, relaxed
 
+# Values tried for a control in which H is not linear.
+GRID = 41
+
 
 class NumericProblem:
     """CasADi expressions (SX) of a problem without parameters.
@@ -82,6 +85,40 @@ class NumericProblem:
     @cached_property
     def final_value(self):
         return ca.Function("final", [self.x], [self.final])
+
+    def concave(self, i, states, costates, controls):
+        """Whether H is strictly concave in control i, at its bounds and where it is, in N points (rows)."""
+        if self.affine[i]:
+            return False
+        tried = [controls.copy() for _ in range(3)]
+        tried[0][:, i], tried[1][:, i] = self.lower[i], self.upper[i]
+        return all(self.curvature(i, *point) < 0 for one in tried for point in zip(states, costates, one))
+
+    def curvature(self, i, state, costate, controls, multiplier=1.0):
+        """d2H/du_i2 in a point."""
+        value = self.made(f"curvature {i}", lambda: ca.Function(
+            "curvature", [self.x, self.psi, self.u, self.multiplier], [ca.jacobian(self.slopes[i], self.u[i])]))
+        return float(value(state, costate, controls, multiplier))
+
+    def best_controls(self, states, costates, controls):
+        """The controls in N points (rows) with those between two bounds in which H is not linear changed, one after the
+        other, to what makes H with lambda_0 = 1 largest on a grid; and by how much H grows, (N,).
+        """
+        def values(u):
+            value = self.made("hamiltonian", lambda: ca.Function(
+                "hamiltonian", [self.x, self.psi, self.u, self.multiplier], [self.hamiltonian]))
+            return value.map(len(u))(states.T, costates.T, u.T, 1.0).full().ravel()
+
+        best, first = controls.copy(), values(controls)
+        largest = first.copy()
+        for i in np.nonzero(~np.array(self.affine) & np.isfinite(self.upper - self.lower))[0]:
+            for value in np.linspace(self.lower[i], self.upper[i], GRID):
+                trial = best.copy()
+                trial[:, i] = value
+                H = values(trial)
+                better = H > largest
+                best[better], largest = trial[better], np.maximum(H, largest)
+        return best, largest - first
 
     def middle(self):
         """A control inside the bounds, (k,)."""

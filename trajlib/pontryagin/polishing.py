@@ -7,7 +7,7 @@ from .errors import WrongStructure
 from .flow import STEADY
 from .maximum_condition import wanted_arcs
 from .multipliers import several_multipliers
-from .shooting import CANCELLING, ArcEquations, Shot, build_flows, newton
+from .shooting import CANCELLING, ArcEquations, Shot, build_flows, jumps, newton
 from .structure import Arc, line_of, name
 from .transcription import Picture, target_multipliers
 
@@ -18,6 +18,8 @@ INTEGRATED = 2e-13
 # How far Newton's last step may move the ends of the arcs, relative to the duration.
 DETERMINED = 1e-8
 SAMPLES = 32
+# Share of the duration below which an interior arc is a swing of the control from bound to bound.
+SWEEP = 1e-2
 # Steps of the integrator on one arc, at most.
 MOST_STEPS = 1024
 # Segments of one arc, at most.
@@ -125,29 +127,55 @@ def _starting_values(numeric, picture, arcs, flows):
     scale = np.linalg.norm(np.append(picture.costates[0], 1.0))
     made, starts, lengths = [], [], []
     for arc, flow in zip(arcs, flows):
-        pieces = 1
+        pieces, length = 1, arc.end - arc.begin
         while True:
-            begins = arc.begin + (arc.end - arc.begin)*np.arange(pieces)/pieces
-            points = [_point(picture, flow, begin, (arc.end - arc.begin)/pieces, scale) for begin in begins]
-            growth = _growth(flow, points, 1/scale, (arc.end - arc.begin)/pieces)
+            begins = arc.begin + length*np.arange(pieces)/pieces
+            points = [_point(numeric, picture, flow, begin, length/pieces, scale) for begin in begins]
+            growth = _growth(flow, points, 1/scale, length/pieces)
+            if growth > CANCELLING and length < SWEEP*picture.duration and "interior" in flow.kinds:
+                # No error grows so fast: the control has swept to its bound and beyond, where H is not concave.
+                length *= _swept(numeric, flow, points[0], 1/scale, length)
+                growth = _growth(flow, points[:1], 1/scale, length)
             if growth <= CANCELLING or pieces >= MOST_PIECES:
                 break
             wanted = np.log(growth)/np.log(CANCELLING) if np.isfinite(growth) else 2
             pieces = int(min(max(np.ceil(pieces*min(wanted, 4)), pieces + 1), MOST_PIECES))
         made += [flow]*pieces
         starts += points
-        lengths += [(arc.end - arc.begin)/pieces]*pieces
+        lengths += [length/pieces]*pieces
     return Shot(made, starts, np.array(lengths), 1/scale, target_multipliers(numeric, picture, 1/scale), [8]*len(made))
 
 
-def _point(picture, flow, begin, length, scale):
-    """State, costate and interior controls of the picture where a segment begins."""
+def _swept(numeric, flow, point, multiplier, length):
+    """The part of a short arc after which an interior control passes a bound; 1 if none does."""
+    path = flow.nodes(np.append(point, 0.0), multiplier, length, SAMPLES)[:, :-1]
+    controls = flow.values("control", path.T, multiplier).T[:, flow.interior]
+    slack = 1e-3*(numeric.upper - numeric.lower)[flow.interior]
+    inside = (controls > numeric.lower[flow.interior] - slack) & (controls < numeric.upper[flow.interior] + slack)
+    outside = np.nonzero(~inside.all(axis=1))[0]
+    return max(outside[0], 1)/SAMPLES if len(outside) else 1.0
+
+
+def _point(numeric, picture, flow, begin, length, scale):
+    """State, costate and interior controls of the picture where a segment begins.
+
+    Where a control jumps or swings, it is between two samples that of neither: the one that makes H largest is taken
+    where the picture is far from it.
+    """
     middles = (picture.times[:-1] + picture.times[1:])/2
     x = [np.interp(begin, picture.times, column) for column in picture.states.T]
     # The multipliers of the ends of the intervals: the first is not reliable where the start is fixed.
     psi = [np.interp(begin, picture.times, column)/scale for column in picture.costates.T]
     w = [line_of(picture.controls[:, j]) if flow.kinds[j] in STEADY else
          np.interp(begin + 0.02*length, middles, picture.controls[:, j]) for j in flow.interior]
+    widths = numeric.upper - numeric.lower
+    bounded = [j for j in flow.interior if flow.kinds[j] == "interior" and np.isfinite(widths[j])]
+    if bounded:
+        u = np.array([np.interp(begin, middles, column) for column in picture.controls.T])
+        best = numeric.best_controls(np.array([x]), scale*np.array([psi]), u[None])[0][0]
+        for component, j in enumerate(flow.interior):
+            if j in bounded and abs(best[j] - w[component]) > widths[j]/4:
+                w[component] = best[j]
     return np.array(x + psi + w)
 
 
@@ -161,9 +189,9 @@ def _solved(numeric, shot, duration, abnormal):
     """Newton with steps that are halved until the integration is exact to rounding."""
     first = np.concatenate([[shot.multiplier], shot.starts[0][numeric.n:2*numeric.n]])
     shot.multiplier, scale = (0.0 if abnormal else shot.multiplier), np.linalg.norm(first)
-    before = np.inf
+    before, jumping = np.inf, jumps(numeric, shot)
     for _ in range(8):
-        equations = ArcEquations(numeric, shot.flows, shot.steps, duration, first/scale**2, abnormal)
+        equations = ArcEquations(numeric, shot.flows, shot.steps, duration, first/scale**2, abnormal, jumping)
         z, residual, uncertainty = newton(equations, equations.pack(shot))
         shot = equations.unpack(z, residual, uncertainty)
         steps = _finer_steps(shot)

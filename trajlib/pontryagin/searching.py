@@ -22,6 +22,8 @@ PATIENCE, REFINING, AGREEING = 100, 80, 3
 FALLS = 1e-3
 # A free duration that changes by a smaller share from few intervals to many is one of the problem, not of its steps.
 SETTLED = 0.05
+# What needles have to lower a cost by, as a share of it, to be tried.
+NEEDLES = 1e-3
 
 
 @dataclass(frozen=True)
@@ -245,13 +247,18 @@ def _different(pictures):
 
 
 def _descended(numeric, picture, side, attempts):
-    """The picture, or a better one to which the cost falls from it: a saddle is left along its steepest direction.
+    """The picture, or a better one to which the cost falls from it: along the controls that make H largest, and from a
+    saddle along its steepest direction.
 
     Where a theorem makes every extremal optimal there are no saddles.
     """
     for _ in range(0 if attempts.convex else 4):
         if attempts.structure or np.max(np.abs(picture.costates)) > ABNORMAL:
             return picture
+        better = _with_needles(numeric, picture, side)
+        if better is not None:
+            picture = better
+            continue
         variation = second_variation(numeric, of_picture(numeric, picture, target_multipliers(numeric, picture)))
         if variation.sign >= 0:
             return picture
@@ -260,6 +267,29 @@ def _descended(numeric, picture, side, attempts):
             return picture
         picture = better
     return picture
+
+
+def _with_needles(numeric, picture, side):
+    """A picture of less cost, found from the controls that make H largest in each interval; None if there is none.
+
+    Stationary controls need not make H largest where it is not concave, and the integral of what is missing is by how
+    much short changes of the control (needles) lower the cost to first order.
+    """
+    if not any(curved and bounded for curved, bounded in zip(~np.array(numeric.affine), np.isfinite(
+            numeric.upper - numeric.lower))):
+        return None
+    middles = (picture.states[1:] + picture.states[:-1])/2
+    best, excess = numeric.best_controls(middles, picture.costates[1:], picture.controls)
+    if not excess @ np.diff(picture.times) > NEEDLES*(NEEDLES + abs(picture.cost)):
+        return None
+    result = with_controls(numeric, picture, side, best)
+    return result if result and result.cost < picture.cost - 1e-9*(1 + abs(picture.cost)) else None
+
+
+def with_controls(numeric, picture, side, controls):
+    """The picture to which other controls lead, or None."""
+    result = Transcription(numeric, len(controls), None, side).solve((picture.duration, picture.states, controls))
+    return result if isinstance(result, Picture) else None
 
 
 def escaped(numeric, picture, variation, side):

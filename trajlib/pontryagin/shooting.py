@@ -6,8 +6,9 @@ and the multipliers of the terminal equations. The equations:
     initial state; psi_i(0) = 0 for a free one                              state and costate continuous
     at a switching between bounds: the switching function is zero           (H the same on both sides where it is
     curved) where a singular arc begins: its switching function and the derivatives of orders 1 to 2q-1 are zero where
-    an interior arc begins: dH/du = 0; where it meets a bound: its control is at the bound; where an angle jumps by half
-    a turn: H the same on both sides, and the constant angle too; between two segments of one arc: equal lengths
+    an interior arc begins: dH/du = 0; where it meets a bound: its control is at the bound, or, where it jumps, H the
+    same on both sides; where an angle jumps by half a turn: H the same on both sides, and the constant angle too;
+    between two segments of one arc: equal lengths
     terminal equations, transversality, H = 0 or the given duration         c (lambda_0, psi(0)) = 1
 
 The last one takes one of the proportional multipliers, and leaves the abnormal case lambda_0 = 0 within reach.
@@ -52,12 +53,12 @@ class ArcEquations:
     """The equations for one structure; `residual(z)` gives them with their Jacobian.
 
     `flows`: an `ArcFlow` for each arc; `duration`: a number, or None for a free final time; `weights` (1+n,): c above;
-    `abnormal`: lambda_0 is kept at zero.
+    `abnormal`: lambda_0 is kept at zero; `jumps`: as the function of this name finds them.
     """
 
-    def __init__(self, numeric, flows, steps, duration, weights, abnormal=False):
+    def __init__(self, numeric, flows, steps, duration, weights, abnormal=False, jumps=()):
         self.numeric, self.flows, self.steps, self.duration = numeric, flows, list(steps), duration
-        self.weights, self.abnormal = weights, abnormal
+        self.weights, self.abnormal, self.jumps = weights, abnormal, jumps
         offsets = np.cumsum([0] + [flow.size for flow in flows])
         self.blocks = [slice(a, b) for a, b in zip(offsets, offsets[1:])]
         self.lengths = slice(offsets[-1], offsets[-1] + len(flows))
@@ -145,7 +146,9 @@ class ArcEquations:
             if before == after:
                 continue
             bounds = {"u-": self.numeric.lower[j], "u+": self.numeric.upper[j]}
-            if before in bounds and after in bounds:
+            if (index, j) in self.jumps:
+                self._same_hamiltonian(index, end, derivative)
+            elif before in bounds and after in bounds:
                 if self.numeric.affine[j]:
                     self._at_start(index + 1, right.functions["slopes"], [j])
                 else:
@@ -191,6 +194,24 @@ class ArcEquations:
             row = np.zeros(self.count)
             row[self.lengths] = 1
             self._add(self.z[self.lengths].sum() - self.duration, row)
+
+
+def jumps(numeric, shot):
+    """{(index, j)}: control j jumps between a bound and an interior arc, at the end of segment `index`.
+
+    It does so where H is convex in it at the bound: there no stationary value that makes H largest can come near.
+    """
+    found, n = set(), numeric.n
+    for index, (left, right) in enumerate(zip(shot.flows, shot.flows[1:])):
+        for j, kinds in enumerate(zip(left.kinds, right.kinds)):
+            bound = {"u-": numeric.lower[j], "u+": numeric.upper[j]}.get(min(kinds, key=len))
+            if "interior" in kinds and bound is not None:
+                y = shot.starts[index + 1]
+                controls = right.functions["control"](y, shot.multiplier).full().ravel()
+                controls[j] = bound
+                if numeric.curvature(j, y[:n], y[n:2*n], controls, shot.multiplier) > 0:
+                    found.add((index, j))
+    return found
 
 
 def newton(equations, z, iterations=80):

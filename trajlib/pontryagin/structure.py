@@ -1,7 +1,6 @@
 """The arcs of an extremal, read off a discrete picture of it."""
 from dataclasses import dataclass
 
-import casadi as ca
 import numpy as np
 
 from .flow import KINDS, STEADY
@@ -69,9 +68,8 @@ def _runs(numeric, picture, i, labels):
     """[(kind, begin, end)] in units of the intervals."""
     runs = _run_lengths(labels)
     between = "singular" if numeric.affine[i] else "interior"
-    # Where H is linear or convex in the control, it jumps from bound to bound; where it is concave, it goes through.
+    # Where H is concave in the control, it goes through from bound to bound; elsewhere it jumps.
     bounded = np.isfinite([numeric.lower[i], numeric.upper[i]]).all()
-    jumps = bounded and (numeric.affine[i] or _convex(numeric, picture, i))
     if numeric.affine[i]:
         runs = _without_ringing(runs)
     result = []
@@ -80,19 +78,14 @@ def _runs(numeric, picture, i, labels):
         if label != "between":
             result.append((label, float(begin), float(end)))
             continue
-        if jumps and end - begin <= 2 and len(runs) > 1:
+        here = slice(begin, end)
+        if bounded and end - begin <= 2 and len(runs) > 1 and not numeric.concave(
+                i, picture.states[here], picture.costates[begin + 1:end + 1], picture.controls[here]):
             # A switching inside the interval: where it is, the mean control tells.
             result, runs = _split(numeric, picture, i, result, runs, index)
             continue
         result.append((between, float(begin), float(end)))
     return _merged(result)
-
-
-def _convex(numeric, picture, i):
-    """Whether d2H/du2 is positive along the picture."""
-    curvature = ca.Function("curvature", [numeric.x, numeric.psi, numeric.u, numeric.multiplier],
-                            [ca.jacobian(numeric.slopes[i], numeric.u[i])]).map(len(picture.controls))
-    return bool(np.all(curvature(picture.states[:-1].T, picture.costates[:-1].T, picture.controls.T, 1.0).full() > 0))
 
 
 def _without_ringing(runs):
