@@ -125,7 +125,8 @@ def _cluster(options, console):
 def _with_a_bar(console, submitted, out, assignment_folder, processes, limits, trusting, cluster):
     bar = Progress(TextColumn("grading"), BarColumn(), MofNCompleteColumn(), TextColumn("{task.fields[rate]}"),
                    TimeRemainingColumn(),
-                   console=console)
+                   # Drawing it as often as it is by default takes as much of a processor as a fork for each notebook.
+                   console=console, refresh_per_second=2, disable=console.quiet)
     task = bar.add_task("grading", total=None, rate="")
 
     def progress(done, total):
