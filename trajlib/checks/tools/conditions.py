@@ -257,7 +257,8 @@ def readings(claim):
     ranges = []
     for number in decimals:
         whole = sp.nsimplify(number, rational=True)
-        half = sp.Rational(1, 2) * sp.Integer(10) ** (math.floor(math.log10(abs(float(number)))) - 2) if whole else 0
+        # By mpmath, since it may be beyond what a float holds.
+        half = sp.Rational(1, 2) * sp.Integer(10) ** (int(mpmath.floor(mpmath.log10(abs(whole)))) - 2) if whole else 0
         ranges.append((whole, whole - half, whole + half) if half else (whole,))
     exact = claim.xreplace({number: choices[0] for number, choices in zip(decimals, ranges)})
     if not any(len(choices) > 1 for choices in ranges) or len(ranges) > 4:

@@ -188,7 +188,10 @@ class Spectrum:
         return max(roots.real) / (1 + max(abs(roots)))
 
     def describe(self, values):
-        largest = max(np.roots([float(c) for c in self._coefficients(values)]).real)
+        try:
+            largest = max(np.roots([float(c) for c in self._coefficients(values)]).real)
+        except OverflowError:
+            return "so says Routh's scheme, with coefficients beyond 1e308"
         # Roots computed in floating point: below this the place lies on the imaginary axis, which Routh has decided.
         on_axis = abs(largest) < 1e-7 and self.margin == 0
         return "the largest real part of a root is " + ("exactly 0" if on_axis
