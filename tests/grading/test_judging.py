@@ -157,6 +157,8 @@ def _mutations(count):
                 {"encoded": {}, "unreadable": {}, "errors": {}, "stopped": []},
                 {"encoded": {}, "unreadable": {}, "errors": [], "stopped": {}},
                 {"encoded": {}, "unreadable": {}, "errors": [], "stopped": "12"},
+                {"encoded": {}, "unreadable": {}, "errors": [], "stopped": [-5]},
+                {"encoded": {}, "unreadable": {}, "errors": [], "stopped": [10**30]},
                 {"encoded": {"a_region": 5}, "unreadable": {}, "errors": [], "stopped": []},
                 {"encoded": {}, "unreadable": {"a_region": None}, "errors": [], "stopped": []},
                 {"encoded": {}, "unreadable": {}, "errors": [None], "stopped": []},

@@ -22,6 +22,7 @@ from trajlib.checks.contract.verdict import MISSING, UNCHECKED, Unusable, Verdic
 from trajlib.execution import CONTEXT, Child, TimeLimit, decoded, judge_answers, run_cell
 from trajlib.grading.isolation import end_with_parent, loaded
 from trajlib.grading.printable import printable
+from trajlib.grading.reading import MOST_CELLS
 
 #: How a notebook ended that handed nothing over: whose affair it is, in the words of a remark.
 ENDS = {
@@ -232,7 +233,7 @@ def _read(handed_over, names):
         outcome = json.loads(handed_over)
         encoded, unreadable, errors, stopped = (outcome[key] for key in ("encoded", "unreadable", "errors", "stopped"))
         if not (_are_texts(encoded.items()) and _are_texts(unreadable.items()) and type(errors) is type(stopped) is list
-                and _are_texts([errors]) and all(type(k) is int for k in stopped)):
+                and _are_texts([errors]) and all(type(k) is int and 0 < k <= MOST_CELLS for k in stopped)):
             raise ValueError
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
         return {}, {}, ["notebook: what it handed over cannot be read"], False
