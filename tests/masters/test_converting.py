@@ -11,7 +11,7 @@ import pytest
 from trajlib import exercises
 from trajlib.masters import Links, MasterError, read, read_all, student_notebook
 from trajlib.masters.contract import master_file
-from trajlib.masters.converting import plain_markdown
+from trajlib.masters.converting import WIDTH, plain_markdown
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -47,6 +47,22 @@ def test_places_of_the_book_are_named_and_known(links):
     text, places = plain_markdown("by {ref}`example 1 <exm-1-1>` and [Theorem 1.2](#thm-1-2), twice Theorem 1.2", links)
     assert text == "by example 1 and Theorem 1.2, twice Theorem 1.2"
     assert places == [("example 1", "book/ch1.html#exm-1-1"), ("Theorem 1.2", "book/ch1.html#thm-1-2")]
+
+
+def test_equations_of_a_chapter_are_found_from_the_notebook():
+    """Wherever a notebook names one, also in the comment of a stub, its first cell says in which chapter it stands."""
+    for number, named in ("2.12", "(2.7)"), ("2.20", "(2.4)"), ("3.25", "(2.6)"):
+        first, *others = student_notebook(read(ROOT / "solutions" / master_file(number)), Links(ROOT))["cells"]
+        assert any(named in cell["source"] for cell in others)
+        assert re.search(rf"numbers such as [^\n]*{re.escape(named)}[(), .\d]* name equations of chapter 2\.",
+                         first["source"])
+        assert [named, f"book/ch2.html#eq-{named[1:-1].replace('.', '-')}"] in first["metadata"]["places"]
+
+
+def test_lines_of_code_fit_a_notebook():
+    cells = student_notebook(read(ROOT / "solutions" / master_file("1.15")), Links(ROOT))["cells"]
+    lines = [line for cell in cells if cell["cell_type"] == "code" for line in cell["source"].splitlines()]
+    assert lines and max(map(len, lines)) <= WIDTH
 
 
 def test_a_notebook_links_to_the_site_only_where_that_has_an_address(links, tmp_path):

@@ -33,7 +33,7 @@ NEEDS = f"""\
 try:
     import trajlib
 except ModuleNotFoundError as missing:
-    how = "This Python has no trajlib. Run   %pip install {WHEEL}"
+    how = "No trajlib here. Run   %pip install {WHEEL}"
     missing._render_traceback_ = lambda: [how]
     raise"""
 
@@ -73,7 +73,7 @@ def student_notebook(master, links):
 
     A drawing that has not changed keeps the picture that the copy on disk has of it (`trajlib.masters.drawn`).
     """
-    cells, solution = [_origin(master), _code(NEEDS, "setup", [(WHEEL, f"wheels/{WHEEL}")])], False
+    cells, solution = [_code(NEEDS, "setup", [(WHEEL, f"wheels/{WHEEL}")])], False
     drawn = Drawn(master)
     for k, cell in enumerate(master.cells):
         if cell.role == "":
@@ -93,6 +93,7 @@ def student_notebook(master, links):
             cells += _hints(master, names)
             cells.append(_code(_numbered(cell.source, master.number), "check",
                                nbgrader={"grade": True, "locked": True, "points": len(names)}))
+    cells.insert(0, _origin(master, _equations(cells, links)))
     for k, cell in enumerate(cells):
         cell["id"] = f"cell-{k:02d}"
         if "nbgrader" in cell["metadata"]:
@@ -120,7 +121,8 @@ def plain_markdown(text, links, number=""):
     text = re.sub(r"\[([^\]]+)\]\(#([\w-]+)\)", lambda m: _named(m[1], links.place(m[2])), text)
     text = re.sub(r"\{(?:ref|numref|prf:ref)\}`([^`<]+?)\s*<([\w-]+)>`", lambda m: _named(m[1], links.place(m[2])),
                   text)
-    text = re.sub(r"\{eq\}`eq-([\w-]+)`", lambda m: f"({_tag(m[1])})", text)
+    text = re.sub(r"\{eq\}`eq-([\w-]+)`", lambda m: _named(f"({_tag(m[1])})", links.place(f"eq-{m[1]}")
+                                                             if re.fullmatch(r"\d+-\d+", m[1]) else None), text)
     text = re.sub(r"\{problem\}`([\d.]+)`",
                   lambda m: f"{'Pp'[not _begins(m.string[:m.start()])]}roblem {m[1]}", text)
     text = re.sub(r"\{cite(?::\w)?\}`[^`]*`", "", text)
@@ -223,18 +225,28 @@ def core_text(items):
     return f"{named} the core of this problem; the rest is practice."
 
 
-def _origin(master):
+def _equations(cells, links):
+    """[("(2.7)", place), ...] of the equations of the chapters that cells name; those of problems have a letter."""
+    named = {number for cell in cells for number in re.findall(r"\((\d+\.\d+)\)", cell["source"])}
+    places = [(f"({number})", links.place(f"eq-{number.replace('.', '-')}"))
+              for number in sorted(named, key=lambda number: [int(part) for part in number.split(".")])]
+    return [(words, place) for words, place in places if place]
+
+
+def _origin(master, equations):
     chapter = master.number.split(".")[0]
     credit = f"{CREDIT}, problem {master.number}" if int(chapter) <= 5 else RESEARCH
     return _markdown(
         f"*The data of this problem come from* {credit}.\n\n"
         f"You need the library `trajlib`: from a checkout of the workbook run `pip install -e .`, or install "
         f"the wheel that the workbook's site offers. Replace each `...` by your answer and run the check cell below "
-        f"it: it says what holds and what does not, as often as you like. The theory stands in chapter {chapter}."
+        f"it: it says what holds and what does not, as often as you like. The theory stands in chapter {chapter}"
+        + (f"; numbers such as {', '.join(words for words, _ in equations)} name equations of chapter "
+           f"{equations[0][0][1:].split('.')[0]}" if equations else "") + "."
         + f"\n\nThis problem takes {study_time(master.level, master.answers, master.core)}, at a guess."
         + (f" {core_text(master.core)}" if master.core else ""),
         [("the wheel that the workbook's site offers", f"wheels/{WHEEL}"),
-         (f"chapter {chapter}", f"book/ch{chapter}.html")])
+         (f"chapter {chapter}", f"book/ch{chapter}.html"), *equations])
 
 
 def _markdown(text, places=()):
