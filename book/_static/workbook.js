@@ -14,7 +14,7 @@ addEventListener("afterprint", () => {
 
 /* A picture leads to its file, which a browser shows as large as wished. */
 addEventListener("DOMContentLoaded", () => {
-  for (const picture of document.querySelectorAll("article figure > img")) {
+  for (const picture of document.querySelectorAll("article figure img")) {
     const link = document.createElement("a");
     link.href = picture.src;
     picture.replaceWith(link);

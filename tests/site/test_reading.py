@@ -57,6 +57,25 @@ def test_what_has_to_scroll_on_a_phone_shows_a_shadow(browser, addresses, page):
     browser.resize(1280, 900)
 
 
+#: Of each picture: how large it is beside what it was drawn for, and whether all of it can be seen.
+PICTURES = """Promise.all([...document.querySelectorAll('article figure img')].map(e => e.decode().then(() => {
+    const shown = e.getBoundingClientRect().width, box = e.closest('.panels') || e.closest('figure');
+    return [e.alt, shown/e.naturalWidth, shown <= box.clientWidth || getComputedStyle(box).overflowX === 'auto'];
+    })))"""
+
+
+@pytest.mark.parametrize("page", ["solutions/ch1/p15.html", "solutions/ch3/p12.html", "solutions/ch4/p20.html",
+                                  "solutions/ch5/p19.html", "solutions/ch7/p03.html", "book/ch5.html"])
+def test_the_letters_of_a_picture_are_read_on_a_phone(browser, addresses, page):
+    """Two panels side by side would be a third of their size."""
+    browser.resize(390, 844, phone=True)
+    browser.open(f"{addresses['http']}/{page}")
+    browser.run("document.querySelectorAll('article details').forEach(fold => fold.open = true)")
+    pictures = browser.driver.execute_async_script(f"{PICTURES}.then(arguments[0])")
+    browser.resize(1280, 900)
+    assert pictures and not [alt for alt, size, whole in pictures if size < 0.5 or not whole]
+
+
 def test_the_glossary_is_read_on_a_phone_without_scrolling_sideways(browser, addresses):
     browser.resize(390, 844, phone=True)
     browser.open(f"{addresses['http']}/book/glossary.html")

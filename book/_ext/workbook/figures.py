@@ -6,14 +6,17 @@ problem's page, "Figure 5.1" in a chapter; whoever cannot see it is told how it 
 """
 
 import re
+from pathlib import Path
 from string import ascii_lowercase
 
 from docutils import nodes
 from sphinx.transforms.post_transforms import SphinxPostTransform
 
+from trajlib.formulas import plain
 from workbook import catalogue
 
 CHAPTER = re.compile(r"book/ch(\d+)")
+SIZE = re.compile(r'viewBox="0 0 ([\d.]+) ([\d.]+)"')
 
 
 class CaptionFigures(SphinxPostTransform):
@@ -34,9 +37,19 @@ class CaptionFigures(SphinxPostTransform):
             if caption is not None:
                 caption.parent.remove(caption)
                 label = nodes.strong("", f"{number}. ")
-                figure = nodes.figure("", last.deepcopy(), nodes.caption("", "", label, *caption[0].children),
+                picture = last.deepcopy()
+                if self._has_panels(last):
+                    picture = nodes.container("", picture, classes=["panels"])
+                figure = nodes.figure("", picture, nodes.caption("", "", label, *caption[0].children),
                                       ids=[nodes.make_id(number)])
                 last.replace_self(figure)
+
+    def _has_panels(self, image):
+        """Whether a picture is too wide to be read on a phone at once: most often two panels side by side."""
+        file = Path(self.env.srcdir, image["uri"].lstrip("/"))
+        size = SIZE.search(file.read_text(encoding="utf-8")) if file.suffix == ".svg" else None
+        width, height = map(float, size.groups()) if size else (0, 1)
+        return width > 500 and width > 1.7*height
 
     def _number(self, k, count):
         problem = catalogue.of(self.env).get(self.env.docname)
@@ -67,7 +80,10 @@ def _caption_below(cell):
 
 def _first_sentence(caption):
     """As many sentences as say something: "Item b." alone does not."""
-    sentences = re.split(r"(?<=[.:;])\s+(?=\S)", " ".join(caption.astext().split()))
+    said = "".join(plain(f"${part.astext()}$") if isinstance(part, nodes.math) else part.astext()
+                   for part in caption.findall(lambda node: isinstance(node, (nodes.math, nodes.Text)))
+                   if not isinstance(part.parent, nodes.math))
+    sentences = re.split(r"(?<=[.:;])\s+(?=\S)", " ".join(said.split()))
     words = sentences.pop(0)
     while sentences and len(words) < 40:
         words += " " + sentences.pop(0)
