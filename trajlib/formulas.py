@@ -14,6 +14,8 @@ r"""Formulas in words: as TeX between dollars, as one would type them where noth
 'a 3 × (<i>n</i> + 1) matrix <i>x</i> with <i>x</i> <i>x</i>′ = 1'
 >>> typeset("under it dH/dtheta stays zero")
 'under it <i>d</i><i>H</i>/<i>d</i>θ stays zero'
+>>> typeset("off by 2e-05 m at s = 3 km/s")
+'off by 2·10<sup>−5</sup> m at <i>s</i> = 3 km/s'
 >>> typeset("for psi_x = 1, v_y = 2 and K_xy = 3")
 'for ψ<sub><i>x</i></sub> = 1, <i>v</i><sub><i>y</i></sub> = 2 and <i>K</i><sub><i>xy</i></sub> = 3'
 """
@@ -57,6 +59,8 @@ TYPEWRITTEN = re.compile(r"\*\*|[\w)]\*[A-Za-z(]|\bsqrt\(")
 #: What is surely a formula in a line of words: letters with numbers, Greek letters, and letters beside a sign.
 MATHEMATICS = re.compile(r"""
     (?:\*\*|\^)\s*(?: (?P<power>-?\w+) | \((?P<powers>[^()]*)\) )
+  | (?<=\d)e(?P<exponent>[+-]\d+)\b
+  | (?<=\d\ )(?P<unit>(?:k?m|s|rad)(?:/s²?)?)(?![\w^*'(/]|\s*[-+=<>])
   | (?<![\w.'"]) (?<!item\ ) (?P<letter>[A-Za-z]|%s)
     (?: _?(?P<index>\d+) | _(?P<name>[A-Za-z]|%s|(?<=[A-Z]_)[a-z]{2}) )? (?P<primes>'*)
     (?! [\w"'] | \.\w | (?<=\b[aAI])(?=\s+\w) )
@@ -100,6 +104,10 @@ def typeset(text, escape=html.escape):
 def _html(found):
     if found["power"] or found["powers"]:
         return f"<sup>{typeset(found['power'] or found['powers'])}</sup>"
+    if found["unit"]:
+        return found["unit"]
+    if found["exponent"]:
+        return f"·10<sup>{typeset(str(int(found['exponent'])))}</sup>"
     if found["cross"]:
         return " × "
     if found["above"]:

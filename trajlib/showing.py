@@ -79,22 +79,38 @@ def _markdown(value):
     if type(value) in (list, tuple) and value:
         listed = ", ".join(map(_markdown, value))
         return listed if all(isinstance(item, str) for item in value) else f"({listed})"
-    return _markdown(str(value))
+    # A text that was broken into lines for a terminal flows again.
+    return _markdown(re.sub(r"\n +", " ", str(value)))
 
 
 def _read(value):
-    """Without what no reader wants: the comma after the only entry of a tuple, and digits of decimals beyond eight."""
+    """Without what no reader wants: the comma after the only entry of a tuple, and digits of decimals beyond eight.
+    Arrays and lists of rows are matrices."""
+    if type(value).__module__ == "numpy":
+        value = value.tolist()
     if type(value) in (list, tuple):
         entries = [_read(entry) for entry in value]
+        if type(value) is list and all(type(row) is list for row in entries) and _is_matrix(entries):
+            import sympy as sp
+
+            return sp.Matrix(entries)
         return entries[0] if type(value) is tuple and len(entries) == 1 else type(value)(entries)
     if isinstance(value, float):
-        return float(f"{value:.8g}")
+        return float(f"{value:.8g}") + 0.0
     if hasattr(value, "xreplace"):
         import sympy as sp
 
         return value.xreplace({number: sp.Float(f"{float(number):.8g}") for number in value.atoms(sp.Float)
                                if len(str(number)) > 9})
     return value
+
+
+def _is_matrix(rows):
+    """Whether these are lists of numbers and expressions, all of a length."""
+    import sympy as sp
+
+    return len(set(map(len, rows))) == 1 and all(isinstance(entry, (sp.Expr, int, float, complex))
+                                                 for row in rows for entry in row)
 
 
 def _is_formula(value):

@@ -4,6 +4,7 @@ import re
 import sys
 from types import SimpleNamespace
 
+import numpy as np
 import pytest
 import sympy as sp
 from hypothesis import given
@@ -53,6 +54,11 @@ def test_a_terminal_is_printed_to(capsys):
     ((psi2,), r"$\psi_{2}$"),
     ([(x, 1.0), (k1,)], r"$\left[ \left( x, \  1.0\right), \  k_{1}\right]$"),
     ((("u+", 0.0, 0.24999999999999986),), "(<i>u</i>+, $0.0$, $0.25$)"),
+    (np.array([[1, -0.0], [1/3, 2]]), r"$\left[\begin{matrix}1.0 & 0.0\\0.33333333 & 2.0\end{matrix}\right]$"),
+    (np.array([1.5, 2]), r"$\left[ 1.5, \  2.0\right]$"),
+    ([[0, x], [1, 2]], r"$\left[\begin{matrix}0 & x\\1 & 2\end{matrix}\right]$"),
+    ([[0, 1], [2]], r"$\left[ \left[ 0, \  1\right], \  \left[ 2\right]\right]$"),
+    (np.bool_(True), "True"),
     (True, "True"),
     ("  at $k_1 = 0$, a_region [x](y) <b>", "\u2003at $k_1 = 0$, a\\_region \\[<i>x</i>\\](<i>y</i>) "
                                             "&lt;<i>b</i>&gt;"),

@@ -32,6 +32,23 @@ def test_results_are_set_and_not_typed(pages):
     assert shown > 1000 and not faults
 
 
+#: Python's own forms of a value, and decimals of more than nine places; an enclosure [m +/- r] has all that are proved.
+RAW = re.compile(r"array\(|Matrix\(|\bnp\.\w+\(|Float\(|\{\w+: |\[\[|[\[(]'|', '|\d\.\d{10,}(?!\d* \+/-)")
+
+
+@full
+def test_no_value_is_shown_as_python_writes_it(pages):
+    faults, shown = {}, 0
+    for path, page in those(pages, PROBLEM, CHAPTER, "book/errata/ch*.html", "book/lectures/*.html").items():
+        lines = [line for output in page.select(".cell_output")
+                 for line in "".join(text for text in output.find_all(string=True)
+                                     if not text.find_parent(class_="math")).splitlines()]
+        shown += len(lines)
+        if found := [line for line in lines if RAW.search(line)]:
+            faults[path.name] = found
+    assert shown > 1000 and not faults
+
+
 @full
 def test_every_picture_is_sharp_and_has_a_number_a_caption_and_words(pages):
     faults, seen = [], 0

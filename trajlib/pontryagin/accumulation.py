@@ -36,7 +36,7 @@ class Accumulation:
     lengths: tuple
 
     def __str__(self):
-        return (f"the optimal cost is {self.cost:.12g} (breaking off after {len(self.lengths)} arcs changes it by "
+        return (f"the optimal cost is {self.cost:.9g} (breaking off after {len(self.lengths)} arcs changes it by "
                 f"{self.cost_error:.0e}), and each arc is {self.ratio:.7g} times as long as the next (to "
                 f"{self.ratio_error:.0e})")
 
