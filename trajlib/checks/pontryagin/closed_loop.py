@@ -15,8 +15,9 @@ CLOSE = 3e-5
 ON_CURVE = 1e-6
 #: Two values of a law this close are one.
 SAME = 1e-6
-#: The part of the fastest time for which a law is followed; whether the rest suffices is asked of the optimum.
-FOLLOWED = 0.97
+#: The parts of the fastest time for which a law is followed; whether the rest suffices is asked of the optimum after
+#: each of them, since no law makes up for what was lost.
+FOLLOWED = (0.12, 0.4, 0.97)
 #: In so many steps it is followed, and once more, closely, from where it comes too late.
 STEPS, CLOSELY = 48, 480
 
@@ -56,9 +57,7 @@ class Law:
 
 def follow(law, truth, lanes):
     """Raise `Wrong` for a start from which the law needs longer than the optimum."""
-    x, passed = _closed_loop(law, truth.plant, lanes)
-    left = lanes.time * (1 + SLOWER) + 1e-3 - passed
-    late = np.flatnonzero(~(truth.solve(x, lanes.case).time <= left))
+    x, late, left = _late(law, truth, lanes, STEPS)
     few = lanes.take(late)
     # What is in time by a hair's breadth may come out as late: there the distance decides.
     missing = truth.missing(x[late], few.case, left[late], few.inside) if len(late) else np.zeros(0)
@@ -66,23 +65,33 @@ def follow(law, truth, lanes):
     for late in (late[k:k + 8] for k in range(0, len(late), 8)):
         # Close to the border of the starts that a law is meant for a switching may have been stepped over.
         few = lanes.take(late)
-        x, passed = _closed_loop(law, truth.plant, few, CLOSELY)
-        slow = ~(truth.solve(x, few.case).time <= few.time * (1 + SLOWER) + 1e-3 - passed)
+        x, slow, left = _late(law, truth, few, CLOSELY)
         # Next to a barrier a thin target may have been missed by the optimum too.
-        for k in np.flatnonzero(slow & ~truth.beside_barrier(few)):
+        for k in slow[~truth.beside_barrier(few.take(slow))] if len(slow) else ():
+            passed = few.time[k] * (1 + SLOWER) + 1e-3 - left[k]
             raise Wrong(f"{truth.told(few, k)} the target can be reached in a time of {few.time[k]:.4g}; your law has "
-                        f"brought the state to ({x[k][0]:.4g}, {x[k][1]:.4g}) after {passed[k]:.4g}, and from there it "
+                        f"brought the state to ({x[k][0]:.4g}, {x[k][1]:.4g}) after {passed:.4g}, and from there it "
                         f"cannot be reached in the time left")
 
 
-def _closed_loop(law, plant, lanes, steps=STEPS):
-    """Where the law has brought each start after the greater part of its fastest time: (states, times).
+def _late(law, truth, lanes, steps):
+    """Where the law has brought each start, for which of them the time left does not suffice then, and this time."""
+    for x, passed in _closed_loop(law, truth.plant, lanes, steps):
+        time, left = truth.solve(x, lanes.case).time, lanes.time * (1 + SLOWER) + 1e-3 - passed
+        # On the way the target may seem to be out of reach by a hair's breadth: what is lost can be counted.
+        if (np.isfinite(time) & (time > left)).all():
+            break
+    return x, np.flatnonzero(~(time <= left)), left
+
+
+def _closed_loop(law, plant, lanes, steps):
+    """Where the law has brought each start after each part of its fastest time: pairs (states, times).
 
     The control is held until no value of the law next to the state is the control held: rounding, and what the law says
     on a curve alone, decide nothing. The moment of a switching is found by bisection.
     """
-    x, case, end = lanes.x.copy(), lanes.case, FOLLOWED * lanes.time
-    t, h, rest = np.zeros(len(x)), end / steps, np.full(len(x), -np.inf)
+    x, case = lanes.x.copy(), lanes.case
+    t, h, rest = np.zeros(len(x)), FOLLOWED[-1] * lanes.time / steps, np.full(len(x), -np.inf)
     low, high = plant.bounds
     around = np.array([[0, 0], [1, 0], [-1, 0], [0, 1], [0, -1]]) * 1e-8
 
@@ -100,44 +109,46 @@ def _closed_loop(law, plant, lanes, steps=STEPS):
     # together.
     waits, turns = np.zeros(len(x), dtype=bool), np.zeros(len(x), dtype=int)
     first, last = np.zeros(len(x)), np.zeros(len(x))
-    while True:
-        busy = np.flatnonzero(~waits & (t < end - 1e-12) & (turns < 5 * steps))
-        if len(busy):
-            turns[busy] += 1
-            step = np.minimum(h[busy], end[busy] - t[busy])
-            # A law that chatters is followed with a small delay; where this delay decides, there is nothing to search
-            # for.
-            early = np.clip(rest[busy] + h[busy] / 40 - t[busy], 0, step)
-            soon = np.flatnonzero(early > 0)
-            lanes_asked = np.concatenate([busy, busy[soon]])
-            places = plant.move(x[lanes_asked], u[lanes_asked], np.concatenate([step, early[soon]]))
-            held, after = holds(places, u[lanes_asked], case[lanes_asked]), places[:len(busy)]
-            switching, delayed = ~held[:len(busy)], np.zeros(len(busy), dtype=bool)
-            delayed[soon] = ~held[len(busy):]
-            waits[busy] = switching
-            first[busy], last[busy] = early, np.where(delayed, early, step)
-            on = busy[~switching]
-            x[on], t[on] = after[~switching], t[on] + step[~switching]
-            continue
-        here = np.flatnonzero(waits)
-        if not len(here):
-            return x, t
-        there = here[first[here] < last[here]]
-        if len(there):
-            def goes_on(spans, rows, there=there):
-                lanes = there[rows]
-                return holds(plant.move(x[lanes], u[lanes], spans), u[lanes], case[lanes])
+    for end in (part * lanes.time for part in FOLLOWED):
+        while True:
+            busy = np.flatnonzero(~waits & (t < end - 1e-12) & (turns < 5 * steps))
+            if len(busy):
+                turns[busy] += 1
+                step = np.minimum(h[busy], end[busy] - t[busy])
+                # A law that chatters is followed with a small delay; where this delay decides, there is nothing to
+                # search for.
+                early = np.clip(rest[busy] + h[busy] / 40 - t[busy], 0, step)
+                soon = np.flatnonzero(early > 0)
+                lanes_asked = np.concatenate([busy, busy[soon]])
+                places = plant.move(x[lanes_asked], u[lanes_asked], np.concatenate([step, early[soon]]))
+                held, after = holds(places, u[lanes_asked], case[lanes_asked]), places[:len(busy)]
+                switching, delayed = ~held[:len(busy)], np.zeros(len(busy), dtype=bool)
+                delayed[soon] = ~held[len(busy):]
+                waits[busy] = switching
+                first[busy], last[busy] = early, np.where(delayed, early, step)
+                on = busy[~switching]
+                x[on], t[on] = after[~switching], t[on] + step[~switching]
+                continue
+            here = np.flatnonzero(waits)
+            if not len(here):
+                break
+            there = here[first[here] < last[here]]
+            if len(there):
+                def goes_on(spans, rows, there=there):
+                    lanes = there[rows]
+                    return holds(plant.move(x[lanes], u[lanes], spans), u[lanes], case[lanes])
 
-            last[there] = bisected(goes_on, first[there], last[there], 40)[1]
-        x[here], t[here], waits[here] = plant.move(x[here], u[here], last[here]), t[here] + last[here], False
-        said = law(x[here], case[here])
-        for k in np.flatnonzero((said < low - SAME) | (said > high + SAME)):
-            raise Wrong(f"a motion under your law comes to ({x[here[k]][0]:.4g}, {x[here[k]][1]:.4g}), where it gives "
-                        f"{said[k]:.4g}, outside the bounds of the control")
-        u[here], rest[here] = np.clip(said, low, high), t[here]
-        for k in here[np.isnan(said)]:
-            near = value(beside(x[k:k + 1]), np.repeat(case[k], 5))
-            if np.isnan(near).all():
-                raise Wrong(f"a motion under your law comes to ({x[k][0]:.4g}, {x[k][1]:.4g}), where it gives no real "
-                            f"number")
-            u[k] = near[~np.isnan(near)][0]  # on a curve alone a law need not be defined
+                last[there] = bisected(goes_on, first[there], last[there], 40)[1]
+            x[here], t[here], waits[here] = plant.move(x[here], u[here], last[here]), t[here] + last[here], False
+            said = law(x[here], case[here])
+            for k in np.flatnonzero((said < low - SAME) | (said > high + SAME)):
+                raise Wrong(f"a motion under your law comes to ({x[here[k]][0]:.4g}, {x[here[k]][1]:.4g}), where it "
+                            f"gives {said[k]:.4g}, outside the bounds of the control")
+            u[here], rest[here] = np.clip(said, low, high), t[here]
+            for k in here[np.isnan(said)]:
+                near = value(beside(x[k:k + 1]), np.repeat(case[k], 5))
+                if np.isnan(near).all():
+                    raise Wrong(f"a motion under your law comes to ({x[k][0]:.4g}, {x[k][1]:.4g}), where it gives no "
+                                f"real number")
+                u[k] = near[~np.isnan(near)][0]  # on a curve alone a law need not be defined
+        yield x.copy(), t.copy()
