@@ -24,15 +24,26 @@ def grade_all(units, count, settings, nursery=None):
     """Grade units (dicts with "key", "problem", "sources", "names"); yields (key, result) in the order they are done.
 
     `nursery` is one that has begun to import what they need, if there is one; it is closed in the end.
-    A lane that dies fails its unit, which is then to be graded again, and is replaced. Raises `NoIsolation` before
-    anything is graded if a sandbox cannot be had. Close it (`contextlib.closing`) to end the lanes at once.
+    A lane that dies fails its unit, which is then to be graded again, and is replaced; a nursery that dies while lanes
+    get ready is replaced with them. Raises `NoIsolation` before anything is graded if a sandbox cannot be had. Close it
+    (`contextlib.closing`) to end the lanes at once.
     """
     waiting = iter(units)
     lanes, nursery = [], nursery or Nursery.start([])
     try:
-        begin(lanes, count, settings, nursery)
-        for number in range(count):
-            lanes[number] = _ready(lanes[number], settings)
+        for tries_left in range(sandbox.STARTS - 1, -1, -1):
+            try:
+                begin(lanes, count, settings, nursery)
+                for number in range(count):
+                    lanes[number] = _ready(lanes[number], settings)
+                break
+            except NotStarted:
+                if nursery.alive() or not tries_left:
+                    raise
+                while lanes:
+                    lanes.pop().stop()
+                nursery.close()
+                nursery = Nursery.start([])
         busy = {lane: unit for lane in lanes if (unit := lane.take(waiting)) is not None}
         while busy:
             for lane in select.select(list(busy), [], [])[0]:
@@ -189,5 +200,7 @@ def work(settings, bwrap):
                         return  # no further sandbox can be had: another lane takes the place of this one
                     framing.send(results, json.dumps(result).encode())
         except NoIsolation as error:
+            if not nursery.alive():
+                return  # another lane takes the place of this one
             said = {"refused": str(error), "may start yet": isinstance(error, NotStarted)}
             framing.send(results, json.dumps(said).encode())

@@ -146,7 +146,8 @@ def _told():
     try:
         yield
     except OSError as error:
-        raise NotStarted(f"the process that others are forked from is gone or too slow ({error})") from None
+        raise NotStarted(f"the process that others are forked from is gone or too slow ({error}): the machine may be"
+                         " out of memory; the same command goes on from here") from None
 
 
 # In the nursery
