@@ -1,9 +1,28 @@
-"""Halving many intervals at once is halving each of them."""
+"""Every case that an answer distinguishes is met by a sample; halving many intervals at once is halving each of
+them."""
 
 import numpy as np
 import pytest
+import sympy as sp
 
+from trajlib.checks.tools.samples import in_every_case, sample_values
 from trajlib.checks.tools.searching import bisected
+
+x, y = sp.symbols("x y", real=True)
+
+
+@pytest.mark.parametrize("added", [
+    sp.Piecewise((0, x < 50), (1, True)), sp.Piecewise((0, sp.Or(x < 70, x > 71)), (1, True)), sp.Max(x - 50, 0),
+    sp.Abs(x + 60) - x - 60, 1 - sp.sign(60 - x), sp.Heaviside(-x - 80), sp.Piecewise((0, sp.Ne(x, 7)), (1, True)),
+    sp.Min(x*y, 90) - x*y,
+], ids=str)
+def test_every_case_of_an_answer_is_met(added):
+    samples = sample_values([x, y])
+    assert all(added.subs(values) == 0 for values in samples)
+    more = in_every_case(samples, [sp.Matrix([x*y + added])])
+    assert {bool(added.subs(values) == 0) for values in more} == {True, False}
+    assert in_every_case(samples, x*y) == samples
+    assert in_every_case(samples, x + added, sp.And(abs(x) <= 3, abs(y) <= 3)) == samples
 
 
 @pytest.mark.parametrize("rows", [1, 12, 50, 300])

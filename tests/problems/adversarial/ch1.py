@@ -200,4 +200,5 @@ ROWS = [
     right("1.17", "b_region", "epsilon - sp.re(sp.sqrt(epsilon**2 - 4*omega2)) >= 2", "the real part of the last root"),
     wrong("1.18", "b_region", "sp.And(k2 > 0, k1 > k2, k1 < 50)", "nothing bounds k1"),
     right("1.18", "b_region", "sp.And(k2 > 0, k1/k2 > 1)", "divided by the positive k2"),
+    wrong("1.4", "b_rate", "sp.Piecewise((epsilon*x2**2*(1 - x1**2), x2 < 50), (0, True))", "wrong far away"),
 ]

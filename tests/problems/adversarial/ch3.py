@@ -483,4 +483,9 @@ ROWS = [
     wrong("3.26", "b_margins", "mu <= 3.03", "the root -3 stays"),
     wrong("3.26", "a_margins", "sp.true", "the root -1 stays"),
     wrong("3.26", "b_gains", "[[[-6, -21, 0]], [0.261, 1.5, 0]]", "that of item a"),
+    wrong("3.3", "a_angles", "[sp.pi*n - sp.Piecewise((sp.atan(w/g), w < 50), (1, True))]", "wrong for large w"),
+    right("3.3", "a_angles", "[sp.pi*n - sp.Piecewise((sp.atan(w/g), w > 0), (0, True))]", "w is positive"),
+    wrong("3.5", "angles", "[sp.pi*n + sp.Piecewise((sp.atan(w/g), g < 50), (0, True))]", "wrong for large g"),
+    wrong("3.5", "control_matrix", "[[0, -sp.Min(b, 60)], [-b, 0]]", "wrong for large b"),
+    wrong("3.18", "equations", "[-4*e1 - e2 + 4*z + sp.Max(z - 60, 0), 4*e1 + u - 3*z]", "not linear for large z"),
 ]

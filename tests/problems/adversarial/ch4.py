@@ -591,4 +591,15 @@ ROWS = [
     wrong("4.43", "deviations_after", "[0.5, 0.001, 1.01e-6]", "one per cent"),
     wrong("4.43", "deviations_before", "[500, 1, 0.00101]", "one per cent"),
     wrong("4.43", "before", "(lambda c: D*c*c.T)(sp.Matrix([0.505*T**2, T, 1]))", "one per cent"),
+    wrong("4.4", "before", "sp.Matrix([[Q*T**3/3, Q*T**2/2], [Q*T**2/2, sp.Piecewise((Q*T, T < 50), (Q, True))]])",
+          "wrong after a long time"),
+    wrong("4.15", "mean", "sp.Piecewise((mu0*sp.exp(a*t), t < 50), (0, True))", "wrong after a long time"),
+    wrong("4.15", "mean", "sp.Piecewise((mu0*sp.exp(a*t), sp.Ne(t, 1)), (5, True))", "wrong at one moment"),
+    wrong("4.15", "variance", "(P0 + Q/(2*a))*sp.exp(2*a*t) - Q/(2*a) + sp.Max(t - 40, 0)", "wrong after a long time"),
+    right("4.15", "mean", "sp.Piecewise((mu0*sp.exp(a*t), t >= 0), (0, True))", "nothing is asked before the start"),
+    right("4.15", "mean", "sp.Piecewise((mu0*sp.exp(a*t), sp.Ne(a, 0)), (mu0, True))", "a constant for a = 0"),
+    wrong("4.16", "mean", "[mu1*sp.cos(t) + mu2*sp.sin(t), sp.Piecewise((mu2*sp.cos(t) - mu1*sp.sin(t), t < 50), "
+          "(mu2, True))]", "wrong after a long time"),
+    wrong("4.16", "mean", "[mu1*sp.cos(t) + mu2*sp.sin(t), mu2*sp.cos(t) - mu1*sp.sin(t) + sp.Abs(t - 60) + t - 60]",
+          "wrong after a long time"),
 ]

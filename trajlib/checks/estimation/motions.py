@@ -23,6 +23,8 @@ from trajlib.checks.truths.spectra import decays
 #: The times that answers are tried at, with other values of the parameters each.
 TIMES = (0, sp.Rational(1, 2), 1, sp.Rational(7, 5), 2, 3)
 STEPS = (0, 1, 2, 3, 5, 6)
+#: The last time at which a case of an answer is tried.
+LATEST = 1000
 
 
 @judged(Laid("start", "noises", "parameters", shape=processes.shape_of("mean")))
@@ -176,12 +178,15 @@ def covariance_rises(answer, process, parameters, given=sp.true):
 
 
 def _in_time(process, time, claim, parameters, given, times):
+    asked = sp.Or(*(sp.Eq(time, moment) for moment in times)) if times else sp.And(time >= 0, time <= LATEST)
     times = times or (STEPS if processes.plain(process).discrete else TIMES)
-    samples = in_every_case(allowed_values(parameters, given, max(len(times), len(TIMES))), claim, given)
+    samples = allowed_values(parameters, given, max(len(times), len(TIMES)))
     # However few the times are, the parameters get as many values as elsewhere.
     count = max(len(times), len(samples))
-    for moment, values, _ in zip(itertools.cycle(times), itertools.cycle(samples), range(count)):
-        yield processes.numbers(process, values), values | {time: sp.sympify(moment)}
+    samples = [values | {time: sp.sympify(moment)} for moment, values, _ in zip(
+        itertools.cycle(times), itertools.cycle(samples), range(count))]
+    for values in in_every_case(samples, claim, sp.And(joined(given), asked)):
+        yield processes.numbers(process, values), values
 
 
 def _told(what, values):

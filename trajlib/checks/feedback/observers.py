@@ -4,6 +4,8 @@ Along the motions of x' = Ax + Bu, z = Hx the error has to obey an equation of i
 all x and u; then its spectrum is judged as that of a gain.
 """
 
+import itertools
+
 import numpy as np
 import sympy as sp
 
@@ -70,7 +72,8 @@ def _hold_linear(claims, symbols, parameters, estimates):
     """Whether each right-hand side is a sum of multiples of the symbols, at values of them."""
     plain = dict.fromkeys(symbols, sp.Integer(0))
     coefficients = [[claim.diff(s).subs(plain) for s in symbols] for claim in claims]
-    for values, others in zip(general_values(parameters)*8, in_every_case(signed_values(symbols), claims)):
+    for values, others in zip(itertools.cycle(general_values(parameters)),
+                              in_every_case(signed_values(symbols), claims)):
         for symbol, claim, parts in zip(estimates, claims, coefficients):
             said = number_at(claim, values | others, f"the right-hand side for {symbol}")
             terms = [number_at(part, values, "a coefficient")*others[s] for part, s in zip(parts, symbols)]

@@ -18,7 +18,7 @@ from trajlib.checks.stability.first_approximation import STABILITY
 from trajlib.checks.stability.programs import Motion
 from trajlib.checks.tools.comparisons import Word
 from trajlib.checks.tools.conditions import Truth, compare, contrary, decide, exactly, place_text
-from trajlib.checks.tools.samples import sample_values
+from trajlib.checks.tools.samples import in_every_case, sample_values
 from trajlib.checks.tools.values import matrix_at, number_at, numbers_at
 from trajlib.checks.tools.wording import number_text, point_text, rounded_text, where_text
 
@@ -34,7 +34,7 @@ def eigenvalue_multiplicities(answer, field, state, parameters, program=None, pa
     The values are judged by the characteristic polynomial, the last number by the rank of A - lambda E.
     """
     rows = _rows(answer, parameters)
-    for values, matrix in _matrices(field, state, parameters, program, part):
+    for values, matrix in _matrices(field, state, parameters, program, part, [list(row) for row in rows]):
         n, size = len(matrix), np.linalg.norm(matrix)
         numbers = [number_at(value, values, f"your eigenvalue number {k}") for k, (value, _, _) in enumerate(rows, 1)]
         for k, number in enumerate(numbers):
@@ -98,10 +98,11 @@ def growing_motion(answer, field, state, parameters, time, constants=(), program
     motion = coercion.as_expressions(answer, [time, *constants, *parameters], len(part))
     rates = [sp.diff(component, time) for component in motion]
     random = np.random.default_rng(13)
-    for values, matrix in _matrices(field, state, parameters, program, part):
+    for values, matrix in _matrices(field, state, parameters, program, part, motion):
         values = values | {c: sp.Rational(int(random.integers(3, 30)), 11) for c in constants}
-        for moment in (sp.Rational(3, 7), sp.Rational(29, 11), sp.Rational(-13, 9)):
-            at = values | {time: moment}
+        moments = [values | {time: moment} for moment in (sp.Rational(3, 7), sp.Rational(29, 11), sp.Rational(-13, 9))]
+        for at in in_every_case(moments, motion):
+            moment = at[time]
             x, rate = numbers_at(motion, at, part), numbers_at(rates, at, [f"{s}'" for s in part])
             if not np.linalg.norm(x.imag) <= 1e-9 * (1 + np.linalg.norm(x)):
                 raise Wrong(f"this motion is not real{where_text(values)}, {time} = {moment}")
@@ -127,12 +128,14 @@ def limit_state(answer, field, state, parameters, start, program=None, part=None
     """The state that x(t) tends to for t to infinity, as a linear function of the initial state `start`."""
     part = list(state if part is None else part)
     limit = coercion.as_expressions(answer, [*start, *parameters], len(part))
-    for values, matrix in _matrices(field, state, parameters, program, part):
+    for values, matrix in _matrices(field, state, parameters, program, part, limit):
         late, later = (_exponential(matrix * duration / np.linalg.norm(matrix)) for duration in (3e3, 6e3))
         if np.linalg.norm(later - late) > 1e-8 * np.linalg.norm(late):
             raise RuntimeError("these motions do not settle")
-        for begin in (*np.eye(len(part)), np.arange(1.0, len(part) + 1)):
-            at = values | {s: sp.Integer(int(x)) for s, x in zip(start, begin)}
+        starts = [values | {s: sp.Integer(int(x)) for s, x in zip(start, begin)}
+                  for begin in (*np.eye(len(part)), np.arange(1, len(part) + 1))]
+        for at in in_every_case(starts, limit):
+            begin = np.array([float(at[s]) for s in start])
             said = numbers_at(limit, at, [f"limit of {s}" for s in part])
             true = late @ begin
             if not np.linalg.norm(said - true) <= 1e-7 * np.linalg.norm(begin):
@@ -198,9 +201,9 @@ def _eigenvectors(matrix, number):
     return int(sum(singular <= 1e-9 * np.linalg.norm(matrix)))
 
 
-def _matrices(field, state, parameters, program, part):
+def _matrices(field, state, parameters, program, part, claim=()):
     at = _linear_part(field, state, parameters, program, part)
-    for values in sample_values(parameters) if parameters else [{}]:
+    for values in in_every_case(sample_values(parameters), claim) if parameters else [{}]:
         yield values, at(values)
 
 

@@ -34,8 +34,9 @@ def lyapunov_derivative(claim, function, field, state, parameters=()):
     random = np.random.default_rng(4)
     for values in in_every_case(sample_values(parameters), claim):
         flow, level = Field(field, state, values), Field([function], state, values)
-        for _ in range(4):
-            point = random.normal(size=len(state))
+        for at in in_every_case([dict(zip(state, random.normal(size=len(state)))) for _ in range(4)],
+                                claim.xreplace(values)):
+            point = np.array(list(at.values()))
             true = level.derivative(point, flow(point))[0]
             said = number_at(claim, values | dict(zip(state, point)))
             # The size of the terms of grad V . f, not of their sum, sets the scale: the sum may cancel.

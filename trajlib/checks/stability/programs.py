@@ -38,8 +38,9 @@ def program_motion(answer, field, state, parameters, program, controls, time):
     motion = dict(zip(names, coercion.as_expressions(in_order(answer, names), [time, *parameters], len(names))))
     rates = [sp.diff(motion[s], time) for s in state]
     random = np.random.default_rng(9)
-    for values in sample_values(parameters):
-        at = values | {time: sp.Rational(int(random.integers(1, 400)), 97)}
+    samples = [values | {time: sp.Rational(int(random.integers(1, 400)), 97)} for values in sample_values(parameters)]
+    for at in in_every_case(samples, list(motion.values()), time >= 0):
+        values = {p: at[p] for p in parameters}
         place = dict(zip(motion, numbers_at(motion.values(), at, motion).tolist()))
         where = f"for {values_text(at)}"
         for symbol, expression in program.items():
@@ -116,7 +117,7 @@ def angle_deviations(claim, field, state, parameters, angle, deviations):
     if not claim.is_polynomial(*deviations) or sp.Poly(claim, *deviations).total_degree() > 1:
         raise Invalid(f"expected an expression that is linear in {deviations[0]} and {deviations[1]}")
     angles = stationary_angles(tuple(field), tuple(state), tuple(parameters))
-    for values in angles.samples:
+    for values in angles.samples_for(claim):
         for phi in angles.rest(values):
             slope, friction = angles.derivatives(values, phi)
             for deviation, true in (((1, 0), slope), ((0, 1), friction), ((0, 0), 0.0), ((1, 1), slope + friction)):
@@ -207,7 +208,7 @@ def _judge_rest_angles(answer, field, state, parameters, integer, word):
              for part in families(answer, integer, "a list of angles, as expressions")]
     claims = [coercion.as_expression(part, [*parameters, integer]) for part in parts]
     angles = stationary_angles(tuple(field), tuple(state), tuple(parameters))
-    for values in angles.samples:
+    for values in angles.samples_for(claims):
         found = angles.rest(values)
         chosen = [phi for phi in found if WANTED[word](*angles.derivatives(values, phi))]
         matched = set()

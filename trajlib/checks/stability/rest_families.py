@@ -17,7 +17,7 @@ from trajlib.checks.contract.tolerance import half_unit, in_decimals, rounds_to
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
 from trajlib.checks.stability.rest_sets import agreement
 from trajlib.checks.tools.conditions import Case, Truth, compare, contrary
-from trajlib.checks.tools.samples import allowed_values, joined
+from trajlib.checks.tools.samples import allowed_values, in_every_case, joined
 from trajlib.checks.tools.values import matrix_at, number_at
 from trajlib.checks.tools.wording import number_text, point_text, roots_text, where_text
 from trajlib.checks.truths.fields import Field
@@ -36,7 +36,7 @@ def rest_values(answer, field, state, parameters=(), given=(), integer=None):
     Every member is one, and a search finds no other. Also read: SymPy sets, and points (x*, 0).
     """
     claims = _claims(answer, state, parameters, integer)
-    for values, flow, found in _systems(field, state, parameters, given):
+    for values, flow, found in _systems(field, state, parameters, given, claims):
         _judge_values(claims, values, flow, found, found, integer, "stationary solutions")
     return ("at each of them the right-hand sides vanish, and a search finds no other"
             + agreement(claims, integer, field, state, parameters, joined(given), "stationary"))
@@ -46,7 +46,7 @@ def rest_values(answer, field, state, parameters=(), given=(), integer=None):
 def stable_rest_values(answer, field, state, parameters=(), given=(), integer=None):
     """The values of the stationary solutions that Theorem 1.4 proves asymptotically stable."""
     claims = _claims(answer, state, parameters, integer)
-    for values, flow, found in _systems(field, state, parameters, given):
+    for values, flow, found in _systems(field, state, parameters, given, claims):
         stable = [point for point in found if _growth(flow, point) < 0]
         _judge_values(claims, values, flow, found, stable, integer, "asymptotically stable ones")
     return ("there, and nowhere else, all roots of the characteristic equation have negative real parts"
@@ -57,7 +57,7 @@ def stable_rest_values(answer, field, state, parameters=(), given=(), integer=No
 def unstable_rest_values(answer, field, state, parameters=(), given=(), integer=None):
     """The values of the stationary solutions that Theorem 1.4 proves unstable."""
     claims = _claims(answer, state, parameters, integer)
-    for values, flow, found in _systems(field, state, parameters, given):
+    for values, flow, found in _systems(field, state, parameters, given, claims):
         unstable = [point for point in found if _growth(flow, point) > 0]
         _judge_values(claims, values, flow, found, unstable, integer, "unstable ones")
     return ("there, and nowhere else, a root of the characteristic equation has a positive real part"
@@ -73,7 +73,7 @@ def deviation_matrices(answer, field, state, parameters=(), given=(), integer=No
     n = len(state)
     matrices = [coercion.as_matrix(part, [*parameters, *_symbols(integer)], (n, n))
                 for part in _list_of_matrices(answer)]
-    for values, flow, found in _systems(field, state, parameters, given, zeros):
+    for values, flow, found in _systems(field, state, parameters, given, matrices, zeros):
         true = [(point, flow.jacobian(point)) for point in found]
         floor = ROUNDING * max(np.linalg.norm(other) for _, other in true)
         claimed = [matrix_at(matrix, values | {s: sp.Integer(k) for s in _symbols(integer)})
@@ -93,7 +93,7 @@ def deviation_matrices(answer, field, state, parameters=(), given=(), integer=No
 @judged(Expression("parameters"))
 def growth_rate(claim, field, state, parameters=(), given=()):
     """The positive root of the characteristic equation at the unstable stationary solutions."""
-    for values, flow, found in _systems(field, state, parameters, given):
+    for values, flow, found in _systems(field, state, parameters, given, claim):
         number = number_at(claim, values)
         for point in found:
             matrix = flow.jacobian(point)
@@ -193,20 +193,20 @@ def saddle_slopes(answer, field, state):
     return "along these lines the linear field at each saddle points straight away from it and straight to it"
 
 
-def _systems(field, state, parameters, given, zeros=None):
+def _systems(field, state, parameters, given, claim=(), zeros=None):
     """Triples (values, field, rest points between -REACH and REACH) for four samples of the parameters that satisfy
-    `given`; the rest points are the zeros of `zeros`, if these are told."""
-    return _searched(tuple(field), tuple(state), tuple(parameters), joined(given),
-                     tuple(field if zeros is None else zeros))
+    `given`, and for more where the answer distinguishes cases that these do not meet; the rest points are the zeros of
+    `zeros`, if these are told."""
+    for values in in_every_case(allowed_values(parameters, given, 4), claim, given):
+        yield values, *_searched(tuple(field), tuple(state), tuple(field if zeros is None else zeros),
+                                 tuple(values.items()))
 
 
-@functools.lru_cache(maxsize=16)
-def _searched(field, state, parameters, given, zeros):
+@functools.lru_cache(maxsize=64)
+def _searched(field, state, zeros, values):
     # Several answers of a problem ask about the same equation: one search serves them all.
-    flows = [(values, Field(field, state, values), Field(zeros, state, values))
-             for values in allowed_values(parameters, given, 4)]
-    return [(values, flow, [point for point in vanishing.rest_points(160, reach=1.2 * REACH) if abs(point[0]) < REACH])
-            for values, flow, vanishing in flows]
+    found = Field(zeros, state, dict(values)).rest_points(160, reach=1.2 * REACH)
+    return Field(field, state, dict(values)), [point for point in found if abs(point[0]) < REACH]
 
 
 def _claims(answer, state, parameters, integer):

@@ -21,7 +21,7 @@ from trajlib.checks.contract.members import VECTORS, in_order
 from trajlib.checks.contract.tolerance import changed, half_unit, in_decimals, same
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
 from trajlib.checks.tools.conditions import Case, Truth, compare, exactly, place_text
-from trajlib.checks.tools.samples import draw, ends
+from trajlib.checks.tools.samples import draw, drawn, ends
 from trajlib.checks.tools.values import real_at, uncertain_at
 from trajlib.checks.tools.wording import other_rate, point_text, roots_text, sample_text
 from trajlib.checks.truths.exceptional_values import judge_factors
@@ -71,7 +71,7 @@ def cycle_period(claim, radial, angular, radius, parameters):
     """The period of the closed orbit of r' = R(r), phi' = W(r): at the rate W the angle gains 2 pi in it."""
     family = rest_points([radial], [radius], parameters, _cycles(radius))
     turning = rest_points([angular], [radius], parameters, _cycles(radius))
-    for values, numbers, rest in family.samples():
+    for values, numbers, rest in family.samples(claim):
         period = real_at(claim, values)
         if period is None:
             raise Wrong(f"for {sample_text(values)} there is a closed orbit, but your expression gives no real number")
@@ -90,7 +90,7 @@ def stationary_linearisation(answer, field, state, parameters, domain=None):
         answer = [[answer]]
     matrix = coercion.as_matrix(answer, parameters, (n, n))
     family = rest_points(field, state, parameters, domain)
-    for values, numbers, rest in family.samples():
+    for values, numbers, rest in family.samples(matrix):
         true = family.jacobian(rest, numbers)
         size = np.linalg.norm(true)
         for k in range(n):
@@ -107,7 +107,7 @@ def stationary_value(claim, expression, field, state, parameters, domain=None):
     """The value of an expression of the state at the stationary point."""
     family = rest_points(field, state, parameters, domain)
     reading = rest_points([expression], state, parameters, domain)
-    for values, numbers, rest in family.samples():
+    for values, numbers, rest in family.samples(claim):
         true, said = float(reading(rest, numbers)[0]), real_at(claim, values)
         if said is None or not same(said, true, claim, _scale(expression, values, state, rest)):
             told = "no real number" if said is None else f"{said:.4g}"
@@ -170,7 +170,7 @@ def dulac(answer, field, state, parameters, domain=None):
     multiplier, divergence = coercion.as_expressions(answer, symbols, length=2)
     terms = [sp.diff(multiplier * component, x) for component, x in zip(field, state)]
     random = np.random.default_rng(9)
-    places = np.array([[draw(random, symbol, domain) for _ in range(300)] for symbol in symbols])
+    places = drawn(random, symbols, domain, 300, [multiplier, divergence])
     with np.errstate(all="ignore"):
         parts, places = _within_reach([_values(e, symbols, places) for e in (*terms, divergence, multiplier)], places)
     for k, place in enumerate(places.T):
@@ -201,7 +201,7 @@ def first_integral(answer, field, state, parameters, domain=None):
     claim = coercion.as_expression(answer, symbols)
     slopes = [sp.diff(claim, x) for x in state]
     random = np.random.default_rng(10)
-    places = np.array([[draw(random, symbol, domain) for _ in range(60)] for symbol in symbols])
+    places = drawn(random, symbols, domain, 60, claim)
     with np.errstate(all="ignore"):
         (levels, *gradient), places = _within_reach([_values(part, symbols, places) for part in (claim, *slopes)],
                                                     places)
@@ -243,7 +243,7 @@ def phase_curve(answer, field, state, parameters, through, domain=None):
     slope = sp.diff(claim, first)
     family = rest_points(field, state, parameters, domain)
     random = np.random.default_rng(12)
-    for values, numbers, _ in family.samples(need_rest=False, count=5):
+    for values, numbers, _ in family.samples(claim, need_rest=False, count=5):
         scale = 0.0
         for _ in range(6):
             x = sp.Rational(round(10**4 * draw(random, first, domain)), 10**4)
@@ -284,7 +284,7 @@ def _judge_points(answer, family, noun, searched=None):
     """All rest points of a family, as one point or a list of points; they are those of `searched`."""
     points = _points(answer, family)
     met = [False] * len(points)
-    for values, numbers, rests in (searched or family).samples(alone=False):
+    for values, numbers, rests in (searched or family).samples(points, alone=False):
         missed, outside = list(rests), ""
         for k, point in enumerate(points):
             place = [real_at(coordinate, values) for coordinate in point]

@@ -103,7 +103,7 @@ def canonical_part_coordinates(claim, A, H, parameters=()):
     pair = pair_of(A, H, parameters)
     if pair.outputs != 1:
         raise ValueError("the canonical form belongs to one output")
-    for values, A_there, (h,), unseen in pair.systems:
+    for values, A_there, (h,), unseen in pair.systems_for(claim):
         where, order = where_text(values), pair.order - len(unseen)
         if claim.rows > order:
             raise Wrong(f"the output and its derivatives do not hold {claim.rows} independent combinations of the "
@@ -130,7 +130,7 @@ def canonical_part_coordinates(claim, A, H, parameters=()):
 def judge_form(claim, pair, form):
     """Shape and characteristic polynomial of a matrix that is to be the form by observation of the pair's A."""
     tolerance = share(claim)
-    for values, place in pair.samples:
+    for values, place, _ in pair.samples_for(claim):
         said = matrix_at(claim, values)
         shape_of_form(said, tolerance, form, where_text(values))
         true = np.array([float(c) for c in characteristic_coefficients(pair.at(place)[0])])
@@ -169,7 +169,7 @@ def _judge_change(claim, pair, said_rows, by_rows):
     n = pair.order
     if any(pair.unseen):
         raise ValueError("there is no canonical form: the system loses an eigenvalue")
-    for (values, A, (h,), _), (_, place) in zip(pair.systems, pair.samples):
+    for (values, A, (h,), _), (_, place, _) in zip(pair.systems_for(claim), pair.samples_for(claim)):
         where, true = where_text(values), [h]
         for coefficient in characteristic_coefficients(pair.at(place)[0])[1:-1]:
             true.append(true[-1] @ A + float(coefficient) * h)

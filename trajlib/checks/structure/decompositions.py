@@ -97,7 +97,7 @@ def canonical_observable_part(answer, A, H, parameters=()):
     0)."""
     matrix, output = _as_system(answer, parameters, ("A11", "H1"), H.rows)
     pair, tolerance = pair_of(A, H, parameters), share(matrix, output)
-    for values, _ in pair.samples:
+    for values, *_ in pair.samples_for([matrix, output]):
         said = matrix_at(output, values)
         if not abs(said - np.eye(len(said), said.shape[1])).max(initial=0) <= 1e-6:
             raise Wrong(f"in the form (2.5) z is the first coordinate alone{where_text(values)}; that is not what "
@@ -183,7 +183,7 @@ def judge_similarity(claim, A_from, A_to, parameters=()):
 def _judge_split(claim, pair, side):
     """The rows of T for the pair: the first ones vanish on the unseen states."""
     n, tolerance = pair.order, share(claim)
-    for values, A, H, unseen in pair.systems:
+    for values, A, H, unseen in pair.systems_for(claim):
         said, size = matrix_at(claim, values), n - len(unseen)
         _invertible(said, tolerance, values)
         space, _ = np.linalg.qr(unseen.T)
@@ -211,7 +211,7 @@ def _judge_system(matrix, output, pair, side):
     n, tolerance = pair.order, share(matrix, output)
     if matrix.rows != n:
         raise Invalid(f"expected the matrices of the whole system of order {n}; the order of yours is {matrix.rows}")
-    for values, A, H, unseen in pair.systems:
+    for values, A, H, unseen in pair.systems_for([matrix, output]):
         new_A, new_H, size = matrix_at(matrix, values), matrix_at(output, values), n - len(unseen)
         bound = max(tolerance, 1e-9)
         if ((abs(new_A[:size, size:]) > bound * np.linalg.norm(new_A)).any()
@@ -234,7 +234,7 @@ def _judge_system(matrix, output, pair, side):
 def _judge_part(matrix, output, pair):
     """An observable system of order rank N that is the image of the pair's."""
     tolerance = share(matrix, output)
-    for values, A, H, unseen in pair.systems:
+    for values, A, H, unseen in pair.systems_for([matrix, output]):
         if matrix.rows != pair.order - len(unseen):
             raise Wrong(f"your subsystem has the order {matrix.rows}; the observable one has the order rank N, and "
                         f"that is not {matrix.rows}{where_text(values)}")

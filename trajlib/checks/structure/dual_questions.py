@@ -118,7 +118,7 @@ def judge_kalman(claim, pair, side):
     """Kalman's matrix of a control, transposed, by its definition: B first, then each block is A times the one
     before."""
     m, block = pair.outputs, side.block
-    for values, A, H, _ in pair.systems:
+    for values, A, H, _ in pair.systems_for(claim):
         true = np.vstack([H @ np.linalg.matrix_power(A, k) for k in range(pair.order)])
         sizes = np.maximum(np.linalg.norm(true, axis=1), 1e-4 * np.linalg.norm(true))[:, None]
 
@@ -138,8 +138,9 @@ def judge_kalman(claim, pair, side):
 def judge_eigenvalues(claims, pair, side):
     """The different eigenvalues at which the rank of Popov's criterion falls: those of A on the unseen states."""
     lost = [different_roots(characteristic_coefficients(restricted(pair.at(place)[0], unseen))) if unseen
-            else np.array([]) for (_, place), unseen in zip(pair.samples, pair.unseen)]
-    spectra = [(values, found, np.linalg.eigvals(A)) for found, (values, A, _, _) in zip(lost, pair.systems)]
+            else np.array([]) for _, place, unseen in pair.samples_for(claims)]
+    spectra = [(values, found, np.linalg.eigvals(A))
+               for found, (values, A, _, _) in zip(lost, pair.systems_for(claims))]
     return compare_eigenvalues(claims, spectra, side)
 
 

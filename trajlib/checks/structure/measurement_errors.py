@@ -16,6 +16,7 @@ from trajlib.checks.contract.verdict import Invalid, Wrong, judged
 from trajlib.checks.structure.dual_questions import Side, judge_region, judge_yes_no
 from trajlib.checks.structure.unseen_bases import bases_by_value, judge_basis, judge_where_lost
 from trajlib.checks.tools.comparisons import Same
+from trajlib.checks.tools.samples import in_every_case
 from trajlib.checks.tools.values import matrix_at, moved, uncertain_entries
 from trajlib.checks.tools.wording import number_text, where_text
 from trajlib.checks.truths.invariant_subspaces import echelon, product, to_floats
@@ -89,7 +90,7 @@ def augmented_system(answer, A, H, S, c, start, parameters=(), own=False):
                       f"after those of x; the shape of yours is {matrix.shape}")
     row = answer[1] if isinstance(answer[1], sp.MatrixBase) else [answer[1]] if _is_flat(answer[1]) else answer[1]
     row = coercion.as_matrix(row, parameters, (H.rows, matrix.rows))
-    for values, place in pair.samples:
+    for values, place, _ in pair.samples_for([matrix, row]):
         where = where_text(values)
         true_A, true_H = (to_floats(rows, pair.order) for rows in pair.at(place))
         said_A, said_H = matrix_at(matrix, values), matrix_at(row, values)
@@ -118,7 +119,8 @@ def amplitude_from_output(claim, A, H, S, c, start, outputs, time):
     augmented = np.array(sp.diag(A, S), dtype=float)
     row = np.array(H.row_join(c), dtype=float)[0]
     random = np.random.default_rng(17)
-    for moment in (0.2, 0.55, 0.9, 1.3, 1.7, 2.4):
+    moments = [{time: moment} for moment in (0.2, 0.55, 0.9, 1.3, 1.7, 2.4)]
+    for moment in (values[time] for values in in_every_case(moments, claim, time >= 0)):
         x, amplitude = random.normal(size=A.rows), random.choice([-1, 1]) * random.uniform(0.5, 3)
         state = expm(moment * augmented) @ [*x, *(amplitude * float(s) for s in start)]
         values = {time: moment}

@@ -26,7 +26,7 @@ from trajlib.checks.structure.dual_questions import (
 )
 from trajlib.checks.structure.unseen_bases import judge_basis
 from trajlib.checks.tools.comparisons import Word
-from trajlib.checks.tools.samples import general_values
+from trajlib.checks.tools.samples import general_values, in_every_case
 from trajlib.checks.truths.invariant_subspaces import characteristic_coefficients, different_roots
 from trajlib.checks.truths.pairs import pair_of
 from trajlib.systems import Mechanical
@@ -83,7 +83,7 @@ def mechanical_uncontrolled_eigenvalues(claim, system, parameters=()):
 
     With parameters: for their values in general position, as the assumptions allow.
     """
-    return compare_eigenvalues(claim, _spectra(_dual(system), parameters), DRIVEN,
+    return compare_eigenvalues(claim, _spectra(_dual(system), parameters, claim), DRIVEN,
                                (LAMBDA, _polynomials(_dual(system))[0]))
 
 
@@ -92,8 +92,9 @@ def mechanical_roots(claim, system, parameters=()):
     """The different roots of det(M lambda^2 + D lambda + K), also complex ones, with invertible M; with parameters for
     their values in general position."""
     pair = _in_states(system, parameters)
-    roots = [different_roots(characteristic_coefficients(pair.at(place)[0])) for _, place in pair.samples]
-    spectra = [(values, found, found) for (values, _), found in zip(pair.samples, roots)]
+    samples = pair.samples_for(claim)
+    roots = [different_roots(characteristic_coefficients(pair.at(place)[0])) for _, place, _ in samples]
+    spectra = [(values, found, found) for (values, *_), found in zip(samples, roots)]
     yield from compare_eigenvalues(claim, spectra, ALONE)
     known = known_roots(claim, LAMBDA, _pencil(system).det())
     return f"the determinant vanishes at each of them and nowhere else: {known}"
@@ -114,10 +115,11 @@ def _judge_yes_no(claim, system, parameters, side):
     return (yield Word(claim, not len(lost), f"the rank of {side.pencil} {falls}"))
 
 
-def _spectra(system, parameters):
+def _spectra(system, parameters, claim=()):
     """(values, those of lambda where the rank of Theorem 2.5 falls, all roots of the characteristic equation), each
     once."""
-    return [(values, *_known_spectra(system.subs(values))) for values in general_values(parameters)]
+    samples = in_every_case(general_values(parameters), claim)
+    return [(values, *_known_spectra(system.subs(values))) for values in samples]
 
 
 @functools.lru_cache(maxsize=64)

@@ -24,7 +24,7 @@ from trajlib.checks.truths.pairs import place_of, special_values
 def judge_basis(vectors, pair, side, at=None):
     """A basis of what is unseen, a list of vectors; `at` tells of the place, if `pair` does not."""
     n, tolerance = pair.unknowns, share(*vectors)
-    for (values, place), unseen in zip(pair.samples, pair.unseen):
+    for values, place, unseen in pair.samples_for(vectors):
         where = where_text(values) if at is None else at
         said = np.array([[number_at(entry, values, f"component {i} of your vector {k}")
                           for i, entry in enumerate(vector, 1)]

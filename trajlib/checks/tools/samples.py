@@ -82,11 +82,11 @@ def _scaled(parameters, scale, values):
 
 def in_every_case(samples, claim, given=sp.true):
     """Sample values, and more of them where an answer distinguishes cases that these do not meet, as far as the symbols
-    and the condition `given` allow: in general position, between and beyond all borders along lines."""
+    and the condition `given` allow: in general position, between and beyond all borders along lines, and where a case
+    is one value alone, at that value."""
     samples = list(samples)
-    pieces = set().union(*(part.atoms(sp.Piecewise) for part in _parts(claim)))
-    relations = sorted({relation for piece in pieces for relation in piece.atoms(Relational)
-                        if relation.free_symbols and samples and relation.free_symbols <= samples[0].keys()}, key=str)
+    relations = sorted((relation for relation in cases(claim) if relation.free_symbols and samples
+                        and relation.free_symbols <= samples[0].keys()), key=str)
     met = {_truths(relations, values) for values in samples}
     for base in samples[:2] if relations else ():
         choices = [[base[s], *_between_borders(relations, base, s)] for s in base]
@@ -99,6 +99,20 @@ def in_every_case(samples, claim, given=sp.true):
     return samples
 
 
+def cases(claim):
+    """The relations by which an answer distinguishes cases: those written, and those that a modulus, a sign, a step and
+    the greatest of several stand for."""
+    found = set()
+    for part in _parts(claim):
+        for piece in part.atoms(sp.Piecewise):
+            found |= piece.atoms(Relational)
+        for jump in part.atoms(sp.Abs, sp.sign, sp.Heaviside):
+            found |= {jump.args[0] > 0} if jump.args[0].is_extended_real is not False else set()
+        for greatest in part.atoms(sp.Max, sp.Min):
+            found |= {one > other for one, other in itertools.combinations(greatest.args, 2)}
+    return {relation for relation in found if isinstance(relation, Relational)}
+
+
 def _parts(claim):
     """The expressions and matrices in an answer that is read."""
     if isinstance(claim, (list, tuple)):
@@ -107,7 +121,15 @@ def _parts(claim):
 
 
 def _truths(relations, values):
-    return tuple(relation.subs(values) for relation in relations)
+    return tuple(_truth(relation, values) for relation in relations)
+
+
+def _truth(relation, values):
+    """True or false; None where it asks which of two numbers is greater, and one is not real."""
+    try:
+        return relation.subs(values)
+    except TypeError:
+        return None
 
 
 def _between_borders(relations, base, symbol):
@@ -115,12 +137,13 @@ def _between_borders(relations, base, symbol):
     if symbol not in symbols:
         return []
     place = [sp.nsimplify(base[s], rational=True) for s in symbols]
-    found = sorted({root for relation in relations
-                    for root in Condition(relation, symbols).borders(place, symbols.index(symbol))})
+    borders = {relation: Condition(relation, symbols).borders(place, symbols.index(symbol)) for relation in relations}
+    found = sorted(set().union(*borders.values()))
     if not found:
         return []
     ends = found[0] - 0.37 * (1 + abs(found[0])), found[-1] + 0.37 * (1 + abs(found[-1]))
-    places = [*(0.61 * one + 0.39 * other for one, other in itertools.pairwise(found)), *ends]
+    alone = [root for relation, roots in borders.items() if isinstance(relation, (sp.Eq, sp.Ne)) for root in roots]
+    places = [*(0.61 * one + 0.39 * other for one, other in itertools.pairwise(found)), *ends, *alone]
     as_given = float if isinstance(base[symbol], float) else lambda x: sp.Rational(Fraction(x).limit_denominator(1000))
     return [as_given(x) for x in (map(round, places) if symbol.is_integer else places) if allowed(symbol, np.sign(x))]
 
@@ -213,6 +236,17 @@ def draw(random, symbol, domain, share=None):
         return low + size if math.isfinite(low) else high - size
     sign, share = (1, 2 * share - 1) if share > 0.5 else (-1, 1 - 2 * share)
     return sign * math.exp(smallest + share * (largest - smallest))
+
+
+def drawn(random, symbols, domain, count, claim):
+    """Random values of symbols, a row for each, in `count` columns, and more where an answer distinguishes cases that
+    these do not meet."""
+    places = np.array([[draw(random, symbol, domain) for _ in range(count)] for symbol in symbols])
+    if not cases(claim):
+        return places
+    samples = [dict(zip(symbols, map(float, place))) for place in places.T]
+    inside = sp.And(*(interval_of(symbol, domain).as_relational(symbol) for symbol in symbols))
+    return np.array([[values[symbol] for values in in_every_case(samples, claim, inside)] for symbol in symbols])
 
 
 def rational(value):

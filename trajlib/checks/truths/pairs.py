@@ -13,7 +13,7 @@ import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
 from trajlib.checks.tools.conditions import Case, Truth, allowed
-from trajlib.checks.tools.samples import general_values
+from trajlib.checks.tools.samples import cases, general_values, in_every_case
 from trajlib.checks.truths.invariant_subspaces import to_floats, unseen_subspace
 
 
@@ -73,6 +73,16 @@ class Pair:
         found = [(values, place_of(values)) for values in general_values(self.parameters)]
         return [(values, place) for values, place in found if self.at(place) is not None]
 
+    def samples_for(self, claim):
+        """Triples (values, place, unseen): the samples, and more in general position where an answer distinguishes
+        cases that these do not meet."""
+        found = [(values, place, unseen) for (values, place), unseen in zip(self.samples, self.unseen)]
+        if not cases(claim):
+            return found
+        known = [values for values, _ in self.samples]
+        more = [(values, place_of(values)) for values in in_every_case(known, claim, self.in_general)[len(known):]]
+        return found + [(values, place, self.unseen_at(place)) for values, place in more if self.at(place) is not None]
+
     @functools.cached_property
     def unseen(self):
         """The basis of the unseen states at every sample."""
@@ -93,8 +103,12 @@ class Pair:
     def systems(self):
         """(values, A, H, unseen) at every sample: arrays of floats, a basis of the unseen states in the rows of the
         last."""
+        return self.systems_for(())
+
+    def systems_for(self, claim):
+        """The same at every one of `samples_for` an answer."""
         return [(values, *(to_floats(rows, self.order) for rows in self.at(place)), to_floats(unseen, self.unknowns))
-                for (values, place), unseen in zip(self.samples, self.unseen)]
+                for values, place, unseen in self.samples_for(claim)]
 
     @functools.cached_property
     def boundaries(self):

@@ -12,7 +12,7 @@ from fractions import Fraction
 import numpy as np
 import sympy as sp
 
-from trajlib.checks.tools.samples import sample_values
+from trajlib.checks.tools.samples import in_every_case, sample_values
 
 #: For how many sets of parameter values the stationary angles are kept: a verdict asks for a thousand, mostly the same.
 MOST_KEPT = 5000
@@ -88,6 +88,10 @@ class RestAngles:
         if not found:
             raise RuntimeError("no parameters with stationary angles were met")
         return found
+
+    def samples_for(self, claims):
+        """The samples, and more where an answer distinguishes cases that these do not meet."""
+        return [values for values in in_every_case(self.samples, claims) if len(self.rest(values))]
 
     @functools.cached_property
     def edges(self):

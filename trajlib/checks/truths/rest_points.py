@@ -11,7 +11,7 @@ import numpy as np
 import sympy as sp
 
 from trajlib.checks.contract.tolerance import same
-from trajlib.checks.tools.samples import draw, ends, interval_of, lies_inside, simple_rational
+from trajlib.checks.tools.samples import cases, draw, ends, in_every_case, interval_of, lies_inside, simple_rational
 from trajlib.checks.tools.wording import sample_text
 
 #: How many starts Newton's method gets.
@@ -139,9 +139,10 @@ class RestPoints:
         return all(same(r + d, r, expression, size, uncertain=open_)
                    for d, r, expression, open_ in zip(difference, rest, written, uncertain))
 
-    def samples(self, count=7, need_rest=True, alone=True):
+    def samples(self, claim=(), count=7, need_rest=True, alone=True):
         """Triples (exact values, their floats, the stationary point), or unless `alone` with all points of the domain,
-        for values too for which there is none."""
+        for values too for which there is none; more of them where the answer distinguishes cases that these do not
+        meet."""
         tries, numbers = self._tries
         rests = self._rests_of_tries if need_rest else [[None]] * len(tries)
         chosen = [k for k, found in enumerate(rests) if found]
@@ -150,12 +151,18 @@ class RestPoints:
         # Samples with the most points first: these are the ones where a point can be missed.
         most = sorted(chosen, key=lambda k: -len(rests[k]))[:count]
         without = [k for k, found in enumerate(rests) if not found]
-        for k in most if alone else [*most, *chosen[:count], *without[:count]]:
-            values = {p: sp.Rational(x.numerator, x.denominator) for p, x in zip(self.parameters, tries[k])}
-            if alone and len(rests[k]) > 1:
-                raise RuntimeError(f"there are {len(rests[k])} stationary points in the domain for "
-                                   f"{sample_text(values)}")
-            yield values, numbers[:, k], rests[k][0] if alone else rests[k]
+        taken = [({p: sp.Rational(x.numerator, x.denominator) for p, x in zip(self.parameters, tries[k])},
+                  numbers[:, k], rests[k]) for k in (most if alone else [*most, *chosen[:count], *without[:count]])]
+        known = [values for values, *_ in taken]
+        for values in in_every_case(known, claim, self.given)[len(known):] if cases(claim) else ():
+            column = self.numbers(values)
+            found = [] if column is None else self.rests(column)[0] if need_rest else [None]
+            if column is not None and (found or not alone):
+                taken.append((values, column[:, 0], found))
+        for values, column, found in taken:
+            if alone and len(found) > 1:
+                raise RuntimeError(f"there are {len(found)} stationary points in the domain for {sample_text(values)}")
+            yield values, column, found[0] if alone else found
 
     @functools.cached_property
     def _tries(self):
