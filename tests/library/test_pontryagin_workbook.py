@@ -390,6 +390,13 @@ STATEMENTS = {
     "from an interior arc to a bound by a jump": statement(
         Problem({x: u}, {u: (0, 3)}, {x: 0}, running=u**3/3 - u**2 - x, final=2*x, duration=2), across_a_tangent(),
         LOCAL, "the same, backwards", [0.75]),
+    "two values in any order": statement(
+        Problem({x: u}, {u: (0, 3)}, {x: 0}, [x - 1], running=u**3/3 - u**2, duration=2), -3/4, LOCAL,
+        "the convex hull of the cost, -3/4 u, which u = 0 and u = 3/2 reach"),
+    "the far one of two minima": statement(
+        Problem({x: u}, ONE, {x: R(1, 10)}, running=u**2/10, final=(x**2 - 1)**2 + x/20, duration=2),
+        min((s - 0.1)**2/20 + (s*s - 1)**2 + s/20 for s in np.roots([4, 0, -3.9, 0.04]).real), LOCAL,
+        "at a constant rate, to a root of a cubic", []),
     # From elsewhere: a stationary start that is a maximum, a far start, boundary layers, a plant without drift.
     "away from zero": statement(Problem({x: u}, ONE, {x: 0}, {x: 0}, running=u**2 - x**2, duration=4),
                                 away_from_zero(), LOCAL,
@@ -510,9 +517,9 @@ def test_several_guesses_are_compared():
     (Problem({x: u}, FREE, {x: 0}, [x], running=(u**2 - 1)**2 + x**2, duration=1), Unbounded, "ever faster switching"),
     (Problem({x: u}, ONE, {x: 0}, running=u**2 - x**2, duration=1, maximise=True), Unbounded,
      "The infimum is about 1, that"),
-    # A mixture of u = 0 and u = 3/2 in any order is best: no switching is needed, and that is not claimed.
-    (Problem({x: u}, {u: (0, 3)}, {x: 0}, [x - 1], running=u**3/3 - u**2, duration=2), WrongStructure,
-     "could not be joined"),
+    # The infimum 0 belongs to ever steeper rises at t = 0, along which no errors can be kept small.
+    (Problem({x: u, t: 1}, FREE, {x: 0, t: 0}, [x - 1], running=t**2*u**2, duration=1), WrongStructure,
+     "errors along the arc interior grow by"),
     (Problem({x1: x1 + u, x2: -x2}, ONE, {x1: 0, x2: 1}, [x1, x2], running=u**2, duration=1), Infeasible,
      "x2 begins at 1 and cannot fall below 0.367879 at the time 1"),
     (Problem({x: sp.sin(y)*u, y: v, m: -u}, {u: (0, 1), v: (-1, 1)}, {x: 0, y: 0, m: 1}, [m - 2]), Infeasible,

@@ -20,7 +20,8 @@ def guesses(numeric, intervals, side=None):
     start, end = np.nan_to_num(numeric.start), _nearest_target_point(numeric)
     line = start + np.linspace(0, 1, intervals + 1)[:, None]*(end - start)
     middle = np.tile(numeric.middle(), (intervals, 1))
-    for duration in [1.0, 5.0] if numeric.duration is None else [numeric.duration]:
+    # Without a target the line is the start, and no way.
+    for duration in [1.0, 5.0] if numeric.duration is None else [numeric.duration] if numeric.m or not drifts else []:
         yield np.clip(duration, numeric.shortest, numeric.longest), line, middle
     for _, guess in drifts[1:3]:
         yield guess

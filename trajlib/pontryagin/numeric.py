@@ -104,20 +104,21 @@ class NumericProblem:
         """The controls in N points (rows) with those between two bounds in which H is not linear changed, one after the
         other, to what makes H with lambda_0 = 1 largest on a grid; and by how much H grows, (N,).
         """
-        def values(u):
-            value = self.made("hamiltonian", lambda: ca.Function(
-                "hamiltonian", [self.x, self.psi, self.u, self.multiplier], [self.hamiltonian]))
-            return value.map(len(u))(states.T, costates.T, u.T, 1.0).full().ravel()
+        value = self.made("hamiltonian", lambda: ca.Function(
+            "hamiltonian", [self.x, self.psi, self.u, self.multiplier], [self.hamiltonian]))
 
-        best, first = controls.copy(), values(controls)
-        largest = first.copy()
+        def values(u, times):
+            points = (np.tile(part, (times, 1)).T for part in (states, costates))
+            return value.map(len(u))(*points, u.T, 1.0).full().reshape(times, -1)
+
+        best, first, rows = controls.copy(), values(controls, 1)[0], np.arange(len(controls))
+        largest = first
         for i in np.nonzero(~np.array(self.affine) & np.isfinite(self.upper - self.lower))[0]:
-            for value in np.linspace(self.lower[i], self.upper[i], GRID):
-                trial = best.copy()
-                trial[:, i] = value
-                H = values(trial)
-                better = H > largest
-                best[better], largest = trial[better], np.maximum(H, largest)
+            trials = np.tile(best, (GRID + 1, 1, 1))
+            trials[1:, :, i] = np.linspace(self.lower[i], self.upper[i], GRID)[:, None]
+            H = values(trials.reshape(-1, self.k), GRID + 1)
+            chosen = np.argmax(H, axis=0)
+            best, largest = trials[chosen, rows], H[chosen, rows]
         return best, largest - first
 
     def middle(self):

@@ -22,8 +22,8 @@ SAMPLES = 32
 SWEEP = 1e-2
 # Steps of the integrator on one arc, at most.
 MOST_STEPS = 1024
-# Segments of one arc, at most.
-MOST_PIECES = 48
+# Segments of one arc, at most, and the growth of errors on one of them with which no digit is left.
+MOST_PIECES, HOPELESS = 48, 1e20
 
 
 def polish(numeric, picture, arcs, duration, made, keep_structure=False):
@@ -140,6 +140,9 @@ def _starting_values(numeric, picture, arcs, flows):
                 break
             wanted = np.log(growth)/np.log(CANCELLING) if np.isfinite(growth) else 2
             pieces = int(min(max(np.ceil(pieces*min(wanted, 4)), pieces + 1), MOST_PIECES))
+        if growth > HOPELESS:
+            raise WrongStructure(f"errors along the arc {name(flow.kinds)} grow by {growth:.0e} even on {pieces} "
+                                 "segments")
         made += [flow]*pieces
         starts += points
         lengths += [length/pieces]*pieces
@@ -159,8 +162,8 @@ def _swept(numeric, flow, point, multiplier, length):
 def _point(numeric, picture, flow, begin, length, scale):
     """State, costate and interior controls of the picture where a segment begins.
 
-    Where a control jumps or swings, it is between two samples that of neither: the one that makes H largest is taken
-    where the picture is far from it.
+    Where a control jumps or swings, it is between two samples that of neither: there the first sample on the segment
+    is taken, or, if there is none, what makes H largest.
     """
     middles = (picture.times[:-1] + picture.times[1:])/2
     x = [np.interp(begin, picture.times, column) for column in picture.states.T]
@@ -171,11 +174,13 @@ def _point(numeric, picture, flow, begin, length, scale):
     widths = numeric.upper - numeric.lower
     bounded = [j for j in flow.interior if flow.kinds[j] == "interior" and np.isfinite(widths[j])]
     if bounded:
-        u = np.array([np.interp(begin, middles, column) for column in picture.controls.T])
-        best = numeric.best_controls(np.array([x]), scale*np.array([psi]), u[None])[0][0]
+        after = np.searchsorted(middles, begin)
+        u = picture.controls[min(after, len(middles) - 1)]
+        if after == len(middles) or middles[after] > begin + length:
+            u = numeric.best_controls(np.array([x]), scale*np.array([psi]), u[None])[0][0]
         for component, j in enumerate(flow.interior):
-            if j in bounded and abs(best[j] - w[component]) > widths[j]/4:
-                w[component] = best[j]
+            if j in bounded and abs(u[j] - w[component]) > widths[j]/4:
+                w[component] = u[j]
     return np.array(x + psi + w)
 
 

@@ -210,7 +210,9 @@ class _Attempts:
         if missed and not what:
             self._refuse_separated(missed)
         status = f", last status: {self.failures[-1].status}" if self.failures else ""
-        raise NotConverged(f"no process{what} that ends on the target was found from {self.starts} starts"
+        longest = (f" that lasts {numeric.longest:g} at most" if numeric.duration is None and not
+                   numeric.time_bounds_given else "")
+        raise NotConverged(f"no process{what}{longest} that ends on the target was found from {self.starts} starts"
                            f"{'; ' + missed if missed else ''} (IPOPT{status}). Nothing is proved by that: give a "
                            "guess for the duration and the states, or look whether the problem has a solution at all.")
 
@@ -322,10 +324,11 @@ def settled_duration(numeric, picture):
     if numeric.duration is not None:
         return numeric.duration
     T, low, high = picture.duration, numeric.shortest, numeric.longest
-    if T <= 10*low and not numeric.time_bounds_given:
+    if T <= 1.5*low and not numeric.time_bounds_given:
         raise Unbounded(f"the best duration tends to zero (it ran into {low:g}): the infimum "
                         f"{_cost(numeric, picture.cost)} is approached "
-                        "by ever shorter processes and not attained. Bound the controls, or give a duration.")
+                        "by ever shorter processes and not attained. Bound the controls, or give a duration; if "
+                        "processes as short as that are meant, choose a smaller unit of time.")
     if T >= high*(1 - 1e-6) and not numeric.time_bounds_given:
         raise Unbounded(f"the best duration grows beyond every bound (it ran into {high:g}): there is no best "
                         f"process. Give a duration, or "
