@@ -30,10 +30,11 @@ TYPED = [(re.compile(pattern), typed) for pattern, typed in [
     (r"(\\(?!d{1,3}ot|bar|[lr]vert)[A-Za-z]+)(?=\\[A-Za-z])", r"\1 "),
     (r"\\(d{1,3})ot(?![a-z]) ?(\\?[A-Za-z]+(?:_(?:\w|\{\w+\}))?)", lambda m: m[2] + "'"*len(m[1])),
     (r"\\bar ?(\w)", r"\1bar"),
-    (r"\\operatorname\{(\w+)\}", r"\1"),
+    (r"\\(?:operatorname|mathrm|text)\{([^{}]*)\}", r"\1"),
     (r"_\{(\d+)\}|_(\d)", lambda m: m[1] or m[2]),
     (r"_\{(\\?[A-Za-z]\w*)\}", r"_\1"),
     (r"_\{([^{}]*)\}", r"_(\1)"),
+    (r"\\partial ?", "d"),
     (r"\\sqrt\{([^{}]*)\}", r"sqrt(\1)"),
     (r"\^\{(-?\w+)\}", r"^\1"),
     (r"\^\{([^{}]*)\}", r"^(\1)"),
@@ -41,8 +42,7 @@ TYPED = [(re.compile(pattern), typed) for pattern, typed in [
     (r"\\frac(\d)(\d)", r"\1/\2"),
     (r"\\frac\{([^{}]*)\}\{([^{}]*)\}", lambda m: "/".join(_whole(part) for part in m.groups())),
     (r"\\lvert |\\[lr]vert", "|"),
-    (r"\\partial", "d"),
-    (r"\\,", " "),
+    (r"\\[,;]", " "),
     (r"\\(leq?|geq|neq|to|cdot|l?dots|infty|top|pm|equiv)(?![A-Za-z])", lambda m: SIGNS[m[1]]),
     (r"\\var(?=phi|epsilon)|\\(?=[A-Za-z{}])", ""),
     (r"  +", " "),
@@ -58,7 +58,7 @@ GREEK |= {name.capitalize(): letter.upper() for name, letter in GREEK.items()}
 TYPEWRITTEN = re.compile(r"\*\*|[\w)]\*[A-Za-z(]|\bsqrt\(")
 #: What is surely a formula in a line of words: letters with numbers, Greek letters, and letters beside a sign.
 MATHEMATICS = re.compile(r"""
-    (?:\*\*|\^)\s*(?: (?P<power>-?\w+) | \((?P<powers>[^()]*)\) )
+    (?:\*\*|\^)\s*(?: (?P<power>-?\w+) | \((?P<powers>[^()]+)\) )
   | (?<=\d)e(?P<exponent>[+-]\d+)\b
   | (?<=\d\ )(?P<unit>(?:k?m|s|rad)(?:/s²?)?)(?![\w^*'(/]|\s*[-+=<>])
   | (?<![\w.'"]) (?<!item\ ) (?P<letter>[A-Za-z]|%s)
@@ -80,7 +80,7 @@ def plain(text):
 
 def _whole(part):
     """A numerator or denominator, in brackets unless it is of one piece."""
-    return part if re.fullmatch(r"\\?\w+", part) else f"({part})"
+    return part if re.fullmatch(r"d?\\?\w+", part) else f"({part})"
 
 
 def _typed(formula):

@@ -62,6 +62,7 @@ def test_a_terminal_is_printed_to(capsys):
     (True, "True"),
     ("  at $k_1 = 0$, a_region [x](y) <b>", "\u2003at $k_1 = 0$, a\\_region \\[<i>x</i>\\](<i>y</i>) "
                                             "&lt;<i>b</i>&gt;"),
+    ("x**()", r"<i>x</i>\*\*()"),
     ("det = k1**2 - x/psi2", "det = <i>k</i><sub>1</sub><sup>2</sup> − <i>x</i>/ψ<sub>2</sub>"),
 ])
 def test_a_notebook_sets_it(shown, value, said):

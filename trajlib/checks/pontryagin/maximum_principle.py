@@ -432,7 +432,7 @@ def _equal(claim, true, values, what):
     if not same(said, wanted, claim, size=max(parts), computed=EXACT):
         if true.is_number:  # the true number would be the answer itself
             raise Wrong(f"{what} is not {said:.4g}, which your expression gives")
-        raise Wrong(f"for {rounded_text(values)} {what} is {wanted:.4g}; your expression gives {said:.4g}")
+        raise Wrong(f"for {rounded_text(values)}, {what} is {wanted:.4g}; your expression gives {said:.4g}")
 
 
 def _vanish_together(claim, slope, problem, costates, domain):
