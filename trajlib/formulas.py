@@ -42,7 +42,7 @@ TYPED = [(re.compile(pattern), typed) for pattern, typed in [
     (r"\\frac(\d)(\d)", r"\1/\2"),
     (r"\\frac\{([^{}]*)\}\{([^{}]*)\}", lambda m: "/".join(_whole(part) for part in m.groups())),
     (r"\\lvert |\\[lr]vert", "|"),
-    (r"\\[,;]", " "),
+    (r"\\[,; ]", " "),
     (r"\\(leq?|geq|neq|to|cdot|l?dots|infty|top|pm|equiv)(?![A-Za-z])", lambda m: SIGNS[m[1]]),
     (r"\\var(?=phi|epsilon)|\\(?=[A-Za-z{}])", ""),
     (r"  +", " "),

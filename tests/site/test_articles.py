@@ -99,6 +99,14 @@ def test_the_answers_of_an_item_stand_under_its_statement(pages):
 
 
 @full
+def test_every_column_of_a_table_has_a_head(pages):
+    """Somebody who hears a table is told the head of each entry."""
+    heads = [(path.name, head.get_text().strip()) for path, page in pages[1].items()
+             for head in page.select("article th")]
+    assert len(heads) > 100 and not [name for name, text in heads if not text]
+
+
+@full
 def test_a_comma_stays_with_its_formula(pages):
     """A browser breaks the line between a formula and the sign after it unless both stand in one unbroken span."""
     torn = {}

@@ -88,7 +88,7 @@ class Proof:
         rows += [(f"switching {i}", time) for i, time in enumerate(self.switching_times, 1)]
         rows += [(rf"$\psi_{i}(0)$", value) for i, value in enumerate(self.costate, 1)]
         table = "".join(f"| {name} | `{value}` |\n" for name, value in rows)
-        return f"Proved optimal: {self.reason}.\n\n| | enclosure |\n|---|---|\n{table}"
+        return f"Proved optimal: {self.reason}.\n\n| quantity | enclosure |\n|---|---|\n{table}"
 
 
 def prove(problem, arcs, state, costate, multiplier=1.0):
