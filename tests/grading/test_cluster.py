@@ -30,6 +30,7 @@ from trajlib import exercises  # noqa: E402
 from trajlib.grading import bench, cluster, cluster_lanes, course  # noqa: E402
 from trajlib.grading.isolation import NoIsolation  # noqa: E402
 from trajlib.grading.judging import Bounds  # noqa: E402
+from trajlib.grading.preloading import ALWAYS  # noqa: E402
 from trajlib.grading.sandbox import Limits  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -392,7 +393,9 @@ def test_a_lane_ends_with_its_thread_and_outlives_others(monkeypatch):
     """The kernel's signal at a parent's death is one at the death of the thread that started the child."""
     monkeypatch.setattr(cluster_lanes, "_compare", lambda expected: None)
     monkeypatch.setattr(cluster_lanes, "_look_around", lambda: None)
-    given = json.dumps(bench.settings(Limits(), Bounds()) | {"run": "x", "library": {}, "lanes": 1}).encode()
+    given = json.dumps(bench.settings(Limits(), Bounds())
+                       | {"run": "x", "library": {}, "lanes": 1,
+                          "modules": {"notebooks": ALWAYS, "checks": []}}).encode()
     with concurrent.futures.ThreadPoolExecutor(1) as lasting:
         assert lasting.submit(cluster_lanes.ready, given).result() == b"{}"
         (lane,) = cluster_lanes._all

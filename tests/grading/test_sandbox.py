@@ -11,6 +11,7 @@ import subprocess
 import sys
 import tempfile
 import time
+from functools import partial
 from pathlib import Path
 from textwrap import dedent
 
@@ -22,6 +23,7 @@ from hostile.reading import READING  # noqa: E402
 
 from trajlib.grading import isolation, watching  # noqa: E402
 from trajlib.grading import sandbox as sandbox_module  # noqa: E402
+from trajlib.grading.preloading import ALWAYS  # noqa: E402
 from trajlib.grading.sandbox import Limits, Outcome, Sandbox, Trusting  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -30,11 +32,13 @@ TIGHT = Limits(cpu_seconds=3, wall_seconds=6, memory_megabytes=300)
 
 #: For what is not about time: other tests keep the machine busy.
 PATIENT = Limits(cpu_seconds=10, wall_seconds=100, memory_megabytes=600)
+#: Without the libraries that no notebook of these tests uses.
+lean = partial(Sandbox, modules=ALWAYS)
 
 
 @pytest.fixture(scope="module", params=["nested", "once"])
 def sandbox(request):
-    with Sandbox(TIGHT, once=request.param == "once") as ready:
+    with lean(TIGHT, once=request.param == "once") as ready:
         yield ready
 
 
@@ -67,7 +71,7 @@ b = [sorted(os.listdir("/")), sorted(os.environ), os.getcwd(), os.listdir("."), 
 
 @pytest.mark.parametrize("once", [False, True], ids=["nested", "once"])
 def test_sees_trajlib_and_nothing_else_of_ours(once):
-    with Sandbox(PATIENT, once) as sandbox:  # looking through everything takes a while
+    with lean(PATIENT, once) as sandbox:  # looking through everything takes a while
         found = answers(run(sandbox, LOOK, names=("a", "b")))
     assert (found["a"] and all(path.startswith(f"{isolation.PACKAGE}/") and not path.endswith(".ipynb")
                                for path in found["a"]))
@@ -183,7 +187,7 @@ def test_getting_ready_is_not_the_notebooks_time():
 
 
 def test_a_sleeper_holds_its_place_no_longer_than_one_that_computes():
-    with Sandbox(Limits(cpu_seconds=4, wall_seconds=600)) as sandbox:
+    with lean(Limits(cpu_seconds=4, wall_seconds=600)) as sandbox:
         start = time.monotonic()
         outcome = run(sandbox, "a = 1", "import time\ntime.sleep(500)", "b = 2", names=("a", "b"))
         assert answers(outcome) == {"a": 1, "b": 2} and json.loads(outcome.handed_over)["stopped"] == [2]
@@ -195,7 +199,7 @@ def test_a_sleeper_holds_its_place_no_longer_than_one_that_computes():
 def test_who_seems_to_wait_for_a_disk_holds_its_place_little_longer():
     """Between `vfork` and the end of the child a process counts as waiting for a disk."""
     clone_as_vfork = "ctypes.CDLL(None).syscall(56, 0x4000 | signal.SIGCHLD, 0, 0, 0, 0)"
-    with Sandbox(Limits(cpu_seconds=4, wall_seconds=600)) as sandbox:
+    with lean(Limits(cpu_seconds=4, wall_seconds=600)) as sandbox:
         start = time.monotonic()
         assert run(sandbox, f"import ctypes, os, signal, time\nif {clone_as_vfork} == 0:\n    time.sleep(500)\n"
                             "    os._exit(0)") == Outcome("time", b"")
@@ -237,7 +241,7 @@ except OSError:
 @pytest.mark.parametrize("once", [False, True])
 def test_limits_on_all_processes_together(once):
     """None of them reaches a limit alone."""
-    with Sandbox(PATIENT, once) as sandbox:
+    with lean(PATIENT, once) as sandbox:
         assert 20 < answers(run(sandbox, COUNT))["a"] < PATIENT.processes
         computing = "import os, time\nfor _ in range(3): os.fork()\nwhile time.process_time() < 3: pass\ntime.sleep(99)"
         assert run(sandbox, computing) == Outcome("time", b"")
@@ -300,7 +304,7 @@ def _bytes(path):
 
 
 def test_a_worker_that_is_killed_costs_nothing():
-    with Sandbox(TIGHT) as sandbox:
+    with lean(TIGHT) as sandbox:
         os.killpg(sandbox._worker.pid, signal.SIGKILL)
         assert answers(run(sandbox, "a = 1")) == {"a": 1}
         started = sandbox._worker.pid
@@ -308,14 +312,14 @@ def test_a_worker_that_is_killed_costs_nothing():
 
 
 def test_a_worker_that_is_killed_in_the_midst_costs_nothing():
-    with Sandbox(TIGHT) as sandbox:
+    with lean(TIGHT) as sandbox:
         sandbox.hand_in(["import time\ntime.sleep(1)\na = 1"], ["a"])
         os.killpg(sandbox._worker.pid, signal.SIGKILL)
         assert answers(sandbox.outcome()) == {"a": 1}
 
 
 def test_the_grader_is_free_while_a_notebook_runs():
-    with Sandbox(PATIENT) as sandbox:
+    with lean(PATIENT) as sandbox:
         sandbox.hand_in(["import time\na = time.sleep(3), 1"], ["a"])
         start = time.monotonic()
         assert not select.select([sandbox._worker.stdout], [], [], 0)[0]
@@ -324,14 +328,14 @@ def test_the_grader_is_free_while_a_notebook_runs():
 
 def test_the_wait_for_a_notebook_is_no_time_of_the_notebook():
     """Its process is there before it comes."""
-    with Sandbox(Limits(cpu_seconds=2, wall_seconds=4)) as sandbox:
+    with lean(Limits(cpu_seconds=2, wall_seconds=4)) as sandbox:
         assert answers(run(sandbox, "a = 1")) == {"a": 1}
         time.sleep(5)
         assert answers(run(sandbox, "import time\ntime.sleep(0.5)\na = 2")) == {"a": 2}
 
 
 def test_a_sandbox_that_always_fails_says_so(monkeypatch):
-    with Sandbox(TIGHT) as sandbox:
+    with lean(TIGHT) as sandbox:
         os.killpg(sandbox._worker.pid, signal.SIGKILL)
         monkeypatch.setattr(Sandbox, "_spawn", _no_sandbox)
         outcome = run(sandbox, "a = 1")
@@ -344,7 +348,7 @@ def _no_sandbox(*given):
 
 def test_a_killed_notebook_is_the_machines_affair():
     """SIGKILL for the first process of a namespace comes from outside, as when the machine runs out of memory."""
-    outcome = Sandbox(TIGHT)._told(b"died", b"signal 9")
+    outcome = lean(TIGHT)._told(b"died", b"signal 9")
     assert outcome.ended == "failed"
 
 
@@ -370,7 +374,7 @@ def test_one_sandbox_a_notebook_where_namespaces_cannot_be_nested(open_folder, m
     real = shutil.which("bwrap")
     monkeypatch.setenv("PATH", bubblewrap_that(open_folder / "bin",
                                                f'exec {real} --unshare-user --disable-userns "$@"'))
-    with Sandbox(TIGHT) as sandbox:
+    with lean(TIGHT) as sandbox:
         assert sandbox._once
         assert answers(run(sandbox, "a = 1")) == {"a": 1}
         assert run(sandbox, "import os\nos._exit(3)") == Outcome("died", b"exit 3")
@@ -411,7 +415,7 @@ def test_a_worker_that_is_killed_while_it_starts_is_started_again(open_folder, m
     open_folder.chmod(0o777)
     killed_once = f"{NOISE} mkdir {open_folder}/started 2>/dev/null && kill -9 $$; exec {real} \"$@\""
     monkeypatch.setenv("PATH", bubblewrap_that(open_folder / "bin", killed_once))
-    with Sandbox(TIGHT) as sandbox:
+    with lean(TIGHT) as sandbox:
         assert answers(run(sandbox, "a = 1")) == {"a": 1} and (open_folder / "started").is_dir()
 
 
@@ -422,7 +426,7 @@ def test_one_that_always_is_says_what_happened(open_folder, monkeypatch, does, s
     monkeypatch.setenv("PATH", f"{bubblewrap_that(open_folder / 'bin', does)}:/usr/bin:/bin")
     monkeypatch.setattr(sandbox_module, "STARTING", 0.5 if "sleep" in does else 60)
     with pytest.raises(isolation.NotStarted) as told:
-        Sandbox(TIGHT).__enter__()
+        lean(TIGHT).__enter__()
     assert says in str(told.value) and "Fontconfig" not in str(told.value)
 
 
@@ -444,7 +448,7 @@ def test_nobody_is_led_to_drop_the_sandbox_for_it(open_folder):
 
 @pytest.fixture(scope="module")
 def trusting():
-    with Trusting(TIGHT) as ready:
+    with Trusting(TIGHT, modules=ALWAYS) as ready:
         yield ready
 
 
@@ -478,7 +482,7 @@ def test_nothing_outlives_a_notebook_without_a_sandbox(trusting):
 
 
 def test_leaves_no_folder_behind():
-    with Trusting(TIGHT) as trusting:
+    with Trusting(TIGHT, modules=ALWAYS) as trusting:
         folder = trusting._folder.name
         run(trusting, "import matplotlib.pyplot as plt\nplt.plot([1, 2])")
     assert not os.path.exists(folder)
@@ -486,7 +490,7 @@ def test_leaves_no_folder_behind():
 
 def test_shared_memory_is_counted_once():
     """Eight processes with the same two hundred megabytes use two hundred, not eighteen hundred."""
-    with Sandbox(PATIENT) as sandbox:
+    with lean(PATIENT) as sandbox:
         outcome = run(sandbox, """
             import os, time
             block = bytearray(200 * 2**20)

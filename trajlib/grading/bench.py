@@ -6,7 +6,7 @@ from dataclasses import asdict, replace
 from trajlib import exercises
 from trajlib.checks.contract.verdict import MISSING, Verdict
 from trajlib.grading.judging import Bounds, Judgement, Judging
-from trajlib.grading.preloading import ALWAYS, preload
+from trajlib.grading.preloading import ALWAYS, LIBRARIES, preload
 from trajlib.grading.sandbox import Limits, Sandbox, Trusting
 
 
@@ -17,10 +17,14 @@ def unreadable(exercise, trouble):
 
 
 class Bench:
-    """A sandbox and a judge; `grade` takes one unit after the other. Use as a context manager."""
+    """A sandbox and a judge; `grade` takes one unit after the other. Use as a context manager.
 
-    def __init__(self, limits=Limits(), bounds=Bounds(), trusting=False, nursery=None):
-        self._sandbox, self._bounds = (Trusting if trusting else Sandbox)(limits, nursery=nursery), bounds
+    Notebooks find `modules` imported, and what `nursery` has imported if one is given.
+    """
+
+    def __init__(self, limits=Limits(), bounds=Bounds(), trusting=False, nursery=None, modules=(*ALWAYS, *LIBRARIES)):
+        self._sandbox = (Trusting if trusting else Sandbox)(limits, nursery=nursery, modules=modules)
+        self._bounds = bounds
         self._ready = nursery is not None  # this process was forked with all that judging needs
         self._judging = None
 

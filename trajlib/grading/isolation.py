@@ -105,13 +105,14 @@ def bubblewrap():
     return found
 
 
-def spawn_once(bwrap, limits):
+def spawn_once(bwrap, limits, modules):
     """Start a worker for a single notebook in a sandbox; returns the `Popen` with binary pipes on stdin and stdout.
 
     For systems that let nobody into a sandbox that is there already, or allow no namespaces inside one. `limits` are
-    those of `sandbox.Limits`, as a dict. Raises `NoIsolation` where bubblewrap cannot be run.
+    those of `sandbox.Limits`, as a dict; `modules` (names) are imported before the notebook comes. Raises
+    `NoIsolation` where bubblewrap cannot be run.
     """
-    inside = python(f"from trajlib.grading import worker; worker.once({limits!r})")
+    inside = python(f"from trajlib.grading import worker; worker.once({limits!r}, {list(modules)!r})")
     # The first process of a namespace cannot be killed from inside.
     command, hand_over = _sandbox(bwrap, limits, ["--as-pid-1"], inside)
     try:

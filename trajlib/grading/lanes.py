@@ -192,7 +192,7 @@ def work(settings, bwrap):
         limits, bounds, trusting = from_settings(settings)
         patience = settings.get("patience", math.inf)
         try:
-            with Bench(limits, bounds, trusting, nursery) as bench:
+            with Bench(limits, bounds, trusting, nursery, modules(settings)["notebooks"]) as bench:
                 framing.send(results, b'{"ready": true}')
                 while True:
                     result = bench.grade(json.loads(framing.receive(0, patience)))

@@ -54,13 +54,14 @@ class Sandbox:
     """A ready worker in a sandbox; `run` may be called again and again, each notebook sees an untouched machine.
 
     Raises `isolation.NoIsolation` where none can be had. Use as a context manager.
-    Where the system allows no namespaces inside a sandbox, each notebook gets a sandbox of its own (`once`).
+    Where the system allows no namespaces inside a sandbox, each notebook gets a sandbox of its own (`once`). Notebooks
+    find `modules` imported, and what `nursery` has imported if one is given.
     """
 
     _own_network = True
 
-    def __init__(self, limits=Limits(), once=False, nursery=None):
-        self.limits = limits
+    def __init__(self, limits=Limits(), once=False, nursery=None, modules=(*ALWAYS, *LIBRARIES)):
+        self.limits, self._modules = limits, modules
         self._once, self._nursery, self._own_nursery = once, nursery, None
         self._worker = self._proc = self._place = None
         self._greeted = False
@@ -214,7 +215,7 @@ class Sandbox:
     def _spawn(self):
         if self._once:
             bwrap = self._nursery.bubblewrap if self._nursery is not None else isolation.bubblewrap()
-            return isolation.spawn_once(bwrap, asdict(self.limits))
+            return isolation.spawn_once(bwrap, asdict(self.limits), self._modules)
         nursery = self._forks()
         return Forked(nursery, "nested", asdict(self.limits), nursery.bubblewrap, "/tmp")
 
@@ -223,7 +224,7 @@ class Sandbox:
         if self._nursery is not None:
             return self._nursery
         if self._own_nursery is None or not self._own_nursery.alive():
-            self._own_nursery = Nursery.start([*ALWAYS, *LIBRARIES])
+            self._own_nursery = Nursery.start(self._modules)
         return self._own_nursery
 
     def _stop(self):

@@ -49,7 +49,7 @@ from trajlib.grading.isolation import (
     system_call,
     visible,
 )
-from trajlib.grading.preloading import ALWAYS, LIBRARIES, preload
+from trajlib.grading.preloading import preload
 
 PR_SET_NO_NEW_PRIVS, PR_CAPBSET_DROP, PR_SET_CHILD_SUBREAPER = 38, 24, 36
 CAPABILITY_VERSION_3 = 0x20080522
@@ -93,14 +93,15 @@ def begin(mode, limits, bubblewrap, folder):
     nursery.serve(control, {"notebook": partial(_run, limits, 0, 1, mode, folder, in_scratch)}, apart, tidy)
 
 
-def once(limits):
-    """In a fresh process that a sandbox of its own surrounds, or a user of its own: run a single notebook here."""
+def once(limits, modules):
+    """In a fresh process that a sandbox of its own surrounds, or a user of its own: run a single notebook here, for
+    which `modules` are imported beforehand."""
     try:
         system_calls.check_known()
     except NoIsolation as error:
         framing.send(1, str(error).encode())
         return
-    preload(*ALWAYS, *LIBRARIES)
+    preload(*modules)
     prepare()
     framing.send(1, b"ready")
     _run(limits, 0, 1, "once", "/tmp", [])

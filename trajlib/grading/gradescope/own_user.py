@@ -28,7 +28,7 @@ class OwnUser(Sandbox):
 
     def _spawn(self):
         start = (f"from trajlib.grading.gradescope import own_user; own_user.keep({self._user.pw_uid}, "
-                 f"{self._user.pw_gid}, {asdict(self.limits)!r})")
+                 f"{self._user.pw_gid}, {asdict(self.limits)!r}, {list(self._modules)!r})")
         return subprocess.Popen([sys.executable, "-I", "-c", start], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                                 stderr=subprocess.PIPE,
                                 close_fds=True, start_new_session=True, env=isolation.ENVIRONMENT)
@@ -55,9 +55,9 @@ class OwnUser(Sandbox):
         return Outcome(ended.decode(), message)
 
 
-def keep(user, group, limits):
-    """As root: run the worker, for notebooks within the limits, as another user, who cannot reach this process, and end
-    as the worker ends."""
+def keep(user, group, limits, modules):
+    """As root: run the worker, for a notebook within the limits that finds `modules` imported, as another user, who
+    cannot reach this process, and end as the worker ends."""
     isolation.system_call("prctl", worker.PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
     this, child = os.getpid(), os.fork()
     if child == 0:
@@ -69,7 +69,7 @@ def keep(user, group, limits):
             os.umask(0o077)
             # No namespace confines the network here.
             system_calls.FAMILIES = (socket.AF_UNIX,)
-            worker.once(limits)
+            worker.once(limits, modules)
         except BaseException as error:
             print(repr(error), file=sys.stderr, flush=True)  # the grader reads the last line
         finally:
