@@ -230,6 +230,20 @@ def cart():
     return run(lengths)[1], list(np.cumsum(lengths)[:-1])
 
 
+def rayleigh_energy(T):
+    """x'' = -x + x' (1.4 - 0.14 x'^2) + 4 u from (-5, -5) to rest, int u^2: u = 2 q, by collocation."""
+    def rate(s, z):
+        place, speed, p, q, _ = z
+        return np.array([speed, -place + speed*(1.4 - 0.14*speed**2) + 8*q, q, -p - q*(1.4 - 0.42*speed**2), 4*q**2])
+
+    times = np.linspace(0, T, 401)
+    free = solve_ivp(lambda s, z: rate(s, [*z, 0, 0, 0])[:2], (0, T), [-5, -5], t_eval=times).y
+    found = solve_bvp(rate, lambda a, b: np.array([a[0] + 5, a[1] + 5, b[0], b[1], a[4]]), times,
+                      np.vstack([free*(1 - times/T), np.zeros((3, 401))]), tol=1e-9, max_nodes=20000)
+    assert found.success
+    return found.y[4, -1]
+
+
 def across_a_tangent():
     """x' = u, 0 <= u <= 3, int u^3/3 - u^2 + (2 - t) u over [0, 2]: H passes its own tangent from 0 to 3/2, of slope
     -3/4, so that u jumps there; beyond it u = 1 + sqrt(1 - s) with s = 2 - t.
@@ -397,6 +411,10 @@ STATEMENTS = {
         Problem({x: u}, ONE, {x: R(1, 10)}, running=u**2/10, final=(x**2 - 1)**2 + x/20, duration=2),
         min((s - 0.1)**2/20 + (s*s - 1)**2 + s/20 for s in np.roots([4, 0, -3.9, 0.04]).real), LOCAL,
         "at a constant rate, to a root of a cubic", []),
+    **{f"Rayleigh's energy in {T}": statement(
+        Problem({x1: x2, x2: -x1 + x2*(R(7, 5) - R(7, 50)*x2**2) + 4*u}, FREE, {x1: -5, x2: -5}, [x1, x2],
+                running=u**2, duration=T), lambda T=T: rayleigh_energy(T), LOCAL, "collocation", accuracy=1e-8)
+       for T in (2, 4, 8)},
     # From elsewhere: a stationary start that is a maximum, a far start, boundary layers, a plant without drift.
     "away from zero": statement(Problem({x: u}, ONE, {x: 0}, {x: 0}, running=u**2 - x**2, duration=4),
                                 away_from_zero(), LOCAL,

@@ -15,6 +15,8 @@ from .transcription import Picture, target_multipliers
 ACCEPTED = 1e-10
 # Change of an arc's end when its steps are halved, at which the steps are short enough.
 INTEGRATED = 2e-13
+# The same for the steps to begin with.
+ROUGH = 1e-3
 # How far Newton's last step may move the ends of the arcs, relative to the duration.
 DETERMINED = 1e-8
 SAMPLES = 32
@@ -195,11 +197,13 @@ def _solved(numeric, shot, duration, abnormal):
     first = np.concatenate([[shot.multiplier], shot.starts[0][numeric.n:2*numeric.n]])
     shot.multiplier, scale = (0.0 if abnormal else shot.multiplier), np.linalg.norm(first)
     before, jumping = np.inf, jumps(numeric, shot)
+    # With steps that are far too long Newton's method would solve another problem, and stay near its solution.
+    shot.steps = _finer_steps(shot, ROUGH)
     for _ in range(8):
         equations = ArcEquations(numeric, shot.flows, shot.steps, duration, first/scale**2, abnormal, jumping)
         z, residual, uncertainty = newton(equations, equations.pack(shot))
         shot = equations.unpack(z, residual, uncertainty)
-        steps = _finer_steps(shot)
+        steps = _finer_steps(shot, INTEGRATED)
         if steps == shot.steps or not np.isfinite(residual):
             break
         shot.steps = steps
@@ -210,16 +214,17 @@ def _solved(numeric, shot, duration, abnormal):
     return shot
 
 
-def _finer_steps(shot):
-    """The steps of each arc, doubled as often as an error of order 8 needs where its end changes when they are
-    halved."""
+def _finer_steps(shot, accuracy):
+    """The steps of each arc, doubled as often as an error of order 8 needs where its end changes by more than the
+    accuracy when they are halved.
+    """
     finer = list(shot.steps)
     for i, (flow, start, length) in enumerate(zip(shot.flows, shot.starts, shot.lengths)):
         begin, steps = np.append(start, 0.0), shot.steps[i]
         once, twice = (flow.nodes(begin, shot.multiplier, length, s)[-1] for s in (steps, 2*steps))
         error = np.max(np.abs(once - twice)/(1 + np.abs(twice)))
-        if not error < INTEGRATED and steps < MOST_STEPS:
-            doublings = np.log2(error/INTEGRATED)/8 if np.isfinite(error) else 1
+        if not error < accuracy and steps < MOST_STEPS:
+            doublings = np.log2(error/accuracy)/8 if np.isfinite(error) else 1
             finer[i] = int(min(steps*2**np.clip(np.ceil(doublings), 1, 3), MOST_STEPS))
     return finer
 
