@@ -21,6 +21,7 @@ from trajlib.checks.contract.verdict import Invalid, Wrong, judged
 from trajlib.checks.tools.comparisons import Entries
 from trajlib.checks.tools.values import matrix_at
 from trajlib.checks.tools.wording import number_text, where_text
+from trajlib.checks.truths.exceptional_values import judge_everywhere
 from trajlib.checks.truths.invariant_subspaces import characteristic_coefficients
 from trajlib.checks.truths.pairs import pair_of
 
@@ -124,6 +125,7 @@ def canonical_part_coordinates(claim, A, H, parameters=()):
                 what = f"xi{k + 1}' - xi{k + 2}" if k + 1 < order else f"xi{k + 1}'"
                 raise Wrong(f"{what} has to be a multiple of z{where}; by your rows it differs from the nearest "
                             f"multiple by terms such as {number_text(rest[j])} x{j + 1}")
+    judge_everywhere(claim, pair.parameters, lambda: pair.in_general, "your matrix is undefined")
     return "z = xi1, and the derivatives are as the form (2.5) says"
 
 
@@ -140,6 +142,7 @@ def judge_form(claim, pair, form):
                      key=lambda x: min(abs(np.polyval(own - true, x)), 0.5 * max(abs(own - true))))
             raise Wrong(f"the characteristic polynomials differ{where_text(values)}: at lambda = {at} that of A is "
                         f"{number_text(np.polyval(true, at))}, that of your matrix {number_text(np.polyval(own, at))}")
+    judge_everywhere(claim, pair.parameters, lambda: pair.in_general, "your matrix is undefined")
     return f"it has {form.shape} and the characteristic polynomial of A"
 
 
@@ -192,5 +195,6 @@ def _judge_change(claim, pair, said_rows, by_rows):
                     "does not fit")
 
         yield Entries(claim, true, told, values, np.linalg.norm(true, axis=1)[:, None])
+    judge_everywhere(claim, pair.parameters, lambda: pair.in_general, "your matrix is undefined")
     return ("z = xi1 and each derivative is as the form says" if by_rows else
             "the control enters the last equation alone and the equations are as the form says")

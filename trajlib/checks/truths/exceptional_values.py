@@ -20,9 +20,10 @@ def judge_everywhere(matrix, parameters, given, undefined, dependent=None):
     used = [p for p in parameters if matrix.has(p)]
     if not used or matrix.has(sp.nan, sp.zoo, sp.oo) or sp.count_ops(matrix) > MOST_OPERATIONS:
         return
+    # As it is written: with (k**2 - 1)/(k - 1) in the place of k + 1 it has no value for k = 1.
+    below = [sp.denom(sp.together(sp.nsimplify(entry, rational=True))) for entry in matrix]
     matrix = matrix.applyfunc(lambda entry: sp.cancel(sp.nsimplify(entry, rational=True))
                               if entry.is_rational_function(*used) else entry)
-    below = [sp.denom(sp.together(entry)) for entry in matrix]
     conditions, vanishing = {undefined: sp.And(*(sp.Ne(part, 0) for part in below))}, [(undefined, sp.Mul(*set(below)))]
     if dependent:
         minors = [matrix.extract(list(rows), list(range(matrix.cols))).det(method="berkowitz")
