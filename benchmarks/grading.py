@@ -9,6 +9,15 @@ ready, and while that judges, the next notebook's place: this uses a second core
 many processes as cores, where none is, shows what that hides; the best that it can be is the processor time of one
 process over that of the cores. Growth is with students (four times as many) and processes.
 
+What is left of our overhead is mostly the price of importing and of separate processes. To see where it goes, in
+processor time: `perf record -g` over a run, summed by process, shows a nursery that imports SymPy, IPython, NumPy and
+what the homework uses (SciPy's `integrate` alone takes as long as SymPy), once for all; the command's own imports, of
+which Typer's of pydantic are the greatest; and for each notebook two forks of what is loaded, one for its cells and one
+for its judge. The kernel's part of a fork, and of its end, grows with the number of mapped files and of small pages;
+then each process copies the pages that it writes to, if only to count references. No less than a bare fork and end of
+a process of that size, twice, can be had as long as each notebook and each judgement has a process of its own, which
+is what keeps them apart; and no less at the start than importing SymPy takes.
+
     python benchmarks/grading.py [STUDENTS] [PROBLEM ...]
 """
 

@@ -188,13 +188,15 @@ def stands_on(name):
 
 
 def put_into_wheel(distribution, folder):
-    """What is installed here as a wheel again, without its scripts and what lies beside the packages."""
+    """What is installed here as a wheel again, without its scripts, what lies beside the packages, and its own tests,
+    which it would take longest to compile."""
     about = distribution.read_text("WHEEL")
     tags = [line.removeprefix("Tag: ") for line in about.split("\n") if line.startswith("Tag: ")]
     name = canonicalize_name(distribution.name).replace("-", "_")
     with zipfile.ZipFile(folder / f"{name}-{distribution.version}-{tags[-1]}.whl", "w") as wheel:
         for file in distribution.files:
-            if ".." not in file.parts and file.suffix != ".pyc" and file.name not in ("RECORD", "direct_url.json"):
+            if (not {"..", "tests"} & set(file.parts) and file.suffix != ".pyc"
+                    and file.name not in ("RECORD", "direct_url.json")):
                 wheel.write(file.locate(), file.as_posix())
         (place,) = {file.parts[0] for file in distribution.files if file.parts[0].endswith(".dist-info")}
         wheel.writestr(f"{place}/RECORD", "".join(f"{file},,\n" for file in wheel.namelist()))
