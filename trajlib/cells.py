@@ -25,7 +25,8 @@ def run_cells(sources, names, folder=None, before=(), seconds=None):
     """In this very process: run the cells, then {"encoded", "unreadable", "errors", "stopped"} (for a child only).
 
     `before` are cells of ours that run first, in case the notebook lost or moved its own copies. With `seconds`, of
-    computing and on the clock, a cell that takes half of what is left of them is stopped, and the next one runs.
+    computing and perhaps on the clock, a cell that takes half of what is left of them is stopped, and the next one
+    runs; so is one at which the signal of an alarm comes.
     """
     from trajlib.checks.contract.reporting import NotYet  # what a check cell raises: verdicts say it better
 
@@ -126,20 +127,23 @@ class _Notebook:
 
 
 class _Patience:
-    """Stops a cell that takes half of the time left, of computing or on the clock; without `seconds` it never does."""
+    """Stops a cell that takes half of the time left, of computing or (if that is bounded) on the clock, or that an
+    alarm wakes; without `seconds` it never does."""
 
     def __init__(self, seconds):
         self._ends = [clock() + limit for clock, limit in zip(CLOCKS, seconds)] if seconds else []
 
     @contextmanager
     def for_one(self):
-        for end, clock, (timer, kind) in zip(self._ends, CLOCKS, TIMERS):
+        kinds = TIMERS if self._ends else ()
+        for _, kind in kinds:
             signal.signal(kind, _stop)
+        for end, clock, (timer, _) in zip(self._ends, CLOCKS, TIMERS):
             signal.setitimer(timer, max((end - clock()) / 2, 0.01))
         try:
             yield
         finally:
-            for timer, kind in TIMERS[:len(self._ends)]:
+            for timer, kind in kinds:
                 signal.setitimer(timer, 0)
                 signal.signal(kind, signal.SIG_IGN)  # it may also come from whoever watches this process
 

@@ -319,11 +319,40 @@ def test_a_worker_that_is_killed_in_the_midst_costs_nothing():
 
 
 def test_the_grader_is_free_while_a_notebook_runs():
+    """One that would go on until it is stopped, which is by what it computes, not by the clock."""
     with lean(PATIENT) as sandbox:
-        sandbox.hand_in(["import time\na = time.sleep(3), 1"], ["a"])
+        sandbox.hand_in(["while True: pass", "a = 1"], ["a"])
+        assert not select.select([sandbox._place.results], [], [], 0)[0]
+        outcome = sandbox.outcome()
+        assert answers(outcome) == {"a": 1} and json.loads(outcome.handed_over)["stopped"] == [1]
+
+
+@pytest.fixture
+def one_busy_processor():
+    """All that is started from here on has one processor, which two others use as well."""
+    before = os.sched_getaffinity(0)
+    os.sched_setaffinity(0, {min(before)})
+    endless = [subprocess.Popen([sys.executable, "-c", "while True: pass"], start_new_session=True) for _ in range(2)]
+    yield
+    for process in endless:
+        process.kill()
+        process.wait()
+    os.sched_setaffinity(0, before)
+
+
+@pytest.mark.parametrize("kind", [Sandbox, Trusting])
+def test_what_a_busy_machine_withholds_is_no_time_of_the_notebook(one_busy_processor, kind):
+    computing = "import time\nstart = time.process_time()\nwhile time.process_time() < start + 1.5: pass\na = 1"
+    limits = Limits(cpu_seconds=8, wall_seconds=2)
+    with kind(limits, modules=ALWAYS) as sandbox:
         start = time.monotonic()
-        assert not select.select([sandbox._worker.stdout], [], [], 0)[0]
-        assert sandbox.outcome().ended == "done" and time.monotonic() - start > 1
+        assert answers(run(sandbox, computing)) == {"a": 1}
+        assert time.monotonic() - start > limits.wall_seconds, "nothing was withheld, so this shows nothing"
+
+
+def test_on_the_clock_there_is_a_bound_all_the_same():
+    with lean(Limits(cpu_seconds=30, wall_seconds=1)) as sandbox:
+        assert run(sandbox, "import time\ntime.sleep(500)") == Outcome("time", b"")
 
 
 def test_the_wait_for_a_notebook_is_no_time_of_the_notebook():

@@ -17,6 +17,8 @@ from trajlib.grading.worker import NOT_NESTED
 
 #: Seconds that a worker may take to get ready, and how often it is started before that is given up.
 STARTING, STARTS = 60.0, 3
+#: Seconds that a process may take to end, on a busy machine, after it has closed its pipe.
+ENDING = 5.0
 
 
 @dataclass(frozen=True)
@@ -24,11 +26,12 @@ class Limits:
     """What one notebook may use, all its processes together: time of computing, memory, and the rest.
 
     Time in which nothing of the notebook wants to compute counts as computing. The clock on the wall allows three times
-    as much, since a busy machine is not the student's fault.
+    as much, and what a busy machine withholds is added, up to `withheld_seconds`: it is not the student's fault.
     """
 
     cpu_seconds: float = 120
     wall_seconds: float = 360
+    withheld_seconds: float = 3600
     memory_megabytes: int = 2048
     disk_megabytes: int = 64
     processes: int = 32
@@ -156,10 +159,10 @@ class Sandbox:
     def _how_it_died(self):
         """"exit 3", "signal 11", or "silent" if it lives on but has closed its pipe."""
         if not self._once:
-            code = self._worker.children.ended(self._place.number, within=0.5)
+            code = self._worker.children.ended(self._place.number, within=ENDING)
             return b"silent" if code is None else f"signal {-code}".encode() if code < 0 else f"exit {code}".encode()
         with suppress(subprocess.TimeoutExpired):
-            code = self._worker.wait(timeout=1)
+            code = self._worker.wait(timeout=ENDING)
             # Bubblewrap's exit code is that of the process inside, or 128 and its signal.
             return (f"signal {code - 128}" if code > 128 else f"signal {-code}" if code < 0
                     else f"exit {code}").encode()
@@ -201,7 +204,7 @@ class Sandbox:
             return isolation.NotStarted(f"the sandbox was not ready within {STARTING:g} s, {STARTS} times: the machine"
                                         " is too slow or too busy; the same command goes on from here")
         with suppress(subprocess.TimeoutExpired):
-            self._worker.wait(timeout=5)
+            self._worker.wait(timeout=ENDING)
         code = self._worker.returncode
         signal_number = 9 if code is None else -code if code < 0 else max(code - 128, 0)
         if signal_number:

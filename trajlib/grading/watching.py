@@ -3,7 +3,8 @@
 The kernel's own limits bind one process each. What a notebook's whole tree of processes uses is summed up ten times a
 second: memory with what processes share counted once (PSS), processor time, processes and threads, and sockets, whose
 buffers are memory of no process. Time in which none of them wants to compute counts as if one did: a notebook that
-sleeps keeps its place no longer than one that computes, while one that waits for a busy machine does.
+sleeps keeps its place no longer than one that computes, while one that waits for a busy machine does. The clock on the
+wall stands still for as long as others have the processors.
 """
 
 import os
@@ -52,16 +53,18 @@ class Watch:
             self._said = f"not prepared ({broken})".encode()
         before = _descendants(self._keeper, self._proc)
         self._sockets, self._seconds = _sockets(before, self._proc), _seconds(before)
+        self._withheld = _withheld(before, self._proc)
 
     def answers(self):
         """(how it ended, message): "done", or the limit that ended it ("time", "memory", "processes", "sockets",
         "large"), or "died", or "failed" if its process could not be prepared."""
         if self._said != PREPARED:
             return b"failed", self._said
-        self._looked = time.monotonic()
+        self._begun = self._looked = time.monotonic()
         self._idle = self._idle_at_a_stretch = self._at_disk = 0.0
         try:
-            message = framing.receive(self._descriptor, self._limits["wall_seconds"], self._look, INTERVAL)
+            message = framing.receive(self._descriptor, self._limits["wall_seconds"] + self._limits["withheld_seconds"],
+                                      self._look, INTERVAL)
             return (b"done", message) if len(message) <= LARGEST else (b"large", b"")
         except Exceeded as limit:
             return str(limit).encode(), b""
@@ -74,11 +77,14 @@ class Watch:
         self._count_idle(processes)
         if self._own_network and _sockets(processes, self._proc) > self._sockets + MOST_SOCKETS:
             raise Exceeded("sockets")
-
+        late = time.monotonic() - self._begun - self._limits["wall_seconds"]
+        if late > 0 and late > _withheld(processes, self._proc) - self._withheld:
+            raise Exceeded("time")
 
     def _count_idle(self, processes):
         now = time.monotonic()
-        since, self._looked = now - self._looked, now
+        # For what nobody looked at, since this process itself waited for a busy machine, it is not held to have slept.
+        since, self._looked = min(now - self._looked, 2 * INTERVAL), now
         states = _states(processes, self._proc)
         if b"R" in states:
             self._idle_at_a_stretch = 0.0
@@ -114,7 +120,9 @@ def _compare(processes, limits, seconds_before, proc):
         raise Exceeded("processes")
     bound = limits["memory_megabytes"] * 2**20
     # What each has resident is at hand, but counts shared pages many times: the exact sum is made only when it matters.
-    if sum(one.resident for one in processes) > bound and sum(_share(one, proc) for one in processes) > bound:
+    # Twice, since what one of them leaves when it ends is shared by fewer, and counts more in those read after that.
+    if sum(one.resident for one in processes) > bound and all(
+            sum(_share(one, proc) for one in processes) > bound for _ in range(2)):
         raise Exceeded("memory")
 
 
@@ -132,6 +140,16 @@ def _states(processes, proc):
 
 def _seconds(processes):
     return sum(one.seconds for one in processes)
+
+
+def _withheld(processes, proc):
+    """Seconds that the thread which has waited longest has waited for a processor; 0 where the kernel does not tell.
+
+    The longest, not the sum: threads that wait for each other must not gain by their number.
+    """
+    waited = (_read(f"{one.number}/task/{thread}/schedstat", proc).split()
+              for one in processes for thread in _listed(f"{one.number}/task", proc))
+    return max((int(fields[1]) / 1e9 for fields in waited if len(fields) == 3), default=0.0)
 
 
 def _sockets(processes, proc):

@@ -83,12 +83,16 @@ FORGING = [
            "its time is up all the same", stopped_the_run,
            forged("import time", "hand_over(b'', length=10**6)", """
            while True:
-               for number in range(3, 20):
-                   try:
-                       os.write(number, b"0")
-                       time.sleep(0.002)
-                   except BaseException:
-                       pass
+               try:  # around the whole loop: whatever stops the cell comes at any place of it
+                   while True:
+                       for number in range(3, 20):
+                           try:
+                               os.write(number, b"0")
+                               time.sleep(0.002)
+                           except OSError:
+                               pass
+               except BaseException:
+                   pass
            """), patience=2, blame="limits"),
     Attack("hands over garbage", "hands over bytes that are no text", "the reader expects well-formed results",
            "they count as nothing",

@@ -158,6 +158,7 @@ def _surround(here):
     """The environment of a careless grader, within bounds that keep the machine safe, and without what the tests have
     open."""
     os.closerange(3, 4096)
+    signal.signal(signal.SIGALRM, signal.SIG_DFL)  # not the handler that bounds the time of the tests
     os.environ.update(COURSE_SECRET=SECRET, HOME=str(here / "home"))
     output = os.open("output.txt", os.O_CREAT | os.O_WRONLY | os.O_APPEND)
     for descriptor in (1, 2):

@@ -120,7 +120,7 @@ def _shares(count):
     share = SECONDS / max(count, 1)
     wall = min(share / 2, 180)
     judging = min(share / 6, 60)
-    return (Limits(cpu_seconds=min(wall, 60), wall_seconds=wall, memory_megabytes=MEGABYTES),
+    return (Limits(cpu_seconds=min(wall, 60), wall_seconds=wall, withheld_seconds=0, memory_megabytes=MEGABYTES),
             Bounds(seconds=judging, answer_seconds=judging / 3))
 
 
