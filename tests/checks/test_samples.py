@@ -25,6 +25,16 @@ def test_every_case_of_an_answer_is_met(added):
     assert in_every_case(samples, x + added, sp.And(abs(x) <= 3, abs(y) <= 3)) == samples
 
 
+@pytest.mark.parametrize("as_matrix", [sp.Matrix, sp.ImmutableMatrix, list])
+@pytest.mark.parametrize("limit", [sp.Piecewise((0, sp.Eq(x, 7)), (x, True)),
+                                   sp.Piecewise((x, sp.Ne(x - 7, 0)), (0, True))], ids=str)
+def test_a_limit_in_one_entry_obliges_no_other(limit, as_matrix):
+    samples = sample_values([x, y])
+    assert in_every_case(samples, as_matrix([limit, y / (x - 7)])) == samples
+    for others in ([y], [limit / (x - 7)]):  # a value everywhere; left out in the case that is for it
+        assert in_every_case(samples, as_matrix([limit, *others]))[len(samples)][x] == 7
+
+
 @pytest.mark.parametrize("rows", [1, 12, 50, 300])
 @pytest.mark.parametrize("turns", [0, 1, 7, 40])
 def test_halving_several_times_in_one_call_is_halving(rows, turns):

@@ -118,6 +118,12 @@ ROWS = [
     wrong("2.17", "output", "x10*sp.sin(sp.Abs(omega - 1)*t) + x20*sp.cos((omega - 1)*t)", "the sine is odd"),
     wrong("2.17", "gramian", "[[sp.pi, 0], [0, sp.pi]]", "for whole and half omega alone"),
     wrong("2.17", "region", "sp.Ne(omega**2, 1)", "the other sense of turning is no exception"),
+    right("2.17", "gramian", "(lambda s, c: sp.ImmutableMatrix([[sp.pi - s, c], [c, sp.Piecewise((sp.pi + s, "
+          "sp.Ne(omega, 1)), (2*sp.pi, True))]]))(sp.sin(4*sp.pi*omega)/(4*omega - 4), "
+          "sp.sin(2*sp.pi*omega)**2/(2*omega - 2))", "a limit in one entry alone"),
+    wrong("2.17", "gramian", "(lambda s, c: [[sp.pi - s, c], [c, sp.pi + s]])(*(sp.Piecewise((e, sp.Ne(omega, 1)), (1, "
+          "True)) for e in (sp.sin(4*sp.pi*omega)/(4*omega - 4), sp.sin(2*sp.pi*omega)**2/(2*omega - 2))))",
+          "for omega = 1 the limits are pi and 0"),
     right("2.17", "output", "sp.im((x10 + sp.I*x20)*sp.exp(sp.I*(omega - 1)*t))", "a complex number"),
     right("2.17", "gramian", "(lambda c, s: [[sp.pi*(1 - s), c], [c, sp.pi*(1 + s)]])(sp.Integral(sp.sin(2*(omega - 1)"
           "*t)/2, (t, 0, 2*sp.pi)), sp.sinc(4*sp.pi*(omega - 1)))", "an integral and sinc"),

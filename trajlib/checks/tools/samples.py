@@ -83,7 +83,8 @@ def _scaled(parameters, scale, values):
 def in_every_case(samples, claim, given=sp.true):
     """Sample values, and more of them where an answer distinguishes cases that these do not meet, as far as the symbols
     and the condition `given` allow: in general position, between and beyond all borders along lines, and where a case
-    is one value alone, at that value."""
+    is one value alone, at that value, if all of the answer has one there: what it is to have everywhere is asked by
+    `judge_everywhere`."""
     samples = list(samples)
     relations = sorted((relation for relation in cases(claim) if relation.free_symbols and samples
                         and relation.free_symbols <= samples[0].keys()), key=str)
@@ -93,7 +94,8 @@ def in_every_case(samples, claim, given=sp.true):
         for chosen in itertools.islice(itertools.product(*choices), MOST_CASES):
             values = dict(zip(base, chosen))
             truths = _truths(relations, values)
-            if truths not in met and joined(given).subs(values) is sp.true:
+            if (truths not in met and joined(given).subs(values) is sp.true
+                    and not _left_out(claim, dict(zip(relations, truths)), values)):
                 met.add(truths)
                 samples.append(values)
     return samples
@@ -111,6 +113,15 @@ def cases(claim):
         for greatest in part.atoms(sp.Max, sp.Min):
             found |= {one > other for one, other in itertools.combinations(greatest.args, 2)}
     return {relation for relation in found if isinstance(relation, Relational)}
+
+
+def _left_out(claim, truths, values):
+    """Whether a part of an answer has no value where another part distinguishes one value alone. A limit given in one
+    entry of a matrix does not oblige the others."""
+    alone = {relation for relation, true in truths.items()
+             if (isinstance(relation, sp.Eq) and true == sp.true) or (isinstance(relation, sp.Ne) and true == sp.false)}
+    entries = [entry for part in _parts(claim) for entry in (part if isinstance(part, sp.MatrixBase) else [part])]
+    return bool(alone) and any(entry.subs(values).has(sp.nan, sp.zoo) for entry in entries if not cases(entry) & alone)
 
 
 def _parts(claim):

@@ -16,6 +16,11 @@ BEAT = (sp.Matrix([[0, 2], [-2, 0]]), sp.Matrix([[sp.sin(w * t), sp.cos(w * t)]]
 BEAT_Z = a * sp.sin((w - 2) * t) + b * sp.cos((w - 2) * t)
 ONES = sp.Matrix([[1, t]])
 WHOLE = sp.Matrix([[sp.Rational(1), 1], [1, sp.Rational(4, 3)]])  # of z = a + 2 t b on [0, 1]
+# The phases of BEAT over a second, each entry as it is written for w other than 2, and at 2.
+SINE, BOTH, HALF = sp.sin(2*w - 4) / (4*w - 8), sp.sin(w - 2)**2 / (2*w - 4), sp.Rational(1, 2)
+FIRST = sp.Piecewise((0, sp.Eq(w, 2)), (HALF - SINE, True))
+MEAN = sp.Piecewise((BOTH, sp.Ne(w, 2)), (0, True))
+SECOND = sp.Piecewise((HALF + SINE, w < 2), (HALF + SINE, w > 2), (1, True))
 
 CASES = [
     Case("varying_output", BEAT_Z, (*BEAT, [a, b], [w]), "right", "the difference of two frequencies"),
@@ -39,6 +44,17 @@ CASES = [
     Case("output_gramian", sp.Matrix([[1, sp.Rational(1, 2)], [sp.Rational(1, 2), sp.Rational(1, 3)]]),
          (FREE, ONES, t, 1, []), "wrong",
          "the state held fast"),
+    Case("output_gramian", [[FIRST, BOTH], [BOTH, 1 - FIRST]], (*BEAT, 1, [w]), "right",
+         "a limit in some entries, where the others have no value"),
+    Case("output_gramian", sp.ImmutableMatrix([[HALF - SINE, MEAN], [MEAN, HALF + SINE]]), (*BEAT, 1, [w]), "right",
+         "by an inequation"),
+    Case("output_gramian", sp.Matrix([[HALF - SINE, BOTH], [BOTH, SECOND]]), (*BEAT, 1, [w]), "right", "by intervals"),
+    Case("output_gramian", [[FIRST, MEAN], [MEAN, SECOND]], (*BEAT, 1, [w]), "right", "a limit in every entry"),
+    Case("output_gramian", [[FIRST, MEAN + 1 - sp.sign(sp.Abs(w - 2))], [MEAN, SECOND]], (*BEAT, 1, [w]), "wrong",
+         "wrong at one value alone"),
+    Case("output_gramian", [[FIRST, MEAN], [MEAN, sp.Piecewise((1/(w - 2), sp.Eq(w, 2)), (HALF + SINE, True))]],
+         (*BEAT, 1, [w]), "wrong", "a value left out in the case that is for it"),
+    Case("output_gramian", [[FIRST, BOTH], [BOTH, HALF - SINE]], (*BEAT, 1, [w]), "wrong", "twice the first"),
     Case("output_gramian", sp.Matrix([1, 1]), (FREE, ONES, t, 1, []), "invalid", "a column"),
     Case("frozen_determinant", 2, (*BEAT, [w]), "right", "the same at all moments"),
     Case("frozen_determinant", 2 * sp.cos(w * t)**2 + 2 * sp.sin(w * t)**2, (*BEAT, [w]), "right", "not simplified"),
