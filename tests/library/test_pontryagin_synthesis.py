@@ -9,6 +9,7 @@ import sympy as sp
 from scipy.linalg import expm
 
 from trajlib.pontryagin import Problem, synthesis
+from trajlib.pontryagin.planar.plant import summed
 
 pytestmark = pytest.mark.slow
 x1, x2, u, alpha = sp.symbols("x1 x2 u alpha", real=True)
@@ -407,3 +408,16 @@ def test_touching_the_target_from_inside_fails_condition_c():
     angle = np.linspace(0.1, 1.0, 9)
     assert np.abs(found.time(1 + 2.3*np.cos(angle), 2.3*np.sin(angle)) - angle).max() < 1e-4
     assert all(curve.arrives and not curve.optimal for curve in found.borders)
+
+
+@pytest.mark.parametrize("size", [0.0, 0.1, 3.0, 20.0])
+def test_a_step_of_a_linear_plant_is_exact(size):
+    """Against the exponential of the joined matrix."""
+    draw = np.random.default_rng(7)
+    matrix = size*draw.standard_normal((3, 3))/3
+    constant, start = draw.standard_normal((3, 1)), draw.standard_normal((3, 4))
+    h = np.array([0.2, -0.5, 0.0, 1.0])
+    joined = np.block([[matrix, constant], [np.zeros((1, 4))]])
+    there = [(expm(joined*when) @ np.append(z, 1))[:3] for when, z in zip(h, start.T)]
+    found = summed(matrix, matrix @ start + constant, start, h)
+    assert np.allclose(found.T, there, rtol=1e-12, atol=1e-13*np.abs(there).max())

@@ -39,8 +39,12 @@ class Plant:
         f, cost = sp.Matrix(problem.field), sign*problem.running
         motion, u = [*problem.state, *psi, lambda_0], list(self.controls)
         # dz/dtau in full: lambda_0 and a held control do not change.
-        self._rate = stacked([*motion, *u], [*(-f), *(f.jacobian(x).T*psi - lambda_0*sp.Matrix([cost]).jacobian(x).T),
-                                             sp.Integer(0), cost, sp.Integer(0)])
+        rates = sp.Matrix([*(-f), *(f.jacobian(x).T*psi - lambda_0*sp.Matrix([cost]).jacobian(x).T),
+                           sp.Integer(0), cost, sp.Integer(0)])
+        self._rate = stacked([*motion, *u], rates)
+        slope = rates.jacobian(motion)
+        #: d(dz/dtau)/dz where it is the same everywhere, as for linear plants with the time or the fuel as the cost.
+        self._matrix = None if slope.free_symbols else np.array(slope.row_join(sp.zeros(ROWS, 2)), dtype=float)
         self._levels = [part.levels for part in parts]
         surfaces = [(j, e, size) for j, part in enumerate(parts)
                     for e, size in part.surfaces(psi, lambda_0)]
@@ -187,6 +191,8 @@ class Plant:
         """One step of length `h` (a number or one a column) backwards in time in the same mode."""
         with np.errstate(over="ignore", invalid="ignore"):      # what runs away to infinity leaves the box
             u, moving = self._plan(mode)
+            if self._matrix is not None and not moving:
+                return summed(self._matrix, self._rate(*z[:5], *u), z, h)
             return extrapolated(lambda y: self._rate(*y[:5], *self._filled(y, u, moving)), z, h)
 
     def advance(self, z, mode, h):
@@ -249,6 +255,19 @@ class Plant:
             late = demand*value < 0
             low, high = np.where(late, low, when), np.where(late, when, high)
         return when, there
+
+
+def summed(matrix, rate, z, h):
+    """A step of z' = A z + b from its rate at z by the series z + h (1 + hA/2! + (hA)^2/3! + ...) z', to rounding."""
+    size = np.linalg.norm(matrix, 1)*np.max(np.abs(h), initial=0, where=np.isfinite(h))
+    terms, left = 1, 1.0
+    while 1e-17 < left < np.inf:
+        terms += 1
+        left *= size/terms
+    total = rate
+    for k in range(terms, 1, -1):
+        total = rate + h/k*(matrix @ total)
+    return z + h*total
 
 
 def extrapolated(rate, z, h):
