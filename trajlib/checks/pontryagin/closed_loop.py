@@ -18,8 +18,9 @@ SAME = 1e-6
 #: The parts of the fastest time for which a law is followed; whether the rest suffices is asked of the optimum after
 #: each of them, since no law makes up for what was lost.
 FOLLOWED = (0.12, 0.4, 0.97)
-#: In so many steps it is followed, and once more, closely, from where it comes too late.
-STEPS, CLOSELY = 48, 480
+#: In so many steps it is followed, and asked at so many moments of each; and once more, closely, from where it comes
+#: too late. Next to states from which the target is out of reach it may have to switch within a thousandth of the way.
+STEPS, CLOSELY = (48, 1), (480, 16)
 
 
 class Law:
@@ -74,9 +75,9 @@ def follow(law, truth, lanes):
                         f"cannot be reached in the time left")
 
 
-def _late(law, truth, lanes, steps):
+def _late(law, truth, lanes, closeness):
     """Where the law has brought each start, for which of them the time left does not suffice then, and this time."""
-    for x, passed in _closed_loop(law, truth.plant, lanes, steps):
+    for x, passed in _closed_loop(law, truth.plant, lanes, *closeness):
         time, left = truth.solve(x, lanes.case).time, lanes.time * (1 + SLOWER) + 1e-3 - passed
         # On the way the target may seem to be out of reach by a hair's breadth: what is lost can be counted.
         if (np.isfinite(time) & (time > left)).all():
@@ -84,11 +85,12 @@ def _late(law, truth, lanes, steps):
     return x, np.flatnonzero(~(time <= left)), left
 
 
-def _closed_loop(law, plant, lanes, steps):
+def _closed_loop(law, plant, lanes, steps, moments):
     """Where the law has brought each start after each part of its fastest time: pairs (states, times).
 
     The control is held until no value of the law next to the state is the control held: rounding, and what the law says
-    on a curve alone, decide nothing. The moment of a switching is found by bisection.
+    on a curve alone, decide nothing. The law is asked at some moments of each step, and when it switches is found by
+    bisection between two of them.
     """
     x, case = lanes.x.copy(), lanes.case
     t, h, rest = np.zeros(len(x)), FOLLOWED[-1] * lanes.time / steps, np.full(len(x), -np.inf)
@@ -119,15 +121,18 @@ def _closed_loop(law, plant, lanes, steps):
                 # search for.
                 early = np.clip(rest[busy] + h[busy] / 40 - t[busy], 0, step)
                 soon = np.flatnonzero(early > 0)
-                lanes_asked = np.concatenate([busy, busy[soon]])
-                places = plant.move(x[lanes_asked], u[lanes_asked], np.concatenate([step, early[soon]]))
-                held, after = holds(places, u[lanes_asked], case[lanes_asked]), places[:len(busy)]
-                switching, delayed = ~held[:len(busy)], np.zeros(len(busy), dtype=bool)
-                delayed[soon] = ~held[len(busy):]
+                asked = np.maximum(step[:, None] * np.arange(moments + 1) / moments, early[:, None])
+                lanes_asked = np.concatenate([np.repeat(busy, moments), busy[soon]])
+                places = plant.move(x[lanes_asked], u[lanes_asked], np.concatenate([asked[:, 1:].ravel(), early[soon]]))
+                said, count = holds(places, u[lanes_asked], case[lanes_asked]), len(busy) * moments
+                held, delayed = said[:count].reshape(-1, moments), np.zeros(len(busy), dtype=bool)
+                delayed[soon] = ~said[count:]
+                switching, k = ~held.all(axis=1), held.argmin(axis=1)[:, None]
+                before, after = (np.take_along_axis(asked, j, axis=1)[:, 0] for j in (k, k + 1))
                 waits[busy] = switching
-                first[busy], last[busy] = early, np.where(delayed, early, step)
+                first[busy], last[busy] = before, np.where(delayed, early, after)
                 on = busy[~switching]
-                x[on], t[on] = after[~switching], t[on] + step[~switching]
+                x[on], t[on] = places[moments - 1:count:moments][~switching], t[on] + step[~switching]
                 continue
             here = np.flatnonzero(waits)
             if not len(here):

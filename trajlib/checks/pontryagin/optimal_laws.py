@@ -7,6 +7,7 @@ to where its control changes above all: what a border of a law that is a little 
 law is followed from the start, has to keep to the ends, and may cost no more.
 """
 
+import copy
 import itertools
 
 import numpy as np
@@ -17,11 +18,11 @@ from trajlib.checks.contract.claims import Expression
 from trajlib.checks.contract.tolerance import changed, in_decimals, same, share
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
 from trajlib.checks.pontryagin.followed import does_as_well, point_text
-from trajlib.checks.tools.values import real_function
+from trajlib.checks.tools.values import real_function, wide_function
 from trajlib.checks.tools.wording import told_for
 from trajlib.checks.truths.optima.direct_optimum import optima
 from trajlib.checks.truths.optima.transfer_optima import rk4
-from trajlib.checks.truths.scales import TIME, alike, same_at_every_scale, scales
+from trajlib.checks.truths.scales import TIME, differing, same_at_every_scale, scales
 
 #: A law is followed in so many steps. Where it switches it lags by a step, which costs it this share at most.
 STEPS, LAGGING = 1500, 2e-3
@@ -113,13 +114,19 @@ class _Law:
             symbols = [self.control, *symbols]
         else:
             claim = coercion.as_expression(answer, symbols)
-        self._function = real_function(symbols, [claim])
+        self._function, self._written = real_function(symbols, [claim]), (symbols, [claim])
         self.none = "no solution between the bounds" if self.implicit else "no real number"
         self.decimals = in_decimals(claim)
         #: Pairs of laws that the decimals of this one leave open; none if there are too many.
         self.changed = [[_Law(sp.Eq(side, 0, evaluate=False) if self.implicit else side, problem, parameters, time,
                               False) for (side,) in pair] for pair in changed(claim) or ()] if followed else ()
         self.rounding = share(claim, computed=LAGGING)
+
+    def wide(self):
+        """The same law in numbers of any size."""
+        other = copy.copy(self)
+        other._function = wide_function(*self._written)
+        return other
 
     def __call__(self, states, times, values, bounds):
         """The controls at states (n x K) and times (K); nan where there is none."""
@@ -200,9 +207,9 @@ def _same_at_a_scale(law, values, best, factors):
     weights = [float(factors[x]) for x in law.state]
     there, own = np.array(weights)[:, None] * states, {p: v * factors[p] for p, v in values.items()}
     scale, time = float(factors[law.control]), float(factors[TIME])
-    said = law(there, times * time, own, [scale * bound for bound in best.bounds])
-    wanted = scale * law(states, times, values, best.bounds)
-    for k in np.flatnonzero(~(alike(said, wanted, KNOWN) | np.isnan(wanted)))[:1]:
+    bounds = [scale * bound for bound in best.bounds]
+    said, wanted = law(there, times * time, own, bounds), scale * law(states, times, values, best.bounds)
+    for k in differing(said, wanted, KNOWN, lambda k: law.wide()(there[:, [k]], times[[k]] * time, own, bounds)[0]):
         raise Wrong(f"{told_for(values)}at {point_text(states[:, k])} your law gives {wanted[k] / scale:.4g}. In other "
                     f"units the problem is the same, so that {told_for(own)}at {point_text(there[:, k])} it has to "
                     f"give {wanted[k]:.4g}; it gives {said[k]:.4g}")

@@ -22,8 +22,8 @@ from trajlib.checks.tools.wording import rounded_text
 
 #: At how many places integrals are computed for one verdict.
 MOST_INTEGRATED = 400
-#: The digits to which a series is summed.
-DIGITS = 25
+#: The digits to which a series is summed, and those of numbers of any size.
+DIGITS, LONG = 25, 100
 
 
 def number_at(claim, values, what="your expression"):
@@ -152,6 +152,19 @@ def real_function(symbols, expressions):
         shape = () if single else np.broadcast_shapes(*(number.shape for number in numbers))
         with np.errstate(all="ignore"):
             return np.array([one(function, numbers, shape) for function in compiled])
+
+    return evaluate
+
+
+def wide_function(symbols, expressions):
+    """`real_function` one place after the other, in numbers of any size, with digits to spare.
+
+    It is slow: to be asked where an answer would be wrong because floats on the way are too large, or all alike.
+    """
+    def evaluate(*numbers):
+        places = [{s: sp.Float(number, LONG) for s, number in zip(symbols, place)} for place in np.broadcast(*numbers)]
+        return np.array([[real_at(e, place) for place in places] for e in expressions], dtype=float).reshape(
+            len(expressions), *np.broadcast_shapes(*map(np.shape, numbers)))
 
     return evaluate
 

@@ -12,7 +12,7 @@ import sympy as sp
 
 from trajlib.checks.contract.tolerance import DECIMALS, EXACT
 from trajlib.checks.contract.verdict import Wrong
-from trajlib.checks.tools.values import real_function
+from trajlib.checks.tools.values import real_function, wide_function
 from trajlib.checks.tools.wording import told_for
 
 #: The numbers of which powers are taken: close to the corner, closer, and far out. Most roots of them are rational.
@@ -59,23 +59,33 @@ def same_at_every_scale(claim, problem, parameters, places, weight, what):
         return
     symbols = [s for s in places[0] if s in claim.free_symbols]
     roughly = any(power.exp.is_Float and not float(4 * power.exp).is_integer() for power in claim.atoms(sp.Pow))
-    function, at = real_function(symbols, [claim]), np.array([[float(place[s]) for s in symbols] for place in places])
+    function, wide = (kind(symbols, [claim]) for kind in (real_function, wide_function))
+    at = np.array([[float(place[s]) for s in symbols] for place in places])
     said = function(*at.T)[0]
     # An exponent in decimals has three digits: over many powers of ten they tell nothing.
     for factors in found[::len(SCALES) if roughly else 1]:
         other = at * [float(factors[s]) for s in symbols]
         there, wanted = function(*other.T)[0], said * float(factors[weight])
-        for k in np.flatnonzero(np.isfinite(wanted) & ~(alike(there, wanted, DECIMALS if roughly else EXACT)))[:1]:
+        for k in differing(there, wanted, DECIMALS if roughly else EXACT, lambda k, other=other: wide(*other[k])[0]):
             gives = f"it is {there[k]:.6g}" if np.isfinite(there[k]) else "it is no real number"
             raise Wrong(f"{told_for(dict(zip(symbols, at[k])))}your {what} is {said[k]:.6g}. In other units the "
                         f"problem is the same, so that {told_for(dict(zip(symbols, other[k])))}it has to be "
                         f"{wanted[k]:.6g}; {gives}")
 
 
-def alike(said, wanted, share):
-    """Whether the numbers of an array are others up to a share of them, and what is mere rounding beside the rest."""
+def differing(said, wanted, share, wide):
+    """The index of the first of the numbers `said` that is not the one wanted, up to a share of it and to what is mere
+    rounding beside the rest; an empty list if there is none.
+
+    What was computed in other units may have been too much for floats: `wide(k)` says it anew, as in `wide_function`.
+    """
     size = np.abs(wanted)
-    return abs(said - wanted) <= share * np.maximum(size, ROUNDING * np.nanmax(size, initial=0))
+    slack = share * np.maximum(size, ROUNDING * np.nanmax(size, initial=0))
+    for k in np.flatnonzero(np.isfinite(wanted) & ~(abs(said - wanted) <= slack)):
+        said[k] = wide(k)
+        if not abs(said[k] - wanted[k]) <= slack[k]:
+            return [k]
+    return []
 
 
 class _Other(Exception):

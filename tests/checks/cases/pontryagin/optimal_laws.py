@@ -42,6 +42,10 @@ def smooth(steepness):
     return -(sp.tanh(steepness * (x1 + 2 * TURNED)) + sp.tanh(steepness * (x1 + TURNED / 2))) / 2
 
 
+def powers(off, on):
+    return -(sp.sign(sp.exp(x1) - sp.exp(-off)) + sp.sign(sp.exp(x1 + on) - 1)) / 2
+
+
 LEFT, REACHED, RANGE = ("bound", "inside"), ("inside", "bound"), {x2: sp.Interval(-4, 4)}
 
 CASES = [
@@ -51,6 +55,8 @@ CASES = [
     Case("optimal_law", fuel(2, R(1, 2)), (FUEL, WIDE), "right", "three values"),
     Case("optimal_law", -(sp.sign(x1 + 2 * TURNED) + sp.sign(x1 + TURNED / 2)) / 2, (FUEL, WIDE), "right",
          "half the sum of two signs"),
+    Case("optimal_law", powers(2 * TURNED, TURNED / 2), (FUEL, WIDE), "right", "signs of differences of large powers"),
+    Case("optimal_law", powers(2 * STEEP, STEEP / 2), (FUEL, WIDE), "wrong", "these with a smooth imitation of a sign"),
     Case("optimal_law", fuel(2.0, 0.502), (FUEL, WIDE), "right", "three digits"),
     Case("optimal_law", sp.Eq(u, fuel(2, R(1, 2))), (FUEL, WIDE), "right", "an equation that is solved for u"),
     Case("optimal_law", energy(R(43, 6), R(1, 2)), (ENERGY, WIDE), "right", "an equation"),

@@ -47,6 +47,7 @@ SPOT = sp.pi - sp.atan(2 / a) - sp.acos(1 / sp.sqrt(a**2 + 4))
 AROUND = BEHIND | {a: sp.Interval(-3, 3)}
 SMALL, TURNED = sp.Rational(1, 10**4), sp.atan2(2, -a) - sp.acos(1 / sp.sqrt(a**2 + 4))
 AWAY = {a: sp.Interval(-6, 6)}
+IN_POWERS = sp.log(2 * sp.exp(sp.sqrt(10 * sp.Abs(a))))
 CARRIAGE = Problem({x1: x2, x2: u}, {u: (-1, 1)}, {x1: a, x2: 0}, [x1, x2], running=1 + sp.Rational(3, 4) * sp.Abs(u))
 
 CASES = [
@@ -117,6 +118,14 @@ CASES = [
     Case("optimal_cost", 3.162 * sp.Abs(a)**0.5, (CARRIAGE, AWAY), "right", "an exponent in decimals"),
     Case("optimal_cost", sp.sqrt(10 * a * sp.tanh(1000 * a)), (CARRIAGE, AWAY), "wrong", "a smooth imitation"),
     Case("optimal_cost", sp.sqrt(10 * sp.sqrt(a**2 + SMALL**3)), (CARRIAGE, AWAY), "wrong", "its corner made smooth"),
+    Case("optimal_cost", IN_POWERS - sp.log(2), (CARRIAGE, AWAY), "right", "powers for which floats have no room"),
+    Case("optimal_cost", sp.acosh(sp.cosh(sp.sqrt(10 * sp.Abs(a)))), (CARRIAGE, AWAY), "right", "cosines, all alike"),
+    Case("optimal_cost", sp.log(2 * sp.exp(sp.sqrt(10 * sp.Abs(a))) + SMALL**2) - sp.log(2), (CARRIAGE, AWAY), "wrong",
+         "more than such powers"),
+    Case("optimal_cost", IN_POWERS - sp.Piecewise((sp.log(2), sp.Abs(a) < 1000), (0, True)), (CARRIAGE, AWAY), "wrong",
+         "another number far out, where floats have no room"),
+    Case("optimal_cost", sp.Piecewise((sp.sqrt(10 * sp.Abs(a)), sp.Abs(a) < 1000)), (CARRIAGE, AWAY), "wrong",
+         "no number far out"),
     Case("optimal_cost", sp.Eq(x, 1), (FAR,), "invalid", "an equation"),
     Case("optimal_duration", sp.pi / 2 * (1 / sp.sqrt(low) + 1 / sp.sqrt(high)), (SWING, STIFF), "right", "two arcs"),
     Case("optimal_duration", 1.5708 * (low**-0.5 + high**-0.5), (SWING, STIFF), "right", "decimals"),
