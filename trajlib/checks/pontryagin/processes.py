@@ -7,6 +7,7 @@ costates. All answers are judged in one way: a process has to be admissible, to 
 than the optimum that was found.
 """
 
+import functools
 import itertools
 
 import numpy as np
@@ -25,7 +26,7 @@ from trajlib.checks.pontryagin.followed import (
 )
 from trajlib.checks.pontryagin.in_time import ENDING, INTEGRATED, Control, InTime, Motion, Steering, jumps
 from trajlib.checks.tools.searching import bisected
-from trajlib.checks.tools.values import real_function, uncertain_at, value_at
+from trajlib.checks.tools.values import real_function, uncertain_at_all, value_at, values_at_all
 from trajlib.checks.tools.wording import told_for
 from trajlib.checks.truths.optima.best_processes import best_processes, free_at_the_start
 from trajlib.checks.truths.optima.transfer_optima import SAMPLES
@@ -103,8 +104,14 @@ def _slowly(sections, first, before, last, after, slack, duration):
 
 def _values(sections, times):
     """A control at instants."""
-    return np.concatenate([next(u for begin, end, u in sections if begin <= t <= end)(np.array([t]))
-                           for t in np.clip(times, sections[0][0], sections[-1][1])])
+    times = np.clip(times, sections[0][0], sections[-1][1])
+    found, left = np.empty(len(times)), np.ones(len(times), dtype=bool)
+    for begin, end, u in sections:
+        here = left & (begin <= times) & (times <= end)
+        if here.any():
+            found[here] = u(times[here])
+        left &= ~here
+    return found
 
 
 def _bends_where_it_should(sections, changed, best, values, where):
@@ -225,10 +232,11 @@ def optimal_cost(claim, problem, parameters=None):
                 and all(start in (parameters or {}) for start in starts))
     cost_of = real_function([*starts, *(p for p in parameters if p not in starts)], [claim]) if anywhere else None
     found = best_processes(problem, parameters, 2 * SAMPLES)
-    for values, best in found:
+    for (values, best), said, open_ in _evaluated(claim, found, "the cost"):
         where = told_for(values)
-        said = value_at(claim, values, "the cost")
-        if not same(said, best.cost, claim, best.cost_size(), COSTS, uncertain_at(claim, values)):
+        right = functools.partial(same, true=best.cost, written=claim, size=best.cost_size(), computed=COSTS,
+                                  uncertain=open_)
+        if not (right(said) or right(said := value_at(claim, values, "the cost"))):
             beyond = (said < best.cost) != problem.maximise
             raise Wrong(f"{where}your cost is {said:.4g}; " + (
                 "no admissible process that keeps to the ends was found that does so well" if beyond else
@@ -237,6 +245,12 @@ def optimal_cost(claim, problem, parameters=None):
             _left_over(claim, cost_of, values, best, starts, parameters)
     same_at_every_scale(claim, problem, parameters, [values for values, _ in found], COST, "cost")
     return "it is the cost of the best process found"
+
+
+def _evaluated(claim, found, what):
+    """The pairs found, each with what a claim is there, in the digits of floats, and what its decimals leave open."""
+    places = [values for values, _ in found]
+    return zip(found, values_at_all(claim, places, what), uncertain_at_all(claim, places))
 
 
 def _left_over(claim, cost_of, values, best, starts, parameters):
@@ -257,9 +271,9 @@ def _left_over(claim, cost_of, values, best, starts, parameters):
 def optimal_duration(claim, problem, parameters=None):
     """The duration of the optimal process, as an expression in the parameters."""
     found = best_processes(problem, parameters, 2 * SAMPLES)
-    for values, best in found:
-        said = value_at(claim, values, "the duration")
-        if not same(said, best.duration, claim, computed=INTEGRATED, uncertain=uncertain_at(claim, values)):
+    for (values, best), said, open_ in _evaluated(claim, found, "the duration"):
+        right = functools.partial(same, true=best.duration, written=claim, computed=INTEGRATED, uncertain=open_)
+        if not (right(said) or right(said := value_at(claim, values, "the duration"))):
             raise Wrong(f"{told_for(values)}your duration is {said:.4g}; {best.told_duration(said)}")
     same_at_every_scale(claim, problem, parameters, [values for values, _ in found], TIME, "duration")
     return "it is the duration of the best process found"
@@ -271,9 +285,9 @@ def held_at_first(claim, problem, control, value, parameters):
     another."""
     j = list(problem.controls).index(control)
     low, high = problem.controls[control]
-    held = []
-    for values, best in best_processes(problem, parameters):
-        said, given = value_at(claim, values, "the time"), float(sp.sympify(value).subs(values))
+    held, found = [], best_processes(problem, parameters)
+    for (values, best), said in zip(found, values_at_all(claim, [values for values, _ in found], "the time")):
+        given = float(sp.sympify(value).subs(values))
         near = CERTAIN * float((high - low).subs(values))
         first = itertools.takewhile(lambda arc: abs(arc[1][j] - given) <= near, best.arcs)
         true = float(sum(length for length, _ in first))

@@ -7,7 +7,9 @@ here, and no number leaves that is not finite: an answer that is undefined or in
 `not difference <= tolerance`.
 """
 
+import builtins
 import cmath
+import dis
 import functools
 from contextlib import suppress
 
@@ -65,6 +67,15 @@ def value_at(claim, values, what):
     return number.real
 
 
+def values_at_all(claim, places, what):
+    """The same at many places, dicts from the same symbols to real numbers: all at once, in the digits of floats."""
+    if _binds(claim) or not places[0]:
+        return [value_at(claim, values, what) for values in places]
+    numbers = np.array([[float(value) for value in values.values()] for values in places]).T
+    found = np.broadcast_to(real_function(list(places[0]), [claim])(*numbers)[0], len(places))
+    return [number if np.isfinite(number) else value_at(claim, values, what) for values, number in zip(places, found)]
+
+
 def uncertain_at(claim, values):
     """By how much the decimals of an expression leave open what it becomes; nan where that cannot be followed."""
     followed = changed(claim) if in_decimals(claim) and sp.sympify(claim).free_symbols else None
@@ -75,6 +86,20 @@ def uncertain_at(claim, values):
         return sum(max(abs(complex(_put(part, values)) - here) for (part,) in sides) for sides in followed)
     except TypeError:
         return np.nan
+
+
+def uncertain_at_all(claim, places):
+    """The same at many places, dicts from the same symbols to real numbers: all of them at once."""
+    symbols = list(places[0])
+    if not (in_decimals(claim) and claim.free_symbols) or _binds(claim):
+        return [uncertain_at(claim, values) for values in places]
+    followed = changed(claim)
+    if followed is None:
+        return [np.nan] * len(places)
+    numbers = np.array([[float(values[s]) for s in symbols] for values in places]).T
+    here, *sides = real_function(symbols, [claim, *(part for pair in followed for (part,) in pair)])(*numbers)
+    return sum((np.fmax(abs(one - here), abs(other - here)) for one, other in zip(sides[::2], sides[1::2])),
+               np.zeros(len(places)))
 
 
 def uncertain_entries(claim, values):
@@ -125,9 +150,7 @@ def real_function(symbols, expressions):
     real number."""
     # Only SymPy functions of the data's own symbols come here (coercion.with_symbols), so the code made is ours.
     # A docstring would take as long as the code.
-    compiled = [_integrated(symbols, e) if e.has(sp.Integral, sp.Sum) else
-                sp.lambdify(symbols, _printable(e), [{"select": _first_of}, "numpy"], docstring_limit=0)
-                for e in expressions]
+    compiled = [_compiled(symbols, e) for e in expressions]
 
     def one(function, numbers, shape):
         try:
@@ -169,15 +192,31 @@ def wide_function(symbols, expressions):
     return evaluate
 
 
-def _integrated(symbols, e):
-    """An expression with integrals or sums, one place after the other; slow, so not for a law."""
+def _compiled(symbols, e):
+    """One expression as a function of arrays: by NumPy, with SciPy's special functions where it has such ones."""
+    for libraries in () if e.has(sp.Integral, sp.Sum) else (["numpy"], ["scipy", "numpy"]):
+        function = sp.lambdify(symbols, _printable(e), [{"select": _first_of}, *libraries], docstring_limit=0)
+        known = {name: function.__globals__.get(name, getattr(builtins, name, None))
+                 for name in function.__code__.co_names}
+        odd = {name for name, one in known.items() if one is None or getattr(one, "__module__", None) == "math"}
+        # Some of these are attributes, as in `logical_and.reduce`.
+        if not odd or not any(step.opname == "LOAD_GLOBAL" and step.argval in odd
+                              for step in dis.get_instructions(function)):
+            return function
+    return _one_by_one(symbols, e)
+
+
+def _one_by_one(symbols, e):
+    """An expression with integrals, sums, or functions that neither NumPy nor SciPy knows, one place after the other;
+    slow, so not for a law."""
     places = 0
 
     def value(*numbers):
         nonlocal places
         places += 1
         if places > MOST_INTEGRATED:
-            raise Invalid("your answer holds an integral or a sum and is asked for at many places; write it without")
+            raise Invalid("your answer holds an integral, a sum or a special function and is asked for at many places; "
+                          "write it without")
         found = real_at(e, dict(zip(symbols, map(sp.Float, numbers))))
         return np.nan if found is None else found
 

@@ -46,6 +46,9 @@ SOLVER = {"ipopt.print_level": 0, "print_time": False, "ipopt.sb": "yes", "ipopt
           "ipopt.constr_viol_tol": 1e-11, "ipopt.dual_inf_tol": 1e-8, "show_eval_warnings": False,
           "error_on_fail": False, "calc_lam_p": False}  # of which it would complain where a search fails
 
+#: CasADi's options for derivatives that are known, and what it calls them itself.
+DERIVATIVES = {"grad_f": "nlp_grad_f", "jac_g": "nlp_jac_g", "hess_lag": "nlp_hess_l"}
+
 
 def optima(problem, parameters=None):
     """Pairs ({parameter: value}, `Optimum`) for sample values of the parameters, a dict from symbols to intervals."""
@@ -360,46 +363,56 @@ class _Search:
 
     def _programme(self, arcs, barrier):
         """The nonlinear programme for arcs with so many pieces: IPOPT's function, the numbers of conditions."""
-        shape = tuple(pieces for _, pieces in arcs), tuple(kind is None for kind, _ in arcs), _degree(arcs), barrier
+        shape = tuple(pieces for _, pieces in arcs), tuple(kind is None for kind, _ in arcs), _degree(arcs)
         if shape not in self._programmes:
-            self._programmes[shape] = self._written(*shape)
-        return self._programmes[shape]
+            self._programmes[shape] = self._written(*shape), {}
+        (programme, *counts), solvers = self._programmes[shape]
+        if barrier not in solvers:
+            # Its derivatives, which take the time, are the same whatever the barrier.
+            known = {option: solver.get_function(name) for solver in list(solvers.values())[:1]
+                     for option, name in DERIVATIVES.items()}
+            solvers[barrier] = ca.nlpsol("direct", "ipopt", programme, SOLVER | known | {
+                "ipopt.mu_init": barrier, "ipopt.max_iter": BARRIERS[barrier]})
+        return solvers[barrier], *counts
 
-    def _written(self, pieces, free, degree, barrier):
+    def _written(self, pieces, free, degree):
+        """The programme and the numbers of its conditions, equations and inequalities."""
         n, count = len(self._state), degree * sum(pieces)
         _, derivative, between = _radau(degree)
         y0, y, u = ca.SX.sym("y0", n), ca.SX.sym("y", n, count), ca.SX.sym("u", count)
         bends, lengths = ca.SX.sym("a", len(self._absolute), count), ca.SX.sym("T", len(pieces))
         p, side, low, high = ca.SX.sym("p", len(self._parameters)), *(ca.SX.sym(name) for name in ("s", "l", "h"))
         rates, final, gap, insides = self._in_casadi
-        equal, positive, cost, begin = [], [], 0, y0
-        for k, arc in enumerate(np.repeat(np.arange(len(pieces)), pieces)):
-            h, first = lengths[int(arc)] / pieces[arc], k * degree
-            nodes = ca.horzcat(begin, y[:, first:first + degree])
-            for j in range(degree):
-                i = first + j
-                rate = rates(nodes[:, j + 1], u[i], bends[:, i], p)
-                equal.append(ca.mtimes(nodes, ca.DM(derivative[j])) - h * rate[:n])
-                inside = insides(nodes[:, j + 1], u[i], p)
-                positive += [bends[:, i] - inside, bends[:, i] + inside] * free[arc]
-                if degree == COARSE[1] and j:
-                    equal.append(u[i] - u[i - 1])
-                if self._returns and i < count - 1:
-                    positive.append(side * gap(nodes[:, j + 1], p))
-            for weight, shares, mix in between:
-                held = ca.dot(u[first:first + degree], ca.DM(mix))
-                rate = rates(ca.mtimes(nodes, ca.DM(shares)), held, ca.mtimes(bends[:, first:first + degree],
-                                                                             ca.DM(mix)), p)
-                cost += h * weight * rate[n]
-                if free[arc] and degree == FINE[1]:
-                    positive += [held - low] * self._bounded[0] + [high - held] * self._bounded[1]
-            begin = nodes[:, degree]
-        equal, positive = ca.vertcat(*equal, gap(begin, p)), ca.vertcat(ca.SX(0, 1), *positive)
-        solver = ca.nlpsol("direct", "ipopt", {
-            "x": ca.vertcat(y0, ca.vec(y), u, ca.vec(bends), lengths), "p": ca.vertcat(p, side, low, high),
-            "f": self._sign * (cost + final(begin, p)), "g": ca.vertcat(equal, positive, ca.sum1(lengths))},
-                           SOLVER | {"ipopt.mu_init": barrier, "ipopt.max_iter": BARRIERS[barrier]})
-        return solver, equal.numel(), positive.numel()
+        # Everything at once: one call for all points costs little more than one for each.
+        arcs = np.repeat(np.arange(len(pieces)), pieces)
+        h = ca.horzcat(*(lengths[int(arc)] / pieces[arc] for arc in arcs))
+        begins = ca.horzcat(y0, y[:, degree - 1:-1:degree])
+        nodes = [begins, *(y[:, j::degree] for j in range(degree))]
+        at_nodes, inside = rates(y, u.T, bends, p), insides(y, u.T, p)
+        moved = ca.repmat(h, n, 1)
+        equal = [sum(float(share) * node for share, node in zip(row, nodes)) - moved * at_nodes[:n, j::degree]
+                 for j, row in enumerate(derivative)]
+        if degree == COARSE[1]:
+            equal += [(u[j::degree] - u[j - 1::degree]).T for j in range(1, degree)]
+        free = np.repeat(np.repeat(free, pieces), degree)
+        positive = [ca.vec((bends + sign * inside)[:, [int(i) for i in np.flatnonzero(free)]]) for sign in (-1, 1)]
+        if self._returns:
+            positive.append(ca.vec(side * gap(y[:, :-1], p)))
+        controls, moduli = [u[j::degree].T for j in range(degree)], [bends[:, j::degree] for j in range(degree)]
+        cost = 0
+        inner = [int(k) for k in np.flatnonzero(free[::degree])] if degree == FINE[1] else []
+        for weight, shares, mix in between:
+            state, held, bent = (sum(float(share) * part for share, part in zip(by, parts)) for by, parts in (
+                (shares, nodes), (mix, controls), (mix, moduli)))
+            cost += weight * ca.dot(h, rates(state, held, bent, p)[n, :])
+            if inner:
+                positive += [(held[inner] - low).T] * self._bounded[0] + [(high - held[inner]).T] * self._bounded[1]
+        end = y[:, -1]
+        equal = ca.vertcat(*map(ca.vec, equal), gap(end, p))
+        positive = ca.vertcat(ca.SX(0, 1), *positive)
+        return ({"x": ca.vertcat(y0, ca.vec(y), u, ca.vec(bends), lengths), "p": ca.vertcat(p, side, low, high),
+                 "f": self._sign * (cost + final(end, p)), "g": ca.vertcat(equal, positive, ca.sum1(lengths))},
+                equal.numel(), positive.numel())
 
     @functools.cached_property
     def _in_casadi(self):
