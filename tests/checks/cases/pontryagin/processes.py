@@ -119,8 +119,6 @@ CASES = [
     Case("optimal_cost", 3.162 * sp.Abs(a)**0.5, (CARRIAGE, AWAY), "right", "an exponent in decimals"),
     Case("optimal_cost", sp.sqrt(10 * sp.Abs(a)) * sp.gamma(2 + a) / (1 + a) / sp.gamma(1 + a), (CARRIAGE, AWAY),
          "right", "a function that NumPy does not know"),
-    Case("optimal_cost", -sp.sqrt(10 * sp.Abs(a)) * sp.polylog(1, -a**2) / sp.log(1 + a**2), (CARRIAGE, AWAY),
-         "right", "a function that SciPy does not know either"),
     Case("optimal_cost", sp.sqrt(10 * a * sp.tanh(1000 * a)), (CARRIAGE, AWAY), "wrong", "a smooth imitation"),
     Case("optimal_cost", sp.sqrt(10 * sp.sqrt(a**2 + SMALL**3)), (CARRIAGE, AWAY), "wrong", "its corner made smooth"),
     Case("optimal_cost", IN_POWERS - sp.log(2), (CARRIAGE, AWAY), "right", "powers for which floats have no room"),
