@@ -244,6 +244,26 @@ def rayleigh_energy(T):
     return found.y[4, -1]
 
 
+def landing_beside():
+    """x'' = p cos(u), y'' = p sin(u) - 1, 0 <= p <= 3, from (0, 5) at the speed (1, 0) to rest at (1, 0), least int p:
+    the primer vector a + b t is as long as 1 where the thrust goes off and on, 3 (|a + b T| - 1) = a_y + b_y T at the
+    end.
+    """
+    def missed(z):
+        a, b, (off, on, T) = z[:2], z[2:4], z[4:]
+
+        def pushed(weight):
+            return [sum(quad(lambda s: 3*weight(s)*(a + b*s)[i]/np.hypot(*(a + b*s)), *part, epsabs=1e-14)[0]
+                        for part in ((0, off), (on, T))) for i in (0, 1)]
+
+        speed, way = pushed(lambda s: 1.0), pushed(lambda s: T - s)
+        return [1 + speed[0], speed[1] - T, T + way[0] - 1, 5 + way[1] - T**2/2, np.hypot(*(a + b*off)) - 1,
+                np.hypot(*(a + b*on)) - 1, 3*(np.hypot(*(a + b*T)) - 1) - (a + b*T)[1]]
+
+    *_, off, on, T = fsolve(missed, [-1.07, -0.04, 0.32, 0.4, 0.22, 2.54, 3.85], xtol=1e-14)
+    return 3*(off + T - on), [off, on]
+
+
 def across_a_tangent():
     """x' = u, 0 <= u <= 3, int u^3/3 - u^2 + (2 - t) u over [0, 2]: H passes its own tangent from 0 to 3/2, of slope
     -3/4, so that u jumps there; beyond it u = 1 + sqrt(1 - s) with s = 2 - t.
@@ -415,6 +435,9 @@ STATEMENTS = {
         Problem({x1: x2, x2: -x1 + x2*(R(7, 5) - R(7, 50)*x2**2) + 4*u}, FREE, {x1: -5, x2: -5}, [x1, x2],
                 running=u**2, duration=T), lambda T=T: rayleigh_energy(T), LOCAL, "collocation", accuracy=1e-8)
        for T in (2, 4, 8)},
+    "a thrust that has no direction while it is off": statement(
+        Problem({x: v, y: w, v: p*sp.cos(u), w: p*sp.sin(u) - 1}, {u: None, p: (0, 3)}, {x: 0, y: 5, v: 1, w: 0},
+                [x - 1, y, v, w], running=p), landing_beside(), EXTREMAL, "the primer vector"),
     # From elsewhere: a stationary start that is a maximum, a far start, boundary layers, a plant without drift.
     "away from zero": statement(Problem({x: u}, ONE, {x: 0}, {x: 0}, running=u**2 - x**2, duration=4),
                                 away_from_zero(), LOCAL,

@@ -1,7 +1,8 @@
 """Motion of states and costates along an arc of one kind, to rounding error, with its exact derivatives.
 
-The kinds, one for each control: "u-" and "u+" (at a bound), "interior" (dH/du = 0 between the bounds) and "singular"
-(H linear in u, dH/du = 0 on the arc). On an interior arc the control w is carried along as a component of the motion,
+The kinds, one for each control: "u-" and "u+" (at a bound), "interior" (dH/du = 0 between the bounds; the direction of
+a thrust that is off has the limit of those of weak thrusts) and "singular" (H linear in u, dH/du = 0 on the arc). On an
+interior arc the control w is carried along as a component of the motion,
 
     w' = -(d2H/du2)^-1 d/dt(dH/du with u held),
 
@@ -54,12 +55,24 @@ class ArcFlow:
             conditions += derivatives
             control[i] = value
         self.control = control
+        self.stationary = {i: self._stationary(i) for i in self.interior}
         for i in self.interior:
-            conditions += steady_slopes(numeric, i) if kinds[i] in STEADY else [numeric.slopes[i]]
+            conditions += steady_slopes(numeric, i) if kinds[i] in STEADY else [self.stationary[i]]
         self.entry = ca.vertcat(*map(self._with_control, conditions))
 
     def _with_control(self, expression):
         return ca.substitute(expression, self.numeric.u, self.control)
+
+    def _stationary(self, i):
+        """What vanishes for an interior control: dH/du_i; where it does so whatever u_i, since another control is zero
+        (the direction of a thrust that is off), its derivative with respect to that control.
+        """
+        numeric, slope = self.numeric, self.numeric.slopes[i]
+        for j, kind in enumerate(self.kinds):
+            off = kind in ("u-", "u+") and numeric.affine[j] and ca.which_depends(slope, numeric.u[j])[0]
+            if off and _vanishes(numeric, ca.substitute(slope, numeric.u[j], self.control[j])):
+                return ca.jacobian(slope, numeric.u[j])
+        return slope
 
     @cached_property
     def rate(self):
@@ -68,7 +81,7 @@ class ArcFlow:
         motion = ca.vertcat(numeric.field, numeric.adjoint)
         if self.interior:
             moving = [i for i in self.interior if self.kinds[i] == "interior"]
-            slopes, free = numeric.slopes[moving], numeric.u[moving]
+            slopes, free = ca.vertcat(*(self.stationary[i] for i in moving)), numeric.u[moving]
             drift = ca.jtimes(slopes, ca.vertcat(numeric.x, numeric.psi), motion)
             turning = ca.SX(numeric.k, 1)
             turning[moving] = -ca.solve(ca.jacobian(slopes, free), drift) if moving else 0

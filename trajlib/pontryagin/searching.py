@@ -120,7 +120,7 @@ class _Attempts:
             finer = self.solved(refined, (picture.duration, picture.states, picture.controls))
             self.coarse_durations += [picture.duration]*len(finer)
             pictures += finer or [picture]
-        return [(picture, side) for picture in pictures]
+        return [(picture, side) for picture in _different(pictures)]
 
     def _spread(self, side, ladder=False):
         """Starts of several kinds in turn: motions under constant controls, straight lines, controls that swing.
