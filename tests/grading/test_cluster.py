@@ -263,7 +263,7 @@ def test_a_notebook_reaches_nothing_of_the_cluster(dask, tmp_path, trusting):
                                      "execution_count": None})
     path.write_text(json.dumps(notebook))
     course.grade(tmp_path / "submitted", tmp_path / "out", cluster=our_cluster(dask), trusting=trusting)
-    with sqlite3.connect(tmp_path / "out" / "grades.sqlite") as database:
+    with closing(sqlite3.connect(tmp_path / "out" / "grades.sqlite")) as database:
         ((answers, verdicts, remarks),) = database.execute("SELECT answers, verdicts, remarks FROM result")
     reached = set(json.loads(answers)["a_region"].replace("'", "").split())
     assert reached == ({"key", "port", "process", "signal"} if trusting else set()), (answers, remarks)

@@ -3,6 +3,7 @@
 import os
 import sqlite3
 import sys
+from contextlib import closing
 from pathlib import Path
 
 import pytest
@@ -199,7 +200,7 @@ def test_a_store_that_is_full_or_none_is_said(tmp_path, by_content):
 def test_a_store_of_an_older_version_is_read(tmp_path, by_content):
     hand_in(tmp_path, "ann", "1.15", {"a_region": "'GOOD'"})
     run(tmp_path)
-    with sqlite3.connect(tmp_path / "grades.sqlite") as database:
+    with closing(sqlite3.connect(tmp_path / "grades.sqlite")) as database:
         database.execute("ALTER TABLE result DROP COLUMN hashes")
     assert run(tmp_path)[:2] == (0, {"ann": 5})
 

@@ -1,6 +1,7 @@
 """Messages over pipes: whole, or broken in a known way, and always in time."""
 
 import os
+import resource
 import struct
 import threading
 import time
@@ -39,6 +40,21 @@ def test_broken(pipe, written, why):
     os.close(into)
     with pytest.raises(framing.Broken, match=why):
         framing.receive(out, timeout=10)
+
+
+def test_any_number_of_files_may_be_open(pipe):
+    """A course's store, notebooks, a program around the grader: descriptors have any number."""
+    some, most = resource.getrlimit(resource.RLIMIT_NOFILE)
+    high = 2000
+    resource.setrlimit(resource.RLIMIT_NOFILE, (max(some, high + 1), most))
+    os.dup2(pipe[0], high)
+    try:
+        framing.send(pipe[1], b"x")
+        assert framing.readable([high]) == [high] and framing.receive(high, timeout=10) == b"x"
+        assert not framing.readable([high], 0)
+    finally:
+        os.close(high)
+        resource.setrlimit(resource.RLIMIT_NOFILE, (some, most))
 
 
 def test_silence_is_bounded(pipe):

@@ -7,7 +7,7 @@ import sqlite3
 import subprocess
 import sys
 import time
-from contextlib import suppress
+from contextlib import closing, suppress
 from functools import partial
 from pathlib import Path
 
@@ -45,7 +45,7 @@ def start(folder, out):
 
 def grades(out):
     """Everything that was found, without when and by whom: each row of the store, to be compared whole."""
-    with sqlite3.connect(out / "grades.sqlite") as database:
+    with closing(sqlite3.connect(out / "grades.sqlite")) as database:
         return sorted(database.execute("SELECT student, assignment, problem, content, submitted, exercise, verdicts, "
                                        "answers, remarks"
                                        " FROM attempt JOIN result ON result.attempt = attempt.id"))
@@ -54,7 +54,7 @@ def grades(out):
 def count(out):
     """How many results are stored; a reader waits for nobody and disturbs nobody."""
     try:
-        with sqlite3.connect(f"file:{out / 'grades.sqlite'}?mode=ro", uri=True, timeout=10) as database:
+        with closing(sqlite3.connect(f"file:{out / 'grades.sqlite'}?mode=ro", uri=True, timeout=10)) as database:
             return database.execute("SELECT count(*) FROM result").fetchone()[0]
     except sqlite3.OperationalError:
         return 0

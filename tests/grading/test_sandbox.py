@@ -3,7 +3,6 @@ user."""
 
 import json
 import os
-import select
 import shutil
 import signal
 import stat
@@ -21,7 +20,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 import ordinary  # noqa: E402
 from hostile.reading import READING  # noqa: E402
 
-from trajlib.grading import isolation, watching  # noqa: E402
+from trajlib.grading import framing, isolation, watching  # noqa: E402
 from trajlib.grading import sandbox as sandbox_module  # noqa: E402
 from trajlib.grading.preloading import ALWAYS  # noqa: E402
 from trajlib.grading.sandbox import Limits, Outcome, Sandbox, Trusting  # noqa: E402
@@ -322,7 +321,7 @@ def test_the_grader_is_free_while_a_notebook_runs():
     """One that would go on until it is stopped, which is by what it computes, not by the clock."""
     with lean(PATIENT) as sandbox:
         sandbox.hand_in(["while True: pass", "a = 1"], ["a"])
-        assert not select.select([sandbox._place.results], [], [], 0)[0]
+        assert not framing.readable([sandbox._place.results], 0)
         outcome = sandbox.outcome()
         assert answers(outcome) == {"a": 1} and json.loads(outcome.handed_over)["stopped"] == [1]
 

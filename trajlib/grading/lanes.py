@@ -3,7 +3,6 @@
 import json
 import math
 import os
-import select
 import signal
 import sys
 from contextlib import suppress
@@ -46,7 +45,7 @@ def grade_all(units, count, settings, nursery=None):
                 nursery = Nursery.start([])
         busy = {lane: unit for lane in lanes if (unit := lane.take(waiting)) is not None}
         while busy:
-            for lane in select.select(list(busy), [], [])[0]:
+            for lane in framing.readable(busy):
                 unit = busy.pop(lane)
                 result = lane.result()
                 if result is None:

@@ -9,7 +9,6 @@ come from a third one (`worker`).
 
 import json
 import os
-import select
 import signal
 import socket
 import subprocess
@@ -18,7 +17,7 @@ import time
 from contextlib import contextmanager, suppress
 from functools import partial
 
-from trajlib.grading import isolation
+from trajlib.grading import framing, isolation
 from trajlib.grading.isolation import NotStarted, end_with_parent
 from trajlib.grading.preloading import preload
 
@@ -67,7 +66,7 @@ class Nursery:
     def alive(self):
         """Whether its process runs; nobody may be waiting for an answer of it."""
         with self._asking:  # nothing but its end comes unasked
-            return self._control.fileno() >= 0 and not select.select([self._control], [], [], 0)[0]
+            return self._control.fileno() >= 0 and not framing.readable([self._control], 0)
 
     @property
     def bubblewrap(self):

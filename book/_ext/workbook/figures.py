@@ -45,11 +45,12 @@ class CaptionFigures(SphinxPostTransform):
                 last.replace_self(figure)
 
     def _has_panels(self, image):
-        """Whether a picture is too wide to be read on a phone at once: most often two panels side by side."""
+        """Whether a picture (its size in points) is too wide to be read on a phone at once: two panels side by side, or
+        any that would be shown at less than half its size there."""
         file = Path(self.env.srcdir, image["uri"].lstrip("/"))
         size = SIZE.search(file.read_text(encoding="utf-8")) if file.suffix == ".svg" else None
         width, height = map(float, size.groups()) if size else (0, 1)
-        return width > 500 and width > 1.7*height
+        return width > (500 if width > 1.7*height else 540)
 
     def _number(self, k, count):
         problem = catalogue.of(self.env).get(self.env.docname)

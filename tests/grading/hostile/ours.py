@@ -5,6 +5,7 @@ import os
 import sqlite3
 import subprocess
 import sys
+from contextlib import closing
 from pathlib import Path
 
 from trajlib.grading import course
@@ -30,7 +31,7 @@ def run(here, environment, once=False, timeout=400):
 def results(here):
     """{student: [{"verdicts", "answers", "remarks"}]} as stored."""
     found = {}
-    with sqlite3.connect(here / "graded/grades.sqlite") as database:
+    with closing(sqlite3.connect(here / "graded/grades.sqlite")) as database:
         rows = database.execute("SELECT student, verdicts, answers, remarks FROM attempt JOIN result ON "
                                 "result.attempt = attempt.id")
         for student, *texts in rows:
