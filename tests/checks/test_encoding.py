@@ -396,6 +396,7 @@ sets = st.recursive(
 matrices = st.builds(lambda a, b, c, d: sp.Matrix([[a, b], [c, d]]), *[expressions] * 4)
 
 
+@pytest.mark.slow
 @settled(max_examples=300)
 @given(nested(numbers | strings | arrays | st.just(...)))
 def test_any_plain_value_comes_back(value):
@@ -411,6 +412,7 @@ def test_any_set_has_one_encoding(value, random):
     assert encode(set(shuffled)) == encode(value) and len(decode(encode(value))) == len(value)
 
 
+@pytest.mark.slow
 @settled(max_examples=400)
 @given(st.one_of(expressions, conditions, laws, sets, matrices))
 def test_any_sympy_value_comes_back(value):

@@ -61,6 +61,7 @@ def test_along_a_line(start, time):
     np.testing.assert_allclose(best.states[:, -1], 0, atol=1e-12)
 
 
+@pytest.mark.slow
 def test_a_search_finds_nothing_better():
     place, rest = thrust((1, 2, 1, 0), [x, y]), thrust((1, 2, 1, 0), [x, y, v, w])
     assert optima(place)[0][1].duration == pytest.approx(only(place).duration, rel=1e-8)

@@ -11,6 +11,7 @@ import pytest
 from trajlib import exercises
 from trajlib.masters import read
 
+pytestmark = pytest.mark.slow
 ROOT = Path(__file__).resolve().parents[2]
 
 

@@ -81,6 +81,7 @@ def test_a_lane_that_dies_is_replaced(tmp_path, monkeypatch):
     assert count == 1 and points(tmp_path, known) == {"ada": 5.0, "bela": 0.0, "cyd": 5.0}
 
 
+@pytest.mark.slow
 def test_other_limits_grade_again_what_met_the_former_ones(tmp_path):
     hand_in(tmp_path, "ada", "1.15", RIGHT_1_15)
     hand_in(tmp_path, "bela", "1.15", RIGHT_1_15

@@ -36,6 +36,7 @@ def test_moments_solve_their_equations(A, extra):
     assert not P.has(sp.I) and not P.has(sp.nan, sp.zoo)
 
 
+@pytest.mark.slow
 def test_problem_4_17_in_its_cases():
     A = sp.Matrix([[0, 1], [-b, -a]])
     found = estimation.continuous_moments(A, PUSH, ANY, t)

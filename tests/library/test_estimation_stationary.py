@@ -56,6 +56,7 @@ def test_exact_filters_are_the_stabilising_solutions(A, H, intensity, noise):
     assert tried == len(PLACES)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("Phi, H, variance, noise", DISCRETE)
 def test_exact_discrete_filters_are_limits_of_the_recursion(Phi, H, variance, noise):
     found = estimation.discrete_stationary_filter(Phi, H, variance, noise)

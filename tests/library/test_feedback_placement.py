@@ -48,6 +48,7 @@ def test_one_control_gives_the_exact_gain_rounded(wanted, spread):
     assert found.gain[0].tolist() == [float(k) for k in exact]
 
 
+@pytest.mark.slow
 @pytest.mark.filterwarnings("ignore:Convergence was not reached")
 @pytest.mark.parametrize("spread", [0, 6])
 @pytest.mark.parametrize(("n", "s"), [(4, 1), (8, 1), (16, 1), (40, 1), (6, 2), (9, 3)])

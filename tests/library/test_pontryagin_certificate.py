@@ -17,6 +17,7 @@ from trajlib.pontryagin import (
     compare,
 )
 
+pytestmark = pytest.mark.slow
 x, x1, x2, u, v = sp.symbols("x x1 x2 u v")
 half = sp.Rational(1, 2)
 ONE = {u: (-1, 1)}

@@ -126,6 +126,7 @@ def test_singular_arcs(problem, order, surface, control, kelley):
     assert (arc.order, arc.surface, arc.control, arc.kelley) == (order, surface, control, kelley) and not arc.excluded
 
 
+@pytest.mark.slow
 def test_singular_arc_of_goddard():
     """Surface and feedback against the extremal that was found without them."""
     drag = 310*w**2*sp.exp(-500*(h - 1))

@@ -15,6 +15,7 @@ def test_a_costate_that_does_not_enter():
     assert named[0] == u - 2*k*w and sp.expand(named.subs({k: -1})[1] - 2*w**3 + 2*w) == 0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("maximise", [False, True])
 def test_the_ratio_of_two_costates(maximise):
     turn = b*sp.sin(y) - sp.sin(u)

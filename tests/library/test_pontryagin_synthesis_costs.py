@@ -7,6 +7,7 @@ import sympy as sp
 
 from trajlib.pontryagin import Problem, synthesis
 
+pytestmark = pytest.mark.slow
 x1, x2, u, v = sp.symbols("x1 x2 u v")
 R = sp.Rational
 ANYWHERE, ONE, BOX = {x1: None, x2: None}, {u: (-1, 1)}, {u: (-1, 1), v: (-1, 1)}

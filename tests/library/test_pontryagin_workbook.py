@@ -24,6 +24,7 @@ from trajlib.pontryagin import (
     compare,
 )
 
+pytestmark = pytest.mark.slow
 R = sp.Rational
 x, y, z, u, v, w, t, p, q, m, h, a = sp.symbols("x y z u v w t p q m h a")
 x1, x2 = sp.symbols("x1 x2")

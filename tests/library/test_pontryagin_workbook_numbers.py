@@ -11,6 +11,7 @@ from scipy.optimize import brentq, fsolve, minimize
 
 from trajlib.pontryagin import Chattering, Infeasible, NotUnique, Problem, Unbounded
 
+pytestmark = pytest.mark.slow
 R = sp.Rational
 x, y, u, v, w, p, m, h, a, r, b = sp.symbols("x y u v w p m h a r b")
 x1, x2 = sp.symbols("x1 x2")

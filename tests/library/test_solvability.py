@@ -439,6 +439,7 @@ def test_interval_division_and_roots_outside_their_domain_conclude_nothing():
     assert not guarantee(sp.Matrix([[1/a]]), {a: (-1, 2)}, scaling=[1], cells=300).lower > 0.51
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("width", [0.4, 0.8])
 def test_guarantee_against_random_motions_of_the_box(width):
     x, y, v = sp.symbols("x y v")

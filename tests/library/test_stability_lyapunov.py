@@ -89,6 +89,7 @@ def test_conservative_system():
     assert M.zero_set is sp.true and M.only_origin is sp.false
 
 
+@pytest.mark.slow
 def test_basins_of_the_problem_book():
     found = basin_estimate(*example_2, [x, y])
     assert found.level == sp.Rational(4, 27)*b**3 and found.obstacles == ((-2*b/3, 0),)

@@ -61,6 +61,7 @@ def test_worked_example_2():
     assert rows == {"stable node": 8*b < u**2, "stable focus": 8*b > u**2, "stable degenerate node": sp.Eq(8*b, u**2)}
 
 
+@pytest.mark.slow
 def test_the_table_covers_the_parameters_once():
     """Of the general matrix, at points of all kinds."""
     entries = sp.symbols("a11 a12 a21 a22", real=True)

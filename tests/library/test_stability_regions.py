@@ -50,6 +50,7 @@ def largest_real_part(equation, values):
     return np.roots([float(c) for c in sp.Poly(equation.subs(values), s).all_coeffs()]).real.max()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("equation, parameters, margin", [r[1:4] for r in REGIONS], ids=[r[0] for r in REGIONS])
 def test_regions_agree_with_the_spectrum(equation, parameters, margin):
     found = stability_conditions(equation, parameters, margin, None if isinstance(equation, sp.MatrixBase) else s)
@@ -149,6 +150,7 @@ def test_errors_name_the_argument(call, named):
 numbers = st.integers(-3, 3)
 
 
+@pytest.mark.slow
 @settings(max_examples=25, deadline=None)
 @given(st.lists(st.tuples(numbers, numbers, numbers), min_size=2, max_size=4),
        st.lists(st.tuples(st.integers(-40, 40), st.integers(-40, 40)), min_size=15, max_size=15))

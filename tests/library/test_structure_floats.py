@@ -22,6 +22,7 @@ def rotated(A, H, seed):
     return Q @ A @ Q.T, H @ Q.T
 
 
+@pytest.mark.slow
 def test_known_pairs():
     """No wrong verdict and no wrong rank."""
     rng, wrong = np.random.default_rng(20261122), []

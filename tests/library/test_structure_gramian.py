@@ -33,6 +33,7 @@ def test_its_differential_equation(A, B):
     assert W.subs(T, 0).applyfunc(sp.simplify) == sp.zeros(2)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("duration", [1e-3, 1.0, 40.0])
 def test_floats_are_the_integral(duration):
     A, B = np.array([[0.0, 1.0], [-1.0, -0.5]]), np.array([0.0, 1.0])

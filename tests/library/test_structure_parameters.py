@@ -180,6 +180,7 @@ def test_errors():
         observability_conditions(sp.zeros(2), M([[a**2 + b**2 - 1, 0], [0, a**2 - b**3]]), [a, b])
 
 
+@pytest.mark.slow
 def test_systems_with_many_symbols_are_decided_or_refused_at_once():
     A, H = M(4, 4, lambda i, j: sp.Symbol(f"a{i}{j}")), M(1, 4, lambda i, j: sp.Symbol(f"h{j}"))
     assert observability(A, H).holds

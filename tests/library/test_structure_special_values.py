@@ -42,6 +42,7 @@ def holds(A, T, new):
     return None not in (A, T, new) and T.det() != 0 and (T*A - new*T).is_zero_matrix
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("A, H", PAIRS)
 def test_by_observation_and_by_control(A, H):
     seen, steered = observability_decomposition(A, H), controllability_decomposition(A.T, H.T)

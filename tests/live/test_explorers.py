@@ -51,6 +51,7 @@ def test_the_roots_follow_the_point_that_is_pulled():
     assert explorer.controls["k1"].value == 0.5
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("problem", PORTRAITS)
 def test_every_portrait_of_chapter_1_follows_its_parameters(problem):
     for item, portrait in PORTRAITS[problem].items():
@@ -198,6 +199,7 @@ def test_circle_synthesis_follows_its_radius_and_the_pointer():
     assert picture(explorer) != before and "to the circle" in words(explorer)
 
 
+@pytest.mark.slow
 def test_fastest_motion_starts_from_a_click():
     explorer = fastest_motion()
     stroke(explorer, explorer.stage.axes[0], [(1, 0)])

@@ -13,6 +13,7 @@ from trajlib.live.magics import is_ours
 from trajlib.live.polls import options
 from trajlib.live.worked import Worked
 
+pytestmark = pytest.mark.slow
 SLUGS = [lecture.word for lecture in lectures()]
 
 

@@ -12,6 +12,8 @@ from trajlib.live.catching_up import cells_above
 from trajlib.live.lab import furnish
 from trajlib.live.magics import is_ours
 
+pytestmark = pytest.mark.slow
+
 
 class Kernel:
     """`run` gives what a cell shows: text of all kinds, and which cell it puts below."""

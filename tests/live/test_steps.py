@@ -7,6 +7,7 @@ import pytest
 from trajlib.live.steps import CODE, IDEA, PICTURE, steps_of
 from trajlib.masters import read_all
 
+pytestmark = pytest.mark.slow
 ROOT = Path(__file__).resolve().parents[2]
 
 

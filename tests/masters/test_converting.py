@@ -89,6 +89,7 @@ def test_links_can_be_led_elsewhere():
     assert "ours.example" not in str(theirs) and theirs == exercises.linked(plain, exercises.below("https://theirs.example"))
 
 
+@pytest.mark.slow
 def test_no_answer_cell_is_empty():
     for master in read_all(ROOT / "solutions"):
         for cell in student_notebook(master, Links(ROOT))["cells"]:

@@ -9,6 +9,7 @@ import pytest
 
 from trajlib.masters import master_paths, read
 
+pytestmark = pytest.mark.slow
 ROOT = Path(__file__).resolve().parents[2]
 #: Seen in the text: to read all masters would take every process of the tests seconds before its first one.
 DRAWN = [path for path in master_paths(ROOT / "solutions") if "\n:tags: [drawing" in path.read_text(encoding="utf-8")]

@@ -10,6 +10,7 @@ from trajlib.masters import master_paths, read
 from trajlib.masters.front_matter import read_front_matter
 from trajlib.masters.mistakes import sentence
 
+pytestmark = pytest.mark.slow
 SOLUTIONS = Path(__file__).resolve().parents[2] / "solutions"
 #: What is set between dollars, code between backticks, a reference, an answer of no items; not mathematics as typed.
 SET = re.compile(r"\$[^$]*\$|`[^`]*`")

@@ -16,6 +16,7 @@ from trajlib.masters import Links, master_paths, read, student_notebook
 from trajlib.masters.mistakes import origin
 from trajlib.mistakes import file_beside
 
+pytestmark = pytest.mark.slow
 ROOT = Path(__file__).resolve().parents[2]
 PATHS = master_paths(ROOT / "solutions")
 once = functools.cache(read)

@@ -20,6 +20,7 @@ from trajlib.checks.contract.encoding import EncodingError, encode
 from trajlib.execution import in_child, judge_cells
 from trajlib.masters import read
 
+pytestmark = pytest.mark.slow
 SOLUTIONS = Path(__file__).resolve().parents[2] / "solutions"
 PROBLEMS = ("1.3", "1.8", "1.11", "5.3", "7.2")
 
