@@ -9,8 +9,7 @@ import sympy as sp
 
 from trajlib import checks
 from trajlib.checks.contract.verdict import Wrong
-from trajlib.checks.tools import conditions
-from trajlib.checks.tools.conditions import Case, Condition, Truth, compare, exactly
+from trajlib.checks.tools.conditions import Case, Condition, Truth, compare, decision, exactly
 from trajlib.checks.truths.invariant_subspaces import characteristic_coefficients, kernel, restricted, unseen_subspace
 from trajlib.checks.truths.pairs import pair_of
 
@@ -80,7 +79,7 @@ def test_a_root_that_is_not_real_is_not_zero():
 
 
 def test_a_false_difference_of_the_solver_is_never_told(monkeypatch):
-    monkeypatch.setattr(conditions._Question, "answer", lambda *_: (sp.Integer(2), sp.Integer(3)))
+    monkeypatch.setattr(decision._Question, "answer", lambda *_: (sp.Integer(2), sp.Integer(3)))
     assert judged(sp.And(x > 0, x * y > 1)).startswith("agrees at ")
 
 
@@ -89,8 +88,8 @@ def test_without_a_decision_the_verdict_says_so(hindrance, monkeypatch):
     if hindrance == "no solver":
         monkeypatch.setitem(sys.modules, "z3", None)
     else:
-        monkeypatch.setattr(conditions, "STEPS", 1)
-        monkeypatch.setattr(conditions, "TIMES_SIZE", 1)
+        monkeypatch.setattr(decision, "STEPS", 1)
+        monkeypatch.setattr(decision, "TIMES_SIZE", 1)
     told = judged(sp.And(x > 0, x * y > 1))
     assert told.startswith("agrees at ") and int(told.split()[2]) > 100
     assert judged(sp.And(x > 0, y > 0)).startswith("False at")
