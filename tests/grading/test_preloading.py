@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -85,7 +86,10 @@ def test_a_nursery_has_nothing_of_the_grader(monkeypatch):
         nursery.ended(nursery.fork("worker", ["nothing", {}, None, ""], []), within=60)
         with open(f"/proc/{nursery_process(nursery)}/environ", "rb") as file:
             assert b"Tycho" not in file.read()
-        opened = os.listdir(f"/proc/{nursery_process(nursery)}/fd")
+        folder = f"/proc/{nursery_process(nursery)}/fd"
+        opened = [os.readlink(f"{folder}/{number}") for number in os.listdir(folder)]
+        # A later libffi keeps its own file open.
+        opened = [name for name in opened if not re.search(r"/libffi\.so[.\d]*$", name)]
         assert len(opened) == 4, "input, output, messages to people, and where it is asked"
     finally:
         nursery.close()
