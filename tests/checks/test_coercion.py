@@ -61,6 +61,7 @@ def test_symbols_match_by_name():
 @pytest.mark.parametrize("answer, condition", [
     (plain > 0, x > 0), ([plain > 0, y < 1], sp.And(x > 0, y < 1)), (True, sp.true), (np.bool_(False), sp.false),
     ({plain > 0, y < 1}, sp.And(x > 0, y < 1)), (frozenset({plain > 0}), x > 0),
+    (sp.Tuple(plain > 0, y < 1), sp.And(x > 0, y < 1)), (sp.FiniteSet(plain > 0, y < 1), sp.And(x > 0, y < 1)),
     (sp.S.EmptySet, sp.false), (sp.ConditionSet((plain, y), plain > y, sp.S.Reals**2), x > y),
 ])
 def test_conditions(answer, condition):

@@ -194,8 +194,8 @@ def _shaped(shape):
 def as_condition(answer, symbols):
     """A SymPy condition (relation, And, Or, ...) in the given symbols.
 
-    Also accepted: a list or set of conditions (all of them hold), a set of values of the symbols, a list or an array of
-    the values of a single one, cases that are conditions, True and False.
+    Also accepted: a list or set of conditions, Python's or SymPy's (all of them hold), a set of values of the symbols,
+    a list or an array of the values of a single one, cases that are conditions, True and False.
     """
     if isinstance(answer, (bool, np.bool_)):
         remark(f"What was handed over is a bare {bool(answer)}: in Python x != 77 is True and x == 77 is False at "
@@ -205,7 +205,8 @@ def as_condition(answer, symbols):
         if any(sp.sympify(value).has(sp.nan, sp.zoo) for value in values):
             raise Invalid("one of the values is undefined (nan, or a division by zero)")
         answer = sp.FiniteSet(*values)
-    if isinstance(answer, (list, tuple, set, frozenset)) and answer:
+    if (isinstance(answer, (list, tuple, set, frozenset, sp.Tuple)) and answer
+            or isinstance(answer, sp.FiniteSet) and all(map(_is_logical, answer))):
         answer = sp.And(*[as_condition(part, symbols) for part in answer])
     if isinstance(answer, sp.Set):
         answer = _membership(answer, symbols)
@@ -242,7 +243,7 @@ def as_condition(answer, symbols):
 def _listed_numbers(answer):
     """The numbers in a list, a set, an array or a column, or None for what is not made of numbers."""
     parts = (list(answer.ravel()) if isinstance(answer, np.ndarray) else list(answer)
-             if isinstance(answer, (list, tuple, set, frozenset, sp.MatrixBase)) else [None])
+             if isinstance(answer, (list, tuple, set, frozenset, sp.Tuple, sp.MatrixBase)) else [None])
     numbers = (int, float, np.number, sp.Expr)
     return parts if all(isinstance(part, numbers) and not isinstance(part, (bool, np.bool_, sp.MatrixBase))
                         and not getattr(part, "free_symbols", None) for part in parts) else None
