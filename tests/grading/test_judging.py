@@ -57,6 +57,8 @@ def test_a_variable_that_was_renamed_is_told_apart_from_a_stub():
     found = judged(handed_over({"b_region": ..., "c_region": sp.true}))
     assert statuses(found)["a_region"] == statuses(found)["b_region"] == "missing"
     assert found.verdicts["a_region"].message == judging.NEVER_ASSIGNED != found.verdicts["b_region"].message
+    nothing = judged(handed_over(errors=["code cell 3: NameError: name 'k3' is not defined"]))
+    assert {verdict.message for verdict in nothing.verdicts.values()} == {judging.NEVER_ASSIGNED}, "its cell failed"
 
 
 def test_answers_are_known_by_the_whole_of_them():

@@ -200,8 +200,7 @@ def _judge(receiver, sender, cells, names, seconds, megabytes, only):
                                                                         [name for name in names
                                                                          if only in (None, name)])
         given = decoded(encoded, unreadable, names)
-        # Nothing at all was handed over where what was cannot be read: then the remark says enough.
-        found["never assigned"] = set(names) - {*encoded, *unreadable} if encoded or unreadable else set()
+        found["never assigned"] = set(names) - {*encoded, *unreadable}
         found["texts"] = {name: _described(given[name]) for name in encoded}
         found["hashes"] = {name: hashlib.sha256(text.encode("utf-8", "surrogatepass")).hexdigest()
                            for name, text in encoded.items()}
