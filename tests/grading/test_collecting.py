@@ -1,6 +1,7 @@
 """A download from Moodle or Canvas becomes folders that `trajlib grade` reads, whatever names are in it."""
 
 import json
+import re
 import sys
 import time
 import zipfile
@@ -61,6 +62,15 @@ def test_a_download(tmp_path, files, expected, archive):
     assert sum(isinstance(one, Submission) and one.problem == "1.15" for one in find(into)) == len(
         [name for name in expected if name.endswith(".ipynb")])
     assert [one.student for one in find(into) if isinstance(one, Aside)] == ["Cid_104"] * (files is MOODLE)
+
+
+def test_accents_in_an_archive_that_does_not_say_how_it_writes_them(tmp_path):
+    """As a Mac packs it: names in UTF-8 whose flag is not set."""
+    given = download(tmp_path, MOODLE, True)
+    packed, header = given.read_bytes(), rb"(PK(?:\x03\x04..|\x01\x02....))\x00\x08"
+    assert len(re.findall(header, packed, re.DOTALL)) == 2, "one name has an accent"
+    given.write_bytes(re.sub(header, rb"\1" + bytes(2), packed, flags=re.DOTALL))
+    assert "Renée_O Neil_102" in collect(given, "hw1", tmp_path / "submitted")[0]
 
 
 @pytest.mark.parametrize("place", ["Ann Able_101_assignsubmission_onlinetext/onlinetext.html",

@@ -22,6 +22,8 @@ from trajlib.grading.reading import LARGEST
 #: Bytes; a file beside another of its name gets a number too.
 MOST_NAME = 240
 MOODLE = re.compile(r"(?P<name>[^/]+)_(?P<number>\d+)_assignsubmission_file(?:_(?P<file>[^/]*))?", re.DOTALL)
+#: Of an entry in an archive.
+NAMES_ARE_UTF_8 = 0x800
 #: What a student typed into Moodle's editor, which it hands out as a page of its own.
 TYPED = re.compile(r"[^/]+_\d+_assignsubmission_onlinetext.*", re.DOTALL)
 CANVAS = re.compile(r"[^_/]+_(?:LATE_)?(?P<number>\d+)_\d+_(?P<file>[^/]+)", re.DOTALL)
@@ -102,13 +104,22 @@ def _files(download):
     try:
         with zipfile.ZipFile(download) as archive:
             for entry in archive.infolist():
-                if not entry.is_dir() and not entry.filename.startswith("__MACOSX/"):
+                name = _name(entry)
+                if not entry.is_dir() and not name.startswith("__MACOSX/"):
                     when = time.mktime((*entry.date_time, 0, 0, -1))
-                    yield entry.filename, entry.file_size, when, lambda entry=entry: archive.read(entry)
+                    yield name, entry.file_size, when, lambda entry=entry: archive.read(entry)
     except OSError as error:
         raise BadInput(f"{download}: {error.strerror or error}") from None
     except (zipfile.BadZipFile, RuntimeError, NotImplementedError, ValueError, OverflowError) as error:
         raise BadInput(f"{download} is neither a folder nor a .zip that can be read: {error}") from None
+
+
+def _name(entry):
+    """An entry's name: a Mac and Linux write it in UTF-8 without saying so, and `zipfile` takes it for that of DOS."""
+    try:
+        return entry.filename if entry.flag_bits & NAMES_ARE_UTF_8 else entry.filename.encode("cp437").decode()
+    except UnicodeError:
+        return entry.filename
 
 
 def _put(folder, name, content, when):
