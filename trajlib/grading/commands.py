@@ -13,6 +13,7 @@ from trajlib.grading import assignment as assignments
 from trajlib.grading import canvas, course, exporting, record, submissions, telling
 from trajlib.grading.assignment import BadInput
 from trajlib.grading.feedback import feedback
+from trajlib.grading.pages import count
 from trajlib.grading.sandbox import Limits
 from trajlib.grading.scores import scores
 from trajlib.grading.store import Store
@@ -34,8 +35,8 @@ def grade_course(submitted, out, assignment_folder, processes, timeout, trusting
     known, plan, failed = _with_a_bar(console, submitted, out, assignment_folder, processes, Limits.of_time(timeout),
                                       trusting, cluster)
     if failed:
-        console.print(f"the grader itself failed on {failed} notebooks: run it again, and it will grade these",
-                      markup=False, style="red")
+        console.print(f"the grader itself failed on {count(failed, 'notebook')}: run it again, and it will grade what "
+                      "is missing", markup=False, style="red")
     for one in plan.aside:
         console.print(f"left aside: {one.path}: {one.why}", markup=False, style="yellow")
     result = {"graded": len(plan.pending), "failed": failed, "already graded": plan.known,
