@@ -24,7 +24,9 @@ ENVIRONMENT = {"HOME": "/tmp", "PATH": "/usr/bin", "LANG": "C.UTF-8", "MPLBACKEN
                "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1",
                # Each thread of the C library would reserve a great deal of address space, which is what the limit on
                # memory counts.
-               "MALLOC_ARENA_MAX": "2"}
+               "MALLOC_ARENA_MAX": "2",
+               # What it has freed it keeps for the next formula: the kernel would have to clear every page anew.
+               "MALLOC_MMAP_THRESHOLD_": str(2**25), "MALLOC_TRIM_THRESHOLD_": str(2**26)}
 #: The user that the sandbox runs as when the grader itself is root: limits on processes do not bind root.
 NOBODY = 65534
 
