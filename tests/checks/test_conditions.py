@@ -12,6 +12,7 @@ from trajlib.checks.contract.verdict import Wrong
 from trajlib.checks.tools.conditions import Case, Condition, Truth, compare, decision, exactly
 from trajlib.checks.truths.invariant_subspaces import characteristic_coefficients, kernel, restricted, unseen_subspace
 from trajlib.checks.truths.pairs import pair_of
+from trajlib.checks.truths.spectra import Spectrum
 
 x, y = sp.symbols("x y", real=True)
 positive = sp.Symbol("p", positive=True)
@@ -219,3 +220,9 @@ def test_families_of_rest_points_are_decided():
             ("rest_values", [0, root + sp.Max(0, k - 10**6), -root], "wrong", False)):
         verdict = getattr(checks, check)(claim, spring, [x, y], [k, d])
         assert (verdict.status, "proved" in verdict.message) == (status, proved), verdict
+
+
+@pytest.mark.parametrize("margin, told", [(0, "exactly 0"), (1, "0")])
+def test_a_root_on_the_imaginary_axis_is_told_without_rounding(margin, told):
+    pendulum = Spectrum(sp.Matrix([[0, 1], [-x, -y]]), [x, y], margin)
+    assert pendulum.describe({x: sp.Integer(1), y: sp.Integer(0)}) == f"the largest real part of a root is {told}"

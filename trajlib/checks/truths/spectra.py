@@ -189,10 +189,10 @@ class Spectrum:
 
     def describe(self, values):
         try:
-            largest = max(np.roots([float(c) for c in self._coefficients(values)]).real)
+            largest = max(np.roots([float(c) for c in self._coefficients(values)]).real) - float(self.margin)
         except OverflowError:
             return "so says Routh's scheme, with coefficients beyond 1e308"
-        # Roots computed in floating point: below this the place lies on the imaginary axis, which Routh has decided.
-        on_axis = abs(largest) < 1e-7 and self.margin == 0
-        return "the largest real part of a root is " + ("exactly 0" if on_axis
-                                                        else f"{largest - float(self.margin):.4g}")
+        # Roots computed in floating point: below this the place lies on the imaginary axis, which without a margin
+        # Routh has decided.
+        told = f"{largest:.4g}" if abs(largest) >= 1e-7 else "0" if self.margin else "exactly 0"
+        return f"the largest real part of a root is {told}"
