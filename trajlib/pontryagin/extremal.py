@@ -28,7 +28,7 @@ from .searching import (
 )
 from .second_order import along_extremal, of_picture, second_variation
 from .sliding import in_turn, refuse_sliding, relaxed_picture
-from .structure import Arc, detect, keeps_to_a_line, name, read_structure
+from .structure import Arc, detect, name, read_structure, readings
 from .transcription import Picture, target_multipliers
 from .units import large_states, solve_in_units
 
@@ -205,7 +205,7 @@ def solve(problem, structure=None, guess=None):
 
     Raises ValueError if a parameter has no value; `StartOnTarget`; `Infeasible` with a proof (also for a duration that
     is too short); `Unbounded`; `Chattering`; `WrongStructure` if the arcs cannot be joined to an extremal,
-    `NotUnique` where a control is left open;
+    `NotUnique` where a control or a free duration is left open;
     `NotConverged` if no process was found, which proves nothing. All of them are `PontryaginError`. Source: Theorem
     5.1 of the problem book.
 
@@ -280,10 +280,8 @@ def _joined(problem, numeric, picture, side, found, made, reasons):
     while factor is not None:
         duration = settled_duration(numeric, picture)
         refuse_chattering(numeric, detect(numeric, picture), picture.states[-1], duration)
-        to_and_fro = any(keeps_to_a_line(numeric, picture, i) for i in range(numeric.k))
-        for steady in (True, False)[not to_and_fro:]:
+        for arcs in readings(numeric, picture):
             try:
-                arcs = detect(numeric, picture, steady=steady)
                 shot = polish(numeric, picture, arcs, duration, made)
                 extremal = found_extremal(problem, numeric, shot, found.starts, found.found)
                 reason = _refused(extremal)
@@ -291,6 +289,7 @@ def _joined(problem, numeric, picture, side, found, made, reasons):
                 reason = error
             if not reason:
                 break
+            reasons.append(reason)
         if not reason:
             if extremal.optimality.proved or not extremal.normal or extremal._variation.sign > 0:
                 return extremal
@@ -304,7 +303,7 @@ def _joined(problem, numeric, picture, side, found, made, reasons):
             if better is not None:
                 picture, factor = better, 1
                 continue
-        reasons.append(reason)
+            reasons.append(reason)
         factor = {1: 4, 4: 10, 10: None}[factor]
         if factor is not None:
             picture = finer_picture(numeric, picture, side, factor) or picture

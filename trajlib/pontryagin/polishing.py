@@ -187,9 +187,13 @@ def _point(numeric, picture, flow, begin, length, scale):
 
 
 def _growth(flow, points, multiplier, length):
-    """By how much errors grow along the worst of the segments; infinite if one cannot be followed."""
-    return max(float(np.nan_to_num(np.max(np.abs(flow.transition(point, multiplier, length, 8)[1])), nan=np.inf))
-               for point in points)
+    """By how much errors grow along the worst of the segments; infinite if one cannot be followed to its end and on."""
+    growth = 0.0
+    for point in points:
+        _, by_start, _, by_length = flow.transition(point, multiplier, length, 8)
+        followed = np.isfinite(by_start).all() and np.isfinite(by_length).all()
+        growth = max(growth, float(np.max(np.abs(by_start))) if followed else np.inf)
+    return growth
 
 
 def _solved(numeric, shot, duration, abnormal):

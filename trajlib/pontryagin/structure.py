@@ -5,6 +5,9 @@ import numpy as np
 
 from .flow import KINDS, STEADY
 
+# The share of the distance between its bounds up to which a control counts as being at one of them, and the same where
+# only the bound itself does: what IPOPT leaves at a bound that presses.
+NEAR, AT = 1e-3, 1e-6
 # The sine of the angle to a line, and the share of the intervals, up to which an angle keeps to that line.
 OFF_LINE = 0.1
 
@@ -18,7 +21,24 @@ class Arc:
     end: float
 
 
-def detect(numeric, picture, tolerance=1e-3, steady=False):
+def readings(numeric, picture):
+    """The lists of arcs that a `Picture` may show, the likeliest first.
+
+    Where an angle points to and fro along a line, it may be constant on its arcs. A control that comes to its bound
+    ever more slowly, as where psi has a multiple zero at the end, is near the bound long before: it may be on an
+    interior arc to the end.
+    """
+    to_and_fro = any(keeps_to_a_line(numeric, picture, i) for i in range(numeric.k))
+    seen = []
+    for options in ({"steady": True},)*to_and_fro + ({}, {"tolerance": AT}):
+        arcs = detect(numeric, picture, **options)
+        kinds = [arc.kinds for arc in arcs]
+        if kinds not in seen:
+            seen.append(kinds)
+            yield arcs
+
+
+def detect(numeric, picture, tolerance=NEAR, steady=False):
     """The arcs of a `Picture`, a list of `Arc`.
 
     `steady`: an angle that keeps to one line is taken to be constant but for jumps by half a turn. An interval belongs
