@@ -29,7 +29,8 @@ def refuse_chattering(numeric, arcs, end, duration):
             continue
         kinds = [arc.kinds[j] for arc in arcs]
         joined = "singular" in kinds and any(kind in ("u-", "u+") for kind in kinds)
-        if not joined and not (duration is None and numeric.m and kinds[-1] != "singular"):
+        rests = duration is None and numeric.m and kinds[-1] != "singular" and _may_rest(numeric, end)
+        if not joined and not rests:
             continue
         others = arcs[kinds.index("singular")].kinds if joined else arcs[-1].kinds
         probe = tuple("singular" if i == j else kind for i, kind in enumerate(others))
@@ -51,6 +52,18 @@ def refuse_chattering(numeric, arcs, end, duration):
                 f"the switchings of {numeric.problem.control[j]} accumulate where the trajectory reaches a singular "
                 f"arc of order {q}: {why}. {told} No list of arcs describes it; bound the number of switchings in "
                 "another way, for example by a cost on the control.", numbers)
+
+
+def _may_rest(numeric, end):
+    """Whether resting at the end may cost nothing, as far as the running cost alone tells.
+
+    A process that rests keeps to the target, G f = 0, so that psi^T f = 0 by transversality if the end itself has no
+    cost, and H = -f_0. To ask this first saves the derivatives of the switching function, which fill pages where the
+    plant is not simple.
+    """
+    if numeric.problem.final != 0 or any(ca.which_depends(numeric.density, numeric.u)):
+        return True
+    return abs(float(ca.Function("density", [numeric.x], [numeric.density])(end))) < 1e-7*(1 + np.max(np.abs(end)))
 
 
 def _rests_on_arc(numeric, flow, j, end):
