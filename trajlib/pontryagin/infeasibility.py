@@ -1,4 +1,5 @@
-"""Proofs that no admissible control leads to the target. `Infeasible` is said with one of them only.
+"""Proofs that no admissible control leads to the target. `Infeasible` is said with one of them only, or where the
+terminal equations are linear and contradict one another.
 
 1. *A quantity that goes one way.* l = p^T y with l' = mu l + g(u), p being a left eigenvector of a linear plant, or y_i
    itself if its rate depends on the controls alone. Whatever the control, l stays between the solutions for the least
@@ -21,11 +22,16 @@ MARGIN = 1e-9
 
 
 def refuse_infeasible(numeric):
-    """Raise `Infeasible` if a quantity that goes one way cannot come to the value that the target asks for."""
+    """Raise `Infeasible` if no state is on the target, if a quantity that goes one way cannot come to the value that
+    the target asks for, or if one that no control moves does not have it.
+    """
     target = _linear_target(numeric.problem)
-    if target is None or numeric.relaxed is None or np.isnan(numeric.start).any():
+    if target is None:
         return
     G, d = target
+    _refuse_contradiction(G, d)
+    if numeric.relaxed is None or np.isnan(numeric.start).any():
+        return
     for p, mu, drift, gains in _quantities(numeric):
         weights, *_ = np.linalg.lstsq(G.T, p, rcond=None)
         if np.max(np.abs(G.T @ weights - p)) > 1e-12*np.max(np.abs(p)):
@@ -42,6 +48,14 @@ def refuse_infeasible(numeric):
                              f"{when}, whatever the control; the target asks for {wanted:.6g}. "
                              "The target cannot be reached from this start.")
     _refuse_unmoved(numeric)
+
+
+def _refuse_contradiction(G, d):
+    """Raise `Infeasible` if G y = d for no y."""
+    nearest, *_ = np.linalg.lstsq(G, d, rcond=None)
+    if np.max(np.abs(G @ nearest - d)) > MARGIN*(1 + np.max(np.abs(d))):
+        raise Infeasible("the terminal equations contradict one another: no state satisfies all of them. Leave out "
+                         "what is not asked for.")
 
 
 def _refuse_unmoved(numeric):

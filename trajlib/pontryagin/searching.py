@@ -4,7 +4,7 @@ from itertools import zip_longest
 
 import numpy as np
 
-from .errors import Infeasible, NotConverged, Unbounded
+from .errors import Infeasible, NotConverged, NotUnique, Unbounded
 from .guesses import guesses, refuse_start_on_target, sides, waves
 from .infeasibility import refuse_infeasible, separated
 from .optimality import held, theorem
@@ -130,8 +130,11 @@ class _Attempts:
         starts = list(guesses(self.numeric, COARSE, side))
         swings = waves(self.numeric, COARSE, starts[0][0])
         yield from (start for pair in zip_longest(starts, swings) for start in pair if start is not None)
-        if ladder:
-            yield from self.reaching(side)
+        for way in self.reaching(side) if ladder else []:
+            yield way
+            # The others may have failed for want of time.
+            for share in (0.7, 0.5, 0.35):
+                yield from waves(self.numeric, COARSE, share*way[0])
 
     def _compared(self, programme, starts):
         """The different pictures that the starts lead to, the best first; enough where AGREEING in a row are the
@@ -374,7 +377,9 @@ def _with_duration(numeric, picture, side, factor, patience=400):
 
 
 def refuse_endless(numeric, picture, side):
-    """Raise `Unbounded` if more time never costs more: the infimum is approached as the duration grows."""
+    """Raise `Unbounded` if more time never costs more: the infimum is approached as the duration grows; `NotUnique`
+    if more time costs the same.
+    """
     durations, costs = [], []
     for factor in (2, 1, 1/2, 1/4, 1/8):
         duration = factor*picture.duration
@@ -385,6 +390,11 @@ def refuse_endless(numeric, picture, side):
         costs.append(result.cost)
     if len(costs) < 2:
         return
+    if costs[-1] - costs[0] <= 1e-6*abs(costs[0]):
+        times = " and ".join(f"{duration:.3g}" for duration in durations[:2][::-1])
+        raise NotUnique(f"the best duration is left open: processes that last {times} cost the same, about "
+                        f"{_cost(numeric, costs[0]):.7g}, so that many may be equally good. Give a duration, or the "
+                        "time a small cost.")
     values = ", ".join(f"{_cost(numeric, cost):.7g} for {duration:.3g}"
                        for duration, cost in zip(durations[::-1], costs[::-1]))
     raise Unbounded(f"no best duration was found: the cost keeps "
