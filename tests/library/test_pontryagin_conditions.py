@@ -1,4 +1,6 @@
 """The statement of a problem, and the conditions derived from it."""
+import time
+
 import pytest
 import sympy as sp
 
@@ -124,6 +126,29 @@ def test_control_between_its_bounds():
 def test_singular_arcs(problem, order, surface, control, kelley):
     arc = problem.conditions().singular[u]
     assert (arc.order, arc.surface, arc.control, arc.kelley) == (order, surface, control, kelley) and not arc.excluded
+
+
+def test_singular_arc_on_two_rays():
+    """Mixing of catalysts: on a singular arc r = x1/x2 is constant, r = 10 + sqrt(10) or 10 - sqrt(10); r' = 0 gives u.
+
+    The surface is of second degree in both states, so that none of them can be put in for the other one.
+    """
+    arc = Problem({x1: u*(10*x2 - x1), x2: u*(x1 - 10*x2) - (1 - u)*x2}, {u: (0, 1)}, {x1: 1, x2: 0}, final=x1 + x2,
+                  duration=1).conditions().singular[u]
+    assert arc.order == 1 and arc.kelley != 0
+    for r in (10 + sp.sqrt(10), 10 - sp.sqrt(10)):
+        ray = {x1: r*x2}
+        assert [sp.simplify(e.subs(ray)) for e in arc.surface] == [0]
+        assert sp.simplify(arc.control.subs(ray) - 1/(r - 8 - 10/r)) == 0
+
+
+def test_a_maximum_without_a_closed_form_is_left_open_at_once():
+    """Two reactions at a temperature between bounds; SymPy would look for the best one for minutes."""
+    rates = [4000*sp.exp(-2500/u)*x1**2, 620000*sp.exp(-5000/u)*x2]
+    reactor = Problem({x1: -rates[0], x2: rates[0] - rates[1]}, {u: (298, 398)}, {x1: 1, x2: 0}, final=-x2, duration=1)
+    start = time.process_time()
+    assert r"\arg\max" in reactor.conditions()._repr_markdown_()
+    assert time.process_time() - start < 3
 
 
 @pytest.mark.slow

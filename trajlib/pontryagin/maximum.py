@@ -22,10 +22,24 @@ def maximising_control(derived):
 def stationary_controls(derived, controls):
     """All solutions of dH/du = 0 for these controls, a list of dicts; empty if SymPy finds none."""
     equations = [sp.diff(derived.hamiltonian, u) for u in controls]
+    if not all(_solvable(equation, controls) for equation in equations):
+        return []
     try:
         return sp.solve(equations, controls, dict=True)
     except NotImplementedError:
         return []
+
+
+def _solvable(equation, controls):
+    """Whether an equation is algebraic in the controls, or of low degree in one function of one of them.
+
+    Elsewhere (rates exp(-2500/u) and exp(-5000/u) of two reactions) SymPy may look for a closed form for minutes.
+    """
+    if equation.is_algebraic_expr(*controls):
+        return True
+    polynomial = sp.Poly(sp.numer(sp.together(equation)))
+    functions = [g for g in polynomial.gens if g.has(*controls)]
+    return len(functions) == 1 and polynomial.degree(functions[0]) <= 4
 
 
 def _bang(derived, u):

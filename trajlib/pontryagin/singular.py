@@ -65,7 +65,7 @@ def singular_arc(derived, u):
                            f"arc")
     highest = sp.expand(sp.simplify(highest), power_exp=False)
     a, b = highest.subs(u, 0), sp.diff(highest, u)
-    known = _eliminated(derivatives, derived, surface)
+    known = _eliminated(derivatives, derived, unknowns, surface)
     kelley = sp.factor(sp.trigsimp(_on(surface, (-1)**order*b.subs(known), derived.problem.state)))
     control = None
     if kelley != 0:
@@ -133,18 +133,28 @@ def _state_factors(expression, state):
     return sp.Mul(*(b for b in bases if b != sp.E and not isinstance(b, sp.exp)))
 
 
-def _eliminated(derivatives, derived, surface):
+def _eliminated(derivatives, derived, unknowns, surface):
     """The costates that the equations determine, in terms of the other ones."""
-    unknowns = (*derived.costate, derived.multiplier)
     matrix, known = sp.Matrix(derivatives).jacobian(unknowns), {}
     matrix = matrix.applyfunc(lambda e: _on(surface, e, derived.problem.state))
     reduced, pivots = matrix.rref(simplify=True)
+    # On a surface that cannot be put in, the equations still seem to leave only zero: there the others imply the last.
+    stays = not all(_can_be_put_in(equation, derived.problem.state) for equation in surface)
+    while stays and pivots and len(pivots) == sum(any(matrix.col(j)) for j in range(matrix.cols)):
+        matrix = matrix[:-1, :]
+        reduced, pivots = matrix.rref(simplify=True)
     for row, pivot in enumerate(pivots):
         # On the surface an equation for lambda_0 alone is satisfied.
         if unknowns[pivot] != derived.multiplier:
             known[unknowns[pivot]] = -sum((reduced[row, j]*unknowns[j] for j in range(len(unknowns)) if j != pivot),
                                           sp.Integer(0))
     return known
+
+
+def _can_be_put_in(equation, state):
+    """Whether `_on` can use an equation of the surface."""
+    return isinstance(equation, (sp.sin, sp.cos, sp.tan)) or any(
+        equation.is_polynomial(y) and sp.degree(equation, y) == 1 for y in state)
 
 
 def _on(surface, expression, state):
