@@ -12,7 +12,7 @@ import numpy as np
 import sympy as sp
 
 from trajlib.checks.contract.claims import Expression, Expressions, Matrix, Number
-from trajlib.checks.contract.tolerance import half_unit, in_decimals, rounds_to
+from trajlib.checks.contract.tolerance import half_unit, in_decimals, same
 from trajlib.checks.contract.verdict import Wrong, judged
 from trajlib.checks.tools.comparisons import Same
 from trajlib.checks.tools.samples import in_every_case, random_values, spread
@@ -78,11 +78,11 @@ def multiple_eigenvalues(number, transition, kappa):
 
 
 @judged(Number())
-def digits_lost(claim, transition, kappa, value):
+def digits_lost(number, transition, kappa, value):
     """By how many decimal digits the error of the forward recursion grows with every sample."""
-    claim = float(claim)
+    claim = float(number)
     greatest = np.abs(np.linalg.eigvals(_matrix(transition, kappa, float(value)))).max()
-    if not rounds_to(claim, math.log10(greatest)):
+    if not same(claim, math.log10(greatest), number):
         factor = 10**claim if abs(claim) < 300 else math.inf
         raise Wrong(f"an error would grow by the factor {factor:.4g} with every sample; multiplying a vector many "
                     f"times by the transition matrix shows another factor")

@@ -14,7 +14,7 @@ from sympy.core.relational import Relational
 from trajlib.checks.contract import coercion
 from trajlib.checks.contract.claims import Expression, Expressions, Number
 from trajlib.checks.contract.members import NUMBERS, members
-from trajlib.checks.contract.tolerance import in_decimals, rounds_to
+from trajlib.checks.contract.tolerance import REPEATED, in_decimals, rounds_to, same
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
 from trajlib.checks.tools.values import number_at, value_at
 from trajlib.checks.truths.fields import known_field
@@ -76,16 +76,17 @@ def limit_cycles(answer, field, state):
     numbers = [coercion.as_number(entry) for entry in coercion.as_expressions(entries)]
     radii = list(map(float, numbers))
     found = _circles(flow)
-    for radius in radii:
+    for number, radius in zip(numbers, radii):
         if radius == 0:
             raise Wrong("r = 0 is a position of equilibrium, not a closed orbit")
         if radius < 0:
             raise Wrong(f"the radius {radius:.4g} is negative")
-        if not any(rounds_to(radius, other) for other in found):
+        if not any(same(radius, other, number, computed=REPEATED) for other in found):
             rates = [_polar_velocity(flow, radius, phi)[0] for phi in ANGLES]
             raise Wrong(f"the circle r = {radius:.4g} is not a closed orbit: r' = {max(rates, key=abs):.4g} at a "
                         f"point of it")
-    missed = [other for other in found if not any(rounds_to(radius, other) for radius in radii)]
+    missed = [other for other in found
+              if not any(same(radius, other, number, computed=REPEATED) for number, radius in zip(numbers, radii))]
     if missed:
         raise Wrong("your list does not hold all of them: there is another circle around zero on which r' vanishes")
     known = "proved" if _proved(numbers, sp.Matrix(field), state) else "agrees at sample angles"
@@ -149,16 +150,15 @@ def return_slope(claim, field, state, radius=None):
         exponent += np.trace(flow.jacobian(x)) / abs(_polar_velocity(flow, radius, phi)[1]) * 2 * math.pi / len(ANGLES)
     if abs(exponent) < 1e-10:
         exponent = 0.0
-    difference = abs(float(claim) / math.exp(exponent) - 1)
-    close = rounds_to(claim, math.exp(exponent))
-    # Three digits are for decimals: an expression such as 1 + exp(-4 pi) says that it is exact.
-    if close and not (claim.is_Rational or in_decimals(claim)) and difference > 1e-9:
-        raise Wrong(f"the expression comes close, but it is not the slope: they differ by the fraction "
-                    f"{difference:.2g}")
-    if not close:
+    slope = math.exp(exponent)
+    # A whole number may be one that was rounded: such a slope is large.
+    if not same(float(claim), slope, claim) and not (claim.is_Integer and rounds_to(claim, slope)):
         if float(claim) <= 0:
             raise Wrong("the slope is positive: a motion that starts outside the cycle stays outside, for motions do "
                         "not cross")
+        if rounds_to(claim, slope) and not in_decimals(claim):
+            raise Wrong(f"the expression comes close, but it is not the slope: they differ by the fraction "
+                        f"{abs(float(claim) / slope - 1):.2g}")
         turn = _turn(flow, radius)
         raise Wrong(f"a small deviation multiplied by {float(claim):.4g} in each turn of {turn:.4g} units of time "
                     f"would grow at the mean rate {math.log(float(claim)) / turn:.4g}; linearising r' at the cycle "

@@ -7,7 +7,7 @@ import sympy as sp
 
 from trajlib.checks.contract import coercion
 from trajlib.checks.contract.members import in_order
-from trajlib.checks.contract.tolerance import half_unit, rounds_to
+from trajlib.checks.contract.tolerance import REPEATED, same
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
 from trajlib.checks.tools.values import numbers_at
 from trajlib.checks.tools.wording import number_text, point_text
@@ -56,13 +56,13 @@ def stable_equilibria(answer, field, state):
             raise RuntimeError("the first approximation does not decide here")
         if real_part < 0:
             stable.append(point)
-        elif any(_rounds_to(place, point) for place in given):
+        elif any(_is_at(place, point) for place in given):
             raise Wrong(f"the point {point_text(point)} is listed as stable, but the first approximation there has an "
                         f"eigenvalue with real part {real_part:.4g}")
     for place in given:
-        if not any(_rounds_to(place, point) for point in stable):
+        if not any(_is_at(place, point) for point in stable):
             raise Wrong(f"your point {point_text(place)} is not an equilibrium: {_values_told(flow, place)}")
-    missed = [point for point in stable if not any(_rounds_to(place, point) for place in given)]
+    missed = [point for point in stable if not any(_is_at(place, point) for place in given)]
     if missed:
         raise Wrong("not all asymptotically stable equilibria are there: some equilibrium that you leave out has a "
                     "first approximation whose eigenvalues all have negative real parts")
@@ -78,17 +78,18 @@ def _searched(field, state):
 
 
 def _places(answer, state):
-    """The points of a list (or of a single dict, as `solve` gives it) as arrays in the order of `state`."""
+    """The points of a list (or of a single dict, as `solve` gives it) in the order of `state`, lists of numbers."""
     points = [answer] if isinstance(answer, dict) else answer
     if isinstance(points, (list, tuple, set, frozenset, sp.FiniteSet)):
         points = [in_order(point, state) for point in points]
         if len(state) == 1:  # plain numbers for points with a single coordinate
             points = [point if isinstance(point, (list, tuple, sp.Tuple)) else [point] for point in points]
-    return [np.array([float(x) for x in point]) for point in coercion.as_points(points, len(state))]
+    return [list(point) for point in coercion.as_points(points, len(state))]
 
 
 def _spectra_by_place(answer, state):
-    """Pairs (point, eigenvalues) from rows [*coordinates, *eigenvalues]; a row may be a pair of two lists as well."""
+    """Pairs (point, eigenvalues), lists of numbers as they are written, from rows [*coordinates, *eigenvalues]; a row
+    may be a pair of two lists as well."""
     n = len(state)
     if isinstance(answer, sp.MatrixBase):
         answer = answer.tolist()
@@ -101,49 +102,46 @@ def _spectra_by_place(answer, state):
         if isinstance(row, (list, tuple)) and len(row) == 2 and n > 1:
             row = [*coercion.as_expressions(row[0], (), n), *coercion.as_expressions(row[1], (), n)]
         numbers = coercion.as_expressions(row, (), 2 * n)
-        place = np.array([float(coercion.as_number(x)) for x in numbers[:n]])
-        yield place, numbers_at(numbers[n:], {}, [f"eigenvalue at {point_text(place)}"] * n).tolist()
+        yield list(map(coercion.as_number, numbers[:n])), numbers[n:]
 
 
-def _judge_spectrum(numbers, matrix, point):
-    """Match the numbers one to one with the eigenvalues, to three significant digits."""
+def _judge_spectrum(written, matrix, point):
+    """Match the numbers one to one with the eigenvalues."""
+    numbers = numbers_at(written, {}, [f"eigenvalue at {point_text(point)}"] * len(written)).tolist()
     eigenvalues = list(np.linalg.eigvals(matrix))
     left = list(eigenvalues)
-    for number in numbers:
-        if not any(_is_eigenvalue(number, value) for value in eigenvalues):
+    for number, claim in zip(numbers, written):
+        # A double eigenvalue comes out of the floating-point computation with half of its digits.
+        near = [value for value in eigenvalues if same(number, value, claim, 1, REPEATED)]
+        if not near:
             residual = abs(np.linalg.det(number * np.eye(len(matrix)) - matrix))
             raise Wrong(f"at {point_text(point)} your number {number_text(number)} is no eigenvalue of the first "
                         f"approximation: det(lambda E - A) has the modulus {residual:.4g} there, not zero")
-        close = [value for value in left if _is_eigenvalue(number, value)]
+        close = [value for value in near if value in left]
         if not close:
             raise Wrong(f"at {point_text(point)} the sum of your eigenvalues is {number_text(sum(numbers))}, "
                         f"while the sum of the diagonal elements of A is {np.trace(matrix):.4g}")
         left.remove(min(close, key=lambda value: abs(value - number)))
 
 
-def _is_eigenvalue(number, value):
-    # A double eigenvalue comes out of the floating-point computation with half of its digits.
-    near = abs(number - value) < 1e-6 * (1 + abs(value))
-    return near or max(abs((number - value).real), abs((number - value).imag)) <= half_unit(abs(value))
-
-
 def _rest_point(flow, place):
-    """The equilibrium that `place` is, to three significant digits."""
-    rest = flow.refine(place)
-    if rest is None or not _rounds_to(place, rest):
+    """The equilibrium at a point as it is written."""
+    rest = flow.refine(np.array(place, dtype=float))
+    if rest is None or not _is_at(place, rest):
         raise Wrong(f"your point {point_text(place)} is not an equilibrium: {_values_told(flow, place)}")
     return rest
 
 
 def _values_told(flow, place):
-    values = flow(place)
+    values = flow(np.array(place, dtype=float))
     if not np.all(np.isfinite(values)):
         return "the right-hand sides are not defined there"
     return f"the right-hand sides are {point_text(values)} there, not zero"
 
 
-def _rounds_to(place, point):
-    return all(rounds_to(x, y, max(np.abs(point))) for x, y in zip(place, point))
+def _is_at(place, point):
+    """Whether a point as it is written is one that was searched for; a double zero is found to half of its digits."""
+    return same(np.array(place, dtype=float), point, place, np.abs(point).max(), REPEATED).all()
 
 
 def _among(point, points):

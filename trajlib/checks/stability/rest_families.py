@@ -13,12 +13,12 @@ import sympy as sp
 from trajlib.checks.contract import coercion
 from trajlib.checks.contract.claims import Expression
 from trajlib.checks.contract.members import VECTORS, families
-from trajlib.checks.contract.tolerance import half_unit, in_decimals, rounds_to
+from trajlib.checks.contract.tolerance import REPEATED, half_unit, in_decimals, same
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
 from trajlib.checks.stability.rest_sets import agreement
 from trajlib.checks.tools.conditions import Case, Truth, compare, contrary
 from trajlib.checks.tools.samples import allowed_values, in_every_case, joined
-from trajlib.checks.tools.values import matrix_at, number_at
+from trajlib.checks.tools.values import matrix_at, number_at, uncertain_at
 from trajlib.checks.tools.wording import number_text, point_text, roots_text, where_text
 from trajlib.checks.truths.fields import Field
 
@@ -98,14 +98,15 @@ def growth_rate(claim, field, state, parameters=(), given=()):
         for point in found:
             matrix = flow.jacobian(point)
             rate = max(np.linalg.eigvals(matrix).real)
-            if rate <= 1e-9 or _close(number, rate):
+            if rate <= 1e-9 or same(number, rate, claim, 0, REPEATED, uncertain_at(claim, values)):
                 continue
             residual = abs(np.linalg.det(number * np.eye(len(state)) - matrix))
-            told = (f"it is a root of the characteristic equation at {state[0]} = {point[0]:.4g}, but not a positive "
-                    f"one"
+            # Which solution it is the student is asked for in another item.
+            told = ("it is a root of the characteristic equation at an unstable stationary solution, but not a "
+                    "positive one"
                     if residual < 1e-9 * np.linalg.norm(matrix) ** len(state) else
-                    f"at {state[0]} = {point[0]:.4g} the characteristic determinant has the modulus {residual:.4g} "
-                    f"for it, not zero")
+                    "at an unstable stationary solution the characteristic determinant has the modulus "
+                    f"{residual:.4g} for it, not zero")
             raise Wrong(f"your expression gives {number_text(number)}{where_text(values)}; {told}")
     return "it is positive and a root of the characteristic equation at every unstable stationary solution"
 
@@ -147,8 +148,9 @@ def rest_kinds(answer, field, state):
         raise Invalid("expected a dict such as {3: 'saddle'}, from the value to the word")
     for value, word in pairs:
         kind = coercion.as_choice(word, KINDS)
-        number = float(coercion.as_number(_first_coordinate(value, state, ())))
-        near = [point for point in found if _close(number, point[0])]
+        claim = coercion.as_number(_first_coordinate(value, state, ()))
+        number = float(claim)
+        near = [point for point in found if _is(number, point[0], claim, {})]
         if not near:
             raise Wrong(f"x = {number:.4g} is no stationary solution: the right-hand sides are "
                         f"{point_text(flow([number, 0.0]))}, not zero")
@@ -229,13 +231,13 @@ def _first_coordinate(part, state, symbols):
 def _judge_values(claims, values, flow, found, wanted, integer, what):
     claimed = []
     for family in claims:
-        for told, number in _members(family, values, integer):
+        for told, number, here in _members(family, values, integer):
             if abs(number.imag) > 1e-9 * (1 + abs(number)):
                 raise Wrong(f"your value{told} is not real{where_text(values)}")
             number = number.real
             if abs(number) > REACH:
                 continue
-            near = [point for point in found if _close(number, point[0])]
+            near = [point for point in found if _is(number, point[0], family, here)]
             if not near:
                 rates = point_text(flow([number] + [0.0] * (len(flow.state) - 1)))
                 raise Wrong(f"your value {number:.4g}{told} is no stationary solution{where_text(values)}: "
@@ -244,9 +246,8 @@ def _judge_values(claims, values, flow, found, wanted, integer, what):
                 rate = _growth(flow, near[0])
                 raise Wrong(f"at your value {number:.4g}{told} the largest real part of a root of the characteristic "
                             f"equation is {rate:.4g}{where_text(values)}")
-            claimed.append(number)
-    missed = [point for point in wanted if not any(_close(number, point[0]) for number in claimed)]
-    if missed:
+            claimed.append(near[0])
+    if any(not any(point is other for other in claimed) for point in wanted):
         raise Wrong(f"not all {what} are there: between -{REACH:g} and {REACH:g} a search finds one that your answer "
                     f"does not give{where_text(values)}")
     if integer is None or any(family.has(integer) for family in claims):
@@ -259,17 +260,19 @@ def _judge_values(claims, values, flow, found, wanted, integer, what):
 
 
 def _members(family, values, integer):
-    """Pairs (text, number): the members of a family that can lie between -REACH and REACH, and a few on either side."""
+    """Triples (text, number, values): the members of a family that can lie between -REACH and REACH, and a few on
+    either side."""
     def member(k):
-        return number_at(family, values | {s: sp.Integer(k) for s in _symbols(integer)}, "your value")
+        here = values | {s: sp.Integer(k) for s in _symbols(integer)}
+        return number_at(family, here, "your value"), here
 
     if integer is None or not family.has(integer):
-        return [("", member(0))]
-    start, after = member(0), member(1)
+        return [("", *member(0))]
+    (start, _), (after, _) = member(0), member(1)
     step = abs(after - start)
     centre = round((start / (start - after)).real) if step > 1e-9 else 0
     extent = min(int(REACH / step) + 3, 60) if step > 1e-9 else 12
-    return [(f" ({integer} = {k})", member(k)) for k in range(centre - extent, centre + extent + 1)]
+    return [(f" ({integer} = {k})", *member(k)) for k in range(centre - extent, centre + extent + 1)]
 
 
 def _growth(flow, point):
@@ -311,10 +314,9 @@ def _same(matrix, other, floor):
     return np.linalg.norm(matrix - other) <= max(1e-6 * np.linalg.norm(other), floor)
 
 
-def _close(number, value):
-    """The same to three significant digits; what is zero has to be zero."""
-    return (abs(complex(number).imag) < 1e-9 * (1 + abs(number))
-            and rounds_to(complex(number).real, value, 1e-3))
+def _is(number, value, claim, values):
+    """Whether a number, that an expression became at values of its symbols, is one that was searched for."""
+    return same(number, value, claim, 1, REPEATED, uncertain_at(claim, values))
 
 
 def _matrix_text(matrix):

@@ -64,6 +64,7 @@ CASES = [
     Case("multiple_eigenvalues", ..., MULTIPLE, "missing", "the untouched stub"),
     Case("digits_lost", 0.217, DIGITS, "right", "three digits"),
     Case("digits_lost", math.log10(1.648641), DIGITS, "right", "a float"),
+    Case("digits_lost", sp.Rational(217, 1000), DIGITS, "wrong", "a fraction says that it is exact"),
     Case("digits_lost", 0.5, DIGITS, "wrong", "the natural logarithm"),
     Case("digits_lost", 1.649, DIGITS, "wrong", "the eigenvalue"),
     Case("digits_lost", 1e9, DIGITS, "wrong", "absurdly large"),
