@@ -228,6 +228,8 @@ def test_decoded_objects_work():
         (mpmath.mpf("0.1"), sp.Float(0.1)), (mpmath.mpf(0), sp.Float(0.0)), (mpmath.mpc(1, -2), 1.0 - 2.0 * sp.I),
         (mpmath.mpc(3), sp.Float(3.0)),
         (-mpmath.inf, -sp.oo), (mpmath.nan, sp.nan),
+        (sp.CRootOf(x**3 - x - 1, 0), sp.CRootOf(x**3 - x - 1, 0).evalf(50)),
+        (sp.Poly(x**3 - x - 1).all_roots()[2:], [sp.CRootOf(x**3 - x - 1, 2).evalf(50)]),
         (sp.Array([[x, 1], [2, y]]), [[x, sp.S(1)], [sp.S(2), y]]), (sp.Array([y, x]).as_mutable(), [y, x]),
         (sp.Array(x), x),
         (sp.ImmutableSparseNDimArray([0, x]), [sp.S(0), x]),

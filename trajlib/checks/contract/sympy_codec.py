@@ -15,8 +15,8 @@ their bare names, so `Symbol("print(1)")` runs in whatever process compiles it. 
 without brackets, quotes and dots, and no undefined function called like one that Python or NumPy has (`exec`, `chr`,
 `load`).
 
-Numbers of mpmath and Fractions are written as the SymPy numbers they are, a `sympy.Array` as nested lists; neither
-stays what it was.
+Numbers of mpmath and Fractions are written as the SymPy numbers they are, a root of a polynomial that SymPy only counts
+(`CRootOf`) in decimals, a `sympy.Array` as nested lists; none of them stays what it was.
 
 What a check will do with an answer is bounded by the judge's own limits of time and memory, yet numbers that nobody
 writes as an answer and that a mere comparison would blow up, such as 10**10**9 or exp(exp(exp(9))), are refused here,
@@ -45,6 +45,7 @@ MAX_NAME = 100  # characters of a symbol's or function's name
 MAX_FUNCTIONS = 100  # different undefined functions in an answer: each is a Python class
 MAX_ORDER = 100  # of a derivative
 DOUBLE_BITS = 53  # precision of a float
+ROOT_DIGITS = 50  # of a root of a polynomial that has no formula
 NUMBER_BITS = int(MAX_DIGITS * math.log2(10))  # magnitude of anything without symbols, and the precision of a Float
 
 
@@ -319,6 +320,10 @@ def _write_poly(kind):
     return write
 
 
+def _write_root(walk, value):
+    return walk.visit(value.evalf(ROOT_DIGITS))
+
+
 def _write_inner(walk, value):
     return walk.visit(value.args[0])  # UnevaluatedExpr(x) is x
 
@@ -340,6 +345,7 @@ _WRITERS = {
     id(sp.Dummy): _write_dummy,
     id(sp.Poly): _write_poly("Poly"),
     id(sp.PurePoly): _write_poly("PurePoly"),
+    id(sp.CRootOf): _write_root,
     id(sp.UnevaluatedExpr): _write_inner,
 }
 
