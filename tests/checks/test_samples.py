@@ -14,7 +14,8 @@ x, y = sp.symbols("x y", real=True)
 @pytest.mark.parametrize("added", [
     sp.Piecewise((0, x < 50), (1, True)), sp.Piecewise((0, sp.Or(x < 70, x > 71)), (1, True)), sp.Max(x - 50, 0),
     sp.Abs(x + 60) - x - 60, 1 - sp.sign(60 - x), sp.Heaviside(-x - 80), sp.Piecewise((0, sp.Ne(x, 7)), (1, True)),
-    sp.Min(x*y, 90) - x*y,
+    sp.Min(x*y, 90) - x*y, sp.Piecewise((0, sp.Abs(x) < 50), (1, True)),
+    sp.Piecewise((0, sp.exp(y) < 10**9), (1, True)), sp.Piecewise((0, sp.sqrt(sp.Abs(x*y)) < 1000), (1, True)),
 ], ids=str)
 def test_every_case_of_an_answer_is_met(added):
     samples = sample_values([x, y])

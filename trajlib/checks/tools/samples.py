@@ -147,7 +147,8 @@ def _between_borders(relations, base, symbol):
     symbols = [s for s in base if any(relation.has(s) for relation in relations)]
     if symbol not in symbols:
         return []
-    place = [sp.nsimplify(base[s], rational=True) for s in symbols]
+    # Not by `nsimplify`: it looks for a closed form of every float, a tenth of a second each.
+    place = [sp.Rational(base[s]) for s in symbols]
     borders = {relation: Condition(relation, symbols).borders(place, symbols.index(symbol)) for relation in relations}
     found = sorted(set().union(*borders.values()))
     if not found:

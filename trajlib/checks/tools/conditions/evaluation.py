@@ -12,11 +12,14 @@ from sympy.core.relational import Relational
 
 from trajlib.checks.contract.verdict import Invalid
 from trajlib.checks.tools.conditions.decimals import rational
+from trajlib.checks.tools.searching import bisected
 
 #: Digits that terms are computed to where a value is irrational, and how small a zero is there.
 DIGITS, NOTHING = 60, mpmath.mpf(10) ** -40
 #: The product of the degrees of algebraic numbers up to which a value is told from zero exactly.
 LARGEST_FIELD = 8
+#: Places between which the changes of sign of a term that is not rational are looked for.
+GRID = np.concatenate([-np.geomspace(1e6, 1e-3, 200), np.geomspace(1e-3, 1e6, 200)])
 #: The "sign" of a number that is not real.
 NOT_REAL = "not real"
 HOW = {sp.Gt: operator.gt, sp.Ge: operator.ge, sp.Lt: operator.lt, sp.Le: operator.le, sp.Eq: operator.eq,
@@ -36,7 +39,7 @@ class Condition:
         return self._truth(self.condition, tuple(place))
 
     def borders(self, base, varied):
-        """Where a term can change its sign along one symbol from `base`: floats, of rational terms alone."""
+        """Where a term can change its sign along one symbol from `base`: floats."""
         return sorted({root for sign in self._atoms.values() for root in sign.roots(tuple(base), varied)})
 
     def _truth(self, node, place):
@@ -90,7 +93,7 @@ class _Sign:
                 self._parts = [sp.lambdify(symbols, poly.as_expr(), []) for poly in self._polys]
         if self._parts is None:
             # Symbols are the data's own and functions are SymPy's (coercion.with_symbols), so the code made is ours.
-            self._numeric = sp.lambdify(symbols, difference, "mpmath")
+            self._numeric, self._difference = sp.lambdify(symbols, difference, "mpmath"), difference
 
     def __call__(self, place):
         if self._parts is not None and all(x.is_Rational for x in place):
@@ -127,6 +130,7 @@ class _Sign:
 
     def roots(self, base, varied):
         if self._parts is None:
+            yield from self._crossings(base, varied)
             return
         t = sp.Dummy("t")
         place = {s: t if k == varied else x for k, (s, x) in enumerate(zip(self.symbols, base))}
@@ -136,6 +140,28 @@ class _Sign:
             if len(coefficients) > 1 and np.isfinite(coefficients).all():
                 # A double root comes back as a close complex pair; its real part still separates the cells.
                 yield from (float(r.real) for r in np.roots(coefficients) if abs(r.imag) < 1e-5 * (1 + abs(r)))
+
+    def _crossings(self, base, varied):
+        """Where the difference goes through zero or infinity between two neighbours of a grid."""
+        others = [float(x) for x in base]
+
+        def values(x):
+            with np.errstate(all="ignore"):
+                found = self._floats(*others[:varied], x, *others[varied + 1:])
+            return np.broadcast_to(np.where(np.isreal(found), np.real(found), np.nan), x.shape)
+
+        try:
+            signs = np.sign(values(GRID))
+            change = np.flatnonzero(signs[:-1] * signs[1:] < 0)
+            _, found = bisected(lambda x, rows: np.sign(values(x)) == signs[change][rows], GRID[change],
+                                GRID[change + 1], 60)
+        except (TypeError, ValueError, NameError, AttributeError, ZeroDivisionError, OverflowError):
+            return  # a function that NumPy does not have
+        yield from map(float, [*found, *GRID[signs == 0]])
+
+    @functools.cached_property
+    def _floats(self):
+        return sp.lambdify(self.symbols, self._difference, "numpy")
 
 
 @functools.lru_cache(maxsize=256)
