@@ -75,6 +75,14 @@ def test_other_answers_are_not(kind, one, other):
     assert not set(of(one, kind)) & set(of(other, kind))
 
 
+def test_a_list_without_rows_may_be_a_row_or_a_column():
+    flat = [set(of(written, "matrix")) for written in ([x, 1], (x, 1), np.array([2.0, 1.0]))]
+    for matrix in (sp.Matrix([[x, 1]]), sp.Matrix([x, 1])):
+        assert of(matrix, "matrix")[0] in flat[0] & flat[1]
+    assert of(sp.Matrix([[2, 1]]), "matrix")[0] in flat[2]
+    assert of(sp.Matrix([[x, 1]]), "matrix")[0] not in of([[x], [1]], "matrix")
+
+
 def test_three_digits_of_any_number_are_enough():
     for number in np.geomspace(1e-3, 1e3, 400):
         assert of(float(number), "number")[0] in of(float(f"{number:.3g}"), "number"), number

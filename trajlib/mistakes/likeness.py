@@ -52,16 +52,29 @@ def likenesses(value, question):
             warnings.simplefilter("ignore")
             if len(encode(value)) > LONGEST:
                 raise Unlike("too long")
-            reading = _Reading(question)
-            shape, cells = reading.in_cells(reading.read(value, question.kind))
+            found = [_in_cells(part, question) for part in _layouts(value, question.kind)]
     except (Invalid, EncodingError, NoValue, ArithmeticError, AttributeError, TypeError, ValueError) as error:
         raise Unlike from error
-    doubtful = [k for k, cell in enumerate(cells) if len(cell) > 1][:FEW]
-    for chosen in itertools.product(*(cells[k] for k in doubtful)):
-        taken = [cell[0] for cell in cells]
-        for k, cell in zip(doubtful, chosen):
-            taken[k] = cell
-        yield json.dumps(_filled(shape, taken)).encode()
+    for shape, cells in found:
+        doubtful = [k for k, cell in enumerate(cells) if len(cell) > 1][:FEW]
+        for chosen in itertools.product(*(cells[k] for k in doubtful)):
+            taken = [cell[0] for cell in cells]
+            for k, cell in zip(doubtful, chosen):
+                taken[k] = cell
+            yield json.dumps(_filled(shape, taken)).encode()
+
+
+def _in_cells(value, question):
+    reading = _Reading(question)
+    return reading.in_cells(reading.read(value, question.kind))
+
+
+def _layouts(value, kind):
+    """The answer, and where a list without rows stands for a matrix the one row that it may be instead of a column."""
+    yield value
+    if kind == "matrix" and isinstance(value, (list, tuple, np.ndarray)) and not any(
+            isinstance(part, (list, tuple, np.ndarray, sp.MatrixBase, sp.Tuple)) for part in value):
+        yield [list(value)]
 
 
 class _Reading:
