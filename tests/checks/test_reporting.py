@@ -16,6 +16,7 @@ from trajlib import checks
 from trajlib.checks.contract import reporting
 from trajlib.checks.contract.encoding import EncodingError, decode, encode
 from trajlib.checks.contract.verdict import Unusable, Verdict, Wrong, judged
+from trajlib.systems import Process
 
 
 @judged
@@ -158,6 +159,20 @@ def test_a_condition_that_python_has_decided_is_told_so_when_it_is_wrong():
     assert checks.observable_parameters(True, chain, sp.Matrix([[1, alpha]]), [alpha]).status == "right"
     other = checks.observable_parameters(alpha > 0, chain, sp.Matrix([[alpha, 1]]), [alpha])
     assert other.status == "wrong" and "bare" not in other.message
+
+
+def test_a_wrong_growth_rate_is_not_told_where_its_answers_are():
+    x, v = sp.symbols("x v", real=True)
+    pendulum, growth = sp.Matrix([v, -v - 4*sp.sin(x)]), (sp.sqrt(17) - 1)/2
+    assert checks.growth_rate(growth, pendulum, [x, v]).status == "right"
+    assert not any(place in checks.growth_rate(2*growth, pendulum, [x, v]).message for place in ("3.14", "9.42"))
+
+
+@pytest.mark.parametrize("process", [Process(A=1, Q=1, H=1, R=1), Process(A=2, Q=1, H=1, R=1, discrete=True)])
+def test_a_gain_with_which_errors_grow_is_not_said_to_settle(process):
+    assert "an error grows" in checks.steady_gain(sp.Rational(-1, 2), process).message
+    assert "settle to a larger covariance" in checks.steady_gain(2 if process.A[0] == 1 else sp.Rational(3, 4),
+                                                                 process).message
 
 
 def test_a_question_ends_once():

@@ -77,9 +77,15 @@ def steady_gain(claim, process, parameters=(), given=sp.true):
     for values in in_every_case(allowed_values(parameters, given, COUNT), claim, given):
         one = processes.numbers(process, values, start=False)
         true = processes.gain_of(one, processes.steady(one)[0])
-        yield Entries(claim, true, lambda said, i, j: (
-            f"with your gain the errors settle to a larger covariance than they need{where_text(values)}: look at row "
-            f"{i + 1}, where it is {number_text(said[i, j])}"), values, abs(true).max())
+
+        def told(said, i, j):
+            loop = one.A - (one.A @ said if one.discrete else said) @ one.H
+            growing = (np.log(abs(np.linalg.eigvals(loop))) if one.discrete else np.linalg.eigvals(loop).real).max() > 0
+            does = "an error grows" if growing else "the errors settle to a larger covariance than they need"
+            return (f"with your gain {does}{where_text(values)}: look at row {i + 1}, where it is "
+                    f"{number_text(said[i, j])}")
+
+        yield Entries(claim, true, told, values, abs(true).max())
     return "no other gain makes the variances of the errors smaller"
 
 
