@@ -252,4 +252,17 @@ ROWS = [
     wrong("2.6", "d_unseen", "[[1, 0, 0, 0], [0, -2*r0/(r0-1), 3*Omega/(r0-1), 0]]", "without a value for r0 = 1"),
     wrong("2.8", "split", "[[(l**2-1)/(l-1)/(l+1), 1], [1, -1]]", "without a value for l = 1"),
     wrong("2.35", "equations", "[sp.diag(l1*(l1-1), l2), sp.diag(-g*(l1-1), -g), [-(l1-1), -1]]", "nothing for l1 = 1"),
+    right("2.7", "a_roots", "sp.Poly(3*sp.Symbol('s')**4 + 2*sp.Symbol('s')**2 - 1).all_roots()", "as a polynomial "
+          "gives them"),
+    right("2.26", "a_roots", "sp.Poly((2*sp.Symbol('s')**2 + 3)*(3*sp.Symbol('s')**2 - 2) "
+          "- (sp.Symbol('s')**2 + 1)**2).all_roots()", "roots that SymPy only counts"),
+    wrong("2.6", "d_unseen", "[[1, 0, 0, 0], [0, -2*r0*sp.sin(r0), 3*Omega*sp.sin(r0), 0]]", "zero where r0 is pi"),
+    right("2.8", "split", "[[1, 1], [1 + sp.Abs(l), -1]]", "the determinant is nowhere zero"),
+    right("2.10", "split_system", "[[[0, 1, 0], [2, 0, 0], [0, 1, 0]], [[0, 1, 0]]]", "the rate first"),
+    right("2.17", "output", "sp.re((x20 - sp.I*x10)*sp.exp(sp.I*(omega - 1)*t))", "a complex exponential"),
+    wrong("2.17", "output", "sp.Piecewise((x10*sp.sin(t*(omega - 1)) + x20*sp.cos(t*(omega - 1)), "
+          "sp.Abs(omega) < 300), (0, True))", "nothing when it turns fast"),
+    wrong("2.17", "gramian", "sp.pi*sp.eye(2)", "for whole numbers alone"),
+    right("2.26", "d_roots", "[sp.I, -sp.I, sp.Piecewise((sp.sqrt(3 - beta), beta <= 3), (sp.I*sp.sqrt(beta - 3), "
+          "True)), -sp.sqrt(3 - beta)]", "in two cases"),
 ]

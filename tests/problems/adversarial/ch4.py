@@ -602,4 +602,24 @@ ROWS = [
           "(mu2, True))]", "wrong after a long time"),
     wrong("4.16", "mean", "[mu1*sp.cos(t) + mu2*sp.sin(t), mu2*sp.cos(t) - mu1*sp.sin(t) + sp.Abs(t - 60) + t - 60]",
           "wrong after a long time"),
+    right("4.2", "e_least", "(3*(-1 + 4*x[0] - 3*x[0]**2)**2 + (12*x[0] - 3*x[0]**2 - sp.Rational(19, 2))**2).subs("
+          "x[0], sp.real_roots(24*x[0]**3 - 72*x[0]**2 + 89*x[0] - 42)[0])", "at a root that SymPy only counts"),
+    wrong("4.2", "e_least", "(3*(-1 + 4*x[0] - 3*x[0]**2)**2 + (12*x[0] - 3*x[0]**2 - sp.Rational(19, 2))**2).subs("
+          "x[0], sp.real_roots(24*x[0]**3 - 72*x[0]**2 + 89*x[0] - 43)[0])", "at the root of another cubic"),
+    wrong("4.4", "correction", "[sp.Piecewise((Q*T**2*z/(2*(Q*T + R)), sp.Abs(z) < 1000), (0, True)), "
+          "Q*T*z/(Q*T + R)]", "large readings are thrown away"),
+    wrong("4.4", "correction", "[sp.Piecewise((Q*T**2*z/(2*(Q*T + R)), sp.exp(z) < 10**9), (0, True)), "
+          "Q*T*z/(Q*T + R)]", "large readings are thrown away"),
+    wrong("4.5", "covariance", "sp.Piecewise((sp.cos(2*alpha) - sp.sin(2*alpha), sp.Abs(alpha) < 50), (0, True))",
+          "nothing after many turns"),
+    right("4.5", "covariance", "sp.re((1 + sp.I)*sp.exp(2*sp.I*alpha))", "a complex exponential"),
+    wrong("4.15", "mean", "sp.Piecewise((mu0*sp.exp(a*t), sp.Abs(mu0) < 1000), (0, True))", "nothing for large means"),
+    right("4.15", "mean", "sp.Piecewise((mu0*sp.exp(a*t), sp.Abs(mu0) < 1000), (mu0*(sp.cosh(a*t) + sp.sinh(a*t)), "
+          "True))", "the same in both cases"),
+    right("4.16", "mean", "[sp.re((mu1 - sp.I*mu2)*sp.exp(sp.I*t)), sp.im((-mu1 + sp.I*mu2)*sp.exp(sp.I*t))]",
+          "a complex exponential"),
+    right("4.34", "gain", "sp.sign(h)*(a + sp.sqrt(a**2 + Q*h**2/R))/sp.Abs(h)", "sign and modulus"),
+    right("4.35", "eigenvalues", "[sp.root(Q/R, 4)*sp.exp(3*s*sp.I*sp.pi/4) for s in (1, -1)]",
+          "by modulus and angle"),
+    right("4.42", "gain", "2*sp.sqrt(2)*sp.sin(sp.pi/12)", "a sine"),
 ]

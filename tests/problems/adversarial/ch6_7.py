@@ -68,4 +68,13 @@ ROWS = [
     right("7.4", "d_fooling", "1/sp.sinh(sp.log(M))", "a hyperbolic function"),
     right("7.4", "a_error", "[0, sp.sqrt(24), 0]", "five times exactly"),
     right("7.4", "c_condition", "1/sp.tan(sp.atan(delta)/2)", "by half the angle"),
+    right("6.1", "d_digits", "-sp.log(sp.Min(*[sp.Abs(r) for r in sp.Poly((lam - 1)**4 + d_kappa/6*lam*(lam**2 + "
+          "4*lam + 1), lam).all_roots()]), 10)", "by roots that SymPy only counts"),
+    right("7.2", "c_error", "delta*((x + u*t - p*(t - T))**2 + (y + w*t - q*(t - T))**2)"
+          "/sp.sqrt((t - T)**2*(p*(y + w*t) - q*(x + u*t))**2)", "the root of a square"),
+    right("7.4", "d_fooling", "sp.tan(2*sp.atan(1/M))", "the double angle"),
+    right("7.1", "a_speed", "sp.re((v0 + R*eps - sp.I*(b - g*phi0)*sp.sqrt(R/g))*sp.exp(sp.I*sp.sqrt(g/R)*t)) - R*eps",
+          "a complex exponential"),
+    wrong("7.1", "a_speed", "sp.Piecewise((-R*eps + (v0 + R*eps)*sp.cos(sp.sqrt(g/R)*t) + (b - g*phi0)*sp.sqrt(R/g)*"
+          "sp.sin(sp.sqrt(g/R)*t), sp.sqrt(g/R)*t < 50), (0, True))", "nothing after many periods"),
 ]
