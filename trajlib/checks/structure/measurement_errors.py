@@ -88,8 +88,9 @@ def augmented_system(answer, A, H, S, c, start, parameters=(), own=False):
     if matrix.rows != matrix.cols or matrix.rows <= n:
         raise Invalid(f"expected a square matrix A' of more than {n} rows, since the coordinates of the error come "
                       f"after those of x; the shape of yours is {matrix.shape}")
-    row = answer[1] if isinstance(answer[1], sp.MatrixBase) else [answer[1]] if _is_flat(answer[1]) else answer[1]
-    row = coercion.as_matrix(row, parameters, (H.rows, matrix.rows))
+    row = coercion.as_matrix(answer[1], parameters)
+    # A single row is a vector, whichever way it is written.
+    row = coercion.as_matrix(row.T if H.rows == 1 == row.cols else row, parameters, (H.rows, matrix.rows))
     for values, place, _ in pair.samples_for([matrix, row]):
         where = where_text(values)
         true_A, true_H = (to_floats(rows, pair.order) for rows in pair.at(place))
@@ -133,11 +134,6 @@ def amplitude_from_output(claim, A, H, S, c, start, outputs, time):
 
 def _starts(A, H, S, c, start, parameters=(), of=None):
     return starts_of(sp.diag(A, S), H.row_join(c), sp.diag(sp.eye(A.rows), sp.Matrix(start)), parameters, of)
-
-
-def _is_flat(answer):
-    return (isinstance(answer, (list, tuple)) and not any(isinstance(part, (list, tuple, sp.MatrixBase))
-                                                          for part in answer))
 
 
 def _compare_block(said, true, claim, what, where):

@@ -84,6 +84,8 @@ CASES = [
          "the error with the other sign"),
     Case("augmented_system", (np.diag([-1.0, 3.0, 0]), np.array([[1, 2, 1]])), (*DECAY[:2], ZERO_RATE, ONE, [1]),
          "right", "arrays"),
+    Case("augmented_system", [PAIR, np.array([1.0, 0, 1, 0])], (*SINE, [w]), "right", "a row as an array"),
+    Case("augmented_system", [PAIR, sp.Matrix([1, 0, 1, 0])], (*SINE, [w]), "right", "a row written as a column"),
     Case("augmented_system", [PAIR, sp.Matrix([[1, 0, 0, 0]])], (*SINE, [w]), "wrong", "no error in z"),
     Case("augmented_system", [sp.diag(SPRING, w), sp.Matrix([[1, 0, 1]])], (*SINE, [w]), "wrong",
          "one coordinate for a sine"),
