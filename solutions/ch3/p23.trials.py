@@ -4,6 +4,8 @@ a_augmented = [sp.Matrix([[0, 1, 0], [1, 0, 1], [0, 0, 0]]), sp.Matrix([[1, 1, 1
 a_augmented = [sp.Matrix([[0, 1, 0], [1, 0, 0], [0, 0, 1]]), sp.Matrix([[1, 1, 1]])]  # What is the rate of a constant?
 # Where does the error enter, if the measurement does not hold it?
 a_augmented = [sp.Matrix([[0, 1, 0], [1, 0, 0], [0, 0, 0]]), sp.Matrix([[1, 1, 0]])]
+# Is the third coordinate here $r$ itself, or twice as much?
+a_augmented = [sp.Matrix([[0, 1, 0], [1, 0, 0], [0, 0, 0]]), sp.Matrix([[1, 1, sp.Rational(1, 2)]])]
 a_margins = sp.true  # Does the measurement show every motion of the equation?
 a_margins = sp.false  # Something is hidden. Is it the offset, and does what is hidden grow?
 a_margins = mu < 1  # Look at the margin 1 itself: which root could be slower?
@@ -22,8 +24,6 @@ b_gains = [sp.Matrix([[-2, -2]]), sp.Matrix([8, 0, -2])]  # Is this the control 
 b_gains = [sp.Matrix([[3, 3]]), sp.Matrix([8, 0, -2])]  # Is the feedback taken with a minus sign, $u = -Ke$?
 
 # %% right
-# twice r for the coordinate
-a_augmented = [sp.Matrix([[0, 1, 0], [1, 0, 0], [0, 0, 0]]), sp.Matrix([[1, 1, sp.Rational(1, 2)]])]
 a_margins = sp.And(mu > 0, mu <= 1)  # with what is known of mu
 a_gains = [[-5, -4], [0, 9, -4]]  # another control, and another splitting of the sum
 a_gains = [sp.Matrix([[-2.0, -2.0]]), sp.Matrix([4.5, 4.5, -4.0])]  # decimals, the sum in halves

@@ -517,4 +517,8 @@ ROWS = [
     wrong("3.15", "gain", "[-1, -100]", "the parameters have no bounds"),
     right("3.15", "gain", "[-k0, k1 - sp.Abs(k2)*V0 - k1*V0/(k3*k0) - 1]", "with a modulus to spare"),
     wrong("3.21", "static_region", "k < 0.66", "two digits"),
+    wrong("3.23", "a_augmented", "[[[0, 1, 0], [1, 0, 0], [0, 0, 0]], [[1, 1, -1]]]", "the error with the other sign"),
+    wrong("3.23", "b_augmented", "[[[0, 1, 0], [2, 1, 0], [0, 0, 0]], [[1, 1, sp.Rational(1001, 1000)]]]",
+          "the third coordinate is the error itself"),
+    right("3.23", "b_augmented", "[np.array([[0, 1, 0], [2, 1, 0], [0, 0, 0]]), np.array([1, 1, 1])]", "arrays"),
 ]
