@@ -13,6 +13,8 @@ COSTS = 1e-6
 ACROSS = 41
 #: How well a parabola says what the cost is between three of them, as a part of its changes.
 BENT = 0.02
+#: When a process is asked for its state, in words.
+ENDING_WITH_IT, ENDING_ITSELF = "when the best process ends", "when your last arc ends"
 
 
 class Path:
@@ -43,14 +45,14 @@ class Path:
                             f"{high:.4g}")
 
 
-def does_as_well(times, states, best, problem, rounding, where, whose, others=(), together=()):
+def does_as_well(times, states, best, problem, rounding, where, whose, others=(), together=(), when=ENDING_WITH_IT):
     """Raise `Wrong` unless a process keeps to the ends and costs no more than the best one; `states` hold the cost so
-    far as the last entry, `whose` says what the process is made by. `others` are the pairs of ends to which it comes
-    when one of its decimals is changed by what it leaves open, `together` those where two are, as `changed_together`
-    lists them."""
+    far as the last entry, `whose` says what the process is made by, `when` when it ends. `others` are the pairs of ends
+    to which it comes when one of its decimals is changed by what it leaves open, `together` those where two are, as
+    `changed_together` lists them."""
     if problem.first_return:
         meets_once(times, states, best, where)
-    keeps_to_the_ends(states[-1], best, rounding, f"{where}under {whose}", others)
+    keeps_to_the_ends(states[-1], best, rounding, f"{where}under {whose}", others, when)
     sign = -1 if problem.maximise else 1
     cost = best.total(states[-1])
     excess = sign * (cost - best.cost)
@@ -61,17 +63,24 @@ def does_as_well(times, states, best, problem, rounding, where, whose, others=()
         raise RuntimeError(f"a process was given that does better than the best one found, by {-excess:.2g}")
     if not least <= allowed + BENT * max((abs(part) for sides in gained for part in sides), default=0):
         told = cost if abs(cost) > 1e-9 * best.cost_size() else 0  # what is mere rounding
-        raise Wrong(f"{where}{whose} costs {told:.4g}; there is an admissible process with the same ends that costs "
+        costs = f"costs {told:.4g}" if f"{told:.4g}" != f"{best.cost:.4g}" else (
+            f"costs too {'little' if problem.maximise else 'much'}, by a share of {excess / best.cost_size():.1g}")
+        raise Wrong(f"{where}{whose} {costs}; there is an admissible process with the same ends that costs "
                     + ("more, and the cost is to be great" if problem.maximise else "less"))
 
 
-def keeps_to_the_ends(y, best, rounding, what, others=()):
+def keeps_to_the_ends(y, best, rounding, what, others=(), when=ENDING_WITH_IT):
     """Raise `Wrong` unless a process ends on the target; `others` are pairs of ends that a decimal leaves open."""
+    if not on_target(y, best, rounding, others):
+        raise Wrong(f"{what} the state is {point_text(y[:-1])} {when}, which is not on the target")
+
+
+def on_target(y, best, rounding, others=()):
+    """Whether a process that ends in y keeps to the ends."""
     gap, allowed = best.gap(y), 2 * rounding * best.size()
     ranges = [reach(*(best.gap(end) - gap for end in sides)) for sides in others]
     least, greatest = (gap + sum((part[k] for part in ranges), np.zeros(len(gap))) for k in (0, 1))
-    if len(gap) and not np.all((least <= allowed) & (greatest >= -allowed)):
-        raise Wrong(f"{what} the state is {point_text(y[:-1])} when the best process ends, which is not on the target")
+    return bool(np.all((least <= allowed) & (greatest >= -allowed)))
 
 
 def reach(below, above):

@@ -107,8 +107,20 @@ class Steering:
         self.rounding = share(*parts, computed=INTEGRATED) if others is None else INTEGRATED
         self.lasting = (1 if followed else 3) * share(*parts, computed=INTEGRATED)
 
+    def ends(self, values):
+        """When the arcs end, one after the other; None for a single expression, which goes on for ever."""
+        if self._ends == [None]:
+            return None
+        ends = [_real(until(*(float(values[p]) for p in self.parameters)), f"the end of your arc number {k}")
+                for k, until in enumerate(self._ends, 1)]
+        for begin, end in zip([0.0, *ends], ends):
+            if not end > begin:
+                raise Wrong(f"your arcs end at times that do not grow: {end:.4g} comes after {begin:.4g}")
+        return ends
+
     def sections(self, values, duration):
-        """Triples (begin, end, function of an array of times) between the jumps, from 0 to the given duration."""
+        """Triples (begin, end, function of an array of times) between the jumps, from 0 to the given duration; of arcs
+        as far as they go, which may be less."""
         numbers = [float(values[p]) for p in self.parameters]
 
         def smooth(value):
@@ -130,18 +142,9 @@ class Steering:
             breaks = jumps(u, duration)
             # The value at a jump itself is of no account: it is asked a little inside.
             return [(a, b, _inside(u, a, b)) for a, b in zip([0.0, *breaks], [*breaks, duration])]
-        begin, found = 0.0, []
-        for k, (value, until) in enumerate(zip(self._values, self._ends), 1):
-            end = _real(until(*numbers), f"the end of your arc number {k}")
-            if not end > begin:
-                raise Wrong(f"your arcs end at times that do not grow: {end:.4g} comes after {begin:.4g}")
-            found.append((begin, min(end, duration), smooth(value)))
-            if begin > duration * (1 + self.lasting):
-                raise Wrong(f"your last arc begins at {begin:.4g}, when the target should be met already")
-            begin = end
-        if begin < duration * (1 - self.lasting):
-            raise Wrong(f"your last arc ends at {begin:.4g}, when the target cannot yet be met")
-        return [(a, b, u) for a, b, u in found if b > a]
+        ends = self.ends(values)
+        return [(begin, min(end, duration), smooth(value))
+                for begin, end, value in zip([0.0, *ends], ends, self._values) if begin < duration]
 
 
 def _arcs(parts, arcs):

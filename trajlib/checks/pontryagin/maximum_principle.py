@@ -292,6 +292,9 @@ def extremal_control(answer, problem, time, parameters=None, start=None):
     for case in sample_cases(parameters or {}):
         values = dict(zip(parameters or {}, case))
         where = f"for {rounded_text(values)} " if values else ""
+        ends = read.ends(values)
+        if ends and ends[-1] < float(problem.duration) * (1 - read.lasting):
+            raise Wrong(f"{where}your last arc ends at {ends[-1]:.4g}, and the process lasts longer")
         steps = _steps(read.sections(values, float(problem.duration)))
         for t, _, controls in steps:
             for value in controls:

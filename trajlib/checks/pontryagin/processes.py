@@ -18,10 +18,12 @@ from trajlib.checks.contract.tolerance import same
 from trajlib.checks.contract.verdict import Wrong, judged
 from trajlib.checks.pontryagin.followed import (
     COSTS,
+    ENDING_ITSELF,
     Path,
     does_as_well,
     keeps_to_the_ends,
     meets_once,
+    on_target,
     point_text,
 )
 from trajlib.checks.pontryagin.in_time import ENDING, INTEGRATED, Control, InTime, Motion, Steering, jumps
@@ -58,16 +60,35 @@ def optimal_control(claim, problem, time, parameters=None):
     timed = TIMED if _only_time(problem) and read.rounding == INTEGRATED else 1
     for values, best in best_processes(problem, parameters):
         where = told_for(values)
+        whose = "your control" + begun
+        _ends_with_the_best(read, values, best, problem, where, whose)
         sections = read.sections(values, best.duration)
         path = Path(best, sections, where)
         path.admissible(read.lasting)
         others, together = ([[Path(best, side.sections(values, best.duration), where).states[-1] for side in sides]
                              for sides in part] for part in (read.changed, read.together))
-        does_as_well(path.times, path.states, best, problem, timed * read.rounding, where, "your control" + begun,
-                     others, together)
+        does_as_well(path.times, path.states, best, problem, timed * read.rounding, where, whose, others, together)
         _jumps_where_it_should(sections, best, read.rounding, where)
         _bends_where_it_should(sections, read.changed, best, values, where)
     return "it is admissible, keeps to the ends, and no process was found that does better"
+
+
+def _ends_with_the_best(read, values, best, problem, where, whose):
+    """Raise `Wrong` for arcs that end too early, of which the last one begins after the end, or that come to the target
+    later alone: by what they come to at their own end, since what costs too much may end at another time."""
+    if not (ends := read.ends(values)):
+        return
+    begin, end = [0.0, *ends][-2:]
+    early, late = end < best.duration * (1 - read.lasting), begin > best.duration * (1 + read.lasting)
+    if problem.duration is None or isinstance(problem.duration, tuple):
+        own, cut = (Path(best, read.sections(values, until), where) for until in (end, best.duration))
+        if early or late or on_target(own.states[-1], best, read.rounding) > on_target(
+                cut.states[-1], best, read.rounding):
+            own.admissible(read.lasting)
+            does_as_well(own.times, own.states, best, problem, read.rounding, where, whose, when=ENDING_ITSELF)
+    if early or late:
+        raise Wrong(f"{where}your last arc " + (f"ends at {end:.4g}, and the process lasts longer" if early else
+                                                f"begins at {begin:.4g}, when the process should be over"))
 
 
 def _jumps_where_it_should(sections, best, rounding, where):
