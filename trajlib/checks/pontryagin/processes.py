@@ -27,10 +27,11 @@ from trajlib.checks.pontryagin.followed import (
     point_text,
 )
 from trajlib.checks.pontryagin.in_time import ENDING, INTEGRATED, Control, InTime, Motion, Steering, jumps
+from trajlib.checks.tools.bends import next_to_bends
 from trajlib.checks.tools.searching import bisected
 from trajlib.checks.tools.values import real_function, uncertain_at_all, value_at, values_at_all
 from trajlib.checks.tools.wording import told_for
-from trajlib.checks.truths.optima.best_processes import best_processes, free_at_the_start
+from trajlib.checks.truths.optima.best_processes import best_processes, best_processes_at, free_at_the_start
 from trajlib.checks.truths.optima.transfer_optima import SAMPLES
 from trajlib.checks.truths.scales import COST, TIME, same_at_every_scale
 
@@ -264,6 +265,7 @@ def optimal_cost(claim, problem, parameters=None):
                 f"there is an admissible process with a cost that is {better}"))
         if anywhere:
             _left_over(claim, cost_of, values, best, starts, parameters)
+    _right_next_to_bends(claim, problem, parameters, found, "cost")
     same_at_every_scale(claim, problem, parameters, [values for values, _ in found], COST, "cost")
     return "it is the cost of the best process found"
 
@@ -272,6 +274,21 @@ def _evaluated(claim, found, what):
     """The pairs found, each with what a claim is there, in the digits of floats, and what its decimals leave open."""
     places = [values for values, _ in found]
     return zip(found, values_at_all(claim, places, what), uncertain_at_all(claim, places))
+
+
+def _right_next_to_bends(claim, problem, parameters, found, what):
+    """Raise `Wrong` for an expression that is not the cost, or the duration, next to where it goes over from one form
+    to another, on the way between the places of the processes found."""
+    if len(found) < 2 or not isinstance(parameters, dict) or not all(
+            isinstance(domain, sp.Interval) for domain in parameters.values()):
+        return
+    size = max(abs(getattr(best, what)) for _, best in found)
+    near = best_processes_at(problem, parameters, next_to_bends(claim, [values for values, _ in found]))
+    for (values, best), said, open_ in _evaluated(claim, near, f"the {what}") if near else ():
+        true = getattr(best, what)
+        if not same(said, true, claim, size, max(INTEGRATED, best.MISSED), open_):
+            raise Wrong(f"{told_for(values)}your expression goes over from one form to another, and gives {said:.4g} "
+                        f"next to that; the {what} of the best process found is {'less' if said > true else 'greater'}")
 
 
 def _left_over(claim, cost_of, values, best, starts, parameters):
@@ -296,6 +313,8 @@ def optimal_duration(claim, problem, parameters=None):
         right = functools.partial(same, true=best.duration, written=claim, computed=INTEGRATED, uncertain=open_)
         if not (right(said) or right(said := value_at(claim, values, "the duration"))):
             raise Wrong(f"{told_for(values)}your duration is {said:.4g}; {best.told_duration(said)}")
+    if _only_time(problem):
+        _right_next_to_bends(claim, problem, parameters, found, "duration")
     same_at_every_scale(claim, problem, parameters, [values for values, _ in found], TIME, "duration")
     return "it is the duration of the best process found"
 

@@ -32,6 +32,14 @@ def best_processes(problem, parameters=None, count=SAMPLES):
     return optima(problem, parameters)
 
 
+def best_processes_at(problem, parameters, places):
+    """The same at given places, dicts from the parameters to numbers between the bounds of their intervals."""
+    if len(problem.controls) > 1:
+        return optima_of_several(problem, parameters, places)
+    found = thrust_optima(problem, parameters, places)
+    return optima(problem, parameters, places) if found is None else found
+
+
 def free_at_the_start(problem, parameters=None):
     """For each state whether its start is to be chosen: it is neither given nor a parameter."""
     return [value is None and x not in (parameters or ()) for x, value in problem.initial.items()]

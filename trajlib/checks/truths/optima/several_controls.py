@@ -29,17 +29,23 @@ SOLVER = {"ipopt.print_level": 0, "print_time": False, "ipopt.sb": "yes", "ipopt
           "error_on_fail": False, "calc_lam_p": False}
 
 
-def optima(problem, parameters=None):
-    """Pairs ({parameter: value}, `Optimum`) for values of the parameters, a dict from symbols to bounded intervals."""
+def optima(problem, parameters=None, places=None):
+    """Pairs ({parameter: value}, `Optimum`) for values of the parameters, a dict from symbols to bounded intervals, or
+    for the values that `places` are, dicts from the same symbols."""
     if not problem.time_optimal or problem.maximise or problem.first_return or None in problem.initial.values():
         raise ValueError("with several controls the cost has to be the least time from a given start")
     stated = (*(tuple(table.items()) for table in (problem.dynamics, problem.controls, problem.initial)),
               tuple(problem.terminal))
-    return _optima(stated, tuple((parameters or {}).items()))
+    if places is None:
+        return _optima(stated, tuple((parameters or {}).items()))
+    return [(place, _search(stated, tuple(place)).best(list(place.values()))) for place in places]
 
 
 class Optimum:
     """A fastest process: `duration`, which is the `cost`, and `arcs`, pairs (length, values of the controls)."""
+
+    #: What an arc is worth that is too short to be put in, as a share.
+    MISSED = 1e-5
 
     def __init__(self, lengths, controls):
         self.duration = self.cost = float(sum(lengths))
@@ -54,9 +60,9 @@ class Optimum:
 
 @functools.lru_cache(maxsize=16)
 def _optima(stated, parameters):
-    names, random = [symbol for symbol, _ in parameters], np.random.default_rng(19)
+    names, random = tuple(symbol for symbol, _ in parameters), np.random.default_rng(19)
     count = CASES if names else 1
-    search, cases = _Search(stated, names), []
+    search, cases = _search(stated, names), []
     for _, domain in parameters:
         # Each parameter takes values all over its interval.
         shares = (random.permutation(count) + random.uniform(size=count)) / count
@@ -64,6 +70,11 @@ def _optima(stated, parameters):
                       float(domain.inf) + (float(domain.sup) - float(domain.inf)) * shares])
     return [(dict(zip(names, case)), search.best([float(value) for value in case]))
             for case in (zip(*cases) if names else [()])]
+
+
+@functools.lru_cache(maxsize=16)
+def _search(stated, names):
+    return _Search(stated, names)
 
 
 class _Search:

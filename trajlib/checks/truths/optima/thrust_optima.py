@@ -26,16 +26,16 @@ DIRECTIONS, SPANS = 8, (1.5, 2.5, 4.0)
 ON_A_LINE = 1e-12
 
 
-def thrust_optima(problem, parameters=None):
+def thrust_optima(problem, parameters=None, places=None):
     """Pairs ({parameter: value}, `ThrustOptimum`) for sample values of the parameters, a dict from symbols to
-    intervals; None for a problem of another kind."""
+    intervals, or for the values that `places` are, dicts from the same symbols; None for a problem of another kind."""
     read = _read(problem)
     if read is None:
         return None
     names = list(parameters or {})
     numbers = sp.lambdify(names, list(read[:-1]), "math")
     return [(dict(zip(names, case)), ThrustOptimum(np.array(numbers(*case), dtype=float), problem, read[-1]))
-            for case in sample_cases(parameters or {})]
+            for case in (sample_cases(parameters or {}) if places is None else (tuple(p.values()) for p in places))]
 
 
 def _read(problem):
@@ -65,7 +65,7 @@ def _read(problem):
 class ThrustOptimum:
     """The fastest transfer, with the attributes of `direct_optimum.Optimum`."""
 
-    bounds = (-np.inf, np.inf)
+    bounds, MISSED = (-np.inf, np.inf), 0.0
 
     def __init__(self, numbers, problem, held):
         self.begin, self.target, self.thrust, self.pull = numbers[:4], numbers[4:6], numbers[6], numbers[7:]
