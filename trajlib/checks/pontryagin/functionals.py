@@ -12,7 +12,7 @@ import numpy as np
 import sympy as sp
 
 from trajlib.checks.contract.claims import Expression, Number, YesNo
-from trajlib.checks.contract.tolerance import DECIMALS, changed, in_decimals, same, share
+from trajlib.checks.contract.tolerance import changed, in_decimals, rounds_to, same, share
 from trajlib.checks.contract.verdict import Wrong, judged
 from trajlib.checks.tools.comparisons import Same, Word
 from trajlib.checks.tools.samples import sample_values
@@ -28,6 +28,8 @@ COMPUTED = 1e-6
 WINDOWS = [*((k / 10, (k + 2) / 10) for k in range(9)), (0, 1)]
 #: A rate of change with the duration that is less than this share of value/duration is zero.
 STILL = 1e-7
+#: So far beside a duration in decimals the rates tell where it is zero; up to such a part of that two zeros are one.
+BESIDE, DOUBLE = 0.01, 0.1
 #: Durations among which the best one would be seen, from short to long.
 DURATIONS = np.geomspace(0.2, 80, 14)
 
@@ -105,10 +107,11 @@ def stationary_duration(claim, functional, duration):
     if abs(rate) <= STILL * size:
         return "the best value does not change with the duration there, to first order"
     if in_decimals(claim):
-        # Near a double root the rate is small of second order; at a simple one it changes its sign.
-        beside = [_rate(functional, duration, T * (1 + shift))[0] for shift in (-DECIMALS, DECIMALS)]
-        if abs(rate) <= 4 * DECIMALS**2 * size or min(beside) < 0 < max(beside):
-            return "the best value hardly changes with the duration there"
+        before, after = (_rate(functional, duration, T * (1 + shift))[0] for shift in (-BESIDE, BESIDE))
+        # The zero of the parabola through the three rates; a double one may come out as a pair close to the real line.
+        zeros = np.roots([(before + after) / 2 - rate, (after - before) / 2, rate])
+        if any(abs(zero.imag) < DOUBLE and rounds_to(T, T * (1 + BESIDE * zero.real)) for zero in zeros):
+            return "to three digits the best value does not change with the duration there, to first order"
     raise Wrong(f"at your duration {T:.4g} the {_word(functional)} value changes with the duration at the rate "
                 f"{rate:.4g}")
 

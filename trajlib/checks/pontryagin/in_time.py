@@ -82,6 +82,8 @@ class Control(Claim):
 
     @staticmethod
     def coerce(answer, symbols, time):
+        if isinstance(answer, (np.ndarray, sp.MatrixBase)):
+            answer = answer.tolist()
         if _is_list(answer) and len(answer) and all(_is_list(arc) and len(arc) == 2 for arc in answer):
             others = [symbol for symbol in symbols if symbol != time]
             return [(coercion.as_expression(value, symbols), coercion.as_expression(until, others))
