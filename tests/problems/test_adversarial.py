@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import sympy as sp
-from adversarial import ch1, ch2, ch3, ch4, ch5, ch5_later, ch5_processes, ch5_quadratic, ch5_syntheses, ch6_7
+from adversarial import ch1, ch2, ch3, ch4, ch5, ch5_later, ch5_near, ch5_processes, ch5_quadratic, ch5_syntheses, ch6_7
 from harness import alone, data_of
 
 from trajlib import checks
@@ -15,7 +15,7 @@ from trajlib.execution import in_child
 from trajlib.masters import read
 
 SOLUTIONS = Path(__file__).resolve().parents[2] / "solutions"
-CHAPTERS = ch1, ch2, ch3, ch4, ch5, ch5_syntheses, ch5_processes, ch5_later, ch5_quadratic, ch6_7
+CHAPTERS = ch1, ch2, ch3, ch4, ch5, ch5_syntheses, ch5_processes, ch5_later, ch5_quadratic, ch5_near, ch6_7
 ROWS = [row for chapter in CHAPTERS for row in chapter.ROWS]
 
 
