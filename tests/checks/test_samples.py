@@ -1,11 +1,11 @@
-"""Every case that an answer distinguishes is met by a sample; halving many intervals at once is halving each of
-them."""
+"""Every case that an answer distinguishes is met by a sample; what is found of the data is found once; halving many
+intervals at once is halving each of them."""
 
 import numpy as np
 import pytest
 import sympy as sp
 
-from trajlib.checks.tools.samples import in_every_case, sample_values
+from trajlib.checks.tools.samples import found_once, in_every_case, sample_values
 from trajlib.checks.tools.searching import bisected
 
 x, y = sp.symbols("x y", real=True)
@@ -24,6 +24,21 @@ def test_every_case_of_an_answer_is_met(added):
     assert {bool(added.subs(values) == 0) for values in more} == {True, False}
     assert in_every_case(samples, x*y) == samples
     assert in_every_case(samples, x + added, sp.And(abs(x) <= 3, abs(y) <= 3)) == samples
+
+
+def test_places_are_looked_for_once():
+    asked = []
+
+    @found_once
+    def places(symbols, domain=None, far=False):
+        asked.append((symbols, domain, far))
+        yield dict.fromkeys(symbols, 2.0 if far else 1.0)
+
+    (place,) = places([x, y], {x: sp.Interval(0, 3)})
+    place[x] = 0.5  # who takes a place may change it
+    assert places([x, y], {x: sp.Interval(0, 3)}) == [{x: 1.0, y: 1.0}] and len(asked) == 1
+    assert places([x, y], {x: sp.Interval(0, 4)}) == [{x: 1.0, y: 1.0}] and len(asked) == 2
+    assert places([x, y], far=True) == [{x: 2.0, y: 2.0}] and places([x]) == [{x: 1.0}] and len(asked) == 4
 
 
 @pytest.mark.parametrize("as_matrix", [sp.Matrix, sp.ImmutableMatrix, list])

@@ -19,8 +19,8 @@ from trajlib.checks.contract.verdict import Invalid, Wrong, judged
 from trajlib.checks.pontryagin.followed import reach
 from trajlib.checks.pontryagin.in_time import Control, Steering
 from trajlib.checks.tools.comparisons import Word
-from trajlib.checks.tools.samples import draw, ends, sample_cases
-from trajlib.checks.tools.values import number_at, real_at, real_function, uncertain_entries, value_at
+from trajlib.checks.tools.samples import draw, ends, found_once, sample_cases
+from trajlib.checks.tools.values import at_once, number_at, real_at, real_function, uncertain_entries, value_at
 from trajlib.checks.tools.wording import rounded_text
 from trajlib.checks.truths.optima.transfer_optima import rk4
 from trajlib.checks.truths.singular_arcs import hamiltonian, known_costates, singular_arcs
@@ -396,6 +396,7 @@ class _Zeros:
 # Small things.
 
 
+@found_once
 def _places(problem, costates, domain, controls=True, known=False):
     """Random values of all symbols, the controls on their bounds first; costates that are `known` may have their
     values."""
@@ -410,6 +411,7 @@ def _places(problem, costates, domain, controls=True, known=False):
         yield place | {psi: float(value.subs(place)) for psi, value in values.items()}
 
 
+@found_once
 def _near_switching(problem, costates, domain):
     """Places next to those where a control does not enter H: a smooth imitation of a jump is seen there."""
     symbols = [*costates, *problem.state]
@@ -457,6 +459,7 @@ def _difference(part, symbols):
     return coercion.as_expression(part, symbols)
 
 
+@found_once
 def _on_target(problem):
     """States at the end, and parameters, as dicts."""
     zeros = _Zeros(list(problem.terminal), list(problem.state), list(problem.parameters)) if problem.terminal else None
@@ -500,7 +503,7 @@ def _rank(rows):
 
 
 def _bounds(problem, values):
-    return [tuple(float(b.subs(values)) if b.is_finite is not False else np.inf * (1 if k else -1)
+    return [tuple(float(at_once(b, values)) if b.is_finite is not False else np.inf * (1 if k else -1)
                   for k, b in enumerate(pair)) for pair in problem.controls.values()]
 
 

@@ -7,6 +7,7 @@ itself, is judged in `processes`. The optimum comes from `transfer_optima`, wher
 shooting is used.
 """
 
+import functools
 import math
 
 import numpy as np
@@ -75,10 +76,16 @@ def least_rate(claim, quantity, problem):
 def transfer_starts(answer, problem, parameters):
     """The starts, or parameters, for which the target can be reached; a start on the target may be counted either
     way."""
-    transfer = Transfer(problem, parameters)
-    truth = exactly(transfer.solvable_condition(), transfer.off_target(), at=transfer.solvable)
+    transfer, truth = _reachable(problem, tuple(parameters))
     agreement = compare(answer, parameters, truth, contrary(transfer.told_solvable))
     return f"it agrees with what the controls can reach: {agreement}"
+
+
+@functools.lru_cache(maxsize=32)
+def _reachable(problem, parameters):
+    """A transfer and from where its target can be reached: found once for all answers."""
+    transfer = Transfer(problem, parameters)
+    return transfer, exactly(transfer.solvable_condition(), transfer.off_target(), at=transfer.solvable)
 
 
 @judged

@@ -14,12 +14,38 @@ import sympy as sp
 from sympy.core.relational import Relational
 
 from trajlib.checks.tools.conditions import Condition, allowed
+from trajlib.checks.tools.values import at_once
 
 #: How many times as large as the others a value is that lies far out.
 FAR = sp.Integer(10)
 #: How many combinations of values are looked at for cases that an answer distinguishes.
 MOST_CASES = 64
+#: For how many data the places that a search found are kept.
+MOST_KEPT = 32
 POSITIVE, NEGATIVE = sp.Interval.open(0, sp.oo), sp.Interval.open(-sp.oo, 0)
+
+
+def found_once(search):
+    """A search for places, dicts {symbol: value}, from the data alone: what it finds serves every answer."""
+    known = {}
+
+    @functools.wraps(search)
+    def places(*data, **options):
+        asked = _fixed(data), _fixed(options)
+        if asked not in known:
+            if len(known) == MOST_KEPT:
+                known.clear()
+            known[asked] = list(search(*data, **options))
+        return [dict(place) for place in known[asked]]
+
+    return places
+
+
+def _fixed(data):
+    """Data as a key: lists as tuples, dicts as pairs."""
+    if isinstance(data, dict):
+        return tuple((key, _fixed(value)) for key, value in data.items())
+    return tuple(map(_fixed, data)) if isinstance(data, (list, tuple)) else data
 
 
 def sample_values(parameters, count=6, seed=5):
@@ -88,7 +114,7 @@ def in_every_case(samples, claim, given=sp.true):
     samples = list(samples)
     relations = sorted((relation for relation in cases(claim) if relation.free_symbols and samples
                         and relation.free_symbols <= samples[0].keys()), key=str)
-    met = {_truths(relations, values) for values in samples}
+    met = _met(relations, samples)
     for base in samples[:2] if len(met) < 2**len(relations) else ():
         choices = [[base[s], *_between_borders(relations, base, s)] for s in base]
         for chosen in itertools.islice(itertools.product(*choices), MOST_CASES):
@@ -131,6 +157,16 @@ def _parts(claim):
     return [claim] if isinstance(claim, (sp.Basic, sp.MatrixBase)) else []
 
 
+def _met(relations, samples):
+    """The cases that sample values meet; no more of these are looked at when all are met."""
+    met = set()
+    for values in samples:
+        if len(met) == 2**len(relations):
+            break
+        met.add(_truths(relations, values))
+    return met
+
+
 def _truths(relations, values):
     return tuple(_truth(relation, values) for relation in relations)
 
@@ -138,7 +174,7 @@ def _truths(relations, values):
 def _truth(relation, values):
     """True or false; None where it asks which of two numbers is greater, and one is not real."""
     try:
-        return relation.subs(values)
+        return at_once(relation, values)
     except TypeError:
         return None
 

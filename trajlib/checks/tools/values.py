@@ -137,7 +137,7 @@ def real_at(claim, values):
 def truth_at(claim, values):
     """Whether a condition holds; where a term of it is undefined it does not."""
     try:
-        said = _all_at_once(claim, values)
+        said = at_once(claim, values)
     except TypeError:  # it asks which of two numbers is greater, and one is not real
         return False
     if said not in (sp.true, sp.false):
@@ -244,7 +244,7 @@ def _first_of(conditions, values, default):
     return found
 
 
-def _all_at_once(claim, values):
+def at_once(claim, values):
     """The condition with its values. `subs` puts them in one after the other and thinks about every step."""
     if _binds(claim):
         return claim.subs(values)

@@ -12,7 +12,7 @@ import itertools
 import numpy as np
 import sympy as sp
 
-from trajlib.checks.tools.samples import draw
+from trajlib.checks.tools.samples import draw, found_once
 from trajlib.checks.tools.values import real_function
 
 #: From so many places the search for points begins, and so many points are enough.
@@ -79,6 +79,7 @@ class SingularArcs:
                                                                    sp.diff(self.highest, control)]
         self._last = real_function([*self._unknown, *given], last)
 
+    @found_once
     def points(self, domain=None):
         """Values {symbol: number} of states, costates, parameters and other controls at points of singular arcs, at
         most `ENOUGH`; the symbols range over the intervals of `domain`, or what their assumptions allow."""
