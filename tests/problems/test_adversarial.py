@@ -25,6 +25,7 @@ def test_every_verdict_is_the_one_due(problem):
     rows = [row for row in ROWS if row.problem == problem]
     chapter, number = problem.split(".")
     master = read(SOLUTIONS / f"ch{chapter}" / f"p{int(number):02d}.md")
+    assert [row.name for row in rows if row.name not in master.answers] == [], "no answers of this problem"
     verdicts = in_child(_verdicts, master, rows, timeout=120)
     assert [f"{row.name} = {row.code} is {status}, though {row.reason}: {message}"
             for row, (status, message) in zip(rows, verdicts) if status != row.due] == []

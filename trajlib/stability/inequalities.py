@@ -5,7 +5,7 @@ leaves out those that follow from the others.
 """
 import sympy as sp
 
-from .cells import TooLarge, solution_point
+from .strict_inequalities import TooLarge, solution_point
 
 
 def sign_of(expression):

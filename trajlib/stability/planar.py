@@ -9,11 +9,11 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from .cells import TooLarge, solution_point
 from .hurwitz import is_float_array, read_exact_matrix
 from .inequalities import equation, positive, sign_of, tidied
 from .real_solutions import definedness
 from .regions import latex_condition
+from .strict_inequalities import TooLarge, solution_point
 from .systems import as_real, exact_decimals, read_expression, read_field
 
 

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from .cells import TooLarge, solution_point
 from .inequalities import sign_factors
 from .real_solutions import solve_real
+from .strict_inequalities import TooLarge, solution_point
 from .systems import as_real, exact_decimals, read_expression, read_field, read_symbols, with_names
 
 

@@ -15,9 +15,9 @@ from textwrap import shorten
 import numpy as np
 import sympy as sp
 
-from ..stability.cells import TooLarge, solution_point
 from ..stability.inequalities import equation, sign_of
 from ..stability.regions import latex_region
+from ..stability.strict_inequalities import TooLarge, solution_point
 from ..stability.systems import as_real, read_symbols, with_names
 from . import exact
 from .kalman_matrices import stacked_powers
