@@ -26,6 +26,10 @@ from trajlib.checks.truths.fields import Field
 REACH = 12.0
 #: What rounding leaves of a zero matrix, next to the largest one.
 ROUNDING = 1e-12
+#: By the word that `agreement` knows: what an answer names, and which of the rest points found belong to these.
+SORTED = {"stationary": ("stationary solutions", lambda flow, point: True),
+          "asymptotically stable": ("asymptotically stable ones", lambda flow, point: _growth(flow, point) < 0),
+          "unstable": ("unstable ones", lambda flow, point: _growth(flow, point) > 0)}
 KINDS = ("stable node", "stable focus", "unstable node", "unstable focus", "saddle", "centre")
 
 
@@ -35,33 +39,30 @@ def rest_values(answer, field, state, parameters=(), given=(), integer=None):
 
     Every member is one, and a search finds no other. Also read: SymPy sets, and points (x*, 0).
     """
-    claims = _claims(answer, state, parameters, integer)
-    for values, flow, found in _systems(field, state, parameters, given, claims):
-        _judge_values(claims, values, flow, found, found, integer, "stationary solutions")
     return ("at each of them the right-hand sides vanish, and a search finds no other"
-            + agreement(claims, integer, field, state, parameters, joined(given), "stationary"))
+            + _all_and_no_others("stationary", answer, field, state, parameters, given, integer))
 
 
 @judged
 def stable_rest_values(answer, field, state, parameters=(), given=(), integer=None):
     """The values of the stationary solutions that Theorem 1.4 proves asymptotically stable."""
-    claims = _claims(answer, state, parameters, integer)
-    for values, flow, found in _systems(field, state, parameters, given, claims):
-        stable = [point for point in found if _growth(flow, point) < 0]
-        _judge_values(claims, values, flow, found, stable, integer, "asymptotically stable ones")
     return ("there, and nowhere else, all roots of the characteristic equation have negative real parts"
-            + agreement(claims, integer, field, state, parameters, joined(given), "asymptotically stable"))
+            + _all_and_no_others("asymptotically stable", answer, field, state, parameters, given, integer))
 
 
 @judged
 def unstable_rest_values(answer, field, state, parameters=(), given=(), integer=None):
     """The values of the stationary solutions that Theorem 1.4 proves unstable."""
-    claims = _claims(answer, state, parameters, integer)
-    for values, flow, found in _systems(field, state, parameters, given, claims):
-        unstable = [point for point in found if _growth(flow, point) > 0]
-        _judge_values(claims, values, flow, found, unstable, integer, "unstable ones")
     return ("there, and nowhere else, a root of the characteristic equation has a positive real part"
-            + agreement(claims, integer, field, state, parameters, joined(given), "unstable"))
+            + _all_and_no_others("unstable", answer, field, state, parameters, given, integer))
+
+
+def _all_and_no_others(word, answer, field, state, parameters, given, integer):
+    """How it is known that an answer names all rest points of a kind, a key of `SORTED`, and no others."""
+    claims, (noun, belongs) = _claims(answer, state, parameters, integer), SORTED[word]
+    for values, flow, found in _systems(field, state, parameters, given, claims):
+        _judge_values(claims, values, flow, found, [point for point in found if belongs(flow, point)], integer, noun)
+    return agreement(claims, integer, field, state, parameters, joined(given), word)
 
 
 @judged
