@@ -79,6 +79,7 @@ def check(notebook: Annotated[Path, typer.Argument(help="A notebook of yours: a 
     from trajlib.execution import TimeLimit, judge, run_notebook
 
     if not notebook.exists() and re.fullmatch(r"\d+\.\d+", str(notebook)):
+        exercises.place(notebook)
         raise UserError(f"check reads a notebook of yours, the file in which you answered problem {notebook}; "
                         f"`trajlib exercises {notebook} --to my-folder` puts a fresh one there")
     worked = exercises.read(notebook)

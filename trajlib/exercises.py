@@ -59,7 +59,9 @@ def read(path):
         cells = tuple((_role(cell), "".join(cell["source"])) for cell in notebook["cells"]
                       if cell["cell_type"] == "code")
         return Exercise(path, about, cells)
-    except (OSError, UnicodeDecodeError, json.JSONDecodeError) as error:
+    except OSError as error:
+        raise UnknownExercise(f"{path} is not a readable notebook: {error.strerror}") from None
+    except (UnicodeDecodeError, json.JSONDecodeError) as error:
         raise UnknownExercise(f"{path} is not a readable notebook: {error}") from None
     except (KeyError, TypeError):
         raise UnknownExercise(f"{path} does not say which problem it belongs to (metadata trajlib.number)") from None

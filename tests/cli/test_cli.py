@@ -87,7 +87,9 @@ def test_check_finds_answers_wherever_they_are_and_survives_a_failing_cell(tmp_p
 @pytest.mark.parametrize("arguments, said", [
     (["solve", "9.99"], "no problem 9.99"),
     (["solve", "fifteen"], "no problem fifteen"),
-    (["check", "nowhere.ipynb"], "nowhere.ipynb"),
+    (["check", "nowhere.ipynb"], "nowhere.ipynb is not a readable notebook: No such file or directory\n"),
+    (["check", "9.99"], "no problem 9.99"),
+    (["check", "book"], "book is not a readable notebook: Is a directory\n"),
     (["check", "README.md"], "README.md is not a readable notebook"),
 ])
 def test_bad_input_ends_in_one_line_and_code_2(arguments, said):
