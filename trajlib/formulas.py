@@ -9,13 +9,15 @@ r"""Formulas in words: as TeX between dollars, as one would type them where noth
 >>> typeset("at k1 = -2 the root of x**2 + k1*x >= 0 is a_root")
 'at <i>k</i><sub>1</sub> = −2 the root of <i>x</i><sup>2</sup> + <i>k</i><sub>1</sub>\u202f<i>x</i> ≥ 0 is a_root'
 >>> typeset("A - LH - mu - a case")
-'<i>A</i> − LH − μ - a case'
+'<i>A</i> − <i>LH</i> − μ - a case'
 >>> typeset("a 3 x (n + 1) matrix x with x x' = 1")
 'a 3 × (<i>n</i> + 1) matrix <i>x</i> with <i>x</i> <i>x</i>′ = 1'
 >>> typeset("under it dH/dtheta stays zero")
 'under it <i>d</i><i>H</i>/<i>d</i>θ stays zero'
 >>> typeset("off by 2e-05 m at s = 3 km/s")
 'off by 2·10<sup>−5</sup> m at <i>s</i> = 3 km/s'
+>>> typeset("write `x1 != 0` for every x1 != 0")
+'write <code>x1 != 0</code> for every <i>x</i><sub>1</sub> ≠ 0'
 >>> typeset("for psi_x = 1, v_y = 2 and K_xy = 3")
 'for ψ<sub><i>x</i></sub> = 1, <i>v</i><sub><i>y</i></sub> = 2 and <i>K</i><sub><i>xy</i></sub> = 3'
 """
@@ -29,7 +31,7 @@ TYPED = [(re.compile(pattern), typed) for pattern, typed in [
     (r"(?<=_[A-Za-z\d])(?=\\?[A-Za-z])", " "),
     (r"(\\(?!d{1,3}ot|bar|[lr]vert)[A-Za-z]+)(?=\\[A-Za-z])", r"\1 "),
     (r"\\(d{1,3})ot(?![a-z]) ?(\\?[A-Za-z]+(?:_(?:\w|\{\w+\}))?)", lambda m: m[2] + "'"*len(m[1])),
-    (r"\\bar ?(\w)", r"\1bar"),
+    (r"\\bar ?(\w|\\[A-Za-z]+)", r"\1bar"),
     (r"\\(?:operatorname|mathrm|text)\{([^{}]*)\}", r"\1"),
     (r"_\{(\d+)\}|_(\d)", lambda m: m[1] or m[2]),
     (r"_\{(\\?[A-Za-z]\w*)\}", r"_\1"),
@@ -44,7 +46,7 @@ TYPED = [(re.compile(pattern), typed) for pattern, typed in [
     (r"\\lvert |\\[lr]vert", "|"),
     (r"\\[,; ]", " "),
     (r"\\(leq?|geq|neq|to|cdot|l?dots|infty|top|pm|equiv)(?![A-Za-z])", lambda m: SIGNS[m[1]]),
-    (r"\\var(?=phi|epsilon)|\\(?=[A-Za-z{}])", ""),
+    (r"\\var(?=phi|epsilon|rho)|\\(?=[A-Za-z{}])", ""),
     (r"  +", " "),
 ]]
 SIGNS = {"leq": "<=", "le": "<=", "geq": ">=", "neq": "!=", "equiv": "==", "pm": "+-", "to": "->", "cdot": "*",
@@ -56,14 +58,17 @@ GREEK = dict(zip("alpha beta gamma delta epsilon zeta eta theta iota kappa lambd
 GREEK |= {name.capitalize(): letter.upper() for name, letter in GREEK.items()}
 #: Powers, products and roots, as one types them and nobody writes them.
 TYPEWRITTEN = re.compile(r"\*\*|[\w)]\*[A-Za-z(]|\bsqrt\(")
-#: What is surely a formula in a line of words: letters with numbers, Greek letters, and letters beside a sign.
+#: Code to write, and what is surely a formula in a line of words: letters with numbers, Greek letters, letters beside
+#: a sign.
 MATHEMATICS = re.compile(r"""
-    (?:\*\*|\^)\s*(?: (?P<power>-?\w+) | \((?P<powers>[^()]+)\) )
+    `(?P<code>[^`]+)`
+  | (?:\*\*|\^)\s*(?: (?P<power>-?\w+) | \((?P<powers>[^()]+)\) )
   | (?<=\d)e(?P<exponent>[+-]\d+)\b
   | (?<=\d\ )(?P<unit>(?:k?m|s|rad)(?:/s²?)?)(?![\w^*'(/]|\s*[-+=<>])
   | (?<![\w.'"]) (?<!item\ ) (?P<letter>[A-Za-z]|%s)
     (?: _?(?P<index>\d+) | _(?P<name>[A-Za-z]|%s|(?<=[A-Z]_)[a-z]{2}) )? (?P<primes>'*)
     (?! [\w"'] | \.\w | (?<=\b[aAI])(?=\s+\w) )
+  | (?<=[A-Z]\ [-+]\ ) (?P<product>[A-Z]{2}\b)
   | (?<=[\w)]) (?P<times>\*|\ \*\ ) (?=[\w(])
   | (?P<sign><=|>=|!=|->|\boo\b|(?<![\w)])-(?=[\d.]|[A-Za-z]\w?\b|\()
       |(?<=\s)-(?=\s(?: [\d(] | (?!a\s)(?:[A-Za-z]|%s)(?:\d+|_\w+)?(?!\w) | [A-Z]{2}\b )))
@@ -92,7 +97,8 @@ def _typed(formula):
 def typeset(text, escape=html.escape):
     """A text as one types it, as HTML: powers raised, numbers of letters lowered, Greek letters and signs as they are.
 
-    It is not read as Python, so it may be anybody's. `escape` is for the words between.
+    What stands between backticks is code. The text is not read as Python, so it may be anybody's. `escape` is for the
+    words between.
     """
     pieces, end = [], 0
     for found in MATHEMATICS.finditer(text):
@@ -102,6 +108,10 @@ def typeset(text, escape=html.escape):
 
 
 def _html(found):
+    if found["code"]:
+        return f"<code>{html.escape(found['code'])}</code>"
+    if found["product"]:
+        return f"<i>{found['product']}</i>"
     if found["power"] or found["powers"]:
         return f"<sup>{typeset(found['power'] or found['powers'])}</sup>"
     if found["unit"]:

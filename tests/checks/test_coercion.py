@@ -105,8 +105,8 @@ def test_a_lambda_is_its_value(function):
 
 
 @pytest.mark.parametrize("function, said", [
-    (sp.Lambda((x, y), x + y), "or sp.Lambda of x"), (sp.Lambda(x, sp.Matrix([x])), "with one as its value"),
-    (sp.Lambda(((x, y), plain), x), "or sp.Lambda of"), (sp.Lambda(x, sp.Lambda(y, x)), "with a function in it"),
+    (sp.Lambda((x, y), x + y), "or `sp.Lambda` of x"), (sp.Lambda(x, sp.Matrix([x])), "with one as its value"),
+    (sp.Lambda(((x, y), plain), x), "or `sp.Lambda` of"), (sp.Lambda(x, sp.Lambda(y, x)), "with a function in it"),
     (sp.Lambda(y, sp.Symbol("q") * y), "contains q"),
 ])
 def test_no_functions(function, said):

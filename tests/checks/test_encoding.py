@@ -929,7 +929,7 @@ UNFIT = {
     "unapplied function": (f, r"x\(t\)"),
     "SymPy function class": (sp.sin, "functions are not data"),
     "named tuple": (collections.namedtuple("P", "x")(1), "of the type P"),
-    "ordered dict": (collections.OrderedDict(), r"write dict\(...\)"),
+    "ordered dict": (collections.OrderedDict(), r"write `dict\(...\)`"),
     "Decimal": (decimal.Decimal("0.1"), "Rational"),
     "constant of mpmath": (mpmath.pi, "sympy.pi"),
     "interval of mpmath": (mpmath.iv.mpf(1), "of the type ivmpf"),

@@ -1,8 +1,11 @@
 """`checks.report`: one bad answer hides no other, our failures are never the student's, nothing leaks."""
 
+import ast
 import decimal
 import fractions
+import re
 from collections import OrderedDict, namedtuple
+from pathlib import Path
 
 import casadi
 import mpmath
@@ -177,3 +180,28 @@ def test_a_gain_with_which_errors_grow_is_not_said_to_settle(process):
 
 def test_a_question_ends_once():
     assert "?." not in positive(None).message
+
+
+def test_code_in_a_message_is_set_as_code():
+    """One writes `x != 1`, where mathematics would have x ≠ 1; so what is to be written stands between backticks."""
+    x = sp.Symbol("x")
+    shown = reporting._as_html({"a": checks.observable_parameters(True, sp.diag(x, 1), sp.Matrix([[1, 1]]), [x])})
+    assert "<code>sp.Ne(x, 77)</code>" in shown and "<code>x != 77</code>" in shown
+    assert checks.covariance_matrix("[[1]]", [x], [x], sp.eye(1)).message.endswith("leave its quotation marks out")
+
+
+#: First aid is printed as it stands.
+MESSAGES = [path for path in Path(checks.__file__).parent.rglob("*.py") if path.stem != "first_aid"]
+
+
+@pytest.mark.parametrize("path", MESSAGES, ids=lambda path: f"{path.parent.name}/{path.stem}")
+def test_code_in_messages_stands_between_backticks(path):
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    explained = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
+    whole = [node for node in ast.walk(tree) if isinstance(node, ast.JoinedStr)]
+    parts = {id(part) for node in whole for part in ast.walk(node) if part is not node}
+    texts = ["".join(getattr(part, "value", "") if isinstance(part, ast.Constant) else "¤" for part in node.values)
+             for node in whole]
+    texts += [node.value for node in ast.walk(tree) if isinstance(node, ast.Constant) and isinstance(node.value, str)
+              and id(node) not in explained | parts]
+    assert not [text for text in texts if re.search(r"\b(sp|sympy|numpy)\.\w|[=!]= ?\w", re.sub(r"`[^`]*`", "", text))]

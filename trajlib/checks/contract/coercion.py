@@ -17,7 +17,7 @@ NO = {False, "no", "false", "n"}
 #: Numbers from here on count as infinite: where a tolerance grows with the answer, the square of one would make it so.
 LARGEST = 1e50
 #: What a condition looks like, and no condition that any problem has for its answer.
-EXAMPLE_OF_CONDITION = "such as x + 77 < y or sp.And(x + 77 < y, y < 99)"
+EXAMPLE_OF_CONDITION = "such as `x + 77 < y` or `sp.And(x + 77 < y, y < 99)`"
 #: How many terms of a sum are added up, and how often an expression is differentiated.
 MOST_ADDED, MOST_DERIVED = 1000, 6
 #: Conditions are tried far out, at numbers of so many bits, and their powers are written out.
@@ -27,8 +27,9 @@ MOST_COMPARED, MOST_CASES = 6, 100
 #: No answer has nearly as many relations; to work with more takes a time that grows faster than their number.
 MOST_WRITTEN_OUT = 200
 #: What an answer is called that is of another kind than asked; the first that fits.
-KINDS = (((bool, np.bool_), "a truth value"), (str, "a text"), ((int, float, complex, np.number), "a number"),
-         (sp.MatrixBase, "a matrix"), (np.ndarray, "an array"), (sp.Lambda, "an sp.Lambda"),
+KINDS = (((bool, np.bool_), "a truth value"), (str, "a text: leave its quotation marks out"),
+         ((int, float, complex, np.number), "a number"),
+         (sp.MatrixBase, "a matrix"), (np.ndarray, "an array"), (sp.Lambda, "an `sp.Lambda`"),
          (sp.Expr, "an expression"), (sp.logic.boolalg.Boolean, "a condition"),
          ((sp.Set, set, frozenset), "a set"), ((list, tuple, sp.Tuple), "a list"), (dict, "a dict"))
 #: They have no values at points, or none that the checks can compute.
@@ -43,14 +44,14 @@ def as_expression(answer, symbols=()):
     if isinstance(answer, (int, float, complex, np.number)):
         answer = sp.sympify(answer.item() if isinstance(answer, np.number) else answer)
     if isinstance(answer, sp.Eq):
-        raise Invalid("expected an expression, got an equation: of x = 2*y give 2*y alone")
+        raise Invalid("expected an expression, got an equation: of `x = 2*y` give `2*y` alone")
     if not isinstance(answer, sp.Expr):
         raise Invalid(f"expected an expression, got {_named(answer)}")
     if isinstance(answer, sp.Lambda):
         answer = _applied(answer, symbols)
     if answer.has(sp.Lambda):
-        raise Invalid("expected an expression, got one with a function in it: write its value, x**2 and not "
-                      "Lambda(x, x**2)")
+        raise Invalid("expected an expression, got one with a function in it: write its value, `x**2` "
+                      "and not `Lambda(x, x**2)`")
     if _has_logical_cases(answer):
         raise Invalid("expected an expression, got one with cases that are True or False")
     if answer.has(sp.sinc):
@@ -72,13 +73,13 @@ def _applied(function, symbols):
     known = {symbol.name: symbol for symbol in symbols}
     variables = function.signature
     if not all(isinstance(variable, sp.Symbol) for variable in variables) or len(variables) > len(symbols):
-        raise Invalid(f"expected an expression, or sp.Lambda of {', '.join(known)}" if known else
-                      "expected a number, got an sp.Lambda")
+        raise Invalid(f"expected an expression, or `sp.Lambda` of {', '.join(known)}" if known else
+                      "expected a number, got an `sp.Lambda`")
     named = all(variable.name in known for variable in variables)
     at = [known[v.name] for v in variables] if named else list(symbols)[:len(variables)]
     value = function.expr.xreplace(dict(zip(variables, at)))
     if not isinstance(value, sp.Expr) or isinstance(value, sp.MatrixBase):
-        raise Invalid("expected an expression, or sp.Lambda with one as its value")
+        raise Invalid("expected an expression, or `sp.Lambda` with one as its value")
     return value
 
 
@@ -102,7 +103,7 @@ def with_symbols(answer, symbols):
         raise Invalid("the answer contains an integral without limits, which has no value at a point; work it out")
     if any(last - first > MOST_ADDED for part in answer.atoms(sp.Sum) for _, first, last in part.limits
            if first.is_Integer and last.is_Integer):
-        raise Invalid(f"the answer contains a sum of more than {MOST_ADDED} terms; write it without sp.Sum")
+        raise Invalid(f"the answer contains a sum of more than {MOST_ADDED} terms; write it without `sp.Sum`")
     if any(sum(order for _, order in part.variable_count if order.is_Integer) > MOST_DERIVED
            for part in answer.atoms(sp.Derivative)):
         raise Invalid("the answer contains a derivative that is still to be worked out, of an order beyond "
@@ -198,8 +199,8 @@ def as_condition(answer, symbols):
     a list or an array of the values of a single one, cases that are conditions, True and False.
     """
     if isinstance(answer, (bool, np.bool_)):
-        remark(f"What was handed over is a bare {bool(answer)}: in Python x != 77 is True and x == 77 is False at "
-               "once; write sp.Ne(x, 77) and sp.Eq(x, 77)")
+        remark(f"What was handed over is a bare {bool(answer)}: in Python `x != 77` is True and `x == 77` is False "
+               "at once; write `sp.Ne(x, 77)` and `sp.Eq(x, 77)`")
         return sp.true if answer else sp.false
     if len(symbols) == 1 and (values := _listed_numbers(answer)) is not None:
         if any(sp.sympify(value).has(sp.nan, sp.zoo) for value in values):
@@ -298,7 +299,7 @@ def as_yes_no(answer):
     word = answer.strip().lower() if isinstance(answer, str) else answer
     if isinstance(word, (bool, str)) and word in YES | NO:
         return word in YES
-    raise Invalid(f"expected yes or no (True or False), got {_named(answer)}")
+    raise Invalid("expected yes or no (True or False)" + ("" if isinstance(answer, str) else f", got {_named(answer)}"))
 
 
 def _is_undefined(side):

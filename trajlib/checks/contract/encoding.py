@@ -220,17 +220,17 @@ class _Encoder(_Walk):
 
 _HINTS = {
     "NoneType": "is None: was a value assigned, and does each function return one?",
-    "Decimal": "is a Decimal: write a float or a sympy.Rational",
+    "Decimal": "is a Decimal: write a float or a `sympy.Rational`",
     "SX": "is a CasADi symbol: write the expression in SymPy",
     "MX": "is a CasADi symbol: write the expression in SymPy",
-    "matrix": "is a matrix of NumPy or mpmath: write sympy.Matrix(...) or numpy.array(...)",
-    **{f"{form}_{kind}": "is a sparse matrix: write A.toarray()"
+    "matrix": "is a matrix of NumPy or mpmath: write `sympy.Matrix(...)` or `numpy.array(...)`",
+    **{f"{form}_{kind}": "is a sparse matrix: write `A.toarray()`"
        for form in ("csr", "csc", "coo", "dok", "lil", "dia", "bsr")
        for kind in ("matrix", "array")},
     **dict.fromkeys(("OrderedDict", "defaultdict", "Counter", "Dict"),
-                    "is a dict of a kind of its own: write dict(...)"),
-    "constant": "is a constant of mpmath: write that of SymPy, such as sympy.pi",
-    "UndefinedFunction": "is a function without its argument: write x(t), not x",
+                    "is a dict of a kind of its own: write `dict(...)`"),
+    "constant": "is a constant of mpmath: write that of SymPy, such as `sympy.pi`",
+    "UndefinedFunction": "is a function without its argument: write `x(t)`, not `x`",
 }
 
 
@@ -240,9 +240,9 @@ def _refusal(value):
         return f"{hint}{'' if hint.endswith('?') else '.'} {ALLOWED}"
     if callable(value):
         return (f"is a {name}, and functions are not data: write its formula in SymPy, or "
-                f"sympy.Lambda((x1, x2), formula). {ALLOWED}")
-    return (f"is of the type {name}, which is not an answer (nor is a subclass of an allowed type: write list(...) or "
-            f"the like). {ALLOWED}")
+                f"`sympy.Lambda((x1, x2), formula)`. {ALLOWED}")
+    return (f"is of the type {name}, which is not an answer (nor is a subclass of an allowed type: write `list(...)` "
+            f"or the like). {ALLOWED}")
 
 
 def _write_float(walk, value):

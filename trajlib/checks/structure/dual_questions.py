@@ -108,7 +108,7 @@ def judge_region(answer, pair, side, holds=True):
         agreement = compare(answer, pair.parameters, pair.truth(holds), told)
     except Wrong as reason:
         if not holds and isinstance(answer, (list, tuple)) and any(isinstance(part, Relational) for part in answer[1:]):
-            raise Wrong(f"{reason} (the conditions of a list hold all together; alternatives are joined by sp.Or)"
+            raise Wrong(f"{reason} (the conditions of a list hold all together; alternatives are joined by `sp.Or`)"
                         ) from None
         raise
     return f"the system is {side.holds if holds else side.fails} exactly there: {agreement}"

@@ -171,8 +171,8 @@ class _LinearEquation:
             sides = (answer, sp.S.Zero)  # what is to be zero
         else:
             y, u = (f"{name}({self.time})" for name in self.names)
-            raise Invalid(f"expected an equation sp.Eq(left, right) between {y}, {u} and their derivatives, such as "
-                          f"{y}.diff({self.time}); with == Python compares the sides at once")
+            raise Invalid(f"expected an equation `sp.Eq(left, right)` between `{y}`, `{u}` and their derivatives, "
+                          f"such as `{y}.diff({self.time})`; with `==` Python compares the sides at once")
         if any(not isinstance(side, sp.Expr) or isinstance(side, sp.MatrixBase)
                or side.has(sp.nan, sp.zoo, sp.oo, -sp.oo)
                for side in sides):

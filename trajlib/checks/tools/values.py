@@ -294,7 +294,7 @@ def _added(claim):
             return _series(lambda k: term.xreplace({index: sp.Integer(int(k))}), int(first))
         if not (whole and last.is_number and last == sp.floor(last) and last - first < MOST_ADDED):
             raise Invalid(f"a sum is added up term by term, between whole numbers and up to {MOST_ADDED} terms; yours "
-                          "cannot be: write it without sp.Sum")
+                          "cannot be: write it without `sp.Sum`")
         return sp.Add(*(term.xreplace({index: sp.Integer(k)}) for k in range(int(first), int(last) + 1)))
 
     return claim.replace(sp.Sum, added) if claim.has(sp.Sum) else claim
@@ -310,7 +310,7 @@ def _series(term, first):
         near, far = (max(abs(number(first + count + k)) for k in range(8)) for count in (MOST_ADDED//4, MOST_ADDED//2))
         if not (far <= 0.48 * near or far == 0):
             raise Invalid("your answer holds an infinite sum that does not converge fast enough to be computed: write "
-                          "it without sp.Sum")
+                          "it without `sp.Sum`")
         return sp.sympify(mpmath.nsum(number, [first, mpmath.inf]))
 
 
