@@ -14,6 +14,8 @@ r"""Formulas in words: as TeX between dollars, as one would type them where noth
 'a 3 × (<i>n</i> + 1) matrix <i>x</i> with <i>x</i> <i>x</i>′ = 1'
 >>> typeset("under it dH/dtheta stays zero")
 'under it <i>d</i><i>H</i>/<i>d</i>θ stays zero'
+>>> typeset("the integral of d/dt(x x')")
+'the integral of <i>d</i>/<i>d</i><i>t</i>(<i>x</i> <i>x</i>′)'
 >>> typeset("off by 2e-05 m at s = 3 km/s")
 'off by 2·10<sup>−5</sup> m at <i>s</i> = 3 km/s'
 >>> typeset("write `x1 != 0` for every x1 != 0")
@@ -62,6 +64,7 @@ TYPEWRITTEN = re.compile(r"\*\*|[\w)]\*[A-Za-z(]|\bsqrt\(")
 #: a sign.
 MATHEMATICS = re.compile(r"""
     `(?P<code>[^`]+)`
+  | \bd(?P<above>[A-Za-z]|%s)?/d(?P<below>[A-Za-z]|%s)(?!\w)
   | (?:\*\*|\^)\s*(?: (?P<power>-?\w+) | \((?P<powers>[^()]+)\) )
   | (?<=\d)e(?P<exponent>[+-]\d+)\b
   | (?<=\d\ )(?P<unit>(?:k?m|s|rad)(?:/s²?)?)(?![\w^*'(/]|\s*[-+=<>])
@@ -74,7 +77,6 @@ MATHEMATICS = re.compile(r"""
       |(?<=\s)-(?=\s(?: [\d(] | (?!a\s)(?:[A-Za-z]|%s)(?:\d+|_\w+)?(?!\w) | [A-Z]{2}\b )))
   | \b(?P<root>sqrt)(?=\()
   | (?:(?<=\b[\dA-Za-z])|(?<=\)))\ (?P<cross>x)\ (?=[\dA-Za-z]\b|\()
-  | \bd(?P<above>[A-Za-z]|%s)/d(?P<below>[A-Za-z]|%s)(?!\w)
 """ % (5*("|".join(sorted(GREEK, key=len, reverse=True)),)), re.X)
 
 
@@ -107,6 +109,10 @@ def typeset(text, escape=html.escape):
     return "".join([*pieces, escape(text[end:])])
 
 
+def _letter(name):
+    return GREEK.get(name, f"<i>{name}</i>" if name else "")
+
+
 def _html(found):
     if found["code"]:
         return f"<code>{html.escape(found['code'])}</code>"
@@ -120,10 +126,10 @@ def _html(found):
         return f"·10<sup>{typeset(str(int(found['exponent'])))}</sup>"
     if found["cross"]:
         return " × "
-    if found["above"]:
-        return "/".join("<i>d</i>" + GREEK.get(found[part], f"<i>{found[part]}</i>") for part in ("above", "below"))
+    if found["below"]:
+        return "/".join("<i>d</i>" + _letter(found[part]) for part in ("above", "below"))
     if found["letter"]:
-        letter, name = (GREEK.get(found[part], f"<i>{found[part]}</i>") for part in ("letter", "name"))
+        letter, name = (_letter(found[part]) for part in ("letter", "name"))
         lowered = found["index"] or found["name"] and name
         return letter + (f"<sub>{lowered}</sub>" if lowered else "") + "′"*len(found["primes"])
     if found["times"]:

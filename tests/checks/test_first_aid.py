@@ -35,6 +35,8 @@ def first_day(outputs):
              "chain": "a_region = 0 < k2 < k1", "after chain": CHECK,
              "unbracketed": "a_region = k2 > 0 & k1*k2 > 1",
              "unreadable": "a_region = (k2 > 0", "after unreadable": CHECK,
+             "if": "law = k1 if k1 > 0 else k2", "power": "law = k1^2",
+             "NumPy": "import numpy as np\nlaw = np.sqrt(k1)", "math": "import math\nlaw = math.sin(k1)",
              "other error": "c = 1 + 'one'",
              "half": f"a_region = {RIGHT}\nb_region = k1 > 0", "after half": TWO}
     return dict(zip(cells, outputs(*cells.values())))
@@ -48,13 +50,19 @@ def errors(outputs):
     return ["\n".join(output.traceback) for output in outputs if output.output_type == "error"]
 
 
-@pytest.mark.parametrize("mistake", ["and", "chain", "unbracketed"])
+@pytest.mark.parametrize("mistake", ["and", "chain", "unbracketed", "if"])
 def test_conditions_joined_as_in_python_are_told_what_to_write(first_day, mistake):
     [said] = errors(first_day[mistake])
-    assert "sp.And(" in said and "(k1 > 0) & (k2 < k1)" in said
+    assert "sp.And(" in said and "(k1 > 0) & (k2 < k1)" in said and "sp.Piecewise(" in said
     error, *advice = said.splitlines()
     assert "site-packages" not in said and len(advice) == 4
     assert max(map(len, advice)) <= 79, "VS Code does not break a long line of an error"
+
+
+@pytest.mark.parametrize("mistake, told", [("power", "x**2"), ("NumPy", "sp.sqrt(x)"), ("math", "sp.sqrt(x)")])
+def test_mathematics_of_numbers_is_led_to_that_of_symbols(first_day, mistake, told):
+    [said] = errors(first_day[mistake])
+    assert told in said and len(said.splitlines()) == 2 and max(map(len, said.splitlines()[1:])) <= 79
 
 
 def test_other_errors_stay_as_they_are(first_day):

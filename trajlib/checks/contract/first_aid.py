@@ -13,9 +13,16 @@ stopped = {}
 ASSIGNED = re.compile(r"^([A-Za-z_][\w, ]*?)\s*(?::[^=\n]+)?=(?!=)", re.M)
 CONDITIONS = """\
 Join conditions of SymPy with & (and), | (or), ~ (not), each in brackets of
-its own: (k1 > 0) & (k2 < k1); or write sp.And(...), sp.Or(...), sp.Not(...),
-or a list of conditions that all hold. A chain such as 0 < k2 < k1 is
-sp.And(0 < k2, k2 < k1)."""
+its own: (k1 > 0) & (k2 < k1); or write sp.And(...), sp.Or(...), sp.Not(...).
+A chain such as 0 < k2 < k1 is sp.And(0 < k2, k2 < k1); cases, between which
+no `if` can choose, are sp.Piecewise((k1, k2 < 0), (k2, True))."""
+POWERS = "A power is x**2: in Python x^2 is another operation, on whole numbers."
+FUNCTIONS = "Functions of symbols are SymPy's: sp.sqrt(x), not np.sqrt(x) or math.sqrt(x)."
+#: What the text of an error begins with, and what to write instead.
+ADVICE = {"cannot determine truth value of Relational": CONDITIONS,
+          "unsupported operand type(s) for &: ": CONDITIONS, "unsupported operand type(s) for |: ": CONDITIONS,
+          "unsupported operand type(s) for ^: ": POWERS,
+          "loop of ufunc does not support argument ": FUNCTIONS, "Cannot convert expression to float": FUNCTIONS}
 _before = {}
 
 
@@ -26,9 +33,7 @@ def advice(text):
     'Join conditions of SymPy with'
     >>> advice("'int' object is not callable")
     """
-    unready = text.startswith("cannot determine truth value of Relational")
-    unbracketed = re.match(r"unsupported operand type\(s\) for [&|]: ", text)
-    return CONDITIONS if unready or unbracketed else None
+    return next((said for beginning, said in ADVICE.items() if text.startswith(beginning)), None)
 
 
 def start(shell):
