@@ -19,8 +19,8 @@ fleeing = "no"  # Look at the sign of $\psi_1$ once more. (hint 1)
 meeting = "no"  # Look at both signs once more. (hint 1)
 law = ubar*sp.sign(alpha)  # Does the target turn away from the pursuer? (hint 1)
 law = sp.Integer(0)  # Where does the target run to at first? (hint 1)
-straight = (rhoT - rho0)/(1 + b)  # Do the two run in the same direction? (hint 1)
-straight = rhoT - rho0  # Does the pursuer stand? (hint 1)
+straight = (rho_T - rho0)/(1 + b)  # Do the two run in the same direction? (hint 1)
+straight = rho_T - rho0  # Does the pursuer stand? (hint 1)
 
 # %% right
 transversality = sp.Eq(psi2, 0)  # a single equation

@@ -1,9 +1,9 @@
 # %% wrong
 # Were the Coriolis forces left out? (hint 2)
-a_modes = [0, n1*vx + n2*vy, n1*x + n2*y + n3*z, (n1*vx + n2*vy + n3*vz)/omega]
+a_modes = [0, n1*v_x + n2*v_y, n1*x + n2*y + n3*z, (n1*v_x + n2*v_y + n3*v_z)/omega]
 # In which direction does the drift go? (hint 2)
-a_modes = [n1*(4*x + 2*vy/omega) + n2*(y - 2*vx/omega), 3*n2*(vy + 2*omega*x),
-           n1*(-3*x - 2*vy/omega) + 2*n2*vx/omega + n3*z, (n1*vx + n3*vz)/omega + 2*n2*(3*x + 2*vy/omega)]
+a_modes = [n1*(4*x + 2*v_y/omega) + n2*(y - 2*v_x/omega), 3*n2*(v_y + 2*omega*x),
+           n1*(-3*x - 2*v_y/omega) + 2*n2*v_x/omega + n3*z, (n1*v_x + n3*v_z)/omega + 2*n2*(3*x + 2*v_y/omega)]
 # Do displacements across the line of sight stay there? (hint 1)
 b_unseen = [[-n2, n1, 0, 0, 0, 0], [0, -n3, n2, 0, 0, 0]]
 # Are these two states really independent? (hint 2)
@@ -20,7 +20,7 @@ d_insufficient = sp.Or(sp.Eq(n1*k3, n3*k1), sp.Eq(n2*k3, n3*k2))
 
 # %% right
 # a column over a common denominator, plain symbols
-N1, N2, N3, W, X0, Y0, Z0, VX, VY, VZ = sp.symbols('n1 n2 n3 omega x y z vx vy vz')
+N1, N2, N3, W, X0, Y0, Z0, VX, VY, VZ = sp.symbols('n1 n2 n3 omega x y z v_x v_y v_z')
 a_modes = sp.Matrix([(N1*(4*W*X0 + 2*VY) + N2*(W*Y0 - 2*VX))/W, -3*N2*(VY + 2*W*X0),
                      (2*N2*VX - N1*(3*W*X0 + 2*VY) + N3*W*Z0)/W, (N1*VX + N3*VZ + 2*N2*(3*W*X0 + 2*VY))/W])
 b_unseen = [[n3, 0, -n1, 0, -2*omega*n3, 2*n2*omega], [0, 2*n3, -2*n2, omega*n3, 0, -n1*omega]]  # without fractions

@@ -1,5 +1,6 @@
 """Formulas in answers, hints and the sentences on mistakes are set, between dollars, wherever a person reads them."""
 
+import ast
 import re
 from pathlib import Path
 
@@ -16,6 +17,9 @@ SOLUTIONS = Path(__file__).resolve().parents[2] / "solutions"
 SET = re.compile(r"\$[^$]*\$|`[^`]*`")
 GREEK = "alpha|beta|gamma|delta|epsilon|lambda|mu|nu|xi|eta|psi|varphi|phi|omega|Omega|rho|sigma|tau|theta|kappa|pi"
 TYPED = re.compile(rf"[\^*<>=$\\]|_\w|\b[A-Za-z]'(?!s\b)|\b[A-Za-z]\d|\b({GREEK})\b|\b(sqrt|exp|sin|cos|det)\(")
+
+#: What an answer is to be written in: "in $t$, $x_0$ and $T$"; names of code behind it tell what is typed for them.
+WRITTEN_IN = re.compile(r"(?<!\$ )\bin ((?>(?:(?:\$[^$]+\$|`\w+`)(?:, (?:and )?| and )?)+))(?! ?\(`)")
 
 
 def texts(path):
@@ -43,6 +47,18 @@ def test_every_formula_can_be_read_where_nothing_is_set(path):
         assert not re.search(r"[$\\`]|\b([dt]?frac(?![a-z])\w*|[lr]vert|mathrm)\b", plain(text)), text
 
 
+@pytest.mark.parametrize("path", master_paths(SOLUTIONS), ids=lambda path: f"{path.parent.name}/{path.stem}")
+def test_what_an_answer_is_written_in_has_that_name_in_code(path):
+    """A stub that asks for an answer in x0 has a symbol x0, and not x_0."""
+    master = read(path)
+    nodes = [node for cell in master.code("data") for node in ast.walk(ast.parse(cell))]
+    names = {node.id for node in nodes if isinstance(node, ast.Name)}
+    about, _ = read_front_matter(path, path.read_text(encoding="utf-8"))
+    asked = {plain(word) for text in about["answers"].values() for listed in WRITTEN_IN.findall(text)
+             for word in re.findall(r"\$[^$]+\$|`\w+`", listed)}
+    assert {word for word in asked if word.isidentifier()} <= names.union(about["answers"])
+
+
 @pytest.mark.parametrize("typed, found", [
     ("det(M s^2 + D s + K)", "^"), ("x1 and x2", "x1"), ("the rate x'", "x'"), ("2*k", "*"), ("psi_1", "_1"),
     ("all real beta", "beta"), ("for b > 0", ">")])
@@ -57,6 +73,7 @@ def test_what_is_taken_for_a_formula(typed, found):
     (r"$\frac12u^2 \leq \frac{\cos y}{1 - \cos y}$, $\frac{\beta}{2}$", "1/2u^2 <= (cos y)/(1 - cos y), beta/2"),
     (r"$\lvert y\rvert \le 1$, $\psi \equiv 0$, $a = \pm1$, $\sin\beta/\rho$, $\dot\psi$",
      "|y| <= 1, psi == 0, a = +-1, sin beta/rho, psi'"),
+    (r"in $\varrho_T$ and $\bar\omega$", "in rho_T and omegabar"),
     ("the basis of `a_unseen`", "the basis of a_unseen")])
 def test_a_formula_as_typed(formula, typed):
     assert plain(formula) == typed

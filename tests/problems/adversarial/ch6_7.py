@@ -49,8 +49,8 @@ ROWS = [
     wrong("7.3", "b_unseen", "[[n1, 0, -n1**2/n3, 0, -2*omega*n1, 2*n1*n2*omega/n3], [0, 2, -2*n2/n3, omega, 0, "
           "-n1*omega/n3]]", "the first one vanishes for n1 = 0"),
     wrong("7.3", "d_insufficient", "sp.Eq(n1*k1 + n2*k2 + n3*k3, 1)", "opposite directions see the same"),
-    wrong("7.3", "a_modes", "[n1*(4*x + 2*vy/omega) + n2*(y - 2*vx/omega), -n2*(6*omega*x + 3*vy), -n1*(3*x + "
-          "2*vy/omega) + 2*n2*vx/omega + n3*z, n1*vx/omega + n2*(6*x + 4.04*vy/omega) + n3*vz/omega]",
+    wrong("7.3", "a_modes", "[n1*(4*x + 2*v_y/omega) + n2*(y - 2*v_x/omega), -n2*(6*omega*x + 3*v_y), -n1*(3*x + "
+          "2*v_y/omega) + 2*n2*v_x/omega + n3*z, n1*v_x/omega + n2*(6*x + 4.04*v_y/omega) + n3*v_z/omega]",
           "one per cent off"),
     wrong("7.3", "d_insufficient", "sp.And(sp.Eq(n1**2, k1**2), sp.Eq(n2**2, k2**2), sp.Eq(n3**2, k3**2))",
           "mirrored directions see everything"),
