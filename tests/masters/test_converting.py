@@ -153,12 +153,19 @@ def test_a_drawing_becomes_its_picture(tmp_path):
     master = drawing_of(tmp_path / "solutions" / "ch1" / "p15.md", ROD)
     cells = student_notebook(master, Links(ROOT))["cells"]
     [k] = [k for k, cell in enumerate(cells) if "attachments" in cell]
-    assert cells[k]["source"] == "![A rod of the length l.](attachment:drawing.png)"
+    assert cells[k]["source"] == "![A rod of the length l. More of it.](attachment:drawing.png)"
     assert cells[k + 1]["source"] == "*A rod of the\nlength $l$. More of it.*\n\nIt ends."
     picture = imread(BytesIO(b64decode(cells[k]["attachments"]["drawing.png"]["image/png"])))
     assert picture.shape[:2] == (120, 240)
     assert picture[60, 120, :3].max() < 0.2 and picture[20, 40, :3].min() == 1  # the rod runs from below to the right
     assert "drawings" not in str([cell["source"] for cell in cells])
+
+
+def test_the_words_for_a_picture_are_whole_sentences():
+    """Read aloud to whoever cannot see it: nothing cut off behind a semicolon, no code of formulas."""
+    words = [found for path in ROOT.glob("exercises/ch*/p*.ipynb") for cell in json.loads(path.read_text())["cells"]
+             for found in re.findall(r"!\[(.*)\]\(attachment:", "".join(cell["source"]))]
+    assert len(words) > 50 and not [text for text in words if len(text) < 15 or re.search(r"\\|[^.]$", text)]
 
 
 def test_a_picture_is_drawn_anew_when_its_drawing_changes(tmp_path):

@@ -10,6 +10,7 @@ import json
 import re
 
 from trajlib import dependencies
+from trajlib.formulas import plain
 from trajlib.masters.errors import MasterError
 
 
@@ -26,7 +27,7 @@ class Drawn:
         picture = self._before.get(mark) or base64.b64encode(self._draw(drawing).png()).decode()
         return {"cell_type": "markdown", "id": "", "metadata": {"drawn": mark},
                 "attachments": {"drawing.png": {"image/png": picture}},
-                "source": f"![{_first_sentence(caption)}](attachment:drawing.png)"}
+                "source": f"![{beginning(caption)}](attachment:drawing.png)"}
 
     def _draw(self, drawing):
         from trajlib.drawings import Drawing
@@ -49,8 +50,18 @@ def fingerprint(source):
     return hashlib.sha256((source + "\0" + shapes).encode()).hexdigest()[:16]
 
 
-def _first_sentence(caption):
-    return re.split(r"(?<=[.;])\s", " ".join(caption.split()))[0].translate(dict.fromkeys(map(ord, "[]$")))
+def beginning(caption):
+    """How a caption begins, for whoever cannot see its picture: as many sentences as say something ("Item b." alone
+    does not).
+
+    >>> beginning("Item $b$. The end; its [law](#law) is\\nknown: all $x_1$. More.")
+    'Item b. The end; its law is known: all x1.'
+    """
+    said = plain(re.sub(r"\[([^]]*)\](\([^)]*\))?", r"\1", caption))
+    words, *others = re.split(r"(?<=[.:;])\s+(?=\S)", " ".join(said.split()))
+    while others and len(words) < 40:
+        words += " " + others.pop(0)
+    return words.rstrip(".:;") + "."
 
 
 def _pictures(notebook):

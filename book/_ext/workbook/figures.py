@@ -12,7 +12,7 @@ from string import ascii_lowercase
 from docutils import nodes
 from sphinx.transforms.post_transforms import SphinxPostTransform
 
-from trajlib.formulas import plain
+from trajlib.masters.drawn import beginning
 from workbook import catalogue
 
 CHAPTER = re.compile(r"book/ch(\d+)")
@@ -31,7 +31,7 @@ class CaptionFigures(SphinxPostTransform):
             *others, last = cell.findall(nodes.image)
             caption = _caption_below(cell)
             number = self._number(k, len(drawn))
-            words = _first_sentence(caption) if caption is not None else ""
+            words = beginning(_as_written(caption)) if caption is not None else ""
             for image in (*others, last):
                 image["alt"] = f"{number}: {words}" if words else number
             if caption is not None:
@@ -79,16 +79,11 @@ def _caption_below(cell):
     return following if is_caption else None
 
 
-def _first_sentence(caption):
-    """As many sentences as say something: "Item b." alone does not."""
-    said = "".join(plain(f"${part.astext()}$") if isinstance(part, nodes.math) else part.astext()
+def _as_written(caption):
+    """The text of a caption, its formulas between dollars."""
+    return "".join(f"${part.astext()}$" if isinstance(part, nodes.math) else part.astext()
                    for part in caption.findall(lambda node: isinstance(node, (nodes.math, nodes.Text)))
                    if not isinstance(part.parent, nodes.math))
-    sentences = re.split(r"(?<=[.:;])\s+(?=\S)", " ".join(said.split()))
-    words = sentences.pop(0)
-    while sentences and len(words) < 40:
-        words += " " + sentences.pop(0)
-    return words
 
 
 def setup(app):
