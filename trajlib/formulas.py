@@ -9,11 +9,13 @@ r"""Formulas in words: as TeX between dollars, as one would type them where noth
 >>> typeset("at k1 = -2 the root of x**2 + k1*x >= 0 is a_root")
 'at <i>k</i><sub>1</sub> = −2 the root of <i>x</i><sup>2</sup> + <i>k</i><sub>1</sub>\u202f<i>x</i> ≥ 0 is a_root'
 >>> typeset("A - LH - mu - a case")
-'<i>A</i> − <i>LH</i> − μ - a case'
+'<i>A</i> − <i>LH</i> − μ – a case'
 >>> typeset("a 3 x (n + 1) matrix x with x x' = 1")
 'a 3 × (<i>n</i> + 1) matrix <i>x</i> with <i>x</i> <i>x</i>′ = 1'
 >>> typeset("under it dH/dtheta stays zero")
 'under it <i>d</i><i>H</i>/<i>d</i>θ stays zero'
+>>> typeset("the bounds are -ubar and omegabar")
+'the bounds are −<i>u&#772;</i> and ω&#772;'
 >>> typeset("the integral of d/dt(x x')")
 'the integral of <i>d</i>/<i>d</i><i>t</i>(<i>x</i> <i>x</i>′)'
 >>> typeset("off by 2e-05 m at s = 3 km/s")
@@ -54,7 +56,7 @@ TYPED = [(re.compile(pattern), typed) for pattern, typed in [
 SIGNS = {"leq": "<=", "le": "<=", "geq": ">=", "neq": "!=", "equiv": "==", "pm": "+-", "to": "->", "cdot": "*",
          "dots": "...", "ldots": "...", "infty": "oo", "top": "T"}
 
-SET = {"<=": "≤", ">=": "≥", "!=": "≠", "->": "→", "oo": "∞", "-": "−"}
+SET = {"+/-": "±", "<=": "≤", ">=": "≥", "!=": "≠", "->": "→", "oo": "∞", "-": "−"}
 GREEK = dict(zip("alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau upsilon "
                  "phi chi psi omega".split(), "αβγδεζηθικλμνξπρστυφχψω"))
 GREEK |= {name.capitalize(): letter.upper() for name, letter in GREEK.items()}
@@ -71,13 +73,15 @@ MATHEMATICS = re.compile(r"""
   | (?<![\w.'"]) (?<!item\ ) (?P<letter>[A-Za-z]|%s)
     (?: _?(?P<index>\d+) | _(?P<name>[A-Za-z]|%s|(?<=[A-Z]_)[a-z]{2}) )? (?P<primes>'*)
     (?! [\w"'] | \.\w | (?<=\b[aAI])(?=\s+\w) )
-  | (?<=[A-Z]\ [-+]\ ) (?P<product>[A-Z]{2}\b)
+  | \b(?P<barred>[A-Za-z]|%s)bar\b
+  | (?<=[-+]\ ) (?P<product>[A-Z]{2}\b)
   | (?<=[\w)]) (?P<times>\*|\ \*\ ) (?=[\w(])
-  | (?P<sign><=|>=|!=|->|\boo\b|(?<![\w)])-(?=[\d.]|[A-Za-z]\w?\b|\()
+  | (?P<sign><=|>=|!=|->|\+/-|\boo\b|(?<![\w)])-(?=[\d.]|[A-Za-z]\w?\b|\w+bar\b|\()
       |(?<=\s)-(?=\s(?: [\d(] | (?!a\s)(?:[A-Za-z]|%s)(?:\d+|_\w+)?(?!\w) | [A-Z]{2}\b )))
+  | (?<=\ )(?P<dash>-)(?=\ [a-z]+\ )
   | \b(?P<root>sqrt)(?=\()
   | (?:(?<=\b[\dA-Za-z])|(?<=\)))\ (?P<cross>x)\ (?=[\dA-Za-z]\b|\()
-""" % (5*("|".join(sorted(GREEK, key=len, reverse=True)),)), re.X)
+""" % (6*("|".join(sorted(GREEK, key=len, reverse=True)),)), re.X)
 
 
 def plain(text):
@@ -118,6 +122,10 @@ def _html(found):
         return f"<code>{html.escape(found['code'])}</code>"
     if found["product"]:
         return f"<i>{found['product']}</i>"
+    if found["barred"]:
+        return f"{GREEK[found['barred']]}&#772;" if found["barred"] in GREEK else f"<i>{found['barred']}&#772;</i>"
+    if found["dash"]:
+        return "–"
     if found["power"] or found["powers"]:
         return f"<sup>{typeset(found['power'] or found['powers'])}</sup>"
     if found["unit"]:

@@ -20,6 +20,8 @@ __all__ = ["show"]
 #: What Markdown would take for its own.
 MARKUP = re.compile(r"[\\`*_{}\[\]#|~$]")
 
+#: Rounding leaves a sign before a zero.
+MINUS_ZERO = re.compile(r"(?<![\w.)])-(?=0\.0+(?![\d.eE]))")
 #: What fits into a line beside words, and into a line of its own, in letters.
 BESIDE, LINE = 46, 66
 UNSEEN = re.compile(r"\\(?:left|right|d?frac|displaystyle|limits|mathrm|operatorname|(?:begin|end)\{\w+\})|[{}_^&\s]")
@@ -31,6 +33,7 @@ def show(*values):
     Formulas in words stand between dollars. Results are what they are: SymPy expressions, lists and dicts of them, and
     what the functions of trajlib return.
     """
+    values = [MINUS_ZERO.sub("", value) if isinstance(value, str) else value for value in values]
     words = _joined(values, [plain(value) if isinstance(value, str) else str(value) for value in values])
     if not in_notebook():
         print(words)
@@ -97,6 +100,11 @@ def _read(value):
         return entries[0] if type(value) is tuple and len(entries) == 1 else type(value)(entries)
     if isinstance(value, float):
         return float(f"{value:.8g}") + 0.0
+    if isinstance(value, complex):
+        import sympy as sp
+
+        real, imaginary = (sp.sympify(f"{part:.8g}") for part in (value.real, value.imag))
+        return real + sp.I*imaginary
     if hasattr(value, "xreplace"):
         import sympy as sp
 
@@ -122,9 +130,10 @@ def _is_formula(value):
 
 
 def _latex(value):
+    """With the functions and letters as the book writes them."""
     import sympy as sp
 
-    return sp.latex(value)
+    return re.sub(r"\\(phi|epsilon)(?![a-z])", r"\\var\1", sp.latex(value, inv_trig_style="full", ln_notation=True))
 
 
 def _set(latex, on_lines=None):
@@ -143,12 +152,12 @@ def _on_lines(value):
     """A sum, or an equation with one on its right, broken between its terms."""
     import sympy as sp
 
-    left, total = (f"{sp.latex(value.lhs)} ={{}}", value.rhs) if isinstance(value, sp.Eq) else ("", value)
+    left, total = (f"{_latex(value.lhs)} ={{}}", value.rhs) if isinstance(value, sp.Eq) else ("", value)
     if not isinstance(total, sp.Add):
-        return sp.latex(value)
+        return _latex(value)
     lines = [""]
     for term in total.as_ordered_terms():
-        latex = sp.latex(term)
+        latex = _latex(term)
         latex = latex if latex.startswith("-") or lines == [""] else "+ " + latex
         if _letters(lines[-1] + latex) > LINE and lines[-1]:
             lines.append("")

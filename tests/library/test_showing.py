@@ -39,6 +39,11 @@ def test_a_terminal_is_printed_to(capsys):
     assert capsys.readouterr().out == "on k1 = 0: x**2/k1, [k1, 2], {k1: 1}, 0.5\n"
 
 
+def test_no_zero_has_a_sign(shown):
+    said = shown(f"at $T$: {-1e-9:.4f}, {-0.04:.2f}, {-1e-9:.1e}, 1-0.0")
+    assert said.typed == "at T: 0.0000, -0.04, -1.0e-09, 1-0.0" and "−0.0000" not in said.set
+
+
 @pytest.mark.parametrize("value, said", [
     (x**2/k1, r"$\frac{x^{2}}{k_{1}}$"),
     ([k1, sp.Rational(1, 2)], r"$\left[ k_{1}, \  \frac{1}{2}\right]$"),
@@ -51,6 +56,9 @@ def test_a_terminal_is_printed_to(capsys):
     (1.01668673480049e-11, r"$1.0166867 \cdot 10^{-11}$"),
     ([sp.Float(2)/9*x], r"$\left[ 0.22222222 x\right]$"),
     (sp.Rational(1, 3).evalf(4), "$0.3333$"),
+    ([-0.5 + 1.5130000001j, 2 - 1j], r"$\left[ -0.5 + 1.513 i, \  2 - i\right]$"),
+    (sp.symbols("phi epsilon_1"), r"$\left( \varphi, \  \varepsilon_{1}\right)$"),
+    (sp.asin(x) + sp.log(x), r"$\ln{\left(x \right)} + \arcsin{\left(x \right)}$"),
     ((psi2,), r"$\psi_{2}$"),
     ([(x, 1.0), (k1,)], r"$\left[ \left( x, \  1.0\right), \  k_{1}\right]$"),
     ((("u+", 0.0, 0.24999999999999986),), "(<i>u</i>+, $0.0$, $0.25$)"),
@@ -102,7 +110,7 @@ def test_nobodys_text_brings_tags_of_its_own(text):
 
 
 @pytest.mark.parametrize("words", ["a motion of the equation", "non-zero, well-posed", "item a and items",
-                                   "the a_region", "Ackermann's rule - the gain", "a 3-vector",
+                                   "the a_region", "Ackermann's rule", "a 3-vector",
                                    '"k1" is a name', "sp.And(x.y)"])
 def test_words_stay_words(words):
     assert typeset(words, escape=str) == words
