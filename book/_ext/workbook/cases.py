@@ -10,6 +10,7 @@ from sphinx.util.docutils import SphinxDirective
 from trajlib import checks
 from trajlib.checks.contract.encoding import describe
 from trajlib.checks.contract.reporting import MARKS
+from workbook.reference import spans
 
 
 class CheckCases(SphinxDirective):
@@ -36,17 +37,13 @@ class CheckCases(SphinxDirective):
         for name in dict.fromkeys(case.check for case in cases):
             purpose, *more = (" ".join(part.split()) for part in getattr(checks, name).__doc__.split("\n\n"))
             anchor = nodes.target("", "", ids=[f"check-{name}"])
-            section += nodes.paragraph("", "", anchor, nodes.literal("", f"checks.{name}"), *_with_code(f": {purpose}"))
-            section += [nodes.paragraph("", "", *_with_code(part)) for part in more if part.startswith("Data: ")]
+            section += nodes.paragraph("", "", anchor, nodes.literal("", f"checks.{name}"), *spans(f": {purpose}"))
+            section += [nodes.paragraph("", "", *spans(part)) for part in more if part.startswith("Data: ")]
             section += _table([case for case in cases if case.check == name])
         section += nodes.paragraph("", "", nodes.strong("", "Known limits"))
-        section += nodes.bullet_list("", *(nodes.list_item("", nodes.paragraph("", limit)) for limit in module.LIMITS))
+        limits = (nodes.list_item("", nodes.paragraph("", "", *spans(limit))) for limit in module.LIMITS)
+        section += nodes.bullet_list("", *limits)
         return section
-
-
-def _with_code(text):
-    """A sentence of a docstring, what stands between backticks as code."""
-    return [nodes.literal("", part) if k % 2 else nodes.Text(part) for k, part in enumerate(text.split("`"))]
 
 
 def _table(cases):
@@ -54,8 +51,8 @@ def _table(cases):
     for case in cases:
         text = describe(case.answer)
         shown = text if len(text) <= 90 else text[:87] + "..."
-        cells = (nodes.Text(f"{MARKS[case.verdict]} {case.verdict}"), nodes.literal("", shown), nodes.Text(case.note))
-        body += nodes.row("", *(nodes.entry("", nodes.paragraph("", "", cell)) for cell in cells))
+        cells = ([nodes.Text(f"{MARKS[case.verdict]} {case.verdict}")], [nodes.literal("", shown)], spans(case.note))
+        body += nodes.row("", *(nodes.entry("", nodes.paragraph("", "", *cell)) for cell in cells))
     head = nodes.thead("", nodes.row("", *(nodes.entry("", nodes.paragraph("", name))
                                            for name in ("verdict", "answer", "what it is"))))
     widths = (nodes.colspec(colwidth=width) for width in (15, 45, 40))

@@ -130,15 +130,15 @@ def described(docstring):
 def _prose(lines):
     """A paragraph, and the list that it may end with."""
     first = next((k for k, line in enumerate(lines) if line.startswith("- ")), len(lines))
-    found = [nodes.paragraph("", "", *_spans(" ".join(lines[:first])))] if first else []
+    found = [nodes.paragraph("", "", *spans(" ".join(lines[:first])))] if first else []
     if first < len(lines):
         items = re.split(r"\n- ", "\n" + "\n".join(lines[first:]))[1:]
-        texts = [nodes.paragraph("", "", *_spans(" ".join(item.split()))) for item in items]
+        texts = [nodes.paragraph("", "", *spans(" ".join(item.split()))) for item in items]
         found.append(nodes.bullet_list("", *(nodes.list_item("", text) for text in texts)))
     return found
 
 
-def _spans(text):
+def spans(text):
     """Words, with their formulas set, and the `code` between them."""
     parts = re.split(r"`([^`]+)`", text)
     return [nodes.literal("", part) if k % 2 else _words(part) for k, part in enumerate(parts) if part]
