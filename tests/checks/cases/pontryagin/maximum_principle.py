@@ -103,7 +103,7 @@ CASES = [
     Case("singular_surface", sp.Eq(x1**2, 1.0 * x2**2), (LINES, TWO), "right", "in decimals"),
     Case("singular_surface", sp.Eq(x1**2, 1.02 * x2**2), (LINES, TWO), "wrong", "lines one per cent off"),
     Case("singular_surface", sp.Eq(m * g, k * v**2), (ROCKET, THREE), "wrong", "weight and drag"),
-    Case("singular_surface", "x1 = 0", (SQUARE, TWO), "invalid", "quotation marks"),
+    Case("singular_surface", "x1 = 0", (SQUARE, TWO), "invalid", "a text"),
     Case("singular_control", 0, (SQUARE, TWO), "right", "zero"),
     Case("singular_control", x1, (LINES, TWO), "right", "on two lines"),
     Case("singular_control", x2**2 / x1, (LINES, TWO), "right", "the same on the lines"),
