@@ -129,3 +129,15 @@ def test_on_paper_a_fold_does_not_fade_in(browser, addresses, problem):
         e => getComputedStyle(e).display)""")
     browser.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
     assert fading == 0 and set(buttons) == {"none"}
+
+
+def test_on_paper_formulas_are_as_thin_as_words_and_tables_go_on_overleaf(browser, addresses):
+    """A line round each letter that a screen does not show makes formulas bold in a document; a table that is kept
+    together leaves the first page of a guide nearly blank."""
+    browser.open(f"{addresses['http']}/solutions/ch2/p24.html")
+    browser.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
+    strokes = browser.run("""[...document.querySelectorAll('article mjx-container svg :is(path, use)')].map(
+        e => getComputedStyle(e).stroke)""")
+    tables = browser.run("[...document.querySelectorAll('article table')].map(e => getComputedStyle(e).breakInside)")
+    browser.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
+    assert set(strokes) == {"none"} and set(tables) == {"auto"}
