@@ -21,7 +21,7 @@ r"""Formulas in words: as TeX between dollars, as one would type them where noth
 >>> typeset("off by 2e-05 m at s = 3 km/s")
 'off by 2·10<sup>−5</sup> m at <i>s</i> = 3 km/s'
 >>> typeset("write `x1 != 0` for every x1 != 0")
-'write <code>x1 != 0</code> for every <i>x</i><sub>1</sub> ≠ 0'
+"write <code style='color: inherit; background: none'>x1 != 0</code> for every <i>x</i><sub>1</sub> ≠ 0"
 >>> typeset("for psi_x = 1, v_y = 2 and K_xy = 3")
 'for ψ<sub><i>x</i></sub> = 1, <i>v</i><sub><i>y</i></sub> = 2 and <i>K</i><sub><i>xy</i></sub> = 3'
 """
@@ -56,6 +56,8 @@ TYPED = [(re.compile(pattern), typed) for pattern, typed in [
 SIGNS = {"leq": "<=", "le": "<=", "geq": ">=", "neq": "!=", "equiv": "==", "pm": "+-", "to": "->", "cdot": "*",
          "dots": "...", "ldots": "...", "infty": "oo", "top": "T"}
 
+#: A dark JupyterLab has a dark ground for code, and a verdict a light one.
+AS_AROUND = "color: inherit; background: none"
 SET = {"+/-": "±", "<=": "≤", ">=": "≥", "!=": "≠", "->": "→", "oo": "∞", "-": "−"}
 GREEK = dict(zip("alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau upsilon "
                  "phi chi psi omega".split(), "αβγδεζηθικλμνξπρστυφχψω"))
@@ -119,7 +121,7 @@ def _letter(name):
 
 def _html(found):
     if found["code"]:
-        return f"<code>{html.escape(found['code'])}</code>"
+        return f"<code style='{AS_AROUND}'>{html.escape(found['code'])}</code>"
     if found["product"]:
         return f"<i>{found['product']}</i>"
     if found["barred"]:
