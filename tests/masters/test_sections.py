@@ -30,3 +30,10 @@ def test_a_reference_says_only_once_that_it_leads_to_a_problem():
              for path in sorted(root.rglob("*.md")) for line
              in re.findall(r"[Pp]roblems? \{problem\}.*", path.read_text(encoding="utf-8"))]
     assert found == []
+
+
+def test_equations_are_numbered_by_letters():
+    """The label eq-5-34-meeting would be read as equation (5.34meeting)."""
+    labels = [label for path in SOLUTIONS.glob("ch*/p*.md") for label in
+              re.findall(r"\beq-\d+-\d+-(\w+)", path.read_text(encoding="utf-8"))]
+    assert len(labels) > 100 and {label for label in labels if len(label) > 1} == set()
