@@ -51,7 +51,8 @@ def _table(cases):
     for case in cases:
         text = describe(case.answer)
         shown = text if len(text) <= 90 else text[:87] + "..."
-        cells = ([nodes.Text(f"{MARKS[case.verdict]} {case.verdict}")], [nodes.literal("", shown)], spans(case.note))
+        verdict = f"{MARKS[case.verdict]}\N{NO-BREAK SPACE}{case.verdict}"
+        cells = ([nodes.Text(verdict)], [nodes.literal("", shown)], spans(case.note))
         body += nodes.row("", *(nodes.entry("", nodes.paragraph("", "", *cell)) for cell in cells))
     head = nodes.thead("", nodes.row("", *(nodes.entry("", nodes.paragraph("", name))
                                            for name in ("verdict", "answer", "what it is"))))

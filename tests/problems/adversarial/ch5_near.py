@@ -7,16 +7,16 @@ BEFORE_35, BEYOND_35 = "(w + sp.sqrt(2*w**2 + 4*a*rho))/a", "(-w + sp.sqrt(sp.Ab
 BORDER_35 = f"sp.Piecewise(({BEFORE_35}, rho + w*sp.Abs(w)/(2*a) >= {{0}}), ({BEYOND_35}, True))"
 SIDE_35 = "sp.tanh({0}*(1 + w*sp.Abs(w)/(2*a*rho)))"
 SMOOTH_35 = f"({SIDE_35}*w + sp.sqrt(2)*sp.sqrt(w**2 + 2*a*rho*{SIDE_35}))/a"
-SHORT_17 = ("sp.Piecewise((sp.Abs(x_0)**3/6, T > {0}*sp.Abs(x_0)), ((sp.Abs(x_0)**3 - (sp.Abs(x_0) - T)**3)/6, True))")
-D_57, R_57 = "sp.sqrt(a**2 + b**2)", "(vbar/ombar)"
+SHORT_17 = ("sp.Piecewise((sp.Abs(x0)**3/6, T > {0}*sp.Abs(x0)), ((sp.Abs(x0)**3 - (sp.Abs(x0) - T)**3)/6, True))")
+D_57, R_57 = "sp.sqrt(a**2 + b**2)", "(vbar/omegabar)"
 TURN_57 = (f"(sp.atan2(sp.Abs(b), a) - sp.asin(sp.Min({D_57}/(2*{R_57}), 1/sp.sqrt(2))) - sp.acos(sp.Min({R_57}/{D_57}"
            f", 1/sp.sqrt(2))) + sp.pi/4)")
 A_58, D_58 = "(r*sp.cos(phi) + k0)", "sp.sqrt((r*sp.cos(phi) + k0)**2 + (r*sp.sin(phi))**2)"
 S_58 = "sp.Abs(r*sp.sin(phi))"
 TURN_58 = f"(sp.atan2({S_58}, {A_58}) - sp.acos({R_57}/{D_58}))"
-TIME_58 = (f"sp.Piecewise((({TURN_58} + sp.pi/2)/ombar + (sp.sqrt({D_58}**2 - {R_57}**2) - {R_57})/vbar, "
+TIME_58 = (f"sp.Piecewise((({TURN_58} + sp.pi/2)/omegabar + (sp.sqrt({D_58}**2 - {R_57}**2) - {R_57})/vbar, "
            f"{TURN_58} > {{0}}), ((sp.atan2({S_58} - {R_57}, {A_58}) + sp.atan2({R_57}, sp.sqrt({D_58}**2 - 2*{R_57}*"
-           f"{S_58})))/ombar + sp.sqrt({D_58}**2 - 2*{R_57}*{S_58})/vbar, True)) - k0/vbar")
+           f"{S_58})))/omegabar + sp.sqrt({D_58}**2 - 2*{R_57}*{S_58})/vbar, True)) - k0/vbar")
 D_64 = "(1 + (1-t) + (1-t)**3/3 + (1-t)**4/12)"
 
 ROWS = [
@@ -60,9 +60,9 @@ ROWS = [
           "the cosine is not positive again before the end"),
     wrong("5.16", "b_control", "[[-1, sp.Rational(313, 100)], [1, sp.pi]]", "it changes a hundredth before the end"),
     right("5.16", "b_control", "np.array([[-1, 3.1416]])", "arcs as an array"),
-    wrong("5.17", "a_control", "sp.Piecewise((-sp.sign(x_0), t < 999*sp.Abs(x_0)/1000), (0, True))",
+    wrong("5.17", "a_control", "sp.Piecewise((-sp.sign(x0), t < 999*sp.Abs(x0)/1000), (0, True))",
           "it stops a thousandth before zero"),
-    right("5.17", "a_cost", "(sp.Abs(x_0)**3 - sp.Max(sp.Abs(x_0) - T, 0)**3)/6", "the greater one of two"),
+    right("5.17", "a_cost", "(sp.Abs(x0)**3 - sp.Max(sp.Abs(x0) - T, 0)**3)/6", "the greater one of two"),
     right("5.17", "a_cost", SHORT_17.format("1"), "two cases"),
     wrong("5.17", "a_cost", SHORT_17.format("sp.Rational(4, 5)"), "the border of the cases is beside"),
     wrong("5.17", "a_cost", SHORT_17.format("sp.Rational(6, 5)"), "and to the other side"),
@@ -129,14 +129,16 @@ ROWS = [
     wrong("5.55", "law", "-ubar*sp.Max(-1, sp.Min(1, 1000*alpha))", "a steep ramp"),
     wrong("5.56", "law", "-ubar*sp.sign(alpha)*sp.Heaviside(sp.Abs(alpha) - sp.Rational(1, 100))",
           "it stops turning before the line of sight"),
-    wrong("5.57", "a_control", "[vbar*sp.sign(psi1*sp.cos(alpha) + psi2*sp.sin(alpha)), ombar*sp.sign(psi3)]",
+    wrong("5.57", "a_control", "[vbar*sp.sign(psi1*sp.cos(alpha) + psi2*sp.sin(alpha)), omegabar*sp.sign(psi3)]",
           "it drives backwards"),
     right("5.57", "a_greatest",
-          "sp.Max(vbar*(psi1*sp.cos(alpha) + psi2*sp.sin(alpha)), 0) + ombar*sp.sqrt(psi3**2) - 1",
+          "sp.Max(vbar*(psi1*sp.cos(alpha) + psi2*sp.sin(alpha)), 0) + omegabar*sp.sqrt(psi3**2) - 1",
           "a root for the modulus"),
-    wrong("5.57", "c_spot", f"({TURN_57} + sp.sqrt({TURN_57}**2 + sp.Rational(1, 10**8)))/2/ombar", "a smooth corner"),
-    wrong("5.57", "c_spot", f"({TURN_57} + {TURN_57}*sp.tanh(10**4*{TURN_57}))/2/ombar", "another smooth corner"),
-    wrong("5.58", "c_spot", f"({TURN_58} + sp.sqrt({TURN_58}**2 + sp.Rational(1, 10**8)))/2/ombar", "a smooth corner"),
+    wrong("5.57", "c_spot", f"({TURN_57} + sp.sqrt({TURN_57}**2 + sp.Rational(1, 10**8)))/2/omegabar",
+          "a smooth corner"),
+    wrong("5.57", "c_spot", f"({TURN_57} + {TURN_57}*sp.tanh(10**4*{TURN_57}))/2/omegabar", "another smooth corner"),
+    wrong("5.58", "c_spot", f"({TURN_58} + sp.sqrt({TURN_58}**2 + sp.Rational(1, 10**8)))/2/omegabar",
+          "a smooth corner"),
     right("5.58", "c_duration", TIME_58.format("0"), "the cases by the angle left to turn"),
     wrong("5.58", "c_duration", TIME_58.format("sp.Rational(1, 20)"), "it drives off while there is an angle left"),
     wrong("5.59", "b_control", "-x2/sp.sqrt(2)", "right on one of the two lines alone"),

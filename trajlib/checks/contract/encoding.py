@@ -66,7 +66,7 @@ def encode(value):
     >>> encode([0, {"x": lambda t: t}])
     Traceback (most recent call last):
     trajlib.checks.contract.encoding.EncodingError: answer[1]['x'] is a function, and functions are not data: \
-write its formula in SymPy, or sympy.Lambda((x1, x2), formula). An answer may be a number, a string, an array, \
+write its formula in SymPy, or `sympy.Lambda((x1, x2), formula)`. An answer may be a number, a string, an array, \
 a SymPy expression, relation, set or matrix, or a list or dict of these.
     """
     walk = _Encoder()
