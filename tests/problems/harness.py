@@ -3,6 +3,7 @@
 import ast
 import cProfile
 import functools
+import statistics
 import sys
 import time
 import traceback
@@ -14,6 +15,9 @@ from trajlib import checks
 from trajlib.checks.contract.encoding import decode, encode
 from trajlib.masters.statements import reported_names
 from trajlib.systems import Controlled
+
+#: What `_pace` is on the quiet machine that the limits of verdicts are for.
+PACE = 0.155
 
 
 class Workbench:
@@ -133,14 +137,26 @@ def solve(master):
 
 
 def first_verdicts(master, answers):
-    """{name: seconds of the processor} that the first verdicts on the answers take, one after the other."""
+    """{name: seconds of the processor} that the first verdicts on the answers take, one after the other, as it would on
+    a quiet machine: where others work beside, the same computation takes longer, and so does one that is known."""
     bench, seconds = Workbench(master, answers), {}
     bench.judge({})  # imports
+    paces = [_pace() for _ in range(4)][1:]
     for name in answers:
         start = time.process_time()
         bench.judge_one(name, bench.reference[name])
         seconds[name] = time.process_time() - start
-    return seconds
+    paces += [_pace() for _ in range(3)]
+    slower = max(1.0, statistics.median(paces) / PACE)
+    return {name: taken / slower for name, taken in seconds.items()}
+
+
+def _pace():
+    """Seconds of the processor that a computation takes which is always the same."""
+    start = time.process_time()
+    table = {(k % 977, str(k)): k * k for k in range(120_000)}
+    assert sum(square for (_, digits), square in sorted(table.items()) if digits.endswith("7")) > 0
+    return time.process_time() - start
 
 
 def each_part(master, answers, parts):
