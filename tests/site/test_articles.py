@@ -32,8 +32,8 @@ def test_results_are_set_and_not_typed(pages):
     assert shown > 1000 and not faults
 
 
-#: Python's own forms of a value, and decimals of more than nine places; an enclosure [m ± r] has all that are proved.
-RAW = re.compile(r"array\(|Matrix\(|\bnp\.\w+\(|Float\(|\{\w+: |\[\[|[\[(]'|', '|\d\.\d{10,}(?!\d* ±)")
+#: Python's own forms of a value, and decimals of more than nine places; an enclosure, m ± r, has all that are proved.
+RAW = re.compile(r"array\(|Matrix\(|\bnp\.\w+\(|Float\(|\{\w+: |\[\[|[\[(]'|', '|\d\.\d{10,}(?!\d* (?:±|\+/-))")
 
 
 @full
