@@ -188,3 +188,16 @@ def test_control_without_costates():
     assert sp.simplify(field[u] - sp.cos(u)*(1 + 3*k*v**2*sp.sin(u))/v) == 0
     with pytest.raises(ValueError, match="2 costates are not known"):
         Problem(plane, {u: None}, {x: 0, y: 0, v: 1}, [y], final=-x, duration=1).conditions().control_field  # noqa: B018
+
+
+def test_singular_arcs_are_not_looked_for_in_formulas_that_fill_pages():
+    """The arm of a robot, problem 8 of COPS: three lengths and angles, each with its own motor."""
+    length, base, angle, *rates = y = sp.symbols("y1:7")
+    motors = sp.symbols("u1:4")
+    inertia = ((5 - length)**3 + length**3)/3
+    accelerations = [motors[0]/5, motors[1]/(inertia*sp.sin(angle)**2), motors[2]/inertia]
+    arm = Problem(dict(zip(y, [*rates, *accelerations])), dict.fromkeys(motors, (-1, 1)),
+                  dict(zip(y, [sp.Rational(9, 2), 0, sp.pi/4, 0, 0, 0])), [base - 2*sp.pi/3])
+    for arc in arm.conditions().singular.values():
+        assert arc.order is None and arc.control is None and not arc.excluded
+        assert "more than 100 terms" in arc.reason and "not looked for" in arc.reason

@@ -14,12 +14,16 @@ from itertools import combinations, islice
 
 import sympy as sp
 
+#: Derivatives of the switching function are looked at up to so many terms. Those of a robot's arm grow sixfold with
+#: each and would take hours; those of the problems of this book have a dozen.
+MOST_TERMS = 100
+
 
 @dataclass(frozen=True, eq=False)
 class SingularArc:
     """What can be said of the singular arcs of one control.
 
-    - `order`: q, or None if no derivative of the switching function contains the control
+    - `order`: q, or None if no derivative of the switching function contains the control, as far as they were looked at
     - `derivatives`: dH/du and its time derivatives, of orders 0 to 2q-1, which vanish on the arc
     - `control`: the singular control -a/b, with what these equations say about (psi, lambda_0) put in; None if unknown
     - `kelley`: (-1)^q b; a minimum needs kelley <= 0
@@ -49,7 +53,11 @@ def singular_arc(derived, u):
     >>> arc.order, arc.surface, arc.control, arc.kelley
     (1, (x,), 0, -2*lambda0)
     """
-    derivatives, highest = raw_derivatives(derived, u)
+    derivatives, highest = raw_derivatives(derived, u, MOST_TERMS)
+    if highest is None and len(sp.Add.make_args(derivatives[-1])) > MOST_TERMS:
+        return SingularArc(u, None, derivatives[:-1], None, None, (), False,
+                           f"the derivatives of the switching function have more than {MOST_TERMS} terms before it is "
+                           f"known what keeps it zero: singular arcs of {u} are not looked for")
     order = len(derivatives)//2 if highest is not None else None
     unknowns = derived.costate if derived.problem.running == 0 else (*derived.costate, derived.multiplier)
     equations = list(derivatives)
@@ -78,11 +86,14 @@ def singular_arc(derived, u):
                        f"order {order}; (-1)^q b = {kelley} is {words}")
 
 
-def raw_derivatives(derived, u):
-    """dH/du and its derivatives as long as they do not contain u, and the first that does (None if none)."""
+def raw_derivatives(derived, u, most=None):
+    """dH/du and its derivatives as long as they do not contain u, and the first that does (None if none). One of more
+    than `most` terms is the last, whether it contains u or not."""
     derivatives = [derived.switching[u]]
     for _ in range(2*len(derived.costate)):
         following = sp.expand(derived.derivative(derivatives[-1]), power_exp=False)
+        if most and len(sp.Add.make_args(following)) > most:
+            return (*derivatives, following), None
         if len(derivatives) % 2 == 0 and not _vanishes(sp.diff(following, u)):
             return tuple(derivatives), following
         if following == 0:
