@@ -40,3 +40,12 @@ def test_the_hash_is_that_of_the_text():
     text = open(regions.__file__, "rb").read()
     assert (module_closure("from trajlib import checks\nchecks.stability_region")["trajlib.checks.stability.regions"]
             == hashlib.sha256(text).hexdigest())
+
+
+def test_reading_what_checks_stand_on_loads_none_of_it():
+    """Who grades reads this of every problem, before anything is computed."""
+    code = ("import sys\nfrom trajlib import exercises\nfrom trajlib.grading.fingerprint import fingerprint\n"
+            "for exercise in exercises.read_all(): fingerprint(exercise)\n"
+            "print([name for name in ('sympy', 'numpy', 'z3') if name in sys.modules])")
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120)
+    assert done.stdout == "[]\n", done.stdout + done.stderr

@@ -5,11 +5,13 @@ at one place. `decision` asks a solver about all places, of what `plain` has mad
 where nothing can be decided, and the verdict then says at how many points it agrees. `comparison` joins them.
 """
 
-from trajlib.checks.tools.conditions.comparison import compare, contrary, decide
-from trajlib.checks.tools.conditions.decimals import readings
-from trajlib.checks.tools.conditions.evaluation import Condition, allowed, place_text
-from trajlib.checks.tools.conditions.sampling import on_borders
-from trajlib.checks.tools.conditions.truth import Case, Truth, exactly
+from trajlib._lazy import lazy_names
 
-__all__ = ["Case", "Condition", "Truth", "allowed", "compare", "contrary", "decide", "exactly", "on_borders",
-           "place_text", "readings"]
+_EXPORTS = {
+    "truth": ["Case", "Truth", "exactly"],
+    "decimals": ["readings"],
+    "evaluation": ["Condition", "allowed", "place_text"],
+    "sampling": ["on_borders"],
+    "comparison": ["compare", "contrary", "decide"],
+}
+__getattr__, __dir__, __all__ = lazy_names(__name__, _EXPORTS)
