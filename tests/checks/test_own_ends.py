@@ -7,6 +7,7 @@ import sympy as sp
 from trajlib import checks
 from trajlib.pontryagin import Problem
 
+pytestmark = pytest.mark.slow
 x, v, u = sp.symbols("x v u", real=True)
 t = sp.Symbol("t", positive=True)
 CARRIAGE = {x: v, v: u}

@@ -190,6 +190,7 @@ def test_control_without_costates():
         Problem(plane, {u: None}, {x: 0, y: 0, v: 1}, [y], final=-x, duration=1).conditions().control_field  # noqa: B018
 
 
+@pytest.mark.slow
 def test_singular_arcs_are_not_looked_for_in_formulas_that_fill_pages():
     """The arm of a robot, problem 8 of COPS: three lengths and angles, each with its own motor."""
     length, base, angle, *rates = y = sp.symbols("y1:7")
