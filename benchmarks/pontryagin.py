@@ -38,7 +38,9 @@ def environment(folder):
 
 def ours(name):
     """What a fresh process prints for trajlib: cost, switching times, seconds, residuals."""
-    # noqa: F401  imported for the peers before the clock starts, so here too; trajlib's own modules load inside
+    # The peers' packages are imported before the clock starts, so ours are too; trajlib's own modules load inside.
+    import casadi  # noqa: F401
+    import numpy  # noqa: F401
     import sympy as sp
 
     from trajlib.pontryagin import Problem
