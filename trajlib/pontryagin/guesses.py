@@ -27,13 +27,16 @@ def guesses(numeric, intervals, side=None):
         yield guess
 
 
-def waves(numeric, intervals, duration):
-    """Motions under controls that swing between their bounds, each control at a pace of its own; as `guesses`."""
+def waves(numeric, intervals, duration, sign=1):
+    """Motions under controls that swing between their bounds, each control at a pace of its own; as `guesses`.
+
+    `sign` = -1: they begin at the other bounds.
+    """
     result = []
     half = np.where(np.isfinite(numeric.upper - numeric.lower), (numeric.upper - numeric.lower)/2, 1.0)
     inside = (np.arange(intervals) + 0.5)/intervals
     for pace in (1, 2, 3):
-        controls = numeric.middle() + 0.7*half*np.stack(
+        controls = numeric.middle() + sign*0.7*half*np.stack(
             [np.cos(np.pi*(pace + j)*inside + 0.5*(pace - 1 + j)) for j in range(numeric.k)], axis=1)
         path, _ = runge_kutta(numeric).mapaccum(intervals)(np.nan_to_num(numeric.start), controls.T, duration/intervals)
         states = np.vstack([np.nan_to_num(numeric.start), path.full().T])

@@ -22,6 +22,8 @@ PATIENCE, REFINING, AGREEING = 100, 80, 3
 FALLS = 1e-3
 # A free duration that changes by a smaller share from few intervals to many is one of the problem, not of its steps.
 SETTLED = 0.05
+# How often swings are tried anew in the duration of the best process found.
+SWINGS = 4
 # What needles have to lower a cost by, as a share of it, to be tried.
 NEEDLES = 1e-3
 
@@ -108,6 +110,8 @@ class _Attempts:
             rough = self._compared(fine, self._spread(side))
             if not rough and not tried and not self.runs_away():
                 rough = self._compared(fine, self.reaching(side))
+        if point and len(rough) > 1:
+            rough = self._swung(coarse, rough)
         self.found += len(rough)
         pictures, refined = [], Transcription(numeric, INTERVALS, None, side, patience=REFINING, near=True)
         for picture in rough:
@@ -146,6 +150,20 @@ class _Attempts:
                 before, pictures = len(pictures), _different([*pictures, picture])
                 row = row + 1 if len(pictures) == before else 1
             if row == AGREEING:
+                break
+        return pictures
+
+    def _swung(self, programme, pictures):
+        """The pictures, and those that the best one's duration leads to from swings, as long as a better one is found.
+
+        Where different processes reach a point, how long the first starts took was chance.
+        """
+        for _ in range(SWINGS):
+            best = pictures[0]
+            starts = [start for sign in (1, -1) for start in waves(self.numeric, COARSE, best.duration, sign)]
+            found = [picture for start in starts for picture in self.solved(programme, start)]
+            pictures = _different([*pictures, *found])
+            if pictures[0].cost >= best.cost - FALLS*abs(best.cost):
                 break
         return pictures
 
