@@ -32,7 +32,7 @@ def rows():
         yield from (pytest.param(case, marks=marks, id=f"{case.check}: {case.note}") for case in module.CASES)
 
 
-@pytest.mark.parametrize("case", rows())
+@pytest.mark.parametrize("case", list(rows()))
 def test_case(case):
     verdict = getattr(checks, case.check)(case.answer, *case.data, **dict(case.options))
     assert verdict.status == case.verdict, verdict.message
