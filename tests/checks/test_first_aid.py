@@ -74,6 +74,26 @@ def test_a_check_before_its_answer_is_missing(first_day):
     assert shown(first_day["early"]) == "… a_region: missing: not answered yet"
 
 
+ALONE = f"from trajlib import checks\n\n{CHECK}"
+
+
+@pytest.mark.parametrize("before", [(), ("a_region = True",), ("import trajlib",)])
+def test_a_check_before_its_data_says_what_to_run(outputs, before):
+    """As the first cell after a restart nothing of ours is loaded but what it imports itself."""
+    *_, early, data, check = outputs(*before, ALONE, DATA, ALONE)
+    [said] = errors(early)
+    name, *told = said.splitlines()
+    assert re.match("NameError: name '(a_region|a_poly)' is not defined", name)
+    assert "run the data cell" in told[0] and len(told) == 2 and max(map(len, told)) <= 79
+    assert not errors(data) and shown(check)
+
+
+def test_other_names_that_do_not_exist_are_told_as_ever(outputs):
+    _, typo = outputs(DATA, "a_region = k3 > 0")
+    [said] = errors(typo)
+    assert "Traceback" in said and "data cell" not in said
+
+
 @pytest.mark.parametrize("after", ["after and", "after chain", "after unreadable"])
 def test_the_value_before_a_failed_cell_is_not_judged(first_day, after):
     assert re.match("… a_region: missing: not judged: the cell that assigns it stopped with", shown(first_day[after]))

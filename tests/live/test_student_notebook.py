@@ -88,9 +88,7 @@ def desk(browser, tmp_path_factory):
         browser.resize(1280, 900)
         browser.open(f"http://127.0.0.1:{port}/lab/tree/{NOTEBOOK.name}")
         assert browser.wait_for(f"{CELLS}.some(cell => cell.querySelector('.cm-content')?.offsetParent)", 90)
-        desk = Desk(browser)
-        desk.run("import sympy as sp")
-        yield desk
+        yield Desk(browser)
         browser.open("about:blank")
     finally:
         server.terminate()
@@ -109,6 +107,9 @@ def line(verdict):
 
 def test_untouched_wrong_half_and_right(desk):
     check = "checks.report(\"1.15\",\n              a_region"
+    report, error = desk.report(check)  # no cell has run yet
+    assert report == [] and "run the data cell" in error
+    desk.run("import sympy as sp")
     report, error = desk.report(check)
     assert lines_of(report) == [line("missing")] and error.strip() == "Not yet: 0 of 1 right."
 

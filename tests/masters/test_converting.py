@@ -123,6 +123,7 @@ def test_the_students_copy():
     assert code[1]["source"] == ("# condition: the set of (k1, k2) where the equation of item a is asymptotically\n"
                                  "# stable\na_region = ...")
     assert "nbgrader" not in code[1]["metadata"]
+    assert all(cell["source"].startswith('from trajlib import checks\n\nchecks.report("1.15",') for cell in code[2::2])
     assert code[2]["metadata"]["nbgrader"] | {"grade_id": ""} == {
         "schema_version": 3, "grade": True, "locked": True, "solution": False, "task": False, "cell_type": "code",
         "points": 1, "grade_id": ""}

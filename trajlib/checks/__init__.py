@@ -91,7 +91,7 @@ __getattr__, __dir__, __all__ = lazy_names(__name__, {
         "stations_insufficient", "unseen_by_bearings", "unseen_direction", "unseen_motions", "worst_of_three"],
 })
 
-# The data cell of a notebook imports this package: from then on its cells are watched.
+# The first data or check cell of a notebook that runs imports this package: from then on its cells are watched.
 _shell = sys.modules["IPython"].get_ipython() if "IPython" in sys.modules else None
 if _shell is not None:
     first_aid.start(_shell)

@@ -36,6 +36,7 @@ except ModuleNotFoundError as missing:
     how = "No trajlib here. Run   %pip install {WHEEL}"
     missing._render_traceback_ = lambda: [how]
     raise"""
+IMPORT = "from trajlib import checks"
 
 DIRECTIVE = re.compile(r"^(?P<fence>`{3,}|:{3,})\{(?P<name>[\w:-]+)\}[ "
                        r"\t]*(?P<argument>[^\n]*)\n(?P<body>.*?)^(?P=fence)[ \t]*$\n?",
@@ -91,7 +92,7 @@ def student_notebook(master, links):
         elif cell.role == "check":
             names = reported_names(cell.source)
             cells += _hints(master, names)
-            cells.append(_code(_numbered(cell.source, master.number), "check",
+            cells.append(_code(_alone(cell.source, master.number), "check",
                                nbgrader={"grade": True, "locked": True, "points": len(names)}))
     cells.insert(0, _origin(master, _equations(cells, links)))
     for k, cell in enumerate(cells):
@@ -194,10 +195,12 @@ def _tag(label):
     return ".".join([chapter, "".join(rest)]) if rest else chapter
 
 
-def _numbered(source, number):
-    """A check cell that says which problem it is for, so that mistakes can be named wherever the notebook is."""
-    return re.sub(r"(checks\.report\()(\s*)(?=\w)",
-                  lambda m: f'{m[1]}{m[2]}"{number}",{m[2] or chr(10) + " " * len(m[1])}', source, count=1)
+def _alone(source, number):
+    """A check cell that says which problem it is for, so that mistakes can be named wherever the notebook is, and that
+    has the checks by itself: run first after a restart, it says what to run before it."""
+    numbered = re.sub(r"(checks\.report\()(\s*)(?=\w)",
+                      lambda m: f'{m[1]}{m[2]}"{number}",{m[2] or chr(10) + " " * len(m[1])}', source, count=1)
+    return f"{IMPORT}\n\n{numbered}"
 
 
 def _stub(master, source):

@@ -2,9 +2,11 @@
 
 `k1 > 0 and k2 > 0` raises SymPy's TypeError: `advice` says what to write instead. After a cell that fails its answers
 keep what an earlier run gave them: `stopped` knows them, so that `report` does not judge the old value again. A check
-cell that runs before its answer cell finds the names that do not exist yet as stubs. `start` sets this up in Jupyter.
+cell that runs before its answer cell finds the names that do not exist yet as stubs. One that runs before its data
+cell, as after a restart, imports this package by itself and is told what to run. `start` sets this up in Jupyter.
 """
 
+import linecache
 import re
 
 #: {name of a variable: the error that ended the last cell meant to assign it}
@@ -23,6 +25,9 @@ ADVICE = {"cannot determine truth value of Relational": CONDITIONS,
           "unsupported operand type(s) for &: ": CONDITIONS, "unsupported operand type(s) for |: ": CONDITIONS,
           "unsupported operand type(s) for ^: ": POWERS,
           "loop of ufunc does not support argument ": FUNCTIONS, "Cannot convert expression to float": FUNCTIONS}
+ABOVE = """\
+This check needs what stands above it: run the data cell, then the cell with
+your answer, then this one. A restart forgets all cells that have run."""
 _before = {}
 
 
@@ -44,7 +49,7 @@ def start(shell):
     shell.events.register("pre_run_cell", lambda info: _before_cell(shell, info.raw_cell))
     shell.events.register("post_run_cell", lambda result: _after_cell(shell, result))
     if not shell.custom_exceptions:
-        shell.set_custom_exc((TypeError,), _show_error)
+        shell.set_custom_exc((TypeError, NameError), _show_error)
 
 
 def _before_cell(shell, source):
@@ -78,8 +83,15 @@ def _reported(source):
 
 
 def _show_error(shell, kind, error, trace, tb_offset=None):
-    said = advice(str(error))
+    said = ABOVE if isinstance(error, NameError) and _is_check(trace) else advice(str(error))
     if said is None:
         shell.showtraceback((kind, error, trace), tb_offset=tb_offset)
     else:
         shell._showtraceback(kind, error, [f"{kind.__name__}: {error}", said])
+
+
+def _is_check(trace):
+    """Whether an error comes from a line of a check cell itself."""
+    while trace.tb_next:
+        trace = trace.tb_next
+    return "checks.report(" in "".join(linecache.getlines(trace.tb_frame.f_code.co_filename))
