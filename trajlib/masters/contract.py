@@ -16,6 +16,7 @@ FIELDS = {"number": str, "title": str, "section": str, "level": str, "topics": l
 OPTIONAL = {"core": list}
 #: A problem at the level core asks for no more answers; one with more than `FEW_ENOUGH` says which items are its core.
 A_DOZEN, FEW_ENOUGH = 12, 15
+LISTED = re.compile(r"(?<=list of )((?:row )?[a-z]+)\b(?![/(])")
 ITEM = re.compile(r"([a-z])_")
 SOLUTION = re.compile(r"\{solution-(start|end)\}")
 FORMS = {str: "a text", list: "a list", dict: "names with what belongs to each"}
@@ -69,6 +70,15 @@ def _hold_core(hold, said):
     for item in core:
         hold(item in items, f"problem.core is a list of items; {item} is none", "core")
     hold(sum(items[item] for item in core) <= asked / 2, "the core of a problem is at most half of its answers", "core")
+
+
+def in_words(kind):
+    """The TYPE of an answer as a reader is told it.
+
+    >>> in_words("list of matrix"), in_words("list of row vector exact"), in_words("number")
+    ('list of matrices', 'list of row vectors exact', 'number')
+    """
+    return LISTED.sub(lambda one: one[1].replace("matrix", "matrice") + "s", kind)
 
 
 def item_of(name):

@@ -12,7 +12,7 @@ from textwrap import wrap
 
 from trajlib import __version__, exercises
 from trajlib.formulas import plain
-from trajlib.masters.contract import caption_above, master_file
+from trajlib.masters.contract import caption_above, in_words, master_file
 from trajlib.masters.drawn import Drawn
 from trajlib.masters.links import Links
 from trajlib.masters.mistakes import origin, text_of
@@ -206,7 +206,7 @@ def _alone(source, number):
 def _stub(master, source):
     """A line `name = ...` for each answer that the cell assigns. What it is stands beside it, or above it where an
     editor would cut the line off."""
-    told = {name: f"{master.answers[name].kind}: {plain(master.answers[name].text)}"
+    told = {name: f"{in_words(master.answers[name].kind)}: {plain(master.answers[name].text)}"
             for name in assigned_names(source, master.answers)}
     beside = [f"{name} = ...  # {what}" for name, what in told.items()]
     if all(len(line) <= WIDTH for line in beside):

@@ -19,7 +19,7 @@ from sphinx.util.index_entries import split_index_msg
 from sphinx_exercise.nodes import exercise_node
 
 from trajlib import exercises
-from trajlib.masters.contract import item_of
+from trajlib.masters.contract import in_words, item_of
 from trajlib.masters.converting import SENTENCE_END, core_text
 from workbook import catalogue
 from workbook.boxes import details, summary
@@ -123,7 +123,7 @@ class ProblemAnswers(SphinxDirective):
         kind, meaning = problem.answers[name]
         row = nodes.container(classes=["answer"])
         row += self._markdown(f"`{name}` {meaning}")
-        row[0] += [nodes.Text(" "), nodes.inline("", kind, classes=["kind"])]
+        row[0] += [nodes.Text(" "), nodes.inline("", in_words(kind), classes=["kind"])]
         for k, hint in enumerate(problem.hints.get(name, []), start=1):
             fold = details("", summary("", f"Hint {k}"), classes=["hint"])
             fold += self._markdown(hint)
