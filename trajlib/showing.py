@@ -7,6 +7,8 @@ stand beside words stands on a line of its own, a long sum on several.
 >>> k1, k2 = sp.symbols("k1 k2")
 >>> show("the second minor, for $k_1 > 0$:", k1*k2 - 1)
 the second minor, for k1 > 0: k1*k2 - 1
+
+Rows of numbers are a `table`, with a head for each column.
 """
 
 import html
@@ -15,11 +17,12 @@ import sys
 
 from trajlib.formulas import FORMULA, plain, typeset
 
-__all__ = ["show"]
+__all__ = ["show", "table"]
 
 #: What Markdown would take for its own.
 MARKUP = re.compile(r"[\\`*_{}\[\]#|~$]")
 
+NUMBER = re.compile(r"[-+]?\.?\d")
 #: Rounding leaves a sign before a zero.
 MINUS_ZERO = re.compile(r"(?<![\w.)])-(?=0\.0+(?![\d.eE]))")
 #: What fits into a line beside words, and into a line of its own, in letters.
@@ -35,12 +38,47 @@ def show(*values):
     """
     values = [MINUS_ZERO.sub("", value) if isinstance(value, str) else value for value in values]
     words = _joined(values, [plain(value) if isinstance(value, str) else str(value) for value in values])
+    _display(words, lambda: _joined(values, map(_markdown, values)))
+
+
+def table(heads, rows):
+    """Rows of values under heads; numbers keep the digits of their text, `f"{x:.3f}"`.
+
+    >>> table(["$k$", "root"], [[1, "0.50"], [10, "-12.25"]])
+     k    root
+     1    0.50
+    10  -12.25
+    """
+    heads = [str(head) for head in heads]
+    rows = [[MINUS_ZERO.sub("", cell) if isinstance(cell, str) else cell for cell in row] for row in rows]
+    if wrong := [row for row in rows if len(row) != len(heads)]:
+        raise ValueError(f"rows: expected {len(heads)} values in each, as there are heads, got {wrong[0]}")
+    typed = [[plain(cell) if isinstance(cell, str) else str(cell) for cell in row] for row in (heads, *rows)]
+    ends = [all(NUMBER.match(cell) for cell in column[1:]) for column in zip(*typed)]  # numbers end below each other
+    widths = [max(map(len, column)) for column in zip(*typed)]
+    lines = ("  ".join(cell.rjust(width) if end else cell.ljust(width) for cell, width, end in zip(row, widths, ends))
+             for row in typed)
+    words = "\n".join(line.rstrip() for line in lines)
+    _display(words, lambda: _table([heads, *rows], ends))
+
+
+def _table(rows, ends):
+    heads, *rows = (f"| {' | '.join(map(_cell, row))} |" for row in rows)
+    return "\n".join([heads, f"|{'|'.join('---:' if end else ':---' for end in ends)}|", *rows])
+
+
+def _cell(value):
+    """What stands between the bars of a table, which a formula must not hold."""
+    return FORMULA.sub(lambda formula: formula[0].replace("|", r"\vert "), _markdown(value)).replace("\n", " ")
+
+
+def _display(words, markdown):
     if not in_notebook():
         print(words)
         return
     from IPython.display import display
 
-    display({"text/plain": words, "text/markdown": _joined(values, map(_markdown, values))}, raw=True)
+    display({"text/plain": words, "text/markdown": markdown()}, raw=True)
 
 
 def in_notebook():

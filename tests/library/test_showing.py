@@ -13,7 +13,7 @@ from IPython import display
 
 from trajlib import showing
 from trajlib.formulas import typeset
-from trajlib.showing import LINE, show
+from trajlib.showing import LINE, show, table
 from trajlib.structure import observability
 
 k1, x, psi2 = sp.symbols("k1 x psi2")
@@ -21,14 +21,14 @@ k1, x, psi2 = sp.symbols("k1 x psi2")
 
 @pytest.fixture
 def shown(monkeypatch):
-    """What a notebook shows of values: its Markdown and its plain text."""
+    """What a notebook shows of values, or of a table: its Markdown and its plain text."""
     kept = []
     monkeypatch.setitem(sys.modules, "IPython", SimpleNamespace(
         get_ipython=lambda: SimpleNamespace(kernel=True), display=display))
     monkeypatch.setattr(display, "display", lambda data, raw: kept.append(data))
 
-    def of(*values):
-        show(*values)
+    def of(*values, by=show):
+        by(*values)
         return SimpleNamespace(set=kept[-1]["text/markdown"], typed=kept[-1]["text/plain"])
 
     return of
@@ -37,6 +37,19 @@ def shown(monkeypatch):
 def test_a_terminal_is_printed_to(capsys):
     show("on $k_1 = 0$:", x**2/k1, [k1, 2], {k1: 1}, 0.5)
     assert capsys.readouterr().out == "on k1 = 0: x**2/k1, [k1, 2], {k1: 1}, 0.5\n"
+
+
+def test_a_table_in_a_notebook(shown):
+    said = shown([r"$|\lambda|$", "kind", "of it"], [["0.50", "x1 | x2", k1/2], [f"{-1e-9:.1f}", "-", 2]], by=table)
+    assert said.set.splitlines() == [
+        r"| $\vert \lambda\vert $ | kind | of it |", "|---:|:---|:---|",
+        r"| 0.50 | <i>x</i><sub>1</sub> \| <i>x</i><sub>2</sub> | $\frac{k_{1}}{2}$ |", "| 0.0 | - | $2$ |"]
+    assert said.typed.splitlines() == ["|lambda|  kind     of it", "    0.50  x1 | x2  k1/2", "     0.0  -        2"]
+
+
+def test_a_table_has_a_head_for_each_column():
+    with pytest.raises(ValueError, match="expected 1 values in each, as there are heads, got .1, 2."):
+        table(["$k$"], [[1, 2]])
 
 
 def test_no_zero_has_a_sign(shown):

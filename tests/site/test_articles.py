@@ -50,6 +50,20 @@ def test_no_value_is_shown_as_python_writes_it(pages):
 
 
 @full
+def test_nothing_is_printed(pages):
+    """Results and their tables are set; two numbers do not stand side by side without a comma."""
+    faults = {}
+    for path, page in those(pages, PROBLEM, CHAPTER, "book/errata/ch*.html", "book/lectures/*.html").items():
+        found = [output.get_text()[:80] for output in page.select(".cell_output pre")]
+        for line in page.select(".cell_output > p"):
+            words = "".join("0" if text.find_parent(class_="math") else text for text in line.find_all(string=True))
+            found += re.findall(r".{,20}\d +[−-]?\d.{,20}", words)
+        if found:
+            faults[path.name] = found
+    assert not faults
+
+
+@full
 def test_every_picture_is_sharp_and_has_a_number_a_caption_and_words(pages):
     faults, seen = [], 0
     for path, page in those(pages, PROBLEM, CHAPTER).items():
