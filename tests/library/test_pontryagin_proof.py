@@ -8,6 +8,7 @@ import sympy as sp
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
+from trajlib.formulas import typeset
 from trajlib.pontryagin import Problem
 from trajlib.pontryagin.proof import prove
 
@@ -63,7 +64,7 @@ def test_closed_forms_lie_in_the_enclosures(name):
     assert all(one.high - one.low < Fraction(1, 10**25)*max(1, abs(one.high)) for one in numbers)
     assert float(proof.cost) == pytest.approx(extremal.cost, rel=1e-12)
     assert [float(one) for one in proof.costate] == pytest.approx(list(extremal.costate(0)), abs=1e-9)
-    assert proof.cost.text in proof._repr_markdown_()
+    assert typeset(proof.cost.text) in proof._repr_markdown_()
 
 
 rationals = st.fractions(-10, 10, max_denominator=50)

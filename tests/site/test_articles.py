@@ -5,7 +5,7 @@ import re
 import pytest
 from bs4 import BeautifulSoup
 
-from trajlib.formulas import TYPEWRITTEN
+from trajlib.formulas import GREEK, TYPEWRITTEN
 
 full = pytest.mark.parametrize("pages", ["full"], indirect=True)
 PROBLEM, CHAPTER = "solutions/ch*/p*.html", "book/ch*.html"
@@ -17,19 +17,32 @@ def those(pages, *patterns):
     return {path: parsed[path] for path in sorted(path for pattern in patterns for path in root.glob(pattern))}
 
 
+#: A Greek letter by its name.
+SPELT = re.compile(rf"\b({'|'.join(GREEK)})(?![a-z])")
+
+
 @full
 def test_results_are_set_and_not_typed(pages):
-    """What cells show holds no powers, products or roots in the letters of a typewriter, and no warnings."""
+    """What cells show holds no powers, products, roots or Greek letters as they are typed, and no warnings."""
     faults, shown = {}, 0
     for path, page in those(pages, PROBLEM, CHAPTER, "book/errata/ch*.html").items():
         found = [warning.get_text()[:80] for warning in page.select(".cell_output .stderr")]
         for output in page.select(".cell_output"):
             shown += len(output.select(".math"))
             words = "".join(text for text in output.find_all(string=True) if not text.find_parent(class_="math"))
-            found += [line for line in words.splitlines() if TYPEWRITTEN.search(line)]
+            found += [line for line in words.splitlines() if TYPEWRITTEN.search(line) or SPELT.search(line)]
         if found:
             faults[path.name] = found
     assert shown > 1000 and not faults
+
+
+@full
+def test_units_stand_upright(pages):
+    """After a number that is typed m/s is a speed; alone, in the head of a column, it would be set as two letters."""
+    faults = {path.name: found for path, page in those(pages, PROBLEM, CHAPTER, "book/lectures/*.html").items()
+              if (found := re.findall(r".{,40}<i>m</i>/<i>s</i>|, <i>k?m</i></p>",
+                                      "".join(map(str, page.select(".cell_output")))))}
+    assert not faults
 
 
 #: Python's own forms of a value, and decimals of more than nine places; an enclosure, m ± r, has all that are proved.
@@ -56,7 +69,7 @@ def test_nothing_is_printed(pages):
     for path, page in those(pages, PROBLEM, CHAPTER, "book/errata/ch*.html", "book/lectures/*.html").items():
         found = [output.get_text()[:80] for output in page.select(".cell_output pre")]
         for line in page.select(".cell_output > p"):
-            words = "".join("0" if text.find_parent(class_="math") else text for text in line.find_all(string=True))
+            words = "".join("§" if text.find_parent(class_="math") else text for text in line.find_all(string=True))
             found += re.findall(r".{,20}\d +[−-]?\d.{,20}", words)
         if found:
             faults[path.name] = found

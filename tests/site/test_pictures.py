@@ -73,7 +73,7 @@ def test_what_is_covered(tmp_path):
             fig.savefig(tmp_path / "one.svg")
             plt.close(fig)
         [found[place]] = covered((tmp_path / "one.svg").read_text(encoding="utf-8"))
-    assert found["upper left"] == 0 and found["lower right"] > 0.5
+    assert found["upper left"] == 0 and found["lower right"] > 2*COVERED
 
 
 @pytest.fixture(scope="module")

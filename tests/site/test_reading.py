@@ -18,15 +18,15 @@ CENSUS = """(() => {
         tables: of('article table').filter(e => e.getBoundingClientRect().right > right + 1
             || getComputedStyle(e.parentElement).overflowX !== 'visible' && scrolls(e.parentElement)).length,
         beyond: of('article span.math svg').filter(e => e.getBoundingClientRect().right > right).length,
-        code: of('article .cell_input pre, article .highlight-pycon pre').filter(scrolls).length,
+        code: of('article .highlight pre').filter(scrolls).length,
         printed: of('article .cell_output pre').filter(scrolls).length,
     }})()"""
 
 
 @pytest.fixture(scope="module")
 def wide_pages(editions):
-    """Pages with many formulas, long code and long outputs, the chapters and the library."""
-    pages = [page for places in ("solutions/ch*/p*.html", "book/ch*.html", "book/library/*.html")
+    """Pages with many formulas, long code and long outputs, the chapters, the guides and the library."""
+    pages = [page for places in ("solutions/ch*/p*.html", "book/ch*.html", "book/guides/*.html", "book/library/*.html")
              for page in editions.full.glob(places)]
     return [page.relative_to(editions.full).as_posix() for page in sorted(pages)]
 
@@ -116,6 +116,19 @@ def test_on_paper_a_drawing_stands_without_its_code(browser, addresses):
     computed = browser.run(f"[...document.querySelectorAll('.tag_answer .cell_input')].map({height})")
     browser.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
     assert drawn and set(drawn) == {0} and min(pictures) > 50 and min(computed) > 20
+
+
+def test_on_paper_no_line_of_code_is_broken(browser, addresses):
+    """What is as wide as a sheet of paper between its margins, in points of a screen."""
+    browser.resize(718, 1000)
+    browser.open(f"{addresses['http']}/solutions/ch4/p18.html")
+    browser.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
+    browser.run("document.querySelectorAll('article details').forEach(fold => fold.open = true)")
+    broken = browser.run("""[...document.querySelectorAll('article .cell_input pre')].map(e => {
+        e.style.whiteSpace = 'pre'; return e.scrollWidth - e.clientWidth; })""")
+    browser.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
+    browser.resize(1280, 900)
+    assert broken and max(broken) <= 1
 
 
 def test_on_paper_a_fold_does_not_fade_in(browser, addresses, problem):

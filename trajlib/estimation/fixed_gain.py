@@ -34,10 +34,10 @@ def error_covariance(A, H, Q, R, K):
 
 
 def discrete_error_covariance(Phi, H, Q, R, K):
-    """The stationary covariance P^- of the errors before the correction x~+ = x~- + K (z - H x~-), whatever K is.
+    """The stationary covariance of the errors before a correction with the gain `K`, whatever it is.
 
-    The process is x_{i+1} = Phi x_i + q_i. Arguments, result and errors as for `error_covariance`, with covariances `Q`
-    and `R` instead of intensities.
+    The process is x(i + 1) = Phi x(i) + q(i). Arguments, result and errors as for `error_covariance`, with covariances
+    `Q` and `R` instead of intensities.
 
     >>> discrete_error_covariance(1, 1, 1, 1, 1).covariance[0]    # trust the measurement: P^+ = R
     2

@@ -16,6 +16,8 @@ from fractions import Fraction
 
 import sympy as sp
 
+from trajlib.formulas import typeset
+
 from .linear_arcs import LinearArcs, NotLinear
 from .optimality import theorem
 
@@ -87,7 +89,7 @@ class Proof:
         rows = [("$J$", self.cost), ("$t_k$", self.duration)]
         rows += [(f"switching {i}", time) for i, time in enumerate(self.switching_times, 1)]
         rows += [(rf"$\psi_{i}(0)$", value) for i, value in enumerate(self.costate, 1)]
-        table = "".join(f"| {name} | `{value}` |\n" for name, value in rows)
+        table = "".join(f"| {name} | {typeset(str(value))} |\n" for name, value in rows)
         return f"Proved optimal: {self.reason}.\n\n| quantity | enclosure |\n|---|---|\n{table}"
 
 

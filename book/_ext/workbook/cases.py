@@ -1,6 +1,7 @@
 """The page of the checks: what each accepts and rejects, from the tables of cases that are its tests."""
 
 import importlib.util
+import re
 import sys
 from pathlib import Path
 
@@ -49,7 +50,7 @@ class CheckCases(SphinxDirective):
 def _table(cases):
     body = nodes.tbody()
     for case in cases:
-        text = describe(case.answer)
+        text = re.sub(r"\[\s+", "[", " ".join(describe(case.answer).split()))  # a matrix stands on one line
         shown = text if len(text) <= 90 else text[:87] + "..."
         verdict = f"{MARKS[case.verdict]}\N{NO-BREAK SPACE}{case.verdict}"
         cells = ([nodes.Text(verdict)], [nodes.literal("", shown)], spans(case.note))

@@ -13,6 +13,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from trajlib.formulas import typeset
+
 from .cuts import crossing_angles
 
 #: Side of the raster on which regions are counted.
@@ -49,7 +51,8 @@ class Regularity:
         return "\n".join(f"{c.letter} {'holds' if c.holds else 'FAILS'}: {c.text}" for c in self.conditions)
 
     def _repr_markdown_(self):
-        rows = [f"| {c.letter} | {'holds' if c.holds else '**fails**'} | {c.text} |" for c in self.conditions]
+        rows = [f"| {c.letter} | {'holds' if c.holds else '**fails**'} | {typeset(c.text)} |"
+                for c in self.conditions]
         return "\n".join(["| condition | verdict | what was found |", "|---|---|---|", *rows])
 
 
