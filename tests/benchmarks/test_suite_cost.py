@@ -11,7 +11,7 @@ CASES = [("tests.problems.test_masters", "test_a[1.2]", {"": 7.0}),
          ("tests.problems.test_exercises", "test_b[1.2]", {"": 1.0}),
          ("tests.problems.test_masters", "test_a[1.10]", {"": 2.0}),
          ("tests.checks.test_cases", "test_case[loops: 2.5]", {"": 0.5}),
-         ("tests.site.test_browser", "test_fits[1.10-full]", {"": 30.0, " of a build": 20.0, " of a browser": 4.0}),
+         ("tests.site.test_every_page", "test_fits[1.10-full]", {"": 30.0, " of a build": 20.0, " of a browser": 4.0}),
          ("trajlib.stability.hurwitz", "trajlib.stability.hurwitz.minors", {"": 0.25})]
 
 

@@ -31,6 +31,7 @@ class Browser:
         options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
         self.driver = webdriver.Chrome(options=options, service=Service(driver))
         self.driver.set_script_timeout(60)
+        self._size = None
 
     def open(self, address):
         """Open a page and wait until its formulas are set."""
@@ -41,8 +42,18 @@ class Browser:
             (window.MathJax && MathJax.startup ? MathJax.startup.promise : Promise.resolve()).then(() => done());""")
 
     def resize(self, width, height, phone=False):
+        """Chromium goes from one size to another in several steps: the page is laid out after the last one alone."""
+        if self._size == (width, height, phone):
+            return
+        self.driver.execute_script("document.documentElement.style.contentVisibility = 'hidden'")
         self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
             "width": width, "height": height, "deviceScaleFactor": 1, "mobile": phone})
+        self.driver.execute_script("document.documentElement.style.contentVisibility = ''")
+        self._size = width, height, phone
+
+    def forget(self):
+        """Empty the page: nothing more is asked of it, and it need not be laid out for the size of the next one."""
+        self.driver.execute_script("document.body.replaceChildren()")
 
     def run(self, script):
         return self.driver.execute_script(f"return {script}")

@@ -1,6 +1,7 @@
 """Builds both editions of the site once, and opens them in a browser that can reach nothing but this machine."""
 
 import fcntl
+import functools
 import os
 import subprocess
 import sys
@@ -53,7 +54,8 @@ def _build():
 @pytest.fixture(scope="session")
 def pages_of():
     """The pages below a folder; _static holds templates of the theme, which are no pages."""
-    return lambda root: sorted(path for path in root.rglob("*.html") if root / "_static" not in path.parents)
+    return functools.cache(lambda root: sorted(path for path in root.rglob("*.html")
+                                               if root / "_static" not in path.parents))
 
 
 @pytest.fixture(scope="session", params=["full", "student"])

@@ -3,21 +3,11 @@
 import io
 import itertools
 import json
-import re
 import zipfile
-from pathlib import Path
 from urllib.parse import urljoin
 from urllib.request import urlopen
 
 import pytest
-
-from trajlib.masters import master_paths
-
-SOLUTIONS = Path(__file__).resolve().parents[2] / "solutions"
-#: Number -> the place of a problem's page below the folder of its edition.
-PROBLEMS = {f"{path.parent.name[2:]}.{int(path.stem[1:])}": f"{path.parent.name}/{path.stem}"
-            for path in master_paths(SOLUTIONS)}
-PHONE = 390
 
 
 @pytest.fixture(autouse=True)
@@ -31,53 +21,6 @@ def test_formulas_are_set_and_nothing_else_is_asked_for(browser, addresses, prob
     assert browser.run("document.querySelectorAll('article mjx-container svg').length") > 0
     assert browser.errors() == []
     assert browser.foreign_requests() == []
-
-
-@pytest.mark.parametrize("number", [*PROBLEMS, "the other pages"])
-def test_every_page_fits_a_phone_without_errors(browser, addresses, editions, pages_of, number):
-    pages = {path.relative_to(editions.full).as_posix() for path in pages_of(editions.full)}
-    problems = {number: f"solutions/{place}.html" for number, place in PROBLEMS.items()}
-    assert pages.issuperset(problems.values())
-    for page in [problems[number]] if number in problems else sorted(pages.difference(problems.values())):
-        assert _faults_on_a_phone(browser, f"{addresses['http']}/{page}") == []
-
-
-def test_what_the_student_edition_alone_shows_fits_a_phone_without_errors(browser, addresses, editions, pages_of):
-    """Most of its pages show a part of what those of the other edition do, and that has been seen to fit."""
-    pages = {path.relative_to(editions.student).as_posix(): path for path in pages_of(editions.student)}
-    own = [page for page, path in pages.items()
-           if not _shown(path) <= _shown(editions.full / page.replace("exercises/", "solutions/"))]
-    assert "genindex.html" in own and len(own) < len(pages) / 5
-    for page in {*own, "book/index.html", "exercises/ch1/p15.html"}:
-        assert _faults_on_a_phone(browser, f"{addresses['student']}/{page}") == []
-
-
-#: What may be too wide or fail to be set. Code scrolls in its own box on every page.
-SHOWN = re.compile(r'<(span|div) class="math[ "][^>]*>.*?</\1>|<(table)\b.*?</table>|<(img|svg)\b[^>]*>', re.DOTALL)
-#: What may differ between the editions: addresses, and the letter of a figure where it is the only one of its page.
-EITHER_WAY = re.compile(r'(href|src|id|data-[a-z]+)="[^"]*"|(?<=\d)[a-z](?=:)')
-
-
-def _shown(path):
-    """The formulas, tables and pictures of a page."""
-    if not path.exists():
-        return set()
-    article = path.read_text(encoding="utf-8").partition("<article")[2].partition("</article>")[0]
-    return {EITHER_WAY.sub("", found[0]) for found in SHOWN.finditer(article)}
-
-
-def _faults_on_a_phone(browser, address):
-    """All folds open: what is folded away has to fit as well."""
-    browser.resize(PHONE, 844, phone=True)
-    browser.open(address)
-    browser.run("document.querySelectorAll('details').forEach(fold => fold.open = true)")
-    width = browser.run("document.documentElement.scrollWidth")
-    broken = browser.run("[...document.querySelectorAll('mjx-merror, [data-mjx-error]')].map(e => "
-                         "e.dataset.mjxError || e.innerText)")
-    unset = browser.run("""[...document.querySelectorAll('.math')].filter(
-        e => !e.querySelector('mjx-container') && e.innerText.trim()).map(e => e.innerText.slice(0, 60))""")
-    faults = [f"{width} px wide"] if width > PHONE else []
-    return [f"{address}: {what}" for what in faults + broken + unset + browser.errors() + browser.foreign_requests()]
 
 
 def test_the_dark_switch_darkens_the_page(browser, addresses, problem):

@@ -1,46 +1,8 @@
-"""Pages as people see them: with scroll bars on, at a desk and on a phone, on paper."""
+"""Pages as people see them: what scrolls on a phone, letters of pictures, on paper."""
 
 import base64
 
 import pytest
-
-#: What is cut off, or has a scroll bar, in the opened page.
-CENSUS = """(() => {
-    document.querySelectorAll('article details').forEach(fold => fold.open = true);
-    const of = selector => [...document.querySelectorAll(selector)];
-    const scrolls = e => e.scrollWidth > e.clientWidth + 1;
-    const clips = e => getComputedStyle(e).overflowX !== 'visible'
-        && (scrolls(e) || e.scrollHeight > e.clientHeight + 1);
-    const right = document.querySelector('article').getBoundingClientRect().right;
-    return {
-        inline: of('article mjx-container:not([display="true"])').filter(clips).length,
-        displayed: of('article div.math').filter(scrolls).length,
-        tables: of('article table').filter(e => e.getBoundingClientRect().right > right + 1
-            || getComputedStyle(e.parentElement).overflowX !== 'visible' && scrolls(e.parentElement)).length,
-        beyond: of('article span.math svg').filter(e => e.getBoundingClientRect().right > right).length,
-        code: of('article .highlight pre').filter(scrolls).length,
-        printed: of('article .cell_output pre').filter(scrolls).length,
-    }})()"""
-
-
-@pytest.fixture(scope="module")
-def wide_pages(editions):
-    """Pages with many formulas, long code and long outputs, the chapters, the guides and the library."""
-    pages = [page for places in ("solutions/ch*/p*.html", "book/ch*.html", "book/guides/*.html", "book/library/*.html")
-             for page in editions.full.glob(places)]
-    return [page.relative_to(editions.full).as_posix() for page in sorted(pages)]
-
-
-def test_nothing_is_cut_off_at_a_desk(browser, addresses, wide_pages):
-    browser.resize(1400, 900)
-    faults = {}
-    for page in wide_pages:
-        browser.open(f"{addresses['http']}/{page}")
-        found = browser.run(CENSUS)
-        if any(found.values()):
-            faults[page] = found
-    assert not faults
-
 
 #: Grounds of all that may have to scroll; code, printed lines, formulas and tables.
 GROUNDS = """[...document.querySelectorAll('article :is(div.math, pre, .pst-scrollable-table-container)')].map(
