@@ -4,6 +4,8 @@ Known is either the covariance matrix of the vector, and the quantities are line
 its values, {value: probability}, and the quantities may be any functions of it.
 """
 
+import functools
+
 import numpy as np
 import sympy as sp
 
@@ -61,7 +63,7 @@ def uncorrelated(claims, first, second, vector, law, angle):
     rows = [sp.Matrix([quantity]).jacobian(vector) for quantity in (first, second)]
     crossed = (rows[0] * sp.Matrix(law) * rows[1].T)[0]
     said = [(claim, value_at(claim, {}, "an angle")) for claim in claims]
-    true = [float(zero) for zero in sp.solveset(crossed, angle, sp.Interval.Ropen(0, sp.pi))]
+    true = list(_zeros(crossed, angle))
 
     def stranger(one):
         there = complex(crossed.subs(angle, one[1])).real
@@ -72,6 +74,12 @@ def uncorrelated(claims, first, second, vector, law, angle):
                   lambda count, others: "there is another angle at which the covariance vanishes")
     exact = all(sp.simplify(crossed.subs(angle, claim)) == 0 for claim in claims)
     return f"there the covariance vanishes, and nowhere else: {'proved' if exact else 'to the digits computed'}"
+
+
+@functools.lru_cache(maxsize=16)
+def _zeros(expression, angle):
+    """The angles from 0 to pi, without pi, at which an expression of the data vanishes: kept for all verdicts."""
+    return tuple(float(zero) for zero in sp.solveset(expression, angle, sp.Interval.Ropen(0, sp.pi)))
 
 
 def _mean(quantity, vector, law, values):

@@ -108,9 +108,7 @@ def bearing_tells_range(answer, relative, t, T, turn):
     symbols = _symbols(sp.Matrix(relative), t) + [t, T, *turn]
     after = [part - change*(t - T) for part, change in zip(relative, turn)]
     # the targets left over by the bearings before T are those whose relative motion is `relative` times a factor
-    told = sp.expand(after[0]*relative[1] - after[1]*relative[0])
-    # divided by what is positive, it has fewer terms
-    told = sp.Mul(*(factor for factor in sp.Mul.make_args(sp.factor(told)) if factor not in (t - T, T - t)))
+    told = _without(after[0]*relative[1] - after[1]*relative[0], t - T)
     here = sp.And(t > T, sp.Or(*(sp.Ne(part, 0) for part in after)))
 
     def reason(values, holds):
@@ -120,6 +118,13 @@ def bearing_tells_range(answer, relative, t, T, turn):
 
     agreement = compare(answer, symbols, exactly(sp.Ne(told, 0), here), reason)
     return f"it agrees with the change of the bearing: {agreement}"
+
+
+@functools.lru_cache(maxsize=16)
+def _without(expression, positive):
+    """Data divided by a factor that is positive, so that there are fewer terms: kept for all verdicts."""
+    factors = sp.Mul.make_args(sp.factor(sp.expand(expression)))
+    return sp.Mul(*(factor for factor in factors if factor not in (positive, -positive)))
 
 
 @judged(Expression("relative", "t", "T", "turn", "delta"))
