@@ -9,7 +9,7 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 from classroom import an_assignment, hand_in  # noqa: E402
 
-from trajlib.grading import belonging, reading, submissions  # noqa: E402
+from trajlib.grading import belonging, submissions, submitted_file  # noqa: E402
 from trajlib.grading.gradescope import autograder  # noqa: E402
 
 
@@ -52,7 +52,7 @@ def test_a_file_that_gradescope_cannot_read_is_named(tmp_path, monkeypatch):
     homework = an_assignment(tmp_path, 'problems = ["1.15"]')
     path = hand_in(tmp_path, "ann", "1.15", {})
     (tmp_path / "scratch").mkdir()
-    monkeypatch.setattr(reading, "content", lambda path: (_ for _ in ()).throw(OSError(5, "Input/output error")))
+    monkeypatch.setattr(submitted_file, "content", lambda path: (_ for _ in ()).throw(OSError(5, "Input/output error")))
     graded, _, remarks = autograder._submitted(path.parent, tmp_path / "scratch", homework)
     assert graded == [] and "left aside: ch1-p15.ipynb: this file cannot be read (Input/output error)" in remarks
 
@@ -65,7 +65,7 @@ def test_a_file_that_gradescope_cannot_read_is_named(tmp_path, monkeypatch):
     ("Able_1_15", None),
     ("branch1-p15", None), ("ch1-p1500", None)])
 def test_names(name, number):
-    assert reading.number_of_name(name) == number
+    assert submitted_file.number_of_name(name) == number
 
 
 def hands_in(folder, **problems):

@@ -12,7 +12,7 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 from classroom import hand_in, notebook  # noqa: E402
 
-from trajlib.grading import reading, submissions  # noqa: E402
+from trajlib.grading import submissions, submitted_file  # noqa: E402
 from trajlib.grading.printable import printable, printable_name  # noqa: E402
 from trajlib.grading.submissions import Aside, Submission, find, students  # noqa: E402
 
@@ -184,7 +184,7 @@ def test_pictures_cost_nothing(tmp_path, megabytes):
 @pytest.mark.parametrize("content, said", [(b"[" + b"[]," * 2**21 + b"[]]", "not a notebook"),
                                            (b"{" * 12 * 2**20, "no JSON in UTF-8")])
 def test_large_files_that_are_no_notebooks(tmp_path, content, said, monkeypatch):
-    monkeypatch.setattr(reading, "LARGE", 2**20)
+    monkeypatch.setattr(submitted_file, "LARGE", 2**20)
     hand_in(tmp_path, "ada", "1.15", {}).write_bytes(content)
     (found,) = find(tmp_path / "submitted")
     assert said in found.trouble and found.submitted > 0
@@ -199,14 +199,14 @@ def test_files_that_came_in_a_wrong_wrapping(tmp_path, content, said):
 
 def test_reading_has_limits(tmp_path, monkeypatch):
     """Twenty megabytes of empty lists are half a gigabyte in memory."""
-    monkeypatch.setattr(reading, "MEMORY", 100 * 2**20)
+    monkeypatch.setattr(submitted_file, "MEMORY", 100 * 2**20)
     hand_in(tmp_path, "ada", "1.15", {}).write_bytes(b'{"cells": [' + b"[]," * 7 * 2**20 + b"[]]}")
     (found,) = find(tmp_path / "submitted")
     assert found.trouble == "the file has 21 MB, and reading it took more time or memory than allowed"
 
 
 def test_the_time_of_a_file_that_is_not_read(tmp_path, monkeypatch):
-    monkeypatch.setattr(reading, "LARGEST", 100)
+    monkeypatch.setattr(submitted_file, "LARGEST", 100)
     hand_in(tmp_path, "ada", "1.15", {}, at=5.0)
     (found,) = find(tmp_path / "submitted")
     assert found.submitted == 5.0 and "notebooks up to" in found.trouble

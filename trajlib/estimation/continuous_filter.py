@@ -15,8 +15,8 @@ import sympy as sp
 from ..stability.systems import as_real, exact_decimals
 from .covariances import Moments
 from .linear import solve, symmetric
+from .matrices import in_floats, read_covariance, read_matrix, read_square, read_vector
 from .modes import Modes, continuous_basis, exact_spectrum
-from .reading import in_floats, read_covariance, read_matrix, read_square, read_vector
 from .simulation import Paths, equal_steps, simulate_continuous
 from .stationary_filters import stationary_filter
 

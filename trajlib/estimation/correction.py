@@ -11,7 +11,7 @@ import sympy as sp
 
 from .covariances import trusted_moments
 from .linear import identity_like, latex, solve, symmetric, tidy
-from .reading import in_floats, read_covariance, read_measurement, read_vector
+from .matrices import in_floats, read_covariance, read_measurement, read_vector
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ import sympy as sp
 
 from ..stability.regions import latex_condition
 from .linear import latex, symmetric, tidy
-from .reading import in_floats, read_covariance, read_matrix, read_vector
+from .matrices import in_floats, read_covariance, read_matrix, read_vector
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .reading import ROUNDING, in_floats, read_covariance, read_matrix, read_vector
+from .matrices import ROUNDING, in_floats, read_covariance, read_matrix, read_vector
 from .recursion import BLOCK, recursion, varying_recursion
 
 #: How much of the variances may be left to converge when the gain is kept.

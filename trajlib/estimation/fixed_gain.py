@@ -12,7 +12,7 @@ import sympy as sp
 from ..stability.systems import read_symbols
 from .limits import discrete_stationary_covariance, stationary_covariance
 from .linear import identity_like, latex, symmetric
-from .reading import in_floats, read_covariance, read_matrix, read_square
+from .matrices import in_floats, read_covariance, read_matrix, read_square
 
 
 def error_covariance(A, H, Q, R, K):

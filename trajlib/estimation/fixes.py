@@ -19,7 +19,7 @@ from ..stability.systems import as_prose
 from ..structure import exact
 from .linear import latex, tidy
 from .linear_fit import least_squares
-from .reading import in_floats, read_matrix, read_vector
+from .matrices import in_floats, read_matrix, read_vector
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,7 @@ import sympy as sp
 
 from ..stability.systems import exact_decimals, read_expression, read_symbols
 from .linear import latex, solve
-from .reading import in_floats, read_covariance, read_vector
+from .matrices import in_floats, read_covariance, read_vector
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ from ..stability.hurwitz import characteristic_polynomial
 from ..stability.regions import latex_condition, stability_conditions
 from ..stability.systems import as_prose
 from .linear import latex, solve, symmetric
-from .reading import in_floats, read_covariance, read_square
+from .matrices import in_floats, read_covariance, read_square
 
 
 @dataclass(frozen=True)

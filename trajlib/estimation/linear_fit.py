@@ -15,7 +15,7 @@ from ..structure import exact
 from .correction import corrected
 from .covariances import Moments
 from .linear import latex, solve, symmetric, tidy
-from .reading import in_floats, read_measurement
+from .matrices import in_floats, read_measurement
 
 
 @dataclass(frozen=True)

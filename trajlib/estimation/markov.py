@@ -14,8 +14,8 @@ import sympy as sp
 from ..stability.systems import as_real, exact_decimals
 from .covariances import trusted_moments
 from .linear import identity_like, symmetric
+from .matrices import in_floats, read_covariance, read_square, read_vector
 from .modes import Modes, continuous_basis, discrete_basis, exact_spectrum, products, sums
-from .reading import in_floats, read_covariance, read_square, read_vector
 
 
 class DiscreteModel(NamedTuple):

@@ -11,7 +11,7 @@ from ..stability.systems import exact_decimals
 from .correction import corrected
 from .covariances import Moments
 from .markov import continuous_moments
-from .reading import in_floats, read_matrix, read_square
+from .matrices import in_floats, read_matrix, read_square
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ import numpy as np
 import sympy as sp
 
 from ..stability.systems import exact_decimals, read_expression, read_symbols
-from .reading import read_covariance, read_vector
+from .matrices import read_covariance, read_vector
 
 #: How often a step is shortened before the misfit counts as no longer falling.
 HALVINGS = 40

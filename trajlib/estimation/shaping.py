@@ -10,7 +10,7 @@ import sympy as sp
 
 from ..stability.systems import exact_decimals, read_expression, read_symbols
 from .linear import stack
-from .reading import in_floats, read_matrix, read_square
+from .matrices import in_floats, read_matrix, read_square
 
 
 @dataclass(frozen=True)

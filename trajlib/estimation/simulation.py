@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .markov import discretised
-from .reading import read_covariance, read_matrix, read_square, read_vector
+from .matrices import read_covariance, read_matrix, read_square, read_vector
 
 
 @dataclass(frozen=True, repr=False)

@@ -16,7 +16,7 @@ from ..stability.regions import latex_condition
 from ..stability.systems import as_prose
 from ..structure.rank_tests import controllability, observability
 from .linear import identity_like, latex, solve, symmetric
-from .reading import in_floats, read_covariance, read_matrix, read_square
+from .matrices import in_floats, read_covariance, read_matrix, read_square
 from .riccati import Stabilising, continuous_hamiltonian, discrete_hamiltonian
 
 #: Errors that decay by less than this share of the size of the matrix count as not decaying, in floats.

@@ -15,7 +15,7 @@ import sympy as sp
 
 from ..stability.hurwitz import characteristic_polynomial
 from ..structure.measurement_errors import with_measurement_error
-from ..structure.reading import read_controlled, read_exact_rectangle, read_observed
+from ..structure.pairs import read_controlled, read_exact_rectangle, read_observed
 from ..structure.splitting import named_matrices
 
 

@@ -17,8 +17,8 @@ import sympy as sp
 from ..stability.hurwitz import characteristic_polynomial
 from ..stability.systems import exact_decimals, read_expression, read_symbols
 from ..structure import exact
+from ..structure.pairs import is_float_array, read_controlled, read_observed
 from ..structure.popov import visible_symbol
-from ..structure.reading import is_float_array, read_controlled, read_observed
 from ..structure.splitting import observability_decomposition
 from .fixed_spectrum import detectability, stabilisability
 

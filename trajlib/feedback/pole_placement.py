@@ -23,8 +23,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ..structure.pairs import read_controlled
 from ..structure.rank_tests import controllability
-from ..structure.reading import read_controlled
 from ..structure.scaling import balanced
 
 #: Decimal digits of the first attempt, and those that are no longer doubled.

@@ -15,7 +15,7 @@ import sympy as sp
 
 from ..estimation.continuous_filter import ContinuousFilter
 from ..estimation.linear import latex, symmetric, tidy
-from ..estimation.reading import in_floats, read_covariance, read_matrix, read_square
+from ..estimation.matrices import in_floats, read_covariance, read_matrix, read_square
 from ..estimation.stationary_filters import StationaryFilter, stationary_filter
 from ..stability.regions import latex_condition
 from ..stability.systems import as_prose

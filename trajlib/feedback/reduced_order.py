@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from ..structure import exact
-from ..structure.reading import is_float_array, read_controlled, read_observed
+from ..structure.pairs import is_float_array, read_controlled, read_observed
 from .gains import GainFamily, observer
 
 

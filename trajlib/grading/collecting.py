@@ -17,7 +17,7 @@ from pathlib import Path
 from trajlib.grading import assignment as assignments
 from trajlib.grading.assignment import BadInput
 from trajlib.grading.printable import printable_name
-from trajlib.grading.reading import LARGEST
+from trajlib.grading.submitted_file import LARGEST
 
 #: Bytes; a file beside another of its name gets a number too.
 MOST_NAME = 240

@@ -22,7 +22,7 @@ from trajlib.checks.contract.verdict import MISSING, UNCHECKED, Unusable, Verdic
 from trajlib.execution import CONTEXT, Child, TimeLimit, decoded, judge_answers, run_cell
 from trajlib.grading.isolation import end_with_parent, loaded
 from trajlib.grading.printable import printable
-from trajlib.grading.reading import MOST_CELLS
+from trajlib.grading.submitted_file import MOST_CELLS
 
 #: How a notebook ended that handed nothing over: whose affair it is, in the words of a remark.
 ENDS = {

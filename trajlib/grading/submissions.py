@@ -9,7 +9,7 @@ import os
 from dataclasses import dataclass
 from pathlib import Path
 
-from trajlib.grading import reading
+from trajlib.grading import submitted_file
 from trajlib.grading.assignment import TAKEN
 from trajlib.grading.printable import person_or_homework, printable_name
 
@@ -144,13 +144,13 @@ def _read(student, assignment, path):
     content, cells, trouble, number = b"", (), "", None
     try:
         submitted = min(max(path.lstat().st_mtime, 0.0), LATEST)
-        content = reading.content(path)
-        number, cells = reading.notebook(content)
-    except reading.Unreadable as error:
+        content = submitted_file.content(path)
+        number, cells = submitted_file.notebook(content)
+    except submitted_file.Unreadable as error:
         trouble = str(error)
     except OSError as error:  # our rights or our disk: no attempt of the student's
         return Aside(printable_name(path), f"this file cannot be read ({error.strerror})", student, assignment)
     fingerprint = hashlib.sha256(content or trouble.encode()).hexdigest()
     return Submission(student, assignment, printable_name(path), fingerprint, submitted, number
-                      or reading.number_of_name(path.stem), cells,
+                      or submitted_file.number_of_name(path.stem), cells,
                       trouble)

@@ -24,7 +24,7 @@ SOCKET = "TRAJLIB_LIVE_KERNELS"
 #: What cells of lectures and the magics load beside trajlib, most of it only when a function is called.
 LIBRARIES = ("ipykernel.kernelapp", "matplotlib.pyplot", "scipy.integrate", "scipy.linalg", "scipy.optimize",
              "jupytext.myst", "yaml", "trajlib.live.magics", "trajlib.live.counterexamples", "scipy.ndimage",
-             "trajlib.masters.reading", "trajlib.masters.mistakes", "trajlib.masters.converting",
+             "trajlib.masters.master", "trajlib.masters.mistakes", "trajlib.masters.converting",
              "trajlib.live.catching_up", "trajlib.showing", "trajlib.plotting")
 
 

@@ -8,7 +8,7 @@ from trajlib._lazy import lazy_names
 __getattr__, __dir__, __all__ = lazy_names(__name__, {
     "beginning": ["begin"],
     "errors": ["MasterError"],
-    "reading": ["Answer", "Cell", "Master", "master_paths", "read", "read_all"],
+    "master": ["Answer", "Cell", "Master", "master_paths", "read", "read_all"],
     "trials": ["Trial"],
     "converting": ["student_notebook", "write_exercises"],
     "links": ["Links"],

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from trajlib.masters.contract import master_file
 from trajlib.masters.front_matter import read_front_matter
-from trajlib.masters.reading import master_paths
+from trajlib.masters.master import master_paths
 from trajlib.masters.trials import trials_file
 
 #: Stands wherever the author has something to say; a test finds what is left of it.

@@ -15,8 +15,8 @@ from trajlib.formulas import plain
 from trajlib.masters.contract import caption_above, in_words, master_file
 from trajlib.masters.drawn import Drawn
 from trajlib.masters.links import Links
+from trajlib.masters.master import read, read_all
 from trajlib.masters.mistakes import origin, text_of
-from trajlib.masters.reading import read, read_all
 from trajlib.masters.statements import assigned_names, reported_names
 from trajlib.masters.study_time import study_time
 from trajlib.mistakes import file_beside

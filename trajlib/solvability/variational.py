@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .reading import read_names, read_times
+from .arguments import read_names, read_times
 from .transitions import stack
 
 #: The error of each entry is found from a second integration whose tolerance is smaller by this factor.

@@ -15,7 +15,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from . import rounding
-from .reading import read_matrix, read_names
+from .arguments import read_matrix, read_names
 from .weights import Weights
 
 #: Components of a direction smaller than this share of its norm are left out of the words.

@@ -16,8 +16,8 @@ import sympy as sp
 from ..stability.hurwitz import characteristic_polynomial
 from . import exact, floats
 from .kalman_matrices import stacked_powers
+from .pairs import read_controlled, read_observed
 from .popov import visible_symbol
-from .reading import read_controlled, read_observed
 from .splitting import holds_where, inverse, named_matrices
 
 _WORST_CONDITION = 1e12

@@ -47,7 +47,7 @@ import numpy as np
 import sympy as sp
 
 from . import exact
-from .reading import read_controlled, read_observed
+from .pairs import read_controlled, read_observed
 from .splitting import holds_where, named_matrices
 
 

@@ -24,7 +24,7 @@ import numpy as np
 
 from .floats import tolerance
 from .nearest import descend, smallest
-from .reading import read_controlled, read_observed
+from .pairs import read_controlled, read_observed
 
 _MOST_SQUARES, _AT_ONCE = 150_000, 1000
 

@@ -10,7 +10,7 @@ import numpy as np
 import sympy as sp
 
 from ..stability.systems import read_expression
-from .reading import read_controlled
+from .pairs import read_controlled
 
 
 def controllability_gramian(A, B=None, duration=None):

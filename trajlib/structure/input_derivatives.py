@@ -19,8 +19,8 @@ from ..stability.hurwitz import characteristic_polynomial
 from ..stability.systems import exact_decimals, read_expression, read_symbols
 from . import exact
 from .canonical import controller_canonical_form
+from .pairs import read_exact_rectangle, read_observed
 from .popov import visible_symbol
-from .reading import read_exact_rectangle, read_observed
 from .splitting import observability_decomposition
 
 

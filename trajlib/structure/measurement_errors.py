@@ -17,8 +17,7 @@ import numpy as np
 import sympy as sp
 
 from ..stability.systems import read_symbols
-from .parameters import rank_conditions
-from .reading import (
+from .pairs import (
     as_floats,
     is_float_array,
     read_exact_matrix,
@@ -26,6 +25,7 @@ from .reading import (
     read_float_matrix,
     read_observed,
 )
+from .parameters import rank_conditions
 
 
 def with_measurement_error(A, H, S, c):

@@ -12,9 +12,9 @@ import sympy as sp
 
 from ..stability.hurwitz import is_float_array
 from . import exact
+from .pairs import as_floats, read_exact_rectangle
 from .popov import LAMBDA, LostMode, lost_modes
 from .rank_tests import float_test, rank_test
-from .reading import as_floats, read_exact_rectangle
 
 
 def mechanical_observability(M, D, K, H1, H2=None):

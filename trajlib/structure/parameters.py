@@ -21,8 +21,8 @@ from ..stability.strict_inequalities import TooLarge, solution_point
 from ..stability.systems import as_real, read_symbols, with_names
 from . import exact
 from .kalman_matrices import stacked_powers
+from .pairs import read_controlled, read_observed
 from .popov import LAMBDA, kernels_modulo
-from .reading import read_controlled, read_observed
 
 _MOST_MINORS = 300
 #: Terms of a polynomial modulo which a rank can still be found in seconds.

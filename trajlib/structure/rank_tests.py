@@ -13,8 +13,8 @@ from ..stability.hurwitz import characteristic_polynomial
 from ..stability.systems import as_prose
 from . import exact, floats
 from .kalman_matrices import stacked_powers
+from .pairs import read_controlled, read_observed
 from .popov import LAMBDA, LostMode, lost_modes
-from .reading import read_controlled, read_observed
 
 __all__ = ["LostMode", "RankTest", "controllability", "observability"]
 

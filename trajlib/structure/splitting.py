@@ -15,7 +15,7 @@ import sympy as sp
 from ..stability.regions import latex_condition
 from . import exact, floats
 from .kalman_matrices import stacked_powers
-from .reading import read_controlled, read_observed
+from .pairs import read_controlled, read_observed
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ import sympy as sp
 
 from . import exact, floats
 from .kalman_matrices import stacked_powers
-from .reading import read_controlled, read_observed
+from .pairs import read_controlled, read_observed
 
 
 def unobservable_subspace(A, H=None):

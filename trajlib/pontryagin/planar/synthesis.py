@@ -26,7 +26,7 @@ from ..statement import Problem
 from .cuts import Curve, border_extremals, cut_at_overlaps, dispersal_curves, switching_curves
 from .fan import BEYOND, Fan
 from .plant import Plant
-from .reading import Final, greatest_rate, positive, read_plant, read_target, read_window, refuse_singular_arcs
+from .task import Final, greatest_rate, positive, read_plant, read_target, read_window, refuse_singular_arcs
 from .terminal_sets import Ends, Transversality, families
 from .value_field import ON_TARGET, ValueField
 

@@ -8,7 +8,7 @@ import sympy as sp
 
 from ..stability.hurwitz import is_float_array
 from ..stability.systems import vanishes
-from ..structure.reading import as_floats, read_exact_rectangle
+from ..structure.pairs import as_floats, read_exact_rectangle
 
 #: By how much, relative to its greatest entry, a covariance of floats may miss symmetry or fall below zero: beyond
 #: rounding, below anything that is meant.
