@@ -30,7 +30,7 @@ class Browser:
             options.add_argument(argument)
         options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
         self.driver = webdriver.Chrome(options=options, service=Service(driver))
-        self.driver.set_script_timeout(60)
+        self.driver.set_script_timeout(180)  # axe takes long for a chapter where others compute beside
         self._size = None
 
     def open(self, address):

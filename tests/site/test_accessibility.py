@@ -30,6 +30,7 @@ def faults(browser):
             ("nameless", element[:150]) for element in browser.run(NAMELESS)]
 
     yield of
+    browser.forget()
     browser.resize(1280, 900)
 
 
