@@ -1,0 +1,23 @@
+"""What is true of the data alone is found once: a further verdict on the same data does not look for it again."""
+
+import pytest
+import sympy as sp
+
+from trajlib import checks
+
+x, y, angle = sp.symbols("x y angle")
+t, T, a, b = sp.symbols("t T a b", positive=True)
+TURNED = [x * sp.cos(angle) + y * sp.sin(angle), y * sp.cos(angle) - x * sp.sin(angle)]
+CALLS = {
+    "uncorrelated": ("solveset", [[0, sp.pi / 2], [0]], (*TURNED, [x, y], sp.diag(1, 4), angle)),
+    "bearing_tells_range": ("factor", [sp.Ne(a, 0), sp.Ne(b, 0)], ([x + y * t, 1 + t], t, T, [a, b])),
+}
+
+
+@pytest.mark.parametrize("name", CALLS)
+def test_a_second_verdict_asks_no_solver(name, monkeypatch):
+    solver, (first, second), data = CALLS[name]
+    check, asked, solve = getattr(checks, name), [], getattr(sp, solver)
+    monkeypatch.setattr(sp, solver, lambda *given: (asked.append(given), solve(*given))[1])
+    assert check(first, *data).status in ("right", "wrong") and len(asked) == 1
+    assert check(second, *data).status in ("right", "wrong") and len(asked) == 1
