@@ -26,8 +26,10 @@ from trajlib.checks.truths.optima.transfer_optima import rk4
 COARSE, FINE = (48, 3), (4, 6)
 #: A free duration lies between these.
 SHORTEST, LONGEST = 1e-3, 40.0
-#: From how many controls a search begins.
-STARTS = 6
+#: From how many controls a search begins, each constant on so many parts of one of these durations.
+STARTS, PARTS, DURATIONS = 6, 6, (3.0, 1.5, 6.0)
+#: Where a motion is so many times as fast as usual it has met a pole of the field: then of so many others one counts.
+WILD, TRIED = 20, 240
 #: Durations that are given first, one after the other, where with a free one no process was found.
 FIXED = (8.0, 16.0, 32.0, 4.0)
 #: A least cost that was found twice, up to this, is not searched for any longer.
@@ -269,19 +271,46 @@ class _Search:
         return sorted(found - {0.0})
 
     def _guess(self, case, span, random, attempt):
-        """Equal pieces under a control that is constant on six parts of the duration, followed in small steps."""
+        """Equal pieces under a control that is constant on parts of the duration, followed in small steps."""
         pieces, degree = COARSE
         low, high = np.clip(self.bounds(case), -3, 3)
-        duration = span[0] if span[0] == span[1] else np.clip((3.0, 1.5, 6.0)[attempt % 3], *span)
-        controls = np.repeat(random.uniform(low, high, 6) if attempt else np.full(6, (low + high) / 2), pieces // 6)
-        y, t, states = self._start(case, 0.1), 0.0, []
-        for k, u in enumerate(controls):
+        duration = span[0] if span[0] == span[1] else np.clip(DURATIONS[attempt % 3], *span)
+        parts = random.uniform(low, high, PARTS) if attempt else np.full(PARTS, (low + high) / 2)
+        states, speeds = self._followed(case, duration, parts)
+        if span[0] != span[1] and not speeds.max() <= WILD * np.median(speeds):
+            duration, parts = self._closest(case, span, attempt)
+            states, _ = self._followed(case, duration, parts)
+        controls = np.repeat(parts, degree * pieces // PARTS)
+        return [(None, pieces)], self._packed(self._start(case, 0.1), states, controls, [duration])
+
+    def _followed(self, case, duration, parts):
+        """The states at Radau's points under a control that is constant on parts of the duration, and their speeds."""
+        pieces, degree = COARSE
+        y, t, states, speeds = self._start(case, 0.1), 0.0, [], []
+        for k, u in enumerate(np.repeat(parts, pieces // PARTS)):
+            def field(_, z, u=u):
+                return np.array(self.rates(*z, u, *case)[:-1])
+
             for end in (k + _radau(degree)[0][1:]) * duration / pieces:
-                y = rk4(lambda _, z: np.array(self.rates(*z, u, *case)[:-1]), t, y, end - t)
+                y = rk4(field, t, y, end - t)
                 t = end
                 states.append(y)
-        return [(None, pieces)], self._packed(self._start(case, 0.1), np.array(states).T, np.repeat(controls, degree),
-                                              [duration])
+                speeds.append(np.linalg.norm(field(t, y)))
+        return np.array(states).T, np.array(speeds)
+
+    def _closest(self, case, span, attempt):
+        """Of random durations and controls that are constant on parts of them those that end closest to the target."""
+        low, high = np.clip(self.bounds(case), -3, 3)
+        rates, _, gap, insides = self._in_casadi
+        parts = low + (high - low) * np.random.default_rng(attempt).integers(0, 3, (PARTS, TRIED)) / 2
+        durations = np.clip(np.resize(DURATIONS, TRIED), *span)
+        y = np.repeat(self._start(case, 0.1)[:, None], TRIED, axis=1)
+        for u in np.repeat(parts, 4, axis=0):
+            y = rk4(lambda _, z, u=u[None]: np.array(rates(z, u, abs(insides(z, u, case)), case))[:-1], 0, y,
+                    durations / PARTS / 4)
+        missed = np.linalg.norm(np.array(gap(y, case)), axis=0)
+        chosen = np.argmin(np.where(np.isfinite(missed), missed, np.inf))
+        return durations[chosen], parts[:, chosen]
 
     def _packed(self, start, states, controls, lengths):
         bends = np.repeat(np.abs(controls), len(self._absolute))

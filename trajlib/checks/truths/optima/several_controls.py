@@ -14,8 +14,10 @@ import casadi as ca
 import numpy as np
 import sympy as sp
 
-#: Arcs at first and at most, and steps of each.
-ARCS, MOST, STEPS = 3, 5, 16
+from trajlib.checks.truths.optima.transfer_optima import rk4
+
+#: Arcs at first and at most, and steps of each: where processes are only compared, and where they are improved.
+ARCS, MOST, QUICK, STEPS = 3, 5, 4, 12
 #: So many random processes, so many of them improved, and so many values of the parameters.
 TRIED, IMPROVED, CASES = 1500, 3, 24
 #: No arc of a random process is longer than this.
@@ -86,7 +88,7 @@ class _Search:
             raise ValueError("with several controls each has to have bounds")
         self._bounds = sp.lambdify(names, list(bounds), "math")
         self._start = sp.lambdify(names, [value for _, value in self._initial], "math")
-        self._size, self._programmes = len(own), {}
+        self._size = len(own)
         symbols = [*state, *own, *names]
         self._rates = sp.lambdify(symbols, list(field), ca)
         self._gap = sp.lambdify([*state, *names], list(terminal), ca)
@@ -123,14 +125,16 @@ class _Search:
     def _improved(self, guess, known, bounds):
         """(Lengths, controls, what the target's conditions are worth) of IPOPT's optimum from a guess, or None."""
         count = len(guess) // (1 + self._size)
-        solver, _ = self._programme(count)
+        solver, states = self._programme(count)
         lower, upper = (np.concatenate([np.full(count, end), np.tile(own, count)])
                         for end, own in zip((0.0, np.inf), bounds))
-        one = solver(x0=np.clip(guess, lower, upper), lbx=lower, ubx=upper, lbg=0, ubg=0, p=known)
+        guess, free = np.clip(guess, lower, upper), np.full(count * self._counts[0], np.inf)
+        one = solver(x0=np.concatenate([guess, np.array(states(guess, known)).ravel("F")]), p=known, lbg=0, ubg=0,
+                     lbx=np.concatenate([lower, -free]), ubx=np.concatenate([upper, free]))
         if solver.stats()["return_status"] != "Solve_Succeeded":
             return None
-        found = np.array(one["x"]).ravel()
-        return found[:count], found[count:].reshape(count, self._size), np.array(one["lam_g"]).ravel()
+        found, worth = (np.array(one[name]).ravel() for name in ("x", "lam_g"))
+        return found[:count], found[count:len(guess)].reshape(count, self._size), worth[len(free):]
 
     def _with_an_arc(self, lengths, controls, worth, known, bounds):
         """The process with the arc put in that saves most, or None if none does."""
@@ -151,37 +155,59 @@ class _Search:
 
     def _ends(self, processes, known):
         """What is left at the end of each of many processes, a row each."""
-        _, left = self._programme(processes.shape[1] // (1 + self._size))
+        left = self._left(processes.shape[1] // (1 + self._size))
         return np.array(left(processes.T, np.repeat(known[:, None], len(processes), axis=1))).T
 
+    @functools.cache
+    def _left(self, arcs):
+        """What is left of the target's conditions at the end of so many arcs."""
+        process, known = self._unknown(arcs)
+        return ca.Function("left", [process, known], [self._missed(self._ends_of(process, known, QUICK), known)])
+
+    @functools.cache
     def _programme(self, arcs):
-        """For so many arcs, IPOPT's function and what is left of the target's conditions at the end."""
-        if arcs not in self._programmes:
-            lengths, u = ca.SX.sym("T", arcs), ca.SX.sym("u", self._size, arcs)
-            start, p = (ca.SX.sym(name, count) for name, count in zip("yp", self._counts))
-            y, given = start, ca.vertsplit(p) if self._counts[1] else []
-            for k in range(arcs):
-                held = ca.vertsplit(u[:, k])
-                y = _followed(lambda z, held=held: ca.vertcat(*self._rates(*ca.vertsplit(z), *held, *given)), y,
-                              lengths[k])
-            left = ca.vertcat(*self._gap(*ca.vertsplit(y), *given))
-            unknown, known = ca.vertcat(lengths, ca.vec(u)), ca.vertcat(start, p)
-            self._programmes[arcs] = (
-                ca.nlpsol("several", "ipopt", {"x": unknown, "p": known, "f": ca.sum1(lengths), "g": left}, SOLVER),
-                ca.Function("left", [unknown, known], [left]))
-        return self._programmes[arcs]
+        """For so many arcs, IPOPT's function, to which the states at their ends are unknown too, and these states."""
+        process, known = self._unknown(arcs)
+        y = ca.SX.sym("y", self._counts[0], arcs)
+        begun = self._ends_of(process, known, STEPS, ca.horzcat(known[:self._counts[0]], y[:, :-1]))
+        programme = {"x": ca.vertcat(process, ca.vec(y)), "p": known, "f": ca.sum1(process[:arcs]),
+                     "g": ca.vertcat(ca.vec(begun - y), self._missed(y, known))}
+        return (ca.nlpsol("several", "ipopt", programme, SOLVER),
+                ca.Function("states", [process, known], [self._ends_of(process, known, STEPS)]))
+
+    def _unknown(self, arcs):
+        """Symbols of the lengths and controls of arcs, and of what is given: the start and the parameters."""
+        return ca.SX.sym("x", arcs * (1 + self._size)), ca.SX.sym("p", sum(self._counts))
+
+    def _ends_of(self, process, known, steps, begins=None):
+        """The states at the ends of arcs, a column each: they begin in those of `begins`, or one where another ends."""
+        arcs, n, y = process.numel() // (1 + self._size), self._counts[0], []
+        controls = ca.reshape(process[arcs:], self._size, arcs)
+        for k in range(arcs):
+            begin = begins[:, k] if begins is not None else y[-1] if y else known[:n]
+            y.append(self._arc(steps)(begin, process[k], controls[:, k], known[n:]))
+        return ca.horzcat(*y)
+
+    def _missed(self, states, known):
+        """What is left of the target's conditions in the last state."""
+        n = self._counts[0]
+        return ca.vertcat(*self._gap(*ca.vertsplit(states[:, -1]), *map(known.__getitem__, range(n, known.numel()))))
+
+    @functools.cache
+    def _arc(self, steps):
+        """The state at the end of an arc, by the method of Runge and Kutta in so many steps."""
+        n, size, count = self._counts[0], self._size, self._counts[1]
+        y, length, u, p = (ca.SX.sym(*symbol) for symbol in (("y", n), ("T", 1), ("u", size), ("p", count)))
+        held = [u[k] for k in range(size)] + [p[k] for k in range(count)]
+
+        def rates(_, z):
+            return ca.vertcat(*self._rates(*ca.vertsplit(z), *held))
+
+        end = y
+        for _ in range(steps):
+            end = rk4(rates, 0, end, length / steps)
+        return ca.Function("arc", [y, length, u, p], [end])
 
 
 def _packed(parts):
     return np.concatenate([[h for h, _ in parts], *(u for _, u in parts)])
-
-
-def _followed(rates, y, length):
-    """The state at the end of an arc, by the method of Runge and Kutta."""
-    h = length / STEPS
-    for _ in range(STEPS):
-        a = rates(y)
-        b = rates(y + h / 2 * a)
-        c = rates(y + h / 2 * b)
-        y = y + h / 6 * (a + 2 * b + 2 * c + rates(y + h * c))
-    return y
