@@ -19,6 +19,7 @@ from trajlib.checks.contract.verdict import Invalid, Wrong, judged
 from trajlib.checks.pontryagin.followed import reach
 from trajlib.checks.pontryagin.in_time import Control, Steering
 from trajlib.checks.tools.comparisons import Word
+from trajlib.checks.tools.conditions import decide, exactly, place_text
 from trajlib.checks.tools.samples import draw, ends, found_once, sample_cases
 from trajlib.checks.tools.values import at_once, number_at, real_at, real_function, uncertain_entries, value_at
 from trajlib.checks.tools.wording import rounded_text
@@ -67,6 +68,7 @@ def switching_function(claim, problem, costates, control=None, domain=None):
         if np.sign(said) != np.sign(true):
             raise Wrong(f"for {rounded_text(values)}, H {'grows' if true > 0 else 'falls'} with {control}, and your "
                         f"function is {said:.4g}")
+    _has_the_sign(claim, slope, control, known_costates(problem, costates), domain)
     # Of one sign at random places is less than vanishing together: there each has to.
     return _vanish_together(claim, slope, problem, costates, domain)
 
@@ -440,6 +442,22 @@ def _equal(claim, true, values, what):
         raise Wrong(f"for {rounded_text(values)}, {what} is {wanted:.4g}; your expression gives {said:.4g}")
 
 
+def _has_the_sign(claim, slope, control, known, domain):
+    """Raise `Wrong` where a function has not the sign of dH/du, if that can be decided of all places: a factor may
+    change its sign where none was tried. Where a sign changes in decimals is open."""
+    if in_decimals(claim):
+        return
+    claim, slope = claim.subs(known), slope.subs(known)
+    symbols = sorted({*claim.free_symbols, *slope.free_symbols}, key=str)
+    given = sp.And(*(domain[s].as_relational(s) for s in symbols if s in (domain or {})))
+    for sign, does, not_ in ((sp.Gt, "grows", "does not grow"), (sp.Lt, "falls", "does not fall")):
+        _, place = decide(sign(claim, 0), symbols, exactly(sign(slope, 0), given))
+        if place:
+            values, holds = place
+            raise Wrong(f"for {place_text(values)}, H {does if holds else not_} with {control}, and your function has "
+                        f"another sign")
+
+
 def _vanish_together(claim, slope, problem, costates, domain):
     known = known_costates(problem, costates)
     symbols = [s for s in (*costates, *problem.state) if s not in known]
@@ -477,15 +495,29 @@ def _on_target(problem):
 
 
 def _affine_rows(claims, costates, values):
-    """Rows (coefficients of the costates, constant) of conditions at an end; of each, whether it is affine."""
-    rows = []
+    """Rows (coefficients of the costates, constant) of conditions at an end. A sum of squares vanishes where all of
+    them do."""
+    rows, zero = [], dict.fromkeys(costates, 0)
     for claim in claims:
         put = sp.expand(claim.subs(values))
         row = [sp.diff(put, psi) for psi in costates]
-        if any(c.free_symbols for c in row):
-            raise Invalid("expected conditions that are linear in the costates")
-        rows.append([*(number_at(c, {}).real for c in row), number_at(put.subs(dict.fromkeys(costates, 0)), {}).real])
+        if any(sp.diff(c, psi).free_symbols for c in row for psi in costates):
+            raise Invalid("expected conditions that are linear in the costates, or sums of squares")
+        bends = np.array([[number_at(sp.diff(c, psi), {}).real for psi in costates] for c in row], dtype=float)
+        slopes, rest = ([number_at(c.subs(zero), {}).real for c in part] for part in (row, [put]))
+        rows += _squares(bends, np.array(slopes), *rest) if bends.any() else [[*slopes, *rest]]
     return np.array(rows, dtype=float).reshape(len(rows), len(costates) + 1)
+
+
+def _squares(bends, slopes, rest):
+    """The rows that vanish where psi.bends.psi/2 + slopes.psi + rest does, which is to be its least or greatest value,
+    zero."""
+    least, (sizes, _) = np.linalg.lstsq(bends, -slopes, rcond=1e-9)[0], np.linalg.eigh(bends)
+    size = np.abs(bends).max()
+    if (sizes.min() < -1e-9 * size and sizes.max() > 1e-9 * size or not np.allclose(bends @ least, -slopes)
+            or not abs(rest + slopes @ least / 2) <= 1e-9 * (abs(rest) + abs(slopes) @ abs(least) + size)):
+        raise Invalid("expected conditions that are linear in the costates, or sums of squares")
+    return np.column_stack([bends, slopes]).tolist()
 
 
 def _kernel(rows):

@@ -38,8 +38,9 @@ from trajlib.checks.truths.scales import COST, TIME, same_at_every_scale
 #: Where rates are no linear functions of the control, it is tried at so many places between its bounds, then closer to
 #: the best of them, so often; and so far to both sides where it has no bounds.
 PARTS, ROUNDS, UNBOUNDED = 24, 7, 20.0
-#: To what share of its range a control on an arc of the best process is known, and of the duration an arc.
-CERTAIN, ARC = 1e-3, 1e-4
+#: To what share of its range a control on an arc of the best process is known, and of the duration an arc; a shorter
+#: one may be missed.
+CERTAIN, ARC, MISSED = 1e-3, 1e-6, 1e-4
 #: How far from a change of the best control, as a part of the duration, that of another one is looked for, and by what
 #: share of the distance of its bounds a control that is found numerically may seem to jump.
 NEAR, BENT = 0.02, 4e-3
@@ -49,6 +50,9 @@ SAME, SUDDEN = 1e-6, 1e-9
 TIMED = 0.05
 #: A smaller part of a time than this is none; after so small parts of a way its growth is looked at.
 ABSENT, GROWN = 1e-13, (1e-2, 1e-6)
+#: How close two places are that lie on both sides of a bend, and how many times as far as the truth an expression may
+#: move between them.
+BESIDE, LEAPS = 1e-5, 4
 #: To what share the extreme values of a quantity along the best process are known.
 FOLLOWED = 5e-4
 
@@ -284,11 +288,18 @@ def _right_next_to_bends(claim, problem, parameters, found, what):
         return
     size = max(abs(getattr(best, what)) for _, best in found)
     near = best_processes_at(problem, parameters, next_to_bends(claim, [values for values, _ in found]))
+    seen = []
     for (values, best), said, open_ in _evaluated(claim, near, f"the {what}") if near else ():
         true = getattr(best, what)
         if not same(said, true, claim, size, max(INTEGRATED, best.MISSED), open_):
             raise Wrong(f"{told_for(values)}your expression goes over from one form to another, and gives {said:.4g} "
                         f"next to that; the {what} of the best process found is {'less' if said > true else 'greater'}")
+        seen.append((values, said, true))
+    for (values, one, least), (others, other, greatest) in itertools.pairwise(seen):
+        beside = all(np.isclose(float(values[s]), float(others[s]), rtol=BESIDE, atol=BESIDE) for s in values)
+        if beside and abs(other - one) > LEAPS * max(abs(greatest - least), COSTS * abs(one)):
+            raise Wrong(f"{told_for(values)}your expression jumps, from one form to another; next to that the {what} "
+                        f"of the best process found hardly changes")
 
 
 def _left_over(claim, cost_of, values, best, starts, parameters):
@@ -332,7 +343,7 @@ def held_at_first(claim, problem, control, value, parameters):
         first = itertools.takewhile(lambda arc: abs(arc[1][j] - given) <= near, best.arcs)
         true = float(sum(length for length, _ in first))
         held.append((values, true))
-        if not same(said, true, claim, best.duration, ARC):
+        if not same(said, true, claim, best.duration, ARC if true else MISSED):
             raise Wrong(f"{told_for(values)}you keep {control} = {value} for {said:.4g} at first; the best process "
                         f"found does so " + ("longer" if true > said else "for a shorter time" if true else
                                              "at no time in the beginning"))
