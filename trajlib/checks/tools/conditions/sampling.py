@@ -8,6 +8,9 @@ import sympy as sp
 
 from trajlib.checks.tools.conditions.evaluation import allowed, prepared, sign
 
+#: Angles at which equations with trigonometric functions are tried: there they hold exactly, or not.
+TURNS = [k * sp.pi / 6 for k in range(-12, 13)]
+
 
 def try_samples(readings, parameters, truth):
     """(place, count): the first point of the samples where all readings are wrong, as (values, what holds), or None.
@@ -81,7 +84,8 @@ def _along(base, varied, parameters, conditions, at):
     between = [(x + y) / 2 for x, y in itertools.pairwise(ordered) if y - x > (1 + abs(x)) / 10**9]
     on = [near for x in {*roots, *changes} if abs(x - (near := _near(x, 5000))) < sp.Rational(1, 10**9)]
     beyond = [ordered[0] - 1, ordered[-1] + 1] if ordered and far else []
-    return sorted(x for x in {*grid, *sides, *between, *on, *beyond, sp.Integer(0)} if fits(x))
+    turns = TURNS if conditions[0].condition.atoms(sp.sin, sp.cos, sp.tan) else []
+    return sorted(x for x in {*grid, *sides, *between, *on, *beyond, *turns, sp.Integer(0)} if fits(x))
 
 
 def on_borders(condition, symbols):
