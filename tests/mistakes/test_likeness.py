@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from trajlib.mistakes.likeness import LONGEST, Question, Unlike, likenesses
+from trajlib.mistakes.likeness import LONGEST, Question, Unlike, in_cases, likenesses
 
-x, y, k = sp.symbols("x y k", real=True)
+x, y, k, t = sp.symbols("x y k t", real=True)
 m = sp.Symbol("m", positive=True)
 PLANE = {"x": "", "y": ""}
 
@@ -44,6 +44,7 @@ UNLIKE = [
     ("expression", x**2, x*sp.Abs(x)),
     ("expression", x + y, x - y),
     ("expression", x, x + sp.Rational(1, 1000)),
+    ("expression", sp.Piecewise((-1, t < 1), (x, True)), [[-1, 2], [x, 3]]),
     ("law", -sp.sign(x - y), -sp.sign(x - y - 2)),
     ("number", 2, 2.1),
     ("vector", [1, x], [x, 1]),
@@ -81,6 +82,16 @@ def test_a_list_without_rows_may_be_a_row_or_a_column():
         assert of(matrix, "matrix")[0] in flat[0] & flat[1]
     assert of(sp.Matrix([[2, 1]]), "matrix")[0] in flat[2]
     assert of(sp.Matrix([[x, 1]]), "matrix")[0] not in of([[x], [1]], "matrix")
+
+
+def test_arcs_are_like_the_cases_that_say_the_same():
+    for arcs, said in (([[-1, 1], [x, 2]], sp.Piecewise((-1, t < 1), (x, True))),
+                       (np.array([[-1, x], [1, 3]]), sp.sign(t - x)), ([[4, sp.pi/4]], 4)):
+        assert of(said, "expression")[0] in of(arcs, "expression")
+        (cases,) = in_cases(arcs, "expression")
+        assert of(cases, "expression")[0] == of(said, "expression")[0] != of(arcs, "expression")[0]
+    assert in_cases([[1, 2], [3, 4]], "matrix") == in_cases(x, "expression") == in_cases(["a b"], "expression") == []
+    assert not set(of([[x, 1], [1, 2]], "expression")) & set(of([[x, 2], [1, 2]], "expression"))
 
 
 def test_three_digits_of_any_number_are_enough():

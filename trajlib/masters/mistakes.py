@@ -10,7 +10,7 @@ import re
 
 from trajlib.execution import in_child
 from trajlib.formulas import plain
-from trajlib.mistakes.likeness import Question, Unlike, likenesses
+from trajlib.mistakes.likeness import Question, Unlike, in_cases, likenesses
 from trajlib.mistakes.sealing import seal
 
 #: A question or a pointer, and perhaps the number of the hint that belongs to it.
@@ -52,8 +52,7 @@ def sealed(master, reference, trials):
         given = [(sentence(master, trial), value) for trial, value in trials if trial.name == name]
         question = question_of(master, name, [reference[name], *(value for _, value in given)])
         right, texts = set(_like(reference[name], question)), {}
-        for text, value in given:
-            like = _like(value, question)
+        for text, like in ((text, like) for text, value in given for like in _each_like(value, question)):
             if text and like and not right & set(like):
                 texts.setdefault(like[0], set()).add(text)
         entries = (seal(*said_of, f"{master.number} {name}", like) for like, said_of in texts.items()
@@ -80,6 +79,12 @@ def _like(value, question):
         return list(likenesses(value, question))
     except Unlike:
         return []
+
+
+def _each_like(value, question):
+    """The likenesses of a value, and of arcs those of the cases that they are for themselves."""
+    cases = [_like(form, question) for form in in_cases(value, question.kind)]
+    return [[one for one in _like(value, question) if one not in sum(cases, [])], *cases]
 
 
 def _assumed(symbol):

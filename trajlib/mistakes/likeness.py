@@ -26,6 +26,8 @@ LONGEST = 100_000
 FINE, THREE_DIGITS = (1e-4, 1e-8), (1.2e-2, 5.2e-3)
 #: Of so many numbers each may lie at the end of its cell; in an answer of more of them all digits count.
 FEW = 6
+#: The time in which controls are asked for.
+TIME = sp.Symbol("t", real=True)
 #: What is a smaller share of the largest number beside it is what rounding leaves of zero.
 NOTHING = 1e-12
 
@@ -69,9 +71,20 @@ def _in_cells(value, question):
     return reading.in_cells(reading.read(value, question.kind))
 
 
+def in_cases(value, kind):
+    """Arcs [value, until], which stand for an expression in the time, as cases in a list; empty for anything else. The
+    end of the last arc is that of the motion, of which an expression says nothing."""
+    arcs = _rows(value) if kind == "expression" and isinstance(value, (list, tuple, np.ndarray, sp.MatrixBase)) else []
+    if not arcs or any(len(arc) != 2 or any(isinstance(part, str) for part in arc) for arc in arcs):
+        return []
+    return [sp.Piecewise(*((held, TIME < until) for held, until in arcs[:-1]), (arcs[-1][0], True))]
+
+
 def _layouts(value, kind):
-    """The answer, and where a list without rows stands for a matrix the one row that it may be instead of a column."""
+    """The answer, arcs also as cases, and where a list without rows stands for a matrix the one row that it may be
+    instead of a column."""
     yield value
+    yield from in_cases(value, kind)
     if kind == "matrix" and isinstance(value, (list, tuple, np.ndarray)) and not any(
             isinstance(part, (list, tuple, np.ndarray, sp.MatrixBase, sp.Tuple)) for part in value):
         yield [list(value)]
