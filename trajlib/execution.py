@@ -12,6 +12,7 @@ import signal
 import traceback
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
+from types import GeneratorType
 
 from trajlib.cells import run_cells
 from trajlib.checks.contract.verdict import UNCHECKED, Unusable, Verdict
@@ -37,7 +38,8 @@ class TimeLimit(RuntimeError):
 class Child:
     """A child process that computes `function(*args)`, beginning now; what goes in and out must be plain data.
 
-    It is forked where the system can, so it starts with everything imported that the parent has.
+    A generator gives a result each time that it yields. The process is forked where the system can, so it starts with
+    everything imported that the parent has.
     """
 
     def __init__(self, function, *args):
@@ -112,10 +114,11 @@ def _serve(sender, function, args):
     if hasattr(signal, "pthread_sigmask"):
         signal.pthread_sigmask(signal.SIG_UNBLOCK, DISTURBING)
     try:
-        answer = ["done", function(*args)]
+        found = function(*args)
+        for answer in found if isinstance(found, GeneratorType) else [found]:
+            sender.send_bytes(json.dumps(["done", answer]).encode())
     except BaseException:  # whatever happened is told, even SystemExit
-        answer = ["error", traceback.format_exc(limit=-3)]
-    sender.send_bytes(json.dumps(answer).encode())
+        sender.send_bytes(json.dumps(["error", traceback.format_exc(limit=-3)]).encode())
     sender.close()
 
 

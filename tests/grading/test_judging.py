@@ -22,7 +22,7 @@ from trajlib.checks.contract.encoding import encode  # noqa: E402
 from trajlib.checks.contract.verdict import INVALID, MISSING, RIGHT, STATUSES, UNCHECKED, WRONG  # noqa: E402
 from trajlib.execution import CONTEXT, decoded, in_child, judge_cells  # noqa: E402
 from trajlib.grading import judging  # noqa: E402
-from trajlib.grading.judging import FINAL, NOT_FINAL, WITHIN_LIMITS, Bounds, judge  # noqa: E402
+from trajlib.grading.judging import FINAL, NOT_FINAL, WITHIN_LIMITS, Bounds, Judge, judge  # noqa: E402
 from trajlib.grading.sandbox import Outcome  # noqa: E402
 
 EXERCISE = exercises.find("1.15")
@@ -285,11 +285,11 @@ def test_what_is_loaded_takes_nothing_from_the_judges_memory():
 
 def _with_little_memory(taken, allowed):
     receiver, sender = CONTEXT.Pipe(duplex=False)
+    cells = [("data", f"x = bytearray({taken} * 2**20)"), ("check", "x")]
+    sender.send_bytes(json.dumps([cells, ["a"], 60, allowed, None]).encode())
     sender.send_bytes(handed_over())
     try:
-        judging._judge(receiver, sender, [("data", f"x = bytearray({taken} * 2**20)"), ("check", "x")], ["a"], 60,
-                       allowed,
-                       None)
+        next(judging._serve(receiver, sender, []))
     except BaseException as error:
         return [type(error).__name__]
     return ["nothing"]
@@ -306,7 +306,7 @@ def late(*given):
         time.sleep(0.01)
     real(*given)
 isolation.system_call = late
-judging.Judging(exercises.find("1.15"))
+judging.Judge().get_ready(exercises.find("1.15"))
 (child,) = judging.multiprocessing.active_children()
 print(child.pid, flush=True)
 os._exit(0)
@@ -325,13 +325,132 @@ def test_a_judge_whose_grader_dies_at_once_ends_too():
 
 def test_a_judge_sees_that_nothing_will_come():
     """It holds no end of its own pipe by which something could."""
-    judge = judging.Judging(EXERCISE)
+    process = judging._Process(EXERCISE.code("data", "check"))
     try:
-        judge._first._sender.close()
+        process._sender.close()
         with pytest.raises(RuntimeError):
-            judge._first._child.result(timeout=20)
+            process._child.result(timeout=20)
     finally:
-        judge._first._child.end()
+        process._child.end()
+
+
+# One after the other
+
+RIGHT_ANSWERS = {name: eval(text, {"k1": k1, "k2": k2}) for name, text in RIGHT_1_15.items()}
+
+
+@pytest.fixture
+def same():
+    """A judge for one notebook after the other."""
+    one = Judge(Bounds(seconds=12, answer_seconds=3))
+    yield one
+    one.end()
+
+
+def process_of(judge):
+    return judge._process and judge._process._child._process.pid
+
+
+def like(text):
+    """An exercise like 1.15 with this check cell in the place of its first."""
+    cells = list(EXERCISE.cells)
+    first = next(k for k, (role, _) in enumerate(cells) if role == "check")
+    cells[first] = ("check", f"{text}\nchecks.report(a_region=checks.stability_region(a_region, a_poly, [k1, k2]))")
+    return exercises.Exercise(EXERCISE.path, EXERCISE.about, tuple(cells))
+
+
+def test_no_verdict_depends_on_what_was_judged_before(same):
+    """Of several problems, right and wrong, odd and hostile, in both orders: each as by a judge that has judged
+    nothing."""
+    five = exercises.find("5.25")
+    a = sp.Symbol("a")
+    notebooks = [(EXERCISE, handed_over(RIGHT_ANSWERS)), (five, handed_over({"cost": a**2})),
+                 (EXERCISE, handed_over(RIGHT_ANSWERS | {"b_region": k1 > sp.Float("0.25", 3)})),
+                 (EXERCISE, handed_over({"a_region": EXPLOSIVE, "b_region": (k2 > 0) & (k1 > k2)})),
+                 (five, handed_over({"cost": _tower(a**99)})), (EXERCISE, handed_over(WRONG_ANSWERS)),
+                 (EXERCISE, b"\x00"), (five, handed_over({"cost": float("nan")})),
+                 (EXERCISE, handed_over({"a_region": sp.Symbol("k1") > sp.Rational(1, 4)})),
+                 (EXERCISE, handed_over({}, stopped=[3]))]
+    alone = [judge(exercise, Outcome("done", message), same._bounds) for exercise, message in notebooks]
+    assert len({json.dumps(statuses(one)) for one in alone}) > 4, "they are of many kinds"
+    for order in (notebooks, notebooks[::-1]):
+        found = {}
+        for exercise, message in order:
+            same.get_ready(exercise)
+            found[exercise.number, message] = same.of(exercise, Outcome("done", message))
+        assert [found[exercise.number, message] for exercise, message in notebooks] == alone
+
+
+def test_one_process_judges_many_and_none_after_something_unusual(same):
+    same.get_ready(EXERCISE)
+    first = process_of(same)
+    for answers in (RIGHT_ANSWERS, WRONG_ANSWERS, {}):
+        same.of(EXERCISE, Outcome("done", handed_over(answers)))
+        assert process_of(same) == first
+    assert statuses(same.of(EXERCISE, Outcome("time", b""))) == dict.fromkeys(NAMES, MISSING)
+    assert process_of(same) == first
+    same.of(EXERCISE, Outcome("done", handed_over({"a_region": EXPLOSIVE})))
+    assert process_of(same) is None
+    same.of(EXERCISE, Outcome("done", handed_over(RIGHT_ANSWERS)))
+    assert process_of(same) not in (first, None)
+
+
+def test_a_judge_that_was_killed_meanwhile_harms_no_notebook(same):
+    same.get_ready(EXERCISE)
+    same.of(EXERCISE, Outcome("done", handed_over(RIGHT_ANSWERS)))
+    os.kill(process_of(same), 9)
+    found = same.of(EXERCISE, Outcome("done", handed_over(RIGHT_ANSWERS)))
+    assert statuses(found) == dict.fromkeys(NAMES, RIGHT) and found.final == FINAL
+
+
+def test_what_a_process_fails_on_after_others_is_judged_by_a_fresh_one(same):
+    """If our own check fails there for what the process has become, nobody is told to wait for a lecturer."""
+    for text in ("import builtins\nassert not hasattr(builtins, 'seen')\nbuiltins.seen = True",
+                 "import os, builtins\nif hasattr(builtins, 'seen'): os._exit(1)\nbuiltins.seen = True"):
+        once_a_process = like(text)
+        for _ in range(3):
+            found = same.of(once_a_process, Outcome("done", handed_over(RIGHT_ANSWERS)))
+            assert statuses(found) == dict.fromkeys(NAMES, RIGHT) and found.final == FINAL
+
+
+def test_bounds_are_each_notebooks_own(same):
+    """What was computed and held for others takes nothing from them; a process that holds too much judges no more."""
+    slow = like("import time\nend = time.process_time() + 2\nwhile time.process_time() < end: pass")
+    processes = set()
+    for _ in range(5):
+        found = same.of(slow, Outcome("done", handed_over(RIGHT_ANSWERS)))
+        assert statuses(found) == dict.fromkeys(NAMES, RIGHT)
+        processes.add(process_of(same))
+    assert len(processes) == 1, "ten seconds in one process, six for each notebook"
+    holding = like(f"import builtins\nbuiltins.held = bytearray({judging.WORN})")
+    same.of(holding, Outcome("done", handed_over(RIGHT_ANSWERS)))
+    assert process_of(same) is None
+
+
+def test_chance_is_the_same_for_all(same):
+    """Of whatever library: an answer that is tried at random places is tried at the same ones."""
+    lucky = like("import random, sympy.core.random\nimport numpy as np\nfirst = random.Random(0).random()\n"
+                 "assert random.random() == sympy.core.random.rng.random() == first\n"
+                 "assert np.random.random() == np.random.RandomState(0).random_sample()")
+    for _ in range(3):
+        assert statuses(same.of(lucky, Outcome("done", handed_over(RIGHT_ANSWERS)))) == dict.fromkeys(NAMES, RIGHT)
+        assert not same._process.fresh
+
+
+def test_formulas_that_sympy_knows_are_forgotten():
+    assert in_child(_remembered, timeout=60) == [True, False]
+
+
+def _remembered():
+    from sympy.core.cache import CACHE
+
+    def known():
+        return any(function.cache_info().currsize for function in CACHE)
+
+    sp.expand((k1 + k2) ** 3)
+    before = known()
+    judging._forget()
+    return [before, known()]
 
 
 def test_a_failing_check_is_the_graders_affair(monkeypatch):

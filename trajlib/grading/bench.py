@@ -5,7 +5,7 @@ from dataclasses import asdict, replace
 
 from trajlib import exercises
 from trajlib.checks.contract.verdict import MISSING, Verdict
-from trajlib.grading.judging import Bounds, Judgement, Judging
+from trajlib.grading.judging import Bounds, Judge, Judgement
 from trajlib.grading.preloading import ALWAYS, LIBRARIES, preload
 from trajlib.grading.sandbox import Limits, Sandbox, Trusting
 
@@ -24,9 +24,8 @@ class Bench:
 
     def __init__(self, limits=Limits(), bounds=Bounds(), trusting=False, nursery=None, modules=(*ALWAYS, *LIBRARIES)):
         self._sandbox = (Trusting if trusting else Sandbox)(limits, nursery=nursery, modules=modules)
-        self._bounds = bounds
+        self._judge = Judge(bounds)
         self._ready = nursery is not None  # this process was forked with all that judging needs
-        self._judging = None
 
     def __enter__(self):
         self._sandbox.start()  # it loads its own while the judging children's is loaded here
@@ -41,18 +40,14 @@ class Bench:
 
     def __exit__(self, *error):
         self._sandbox.__exit__(*error)
-        if self._judging is not None:
-            self._judging.end()
+        self._judge.end()
 
     def grade(self, unit):
         """The judgement on a unit {"problem": .., "sources": [..]}, as plain data."""
         exercise = exercises.find(unit["problem"])
         self._sandbox.hand_in(unit["sources"], exercise.about["answers"], before=_lacking(exercise, unit["sources"]))
-        # While the notebook runs, the former one's judge is put away, and this one's gets ready.
-        former, self._judging = self._judging, Judging(exercise, self._bounds)
-        if former is not None:
-            former.end()
-        return as_plain(self._judging.of(self._sandbox.outcome()))
+        self._judge.get_ready(exercise)  # while the notebook runs
+        return as_plain(self._judge.of(exercise, self._sandbox.outcome()))
 
 
 def _lacking(exercise, sources):

@@ -1,18 +1,21 @@
 """Judge what a notebook handed over: decode, run data and check cells of the pristine exercise, within limits.
 
-Each judgement is a forked child with bounds on time and memory, since an answer can be an expression built to
-explode. It starts while the notebook is still running, and finds the data cells run: its parent does that once a
-problem. If the whole notebook cannot be judged
-within them, its answers are judged one by one, so that one such answer costs only itself; it becomes `unchecked`, which
-a lecturer has to look at, never wrong and never right.
+A forked child judges, within bounds on time and memory, since an answer can be an expression built to explode. It
+runs nothing of a student's, only our own cells on data, as a kernel does in which check cells run again and again: so
+it judges one notebook after the other, and a fork for each would cost more than most judgements do. Whatever is unusual
+there is judged again by a fresh child, and nothing else by the one that met it. If the whole notebook cannot be judged
+within the bounds, its answers are judged one by one, each in a child of its own, so that one such answer costs only
+itself; it becomes `unchecked`, which a lecturer has to look at, never wrong and never right.
 """
 
 import hashlib
 import json
 import multiprocessing
+import random
 import re
 import resource
 import sys
+import time
 from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import lru_cache
@@ -73,31 +76,54 @@ class Judgement:
 
 def judge(exercise, outcome, bounds=Bounds()):
     """The `Judgement` on a sandbox `Outcome` for a pristine exercise (`trajlib.exercises.Exercise`)."""
-    judging = Judging(exercise, bounds)
+    judge = Judge(bounds)
     try:
-        return judging.of(outcome)
+        return judge.of(exercise, outcome)
     finally:
-        judging.end()
+        judge.end()
 
 
-class Judging:
-    """Gets ready from now on to judge one notebook of an exercise; then `of` its outcome comes the judgement."""
+class Judge:
+    """Judges one notebook after the other: `get_ready` for an exercise while the notebook still runs, then judge `of`
+    its outcome."""
 
-    def __init__(self, exercise, bounds=Bounds()):
-        self._names, self._bounds = list(exercise.about["answers"]), bounds
-        self._cells = tuple(exercise.code("data", "check"))
-        self._first = _Judge(self._cells, self._names, bounds.first_seconds, bounds.memory_megabytes)
+    def __init__(self, bounds=Bounds()):
+        self._bounds, self._process = bounds, None
 
-    def of(self, outcome):
+    def get_ready(self, exercise):
+        if self._process is None:
+            self._process = _Process(_cells(exercise))
+
+    def of(self, exercise, outcome):
+        names, cells, left = list(exercise.about["answers"]), _cells(exercise), self._bounds.first_seconds
         if outcome.ended != "done":
-            return _without_answers(self._names, outcome)
-        try:
-            return self._first.judgement(outcome.handed_over)
-        except RuntimeError:
-            return _one_by_one(self._cells, outcome.handed_over, self._names, self._bounds)
+            return _without_answers(names, outcome)
+        while left >= 1:
+            self.get_ready(exercise)
+            fresh, begun = self._process.fresh, time.monotonic()
+            try:
+                judgement = self._process.judgement(outcome.handed_over, cells, names, left,
+                                                    self._bounds.memory_megabytes)
+            except RuntimeError as error:
+                judgement, fresh = None, fresh or isinstance(error, TimeLimit)
+            unusual = judgement is None or any(v.status == UNCHECKED for v in judgement.verdicts.values())
+            if unusual or self._process.worn:
+                self.end()
+            if judgement is not None and (fresh or not unusual):
+                return judgement
+            if fresh:
+                break
+            left -= time.monotonic() - begun
+        return _one_by_one(cells, outcome.handed_over, names, self._bounds)
 
     def end(self):
-        self._first.end()
+        if self._process is not None:
+            self._process.end()
+            self._process = None
+
+
+def _cells(exercise):
+    return tuple(exercise.code("data", "check"))
 
 
 def failed(names, why):
@@ -125,9 +151,9 @@ def _one_by_one(cells, handed_over, names, bounds):
             verdicts[name] = Verdict(UNCHECKED, f"judging this notebook took longer than {bounds.seconds:g} s; "
                                      "a lecturer has to look at it")
             continue
-        judge, before = _Judge(cells, names, seconds, bounds.memory_megabytes, only=name), _computed_by_children()
+        process, before = _Process(cells), _computed_by_children()
         try:
-            alone = judge.judgement(handed_over)
+            alone = process.judgement(handed_over, cells, names, seconds, bounds.memory_megabytes, only=name)
             verdicts[name], remarks = alone.verdicts[name], alone.remarks
             answers |= alone.answers
             hashes |= alone.hashes
@@ -138,7 +164,7 @@ def _one_by_one(cells, handed_over, names, bounds):
             verdicts[name] = Verdict(UNCHECKED, "judging this answer needed more memory than allowed, or failed; "
                                      "a lecturer has to look at it")
         finally:
-            judge.end()
+            process.end()
         left -= _computed_by_children() - before
     return Judgement(verdicts, answers, remarks, WITHIN_LIMITS, hashes)
 
@@ -149,10 +175,76 @@ def _computed_by_children():
     return used.ru_utime + used.ru_stime
 
 
+class _Process:
+    """A child that judges whatever is handed over, one notebook after the other; it begins with what `cells` need."""
+
+    def __init__(self, cells):
+        receiver, self._sender = CONTEXT.Pipe(duplex=False)
+        self._child = Child(_serve, receiver, self._sender, cells)
+        #: Whether it has judged nothing yet, and whether it should judge no more.
+        self.fresh, self.worn = True, False
+        receiver.close()
+
+    def judgement(self, handed_over, cells, names, seconds, megabytes, only=None):
+        """On all answers, or `only` one. Raises `TimeLimit` or another `RuntimeError`."""
+        self.fresh = False
+        with suppress(OSError):  # it has died, which its result will tell
+            self._sender.send_bytes(json.dumps([cells, names, seconds, megabytes, only]).encode())
+            self._sender.send_bytes(handed_over)
+        verdicts, answers, remarks, stopped, hashes, self.worn = self._child.result(timeout=3 * seconds)
+        return Judgement({name: Verdict(*verdict) for name, verdict in verdicts.items()}, answers, tuple(remarks),
+                         WITHIN_LIMITS if stopped else FINAL, hashes)
+
+    def end(self):
+        self._sender.close()
+        self._child.end()
+
+
+# In the child
+
+#: Bytes that a process may have taken on while it judged, and still judge.
+WORN = 2**29
+
+
+def _serve(receiver, sender, cells):
+    """Judge what comes, until nothing does any more."""
+    if sys.platform == "linux":
+        end_with_parent(multiprocessing.parent_process().pid)
+    sender.close()  # or its own copy would keep it waiting when the other one is gone
+    _begun(tuple(cells))
+    at_first = loaded()
+    with suppress(EOFError):
+        while True:
+            cells, names, seconds, megabytes, only = json.loads(receiver.recv_bytes())
+            _forget()
+            _limit(seconds, megabytes)
+            judged = _judged(receiver.recv_bytes(), tuple(map(tuple, cells)), names, only)
+            yield [*judged, loaded() > at_first + WORN]
+
+
+def _forget():
+    """So that no verdict depends on what was judged before: a formula that equals another is no better known for it,
+    and chance is the same for all."""
+    import numpy as np  # here, since whoever only waits for a judge needs none of them
+    import sympy.core.cache
+    import sympy.core.random
+
+    sympy.core.cache.clear_cache()
+    for chance in (random, np.random, sympy.core.random):
+        chance.seed(0)
+
+
+def _limit(seconds, megabytes):
+    """What this process may use from now on."""
+    memory, processor = loaded() + megabytes * 2**20, int(time.process_time() + seconds) + 1
+    for kind, bound in ((resource.RLIMIT_AS, memory), (resource.RLIMIT_CPU, processor)):
+        resource.setrlimit(kind, (bound, resource.getrlimit(kind)[1]))
+
+
 @lru_cache(maxsize=16)
 def _begun(cells):
     """(names and values after the data cells at the beginning, the cells that follow): ours, and the same for all who
-    are judged, who each get a copy with their process."""
+    are judged."""
     first = next((k for k, (role, _) in enumerate(cells) if role == "check"), len(cells))
     namespace = {"__name__": "exercise"}
     try:
@@ -163,42 +255,13 @@ def _begun(cells):
     return namespace, cells[first:]
 
 
-class _Judge:
-    """A child that judges once what is handed over: all answers, or `only` one."""
-
-    def __init__(self, cells, names, seconds, megabytes, only=None):
-        receiver, self._sender = CONTEXT.Pipe(duplex=False)
-        _begun(tuple(cells))  # here, so that it is there in all who are forked from this process
-        self._child = Child(_judge, receiver, self._sender, cells, names, seconds, megabytes, only)
-        self._seconds = seconds
-        receiver.close()
-
-    def judgement(self, handed_over):
-        with suppress(OSError):  # it has died, which its result will tell
-            self._sender.send_bytes(handed_over)
-        verdicts, answers, remarks, stopped, hashes = self._child.result(timeout=3 * self._seconds)
-        return Judgement({name: Verdict(*verdict) for name, verdict in verdicts.items()}, answers, tuple(remarks),
-                         WITHIN_LIMITS if stopped else FINAL, hashes)
-
-    def end(self):
-        self._sender.close()
-        self._child.end()
-
-
-def _judge(receiver, sender, cells, names, seconds, megabytes, only):
-    """In the child: read the bytes strictly, keep the answers asked for, judge."""
-    if sys.platform == "linux":
-        end_with_parent(multiprocessing.parent_process().pid)
-    sender.close()  # or its own copy would keep it waiting when the other one is gone
-    memory = loaded() + megabytes * 2**20
-    resource.setrlimit(resource.RLIMIT_AS, (memory, memory))
-    resource.setrlimit(resource.RLIMIT_CPU, (int(seconds) + 1, int(seconds) + 2))
+def _judged(handed_over, cells, names, only):
+    """Read the bytes strictly, keep the answers asked for, judge."""
     found = {}
 
     def answers():
-        encoded, unreadable, found["remarks"], found["stopped"] = _read(receiver.recv_bytes(),
-                                                                        [name for name in names
-                                                                         if only in (None, name)])
+        encoded, unreadable, found["remarks"], found["stopped"] = _read(handed_over, [name for name in names
+                                                                                     if only in (None, name)])
         given = decoded(encoded, unreadable, names)
         found["never assigned"] = set(names) - {*encoded, *unreadable}
         found["texts"] = {name: _described(given[name]) for name in encoded}
@@ -206,8 +269,8 @@ def _judge(receiver, sender, cells, names, seconds, megabytes, only):
                            for name, text in encoded.items()}
         return given
 
-    namespace, following = _begun(tuple(cells))
-    verdicts = judge_answers(following, answers, names, namespace)
+    namespace, following = _begun(cells)
+    verdicts = judge_answers(following, answers, names, namespace and dict(namespace))
     told = {name: [status, NEVER_ASSIGNED if status == MISSING and name in found["never assigned"]
                    else printable(message[:2000], keep="\n"), mistake]
             for name, (status, message, mistake) in verdicts.items()}
