@@ -1,11 +1,13 @@
 """Which modules a piece of code stands on: exactly those that importing it loads, or more, never fewer."""
 
+import ast
 import importlib
 import subprocess
 import sys
 
 import pytest
 
+from trajlib import dependencies
 from trajlib.dependencies import module_closure
 
 PIECES = [
@@ -26,6 +28,29 @@ def test_the_closure_holds_all_that_is_loaded(code):
     # Packages hold lazy names or a docstring: they and the helper behind them say nothing of what a notebook computes.
     expected = {m for m in loaded if not hasattr(importlib.import_module(m), "__path__")} - {"trajlib._lazy"}
     assert expected and expected <= set(module_closure(code))
+
+
+def test_no_import_of_ours_is_missed_by_reading_quickly(monkeypatch):
+    """Of each module as many as by its whole tree, or more: code in a text counts too."""
+    modules = {".".join(path.relative_to(dependencies.PACKAGE.parent).with_suffix("").parts): path
+               for path in dependencies.PACKAGE.rglob("*.py") if path.name != "__init__.py"}
+    quickly = {name: dependencies._loaded_by.__wrapped__(name, path) for name, path in modules.items()}
+    monkeypatch.setattr(dependencies, "_quick", ast.parse)
+    dependencies._loaded_by.cache_clear()
+    whole = {name: dependencies._loaded_by.__wrapped__(name, path) for name, path in modules.items()}
+    dependencies._loaded_by.cache_clear()
+    assert not {name: missed for name in modules if (missed := whole[name] - quickly[name])}
+    assert sum(quickly[name] != whole[name] for name in modules) < 5, "or it saves nothing"
+
+
+@pytest.mark.parametrize("source, expected", [
+    ("from trajlib.cells import (\n    prepare,\n    run_cells,\n)", {"trajlib.cells"}),
+    ("def f():\n    from trajlib.cells import prepare  # here", {"trajlib.cells"}),
+    ("import json, trajlib.cells", {"trajlib.cells"}),
+    ('"""Words that\nimport nothing at all.\n"""\nimport trajlib.cells', {"trajlib.cells"}),
+    ("from .cells import prepare", {"trajlib.cells"})])
+def test_however_an_import_is_written(source, expected):
+    assert dependencies._loaded(source, "trajlib") == expected
 
 
 def test_a_theme_that_is_not_used_does_not_count():
