@@ -1,5 +1,6 @@
 """The command `trajlib`. Bad input ends in one line that says what and where, with exit code 2."""
 
+import gc
 import json
 import re
 import sys
@@ -300,6 +301,8 @@ def main():
             raise
         print(f"trajlib: {error}", file=sys.stderr)
         sys.exit(2)
+    finally:
+        gc.freeze()  # or Python would look through all that is imported, to end a process that ends anyway
 
 
 def _put(folder, numbers):

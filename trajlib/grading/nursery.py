@@ -19,7 +19,7 @@ from functools import partial
 
 from trajlib.grading import framing, isolation
 from trajlib.grading.isolation import NotStarted, end_with_parent
-from trajlib.grading.preloading import preload
+from trajlib.grading.preloading import into_huge_pages, preload
 
 START = "from trajlib.grading import nursery; nursery.main({control}, {modules!r})"
 #: Bytes of a request or an answer.
@@ -59,6 +59,8 @@ class Nursery:
     def divided(self):
         """Fork a nursery from this one, which has imported what this one has by now: its number, and the socket on
         which whoever holds that can ask it; it ends when nobody does."""
+        with self._asking:
+            self._tell({"pack": True})
         ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
         with theirs:
             return self.fork("nursery", [], [theirs.fileno()]), ours
@@ -173,6 +175,9 @@ def serve(control, kinds, apart=None, tidy=lambda: None):
         request = json.loads(message)
         if "load" in request:
             preload(*request["load"])
+            continue
+        if "pack" in request:
+            into_huge_pages()
             continue
         if "wake" in request:
             with suppress(ProcessLookupError):

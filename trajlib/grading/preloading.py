@@ -90,7 +90,6 @@ def preload(*modules, themes=()):
     gc.freeze()
     gc.enable()
     gc.set_threshold(CONTAINERS)
-    _into_huge_pages()
 
 
 #: After how many new containers the collector looks for garbage. Formulas are many small ones that live shortly and are
@@ -100,9 +99,12 @@ CONTAINERS = 100_000
 HUGE_PAGE, MADV_COLLAPSE = 2**21, 25
 
 
-def _into_huge_pages():
+def into_huge_pages():
     """Hold what is loaded in huge pages, where the kernel will: a fork copies the table of all pages, and where they
-    are huge it has an entry for every five hundred. Where a child writes, it gets a small page of its own as before."""
+    are huge it has an entry for every five hundred. Where a child writes, it gets a small page of its own as before.
+
+    That takes as long as some dozens of forks: for a process from which one is forked for each notebook.
+    """
     with suppress(OSError), open("/proc/self/maps") as file:  # not Linux
         for line in file.readlines():
             place, rights, _, _, inode, *_ = line.split()
