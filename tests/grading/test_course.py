@@ -11,6 +11,7 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 from classroom import RIGHT_1_15, hand_in, write_assignment  # noqa: E402
 
+from trajlib import exercises  # noqa: E402
 from trajlib.checks.contract.verdict import Verdict  # noqa: E402
 from trajlib.grading import bench, commands, course, fingerprint, lanes, nursery, preloading  # noqa: E402
 from trajlib.grading.assignment import BadInput  # noqa: E402
@@ -233,3 +234,17 @@ def test_a_mended_judge_grades_again(tmp_path, broken_lanes, monkeypatch):
                         | {"trajlib.checks.contract.encoding": "mended"}
                         if "trajlib.checks.contract.encoding" in closure(source) else closure(source))
     assert len(course.grade(tmp_path / "submitted", tmp_path / "graded")[1].pending) == 1
+
+
+def test_an_exercise_is_read_again_when_its_file_has_changed(tmp_path, monkeypatch):
+    """And not with each notebook while it has not."""
+    place = tmp_path / "ch1" / "p15.ipynb"
+    place.parent.mkdir()
+    text = exercises.find("1.15").path.read_text(encoding="utf-8")
+    monkeypatch.setattr(exercises, "home", lambda: tmp_path)
+    place.write_text(text, encoding="utf-8")
+    first = exercises.find("1.15")
+    assert exercises.find("1.15") is first
+    place.write_text(text.replace("a_region", "a_place"), encoding="utf-8")
+    os.utime(place, ns=(0, place.stat().st_mtime_ns + 1))
+    assert "a_place" in exercises.find("1.15").about["answers"] and "a_region" in first.about["answers"]
