@@ -77,6 +77,18 @@ def test_a_judge_finds_all_that_it_imports():
     assert done.stdout == "[]\n", done.stdout + done.stderr
 
 
+def test_what_scipy_only_names_is_loaded_by_who_uses_it():
+    code = ("import sys\nfrom trajlib.grading.preloading import NAMED_BY_SCIPY, preload\n"
+            "preload('numpy', 'scipy.integrate', 'scipy.linalg', 'scipy.optimize')\n"
+            "waiting = [name for name in NAMED_BY_SCIPY if type(sys.modules[name]).__name__ == '_LazyModule']\n"
+            "print('scipy.spatial._ckdtree' in sys.modules, 'numpy.f2py.rules' in sys.modules)\n"
+            "import numpy as np, scipy\nfrom scipy.spatial import ConvexHull\n"
+            "np.testing.assert_allclose(ConvexHull(np.array([[0., 0], [1, 0], [0, 1]])).volume, 0.5)\n"
+            "print(len(waiting), callable(np.f2py.get_include), scipy.spatial is sys.modules['scipy.spatial'])")
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120)
+    assert done.stdout == "False False\n3 True True\n", done.stdout + done.stderr
+
+
 def test_a_nursery_has_nothing_of_the_grader(monkeypatch):
     """Neither its environment nor what it has read: all of that would be in the memory of every notebook's process."""
     monkeypatch.setenv("COURSE_SECRET", "Tycho-1572")
