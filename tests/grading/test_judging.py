@@ -22,7 +22,9 @@ from trajlib.checks.contract.encoding import encode  # noqa: E402
 from trajlib.checks.contract.verdict import INVALID, MISSING, RIGHT, STATUSES, UNCHECKED, WRONG  # noqa: E402
 from trajlib.execution import CONTEXT, decoded, in_child, judge_cells  # noqa: E402
 from trajlib.grading import judging  # noqa: E402
+from trajlib.grading.bench import Bench  # noqa: E402
 from trajlib.grading.judging import FINAL, NOT_FINAL, WITHIN_LIMITS, Bounds, Judge, judge  # noqa: E402
+from trajlib.grading.preloading import ALWAYS  # noqa: E402
 from trajlib.grading.sandbox import Outcome  # noqa: E402
 
 EXERCISE = exercises.find("1.15")
@@ -451,6 +453,15 @@ def _remembered():
     before = known()
     judging._forget()
     return [before, known()]
+
+
+def test_nothing_waits_for_the_judge_to_end():
+    """It was forked with all that its parent held, also with that by which the sandbox's process is told to end."""
+    with Bench(modules=ALWAYS) as bench:
+        graded = bench.grade({"problem": "1.15", "sources": [f"{name} = 1" for name in NAMES]})
+        worker = bench._sandbox._worker
+    assert {verdict["status"] for verdict in graded["verdicts"].values()} == {INVALID}
+    assert worker.returncode >= 0, "it ended by itself, and was not killed after a second"
 
 
 def test_a_failing_check_is_the_graders_affair(monkeypatch):

@@ -39,8 +39,8 @@ class Bench:
         return self
 
     def __exit__(self, *error):
+        self._judge.end()  # it holds what it was forked with, by which the sandbox's process would wait for more
         self._sandbox.__exit__(*error)
-        self._judge.end()
 
     def grade(self, unit):
         """The judgement on a unit {"problem": .., "sources": [..]}, as plain data."""

@@ -98,7 +98,7 @@ class Judge:
         names, cells, left = list(exercise.about["answers"]), _cells(exercise), self._bounds.first_seconds
         if outcome.ended != "done":
             return _without_answers(names, outcome)
-        while left >= 1:
+        while True:
             self.get_ready(exercise)
             fresh, begun = self._process.fresh, time.monotonic()
             try:
@@ -111,10 +111,9 @@ class Judge:
                 self.end()
             if judgement is not None and (fresh or not unusual):
                 return judgement
-            if fresh:
-                break
             left -= time.monotonic() - begun
-        return _one_by_one(cells, outcome.handed_over, names, self._bounds)
+            if fresh or left < 1:
+                return _one_by_one(cells, outcome.handed_over, names, self._bounds)
 
     def end(self):
         if self._process is not None:
