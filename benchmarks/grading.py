@@ -4,19 +4,22 @@ Overhead is what a run takes less what the cells themselves take, both measured 
 times it leaves in each graded notebook (on the clock) and by a cell before the others (of the processor), for trajlib
 by `cell_clock.py`. Each is given on the clock and, with all processes of a run, in processor time. trajlib runs with
 its sandbox on; nbgrader has none. Starting costs both a few seconds, which a small class feels and a large one does
-not: so what each further notebook costs stands apart. While a notebook runs, one process of trajlib also gets its judge
-ready, and while that judges, the next notebook's place: this uses a second core where one is idle. The growth with as
-many processes as cores, where none is, shows what that hides; the best that it can be is the processor time of one
-process over that of the cores. Growth is with students (four times as many) and processes.
+not: so what each further notebook costs stands apart. Our check cells take less than theirs, since one process runs
+them for all and keeps what it has found from the data alone: a gain in cells, not in overhead. While a notebook is
+judged, one process of trajlib also gets the next one's place ready: this uses a second core where one is idle. The
+growth with as many processes as cores, where none is, shows what that hides; the best that it can be is the processor
+time of one process over that of the cores. Growth is with students (four times as many) and processes.
 
-What is left of our overhead is mostly the price of importing and of separate processes. To see where it goes, in
-processor time: `perf record -g` over a run, summed by process, shows a nursery that imports SymPy, IPython, NumPy and
-what the homework uses (SciPy's `integrate` alone takes as long as SymPy), once for all; the command's own imports, of
-which Typer's of pydantic are the greatest; and for each notebook two forks of what is loaded, one for its cells and one
-for its judge. The kernel's part of a fork, and of its end, grows with the number of mapped files and of small pages;
-then each process copies the pages that it writes to, if only to count references. No less than a bare fork and end of
-a process of that size, twice, can be had as long as each notebook and each judgement has a process of its own, which
-is what keeps them apart; and no less at the start than importing SymPy takes.
+What is left of our overhead is mostly the price of importing, and of a process for each notebook. To see where it goes,
+in processor time: `perf record -g` over a run, summed by process, and by phase where each phase gives its process
+another name (`prctl`, PR_SET_NAME). For 48 notebooks more than half is spent once, whatever their number: a nursery
+that imports SymPy, IPython, NumPy and what the homework uses (SciPy's `integrate` alone takes half as long as SymPy),
+and the command's own imports, of which Typer's of pydantic are the greatest. Of what each notebook takes, more than
+half is the kernel's: a fork of what is loaded, whose price grows with the number of mapped files and of small pages,
+the namespaces, and the pages that a process copies as it writes to them, if only to count references. The rest is read
+and written: answers, texts, results, pages. No less than a bare fork and end of a process of that size, once, can be
+had as long as each notebook has a process of its own, which is what keeps them apart; and no less at the start than
+importing SymPy takes.
 
     python benchmarks/grading.py [STUDENTS] [PROBLEM ...]
 """
