@@ -413,15 +413,15 @@ def test_what_a_process_fails_on_after_others_is_judged_by_a_fresh_one(same):
             assert statuses(found) == dict.fromkeys(NAMES, RIGHT) and found.final == FINAL
 
 
-def test_bounds_are_each_notebooks_own(same):
+def test_bounds_are_each_notebooks_own():
     """What was computed and held for others takes nothing from them; a process that holds too much judges no more."""
-    slow = like("import time\nend = time.process_time() + 2\nwhile time.process_time() < end: pass")
-    processes = set()
-    for _ in range(5):
+    slow = like("import time\nend = time.process_time() + 0.25\nwhile time.process_time() < end: pass")
+    same, processes = Judge(Bounds(seconds=4, answer_seconds=2)), set()
+    for _ in range(16):
         found = same.of(slow, Outcome("done", handed_over(RIGHT_ANSWERS)))
         assert statuses(found) == dict.fromkeys(NAMES, RIGHT)
         processes.add(process_of(same))
-    assert len(processes) == 1, "ten seconds in one process, six for each notebook"
+    assert len(processes) == 1, "four seconds in one process, two for each notebook"
     holding = like(f"import builtins\nbuiltins.held = bytearray({judging.WORN})")
     same.of(holding, Outcome("done", handed_over(RIGHT_ANSWERS)))
     assert process_of(same) is None

@@ -58,6 +58,7 @@ PATCHING = [
                checks = sys.modules["trajlib.checks"] = types.ModuleType("trajlib.checks")
                checks.stability_region = lambda *given: Verdict("right", "")
                checks.report, checks.collecting = reporting.report, reporting.collecting
+               sys.modules["trajlib"].checks = checks
                """, WRONG)),
     Attack("walks the stack", "looks for the grader's own variables in the frames below it, and sets its points",
            "the cell is run by the grader itself", "no frame of the judge is below it", gained, (
@@ -85,7 +86,7 @@ PATCHING = [
                """
                from trajlib.checks.contract.verdict import Verdict
                checks.report(a_region=Verdict("right", "it is right"))
-               checks = type("Checks", (), {"__getattr__": lambda self, name: lambda *given, **more: None})()
+               checks.report = lambda problem="", **given: None
                """, WRONG)),
     Attack("changes the data", "replaces the polynomial by one whose region it knows",
            "the check cell finds the notebook's own data",
