@@ -1,9 +1,14 @@
 """What is true of the data alone is found once: a further verdict on the same data does not look for it again."""
 
+import gc
+import weakref
+
 import pytest
 import sympy as sp
 
 from trajlib import checks
+from trajlib.checks.truths.optima import several_controls
+from trajlib.pontryagin import Problem
 
 x, y, angle = sp.symbols("x y angle")
 t, T, a, b = sp.symbols("t T a b", positive=True)
@@ -21,3 +26,17 @@ def test_a_second_verdict_asks_no_solver(name, monkeypatch):
     monkeypatch.setattr(sp, solver, lambda *given: (asked.append(given), solve(*given))[1])
     assert check(first, *data).status in ("right", "wrong") and len(asked) == 1
     assert check(second, *data).status in ("right", "wrong") and len(asked) == 1
+
+
+def test_what_a_search_has_made_goes_with_it():
+    """A process judges many notebooks: of the searches only the last ones are kept."""
+    u, v = sp.symbols("u v")
+    problem = Problem({x: u, y: v}, {u: (-1, 1), v: (-1, 1)}, {x: 0, y: 0}, [x - 1, y - 2])
+    stated = (*(tuple(part.items()) for part in (problem.dynamics, problem.controls, problem.initial)),
+              tuple(problem.terminal))
+    several_controls._search.cache_clear()
+    kept = weakref.ref(several_controls._search(stated, ()))
+    assert abs(kept().best([]).duration - 2) < 1e-9
+    several_controls._search.cache_clear()
+    gc.collect()
+    assert kept() is None

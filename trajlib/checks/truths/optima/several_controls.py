@@ -93,6 +93,8 @@ class _Search:
         self._rates = sp.lambdify(symbols, list(field), ca)
         self._gap = sp.lambdify([*state, *names], list(terminal), ca)
         self._counts = len(state), len(names)
+        # Made once, and kept with this search alone, so that they go when it goes.
+        self._left, self._programme, self._arc = map(functools.cache, (self._left, self._programme, self._arc))
 
     def best(self, case):
         """The best process found for values of the parameters."""
@@ -158,13 +160,11 @@ class _Search:
         left = self._left(processes.shape[1] // (1 + self._size))
         return np.array(left(processes.T, np.repeat(known[:, None], len(processes), axis=1))).T
 
-    @functools.cache
     def _left(self, arcs):
         """What is left of the target's conditions at the end of so many arcs."""
         process, known = self._unknown(arcs)
         return ca.Function("left", [process, known], [self._missed(self._ends_of(process, known, QUICK), known)])
 
-    @functools.cache
     def _programme(self, arcs):
         """For so many arcs, IPOPT's function, to which the states at their ends are unknown too, and these states."""
         process, known = self._unknown(arcs)
@@ -193,7 +193,6 @@ class _Search:
         n = self._counts[0]
         return ca.vertcat(*self._gap(*ca.vertsplit(states[:, -1]), *map(known.__getitem__, range(n, known.numel()))))
 
-    @functools.cache
     def _arc(self, steps):
         """The state at the end of an arc, by the method of Runge and Kutta in so many steps."""
         n, size, count = self._counts[0], self._size, self._counts[1]
