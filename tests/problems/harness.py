@@ -1,14 +1,13 @@
 """Runs a master's cells by role and judges answers, each problem in a process of its own."""
 
 import ast
-import cProfile
 import functools
 import statistics
-import sys
 import time
 import traceback
 
 import sympy as sp
+from calls import calls_noted
 from forms import each_form
 
 from trajlib import checks
@@ -18,6 +17,8 @@ from trajlib.systems import Controlled
 
 #: What `_pace` is on the quiet machine that the limits of verdicts are for.
 PACE = 0.155
+#: Solvers that an answer and its check must not share.
+SOLVERS = ("trajlib.", "control", "casadi", "scipy.linalg", "scipy.optimize", "sympy.solvers")
 
 
 class Workbench:
@@ -55,12 +56,6 @@ class Workbench:
         with checks.collecting() as verdicts:
             exec(self._alone[name], self.data | self.reference | {name: value})
         return verdicts[name]
-
-    def judge_under_profile(self, name):
-        """(verdict on a reference, the functions that were called for it)."""
-        profile = cProfile.Profile(builtins=False)
-        verdict = profile.runcall(self.judge_one, name, self.reference[name])
-        return verdict, called_functions(profile, "check")
 
     def after(self, source):
         """The names after a trial, which starts from the data and the reference."""
@@ -129,11 +124,12 @@ def check_calls(source):
 def solve(master):
     """{"answers": what the answer cells give, encoded, "called": the functions called for it, "seconds": of the
     processor}."""
-    namespace, profile = data_of(master), cProfile.Profile(builtins=False)
-    for source in master.code("answer"):
-        profile.runcall(execute, source, "answer", namespace)
+    namespace = data_of(master)
+    with calls_noted(SOLVERS, from_answers) as called:
+        for source in master.code("answer"):
+            execute(source, "answer", namespace)
     return {"answers": {name: encode(namespace[name]).decode() for name in master.answers},
-            "called": sorted(called_functions(profile, "answer")), "seconds": time.process_time()}
+            "called": sorted(called), "seconds": time.process_time()}
 
 
 def first_verdicts(master, answers):
@@ -173,22 +169,15 @@ def each_part(master, answers, parts):
     return found | {"seconds": ["done", time.process_time()]}
 
 
-def called_functions(profile, role):
-    """Functions (module, name) that ran under a profile: those called from cells of a role or a check, and all of
-    trajlib. A trace function in Python would take several times as long."""
-    modules = {getattr(module, "__file__", None): name for name, module in sys.modules.copy().items()}
-    called, within = set(), set()
-    for entry in profile.getstats():
-        caller = modules.get(entry.code.co_filename, "")
-        within.add((caller, _name(entry.code)))
-        if entry.code.co_filename == f"<{role} cell>" or caller.startswith("trajlib.checks"):
-            called |= {(modules.get(other.code.co_filename, ""), _name(other.code)) for other in entry.calls or ()}
-    return called | {(module, name) for module, name in within if module.startswith("trajlib")
-                     and not name.startswith("<")}
+def from_answers(module, caller):
+    """All calls of trajlib are heeded, and those of other solvers from an answer cell."""
+    return module.startswith("trajlib") or caller.f_code.co_filename == "<answer cell>"
 
 
-def _name(code):
-    return code.co_qualname if sys.version_info >= (3, 11) else code.co_name
+def from_checks(module, caller):
+    """The same from a check cell or a check."""
+    return (module.startswith("trajlib") or caller.f_code.co_filename == "<check cell>"
+            or caller.f_globals.get("__name__", "").startswith("trajlib.checks"))
 
 
 def _only(source, name):

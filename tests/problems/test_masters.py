@@ -9,10 +9,13 @@ import time
 from contextlib import suppress
 from pathlib import Path
 
+import numpy as np
 import pytest
 import sympy as sp
+from adversarial.tables import rows_of
+from calls import calls_noted
 from foreign import judged_under_watch
-from harness import check_calls, each_part, first_verdicts, solve
+from harness import SOLVERS, check_calls, each_part, first_verdicts, from_checks, solve
 from mutants import mutants
 from nonsense import NOT_ASKED, entries, entry_at, nonsense
 from oracles import is_right
@@ -52,8 +55,6 @@ TOLD = {"1.2": {"b_stable"}, "1.3": {"a_stable"}, "3.3": {"c_speed_observable"},
 DOUBLED = {"5.11": {"time"}, "5.12": {"latest"}, "5.13": {"time"}}
 #: Options of checks that may be written as numbers in a check cell.
 TOLERANCES = {"tolerance", "horizon"}
-#: Solvers of other libraries that an answer and its check must not share.
-SOLVERS = ("trajlib.", "control", "casadi", "scipy.linalg", "scipy.optimize", "sympy.solvers")
 #: What only states a system solves nothing.
 RECORDS = ("trajlib.systems", "trajlib.pontryagin.statement")
 #: And what loads a library solves nothing either.
@@ -118,16 +119,16 @@ def test_nobody_waits_long_for_one_problem(master):
 def _reference(bench):
     """By the master's check cells one at a time, and by those of the student's notebook as a grader judges. Comes
     first, so that the times are those of first verdicts, and that nothing which is called is kept from being seen by
-    an earlier call. The profile takes time of its own, a fifth or so: who seems slow is timed again without it."""
+    an earlier call. Other tests run beside: who seems slow is timed again."""
     answers = _encoded(bench)
     bench.judge({})  # imports, which are no calls; nothing is known of the answers yet, as at a student's first check
-    verdicts, seconds, called = {}, {}, set()
-    for name in answers:
-        start = time.process_time()  # not the clock on the wall: other tests run on the same machine
-        verdict, functions = bench.judge_under_profile(name)
-        seconds[name] = time.process_time() - start
-        verdicts[name] = [verdict.status, verdict.message]
-        called |= functions
+    verdicts, seconds = {}, {}
+    with calls_noted(SOLVERS, from_checks) as called:
+        for name, value in bench.reference.items():
+            start = time.process_time()  # not the clock on the wall: other tests run on the same machine
+            verdict = bench.judge_one(name, value)
+            seconds[name] = time.process_time() - start
+            verdicts[name] = [verdict.status, verdict.message]
     cells = exercises.find(bench.master.number).code("data", "check")
     return {"master": verdicts, "exercise": judge_cells(cells, answers, {}, list(answers)), "seconds": seconds,
             "called": sorted(called)}
@@ -358,6 +359,24 @@ def _mutants(bench):
     return result
 
 
+def test_every_row_of_the_tables_has_the_verdict_due(master):
+    """The rows in `adversarial/` that are about this problem: what mathematics says of other answers."""
+    rows = rows_of(master.number)
+    assert [row.name for row in rows if row.name not in master.answers] == [], "no answers of this problem"
+    verdicts = found(master, "rows")
+    assert [f"{row.name} = {row.code} is {status}, though {row.reason}: {message}"
+            for row, (status, message) in zip(rows, verdicts, strict=True) if status != row.due] == []
+    assert all(len(message) > 20 for status, message in verdicts)
+
+
+def _rows(bench):
+    """(status, message) of each row, which may use the names of the data cells."""
+    rows = rows_of(bench.master.number)
+    values = [decode(encode(eval(row.code, bench.data | {"np": np, "sp": sp}))) for row in rows]
+    verdicts = [bench.judge_one(row.name, value) for row, value in zip(rows, values)]
+    return [(verdict.status, verdict.message) for verdict in verdicts]
+
+
 def test_text_is_never_code(master):
     """Texts that would run, were they evaluated, unpickled or imported anywhere in a check."""
     assert found(master, "foreign")["texts"] == []
@@ -374,7 +393,7 @@ def test_odd_answers_are_the_students_affair_and_are_not_told_the_right_one(mast
 
 PARTS = {"reference": _reference, "untouched": _untouched, "wrong": _wrong, "forms": _forms, "right": _right,
          "mutants": _mutants, "mistakes": _mistakes, "decimals": _decimals, "told": _told,
-         "foreign": judged_under_watch}
+         "rows": _rows, "foreign": judged_under_watch}
 
 
 def test_the_data_tell_no_condition_that_is_asked_for(master):
