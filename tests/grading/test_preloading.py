@@ -45,6 +45,11 @@ def test_functions_of_ours_that_a_notebook_names():
     assert not set(loaded(["1.15"], ["hurwitz_minors = 1"])) - set(loaded(["1.15"], [])), "no theme is named"
 
 
+def test_functions_of_a_theme_that_is_a_single_module():
+    cells = ["from trajlib.reconstruction import reconstruct", "from trajlib import invariant\ninvariant.value(0)"]
+    assert {"trajlib.reconstruction", "trajlib.invariant"} <= set(needed(["6.2"], cells)["notebooks"])
+
+
 def test_sandboxes_have_what_notebooks_use_and_not_what_only_checks_do():
     assert {"z3", "trajlib.checks.stability.regions"} <= set(needed(["1.15"], [])["checks"])
     assert "z3" in needed(["1.15"], ["import z3"])["notebooks"]

@@ -24,8 +24,9 @@ ALWAYS = (*SYMPY, "numpy", "IPython.core.interactiveshell", "trajlib.checks.cont
 #: What notebooks and checks may use beside that.
 LIBRARIES = ("casadi", "matplotlib.pyplot", "scipy.integrate", "scipy.interpolate", "scipy.linalg", "scipy.optimize",
              "z3")
-#: Packages of trajlib from which notebooks may take functions.
-THEMES = ("estimation", "feedback", "pontryagin", "reconstruction", "solvability", "stability", "structure")
+#: Packages and modules of trajlib from which notebooks may take functions.
+THEMES = ("estimation", "feedback", "invariant", "pontryagin", "reconstruction", "reference_curves", "solvability",
+          "stability", "structure")
 
 
 def needed(problems, sources):
@@ -64,7 +65,8 @@ def _uses(name, sources):
 def _functions(sources):
     """The modules that hold the functions of trajlib which cells name."""
     words = {word for source in sources for word in re.findall(r"\w+", source)}
-    return sorted({home_of(package, name) for theme in THEMES if theme in words
+    # a theme of a single module is the home of all its names
+    return sorted({home_of(package, name) or package for theme in THEMES if theme in words
                    for package in [f"trajlib.{theme}"] for name in dir(importlib.import_module(package))
                    if name in words})
 
