@@ -82,6 +82,8 @@ __getattr__, __dir__, __all__ = lazy_names(__name__, {
         "switching_interval", "switchings", "transfer_starts", "turning_rate"],
     "pontryagin.given_laws": ["end_under_law", "motion_under_law"],
     "pontryagin.functionals": ["best_motion", "best_motion_exists", "best_value", "stationary_duration"],
+    "research.interpolation": ["of_interpolant"],
+    "research.invariance": ["invariant_weights"],
     "research.reconstruction": ["boundary_decay", "bounded_misfit", "digits_lost", "filter_gain",
         "interpolant_acceleration", "multiple_eigenvalues", "on_unit_circle", "reduced_polynomial",
         "spline_acceleration", "spline_misfit", "spline_positions", "steady_costate", "transition_polynomial",

@@ -1,9 +1,13 @@
 """All rows, by the problem that they are about."""
 
-from adversarial import ch1, ch2, ch3, ch4, ch5, ch5_later, ch5_near, ch5_processes, ch5_quadratic, ch5_syntheses, ch6_7
+import pkgutil
+from importlib import import_module
 
-CHAPTERS = ch1, ch2, ch3, ch4, ch5, ch5_syntheses, ch5_processes, ch5_later, ch5_quadratic, ch5_near, ch6_7
-ROWS = [row for chapter in CHAPTERS for row in chapter.ROWS]
+import adversarial
+
+#: Of every chapter's module.
+ROWS = [row for module in pkgutil.iter_modules(adversarial.__path__) if module.name.startswith("ch")
+        for row in import_module(f"adversarial.{module.name}").ROWS]
 
 
 def rows_of(problem):

@@ -1,1 +1,1 @@
-"""Checks of the research chapters: 6, reconstruction, and 7, solvability."""
+"""Checks of the research chapters: 6, reconstruction, 7, solvability, and 8, interpolation and invariance."""
