@@ -82,7 +82,8 @@ class InvariantEstimator:
 
     `times`: N times that do not decrease. `basis`, `nuisance`: lists of functions of the time, psi_k and theta_p: SymPy
     expressions in one symbol, polynomials of `numpy.polynomial`, splines of SciPy, numbers, or Python functions (which
-    have no derivatives). `covariance` of the noise: a variance, N variances, or the matrix (N, N); it is sigma^2, not
+    have no derivatives). Powers of a time that is counted from far away depend on each other in machine numbers: count
+    it from the record. `covariance` of the noise: a variance, N variances, or the matrix (N, N); it is sigma^2, not
     sigma.
 
     A functional is `value(t)`, `derivative(t, r)`, `integral(a, b)`, or any function that takes such a function of time
@@ -244,7 +245,7 @@ class _Window:
         on_it = np.abs(combination@o).max()
         raise ValueError(f"functional: the samples cannot tell it. At all of them {words} is a combination of the "
                          f"nuisance's functions or zero, while the functional is {on_it:.4g} on it. Leave a function "
-                         f"out, or sample longer or more densely")
+                         f"out, or sample longer or more densely; count the time from the record, not from far away")
 
     def _whitened(self, rows, transposed=False):
         from scipy.linalg import solve_triangular

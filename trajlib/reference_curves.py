@@ -69,8 +69,8 @@ class ReferenceCurves:
 
     `box`: pairs (low, high) for time, components and parameters in this order, in which the formula is to be used; the
     ranges of the nodes if left out (Chebyshev nodes do not reach the ends of theirs). The curves start at its first
-    time. `domain(t, x, p)` is true where f is defined: a curve that leaves it is an error. `rtol`: relative tolerance
-    of the integration.
+    time. `domain(t, x, p)` is true where f is defined: a curve that leaves it is an error (ArithmeticError). `rtol`:
+    relative tolerance of the integration; nodes that amplify it to a thousandth are refused (ValueError).
 
     >>> decay = ReferenceCurves(lambda t, x, p: [-p[0]*x[0]], chebyshev_nodes(0, 2, 9), [[0, 1]],
     ...                         [chebyshev_nodes(0.5, 1, 6)], box=[(0, 2), (0, 1), (0.5, 1)])

@@ -234,6 +234,17 @@ def test_a_function_close_to_the_nuisance_is_told_by_its_gain():
     assert gains[1].gain == pytest.approx(1e3*gains[2].gain/1e6, rel=1e-2) and gains[2].gain > 1e5
 
 
+def test_a_time_that_is_counted_from_far_away():
+    here = np.arange(21.0)
+    slopes = []
+    for start in (0, 1e3, 1e6):
+        estimator = InvariantEstimator(start + here, [1, T, T**2], [sp.sin(0.64*(T - start))])
+        slopes.append(estimator.estimate(here**2, derivative(start + 10)).value)
+    assert slopes == pytest.approx([20, 20, 20], abs=1e-4)
+    with pytest.raises(ValueError, match="count the time from the record"):        # powers of it are one in doubles
+        InvariantEstimator(1e9 + here, [1, T, T**2], [sp.cos(T)]).weights(derivative(1e9 + 10))
+
+
 # --- windows
 
 
