@@ -92,7 +92,8 @@ class ReferenceCurves:
         self._names = [short for _, _, short in lists]
         if not SHARPEST <= rtol < 1:
             raise ValueError(f"rtol: expected a relative tolerance between {SHARPEST:g} and 1, got {rtol}")
-        self._f, self._output, self._domain, self._rtol = f, output, domain, rtol
+        self._output = output
+        self._flow = _Flow(f, domain, self.n, self.parameters, self.box[0][0], rtol)
         constants = [lebesgue_constant(nodes, *ends) for nodes, ends in zip(self.nodes, self.box)]
         #: Lebesgue constant of the whole: the product of those of the axes.
         self.lebesgue = float(np.prod(constants))
@@ -101,7 +102,7 @@ class ReferenceCurves:
             raise ValueError(f"{lists[worst][1]}: {self.nodes[worst].size} nodes amplify errors {constants[worst]:.1e} "
                              f"times, and with them those of the integration; take fewer, or chebyshev_nodes")
         starts = np.meshgrid(*self.nodes[1:], indexing="ij")
-        table = self._integrated(self.nodes[0], np.array([axis.ravel() for axis in starts]))
+        table = self._flow.states(self.nodes[0], np.array([axis.ravel() for axis in starts]))
         #: The states at all nodes, shape (n, K, nodes of x_0..., nodes of p...).
         self.table = table.reshape(self.n, self.nodes[0].size, *starts[0].shape)
         self._states = TensorInterpolant(self.nodes, self.box, self._names, self.n, self.table)
@@ -140,7 +141,7 @@ class ReferenceCurves:
         """By how much the formula misses the differential equation, dx/dt - f(t, x, p): (1.3) of the paper, shape
         (n, ...)."""
         x = self(t, x0, p, extrapolate=extrapolate)
-        rates = self._rates(np.asarray(t, dtype=float), x, [np.asarray(value, dtype=float) for value in p])
+        rates = self._flow.rates(np.asarray(t, dtype=float), x, [np.asarray(value, dtype=float) for value in p])
         return self.derivative(t, x0, p, extrapolate=extrapolate) - rates
 
     def integrated(self, t, x0, p=()):
@@ -151,7 +152,7 @@ class ReferenceCurves:
         t = _nodes(t, "t")
         starts = np.broadcast_arrays(*self._starts(x0, p))
         shape = starts[0].shape
-        found = self._integrated(t, np.array([start.ravel() for start in starts]))
+        found = self._flow.states(t, np.array([start.ravel() for start in starts]))
         return found.reshape(self.n, t.size, *shape)
 
     def residual(self, grid, *, order=0):
@@ -173,12 +174,12 @@ class ReferenceCurves:
             raise ValueError(f"order: expected 0 for the states or 1 for their derivatives, got {order!r}")
         shape = tuple(axis.size for axis in axes)
         mesh = np.meshgrid(*axes[1:], indexing="ij")
-        exact = self._integrated(axes[0], np.array([axis.ravel() for axis in mesh])).reshape(self.n, *shape)
+        exact = self._flow.states(axes[0], np.array([axis.ravel() for axis in mesh])).reshape(self.n, *shape)
         found = self.on_grid(axes, order)
         open_axes = np.meshgrid(*axes, indexing="ij", sparse=True)
         p, names = open_axes[1 + self.n:], [f"x[{i}]" for i in range(self.n)]
         if order == 1:
-            exact, names = self._rates(open_axes[0], exact, p), [f"x'[{i}]" for i in range(self.n)]
+            exact, names = self._flow.rates(open_axes[0], exact, p), [f"x'[{i}]" for i in range(self.n)]
         elif self._output is not None:
             measured = [self._measured(open_axes[0], states, p) for states in (exact, found)]
             exact, found = (np.concatenate(pair) for pair in zip((exact, found), measured))
@@ -214,10 +215,24 @@ class ReferenceCurves:
                              f"{len(p)}")
         return [np.asarray(value, dtype=float) for value in (*x0, *p)]
 
-    def _rates(self, t, x, p):
+    def _measured(self, t, x, p):
+        if self._output is None:
+            raise ValueError("output: these curves were made without one; give ReferenceCurves(..., output=phi)")
+        found = self._output(t, x, p) if self.parameters else self._output(t, x)
+        found = found if isinstance(found, (list, tuple)) or np.ndim(found) > np.ndim(x[0]) else [found]
+        return np.stack([np.broadcast_to(part, np.shape(x[0])) for part in found]).astype(float)
+
+
+class _Flow:
+    """The equations and their integration, all curves together."""
+
+    def __init__(self, f, domain, n, parameters, begin, rtol):
+        self.f, self.domain, self.n, self.parameters, self.begin, self.rtol = f, domain, n, parameters, begin, rtol
+
+    def rates(self, t, x, p):
         """f as one array of the shape of x."""
         try:
-            rates = self._f(t, x, p) if self.parameters else self._f(t, x)
+            rates = self.f(t, x, p) if self.parameters else self.f(t, x)
         except (TypeError, ValueError, IndexError) as reason:
             call = f"(t, x, p) with {self.parameters} parameters" if self.parameters else "(t, x)"
             raise type(reason)(f"f: it failed ({reason}); it is called as {call} and {self.n} components of the state, "
@@ -226,71 +241,64 @@ class ReferenceCurves:
             raise ValueError(f"f: expected {self.n} derivatives, one for each component of the state, got {len(rates)}")
         return np.stack([np.broadcast_to(rate, np.shape(x[0])) for rate in rates]).astype(float)
 
-    def _measured(self, t, x, p):
-        if self._output is None:
-            raise ValueError("output: these curves were made without one; give ReferenceCurves(..., output=phi)")
-        found = self._output(t, x, p) if self.parameters else self._output(t, x)
-        found = found if isinstance(found, (list, tuple)) or np.ndim(found) > np.ndim(x[0]) else [found]
-        return np.stack([np.broadcast_to(part, np.shape(x[0])) for part in found]).astype(float)
-
-    def _integrated(self, times, starts):
-        """States at the times, shape (n, times, curves), from starts of shape (n + parameters, curves)."""
-        parts = [self._some(times, starts[:, k:k + CURVES]) for k in range(0, starts.shape[1], CURVES)]
+    def states(self, times, starts):
+        """Shape (n, times, curves), from starts of shape (n + parameters, curves)."""
+        if times[0] < self.begin:
+            raise ValueError(f"t: the curves start at {self.begin:g}, {times[0]:g} is before that")
+        parts = [self._together(times, starts[:, k:k + CURVES]) for k in range(0, starts.shape[1], CURVES)]
         return np.concatenate(parts, axis=2)
 
-    def _some(self, times, starts):
+    def _together(self, times, starts):
         from scipy.integrate import DOP853
 
         x0, p = starts[:self.n], starts[self.n:]
-        begin, end, curves = self.box[0][0], times[-1], starts.shape[1]
-        if times[0] < begin:
-            raise ValueError(f"t: the curves start at {begin:g}, {times[0]:g} is before that")
-        lost = np.zeros(curves, dtype=bool)
+        length, outside = times[-1] - self.begin, np.zeros(x0.shape[1], dtype=bool)
 
         def rates(t, y):
-            x = y.reshape(self.n, curves)
+            x = y.reshape(x0.shape)
             with np.errstate(all="ignore"):
-                found = self._rates(t, x, p)
-                outside = ~(np.isfinite(found).all(axis=0) & self._inside(t, x, p))
-            if outside.any():
-                lost[:] = outside
+                found = self.rates(t, x, p)
+                off = ~(np.isfinite(found).all(axis=0) & self._inside(t, x, p))
+            if off.any():
+                outside[:] = off        # of the last, the shortest trial those are left that are at the border
             # A step that meets nan is refused by the solver and tried shorter, until it gives up at the border.
-            return np.where(outside, np.nan, found).ravel()
+            return np.where(off, np.nan, found).ravel()
 
-        at_start = rates(begin, x0.ravel()).reshape(x0.shape)
-        if lost.any():
-            self._refuse(begin, starts, lost)
+        at_start = rates(self.begin, x0.ravel()).reshape(x0.shape)
+        if outside.any():
+            self._refuse(self.begin, starts, outside)
         found = np.empty((times.size, x0.size))
-        found[times == begin] = x0.ravel()
-        if end == begin:
-            return np.moveaxis(found.reshape(times.size, *x0.shape), 1, 0)
-        # The solver bounds the mean square over all curves; each of them is to keep the tolerance.
-        share = self._rtol*curves**-0.5
-        sizes, moved = np.abs(x0).max(axis=1), np.abs(at_start).max(axis=1)*(end - begin)
-        sizes = np.where(sizes > 0, sizes, np.where(moved > 0, moved, 1.0))[:, None]
-        with np.errstate(all="ignore"):
-            solver = DOP853(rates, begin, x0.ravel(), end, rtol=max(share, SHARPEST),
-                            atol=np.repeat(sizes, curves)*share)
-            while solver.status == "running":
-                solver.step()
-                if solver.status == "failed" or solver.t < end and solver.step_size < SHORTEST*(end - begin):
-                    if not lost.any():         # it escapes to infinity, the one that is fastest for its size
+        found[times == self.begin] = x0.ravel()
+        if length:
+            sizes, moved = np.abs(x0).max(axis=1), np.abs(at_start).max(axis=1)*length
+            sizes = np.where(sizes > 0, sizes, np.where(moved > 0, moved, 1.0))[:, None]
+            # The solver bounds the mean square over all curves; each of them is to keep the tolerance.
+            share = self.rtol*x0.shape[1]**-0.5
+            with np.errstate(all="ignore"):
+                solver = DOP853(rates, self.begin, x0.ravel(), times[-1], rtol=max(share, SHARPEST),
+                                atol=np.repeat(sizes, x0.shape[1])*share)
+                while solver.status == "running":
+                    outside[:] = False
+                    solver.step()
+                    stuck = solver.t < times[-1] and solver.step_size < SHORTEST*length
+                    if stuck or solver.status == "failed":
                         x, speed = (part.reshape(x0.shape) for part in (solver.y, solver.f))
-                        lost[np.argmax(np.abs(speed/(np.abs(x) + sizes)).max(axis=0))] = True
-                    self._refuse(solver.t, starts, lost)
-                passed = (times > solver.t_old) & (times <= solver.t)
-                if passed.any():
-                    found[passed] = solver.dense_output()(times[passed]).T
+                        escaping = np.abs(speed/(np.abs(x) + sizes)).max(axis=0)
+                        self._refuse(solver.t, starts, outside if outside.any() else escaping == escaping.max())
+                    passed = (times > solver.t_old) & (times <= solver.t)
+                    if passed.any():
+                        found[passed] = solver.dense_output()(times[passed]).T
         return np.moveaxis(found.reshape(times.size, *x0.shape), 1, 0)
 
     def _inside(self, t, x, p):
-        if self._domain is None:
+        if self.domain is None:
             return True
-        return self._domain(t, x, p) if self.parameters else self._domain(t, x)
+        return self.domain(t, x, p) if self.parameters else self.domain(t, x)
 
-    def _refuse(self, t, starts, lost):
-        start = starts[:, np.flatnonzero(lost)[0]]
-        at = ", ".join(f"{name} = {value:.6g}" for name, value in zip(self._names[1:], start))
+    def _refuse(self, t, starts, which):
+        start = starts[:, np.flatnonzero(which)[0]]
+        names = [f"x0[{j}]" for j in range(self.n)] + [f"p[{j}]" for j in range(self.parameters)]
+        at = ", ".join(f"{name} = {value:.6g}" for name, value in zip(names, start))
         raise ArithmeticError(f"f: the curve from {at} leaves the domain where f is defined, or escapes to infinity, "
                               f"at t = {t:.6g}; narrow the box or end earlier")
 

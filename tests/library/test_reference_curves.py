@@ -346,6 +346,8 @@ def test_a_domain_that_f_does_not_show():
     # without its domain this motion passes through x = 0.5
     with pytest.raises(ArithmeticError, match=r"x0\[0\] = 1 .* at t = 0.5;"):
         ReferenceCurves(lambda t, x: [-1 + 0*x[0]], [0, 1], [[1, 2]], domain=lambda t, x: x[0] > 0.5)
+    with pytest.raises(ArithmeticError, match=r"x0\[0\] = 1.05 .* at t = 0.95;"):   # the other one leaves at 1
+        ReferenceCurves(lambda t, x: [1 + 0*x[0]], [0, 3], [[1, 1.05]], domain=lambda t, x: x[0] < 2)
     with pytest.raises(ArithmeticError, match=r"p\[0\] = 0.01 .* at t = 100;"):     # all of the mass is burnt
         ReferenceCurves(rocket, 14*np.arange(11), STARTS, FLOWS)
 
