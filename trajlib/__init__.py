@@ -10,7 +10,7 @@ True
 from trajlib._lazy import lazy_modules
 
 __version__ = "0.1.0"
-_MODULES = ["checks", "drawings", "estimation", "feedback", "flows", "invariant", "masters", "motions", "plotting",
-            "pontryagin", "reconstruction", "reference_curves", "showing", "solvability", "stability", "structure",
-            "systems"]
+_MODULES = ["checks", "drawings", "estimation", "feedback", "flows", "infosets", "invariant", "masters", "motions",
+            "plotting", "pontryagin", "reconstruction", "reference_curves", "showing", "solvability", "stability",
+            "structure", "systems"]
 __getattr__, __dir__, __all__ = lazy_modules(__name__, _MODULES)

@@ -25,8 +25,8 @@ ALWAYS = (*SYMPY, "numpy", "IPython.core.interactiveshell", "trajlib.checks.cont
 LIBRARIES = ("casadi", "matplotlib.pyplot", "scipy.integrate", "scipy.interpolate", "scipy.linalg", "scipy.optimize",
              "z3")
 #: Packages and modules of trajlib from which notebooks may take functions.
-THEMES = ("estimation", "feedback", "invariant", "pontryagin", "reconstruction", "reference_curves", "solvability",
-          "stability", "structure")
+THEMES = ("estimation", "feedback", "infosets", "invariant", "pontryagin", "reconstruction", "reference_curves",
+          "solvability", "stability", "structure")
 
 
 def needed(problems, sources):
