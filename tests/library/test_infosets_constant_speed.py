@@ -236,6 +236,25 @@ def test_published_motion_with_squares():
     assert found.bounds().speed is None and "psi in" in str(found.bounds()) and "V in" not in str(found.bounds())
 
 
+@pytest.mark.parametrize("mode", ["published", "guaranteed"])
+def test_figure_6_from_one_heading(mode):
+    """V = 400, k = 15, a parallelogram at 20 s and a rectangle at 32 s; the motion, which is not given, is ours."""
+    pieces = [(1.0, u, 0) for count, u in ((10, 0), (15, 1), (15, -1)) for _ in range(count)]
+    truth = fly((0, 0, 0, 400), pieces, 15.0)[:, :3]
+    found = ConstantSpeedInformationSet(Region.disc([0, 0], 100), speed=400, k=15, heading_range=0.0, mode=mode)
+    shape = np.array([[-500, -200], [100, -200], [500, 200], [-100, 200]])
+    widths = []
+    for t in range(1, 41):
+        found.advance()
+        if t in (20, 32):
+            before = found.bounds()
+            found.measure(truth[t, :2] + (shape if t == 20 else [[-300, -150], [300, -150], [300, 150], [-300, 150]]))
+            widths.append((np.ptp(before.heading), np.ptp(found.bounds().heading)))
+        if mode == "guaranteed" or t in (20, 32, 40):
+            assert found.contains(truth[t])
+    assert all(after < 0.7*before for before, after in widths)
+
+
 def test_merged_headings_have_the_mean_and_the_hull():
     found = ConstantSpeedInformationSet([[0, 0]], speed=1, k=1, dt=0.01, heading_range=1.0, headings=8, normals=8,
                                         mode="published").advance()

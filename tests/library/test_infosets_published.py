@@ -202,6 +202,12 @@ def test_bad_data_name_the_cause(change, words):
         InformationSet(**{"region": Region.box([0, 0], 400), "mode": "published"} | DATA | change)
 
 
+def test_what_is_no_number_is_named():
+    for change in ({"mu": "fast"}, {"heading_range": "north"}, {"k": "six"}, {"speeds": [1, [2]]}, {"headings": 60.5}):
+        with pytest.raises(TypeError, match=f"{next(iter(change))}: expected"):
+            InformationSet(**{"region": Region.box([0, 0], 400)} | DATA | change)
+
+
 @pytest.mark.parametrize("mode", ["published", "guaranteed"])
 def test_bad_steps_name_the_cause(mode):
     found = InformationSet(Region.box([0, 0], 4), k=0.5, mu=(-10, 3), speeds=(21, 40), mode=mode, headings=60)

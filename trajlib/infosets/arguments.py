@@ -36,7 +36,7 @@ def count(value, name, least):
 
 def pair(value, name, meaning="(low, high)"):
     """Two finite numbers, the first not above the second."""
-    ends = np.asarray(value, dtype=float)
+    ends = _floats(value, name, meaning)
     if ends.shape != (2,) or not np.isfinite(ends).all() or ends[0] > ends[1]:
         raise ValueError(f"{name}: expected {meaning} with low <= high, got {value!r}")
     return float(ends[0]), float(ends[1])
@@ -44,15 +44,30 @@ def pair(value, name, meaning="(low, high)"):
 
 def vectors(value, name, length=2):
     """Finite numbers in an array of shape (..., length)."""
-    try:
-        value = np.asarray(value, dtype=float)
-    except (TypeError, ValueError):
-        raise TypeError(f"{name}: expected numbers of shape (..., {length}), got {value!r}") from None
+    value = _floats(value, name, f"numbers of shape (..., {length})")
     if value.ndim == 0 or value.shape[-1] != length:
         raise ValueError(f"{name}: expected shape (..., {length}), got {value.shape}")
     if not np.isfinite(value).all():
         raise ValueError(f"{name}: expected finite numbers")
     return value
+
+
+def arc(value, name):
+    """(low, width) of an arc of headings in radians; the full circle if None, one heading if a number."""
+    if value is None:
+        return 0.0, 2*np.pi
+    ends = np.atleast_1d(_floats(value, name, "a heading or (low, high)"))
+    if ends.ndim != 1 or ends.size > 2 or not np.isfinite(ends).all() or not 0 <= ends[-1] - ends[0] <= 2*np.pi:
+        raise ValueError(f"{name}: expected a heading or (low, high), low <= high <= low + 2 pi, in radians, got "
+                         f"{value!r}")
+    return float(ends[0]), float(ends[-1] - ends[0])
+
+
+def _floats(value, name, expected):
+    try:
+        return np.asarray(value, dtype=float)
+    except (TypeError, ValueError):
+        raise TypeError(f"{name}: expected {expected}, got {value!r}") from None
 
 
 def mode(value):

@@ -54,8 +54,8 @@ class DubinsReachable:
         return x*np.sin(phi) + y*np.cos(phi) + self.speed*(plus - minus)
 
     def contains(self, points, tolerance=1e-6):
-        """Whether points of shape (..., 2) are reached at the time t. `tolerance`: places so near to one that is
-        reached, in turning radii, may count as reached; so may fail within it places at the boundary."""
+        """Whether points of shape (..., 2) are reached at the time t. `tolerance`: how near to the boundary, in turning
+        radii, a place may be counted to either side."""
         points = vectors(points, "points")
         local = self._to_units(points.reshape(-1, 2))
         found = [_reached(part, self.turn, positive(tolerance, "tolerance", "turning radii"))

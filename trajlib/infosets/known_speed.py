@@ -11,7 +11,7 @@ from . import arguments
 from .cells import Cells
 from .polygons import normals as unit_normals
 from .regions import read_region
-from .sections import FULL, Bounds, Sections, arc_of, read_arc
+from .sections import FULL, Bounds, Sections, arc_of
 from .turning import apart
 
 
@@ -42,7 +42,8 @@ class ConstantSpeedInformationSet(Sections):
         if self.k*self.dt/self.speed >= np.pi:
             raise ValueError(f"dt: a step may turn the vehicle by {self.k*self.dt/self.speed:.3g} rad, more than half "
                              f"a circle; take dt below {np.pi*self.speed/self.k:.3g}")
-        section, arc, self._steps = read_region(region, self.normals).values, read_arc(heading_range), 0
+        section, arc = read_region(region, self.normals).values, arguments.arc(heading_range, "heading_range")
+        self._steps = 0
         if mode == "published":
             self._grid = Floating(section, self.speed, self.k, self.dt, headings, arc, wrapped)
         else:

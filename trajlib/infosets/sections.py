@@ -102,17 +102,6 @@ class Sections:
         return ax
 
 
-def read_arc(heading_range):
-    """(low, width) of an arc of headings in radians; the full circle if None, one heading if a number."""
-    if heading_range is None:
-        return 0.0, FULL
-    ends = np.atleast_1d(np.asarray(heading_range, dtype=float))
-    if ends.size > 2 or ends.ndim != 1 or not np.isfinite(ends).all() or not 0 <= ends[-1] - ends[0] <= FULL:
-        raise ValueError(f"heading_range: expected a heading or (low, high), low <= high <= low + 2 pi, in radians, "
-                         f"got {heading_range!r}")
-    return float(ends[0]), float(ends[-1] - ends[0])
-
-
 def arc_of(headings):
     """The shortest arc (low, high) that holds headings given in [0, 2 pi), 0 <= low < 2 pi."""
     found = np.unique(headings)

@@ -5,7 +5,7 @@ from . import arguments
 from .cells import Cells
 from .published import Nodes
 from .regions import read_region
-from .sections import FULL, Bounds, Sections, read_arc
+from .sections import FULL, Bounds, Sections
 
 
 class InformationSet(Sections):
@@ -46,7 +46,8 @@ class InformationSet(Sections):
             raise ValueError(f"speeds: the model needs V > 0, got {speeds[0]:g}")
         headings = arguments.count(headings, "headings", 8)
         self.normals = arguments.count(normals, "normals", 3)
-        section, arc, self._steps = read_region(region, self.normals).values, read_arc(heading_range), 0
+        section, arc = read_region(region, self.normals).values, arguments.arc(heading_range, "heading_range")
+        self._steps = 0
         common = section, self.k, self.mu, speeds, self.dt, headings, arc
         if mode == "published":
             self._grid = Nodes(*common, arguments.count(20 if max_speeds is None else max_speeds, "max_speeds", 4))
