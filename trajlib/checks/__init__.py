@@ -82,6 +82,7 @@ __getattr__, __dir__, __all__ = lazy_names(__name__, {
         "switching_interval", "switchings", "transfer_starts", "turning_rate"],
     "pontryagin.given_laws": ["end_under_law", "motion_under_law"],
     "pontryagin.functionals": ["best_motion", "best_motion_exists", "best_value", "stationary_duration"],
+    "research.infosets": ["common_point", "support_values"],
     "research.interpolation": ["of_interpolant"],
     "research.invariance": ["invariant_weights"],
     "research.reconstruction": ["boundary_decay", "bounded_misfit", "digits_lost", "filter_gain",

@@ -1,1 +1,2 @@
-"""Checks of the research chapters: 6, reconstruction, 7, solvability, and 8, interpolation and invariance."""
+"""Checks of the research chapters: 6, reconstruction, 7, solvability, 8, interpolation and invariance, and 9, information
+sets."""
