@@ -86,27 +86,31 @@ class Cells:
         shared, (rows, columns, m) = self._divisor, self.values.shape
         angle = apart(self.headings[0] + FULL*np.arange(shared)/shared) - WIDER*self.heading_step/2
         high = low + WIDER*self.speed_step
-        total = np.zeros((rows, shared))
+        total, plus, minus = np.zeros((rows, shared)), 0.0, 0.0
         parts = PARTS if self.speed_step else 1
-        times = self.dt*np.arange(parts + 1)/parts
-        for begin, end in zip(times, times[1:]):
-            plus, minus = cosine_parts(angle, rate[:, None], begin, end)
-            total += (high + self.mu[1]*end)[:, None]*plus - (low + self.mu[0]*end)[:, None]*minus
+        for end in self.dt*np.arange(1, parts + 1)/parts:
+            plus_before, minus_before = plus, minus
+            plus, minus = cosine_parts(angle, rate[:, None], end)
+            total += (high + self.mu[1]*end)[:, None]*(plus - plus_before)
+            total -= (low + self.mu[0]*end)[:, None]*(minus - minus_before)
         index = np.arange(columns)[:, None]*(shared//self.circle) - np.arange(m)*(shared//m)
         return total[:, index % shared]
 
     def _turned(self, values, reach):
         """Hulls over the neighbours on both sides, `reach` of them in each row."""
         most = int(reach.max())
-        if not self._closed:
-            ends = np.full((len(values), most, self.m), -np.inf)
-            values = np.concatenate([ends, values, ends], axis=1)
+        if self._closed:
+            padded = np.concatenate([values[:, -most:], values, values[:, :most]], axis=1)
+        else:
+            ends = np.full((len(values), 2*most, self.m), -np.inf)
+            padded = np.concatenate([ends, values, ends], axis=1)
             self._column -= most
-        result = values.copy()
+        count = padded.shape[1] - 2*most
+        result = padded[:, most:most + count].copy()
         for offset in range(1, most + 1):
             rows = slice(0, int(np.sum(reach >= offset)))                 # slow rows come first and turn furthest
-            for sign in (1, -1):
-                np.maximum(result[rows], np.roll(values[rows], sign*offset, axis=1), out=result[rows])
+            for start in (most - offset, most + offset):
+                np.maximum(result[rows], padded[rows, start:start + count], out=result[rows])
         return self._folded(result) if self.wrapped else result
 
     @property

@@ -49,7 +49,7 @@ class DubinsReachable:
     def support(self, directions):
         """The greatest n p over the set, for directions n = (sin phi, cos phi) given by their angles phi, any shape."""
         phi = np.asarray(directions, dtype=float)
-        plus, minus = cosine_parts(apart(phi - self.heading), self.k/self.speed, 0.0, self.t)
+        plus, minus = cosine_parts(apart(phi - self.heading), self.k/self.speed, self.t)
         x, y = self.position
         return x*np.sin(phi) + y*np.cos(phi) + self.speed*(plus - minus)
 

@@ -65,7 +65,8 @@ class Sections:
         return SupportPolygons.of_tight(self._grid.values)
 
     def contains(self, state):
-        """Whether the set holds a state (x, y, psi, V), or (x, y, psi) where the speed is known."""
+        """Whether the set holds a state (x, y, psi, V), or (x, y, psi) where the speed is known: whether the section of
+        a cell that contains psi and V holds (x, y), or as published the section of the nearest node."""
         state = vectors(state, "state", self._state)
         if state.ndim != 1:
             raise ValueError(f"state: expected one of {self._state} numbers, got shape {state.shape}")

@@ -11,20 +11,23 @@ and negative parts c = c+ - c- have integrals in closed form, since x falls at t
 import numpy as np
 
 
-def cosine_parts(angle, rate, begin, end):
-    """Integrals of c+ and c- from `begin` to `end`, two arrays; `angle` = d may be negative, `rate` = kappa.
+def cosine_parts(angle, rate, time):
+    """Integrals of c+ and c- from 0 to `time`, two arrays; `angle` = d may be negative, `rate` = kappa.
 
     >>> import numpy as np
-    >>> plus, minus = cosine_parts(np.pi, 1.0, 0.0, np.pi)                # a half turn
+    >>> plus, minus = cosine_parts(np.pi, 1.0, np.pi)                     # a half turn
     >>> round(float(plus), 12), round(float(minus), 12)
     (1.0, 1.0)
     """
-    first, last = (np.maximum(angle - rate*time, 0) for time in (begin, end))
-    quarter = np.pi/2
-    straight = (end - begin) - (first - last)/rate
-    plus = (np.sin(np.minimum(first, quarter)) - np.sin(np.minimum(last, quarter)))/rate + straight
-    minus = (np.sin(np.maximum(last, quarter)) - np.sin(np.maximum(first, quarter)))/rate
-    return plus, minus
+    first, last = np.maximum(angle, 0), np.maximum(angle - rate*time, 0)
+    (ahead, behind), (ahead_then, behind_then) = _sines(first), _sines(last)
+    return (ahead - ahead_then - (first - last))/rate + time, (behind_then - behind)/rate
+
+
+def _sines(angle):
+    """Sines of the angles, but 1 in the first where they are obtuse, in the second where they are acute."""
+    sine, acute = np.sin(angle), angle < np.pi/2
+    return np.where(acute, sine, 1.0), np.where(acute, 1.0, sine)
 
 
 def apart(angle):
