@@ -6,7 +6,13 @@ from flights import PUBLISHED, START, fly
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from trajlib.infosets import EmptyInformationSet, InformationSet, Region, SupportPolygons
+from trajlib.infosets import (
+    ConstantSpeedInformationSet,
+    EmptyInformationSet,
+    InformationSet,
+    Region,
+    SupportPolygons,
+)
 from trajlib.infosets.cells import Cells
 from trajlib.infosets.polygons import normals
 
@@ -158,6 +164,26 @@ def test_a_heading_circle_is_closed_and_opened():
     assert arcs == sorted(arcs) and arcs[-1] == 2*np.pi and found.sections.shape[1] == 36
     found.measure(Region.disc(truth[14, :2], 20))
     assert found.contains(truth[14]) and np.ptp(found.bounds().heading) < 2*np.pi and found.sections.shape[1] < 36
+
+
+@pytest.mark.parametrize("heading, u", [(5.3, 1), (1.0, -1)])
+def test_a_turn_across_the_seam_of_a_full_circle(heading, u):
+    """All headings are possible from the start, so that the circle is closed, and the truth passes north."""
+    truth = fly((0, 0, heading, 100), [(1.0, u, 0)]*8, 30.0)
+    found = InformationSet(Region.disc([0, 0], 5), k=30, mu=MU, speeds=(99, 101), headings=90)
+    assert all(found.advance().contains(state) for state in truth[1:])
+    known = ConstantSpeedInformationSet(Region.disc([0, 0], 5), k=30, speed=100, headings=90)
+    assert all(known.advance().contains(state[:3]) for state in truth[1:])
+
+
+@pytest.mark.parametrize("u", [1, -1])
+def test_half_turns_to_both_sides_end_in_one_cell(u):
+    """One cell of heading more on each side in a step: after 18 steps the ends of the arc meet, and both are kept."""
+    k = 100*2*np.pi/36
+    truth = fly((0, 0, 0.01, 100), [(1.0, u, 0)]*19, k)
+    found = ConstantSpeedInformationSet(Region.disc([0, 0], 5), k=k, speed=100, headings=36, heading_range=0.0)
+    assert all(found.advance().contains(state[:3]) for state in truth[1:])
+    assert found.sections.shape == (1, 36)
 
 
 def test_several_measurements_at_once_are_intersected_first():
