@@ -10,9 +10,125 @@ Matrix([
 Matrix([[0, 0]])
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 import sympy as sp
+
+
+@dataclass(frozen=True)
+class Linear:
+    """The system x' = A x + B u with the output z = H x; what is left out is not there.
+
+    A: n x n; B: n x s, a column for each control; H: m x n, a row for each output. Matrices or lists of rows, with
+    symbols or without.
+
+    >>> from trajlib.systems import Linear
+    >>> Linear([[0, 1], [0, 0]], H=[[1, 0]]).dual.B
+    Matrix([
+    [1],
+    [0]])
+    """
+
+    A: sp.Matrix
+    B: sp.Matrix = ()
+    H: sp.Matrix = ()
+
+    def __post_init__(self):
+        n, s, m = sp.Matrix(self.A).rows, sp.Matrix(self.B).cols, sp.Matrix(self.H).rows
+        _set_matrices(self, {"A": (n, n), "B": (n, s), "H": (m, n)}, "A")
+
+    @property
+    def unknowns(self):
+        """How many numbers a start consists of."""
+        return self.A.rows
+
+    @property
+    def dual(self):
+        """The system whose output shows what the control of this one reaches."""
+        return Linear(self.A.T, self.H.T, self.B.T)
+
+    def subs(self, *values):
+        """The system with values, or other expressions, for its symbols."""
+        return type(self)(*(getattr(self, one.name).subs(*values) for one in fields(self)))
+
+
+@dataclass(frozen=True)
+class WithError(Linear):
+    """A linear system that is measured with an error of a known kind and an unknown size: z = H x + c w, w' = S w,
+    w(0) = C `start`.
+
+    S: k x k; c: m x k; start: k numbers, left out where w(0) may be anything.
+
+    >>> from trajlib.systems import WithError
+    >>> WithError([[0]], H=[[1]], S=[[0]], c=[[1]], start=[1]).unknowns
+    2
+    """
+
+    S: sp.Matrix = ()
+    c: sp.Matrix = ()
+    start: sp.Matrix = ()
+
+    def __post_init__(self):
+        super().__post_init__()
+        k, known = sp.Matrix(self.S).rows, sp.Matrix(self.start).rows > 0
+        _set_matrices(self, {"S": (k, k), "c": (self.H.rows, k), "start": (k * known, 1 * known)}, "H and S")
+
+    @property
+    def unknowns(self):
+        """How many numbers a start consists of: x(0), and the amplitude C or w(0)."""
+        return self.A.rows + (self.start.cols or self.S.rows)
+
+
+@dataclass(frozen=True)
+class Varying:
+    """The system x' = A x with the output z = H(t) x, whose row changes with the `time`.
+
+    A: n x n; H: 1 x n, of sines, cosines, exponentials and powers of the time.
+
+    >>> t = sp.Symbol("t")
+    >>> from trajlib.systems import Varying
+    >>> Varying([[0, 1], [0, 0]], [[sp.cos(t), 0]], t).subs(t, 0).H
+    Matrix([[1, 0]])
+    """
+
+    A: sp.Matrix
+    H: sp.Matrix
+    time: sp.Symbol
+
+    def __post_init__(self):
+        n = sp.Matrix(self.A).rows
+        _set_matrices(self, {"A": (n, n), "H": (1, n)}, "A")
+
+    @property
+    def unknowns(self):
+        """How many numbers a start consists of."""
+        return self.A.rows
+
+    def subs(self, *values):
+        """The system with values, or other expressions, for its symbols."""
+        return Varying(self.A.subs(*values), self.H.subs(*values), self.time)
+
+
+@dataclass(frozen=True)
+class Deviations:
+    """The linear system of small deviations from a motion of y' = f(y), which is constant along the motion.
+
+    field: the n right-hand sides; state: the n symbols; motion: {symbol: function of time}.
+
+    >>> r, w, t = sp.symbols("r w t")
+    >>> from trajlib.systems import Deviations
+    >>> Deviations([0, r], [r, w], {r: 1, w: t}).state
+    [r, w]
+    """
+
+    field: list
+    state: list
+    motion: dict
+
+    def __post_init__(self):
+        if not len(self.field) == len(self.state) == len(self.motion):
+            raise ValueError(f"field, state, motion: expected as many of each, got {len(self.field)}, "
+                             f"{len(self.state)}, {len(self.motion)}")
 
 
 @dataclass(frozen=True)
@@ -41,6 +157,16 @@ class Mechanical:
                 raise ValueError(f"{name} has the shape {matrix.shape}; with this M it has to have {rows} rows"
                                  + (f" and {columns} columns" if columns else ""))
             object.__setattr__(self, name, matrix.as_immutable())
+
+    @property
+    def unknowns(self):
+        """How many numbers a start consists of, x(0) and x'(0)."""
+        return 2 * self.M.rows
+
+    @property
+    def dual(self):
+        """The system whose output shows what the control of this one reaches."""
+        return Mechanical(self.M.T, self.D.T, self.K.T, H1=self.L.T)
 
     def subs(self, *values):
         """The system with values, or other expressions, for its symbols."""
@@ -114,6 +240,11 @@ class Process:
         n, m = _matrix(self.A, None).rows, _matrix(self.H, None).rows if self.H != 0 else 0
         shapes = {"A": (n, n), "Q": (n, n), "H": (m, n), "R": (m, m), "mean": (n, 1), "covariance": (n, n)}
         _set_matrices(self, shapes, "A and H", ("Q", "R", "covariance"), "a covariance or an intensity")
+
+    @property
+    def unknowns(self):
+        """How many numbers a start consists of."""
+        return self.A.rows
 
     def subs(self, *values):
         """The process with values, or other expressions, for its symbols."""

@@ -13,6 +13,7 @@ from trajlib.checks.tools.conditions import Case, Condition, Truth, compare, dec
 from trajlib.checks.truths.invariant_subspaces import characteristic_coefficients, kernel, restricted, unseen_subspace
 from trajlib.checks.truths.pairs import pair_of
 from trajlib.checks.truths.spectra import Spectrum
+from trajlib.systems import Linear
 
 x, y = sp.symbols("x y", real=True)
 positive = sp.Symbol("p", positive=True)
@@ -133,12 +134,12 @@ def test_what_the_data_assume_of_a_symbol_holds():
 
 def test_what_a_system_hides_at_an_irrational_value():
     """z = 2 x x1 + 2 x2 loses an eigenvalue of [[0, 1], [2, 0]] exactly for x^2 = 2."""
-    pair = pair_of(sp.Matrix([[0, 1], [2, 0]]), sp.Matrix([[2 * x, 2]]), [x])
+    system = Linear([[0, 1], [2, 0]], H=[[2 * x, 2]])
+    pair = pair_of(system.A, system.H, [x])
     assert [pair.dimension_at({x: value}) for value in (sp.sqrt(2), -sp.sqrt(2), sp.Rational(7, 5))] == [1, 1, 0]
-    data = (pair_of, sp.Matrix([[0, 1], [2, 0]]), sp.Matrix([[2 * x, 2]]), [x])[1:]
-    assert checks.observable_parameters(sp.Ne(x**2, 2), *data).status == "right"
+    assert checks.observable_parameters(sp.Ne(x**2, 2), system, [x]).status == "right"
     for wrong in (True, sp.Ne(x, sp.sqrt(2)), sp.And(sp.Ne(x**2, 2), sp.Ne(x, 1000))):
-        assert checks.observable_parameters(wrong, *data).status == "wrong"
+        assert checks.observable_parameters(wrong, system, [x]).status == "wrong"
 
 
 def test_the_largest_invariant_subspace():

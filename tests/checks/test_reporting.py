@@ -19,7 +19,7 @@ from trajlib import checks
 from trajlib.checks.contract import reporting
 from trajlib.checks.contract.encoding import EncodingError, decode, encode
 from trajlib.checks.contract.verdict import Unusable, Verdict, Wrong, judged
-from trajlib.systems import Process
+from trajlib.systems import Linear, Process
 
 
 @judged
@@ -156,11 +156,11 @@ def test_no_message_holds_the_reference():
 
 def test_a_condition_that_python_has_decided_is_told_so_when_it_is_wrong():
     alpha = sp.Symbol("alpha", real=True)
-    chain = sp.Matrix([[0, 1], [0, 0]])
-    said = checks.observable_parameters(alpha != -1, chain, sp.Matrix([[alpha, 1]]), [alpha])
+    chain = Linear([[0, 1], [0, 0]], H=[[alpha, 1]])
+    said = checks.observable_parameters(alpha != -1, chain, [alpha])
     assert said.status == "wrong" and "bare True" in said.message and "sp.Ne" in said.message
-    assert checks.observable_parameters(True, chain, sp.Matrix([[1, alpha]]), [alpha]).status == "right"
-    other = checks.observable_parameters(alpha > 0, chain, sp.Matrix([[alpha, 1]]), [alpha])
+    assert checks.observable_parameters(True, Linear(chain.A, H=[[1, alpha]]), [alpha]).status == "right"
+    other = checks.observable_parameters(alpha > 0, chain, [alpha])
     assert other.status == "wrong" and "bare" not in other.message
 
 
@@ -185,7 +185,7 @@ def test_a_question_ends_once():
 def test_code_in_a_message_is_set_as_code():
     """One writes `x != 1`, where mathematics would have x ≠ 1; so what is to be written stands between backticks."""
     x = sp.Symbol("x")
-    shown = reporting._as_html({"a": checks.observable_parameters(True, sp.diag(x, 1), sp.Matrix([[1, 1]]), [x])})
+    shown = reporting._as_html({"a": checks.observable_parameters(True, Linear(sp.diag(x, 1), H=[[1, 1]]), [x])})
     assert re.findall("<code style='color: inherit; background: none'>(.*?)</code>", shown) == [
         "x != 77", "x == 77", "sp.Ne(x, 77)", "sp.Eq(x, 77)"]
     assert checks.covariance_matrix("[[1]]", [x], [x], sp.eye(1)).message.endswith("leave its quotation marks out")

@@ -7,6 +7,7 @@ import sympy as sp
 from trajlib import checks
 from trajlib.checks.contract.tolerance import EXACT, MOST_FOLLOWED, in_decimals, rounds_to, same, share
 from trajlib.checks.tools.values import uncertain_at
+from trajlib.systems import Linear
 
 k = sp.Symbol("k", positive=True)
 x, v, r, t = sp.symbols("x v r t", real=True)
@@ -60,14 +61,13 @@ def test_the_decimals_of_an_expression_leave_open_what_they_make_of_it():
 A = sp.Matrix([[sp.Rational(999, 100), 0], [0, 1]])
 H = sp.Matrix([[0, 1]])
 NUMBERS = [
-    lambda number: checks.lost_eigenvalues([number], A, H),
-    lambda number: checks.controllability_matrix([[1, number], [1, 1.0]], A, sp.Matrix([1, 1])),
+    lambda number: checks.lost_eigenvalues([number], Linear(A, H=H)),
+    lambda number: checks.controllability_matrix([[1, number], [1, 1.0]], Linear(A, [1, 1])),
     lambda number: checks.stationary_value(number, x, [v, sp.Rational(999, 100) - x], [x, v], []),
     lambda number: checks.stationary_linearisation([[0, 1], [-number, 0]], [v, -sp.Rational(999, 100) * x], [x, v], []),
     lambda number: checks.equilibria([[number]], [sp.Rational(999, 100) - x], [x]),
     lambda number: checks.rest_values([number], [v, sp.Rational(999, 100) - x], [x, v]),
-    lambda number: checks.canonical_coordinate([number, 0], sp.Matrix([[0, 1], [0, 0]]),
-                                               sp.Matrix([0, sp.Rational(100, 999)])),
+    lambda number: checks.canonical_coordinate([number, 0], Linear([[0, 1], [0, 0]], [0, sp.Rational(100, 999)])),
 ]
 
 
@@ -78,11 +78,9 @@ def test_every_check_counts_the_same_digits(judge, number, status):
 
 
 @pytest.mark.parametrize("judge", [
-    lambda one: checks.controllability_matrix([[one, one], [100.0, 200.0]], sp.diag(1, 2), sp.Matrix([1, 100])),
-    lambda one: checks.canonical_coordinate([one, 100.0], sp.Matrix([[0, 1], [0, 0]]),
-                                            sp.Matrix([-100, 1])),
-    lambda one: checks.observer_canonical_transformation([[one, 100.0], [-2, -100]], sp.diag(1, 2),
-                                                         sp.Matrix([[1, 100]])),
+    lambda one: checks.controllability_matrix([[one, one], [100.0, 200.0]], Linear(sp.diag(1, 2), [1, 100])),
+    lambda one: checks.canonical_coordinate([one, 100.0], Linear([[0, 1], [0, 0]], [-100, 1])),
+    lambda one: checks.canonical_change([[one, 100.0], [-2, -100]], Linear(sp.diag(1, 2), H=[[1, 100]])),
 ])
 def test_no_entry_hides_behind_a_larger_one_of_its_row(judge):
     assert [judge(one).status for one in (1.0, 1.004, 1.4)] == ["right", "right", "wrong"]

@@ -1,7 +1,17 @@
 import pytest
 import sympy as sp
 
-from trajlib.systems import Coloured, Controlled, Mechanical, Process, Scalar
+from trajlib.systems import (
+    Coloured,
+    Controlled,
+    Deviations,
+    Linear,
+    Mechanical,
+    Process,
+    Scalar,
+    Varying,
+    WithError,
+)
 
 k = sp.Symbol("k")
 STATED = Mechanical(M=[[2, 1], [1, k]], D=0, K=sp.diag(1, 2), L=[1, k], H2=[[1, 0], [0, 1]])
@@ -11,6 +21,40 @@ def test_what_is_left_out_is_zero_in_the_right_shape():
     assert STATED.D == sp.zeros(2) and STATED.L == sp.Matrix([1, k])
     assert STATED.H1 == sp.zeros(2) and STATED.H2 == sp.eye(2)
     assert Mechanical([[1]], 0, [[1]]).L == Mechanical([[1]], 0, [[1]]).H1 == sp.zeros(1)
+
+
+def test_a_linear_system_has_what_is_stated():
+    plant = Linear([[0, 1], [k, 0]], [0, 1], [[1, 0]])
+    assert (plant.B, plant.H, plant.unknowns) == (sp.Matrix([0, 1]), sp.Matrix([[1, 0]]), 2)
+    assert Linear(plant.A).B.shape == (2, 0) and Linear(plant.A).H.shape == (0, 2)
+    assert plant.dual == Linear(plant.A.T, [1, 0], [[0, 1]]) and plant.dual.dual == plant
+    assert plant.subs(k, 3) == plant.subs({k: 3}) == Linear([[0, 1], [3, 0]], [0, 1], [[1, 0]])
+
+
+def test_an_error_of_a_measurement_begins_as_stated_or_as_it_likes():
+    known = WithError([[0]], H=[[1]], S=sp.diag(k, 1), c=[[1, 0]], start=[1, 2])
+    free = WithError([[0]], H=[[1]], S=sp.diag(k, 1), c=[[1, 0]])
+    assert (known.unknowns, free.unknowns) == (2, 3)
+    assert known.subs(k, 2).S == sp.diag(2, 1) and known.subs(k, 2).start == sp.Matrix([1, 2])
+
+
+def test_a_row_that_changes_with_time_and_a_motion():
+    t, x = sp.symbols("t x")
+    assert Varying([[0]], [[k*t]], t).subs(k, 2) == Varying([[0]], [[2*t]], t)
+    assert STATED.dual.H1 == STATED.L.T and STATED.unknowns == 4
+    with pytest.raises(ValueError, match="as many of each, got 2, 1, 1"):
+        Deviations([x, x], [x], {x: t})
+
+
+@pytest.mark.parametrize("record, part, given", [
+    (Linear, "A", {"A": [[1, 2]]}), (Linear, "B", {"B": [1, 2, 3]}), (Linear, "H", {"H": [1, 0]}),
+    (WithError, "S", {"H": [[1, 0]], "S": [[1, 2]], "c": [[1]]}), (WithError, "c", {"H": [[1, 0]], "S": [[1]]}),
+    (WithError, "start", {"H": [[1, 0]], "S": [[1]], "c": [[1]], "start": [1, 2]}),
+    (Varying, "H", {"H": [[1]], "time": k}),
+])
+def test_matrices_that_do_not_fit_a_linear_system_are_refused(record, part, given):
+    with pytest.raises(ValueError, match=rf"{part} has the shape"):
+        record(**({"A": sp.eye(2)} | given))
 
 
 def test_a_controlled_system_is_stated_by_its_equations_and_bounds():

@@ -1,12 +1,14 @@
 """The types as which checks read answers: under `@judged(Expression("state", "parameters"))` a check is handed a SymPy
 expression in the symbols of its data `state` and `parameters`, or is not called at all.
 
-The names are those of the check's own arguments, or functions of its data; the symbols that stand in these are the ones
-an answer may hold. What else a type depends on is written as the name of a datum, of whose shape or length the answer
-is, `Matrix("parameters", shape="A")`, or as a function of the data: `Expressions("times", length=lambda data:
-data["A"].rows)`. Types of several parts are made of those of the parts: `Table(Number(), Vectors(size="A"))`.
+The names are those of the check's own arguments, `system.A` for what a record among them holds, or functions of the
+data; the symbols that stand in these are the ones an answer may hold. What else a type depends on is written as the
+name of a datum, of whose shape or length the answer is, `Matrix("parameters", shape="A")`, or as a function of the
+data: `Expressions("times", length=lambda data: data["A"].rows)`. Types of several parts are made of those of the parts:
+`Table(Number(), Vectors(size="A"))`.
 """
 
+import functools
 import numbers
 
 import sympy as sp
@@ -23,9 +25,9 @@ class Claim:
         self.names, self.form = names, form
 
     def read(self, answer, data):
-        form = {name: value(data) if callable(value) else data[value] if isinstance(value, str) else value
+        form = {name: _datum(value, data) if callable(value) or isinstance(value, str) else value
                 for name, value in self.form.items()}
-        named = [name(data) if callable(name) else data[name] for name in self.names]
+        named = [_datum(name, data) for name in self.names]
         return self.coerce(answer, list(dict.fromkeys(symbols_in(named))), **form)
 
 
@@ -139,6 +141,14 @@ class Table(Claim):
         if not isinstance(answer, dict):
             raise Invalid(f"expected {self.expected(data) if callable(self.expected) else self.expected}")
         return [(self.key.read(key, data), self.value.read(value, data)) for key, value in answer.items()]
+
+
+def _datum(name, data):
+    """A function of the data, a datum by its name, or what a record among them holds."""
+    if callable(name):
+        return name(data)
+    first, *parts = name.split(".")
+    return functools.reduce(getattr, parts, data[first])
 
 
 def _size(given):

@@ -7,20 +7,17 @@ the form have the same motions. A form with the right transfer function alone ne
 """
 
 import numpy as np
-import sympy as sp
 
 from trajlib.checks.contract.claims import Claim, Laid
 from trajlib.checks.contract.coercion import as_matrix
 from trajlib.checks.contract.tolerance import EXACT
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
 from trajlib.checks.feedback.loops import Requirement
-from trajlib.checks.feedback.margins import compare_margins, up_to
 from trajlib.checks.tools.comparisons import Follows
 from trajlib.checks.tools.values import matrix_at, moved, uncertain_entries
 from trajlib.checks.tools.wording import number_text
 from trajlib.checks.truths.fixed_modes import common_margin
 from trajlib.checks.truths.pairs import pair_of
-from trajlib.checks.truths.spectra import compare_region
 
 
 class StateForm(Claim):
@@ -60,20 +57,6 @@ def equation_gains(claim, equation):
     requirement.hold(lambda gain: A + B*gain, K, "the matrix A + BK of the loop")
     told = requirement.hold(lambda gain: A - gain*H, L, "the matrix A - LH of the errors")
     return f"{told}, and so do those of A + BK"
-
-
-@judged
-def equation_margins(answer, equation, mu):
-    """The condition on mu > 0 under which some feedback by an estimate of the state of one equation has the margin mu:
-    of the state of its full order, common factors of its two sides included."""
-    return compare_margins(answer, [mu], up_to(mu, common_margin(equation)), "feedback by an estimate")
-
-
-@judged
-def equation_region(answer, equation, gain, parameters):
-    """The condition on `parameters` under which u = `gain` z, a number times the output, stabilises one equation."""
-    loop = sp.expand(equation.left - gain*equation.right*equation.measured)
-    return compare_region(answer, loop, parameters, "stable")
 
 
 def _comparisons(form, equation):

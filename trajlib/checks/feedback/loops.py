@@ -19,8 +19,9 @@ from trajlib.checks.tools.values import matrix_at, uncertain_entries
 from trajlib.checks.tools.wording import number_text, where_text
 from trajlib.checks.truths.exceptional_values import judge_everywhere
 from trajlib.checks.truths.fixed_modes import fixed_eigenvalues, slower_than
-from trajlib.checks.truths.pairs import pair_of
+from trajlib.checks.truths.records import augmented, reached, seen
 from trajlib.checks.truths.spectra import Spectrum
+from trajlib.systems import Linear, Scalar
 
 
 class Gain(Laid):
@@ -162,7 +163,7 @@ def _largest_real_part(matrix):
     return largest if abs(largest) > EXACT else 0.0
 
 
-def _judge(gain, loop, requirement, pair, what):
+def _judge(gain, loop, what, requirement, pair):
     if gain is None:
         if not requirement.impossible(pair):
             raise Wrong("some gain makes the spectrum as required: no mode that stays the same forbids it")
@@ -179,47 +180,67 @@ def _judge(gain, loop, requirement, pair, what):
 
 
 def _column(data):
-    return data["A"].rows, data["H"].rows
+    both = augmented(data["system"])
+    return both.A.rows, both.H.rows
 
 
-def _row(data):
-    return data["B"].cols, data["A"].rows if data.get("H") is None else data["H"].rows
+def _by_state(data):
+    return data["system"].B.cols, data["system"].A.rows
+
+
+def _by_what_is_fed_back(data):
+    return data["system"].B.cols, data["system"].H.rows or data["system"].A.rows
+
+
+def loop_of(system):
+    """What a gain closes: (what spectrum decides, as a function of the gain, what it is called)."""
+    if isinstance(system, Scalar):
+        return lambda k: sp.expand(system.left - k*system.right*system.measured), "the equation of the loop"
+    A, B, H = system.A, system.B, system.H
+    if not B:
+        return lambda L: A - L*H, "the matrix A - LH of the errors"
+    if not H:
+        return lambda K: A + B*K, "the matrix A + BK of the loop"
+    return lambda K: A + B*K*H, "the matrix A + BKH of the loop"
 
 
 @judged(Gain("parameters", shape=_column))
-def observer_gain(gain, A, H, parameters=(), given=sp.true, margin=0, polynomial=None, symbol=None):
+def observer_gain(gain, system, parameters=(), given=sp.true, margin=0, polynomial=None, symbol=None):
     """A gain L of an observer, or an empty list if there is none: the spectrum of A - LH is as required.
 
     Required is the `margin` for all values of the parameters that are as `given`, or the `polynomial` in `symbol`,
     whose coefficients are parameters.
     """
     requirement = Requirement(tuple(parameters), given, margin, polynomial, symbol)
-    return _judge(gain, lambda L: A - L*H, requirement, pair_of(A, H, _of(parameters, A, H)),
-                  "the matrix A - LH of the errors")
+    A, H = system.A, system.H
+    return _judge(gain, *loop_of(Linear(A, H=H)), requirement, seen(system, _of(parameters, A, H)))
 
 
-@judged(Gain("parameters", shape=_row))
-def feedback_gain(gain, A, B, H=None, parameters=(), given=sp.true, margin=0, polynomial=None, symbol=None):
-    """A gain K of the feedback u = Kx, with H of the static feedback u = Kz, or an empty list if there is none.
+@judged(Gain("parameters", shape=_by_what_is_fed_back))
+def feedback_gain(gain, system, parameters=(), given=sp.true, margin=0, polynomial=None, symbol=None):
+    """A gain K of the feedback u = Kx, of a system with an output of the static feedback u = Kz, or an empty list if
+    there is none.
 
     The requirement is that of `observer_gain`, on A + BK or A + BKH. That no static feedback will do is decided as a
     condition on the entries of K.
     """
     requirement = Requirement(tuple(parameters), given, margin, polynomial, symbol)
-    if H is None:
-        return _judge(gain, lambda K: A + B*K, requirement, pair_of(A.T, B.T, _of(parameters, A, B)),
-                      "the matrix A + BK of the loop")
-    if gain is None:
-        return _judge_none_static(A, B, H, requirement)
-    return _judge(gain, lambda K: A + B*K*H, requirement, None, "the matrix A + BKH of the loop")
+    if not system.H:
+        pair = reached(system, _of(parameters, system.A, system.B))
+    elif gain is None:
+        return _judge_none_static(system, requirement)
+    else:
+        pair = None
+    return _judge(gain, *loop_of(system), requirement, pair)
 
 
-def _judge_none_static(A, B, H, requirement):
+def _judge_none_static(system, requirement):
     """Without a gain at some values of the parameters there is none for all of them."""
-    entries = sp.symbols(f"k1:{B.cols*H.rows + 1}", real=True, cls=sp.Dummy)
-    found = None
+    shape = system.B.cols, system.H.rows
+    entries = sp.symbols(f"k1:{shape[0]*shape[1] + 1}", real=True, cls=sp.Dummy)
+    closed, found = loop_of(system)[0](sp.Matrix(*shape, entries)), None
     for values in requirement.samples():
-        loop = (A + B*sp.Matrix(B.cols, H.rows, entries)*H).subs(values)
+        loop = closed.subs(values)
         try:
             compare(sp.false, entries, Spectrum(loop, entries, requirement.margin).stability,
                     lambda *_, where=where_text(values): f"there is a gain that does it{where}")
@@ -230,25 +251,24 @@ def _judge_none_static(A, B, H, requirement):
     raise found
 
 
-@judged(Gains("parameters", shapes=lambda data: [(data["B"].cols, data["A"].rows),
-                                                 (data["A"].rows + (0 if data["S"] is None else data["S"].rows),
-                                                  data["H"].rows)]))
-def estimate_gains(gains, A, B, H, parameters=(), given=sp.true, margin=0, S=None, c=None):
+@judged(Gains("parameters", shapes=lambda data: [_by_state(data), _column(data)]))
+def estimate_gains(gains, system, parameters=(), given=sp.true, margin=0):
     """The gains [K, L] of a feedback u = K e by the estimate e of an observer; an empty list if there are none.
 
-    With S and c the measurement has an error c w, w' = S w, and L belongs to the state with w below it. Required is the
-    margin for all values of the parameters, of the loop and of the errors.
+    Of a system `WithError` L belongs to the state with w below it. Required is the margin for all values of the
+    parameters, of the loop and of the errors.
     """
     requirement = Requirement(tuple(parameters), given, margin)
-    observed, output = (A, H) if S is None else (sp.diag(A, S), H.row_join(c))
-    pairs = [pair_of(A.T, B.T, _of(parameters, A, B)), pair_of(observed, output, _of(parameters, observed, output))]
+    driven, both = Linear(system.A, system.B), augmented(system)
+    watched = Linear(both.A, H=both.H)
+    pairs = [reached(driven, _of(parameters, driven.A, driven.B)), seen(watched, _of(parameters, both.A, both.H))]
     if gains is None:
         if not any(map(requirement.impossible, pairs)):
             raise Wrong("there are such gains: no mode that stays the same forbids it")
         return "there are no such gains: a mode that no gain changes forbids it"
     K, L = gains
-    _judge(K, lambda K: A + B*K, requirement, pairs[0], "the matrix A + BK of the loop")
-    told = _judge(L, lambda L: observed - L*output, requirement, pairs[1], "the matrix A - LH of the errors")
+    _judge(K, *loop_of(driven), requirement, pairs[0])
+    told = _judge(L, *loop_of(watched), requirement, pairs[1])
     return f"{told}, and so do those of A + BK"
 
 

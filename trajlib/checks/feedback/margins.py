@@ -9,65 +9,53 @@ import sympy as sp
 from trajlib.checks.contract import coercion
 from trajlib.checks.contract.tolerance import EXACT
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
+from trajlib.checks.feedback.loops import loop_of
 from trajlib.checks.tools.conditions import compare, exactly, place_text
 from trajlib.checks.tools.samples import in_every_case
 from trajlib.checks.tools.values import matrix_at, number_at, uncertain_entries
 from trajlib.checks.tools.wording import number_text, where_text
 from trajlib.checks.truths.exceptional_values import judge_everywhere
-from trajlib.checks.truths.fixed_modes import ON_BORDER, greatest_margin, margins_with_parameters, slower_than
-from trajlib.checks.truths.pairs import pair_of
+from trajlib.checks.truths.fixed_modes import (
+    ON_BORDER,
+    common_margin,
+    greatest_margin,
+    margins_with_parameters,
+    slower_than,
+)
+from trajlib.checks.truths.records import augmented, by_control, reached, seen
 from trajlib.checks.truths.spectra import compare_region
+from trajlib.systems import Scalar
 
 
 @judged
-def observer_region(answer, A, H, gain, parameters, margin=0):
-    """The condition on `parameters` under which the errors of the observer with this gain decay, A - LH.
+def gain_region(answer, system, gain, parameters, margin=0):
+    """The condition on `parameters` under which the `gain`, a matrix of symbols, serves: with a control u = Kx, or with
+    an output too u = Kz, stabilises the system; without one the errors of the observer decay, A - LH.
 
-    `gain` is a matrix of symbols; with a margin its border counts either way.
+    Of one equation, `Scalar`, u = `gain` z. With a margin its border counts either way.
     """
-    return compare_region(answer, A - gain*H, parameters, "convergent", margin)
+    loop, _ = loop_of(system)
+    what = "stable" if isinstance(system, Scalar) or system.B else "convergent"
+    return compare_region(answer, loop(gain), parameters, what, margin)
 
 
 @judged
-def feedback_region(answer, A, B, gain, parameters, H=None, margin=0):
-    """The condition on `parameters` under which u = Kx, with H the static feedback u = Kz, stabilises.
+def possible_margins(answer, system, mu, parameters=()):
+    """The condition on mu > 0 under which the margin mu can be had; false if there is none at all: with an output alone
+    by some observer, with a control alone by some feedback u = Kx, with both, or for a `Scalar` equation of its full
+    order, by some feedback by an estimate, whose errors are included, and an error of the measurement if it has one.
 
-    `gain` is a matrix of symbols; with a margin its border counts either way.
+    With parameters the condition is on mu and these, so it also says for which values there is no margin.
     """
-    return compare_region(answer, A + B*gain*(sp.eye(A.rows) if H is None else H), parameters, "stable", margin)
-
-
-@judged
-def observer_margins(answer, A, H, mu, parameters=()):
-    """The condition on mu > 0 under which some observer has the margin mu; false if there is no asymptotic observer.
-
-    With parameters the condition is on mu and these, so it also says for which values there is no observer.
-    """
-    return _judge_margins(answer, A, H, mu, parameters, "observer")
-
-
-@judged
-def feedback_margins(answer, A, B, mu, parameters=()):
-    """The condition on mu > 0 under which some feedback u = Kx has the margin mu; false if there is none at all.
-
-    With parameters as in `observer_margins`.
-    """
-    return _judge_margins(answer, A.T, B.T, mu, parameters, "feedback")
-
-
-@judged
-def estimate_margins(answer, A, B, H, mu, S=None, c=None):
-    """The condition on mu > 0 under which some feedback by an estimate has the margin mu, its errors included.
-
-    With S and c the measurement has an error c w, w' = S w, that is estimated too.
-    """
-    observed, output = (A, H) if S is None else (sp.diag(A, S), H.row_join(c))
-    greatest = [greatest_margin(pair) for pair in (pair_of(A.T, B.T), pair_of(observed, output))]
-    return compare_margins(answer, [mu], up_to(mu, *greatest), "feedback by an estimate")
-
-
-def _judge_margins(answer, A, H, mu, parameters, what):
-    truth = margins_with_parameters(A, H, mu, parameters) if parameters else up_to(mu, greatest_margin(pair_of(A, H)))
+    if isinstance(system, Scalar):
+        what, truth = "feedback by an estimate", up_to(mu, common_margin(system))
+    elif not parameters:
+        what = "observer" if not system.B else "feedback by an estimate" if system.H else "feedback"
+        pairs = ([reached(system)] if system.B else []) + ([seen(augmented(system))] if system.H else [])
+        truth = up_to(mu, *map(greatest_margin, pairs))
+    else:
+        what, one = ("feedback", system.dual) if by_control(system) else ("observer", system)
+        truth = margins_with_parameters(one.A, one.H, mu, parameters)
     return compare_margins(answer, [*parameters, mu], truth, what)
 
 
@@ -87,14 +75,14 @@ def compare_margins(answer, symbols, truth, what):
 
 
 @judged
-def observer_obstacle(answer, A, H, parameters=()):
+def observer_obstacle(answer, system, parameters=()):
     """A motion that forbids an asymptotic observer, {lambda: v}: A v = lambda v, H v = 0, Re lambda >= 0; {} if none.
 
     With parameters: for all their values, zero too where it is allowed.
     """
     if not isinstance(answer, dict):
         raise Invalid("expected a dictionary {lambda: v}, an empty one if nothing stands in the way")
-    pair = pair_of(A, H, parameters)
+    A, H, pair = system.A, system.H, seen(system, parameters)
     claims = {coercion.as_expression(value, parameters): sp.Matrix(coercion.as_expressions(vector, parameters, A.rows))
               for value, vector in answer.items()}
     if not claims:

@@ -20,13 +20,14 @@ from trajlib.checks.tools.wording import number_text, where_text
 
 
 @judged(Expressions("estimates", "outputs", "controls", "parameters", length=lambda data: len(data["estimates"])))
-def observer_equations(claims, A, B, H, estimates, outputs, controls=(), parameters=(), given=sp.true, margin=0,
+def observer_equations(claims, system, estimates, outputs, controls=(), parameters=(), given=sp.true, margin=0,
                        polynomial=None, symbol=None):
     """The right-hand sides of the equations of an observer of x' = Ax + Bu, z = Hx, in the `estimates`, z and u.
 
     The requirement is that of `observer_gain`, on the matrix that the errors obey.
     """
     requirement = Requirement(tuple(parameters), given, margin, polynomial, symbol)
+    A, B, H = system.A, system.B, system.H
     symbols = [*estimates, *outputs, *controls]
     right = sp.Matrix(claims)
     _hold_linear(claims, symbols, parameters, estimates)

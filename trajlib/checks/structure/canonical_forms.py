@@ -23,7 +23,7 @@ from trajlib.checks.tools.values import matrix_at
 from trajlib.checks.tools.wording import number_text, where_text
 from trajlib.checks.truths.exceptional_values import judge_everywhere
 from trajlib.checks.truths.invariant_subspaces import characteristic_coefficients
-from trajlib.checks.truths.pairs import pair_of
+from trajlib.checks.truths.records import by_control, reached, seen
 
 
 @dataclass(frozen=True)
@@ -50,58 +50,51 @@ OF_CHAIN = _Form("the shape that A g^i = g^(i+1) gives",
                                                   "this has the shape (2.5)"))
 
 
-@judged(Matrix("parameters", shape="A"))
-def observer_canonical_matrix(claim, A, parameters=()):
-    """The n x n matrix of the canonical form by observation (2.5): its first column, ones above the diagonal, and the
-    eigenvalues of A (n x n)."""
-    return judge_form(claim, pair_of(A, A[:1, :], parameters), BY_OBSERVATION)
+@judged(Matrix("parameters", shape="system.A"))
+def canonical_matrix(claim, system, parameters=()):
+    """The n x n matrix of the canonical form of a system, with an output by observation (2.5), its first column, with a
+    control by control (2.4), its last row: ones above the diagonal, and the eigenvalues of A."""
+    if by_control(system):
+        return judge_form(claim.T[::-1, ::-1], reached(system, parameters), BY_CONTROL)
+    return judge_form(claim, seen(system, parameters), BY_OBSERVATION)
 
 
-@judged(Matrix("parameters", shape="A"))
-def controller_canonical_matrix(claim, A, parameters=()):
-    """The n x n matrix of the canonical form by control (2.4): its last row, ones above the diagonal, and the
-    eigenvalues of A (n x n)."""
-    return judge_form(claim.T[::-1, ::-1], pair_of(A.T, A.T[:1, :], parameters), BY_CONTROL)
+@judged(Matrix("parameters", shape="system.A"))
+def canonical_change(claim, system, parameters=()):
+    """The change to the canonical form of a system with one output or one control.
+
+    By observation (2.5) it is T of xi = T x: z = xi1, xi1' = alpha_n xi1 + xi2, and so on; by control (2.4) it is P of
+    x = P xi: its last column is b, and A P = P A0.
+    """
+    orders = range(1, system.A.rows + 1)
+    if by_control(system):
+        return _judge_change(claim.T[::-1, :], reached(system, parameters), [f"column {k}" for k in orders[::-1]],
+                             by_rows=False)
+    return _judge_change(claim, seen(system, parameters), [f"xi{k}" for k in orders], by_rows=True)
 
 
-@judged(Matrix("parameters", shape="A"))
-def observer_canonical_transformation(claim, A, H, parameters=()):
-    """The matrix T of xi = T x that leads to the canonical form by observation (2.5): z = xi1, xi1' = alpha_n xi1 +
-    xi2, and so on (A: n x n, H: 1 x n)."""
-    said = [f"xi{k}" for k in range(1, A.rows + 1)]
-    return _judge_change(claim, pair_of(A, H, parameters), said, by_rows=True)
-
-
-@judged(Matrix("parameters", shape="A"))
-def controller_canonical_basis(claim, A, B, parameters=()):
-    """The matrix P of x = P xi that leads to the canonical form by control (2.4): its last column is b, and A P = P A0
-    (A: n x n, B: n x 1)."""
-    said = [f"column {k}" for k in range(A.rows, 0, -1)]
-    return _judge_change(claim.T[::-1, :], pair_of(A.T, B.T, parameters), said, by_rows=False)
-
-
-@judged(Matrix("parameters", shape="A"))
-def chain_basis_matrix(claim, A, B, parameters=()):
+@judged(Matrix("parameters", shape="system.A"))
+def chain_basis_matrix(claim, system, parameters=()):
     """The matrix of a controllable system with one control (A: n x n, B: n x 1) in the basis g^1 = b, g^2 = A b, ...,
     g^n = A^(n-1) b.
 
     Column i holds the coordinates of A g^i: ones below the diagonal, and the last column as the eigenvalues of A
     demand.
     """
-    pair = pair_of(A.T, B.T, parameters)
+    pair = reached(system, parameters)
     if pair.outputs != 1 or any(pair.unseen):
         raise ValueError("b, A b, A^2 b, ... are no basis")
     return judge_form(claim[::-1, ::-1], pair, OF_CHAIN)
 
 
 @judged(Matrix("parameters"))
-def canonical_part_coordinates(claim, A, H, parameters=()):
+def canonical_part_coordinates(claim, system, parameters=()):
     """The matrix F (rank N x n) of coordinates xi = F x in which the observable part of the system has the form (2.5)
     (A: n x n, H: 1 x n)."""
-    if claim.cols != A.rows:
-        raise Invalid(f"expected a matrix with {A.rows} columns, one for each coordinate of x; the shape of yours is "
-                      f"{claim.shape}")
-    pair = pair_of(A, H, parameters)
+    if claim.cols != system.A.rows:
+        raise Invalid(f"expected a matrix with {system.A.rows} columns, one for each coordinate of x; the shape of "
+                      f"yours is {claim.shape}")
+    pair = seen(system, parameters)
     if pair.outputs != 1:
         raise ValueError("the canonical form belongs to one output")
     for values, A_there, (h,), unseen in pair.systems_for(claim):

@@ -1,5 +1,5 @@
-"""Controllability of x' = A x + B u with A: n x n and B: n x s: what is asked of observability in `observability.py`,
-of the transposed matrices."""
+"""Controllability of x' = A x + B u, told as `Linear`, and of a `Mechanical` system: what is asked of observability in
+`observability.py`, of the dual system."""
 
 from trajlib.checks.contract.claims import Matrix, Vectors, YesNo
 from trajlib.checks.contract.verdict import judged
@@ -11,55 +11,66 @@ from trajlib.checks.structure.dual_questions import (
     judge_region,
     judge_yes_no,
 )
+from trajlib.checks.structure.mechanical import DRIVEN, judge_rank, judge_roots
 from trajlib.checks.structure.unseen_bases import bases_by_value, judge_basis, judge_where_lost
-from trajlib.checks.truths.pairs import pair_of
+from trajlib.checks.truths.records import reached
+from trajlib.systems import Mechanical
 
 
 @judged(YesNo())
-def controllable(claim, A, B, parameters=()):
-    """Whether x' = A x + B u (A: n x n, B: n x s) is controllable; with parameters, whether it is for all values that
-    their assumptions allow."""
-    return judge_yes_no(claim, pair_of(A.T, B.T, parameters), CONTROL)
+def controllable(claim, system, parameters=()):
+    """Whether the system is controllable; with parameters, whether it is for all values that their assumptions
+    allow."""
+    if isinstance(system, Mechanical) and not parameters:
+        return judge_rank(claim, system.dual, DRIVEN)
+    return judge_yes_no(claim, reached(system, parameters), CONTROL)
 
 
 @judged
-def controllable_parameters(answer, A, B, parameters):
+def controllable_parameters(answer, system, parameters):
     """The condition on the parameters under which the system is controllable: true exactly there, at isolated values
-    too."""
-    return judge_region(answer, pair_of(A.T, B.T, parameters), CONTROL)
+    too.
+
+    Where the M of a `Mechanical` system is singular its order drops; what is said of these values does not count.
+    """
+    return judge_region(answer, reached(system, parameters), CONTROL)
 
 
-@judged(Matrix("parameters", shape=lambda data: (data["A"].rows, data["A"].rows * data["B"].cols)))
-def controllability_matrix(claim, A, B, parameters=()):
+@judged(Matrix("parameters", shape=lambda data: (data["system"].A.rows,
+                                                 data["system"].A.rows * data["system"].B.cols)))
+def controllability_matrix(claim, system, parameters=()):
     """Kalman's matrix W (n x n s) of Definition 2.4: the columns of B, then those of A B, and so on to A^(n-1) B."""
-    return judge_kalman(claim.T, pair_of(A.T, B.T, parameters), CONTROL)
+    return judge_kalman(claim.T, reached(system, parameters), CONTROL)
 
 
-@judged(Vectors("parameters", size="A"))
-def uncontrolled_combinations(claim, A, B, parameters=()):
+@judged(Vectors("parameters", size="system.unknowns"))
+def uncontrolled_combinations(claim, system, parameters=()):
     """A basis of the rows w whose combinations w x of the coordinates no control changes; an empty list if every one is
     changed.
 
     With parameters: for their values in general position, as the assumptions allow; with one, also where the answer
     might fail.
     """
-    return judge_basis(claim, pair_of(A.T, B.T, parameters), CONTROL)
+    return judge_basis(claim, reached(system, parameters), CONTROL)
 
 
 @judged(bases_by_value(CONTROL))
-def uncontrolled_where_lost(claim, A, B, parameter):
+def uncontrolled_where_lost(claim, system, parameter):
     """Every real value of the parameter for which the system is not controllable, as {value: basis of the rows w}.
 
     For systems that lose controllability at finitely many values, all of them rational.
     """
-    return judge_where_lost(claim, pair_of(A.T, B.T, (parameter,)), CONTROL,
-                            lambda value: pair_of(A.T.subs(parameter, value), B.T.subs(parameter, value)))
+    return judge_where_lost(claim, reached(system, (parameter,)), CONTROL,
+                            lambda value: reached(system.subs(parameter, value)))
 
 
 @judged(EIGENVALUES)
-def uncontrolled_eigenvalues(claim, A, B, parameters=()):
-    """The different eigenvalues of A at which the rank of Theorem 2.4 falls; an empty list or set if there are none.
+def uncontrolled_eigenvalues(claim, system, parameters=()):
+    """The different eigenvalues of A at which the rank of Theorem 2.4 falls, for a `Mechanical` system the values of
+    lambda at which that of Theorem 2.6 does; an empty list or set if there are none.
 
     With parameters: for their values in general position, as the assumptions allow.
     """
-    return judge_eigenvalues(claim, pair_of(A.T, B.T, parameters), CONTROL)
+    if isinstance(system, Mechanical):
+        return judge_roots(claim, system.dual, parameters, DRIVEN)
+    return judge_eigenvalues(claim, reached(system, parameters), CONTROL)

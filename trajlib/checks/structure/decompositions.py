@@ -32,6 +32,7 @@ from trajlib.checks.tools.wording import number_text, where_text
 from trajlib.checks.truths.exceptional_values import judge_everywhere
 from trajlib.checks.truths.invariant_subspaces import echelon, product, unseen_subspace
 from trajlib.checks.truths.pairs import pair_of
+from trajlib.checks.truths.records import by_control, matrix_of, reached, seen
 
 
 @dataclass(frozen=True)
@@ -61,42 +62,42 @@ OUTPUT = _Side("observable", "unobservable", "rank N", "T in (xi; eta) = T x", "
 CONTROL = _Side("controllable", "uncontrollable", "rank W", "P in x = P (xi; eta)", "(xi; eta) from x", True)
 
 
-@judged(Matrix("parameters", shape="A"))
-def observability_split(claim, A, H, parameters=()):
+@judged(Matrix("parameters", shape="system.A"))
+def observability_split(claim, system, parameters=()):
     """A matrix T of (xi; eta) = T x that leads to the form (2.7): neither xi' nor z contains eta, and xi has rank N
-    coordinates (A: n x n, H: m x n)."""
-    return _judge_split(claim, pair_of(A, H, parameters), OUTPUT)
+    coordinates."""
+    return _judge_split(claim, seen(system, parameters), OUTPUT)
 
 
-@judged(Matrix("parameters", shape="A"))
-def controllability_split(claim, A, B, parameters=()):
+@judged(Matrix("parameters", shape="system.A"))
+def controllability_split(claim, system, parameters=()):
     """A matrix P of x = P (xi; eta) that leads to the form (2.6): eta' contains neither xi nor u, and xi has rank W
-    coordinates (A: n x n, B: n x s)."""
-    return _judge_split(claim.T, pair_of(A.T, B.T, parameters), CONTROL)
+    coordinates."""
+    return _judge_split(claim.T, reached(system, parameters), CONTROL)
 
 
 @judged
-def observability_split_system(answer, A, H, parameters=()):
+def observability_split_system(answer, system, parameters=()):
     """The list [A', H'] of the system in coordinates (xi; eta) as in (2.7): any right ones, xi first, with rank N
     coordinates."""
-    matrix, output = _as_system(answer, parameters, ("A'", "H'"), H.rows)
-    return _judge_system(matrix, output, pair_of(A, H, parameters), OUTPUT)
+    matrix, output = _as_system(answer, parameters, ("A'", "H'"), system.H.rows)
+    return _judge_system(matrix, output, seen(system, parameters), OUTPUT)
 
 
 @judged
-def controllability_split_system(answer, A, B, parameters=()):
+def controllability_split_system(answer, system, parameters=()):
     """The list [A', B'] of the system in coordinates (xi; eta) as in (2.6): any right ones, xi first, with rank W
     coordinates."""
-    matrix, control = _as_system(answer, parameters, ("A'", "B'"), B.cols, columns=True)
-    return _judge_system(matrix.T, control.T, pair_of(A.T, B.T, parameters), CONTROL)
+    matrix, control = _as_system(answer, parameters, ("A'", "B'"), system.B.cols, columns=True)
+    return _judge_system(matrix.T, control.T, reached(system, parameters), CONTROL)
 
 
 @judged
-def canonical_observable_part(answer, A, H, parameters=()):
+def canonical_observable_part(answer, system, parameters=()):
     """The list [A11, H1] of the observable subsystem in the canonical form by observation (2.5), with H1 = (1 0 ...
     0)."""
-    matrix, output = _as_system(answer, parameters, ("A11", "H1"), H.rows)
-    pair, tolerance = pair_of(A, H, parameters), share(matrix, output)
+    matrix, output = _as_system(answer, parameters, ("A11", "H1"), system.H.rows)
+    pair, tolerance = seen(system, parameters), share(matrix, output)
     for values, *_ in pair.samples_for([matrix, output]):
         said = matrix_at(output, values)
         if not abs(said - np.eye(len(said), said.shape[1])).max(initial=0) <= 1e-6:
@@ -106,59 +107,34 @@ def canonical_observable_part(answer, A, H, parameters=()):
     return _judge_part(matrix, output, pair)
 
 
-@judged(Matrix(shape="A"))
-def sequential_outputs(claim, A, H):
-    """A matrix T of new coordinates T x in parts: part 1 is all that z1 sees, part 2 what z2 adds, and so on, the
-    unseen rest last.
+@judged(Matrix(shape="system.A"))
+def sequential_split(claim, system):
+    """New coordinates in parts: part 1 is all that the first component sees or reaches, part 2 what the second adds,
+    and so on, the rest last.
 
-    The derivatives of part i contain the parts 1..i alone; z_i shows part i alone, unless it adds nothing to those
-    before.
+    Of a system with an output it is the matrix T of the coordinates T x: the derivatives of part i contain the parts
+    1..i alone; z_i shows part i alone, unless it adds nothing to those before. With a control it is P of x = P xi: the
+    derivatives of part i contain the parts from i on; u_i enters part i alone, unless it adds nothing.
     """
-    return _judge_components(claim, pair_of(A, H), OUTPUT, sequential=True)
+    return _judge_components(claim, system, sequential=True)
 
 
-@judged(Matrix(shape="A"))
-def parallel_outputs(claim, A, H):
-    """A matrix T of new coordinates T x in parts, one an output: z_i shows part i alone and makes it observable, the
-    unseen rest last.
+@judged(Matrix(shape="system.A"))
+def parallel_split(claim, system):
+    """New coordinates in parts, one a component, the rest last: with an output the matrix T of T x, z_i shows part i
+    alone and makes it observable; with a control P of x = P xi, u_i enters part i alone and makes it controllable.
 
-    Part i is spanned by the rows of its chain that are taken when h1, h2, h1 A, h2 A, ... are taken by turns while
-    independent, each up to those with lower powers of A.
+    Part i is spanned by the rows of its chain that are taken when h1, h2, h1 A, h2 A, ... (columns b1, b2, A b1, ...)
+    are taken by turns while independent, each up to those with lower powers of A.
     """
-    return _judge_components(claim, pair_of(A, H), OUTPUT, sequential=False)
+    return _judge_components(claim, system, sequential=False)
 
 
-@judged(Matrix(shape="A"))
-def sequential_inputs(claim, A, B):
-    """A matrix P of x = P xi with xi in parts: part 1 is all that u1 reaches, part 2 what u2 adds, and so on, the rest
-    last.
-
-    The derivatives of part i contain the parts from i on; u_i enters part i alone, unless it adds nothing to those
-    before.
-    """
-    return _judge_components(claim.T, pair_of(A.T, B.T), CONTROL, sequential=True)
-
-
-@judged(Matrix(shape="A"))
-def parallel_inputs(claim, A, B):
-    """A matrix P of x = P xi with xi in parts, one a control: u_i enters part i alone and makes it controllable, the
-    rest last.
-
-    Part i is spanned by the columns of its chain that are taken when b1, b2, A b1, A b2, ... are taken by turns while
-    independent, each up to those with lower powers of A.
-    """
-    return _judge_components(claim.T, pair_of(A.T, B.T), CONTROL, sequential=False)
-
-
-@judged(Matrix("parameters", shape="A_from"))
-def similarity(claim, A_from, A_to, parameters=()):
-    """A matrix S of y = S x that turns x' = A_from x into y' = A_to y: it is invertible and S A_from = A_to S (all n x
-    n)."""
-    return judge_similarity(claim, A_from, A_to, parameters)
-
-
-def judge_similarity(claim, A_from, A_to, parameters=()):
-    """The sentence for a matrix that is read, or `Wrong`; also for equations that another check has derived."""
+@judged(Matrix("parameters", shape="system.A"))
+def similarity(claim, system, other, parameters=()):
+    """A matrix S of y = S x that turns x' = A x into the equations y' = A' y of the `other` system, which may be in
+    `Deviations`: it is invertible and S A = A' S (all n x n)."""
+    A_from, A_to = system.A, matrix_of(other)
     tolerance = share(claim)
     given, wanted = pair_of(A_from, A_from[:1, :], parameters), pair_of(A_to, A_to[:1, :], parameters)
     for (values, one, _, _), (_, other, _, _) in zip(given.systems, wanted.systems):
@@ -338,8 +314,9 @@ def _why_different(A, new_A, part, part_output, values, side):
     return f"no change of variables turns the given system into yours{where_text(values)}: it has other functions z(t)"
 
 
-def _judge_components(claim, pair, side, sequential):
+def _judge_components(claim, system, sequential):
     """Zeros outside the blocks that a decomposition by components leaves, in the form by observation."""
+    claim, pair, side = (claim.T, reached(system), CONTROL) if by_control(system) else (claim, seen(system), OUTPUT)
     tolerance, n, m = share(claim), pair.order, pair.outputs
     ((_, A, H, _),), ((_, place),) = pair.systems, pair.samples
     sizes = (_sizes_in_turn if sequential else _sizes_by_turns)(*pair.at(place))

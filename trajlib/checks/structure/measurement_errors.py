@@ -1,4 +1,5 @@
-"""A measurement with an error of a known kind and an unknown size: z = H x + c w, w' = S w, w(0) = C (start).
+"""A measurement with an error of a known kind and an unknown size, told as `WithError`: z = H x + c w, w' = S w,
+w(0) = C (start).
 
 Unknown are the state x(0) and the amplitude C. A pair (x(0), C) that gives z = 0 for all time cannot be told from
 nothing at all; what is found and what is not follows from these pairs. They come from the largest invariant subspace
@@ -7,20 +8,19 @@ augmented matrix, which allows errors of any start w(0).
 """
 
 import numpy as np
-import sympy as sp
 
 from trajlib.checks.contract import coercion
-from trajlib.checks.contract.claims import Expression, Vectors, YesNo
+from trajlib.checks.contract.claims import Expression
 from trajlib.checks.contract.tolerance import EXACT, same
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
-from trajlib.checks.structure.dual_questions import Side, judge_region, judge_yes_no
-from trajlib.checks.structure.unseen_bases import bases_by_value, judge_basis, judge_where_lost
+from trajlib.checks.structure.dual_questions import OUTPUT, Side
 from trajlib.checks.tools.comparisons import Same
 from trajlib.checks.tools.samples import in_every_case
 from trajlib.checks.tools.values import matrix_at, moved, uncertain_entries
 from trajlib.checks.tools.wording import number_text, where_text
 from trajlib.checks.truths.invariant_subspaces import echelon, product, to_floats
-from trajlib.checks.truths.known_starts import starts_of
+from trajlib.checks.truths.records import augmented, seen
+from trajlib.systems import WithError
 
 BOTH = Side("observable together with the error", "not observable together with the error",
             "independent pair (x(0), C) with z = 0 for all time", "independent pairs (x(0), C) with z = 0 for all time",
@@ -37,60 +37,30 @@ AMPLITUDE = Side("such that z determines C", "such that z does not determine C",
                  "eigenvector v of A with H v = 0")
 
 
-@judged(YesNo())
-def observable_with_error(claim, A, H, S, c, start):
-    """Whether z determines both the state and the amplitude of the error."""
-    return judge_yes_no(claim, _starts(A, H, S, c, start), BOTH)
+WORDS = {None: BOTH, "state": STATE, "error": AMPLITUDE}
+#: The positions of a part among the unknowns (x(0), C).
+PARTS = {"state": lambda system: tuple(range(system.A.rows)), "error": lambda system: (system.A.rows,)}
+
+
+def words(system, part=None):
+    """The words of the question whether an output shows all, or a part of what is unknown."""
+    return WORDS[part] if isinstance(system, WithError) else OUTPUT
 
 
 @judged
-def observable_with_error_parameters(answer, A, H, S, c, start, parameters):
-    """The condition on the parameters under which z determines both the state and the amplitude; exact at isolated
-    values."""
-    return judge_region(answer, _starts(A, H, S, c, start, parameters), BOTH)
-
-
-@judged
-def state_found_parameters(answer, A, H, S, c, start, parameters):
-    """The condition under which z determines the state, whether or not the amplitude of the error is found."""
-    return judge_region(answer, _starts(A, H, S, c, start, parameters, tuple(range(A.rows))), STATE)
-
-
-@judged
-def amplitude_found_parameters(answer, A, H, S, c, start, parameters):
-    """The condition under which z determines the amplitude of the error, whether or not the state is found."""
-    return judge_region(answer, _starts(A, H, S, c, start, parameters, (A.rows,)), AMPLITUDE)
-
-
-@judged(Vectors(size=lambda data: data["A"].rows + 1))
-def unseen_with_error(claim, A, H, S, c, start):
-    """A basis of the vectors (x1(0), ..., xn(0), C) that give z = 0 for all time; an empty list if zero is the only
-    one."""
-    return judge_basis(claim, _starts(A, H, S, c, start), BOTH)
-
-
-@judged(bases_by_value(BOTH, more=1))
-def unseen_with_error_where_lost(claim, A, H, S, c, start, parameter):
-    """Every real value of the parameter at which not all is found, as {value: basis of the vectors (x(0), C) with z =
-    0}."""
-    return judge_where_lost(claim, _starts(A, H, S, c, start, (parameter,)), BOTH,
-                            lambda value: _starts(*(matrix.subs(parameter, value) for matrix in (A, H, S, c)), start))
-
-
-@judged
-def augmented_system(answer, A, H, S, c, start, parameters=(), own=False):
+def augmented_system(answer, system, parameters=(), own=False):
     """[A', H']: the system of x together with coordinates of the error, as few as it has, in any scale and combination;
     or those of S and c themselves, where these are the error's `own`."""
     if not isinstance(answer, (list, tuple)) or len(answer) != 2:
         raise Invalid("expected a list [A', H'] of the matrix of the augmented system and the row of its output")
-    n, pair = A.rows, _starts(A, H, S, c, start, parameters)
+    n, outputs, pair = system.A.rows, system.H.rows, seen(system, parameters)
     matrix = coercion.as_matrix(answer[0], parameters)
     if matrix.rows != matrix.cols or matrix.rows <= n:
         raise Invalid(f"expected a square matrix A' of more than {n} rows, since the coordinates of the error come "
                       f"after those of x; the shape of yours is {matrix.shape}")
     row = coercion.as_matrix(answer[1], parameters)
     # A single row is a vector, whichever way it is written.
-    row = coercion.as_matrix(row.T if H.rows == 1 == row.cols else row, parameters, (H.rows, matrix.rows))
+    row = coercion.as_matrix(row.T if outputs == 1 == row.cols else row, parameters, (outputs, matrix.rows))
     for values, place, _ in pair.samples_for([matrix, row]):
         where = where_text(values)
         true_A, true_H = (to_floats(rows, pair.order) for rows in pair.at(place))
@@ -113,27 +83,23 @@ def augmented_system(answer, A, H, S, c, start, parameters=(), own=False):
 
 
 @judged(Expression("outputs", "time"))
-def amplitude_from_output(claim, A, H, S, c, start, outputs, time):
+def amplitude_from_output(claim, system, outputs, time):
     """C by z and its derivatives at one moment, the symbols `outputs`, and the time."""
     from scipy.linalg import expm
 
-    augmented = np.array(sp.diag(A, S), dtype=float)
-    row = np.array(H.row_join(c), dtype=float)[0]
+    both = augmented(system)
+    matrix, row = np.array(both.A, dtype=float), np.array(both.H, dtype=float)[0]
     random = np.random.default_rng(17)
     moments = [{time: moment} for moment in (0.2, 0.55, 0.9, 1.3, 1.7, 2.4)]
     for moment in (values[time] for values in in_every_case(moments, claim, time >= 0)):
-        x, amplitude = random.normal(size=A.rows), random.choice([-1, 1]) * random.uniform(0.5, 3)
-        state = expm(moment * augmented) @ [*x, *(amplitude * float(s) for s in start)]
+        x, amplitude = random.normal(size=system.A.rows), random.choice([-1, 1]) * random.uniform(0.5, 3)
+        state = expm(moment * matrix) @ [*x, *(amplitude * float(s) for s in system.start)]
         values = {time: moment}
         for symbol in outputs:
             values[symbol] = float(row @ state)
-            state = augmented @ state
+            state = matrix @ state
         yield Same(claim, amplitude, "C", values, 1e-2 * sum(abs(v) for v in values.values()), 1e-8)
     return "it gives C at every moment of motions with all kinds of starts and errors"
-
-
-def _starts(A, H, S, c, start, parameters=(), of=None):
-    return starts_of(sp.diag(A, S), H.row_join(c), sp.diag(sp.eye(A.rows), sp.Matrix(start)), parameters, of)
 
 
 def _compare_block(said, true, claim, what, where):

@@ -1,9 +1,9 @@
-"""Mechanical systems M x'' + D x' + K x = L u, z = H1 x + H2 x', given as a record `trajlib.systems.Mechanical`.
+"""Mechanical systems M x'' + D x' + K x = L u, z = H1 x + H2 x', told as `Mechanical`: the ranks of Theorems 2.5, and
+2.6 by the dual system, which need no states.
 
-The rank of Theorem 2.5 falls exactly where all maximal minors of its matrix vanish together, so the values of lambda
-are the roots of their greatest common divisor, a polynomial with rational coefficients. That holds for a singular M
-too. What depends on parameters is decided at every exceptional value of theirs by the states (x, x') that stay unseen;
-the roots and the motions that no output shows are found in these states as well.
+A rank falls exactly where all maximal minors of its matrix vanish together, so the values of lambda are the roots of
+their greatest common divisor, a polynomial with rational coefficients. That holds for a singular M too. What else is
+asked of these systems is judged in the states (x, x'), in `observability.py` and `controllability.py`.
 """
 
 import dataclasses
@@ -13,23 +13,18 @@ import itertools
 import numpy as np
 import sympy as sp
 
-from trajlib.checks.contract.claims import Vectors, YesNo
 from trajlib.checks.contract.verdict import judged
 from trajlib.checks.structure.dual_questions import (
     CONTROL,
     EIGENVALUES,
     OUTPUT,
     compare_eigenvalues,
-    judge_region,
-    judge_yes_no,
     known_roots,
 )
-from trajlib.checks.structure.unseen_bases import judge_basis
 from trajlib.checks.tools.comparisons import Word
 from trajlib.checks.tools.samples import general_values, in_every_case
 from trajlib.checks.truths.invariant_subspaces import characteristic_coefficients, different_roots
-from trajlib.checks.truths.pairs import pair_of
-from trajlib.systems import Mechanical
+from trajlib.checks.truths.records import seen
 
 LAMBDA = sp.Symbol("lambda")
 PENCIL = "root of det(M lambda^2 + D lambda + K) = 0"
@@ -44,54 +39,11 @@ ALONE = dataclasses.replace(OUTPUT, pencil="M lambda^2 + D lambda + K", spectrum
                             vector="vector v other than 0 with (M lambda^2 + D lambda + K) v = 0")
 
 
-@judged(YesNo())
-def mechanical_observable(claim, system, parameters=()):
-    """Whether the `Mechanical` system is observable by Theorem 2.5; with parameters, for all values that their
-    assumptions allow."""
-    return _judge_yes_no(claim, system, parameters, SEEN)
-
-
-@judged(YesNo())
-def mechanical_controllable(claim, system, parameters=()):
-    """Whether the `Mechanical` system is controllable by Theorem 2.6; with parameters, for all values that their
-    assumptions allow."""
-    return _judge_yes_no(claim, _dual(system), parameters, DRIVEN)
-
-
-@judged
-def mechanical_controllable_parameters(answer, system, parameters):
-    """The condition on the parameters under which the `Mechanical` system is controllable: true exactly there, at
-    isolated values too.
-
-    Where M becomes singular the order of the equations drops; what is said of these values does not count.
-    """
-    return judge_region(answer, _in_states(_dual(system), parameters), CONTROL)
-
-
-@judged(EIGENVALUES)
-def mechanical_lost_eigenvalues(claim, system, parameters=()):
-    """The different values of lambda at which the rank of Theorem 2.5 falls; an empty list or set if there are none.
-
-    With parameters: for their values in general position, as the assumptions allow.
-    """
-    return compare_eigenvalues(claim, _spectra(system, parameters), SEEN, (LAMBDA, _polynomials(system)[0]))
-
-
-@judged(EIGENVALUES)
-def mechanical_uncontrolled_eigenvalues(claim, system, parameters=()):
-    """The different values of lambda at which the rank of Theorem 2.6 falls; an empty list or set if there are none.
-
-    With parameters: for their values in general position, as the assumptions allow.
-    """
-    return compare_eigenvalues(claim, _spectra(_dual(system), parameters, claim), DRIVEN,
-                               (LAMBDA, _polynomials(_dual(system))[0]))
-
-
 @judged(EIGENVALUES)
 def mechanical_roots(claim, system, parameters=()):
     """The different roots of det(M lambda^2 + D lambda + K), also complex ones, with invertible M; with parameters for
     their values in general position."""
-    pair = _in_states(system, parameters)
+    pair = seen(system, parameters)
     samples = pair.samples_for(claim)
     roots = [different_roots(characteristic_coefficients(pair.at(place)[0])) for _, place, _ in samples]
     spectra = [(values, found, found) for (values, *_), found in zip(samples, roots)]
@@ -100,19 +52,16 @@ def mechanical_roots(claim, system, parameters=()):
     return f"the determinant vanishes at each of them and nowhere else: {known}"
 
 
-@judged(Vectors(size=lambda data: 2 * data["system"].M.rows))
-def mechanical_unseen_states(claim, system):
-    """A basis of the initial states (x, x') whose motions give z = H1 x + H2 x' = 0 for all time, with invertible M; an
-    empty list if zero is the only one."""
-    return judge_basis(claim, _in_states(system, ()), OUTPUT)
-
-
-def _judge_yes_no(claim, system, parameters, side):
-    if parameters:
-        return (yield from judge_yes_no(claim, _in_states(system, parameters), OUTPUT if side is SEEN else CONTROL))
+def judge_rank(claim, system, side):
+    """Whether the rank of Theorem 2.5 is full everywhere, of a system without parameters; M may be singular."""
     ((_, lost, _),) = _spectra(system, ())
     falls = "falls at some lambda" if len(lost) else f"is full at every {side.spectrum}"
     return (yield Word(claim, not len(lost), f"the rank of {side.pencil} {falls}"))
+
+
+def judge_roots(claim, system, parameters, side):
+    """The different values of lambda at which it falls."""
+    return compare_eigenvalues(claim, _spectra(system, parameters, claim), side, (LAMBDA, _polynomials(system)[0]))
 
 
 def _spectra(system, parameters, claim=()):
@@ -150,15 +99,3 @@ def _exact(x):
 def _roots(poly):
     return (np.array([complex(root) for root in poly.sqf_part().nroots(n=20, maxsteps=200)]) if poly.degree() > 0
             else np.array([]))
-
-
-def _dual(system):
-    """The system whose output shows what the control of this one reaches."""
-    return Mechanical(system.M.T, system.D.T, system.K.T, H1=system.L.T)
-
-
-def _in_states(system, parameters):
-    """The `Pair` in the state (x, x')."""
-    n, inverse = system.M.rows, system.M.inv(method="ADJ")
-    A = sp.zeros(n).row_join(sp.eye(n)).col_join((-inverse * system.K).row_join(-inverse * system.D))
-    return pair_of(A, system.H1.row_join(system.H2), parameters)

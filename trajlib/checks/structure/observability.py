@@ -1,4 +1,6 @@
-"""Observability of x' = A x, z = H x with A: n x n and H: m x n, for the `parameters` (a list of symbols) in them."""
+"""Observability of a system that is told as a record: x' = A x, z = H x as `Linear` or `Process`, with an error in the
+measurement as `WithError`, with a row H(t) as `Varying`, and `Mechanical`; for the `parameters` (a list of symbols) in
+them."""
 
 from trajlib.checks.contract.claims import Vectors, YesNo
 from trajlib.checks.contract.verdict import judged
@@ -9,54 +11,70 @@ from trajlib.checks.structure.dual_questions import (
     judge_region,
     judge_yes_no,
 )
+from trajlib.checks.structure.measurement_errors import PARTS, words
+from trajlib.checks.structure.mechanical import SEEN, judge_rank, judge_roots
 from trajlib.checks.structure.unseen_bases import bases_by_value, judge_basis, judge_where_lost
-from trajlib.checks.truths.pairs import pair_of
+from trajlib.checks.truths.records import seen
+from trajlib.systems import Mechanical
 
 
 @judged(YesNo())
-def observable(claim, A, H, parameters=()):
-    """Whether x' = A x, z = H x (A: n x n, H: m x n) is observable; with parameters, whether it is for all values that
-    their assumptions allow."""
-    return judge_yes_no(claim, pair_of(A, H, parameters), OUTPUT)
+def observable(claim, system, parameters=()):
+    """Whether z determines every start, with an error its size too; with parameters, whether it does for all values
+    that their assumptions allow."""
+    if isinstance(system, Mechanical) and not parameters:
+        return judge_rank(claim, system, SEEN)
+    return judge_yes_no(claim, seen(system, parameters), words(system))
 
 
 @judged
-def observable_parameters(answer, A, H, parameters):
+def observable_parameters(answer, system, parameters, part=None):
     """The condition on the parameters under which the system is observable: true exactly there, at isolated values
-    too."""
-    return judge_region(answer, pair_of(A, H, parameters), OUTPUT)
+    too.
+
+    Of a system `WithError` a `part` may be asked for, "state" or "error": that it is found, whether or not the other
+    one is. Where the M of a `Mechanical` system is singular its order drops; what is said of these values does not
+    count.
+    """
+    pair = seen(system, parameters) if part is None else seen(system, parameters, PARTS[part](system))
+    return judge_region(answer, pair, words(system, part))
 
 
 @judged
-def unobservable_parameters(answer, A, H, parameters):
+def unobservable_parameters(answer, system, parameters):
     """The condition on the parameters under which the system is not observable; a set or a list of values of the only
     one as well."""
-    return judge_region(answer, pair_of(A, H, parameters), OUTPUT, holds=False)
+    return judge_region(answer, seen(system, parameters), words(system), holds=False)
 
 
-@judged(Vectors("parameters", size="A"))
-def unseen_states(claim, A, H, parameters=()):
-    """A basis of the initial states whose motions give z = 0 for all time; an empty list if zero is the only one.
+@judged(Vectors("parameters", size="system.unknowns"))
+def unseen_states(claim, system, parameters=()):
+    """A basis of the starts whose motions give z = 0 for all time, an empty list if zero is the only one: x(0), with an
+    error (x(0), C), for a `Mechanical` system, with invertible M, (x(0), x'(0)).
 
     With parameters: for their values in general position, as the assumptions allow, and wherever as much is unseen.
     """
-    return judge_basis(claim, pair_of(A, H, parameters), OUTPUT)
+    return judge_basis(claim, seen(system, parameters), words(system))
 
 
 @judged(bases_by_value(OUTPUT))
-def unseen_where_lost(claim, A, H, parameter):
-    """Every real value of the parameter for which the system is not observable, as {value: basis of the unseen states}.
+def unseen_where_lost(claim, system, parameter):
+    """Every real value of the parameter for which the system is not observable, as {value: basis of the starts that
+    give z = 0}.
 
     For systems that lose observability at finitely many values, all of them rational.
     """
-    return judge_where_lost(claim, pair_of(A, H, (parameter,)), OUTPUT,
-                            lambda value: pair_of(A.subs(parameter, value), H.subs(parameter, value)))
+    return judge_where_lost(claim, seen(system, (parameter,)), words(system),
+                            lambda value: seen(system.subs(parameter, value)))
 
 
 @judged(EIGENVALUES)
-def lost_eigenvalues(claim, A, H, parameters=()):
-    """The different eigenvalues of A at which the rank of Theorem 2.3 falls; an empty list or set if there are none.
+def lost_eigenvalues(claim, system, parameters=()):
+    """The different eigenvalues of A at which the rank of Theorem 2.3 falls, for a `Mechanical` system the values of
+    lambda at which that of Theorem 2.5 does; an empty list or set if there are none.
 
     With parameters: for their values in general position, as the assumptions allow.
     """
-    return judge_eigenvalues(claim, pair_of(A, H, parameters), OUTPUT)
+    if isinstance(system, Mechanical):
+        return judge_roots(claim, system, parameters, SEEN)
+    return judge_eigenvalues(claim, seen(system, parameters), OUTPUT)

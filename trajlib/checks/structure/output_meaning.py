@@ -11,21 +11,18 @@ from sympy.polys.matrices import DomainMatrix
 
 from trajlib.checks.contract.claims import Choice
 from trajlib.checks.contract.verdict import Wrong, judged
+from trajlib.checks.truths.records import matrix_of, row_of
 
 
-@judged(Choice(words="coordinates"))
-def measured_coordinate(claim, A, H, known, coordinates):
-    """Which of the `coordinates` {name: row} of the system with the matrix `known` the measurement H (1 x n) of the
-    system A (n x n) is."""
-    return judge_meaning(claim, A, H, known, coordinates)
-
-
-def judge_meaning(claim, A, H, known, coordinates):
-    """The sentence for a claimed name, or `Wrong`; also for quantities that another check has made linear."""
-    equations = {name: _equation(known, row) for name, row in coordinates.items()}
+@judged(Choice(words="quantities"))
+def measured_quantity(claim, system, known, quantities):
+    """Which of the `quantities` {name: row} of the system `known` the measurement z = H x of x' = A x is; of one in
+    `Deviations` they are {name: expression in its state}, and their deviations are meant."""
+    equations = {name: _equation(matrix_of(known), row_of(known, quantity)) for name, quantity in quantities.items()}
+    A, H = system.A, system.H
     seen = _equation(A, H)
     if list(equations.values()).count(seen) != 1:
-        raise RuntimeError("the equations do not tell the coordinates apart")
+        raise RuntimeError("the equations do not tell the quantities apart")
     if equations[claim] != seen:
         raise Wrong(f"the {claim} satisfies the linear equation {_told(equations[claim])} and none of lower order, in "
                     f"all motions; what is measured has motions that do not" if _breaks(equations[claim], A, H) else

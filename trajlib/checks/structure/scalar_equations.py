@@ -18,42 +18,34 @@ from trajlib.checks.tools.samples import general_values, in_every_case
 from trajlib.checks.tools.values import number_at, numbers_at, uncertain_entries
 from trajlib.checks.tools.wording import number_text, where_text
 from trajlib.checks.truths.exceptional_values import judge_everywhere
-from trajlib.checks.truths.pairs import pair_of
+from trajlib.checks.truths.records import reached, seen
 
 LARGEST_ORDER = 12
 
 
 @judged
-def scalar_equation(answer, A, B, output, motion, control, parameters=()):
-    """The equation of order n between y = `output` x and the control; `motion` and `control` are functions of time such
-    as y(t), u(t)."""
-    claim = _LinearEquation(answer, motion, control, parameters)
+def scalar_equation(answer, system, motion, control, parameters=()):
+    """The equation of order n between the control and y, the output or else the first coordinate of the canonical form
+    by control (2.4); `motion` and `control` are functions of time such as y(t), u(t)."""
+    claim, canonical = _LinearEquation(answer, motion, control, parameters), not system.H
     for values in general_values(list(parameters)):
-        claim.judge(A.subs(values), B.subs(values), output.subs(values), values)
-    claim.judge_everywhere(A.rows, parameters, lambda: pair_of(A, output, parameters).in_general)
-    return "it is linear, of the order of the system, and satisfied at random states and controls"
+        there = system.subs(values)
+        row = _first_coordinate(there.A, there.B) if canonical else there.H
+        claim.judge(there.A, there.B, row, values, canonical=canonical)
+    pair = reached(system, parameters) if canonical else seen(system, parameters)
+    claim.judge_everywhere(system.A.rows, parameters, lambda: pair.in_general)
+    return ("it is linear, of the order of the system, and "
+            + ("the first canonical coordinate satisfies it at random states and controls" if canonical else
+               "satisfied at random states and controls"))
 
 
-@judged
-def canonical_equation(answer, A, B, motion, control, parameters=()):
-    """The equation of order n between the control and y, the first coordinate of the canonical form by control
-    (2.4)."""
-    claim = _LinearEquation(answer, motion, control, parameters)
-    for values in general_values(list(parameters)):
-        there, b = A.subs(values), B.subs(values)
-        claim.judge(there, b, _first_coordinate(there, b), values, canonical=True)
-    claim.judge_everywhere(A.rows, parameters, lambda: pair_of(A.T, B.T, parameters).in_general)
-    return ("it is linear, of the order of the system, and the first canonical coordinate satisfies it at random "
-            "states and controls")
-
-
-@judged(Expressions("parameters", length="A"))
-def canonical_coordinate(claim, A, B, parameters=()):
-    """The row c (of n entries) for which y = c x is the first coordinate of the canonical form by control (2.4) (A: n x
-    n, B: n x 1)."""
+@judged(Expressions("parameters", length="system.A"))
+def canonical_coordinate(claim, system, parameters=()):
+    """The row c (of n entries) for which y = c x is the first coordinate of the canonical form by control (2.4), with
+    one control."""
     for values in in_every_case(general_values(list(parameters)), claim):
-        there, b = A.subs(values), B.subs(values)
-        row = numbers_at(claim, values, [f"coefficient of x{k}" for k in range(1, A.rows + 1)])
+        there, b = system.A.subs(values), system.B.subs(values)
+        row = numbers_at(claim, values, [f"coefficient of x{k}" for k in range(1, there.rows + 1)])
         true = _floats(_first_coordinate(there, b))[0]
         if not same(row, true, claim, np.linalg.norm(true)).all():
             _explain_row(row, _floats(there), _floats(b)[:, 0], share(claim), where_text(values))

@@ -63,10 +63,10 @@ def _seen(pair, place, vector, k, side):
     return side.shows_little.format(k=k)
 
 
-def bases_by_value(side, more=0):
-    """The claim {value: basis of what is unseen there}: of states of the datum `A`, with so many numbers more."""
+def bases_by_value(side):
+    """The claim {value: basis of what is unseen there}, of vectors with the unknowns of the datum `system`."""
     def size(data):
-        return data["A"].rows + more
+        return data["system"].unknowns
 
     return Table(Number(), Vectors(size=size), lambda data: (
         f"a dictionary such as {{4: [{[3, 1, *[0] * (size(data) - 2)]}]}}, from each value to a basis of {side.left} "

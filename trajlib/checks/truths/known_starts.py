@@ -4,6 +4,10 @@ exactly.
 Where a start is known in part, as with an error C sin(omega t) whose amplitude alone is unknown, only some motions of
 x' = A x come into question: those from x(0) = L u. Such a motion is unseen exactly if L u lies in the largest invariant
 subspace of ker H.
+
+Where a row H(t) consists of sines, cosines, exponentials and powers of t, the products of these functions with the
+coordinates obey linear equations with constant coefficients. So z = H(t) x is an output of a constant system of higher
+order, from known starts for every x(0). No derivative rows are needed.
 """
 
 import functools
@@ -16,11 +20,24 @@ from trajlib.checks.tools.conditions import Case
 from trajlib.checks.truths.invariant_subspaces import ONE, echelon, kernel, to_floats
 from trajlib.checks.truths.pairs import Pair
 
+#: More functions than this a row H(t) of a problem does not need for its derivatives.
+MOST_FUNCTIONS = 16
+
 
 def starts_of(A, H, L, parameters=(), of=None):
     """The `Starts` of matrices as the data give them; `of` are the positions of the u that is asked for, if not all of
     it."""
     return _known_starts(sp.ImmutableMatrix(A), sp.ImmutableMatrix(H), sp.ImmutableMatrix(L), tuple(parameters), of)
+
+
+def starts_of_varying(A, H, time, parameters=()):
+    """The products of the functions in H(t) with the coordinates of x as one constant system, from its starts for every
+    x(0)."""
+    functions, rates, rows = _functions(H, time)
+    n, E = A.rows, sp.eye(len(functions))
+    matrix = sp.kronecker_product(rates, sp.eye(n)) + sp.kronecker_product(E, A)
+    begin = sp.Matrix([f.subs(time, 0) for f in functions])
+    return starts_of(matrix, sp.Matrix.hstack(*rows), sp.kronecker_product(begin, sp.eye(n)), parameters)
 
 
 @functools.lru_cache(maxsize=64)
@@ -85,3 +102,27 @@ def _fraction(entry):
     if not entry.is_Rational:
         raise ValueError(f"a start has to be given by rational numbers, not by {entry}")
     return ONE * int(entry.p) / int(entry.q)
+
+
+def _functions(H, time):
+    """Functions f of time with f' = R f and H = f1 H1 + f2 H2 + ...: (f, R, [H1, H2, ...])."""
+    parts = [_split(entry, time) for entry in H]
+    functions = list(dict.fromkeys(f for part in parts for f in part))
+    slopes = []
+    while len(slopes) < len(functions):
+        slopes.append(_split(functions[len(slopes)].diff(time), time))
+        functions += [f for f in slopes[-1] if f not in functions]
+        if len(functions) > MOST_FUNCTIONS:
+            raise ValueError("H(t) has to consist of sines, cosines, exponentials and powers of the time")
+    rates = sp.Matrix(len(functions), len(functions), lambda i, j: slopes[i].get(functions[j], 0))
+    return functions, rates, [sp.Matrix(*H.shape, [part.get(f, 0) for part in parts]) for f in functions]
+
+
+def _split(expression, time):
+    """{function of time: its coefficient} of a sum."""
+    found = {}
+    for term in sp.Add.make_args(sp.expand(expression)):
+        coefficient, function = term.as_independent(time, as_Add=False)
+        if coefficient != 0:
+            found[function] = found.get(function, 0) + coefficient
+    return found

@@ -1,11 +1,13 @@
 import sympy as sp
 from case import Case
 
+from trajlib.systems import Linear
+
 e1, e2, z, u, p, lam = *sp.symbols("e1 e2 z u", real=True), sp.symbols("p", positive=True), sp.symbols("lambda")
 M = sp.Matrix
-SADDLE = (M([[0, 1], [4, 0]]), M([0, 1]), M([[1, 0]]), [e1, e2], [z], [u])
-FREE = (M([[0, 1], [4, 0]]), sp.zeros(2, 0), M([[2, -1]]), [e1, e2], [z])
-OF_P = (M([[0, 1], [p, 0]]), M([0, 1]), M([[1, 0]]), [e1, e2], [z], [u])
+SADDLE = (Linear(M([[0, 1], [4, 0]]), M([0, 1]), M([[1, 0]])), [e1, e2], [z], [u])
+FREE = (Linear(M([[0, 1], [4, 0]]), H=M([[2, -1]])), [e1, e2], [z])
+OF_P = (Linear(M([[0, 1], [p, 0]]), M([0, 1]), M([[1, 0]])), [e1, e2], [z], [u])
 TWO = (("polynomial", (lam + 2)*(lam + 5)), ("symbol", lam))
 GOOD = [e2 + 3*(z - e1), 4*e1 + u + 7*(z - e1)]
 # y'' = w - y' is to follow y = t

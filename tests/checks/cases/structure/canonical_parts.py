@@ -2,17 +2,19 @@ import numpy as np
 import sympy as sp
 from case import Case
 
+from trajlib.systems import Linear
+
 a = sp.symbols("a", real=True)
 w = sp.symbols("omega", positive=True)
 # The first two coordinates are seen, z'' = 3z' - 2z; the third is driven by them.
-CHAIN = (sp.Matrix([[1, 1, 0], [0, 2, 0], [1, 1, 5]]), sp.Matrix([[1, 0, 0]]))
+CHAIN = (Linear(sp.Matrix([[1, 1, 0], [0, 2, 0], [1, 1, 5]]), H=sp.Matrix([[1, 0, 0]])),)
 CHAIN_F = sp.Matrix([[1, 0, 0], [-2, 1, 0]])
 # Seen from both coordinates, so nothing is left out.
-WHOLE = (sp.Matrix([[0, 1], [-6, 5]]), sp.Matrix([[2, 0]]))
+WHOLE = (Linear(sp.Matrix([[0, 1], [-6, 5]]), H=sp.Matrix([[2, 0]])),)
 # An oscillator with a parameter beside a coordinate that grows with another one.
-SWING = (sp.Matrix([[0, w, 0], [-w, 0, 0], [0, 0, a]]), sp.Matrix([[1, 0, 0]]), [a, w])
+SWING = (Linear(sp.Matrix([[0, w, 0], [-w, 0, 0], [0, 0, a]]), H=sp.Matrix([[1, 0, 0]])), [a, w])
 SWING_F = sp.Matrix([[1, 0, 0], [0, w, 0]])
-SINGLE = (sp.diag(4, 7), sp.Matrix([[1, 0]]))
+SINGLE = (Linear(sp.diag(4, 7), H=sp.Matrix([[1, 0]])),)
 
 CASES = [
     Case("canonical_part_coordinates", CHAIN_F, CHAIN, "right", "a matrix"),

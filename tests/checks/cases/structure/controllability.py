@@ -2,30 +2,32 @@ import numpy as np
 import sympy as sp
 from case import Case
 
+from trajlib.systems import Linear
+
 a = sp.symbols("alpha", real=True)
 g, l1, l2 = sp.symbols("g l1 l2", positive=True)
 w = sp.symbols("omega", positive=True)
 M = sp.Matrix
-DRIVEN = (M([[0, 1], [2, 1]]), M([0, 1]))
+DRIVEN = (Linear(M([[0, 1], [2, 1]]), M([0, 1])),)
 # The sum x1 + x2 obeys an equation of its own, with the eigenvalue 2.
-SUM = (M([[1, 2], [1, 0]]), M([1, -1]))
-TWO_INPUTS = (M([[1, 0], [0, 1]]), M([[1, 0], [0, 1]]))
-VALUE = (M([[1, a], [-3, -2]]), M([1, 1]), [a])
-NEVER = (M([[2, -1], [1, 0]]), M([1, 1]), [a])
+SUM = (Linear(M([[1, 2], [1, 0]]), M([1, -1])),)
+TWO_INPUTS = (Linear(M([[1, 0], [0, 1]]), M([[1, 0], [0, 1]])),)
+VALUE = (Linear(M([[1, a], [-3, -2]]), M([1, 1])), [a])
+NEVER = (Linear(M([[2, -1], [1, 0]]), M([1, 1])), [a])
 # Two pendulums on one carriage, its acceleration being the control.
-CARRIAGE = (M([[0, 0, 1, 0], [0, 0, 0, 1], [g / l1, 0, 0, 0], [0, g / l2, 0, 0]]), M([0, 0, 1 / l1, 1 / l2]),
+CARRIAGE = (Linear(M([[0, 0, 1, 0], [0, 0, 0, 1], [g / l1, 0, 0, 0], [0, g / l2, 0, 0]]), M([0, 0, 1 / l1, 1 / l2])),
             [g, l1, l2])
-ORBIT = (M([[0, -w, 1, 0], [w, 0, 0, 1], [-w**2, 0, 0, -w], [0, 2 * w**2, w, 0]]), M([0, 0, 1, 0]), [w])
-RADIAL = (ORBIT[0], M([0, 0, 0, 1]), [w])
-AXES = (sp.diag(1, 2, 1), M([1, 0, -1]))
-LOST = (VALUE[0], VALUE[1], a)
-TWICE = (sp.diag(1, 2, 3), M([a - 2, 2 * a - 1, 1 - 2 * a]), a)
-STEERED = (M([[0, 1], [-1, 0]]), M([1, a]), a)
+ORBIT = (Linear(M([[0, -w, 1, 0], [w, 0, 0, 1], [-w**2, 0, 0, -w], [0, 2 * w**2, w, 0]]), M([0, 0, 1, 0])), [w])
+RADIAL = (Linear(ORBIT[0].A, M([0, 0, 0, 1])), [w])
+AXES = (Linear(sp.diag(1, 2, 1), M([1, 0, -1])),)
+LOST = (VALUE[0], a)
+TWICE = (Linear(sp.diag(1, 2, 3), M([a - 2, 2 * a - 1, 1 - 2 * a])), a)
+STEERED = (Linear(M([[0, 1], [-1, 0]]), M([1, a])), a)
 TWO_LOST = {2: [[1, 0, 0]], 0.5: [[0, 1, 0], [0, 0, 1]]}
 
 # Two bodies on one table: control is lost where they have both coefficients in common.
 s, q = sp.symbols("s q", real=True)
-SHAKEN = (M([[0, 1, 0, 0], [-5, -2, 0, 0], [0, 0, 0, 1], [0, 0, -q, -s]]), M([0, -1, 0, -1]), [s, q])
+SHAKEN = (Linear(M([[0, 1, 0, 0], [-5, -2, 0, 0], [0, 0, 0, 1], [0, 0, -q, -s]]), M([0, -1, 0, -1])), [s, q])
 
 CASES = [
     Case("controllable", "yes", DRIVEN, "right", "every combination is reached"),
@@ -52,11 +54,11 @@ CASES = [
     Case("controllability_matrix", [[0, 1], [1, 1]], DRIVEN, "right", "nested lists"),
     Case("controllability_matrix", np.array([[1.0, 0.0, 1.0, 0.0], [0.0, 1.0, 0.0, 1.0]]), TWO_INPUTS, "right",
          "two controls"),
-    Case("controllability_matrix", M.hstack(*[ORBIT[0]**k * ORBIT[1] for k in range(4)]), ORBIT, "right",
+    Case("controllability_matrix", M.hstack(*[ORBIT[0].A**k * ORBIT[0].B for k in range(4)]), ORBIT, "right",
          "with a parameter"),
     Case("controllability_matrix", [[1, -1], [-1, 1]], SUM, "right", "of rank 1"),
     Case("controllability_matrix", [[1, 1], [-1, 1]], SUM, "wrong", "one entry"),
-    Case("controllability_matrix", M.hstack(*[ORBIT[0]**k * ORBIT[1] for k in range(4)]).T, ORBIT, "wrong",
+    Case("controllability_matrix", M.hstack(*[ORBIT[0].A**k * ORBIT[0].B for k in range(4)]).T, ORBIT, "wrong",
          "the transpose"),
     Case("controllability_matrix", [[1, 1, 0, 0], [0, 0, 1, 1]], TWO_INPUTS, "wrong", "control by control"),
     Case("controllability_matrix", [[0, 1, 1], [1, 1, 3]], DRIVEN, "invalid", "a power too many"),

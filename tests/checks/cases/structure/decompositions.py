@@ -2,35 +2,36 @@ import numpy as np
 import sympy as sp
 from case import Case
 
+from trajlib.systems import Linear
+
 w = sp.symbols("omega", positive=True)
 M, half = sp.Matrix, sp.Rational(1, 2)
 # Rank 2 of 3: the motion (1, 0, -1) is not seen; the same for control, where x1 + x3 cannot be changed.
-SEEN = (M([[0, 1, 0], [1, 1, 1], [1, 0, 1]]), M([[0, 1, 0]]))
+SEEN = (Linear(M([[0, 1, 0], [1, 1, 1], [1, 0, 1]]), H=M([[0, 1, 0]])),)
 T = M([[0, 1, 0], [1, 1, 1], [1, 0, -1]])
 SPLIT = M([[0, 1, 0], [0, 2, 0], [2, -1, 0]])
-DRIVEN = (M([[0, 1, 1], [1, 1, 0], [0, -1, -1]]), M([0, 1, 0]))
+DRIVEN = (Linear(M([[0, 1, 1], [1, 1, 0], [0, -1, -1]]), M([0, 1, 0])),)
 P = M([[0, 1, 1], [1, 1, 0], [0, -1, 1]])
 P_SPLIT = M([[0, 2, 0], [1, 0, 1], [0, 0, 0]])
 # Two equal oscillators, of which the sum of the coordinates is measured.
-TWINS = (M([[0, 1, 0, 0], [-w**2, 0, 0, 0], [0, 0, 0, 1], [0, 0, -w**2, 0]]), M([[1, 0, 1, 0]]), [w])
+TWINS = (Linear(M([[0, 1, 0, 0], [-w**2, 0, 0, 0], [0, 0, 0, 1], [0, 0, -w**2, 0]]), H=M([[1, 0, 1, 0]])), [w])
 SUM_AND_DIFFERENCE = M([[1, 0, 1, 0], [0, 1, 0, 1], [1, 0, -1, 0], [0, 1, 0, -1]])
 # Two controls (example 7), and the same matrices transposed for two outputs.
 A7, B7 = M([[1, 1, 0, 0], [0, 1, 0, 0], [0, 0, 2, 1], [0, 0, 0, 2]]), M([[1, 0], [0, 1], [0, 1], [1, 0]])
 b1, b2 = B7[:, 0], B7[:, 1]
-CONTROLS, OUTPUTS = (A7, B7), (A7.T, B7.T)
+CONTROLS, OUTPUTS = (Linear(A7, B7),), (Linear(A7.T, H=B7.T),)
 IN_TURN, BY_TURNS = M.hstack(b1, A7 * b1, A7**2 * b1, b2), M.hstack(b1, A7 * b1, b2, A7 * b2)
 CANONICAL = M.hstack(A7 * b1 - 7 * half * b1 - b2 / 2, b1, A7 * b2 - 5 * half * b2 - b1 / 2, b2)
 LEANING = M.hstack(b1, A7 * b1, A7**2 * b1, M([0, 1, 0, 0]))
 # One combination of three coordinates is reached by no control, and u2 adds nothing to u1.
-REST = (M([[0, 1, 0], [0, 0, 0], [0, 0, 1]]), M([[0, 1], [1, 0], [0, 0]]))
-SPIN, TURNED = M([[0, 1], [-1, 0]]), M([[1, 1], [-2, -1]])
+REST = (Linear(M([[0, 1, 0], [0, 0, 0], [0, 0, 1]]), M([[0, 1], [1, 0], [0, 0]])),)
+SPIN, TURNED = Linear(M([[0, 1], [-1, 0]])), Linear(M([[1, 1], [-2, -1]]))
 
 # Two equal pendulums, whose length may be zero; and two unknown gains, of which neither may be divided by.
 LENGTH = sp.Symbol("l", real=True)
-PENDULUMS = (M([[0, 1], [-1, 0]]).row_join(sp.zeros(2)).col_join(sp.zeros(2).row_join(M([[0, 1], [-1, 0]]))),
-             M([[LENGTH, 0, LENGTH, 0]]), [LENGTH])
+PENDULUMS = (Linear(sp.diag(M([[0, 1], [-1, 0]]), M([[0, 1], [-1, 0]])), H=M([[LENGTH, 0, LENGTH, 0]])), [LENGTH])
 p, q = sp.symbols("p q", real=True)
-GAINS = (sp.diag(1, 1, 2), M([[p, q, 1]]), [p, q])
+GAINS = (Linear(sp.diag(1, 1, 2), H=M([[p, q, 1]])), [p, q])
 
 CASES = [
     Case("observability_split", T, SEEN, "right", "rows h, hA and one more"),
@@ -76,7 +77,7 @@ CASES = [
     Case("observability_split_system", [M([[2, 0, 0], [0, 0, 0], [1, 5, 0]]), M([[1, -1, 0]])], SEEN, "right",
          "modes, another A21"),
     Case("observability_split_system", [1.0 * SPLIT, M([[0.5, 0, 0]])], SEEN, "right", "floats, another length"),
-    Case("observability_split_system", [SEEN[0], SEEN[1]], SEEN, "wrong", "the system as given"),
+    Case("observability_split_system", [SEEN[0].A, SEEN[0].H], SEEN, "wrong", "the system as given"),
     Case("observability_split_system", [M([[0, 1, 0], [0, 2, 0], [2, -1, 1]]), M([[1, 0, 0]])], SEEN, "wrong",
          "another eigenvalue"),
     Case("observability_split_system", [SPLIT, M([[0, 1, 0]])], SEEN, "wrong",
@@ -92,7 +93,7 @@ CASES = [
     Case("controllability_split_system", [P_SPLIT.T, M([1, 0, 0])], DRIVEN, "wrong", "transposed"),
     Case("controllability_split_system", [P_SPLIT, M([1, 0, 1])], DRIVEN, "wrong",
          "the control enters the uncontrollable part"),
-    Case("controllability_split_system", [DRIVEN[0], DRIVEN[1]], DRIVEN, "wrong", "the system as given"),
+    Case("controllability_split_system", [DRIVEN[0].A, DRIVEN[0].B], DRIVEN, "wrong", "the system as given"),
     Case("controllability_split_system", [P_SPLIT], DRIVEN, "invalid", "one matrix"),
     Case("canonical_observable_part", [M([[2, 1], [0, 0]]), M([[1, 0]])], SEEN, "right", "the form (2.5)"),
     Case("canonical_observable_part", [[[2, 1], [0, 0]], [1, 0]], SEEN, "right", "lists"),
@@ -101,31 +102,31 @@ CASES = [
     Case("canonical_observable_part", [M([[2, 1], [0, 0]]), M([[0, 1]])], SEEN, "wrong",
          "the output is not the first coordinate"),
     Case("canonical_observable_part", M([[2, 1], [0, 0]]), SEEN, "invalid", "the matrix alone"),
-    Case("sequential_inputs", IN_TURN, CONTROLS, "right", "b1, A b1, A^2 b1, b2"),
-    Case("sequential_inputs", IN_TURN * sp.diag(M([[1, 2, 0], [0, 1, 5], [0, 0, 1]]), 3), CONTROLS, "right",
+    Case("sequential_split", IN_TURN, CONTROLS, "right", "b1, A b1, A^2 b1, b2"),
+    Case("sequential_split", IN_TURN * sp.diag(M([[1, 2, 0], [0, 1, 5], [0, 0, 1]]), 3), CONTROLS, "right",
          "another basis of part 1"),
-    Case("sequential_inputs", M([[0, 1, 0], [1, 0, 0], [0, 0, 1]]), REST, "right",
+    Case("sequential_split", M([[0, 1, 0], [1, 0, 0], [0, 0, 1]]), REST, "right",
          "u2 adds nothing, one coordinate is left over"),
-    Case("sequential_inputs", BY_TURNS, CONTROLS, "wrong", "the parallel one"),
-    Case("sequential_inputs", LEANING, CONTROLS, "wrong", "u2 enters part 1 too"),
-    Case("sequential_inputs", IN_TURN[:, [3, 0, 1, 2]], CONTROLS, "wrong", "the parts in the opposite order"),
-    Case("sequential_inputs", [b1, b2], CONTROLS, "invalid", "the first columns of the chains"),
-    Case("parallel_inputs", BY_TURNS, CONTROLS, "right", "b1, A b1, b2, A b2"),
-    Case("parallel_inputs", CANONICAL, CONTROLS, "right", "both parts in canonical form"),
-    Case("parallel_inputs", IN_TURN, CONTROLS, "wrong", "the sequential one"),
-    Case("parallel_inputs", BY_TURNS[:, [0, 2, 1, 3]], CONTROLS, "wrong", "the columns as taken, not part by part"),
-    Case("parallel_inputs", sp.eye(3), CONTROLS, "invalid", "another order"),
-    Case("sequential_outputs", IN_TURN.T, OUTPUTS, "right", "rows h1, h1 A, h1 A^2, h2"),
-    Case("sequential_outputs", np.array((IN_TURN.T * half).tolist(), dtype=float), OUTPUTS, "right", "floats"),
-    Case("sequential_outputs", BY_TURNS.T, OUTPUTS, "wrong", "the parallel one"),
-    Case("sequential_outputs", LEANING.T, OUTPUTS, "wrong", "z2 contains part 1 too"),
-    Case("sequential_outputs", IN_TURN, OUTPUTS, "wrong", "transposed"),
-    Case("sequential_outputs", 1, OUTPUTS, "invalid", "a number"),
-    Case("parallel_outputs", BY_TURNS.T, OUTPUTS, "right", "rows h1, h1 A, h2, h2 A"),
-    Case("parallel_outputs", CANONICAL.T, OUTPUTS, "right", "both parts in canonical form"),
-    Case("parallel_outputs", IN_TURN.T, OUTPUTS, "wrong", "the sequential one"),
-    Case("parallel_outputs", sp.ones(4), OUTPUTS, "wrong", "no inverse"),
-    Case("parallel_outputs", [1, 2, 3, 4], OUTPUTS, "invalid", "a vector"),
+    Case("sequential_split", BY_TURNS, CONTROLS, "wrong", "the parallel one"),
+    Case("sequential_split", LEANING, CONTROLS, "wrong", "u2 enters part 1 too"),
+    Case("sequential_split", IN_TURN[:, [3, 0, 1, 2]], CONTROLS, "wrong", "the parts in the opposite order"),
+    Case("sequential_split", [b1, b2], CONTROLS, "invalid", "the first columns of the chains"),
+    Case("parallel_split", BY_TURNS, CONTROLS, "right", "b1, A b1, b2, A b2"),
+    Case("parallel_split", CANONICAL, CONTROLS, "right", "both parts in canonical form"),
+    Case("parallel_split", IN_TURN, CONTROLS, "wrong", "the sequential one"),
+    Case("parallel_split", BY_TURNS[:, [0, 2, 1, 3]], CONTROLS, "wrong", "the columns as taken, not part by part"),
+    Case("parallel_split", sp.eye(3), CONTROLS, "invalid", "another order"),
+    Case("sequential_split", IN_TURN.T, OUTPUTS, "right", "rows h1, h1 A, h1 A^2, h2"),
+    Case("sequential_split", np.array((IN_TURN.T * half).tolist(), dtype=float), OUTPUTS, "right", "floats"),
+    Case("sequential_split", BY_TURNS.T, OUTPUTS, "wrong", "the parallel one"),
+    Case("sequential_split", LEANING.T, OUTPUTS, "wrong", "z2 contains part 1 too"),
+    Case("sequential_split", IN_TURN, OUTPUTS, "wrong", "transposed"),
+    Case("sequential_split", 1, OUTPUTS, "invalid", "a number"),
+    Case("parallel_split", BY_TURNS.T, OUTPUTS, "right", "rows h1, h1 A, h2, h2 A"),
+    Case("parallel_split", CANONICAL.T, OUTPUTS, "right", "both parts in canonical form"),
+    Case("parallel_split", IN_TURN.T, OUTPUTS, "wrong", "the sequential one"),
+    Case("parallel_split", sp.ones(4), OUTPUTS, "wrong", "no inverse"),
+    Case("parallel_split", [1, 2, 3, 4], OUTPUTS, "invalid", "a vector"),
     Case("similarity", M([[1, 0], [-1, 1]]), (SPIN, TURNED), "right", "one of many"),
     Case("similarity", M([[0, 1], [-1, -1]]), (SPIN, TURNED), "right", "another"),
     Case("similarity", w*M([[1, 0], [-1, 1]]), (SPIN, TURNED, [w]), "right", "a positive factor"),

@@ -2,87 +2,89 @@ import numpy as np
 import sympy as sp
 from case import Case
 
+from trajlib.systems import WithError
+
 w, k, t = sp.symbols("omega k t", real=True)
 z, z1, z2 = sp.symbols("z z1 z2", real=True)
 FIRST = sp.Matrix([[1, 0]])
 ONE, ZERO_RATE = sp.Matrix([[1]]), sp.Matrix([[0]])
 # A body on a line, its place measured with a constant error: place and error are confused, the speed is found.
-FREE = (sp.Matrix([[0, 1], [0, 0]]), FIRST, ZERO_RATE, ONE, [1])
+FREE = (WithError(sp.Matrix([[0, 1], [0, 0]]), H=FIRST, S=ZERO_RATE, c=ONE, start=[1]),)
 # The same with an error e^t.
-GROWING = (sp.Matrix([[0, 1], [0, 0]]), FIRST, ONE, ONE, [1])
+GROWING = (WithError(sp.Matrix([[0, 1], [0, 0]]), H=FIRST, S=ONE, c=ONE, start=[1]),)
 # x1' = 4 x1, x2' = k x2 with z = x1 + x2 + C e^(4t)
-MODES = (sp.diag(4, k), sp.Matrix([[1, 1]]), sp.Matrix([[4]]), ONE, [1])
+MODES = (WithError(sp.diag(4, k), H=sp.Matrix([[1, 1]]), S=sp.Matrix([[4]]), c=ONE, start=[1]),)
 # An oscillator of frequency 2 and an error C sin(omega t), then C cos(omega t).
 SPRING, TURNING = sp.Matrix([[0, 2], [-2, 0]]), sp.Matrix([[0, w], [-w, 0]])
-SINE = (SPRING, FIRST, TURNING, FIRST, [0, 1])
-COSINE = (SPRING, FIRST, TURNING, FIRST, [1, 0])
+SINE = (WithError(SPRING, H=FIRST, S=TURNING, c=FIRST, start=[0, 1]),)
+COSINE = (WithError(SPRING, H=FIRST, S=TURNING, c=FIRST, start=[1, 0]),)
 # Two modes and an error C e^(kt)
-DECAY = (sp.diag(-1, 3), sp.Matrix([[1, 2]]), sp.Matrix([[k]]), ONE, [1])
+DECAY = (WithError(sp.diag(-1, 3), H=sp.Matrix([[1, 2]]), S=sp.Matrix([[k]]), c=ONE, start=[1]),)
 BOTH = sp.And(sp.Ne(w, 0), sp.Ne(w**2, 4))
 PAIR = sp.diag(SPRING, TURNING)
 RATE = sp.diag(SPRING, sp.Matrix([[0, 1], [-w**2, 0]]))
 
 CASES = [
-    Case("observable_with_error", "no", FREE, "right", "the place and the error are confused"),
-    Case("observable_with_error", True, GROWING, "right", "an exponential is no uniform motion"),
-    Case("observable_with_error", True, FREE, "wrong", "rows of the state alone"),
-    Case("observable_with_error", False, GROWING, "wrong", "an error thought to spoil all"),
-    Case("observable_with_error", 2, FREE, "invalid", "a number"),
-    Case("observable_with_error", ..., FREE, "missing", "the untouched stub"),
-    Case("unseen_with_error", [[1, 0, -1]], FREE, "right", "a place hidden by an error"),
-    Case("unseen_with_error", [-2.0, 0, 2.0], FREE, "right", "floats, without the outer list"),
-    Case("unseen_with_error", [], GROWING, "right", "none"),
-    Case("unseen_with_error", [[1, 0, 1]], FREE, "wrong", "the sign of the error"),
-    Case("unseen_with_error", [[0, 0, 1]], FREE, "wrong", "the error alone"),
-    Case("unseen_with_error", [[1, 0, -1], [2, 0, -2]], FREE, "wrong", "one vector twice"),
-    Case("unseen_with_error", [[0, 0, 0]], FREE, "wrong", "zero"),
-    Case("unseen_with_error", [], FREE, "wrong", "none where there is one"),
-    Case("unseen_with_error", [[1, 0, -1]], GROWING, "wrong", "one where there is none"),
-    Case("unseen_with_error", [[1, 0]], FREE, "invalid", "without the error"),
-    Case("unseen_with_error", [[sp.nan, 0, -1]], FREE, "invalid", "an undefined component"),
-    Case("observable_with_error_parameters", BOTH, (*SINE, [w]), "right",
+    Case("observable", "no", FREE, "right", "the place and the error are confused"),
+    Case("observable", True, GROWING, "right", "an exponential is no uniform motion"),
+    Case("observable", True, FREE, "wrong", "rows of the state alone"),
+    Case("observable", False, GROWING, "wrong", "an error thought to spoil all"),
+    Case("observable", 2, FREE, "invalid", "a number"),
+    Case("observable", ..., FREE, "missing", "the untouched stub"),
+    Case("unseen_states", [[1, 0, -1]], FREE, "right", "a place hidden by an error"),
+    Case("unseen_states", [-2.0, 0, 2.0], FREE, "right", "floats, without the outer list"),
+    Case("unseen_states", [], GROWING, "right", "none"),
+    Case("unseen_states", [[1, 0, 1]], FREE, "wrong", "the sign of the error"),
+    Case("unseen_states", [[0, 0, 1]], FREE, "wrong", "the error alone"),
+    Case("unseen_states", [[1, 0, -1], [2, 0, -2]], FREE, "wrong", "one vector twice"),
+    Case("unseen_states", [[0, 0, 0]], FREE, "wrong", "zero"),
+    Case("unseen_states", [], FREE, "wrong", "none where there is one"),
+    Case("unseen_states", [[1, 0, -1]], GROWING, "wrong", "one where there is none"),
+    Case("unseen_states", [[1, 0]], FREE, "invalid", "without the error"),
+    Case("unseen_states", [[sp.nan, 0, -1]], FREE, "invalid", "an undefined component"),
+    Case("observable_parameters", BOTH, (*SINE, [w]), "right",
          "the resonance and the error that is not there"),
-    Case("observable_with_error_parameters", sp.Ne(sp.Abs(w), 2), (*COSINE, [w]), "right",
+    Case("observable_parameters", sp.Ne(sp.Abs(w), 2), (*COSINE, [w]), "right",
          "a cosine does not vanish at zero frequency"),
-    Case("observable_with_error_parameters", sp.And(sp.Ne(k, -1), sp.Ne(k, 3)), (*DECAY, [k]), "right",
+    Case("observable_parameters", sp.And(sp.Ne(k, -1), sp.Ne(k, 3)), (*DECAY, [k]), "right",
          "the two rates of the motion"),
-    Case("observable_with_error_parameters", sp.Ne(w**2, 4), (*SINE, [w]), "wrong", "zero frequency overlooked"),
-    Case("observable_with_error_parameters", BOTH, (*COSINE, [w]), "wrong", "zero frequency excluded for a cosine"),
-    Case("observable_with_error_parameters", sp.And(BOTH, sp.Ne(w, sp.sqrt(2))), (*SINE, [w]), "wrong",
+    Case("observable_parameters", sp.Ne(w**2, 4), (*SINE, [w]), "wrong", "zero frequency overlooked"),
+    Case("observable_parameters", BOTH, (*COSINE, [w]), "wrong", "zero frequency excluded for a cosine"),
+    Case("observable_parameters", sp.And(BOTH, sp.Ne(w, sp.sqrt(2))), (*SINE, [w]), "wrong",
          "an irrational value too many"),
-    Case("observable_with_error_parameters", k < -1, (*DECAY, [k]), "wrong", "errors that decay faster alone"),
-    Case("observable_with_error_parameters", w + 1, (*SINE, [w]), "invalid", "no condition"),
-    Case("state_found_parameters", sp.Ne(w**2, 4), (*SINE, [w]), "right",
+    Case("observable_parameters", k < -1, (*DECAY, [k]), "wrong", "errors that decay faster alone"),
+    Case("observable_parameters", w + 1, (*SINE, [w]), "invalid", "no condition"),
+    Case("observable_parameters", sp.Ne(w**2, 4), (*SINE, [w], "state"), "right",
          "the state is found where the error vanishes"),
-    Case("state_found_parameters", sp.false, (*MODES, [k]), "right", "for no value"),
-    Case("state_found_parameters", BOTH, (*SINE, [w]), "wrong", "what holds for both together"),
-    Case("state_found_parameters", sp.true, (*SINE, [w]), "wrong", "the resonance overlooked"),
-    Case("state_found_parameters", 3, (*SINE, [w]), "invalid", "a number"),
-    Case("amplitude_found_parameters", BOTH, (*SINE, [w]), "right", "neither at the resonance nor at zero"),
-    Case("amplitude_found_parameters", sp.Ne(w**2, 4), (*COSINE, [w]), "right", "a cosine"),
-    Case("amplitude_found_parameters", sp.Ne(w**2, 4), (*SINE, [w]), "wrong", "zero overlooked"),
-    Case("amplitude_found_parameters", sp.Ne(w, 0), (*SINE, [w]), "wrong", "the resonance overlooked"),
-    Case("amplitude_found_parameters", "always", (*SINE, [w]), "invalid", "a word"),
-    Case("unseen_with_error_where_lost", {0: [[0, 0, 1]], 2: [[0, 1, -1]], -2: [[0, 1, 1]]}, (*SINE, w), "right",
+    Case("observable_parameters", sp.false, (*MODES, [k], "state"), "right", "for no value"),
+    Case("observable_parameters", BOTH, (*SINE, [w], "state"), "wrong", "what holds for both together"),
+    Case("observable_parameters", sp.true, (*SINE, [w], "state"), "wrong", "the resonance overlooked"),
+    Case("observable_parameters", 3, (*SINE, [w], "state"), "invalid", "a number"),
+    Case("observable_parameters", BOTH, (*SINE, [w], "error"), "right", "neither at the resonance nor at zero"),
+    Case("observable_parameters", sp.Ne(w**2, 4), (*COSINE, [w], "error"), "right", "a cosine"),
+    Case("observable_parameters", sp.Ne(w**2, 4), (*SINE, [w], "error"), "wrong", "zero overlooked"),
+    Case("observable_parameters", sp.Ne(w, 0), (*SINE, [w], "error"), "wrong", "the resonance overlooked"),
+    Case("observable_parameters", "always", (*SINE, [w], "error"), "invalid", "a word"),
+    Case("unseen_where_lost", {0: [[0, 0, 1]], 2: [[0, 1, -1]], -2: [[0, 1, 1]]}, (*SINE, w), "right",
          "three values"),
-    Case("unseen_with_error_where_lost", {2.0: [1, 0, -1.0], -2.0: [sp.Matrix([2, 0, -2])]}, (*COSINE, w), "right",
+    Case("unseen_where_lost", {2.0: [1, 0, -1.0], -2.0: [sp.Matrix([2, 0, -2])]}, (*COSINE, w), "right",
          "floats and columns"),
-    Case("unseen_with_error_where_lost", {2: [[0, 1, -1]], -2: [[0, 1, 1]]}, (*SINE, w), "wrong", "a value forgotten"),
-    Case("unseen_with_error_where_lost", {0: [[0, 0, 1]], 2: [[0, 1, -1], [1, 0, 0]], -2: [[0, 1, 1]]}, (*SINE, w),
+    Case("unseen_where_lost", {2: [[0, 1, -1]], -2: [[0, 1, 1]]}, (*SINE, w), "wrong", "a value forgotten"),
+    Case("unseen_where_lost", {0: [[0, 0, 1]], 2: [[0, 1, -1], [1, 0, 0]], -2: [[0, 1, 1]]}, (*SINE, w),
          "wrong",
          "as if the phase of the error were free"),
-    Case("unseen_with_error_where_lost", {2: [[1, 0, -1]], -2: [[1, 0, -1]], 0: [[0, 0, 1]]}, (*COSINE, w), "wrong",
+    Case("unseen_where_lost", {2: [[1, 0, -1]], -2: [[1, 0, -1]], 0: [[0, 0, 1]]}, (*COSINE, w), "wrong",
          "a value too many"),
-    Case("unseen_with_error_where_lost", {2: [[1, 0, -1]], sp.Float("2.001"): [[1, 0, -1]], -2: [[1, 0, -1]]},
+    Case("unseen_where_lost", {2: [[1, 0, -1]], sp.Float("2.001"): [[1, 0, -1]], -2: [[1, 0, -1]]},
          (*COSINE, w), "wrong",
          "one value twice"),
-    Case("unseen_with_error_where_lost", [[0, 0, 1]], (*SINE, w), "invalid", "without the values"),
+    Case("unseen_where_lost", [[0, 0, 1]], (*SINE, w), "invalid", "without the values"),
     Case("augmented_system", [PAIR, sp.Matrix([[1, 0, 1, 0]])], (*SINE, [w]), "right", "sine and cosine"),
     Case("augmented_system", [RATE, [1, 0, 3, 0]], (*SINE, [w]), "right",
          "a third of the error and its rate, the row flat"),
     Case("augmented_system", [[[0, 1, 0], [0, 0, 0], [0, 0, 0]], [[1, 0, -1]]], FREE, "right",
          "the error with the other sign"),
-    Case("augmented_system", (np.diag([-1.0, 3.0, 0]), np.array([[1, 2, 1]])), (*DECAY[:2], ZERO_RATE, ONE, [1]),
+    Case("augmented_system", (np.diag([-1.0, 3.0, 0]), np.array([[1, 2, 1]])), (DECAY[0].subs(k, 0),),
          "right", "arrays"),
     Case("augmented_system", [PAIR, np.array([1.0, 0, 1, 0])], (*SINE, [w]), "right", "a row as an array"),
     Case("augmented_system", [PAIR, sp.Matrix([1, 0, 1, 0])], (*SINE, [w]), "right", "a row written as a column"),
@@ -96,17 +98,18 @@ CASES = [
          "an error that pushes"),
     Case("augmented_system", [sp.Matrix([[0, 1, 0], [0, 0, 0], [1, 0, 0]]), sp.Matrix([[1, 0, 1]])], FREE, "wrong",
          "a motion that makes errors"),
-    Case("augmented_system", [sp.diag(FREE[0], 1), sp.Matrix([[1, 0, 1]])], FREE, "wrong",
+    Case("augmented_system", [sp.diag(FREE[0].A, 1), sp.Matrix([[1, 0, 1]])], FREE, "wrong",
          "a growing error for a constant"),
-    Case("augmented_system", [sp.diag(FREE[0], 0.01), sp.Matrix([[1.0, 0, 1]])], FREE, "wrong",
+    Case("augmented_system", [sp.diag(FREE[0].A, 0.01), sp.Matrix([[1.0, 0, 1]])], FREE, "wrong",
          "an error that grows slowly, in decimals"),
-    Case("augmented_system", [sp.diag(FREE[0], 0), sp.Matrix([[2, 0, 1]])], FREE, "wrong",
+    Case("augmented_system", [sp.diag(FREE[0].A, 0), sp.Matrix([[2, 0, 1]])], FREE, "wrong",
          "another output of the motion"),
-    Case("augmented_system", [FREE[0], FIRST], FREE, "invalid", "nothing added"),
-    Case("augmented_system", sp.diag(FREE[0], 0), FREE, "invalid", "without the output"),
-    Case("augmented_system", [sp.diag(FREE[0], 0), sp.Matrix([[1, 0]])], FREE, "invalid",
+    Case("augmented_system", [FREE[0].A, FIRST], FREE, "invalid", "nothing added"),
+    Case("augmented_system", sp.diag(FREE[0].A, 0), FREE, "invalid", "without the output"),
+    Case("augmented_system", [sp.diag(FREE[0].A, 0), sp.Matrix([[1, 0]])], FREE, "invalid",
          "an output of the motion alone"),
-    Case("augmented_system", [sp.diag(FREE[0], sp.nan), sp.Matrix([[1, 0, 1]])], FREE, "invalid", "an undefined entry"),
+    Case("augmented_system", [sp.diag(FREE[0].A, sp.nan), sp.Matrix([[1, 0, 1]])], FREE, "invalid",
+         "an undefined entry"),
     Case("amplitude_from_output", z2 * sp.exp(-t), (*GROWING, [z, z1, z2], t), "right",
          "the second derivative sees the error alone"),
     Case("amplitude_from_output", z2 / sp.exp(t) + 0 * z, (*GROWING, [z, z1, z2], t), "right", "another form"),

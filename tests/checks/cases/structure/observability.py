@@ -2,28 +2,31 @@ import numpy as np
 import sympy as sp
 from case import Case
 
+from trajlib.systems import Linear
+
 a, b = sp.symbols("alpha beta", real=True)
 w = sp.symbols("omega", positive=True)
 r = sp.symbols("r", real=True)
 p = sp.Symbol("alpha")
 M = sp.Matrix
 # A chain that is seen from its head, and one whose output loses the eigenvalue 0: the motion (1, 0, -1) is not seen.
-CHAIN = (M([[0, 1, 0], [0, 0, 1], [2, 0, 0]]), M([[1, 0, 0]]))
-LOST = (M([[0, 1, 0], [1, 1, 1], [1, 0, 1]]), M([[0, 1, 0]]))
+CHAIN = (Linear(M([[0, 1, 0], [0, 0, 1], [2, 0, 0]]), H=M([[1, 0, 0]])),)
+LOST = (Linear(M([[0, 1, 0], [1, 1, 1], [1, 0, 1]]), H=M([[0, 1, 0]])),)
 # Two equal oscillators: their difference, a motion of two dimensions, is not seen.
-TWINS = (M([[0, 1, 0, 0], [-w**2, 0, 0, 0], [0, 0, 0, 1], [0, 0, -w**2, 0]]), M([[1, 0, 1, 0]]), [w])
+TWINS = (Linear(M([[0, 1, 0, 0], [-w**2, 0, 0, 0], [0, 0, 0, 1], [0, 0, -w**2, 0]]), H=M([[1, 0, 1, 0]])), [w])
 # The eigenvalues 1 and 4 are lost for alpha = 1 and alpha = -4; the last example for irrational values.
 VALUE = (M([[0, 1], [-4, 5]]), M([[1 - a, 4 + a]]), [a])
-RATIONAL = (M([[1, 0], [0, 2]]), M([[a - 1, 2 * a + 3]]), [a])
-ROOTS = (M([[0, 1], [2, 0]]), M([[a, 1]]), [a])
-TWO_OUTPUTS = (M([[0, 1], [1, 0]]), M([[a, 0], [0, b]]), [a, b])
-CURVE = (M([[0, 1], [-b, -a]]), M([[1, 1]]), [a, b])
-MODES = (M([[a, 0], [0, b]]), M([[1, 1]]), [a, b])
-EQUAL = (M([[1, 0], [0, 1]]), M([[1, r]]), [r])
-GAINS = (M([[1, 0], [0, 1]]), M([[a, b]]), [a, b])
-ALWAYS = (M([[0, 1], [-w**2, 0]]), M([[1, 0]]), [w])
-SOMETIMES = (M([[0, 1], [-w**2, 0]]), M([[1 - w, 0]]), [w])
-NEVER = (M([[a, 0], [0, a]]), M([[1, 1]]), [a])
+RATIONAL = (Linear(M([[1, 0], [0, 2]]), H=M([[a - 1, 2 * a + 3]])), [a])
+ROOTS = (Linear(M([[0, 1], [2, 0]]), H=M([[a, 1]])), [a])
+BLIND = (Linear(M([[0, 1], [2, 0]]), H=M([[0, 0]])),)
+TWO_OUTPUTS = (Linear(M([[0, 1], [1, 0]]), H=M([[a, 0], [0, b]])), [a, b])
+CURVE = (Linear(M([[0, 1], [-b, -a]]), H=M([[1, 1]])), [a, b])
+MODES = (Linear(M([[a, 0], [0, b]]), H=M([[1, 1]])), [a, b])
+EQUAL = (Linear(M([[1, 0], [0, 1]]), H=M([[1, r]])), [r])
+GAINS = (Linear(M([[1, 0], [0, 1]]), H=M([[a, b]])), [a, b])
+ALWAYS = (Linear(M([[0, 1], [-w**2, 0]]), H=M([[1, 0]])), [w])
+SOMETIMES = (Linear(M([[0, 1], [-w**2, 0]]), H=M([[1 - w, 0]])), [w])
+NEVER = (Linear(M([[a, 0], [0, a]]), H=M([[1, 1]])), [a])
 u, v = [1, 0, -1, 0], [0, 1, 0, -1]
 
 CASES = [
@@ -122,13 +125,13 @@ CASES = [
     Case("lost_eigenvalues", sp.FiniteSet(sp.I * w, -sp.I * w), TWINS, "right", "a finite set"),
     Case("lost_eigenvalues", {sp.I * w: 2, -sp.I * w: 2}, TWINS, "right", "as eigenvals() gives them"),
     Case("lost_eigenvalues", sp.S.EmptySet, CHAIN, "right", "none"),
-    Case("lost_eigenvalues", np.array([1.41, -1.41]), (ROOTS[0], M([[0, 0]])), "right", "decimals"),
+    Case("lost_eigenvalues", np.array([1.41, -1.41]), BLIND, "right", "decimals"),
     Case("lost_eigenvalues", [0, 2], LOST, "wrong", "an eigenvalue that is seen"),
     Case("lost_eigenvalues", [1], LOST, "wrong", "no eigenvalue"),
     Case("lost_eigenvalues", [], LOST, "wrong", "overlooked"),
     Case("lost_eigenvalues", [sp.I * w], TWINS, "wrong", "one of the pair"),
     Case("lost_eigenvalues", [w, -w], TWINS, "wrong", "real in the place of imaginary"),
-    Case("lost_eigenvalues", [1.4, -1.4], (ROOTS[0], M([[0, 0]])), "wrong", "two digits"),
+    Case("lost_eigenvalues", [1.4, -1.4], BLIND, "wrong", "two digits"),
     Case("lost_eigenvalues", "none", CHAIN, "invalid", "a word"),
 ]
 LIMITS = [

@@ -1,18 +1,20 @@
 import sympy as sp
 from case import Case
 
+from trajlib.systems import Varying
+
 t, w, a, b = sp.symbols("t omega a b", real=True)
 # A body on a line: H(t) mixes place and speed.
 FREE = sp.Matrix([[0, 1], [0, 0]])
-FADING = sp.Matrix([[1, -t]])  # z = x1 - t x2 is the start x1(0)
+FADES = (Varying(FREE, sp.Matrix([[1, -t]]), t), [])  # z = x1 - t x2 is the start x1(0)
 MIXED = sp.Matrix([[1, (w - 2) * t**2]])  # z = x10 + t x20 + (w - 2) t^2 x20
 RADAR = sp.Matrix([[sp.cos(w * t), sp.sin(w * t), 0, 0]])
 PLANE = sp.Matrix([[0, 0, 1, 0], [0, 0, 0, 1], [0, 0, 0, 0], [0, 0, 0, 0]])
 SIDEWAYS = {0: sp.Matrix([[0, 0], [1, 0], [0, 0], [0, 2]])}  # unseen by the direction that does not turn
 # z = x10 e^((1 + w) t) + (w - 1) x20 e^(4 t): one part vanishes, or both have one rate.
-GROWTH = (sp.diag(1, 3), sp.Matrix([[sp.exp(w * t), (w - 1) * sp.exp(t)]]), t)
+GROWTH = (Varying(sp.diag(1, 3), sp.Matrix([[sp.exp(w * t), (w - 1) * sp.exp(t)]]), t),)
 # The phase of an oscillator of frequency 2, compared with one of frequency w.
-BEAT = (sp.Matrix([[0, 2], [-2, 0]]), sp.Matrix([[sp.sin(w * t), sp.cos(w * t)]]), t)
+BEAT = (Varying(sp.Matrix([[0, 2], [-2, 0]]), sp.Matrix([[sp.sin(w * t), sp.cos(w * t)]]), t),)
 BEAT_Z = a * sp.sin((w - 2) * t) + b * sp.cos((w - 2) * t)
 ONES = sp.Matrix([[1, t]])
 WHOLE = sp.Matrix([[sp.Rational(1), 1], [1, sp.Rational(4, 3)]])  # of z = a + 2 t b on [0, 1]
@@ -24,25 +26,25 @@ SECOND = sp.Piecewise((HALF + SINE, w < 2), (HALF + SINE, w > 2), (1, True))
 
 CASES = [
     Case("varying_output", BEAT_Z, (*BEAT, [a, b], [w]), "right", "the difference of two frequencies"),
-    Case("varying_output", a, (FREE, FADING, t, [a, b], []), "right", "a constant"),
+    Case("varying_output", a, (FADES[0], [a, b], []), "right", "a constant"),
     Case("varying_output", sp.expand_trig(sp.expand(BEAT_Z)), (*BEAT, [a, b], [w]), "right", "products"),
     Case("varying_output", BEAT_Z.subs(w, w + 4), (*BEAT, [a, b], [w]), "wrong", "the sum of the frequencies"),
-    Case("varying_output", a - t * b, (FREE, FADING, t, [a, b], []), "wrong", "the state held fast"),
+    Case("varying_output", a - t * b, (FADES[0], [a, b], []), "wrong", "the state held fast"),
     Case("varying_output", sp.Piecewise((BEAT_Z, w > 1)), (*BEAT, [a, b], [w]), "wrong",
          "defined for some parameters alone"),
     Case("varying_output", sp.Symbol("x1"), (*BEAT, [a, b], [w]), "invalid", "a symbol that is not of the start"),
-    Case("derivative_rows", [[1, -t], [0, 0]], (FREE, FADING, t, []), "right", "a first integral"),
-    Case("derivative_rows", sp.Matrix([[1, t], [0, 2]]), (FREE, ONES, t, []), "right", "a power of t"),
-    Case("derivative_rows", sp.Matrix([[1, -t], [0, 1]]), (FREE, FADING, t, []), "wrong", "H and HA"),
-    Case("derivative_rows", sp.Matrix([[1, -t], [0, -1]]), (FREE, FADING, t, []), "wrong", "H and its derivative"),
-    Case("derivative_rows", sp.Matrix([[1, 0], [0, 0]]), (FREE, FADING, t, []), "wrong", "at t = 0 alone"),
-    Case("derivative_rows", sp.Matrix([[1, -t]]), (FREE, FADING, t, []), "invalid", "a single row"),
-    Case("output_gramian", WHOLE, (FREE, ONES, t, 1, []), "right", "a polynomial"),
-    Case("output_gramian", [[1.0, 1.0], [1.0, 1.333]], (FREE, ONES, t, 1, []), "right", "decimals"),
-    Case("output_gramian", sp.Matrix([[1, 1], [1, 1.3]]), (FREE, ONES, t, 1, []), "wrong", "two digits"),
-    Case("output_gramian", 2 * WHOLE, (FREE, ONES, t, 1, []), "wrong", "twice as much"),
+    Case("derivative_rows", [[1, -t], [0, 0]], FADES, "right", "a first integral"),
+    Case("derivative_rows", sp.Matrix([[1, t], [0, 2]]), (Varying(FREE, ONES, t), []), "right", "a power of t"),
+    Case("derivative_rows", sp.Matrix([[1, -t], [0, 1]]), FADES, "wrong", "H and HA"),
+    Case("derivative_rows", sp.Matrix([[1, -t], [0, -1]]), FADES, "wrong", "H and its derivative"),
+    Case("derivative_rows", sp.Matrix([[1, 0], [0, 0]]), FADES, "wrong", "at t = 0 alone"),
+    Case("derivative_rows", sp.Matrix([[1, -t]]), FADES, "invalid", "a single row"),
+    Case("output_gramian", WHOLE, (Varying(FREE, ONES, t), 1, []), "right", "a polynomial"),
+    Case("output_gramian", [[1.0, 1.0], [1.0, 1.333]], (Varying(FREE, ONES, t), 1, []), "right", "decimals"),
+    Case("output_gramian", sp.Matrix([[1, 1], [1, 1.3]]), (Varying(FREE, ONES, t), 1, []), "wrong", "two digits"),
+    Case("output_gramian", 2 * WHOLE, (Varying(FREE, ONES, t), 1, []), "wrong", "twice as much"),
     Case("output_gramian", sp.Matrix([[1, sp.Rational(1, 2)], [sp.Rational(1, 2), sp.Rational(1, 3)]]),
-         (FREE, ONES, t, 1, []), "wrong",
+         (Varying(FREE, ONES, t), 1, []), "wrong",
          "the state held fast"),
     Case("output_gramian", [[FIRST, BOTH], [BOTH, 1 - FIRST]], (*BEAT, 1, [w]), "right",
          "a limit in some entries, where the others have no value"),
@@ -55,39 +57,39 @@ CASES = [
     Case("output_gramian", [[FIRST, MEAN], [MEAN, sp.Piecewise((1/(w - 2), sp.Eq(w, 2)), (HALF + SINE, True))]],
          (*BEAT, 1, [w]), "wrong", "a value left out in the case that is for it"),
     Case("output_gramian", [[FIRST, BOTH], [BOTH, HALF - SINE]], (*BEAT, 1, [w]), "wrong", "twice the first"),
-    Case("output_gramian", sp.Matrix([1, 1]), (FREE, ONES, t, 1, []), "invalid", "a column"),
+    Case("output_gramian", sp.Matrix([1, 1]), (Varying(FREE, ONES, t), 1, []), "invalid", "a column"),
     Case("frozen_determinant", 2, (*BEAT, [w]), "right", "the same at all moments"),
     Case("frozen_determinant", 2 * sp.cos(w * t)**2 + 2 * sp.sin(w * t)**2, (*BEAT, [w]), "right", "not simplified"),
     Case("frozen_determinant", 2 - w, (*BEAT, [w]), "wrong", "with the derivative of H"),
     Case("frozen_determinant", -2, (*BEAT, [w]), "wrong", "the rows interchanged"),
     Case("frozen_determinant", "two", (*BEAT, [w]), "invalid", "a word"),
-    Case("varying_observable_parameters", sp.Ne(w, 2), (*BEAT, [w]), "right", "the common frequency"),
-    Case("varying_observable_parameters", sp.Ne(w, 0), (PLANE, RADAR, t, [w]), "right",
+    Case("observable_parameters", sp.Ne(w, 2), (*BEAT, [w]), "right", "the common frequency"),
+    Case("observable_parameters", sp.Ne(w, 0), (Varying(PLANE, RADAR, t), [w]), "right",
          "a direction that turns; frozen rows fail"),
-    Case("varying_observable_parameters", sp.And(sp.Ne(w, 1), sp.Ne(w, 3)), (*GROWTH, [w]), "right", "exponentials"),
-    Case("varying_observable_parameters", sp.Ne(w, 1), (*GROWTH, [w]), "wrong", "equal rates overlooked"),
-    Case("varying_observable_parameters", sp.true, (FREE, MIXED, t, [w]), "right", "polynomials, always"),
-    Case("varying_observable_parameters", sp.true, (*BEAT, [w]), "wrong", "the frozen test"),
-    Case("varying_observable_parameters", sp.Ne(w**2, 4), (*BEAT, [w]), "wrong",
+    Case("observable_parameters", sp.And(sp.Ne(w, 1), sp.Ne(w, 3)), (*GROWTH, [w]), "right", "exponentials"),
+    Case("observable_parameters", sp.Ne(w, 1), (*GROWTH, [w]), "wrong", "equal rates overlooked"),
+    Case("observable_parameters", sp.true, (Varying(FREE, MIXED, t), [w]), "right", "polynomials, always"),
+    Case("observable_parameters", sp.true, (*BEAT, [w]), "wrong", "the frozen test"),
+    Case("observable_parameters", sp.Ne(w**2, 4), (*BEAT, [w]), "wrong",
          "the opposite direction excluded as well"),
-    Case("varying_observable_parameters", sp.And(sp.Ne(w, 2), sp.Ne(w, sp.sqrt(3))), (*BEAT, [w]), "wrong",
+    Case("observable_parameters", sp.And(sp.Ne(w, 2), sp.Ne(w, sp.sqrt(3))), (*BEAT, [w]), "wrong",
          "an irrational value too many"),
-    Case("varying_observable_parameters", sp.false, (PLANE, RADAR, t, [w]), "wrong", "the frozen test again"),
-    Case("varying_observable_parameters", sp.Ne(w, 2), (FREE, MIXED, t, [w]), "wrong",
+    Case("observable_parameters", sp.false, (Varying(PLANE, RADAR, t), [w]), "wrong", "the frozen test again"),
+    Case("observable_parameters", sp.Ne(w, 2), (Varying(FREE, MIXED, t), [w]), "wrong",
          "a coefficient that vanishes, and does no harm"),
-    Case("varying_observable_parameters", w - 2, (*BEAT, [w]), "invalid", "no condition"),
-    Case("varying_observable_parameters", sp.Ne(w, 2), (FREE, sp.Matrix([[1, 1 / (1 + t)]]), t, [w]), "unchecked",
+    Case("observable_parameters", w - 2, (*BEAT, [w]), "invalid", "no condition"),
+    Case("observable_parameters", sp.Ne(w, 2), (Varying(FREE, sp.Matrix([[1, 1 / (1 + t)]]), t), [w]), "unchecked",
          "a row beyond the method"),
-    Case("varying_unseen_where_lost", {2: [[1, 0]]}, (*BEAT, w), "right", "one value"),
-    Case("varying_unseen_where_lost", SIDEWAYS, (PLANE, RADAR, w), "unchecked", "the time forgotten in the data"),
-    Case("varying_unseen_where_lost", SIDEWAYS, (PLANE, RADAR, t, w), "right", "a plane, as columns"),
-    Case("varying_unseen_where_lost", {}, (FREE, MIXED, t, w), "right", "no value"),
-    Case("varying_unseen_where_lost", {2: [[0, 1]]}, (*BEAT, w), "wrong", "what is seen"),
-    Case("varying_unseen_where_lost", {2: [[1, 0]], -2: [[1, 0]]}, (*BEAT, w), "wrong", "a value too many"),
-    Case("varying_unseen_where_lost", {0: [[0, 1, 0, 0]]}, (PLANE, RADAR, t, w), "wrong", "half of the plane"),
-    Case("varying_unseen_where_lost", {}, (*BEAT, w), "wrong", "none"),
-    Case("varying_unseen_where_lost", [[1, 0]], (*BEAT, w), "invalid", "without the value"),
-    Case("varying_unseen_where_lost", ..., (*BEAT, w), "missing", "the untouched stub"),
+    Case("unseen_where_lost", {2: [[1, 0]]}, (*BEAT, w), "right", "one value"),
+    Case("unseen_where_lost", SIDEWAYS, (Varying(PLANE, RADAR, w),), "unchecked", "the time forgotten in the data"),
+    Case("unseen_where_lost", SIDEWAYS, (Varying(PLANE, RADAR, t), w), "right", "a plane, as columns"),
+    Case("unseen_where_lost", {}, (Varying(FREE, MIXED, t), w), "right", "no value"),
+    Case("unseen_where_lost", {2: [[0, 1]]}, (*BEAT, w), "wrong", "what is seen"),
+    Case("unseen_where_lost", {2: [[1, 0]], -2: [[1, 0]]}, (*BEAT, w), "wrong", "a value too many"),
+    Case("unseen_where_lost", {0: [[0, 1, 0, 0]]}, (Varying(PLANE, RADAR, t), w), "wrong", "half of the plane"),
+    Case("unseen_where_lost", {}, (*BEAT, w), "wrong", "none"),
+    Case("unseen_where_lost", [[1, 0]], (*BEAT, w), "invalid", "without the value"),
+    Case("unseen_where_lost", ..., (*BEAT, w), "missing", "the untouched stub"),
 ]
 LIMITS = ["H(t) has to consist of sines, cosines, exponentials and powers of t, and be rational with its derivatives "
           "at t = 0."]

@@ -2,14 +2,16 @@ import numpy as np
 import sympy as sp
 from case import Case
 
+from trajlib.systems import Linear
+
 k, c = sp.symbols("k", real=True), sp.symbols("c", positive=True)
 half = sp.Rational(1, 2)
 # Eigenvalues 1, 2, 3 with the coordinate axes as eigenvectors: the first is lost at 2, the other two together at 1/2.
-AXES = (sp.diag(1, 2, 3), sp.Matrix([[k - 2, 2 * k - 1, 1 - 2 * k]]), k)
+AXES = (Linear(sp.diag(1, 2, 3), H=sp.Matrix([[k - 2, 2 * k - 1, 1 - 2 * k]])), k)
 # A plane of eigenvectors and two outputs: lost at -1; the eigenvalue 5 is lost by the first output alone, at 4.
-PLANE = (sp.diag(1, 1, 5), sp.Matrix([[1, k + 2, 4 - k], [1, 1, 1]]), k)
-ALWAYS = (sp.Matrix([[0, 1], [-1, 0]]), sp.Matrix([[1, k]]), k)
-POSITIVE = (sp.diag(1, 2), sp.Matrix([[c**2 - 4, 1]]), c)
+PLANE = (Linear(sp.diag(1, 1, 5), H=sp.Matrix([[1, k + 2, 4 - k], [1, 1, 1]])), k)
+ALWAYS = (Linear(sp.Matrix([[0, 1], [-1, 0]]), H=sp.Matrix([[1, k]])), k)
+POSITIVE = (Linear(sp.diag(1, 2), H=sp.Matrix([[c**2 - 4, 1]])), c)
 FLAT = sp.Matrix([[0, 1, 0], [0, 0, 1]])
 BOTH = {2: [[1, 0, 0]], half: [[0, 1, 0], [0, 0, 1]]}
 

@@ -8,6 +8,8 @@ import sympy as sp
 from sympy.core.relational import Relational
 
 from oracles.sameness import LOGIC, differs_somewhere, holds
+from oracles.structure.records import kalman
+from trajlib.systems import Linear, Scalar, WithError
 
 VALUES = (sp.Rational(1, 7), sp.Rational(3, 5), sp.Rational(13, 9), sp.Integer(4), sp.Integer(31))
 
@@ -45,29 +47,43 @@ def _empty(*answers):
     return any(isinstance(answer, (list, tuple)) and not answer for answer in answers)
 
 
-def observer_gain(mutant, reference, A, H, parameters=(), given=sp.true, margin=0, polynomial=None, symbol=None):
+def observer_gain(mutant, reference, system, *parameters, **required):
+    return _is_gain(mutant, reference, system.A, system.H, *parameters, **required)
+
+
+def _is_gain(mutant, reference, A, H, parameters=(), given=sp.true, margin=0, polynomial=None, symbol=None):
     if _empty(mutant, reference):
         return _empty(mutant) and _empty(reference)
     L = _of_shape(mutant, A.rows, H.rows)
     return L.shape == (A.rows, H.rows) and _meets(A - L*H, parameters, margin, polynomial, symbol, given)
 
 
-def feedback_gain(mutant, reference, A, B, H=None, **required):
+def feedback_gain(mutant, reference, system, **required):
+    """Of a system with an output the static feedback."""
+    return _is_feedback(mutant, reference, system.A, system.B, system.H if system.H.rows else None, **required)
+
+
+def _is_feedback(mutant, reference, A, B, H=None, **required):
     H = sp.eye(A.rows) if H is None else H
     if _empty(mutant, reference):
         return _empty(mutant) and _empty(reference)
     K = _of_shape(mutant, B.cols, H.rows)
     # A + BKH = A - (-B)(KH): -B as a gain for the output KH
-    return K.shape == (B.cols, H.rows) and observer_gain(-B, None, A, K*H, **required)
+    return K.shape == (B.cols, H.rows) and _is_gain(-B, None, A, K*H, **required)
 
 
-def estimate_gains(mutant, reference, A, B, H, parameters=(), given=sp.true, margin=0, S=None, c=None):
+def estimate_gains(mutant, reference, system, **required):
     if _empty(mutant, reference):
         return _empty(mutant) and _empty(reference)
-    observed, output = (A, H) if S is None else (sp.diag(A, S), H.row_join(c))
-    required = {"parameters": parameters, "given": given, "margin": margin}
-    return (len(mutant) == 2 and feedback_gain(mutant[0], None, A, B, **required)
-            and observer_gain(mutant[1], None, observed, output, **required))
+    return (len(mutant) == 2 and _is_feedback(mutant[0], None, system.A, system.B, **required)
+            and _is_gain(mutant[1], None, *_observed(system), **required))
+
+
+def _observed(system):
+    """(A, H), with the error of a measurement below the state."""
+    if not isinstance(system, WithError):
+        return system.A, system.H
+    return sp.diag(system.A, system.S), system.H.row_join(system.c)
 
 
 def state_form(mutant, reference, equation):
@@ -91,11 +107,11 @@ def equation_gains(mutant, reference, equation):
               for root in sp.roots(sp.gcd(equation.left, side), equation.symbol)]
     margin = -max(map(sp.re, common)) if common else 0
     return len(mutant) == 6 and state_form(mutant[:4], None, equation) and estimate_gains(
-        mutant[4:], [1], sp.Matrix(mutant[0]), _of_shape(mutant[1], equation.order, 1),
-        _of_shape(mutant[3], 1, equation.order), margin=margin)
+        mutant[4:], [1], Linear(mutant[0], _of_shape(mutant[1], equation.order, 1),
+                                _of_shape(mutant[3], 1, equation.order)), margin=margin)
 
 
-def equation_region(mutant, reference, equation, gain, parameters):
+def _equation_region(mutant, equation, gain, parameters):
     """At all roots of Hurwitz's minors and of the terms of the mutant, and between them, for a single parameter."""
     if not isinstance(mutant, LOGIC):
         return False
@@ -110,9 +126,10 @@ def equation_region(mutant, reference, equation, gain, parameters):
                for place in (*turns, *between, *ends))
 
 
-def observer_equations(mutant, reference, A, B, H, estimates, outputs, controls=(), parameters=(), given=sp.true,
+def observer_equations(mutant, reference, system, estimates, outputs, controls=(), parameters=(), given=sp.true,
                        margin=0, polynomial=None, symbol=None):
     """The rate of d = x - e is computed with symbols: it must not hold x and u."""
+    A, B, H = system.A, system.B, system.H
     state = sp.Matrix(sp.symbols(f"x1:{A.rows + 1}", cls=sp.Dummy))
     error = sp.Matrix(sp.symbols(f"d1:{A.rows + 1}", cls=sp.Dummy))
     if len(list(mutant)) != A.rows:
@@ -188,22 +205,24 @@ def _zeros(mutant, parameters):
                             for root in sp.Poly(term, parameters[k]).ground_roots())
 
 
-def observer_region(mutant, reference, A, H, gain, parameters, margin=0):
-    return _region(mutant, A - gain*H, parameters, margin)
-
-
-def feedback_region(mutant, reference, A, B, gain, parameters, H=None, margin=0):
-    return _region(mutant, A + B*gain*(sp.eye(A.rows) if H is None else H), parameters, margin)
+def gain_region(mutant, reference, system, gain, parameters, margin=0):
+    if isinstance(system, Scalar):
+        return _equation_region(mutant, system, gain, parameters)
+    A, B, H = system.A, system.B, system.H
+    loop = A - gain*H if not B.cols else A + B*gain*H if H.rows else A + B*gain
+    return _region(mutant, loop, parameters, margin)
 
 
 @functools.lru_cache(maxsize=256)
 def _hidden(matrix, output):
     """The eigenvalues of modes that the output does not show."""
+    if kalman(matrix, output).rank() == matrix.rows:
+        return []
     return [root for root in matrix.eigenvals()
             if (matrix - root*sp.eye(matrix.rows)).col_join(output).rank() < matrix.rows]
 
 
-def observer_margins(mutant, reference, A, H, mu, parameters=()):
+def possible_margins(mutant, reference, system, mu, parameters=()):
     """On a grid of the parameters, by the rank of (A - lambda E; H) at each eigenvalue; at every place about the margin
     found and about the roots of the mutant's terms in mu."""
     if not isinstance(mutant, LOGIC):
@@ -213,8 +232,7 @@ def observer_margins(mutant, reference, A, H, mu, parameters=()):
     grid = [sp.Rational(k, 2) for k in range(-4, 5)]
     for place in itertools.product(grid, repeat=len(parameters)):
         values = dict(zip(parameters, place))
-        matrix, output, said = (part.subs(values) for part in (A, H, mutant))
-        hidden = _hidden(*(sp.ImmutableMatrix(part) for part in (matrix, output)))
+        said, hidden = mutant.subs(values), _out_of_reach(system, values)
         best = min((-sp.re(root) for root in hidden), default=None)
         turns = [root for atom in said.atoms(Relational) for root in sp.Poly(atom.lhs - atom.rhs, mu).real_roots()]
         turns += [best] if hidden else []
@@ -225,7 +243,17 @@ def observer_margins(mutant, reference, A, H, mu, parameters=()):
     return True
 
 
-def observer_obstacle(mutant, reference, A, H, parameters=()):
+def _out_of_reach(system, values):
+    """The eigenvalues that no gain changes; of a `Scalar` the common roots of its sides."""
+    if isinstance(system, Scalar):
+        return [root for side in (system.right, system.measured)
+                for root in sp.roots(sp.gcd(system.left, side), system.symbol)]
+    pairs = [(system.A.T, system.B.T)]*(system.B.cols > 0) + [_observed(system)]*(system.H.rows > 0)
+    return [root for pair in pairs for root in _hidden(*(sp.ImmutableMatrix(part.subs(values)) for part in pair))]
+
+
+def observer_obstacle(mutant, reference, system, parameters=()):
+    A, H = system.A, system.H
     if not mutant or not reference:
         return not mutant and not reference
     places = [{p: value for p in parameters} for value in (0, *VALUES)]
@@ -241,7 +269,5 @@ def observer_obstacle(mutant, reference, A, H, parameters=()):
 
 
 ORACLES = {"observer_gain": observer_gain, "feedback_gain": feedback_gain, "estimate_gains": estimate_gains,
-           "state_form": state_form, "equation_gains": equation_gains, "equation_region": equation_region,
-           "observer_equations": observer_equations, "observer_region": observer_region,
-           "feedback_region": feedback_region, "observer_margins": observer_margins,
-           "observer_obstacle": observer_obstacle}
+           "state_form": state_form, "equation_gains": equation_gains, "observer_equations": observer_equations,
+           "gain_region": gain_region, "possible_margins": possible_margins, "observer_obstacle": observer_obstacle}

@@ -8,16 +8,8 @@ import sympy as sp
 from sympy.core.relational import Relational
 
 from oracles.sameness import LOGIC, same_value
-
-
-def kalman(A, H):
-    return _kalman(A.as_immutable(), H.as_immutable())
-
-
-@functools.lru_cache(maxsize=32)
-def _kalman(A, H):
-    """The same for all mutants of an answer."""
-    return sp.ImmutableMatrix.vstack(*[H * A**k for k in range(A.rows)])
+from oracles.structure.records import kalman, reached, seen
+from trajlib.systems import Deviations, Varying, WithError
 
 
 @functools.lru_cache(maxsize=32)
@@ -25,15 +17,33 @@ def _simplified_rank(matrix):
     return matrix.rank(simplify=True)
 
 
-def transposed(oracle):
-    """The oracle of the dual question."""
-    return lambda mutant, reference, A, B, *rest: oracle(mutant, reference, A.T, B.T, *rest)
-
-
-def observable_parameters(mutant, reference, A, H, parameters, holds=True):
+def region(rows, holds=True):
     """As the minors of Kalman's matrix say, along lines on which one parameter varies: at every root of theirs and of
     the mutant's terms, irrational ones too, and between them; where the data allow the value."""
-    return _as_minors_say(mutant, kalman(A, H), parameters, holds)
+    return lambda mutant, reference, system, parameters: _as_minors_say(mutant, rows(system), parameters, holds)
+
+
+def observable_parameters(mutant, reference, system, parameters, part=None):
+    """The same, and for an error in the measurement by what the vectors that are not seen have of the state, or of
+    C."""
+    n = system.unknowns - 1
+    found = {None: lambda v: False, "state": lambda v: not any(v[:n]), "error": lambda v: v[n] == 0}[part]
+    if not isinstance(system, (WithError, Varying)):
+        return _as_minors_say(mutant, seen(system), parameters, True)
+    return _where(mutant, seen(system), *parameters, found)
+
+
+def _where(mutant, N, parameter, found):
+    """Whether a condition holds exactly at those values where `found` is true of all vectors of the null space."""
+    if not isinstance(mutant, LOGIC):
+        return False
+    rows = [N.row(i) for i in range(N.rows) if any(N.row(i))]
+    minors = (sp.Poly(sp.Matrix.vstack(*chosen).det(), parameter)
+              for chosen in itertools.combinations(rows[:8], N.cols))
+    common = functools.reduce(sp.gcd, (minor for minor in minors if not minor.is_zero))
+    return all(_holds(mutant, parameter, value)
+               == all(found(v) for v in N.subs(parameter, value).applyfunc(sp.simplify).nullspace())
+               for value in _values(parameter, common, mutant))
 
 
 def locally_determined(mutant, reference, measured, unknowns, parameters, at=None):
@@ -68,23 +78,19 @@ def _minors_on_lines(N, parameters):
     return found
 
 
-def unobservable_parameters(mutant, reference, A, H, parameters):
-    return observable_parameters(mutant, reference, A, H, parameters, holds=False)
-
-
-def mechanical_controllable_parameters(mutant, reference, system, parameters):
-    A, B = _first_order(system.M, system.D, system.K, system.L)
-    return observable_parameters(mutant, reference, A.T, B.T, parameters)
-
-
-def unseen_states(mutant, reference, A, H, parameters=()):
+def basis(rows):
     """True for independent vectors of the null space of Kalman's matrix, as many as it has dimensions."""
-    N = kalman(A, H)
-    vectors = [sp.Matrix(list(vector)) for vector in mutant]
-    if any(v.rows != A.rows or not _is_zero(N * v) for v in vectors):
+    return lambda mutant, reference, system, parameters=(): is_basis(mutant, rows(system).as_immutable())
+
+
+def is_basis(vectors, N):
+    if not isinstance(vectors, (list, tuple)) or any(not isinstance(v, (list, tuple, sp.MatrixBase))
+                                                     or len(v) != N.cols for v in vectors):
         return False
-    count = A.rows - _simplified_rank(N)
-    return len(vectors) == count and (not vectors or sp.Matrix.hstack(*vectors).rank(simplify=True) == count)
+    vectors = [sp.Matrix(list(vector)) for vector in vectors]
+    count = N.cols - _simplified_rank(N)
+    return (all(_is_zero(N * v) for v in vectors) and len(vectors) == count
+            and (not vectors or sp.Matrix.hstack(*vectors).rank(simplify=True) == count))
 
 
 def same_numbers(mutant, reference, *_):
@@ -95,7 +101,15 @@ def same_numbers(mutant, reference, *_):
             and all(any(same_value(a, b) for a in mutant) for b in reference))
 
 
-def observability_split(mutant, reference, A, H, parameters=()):
+def observability_split(mutant, reference, system, parameters=()):
+    return _is_split(mutant, system.A, system.H, parameters)
+
+
+def controllability_split(mutant, reference, system, parameters=()):
+    return _is_split(sp.Matrix(mutant).T, system.A.T, system.B.T, parameters)
+
+
+def _is_split(mutant, A, H, parameters):
     """True if T is invertible and T A T^-1, H T^-1 have the zeros of the form (2.7)."""
     T = sp.Matrix(mutant)
     if T.shape != A.shape or sp.simplify(T.det()) == 0 or not _keeps_rank(T, A, H, parameters):
@@ -103,13 +117,18 @@ def observability_split(mutant, reference, A, H, parameters=()):
     return _has_blocks(T * A * T.inv(), H * T.inv(), _simplified_rank(kalman(A, H)))
 
 
-def controllability_split(mutant, reference, A, B, parameters=()):
-    return observability_split(sp.Matrix(mutant).T, reference, A.T, B.T, parameters)
+def observability_split_system(mutant, reference, system, parameters=()):
+    return len(mutant) == 2 and _is_split_system(mutant, system.A, system.H, parameters)
 
 
-def observability_split_system(mutant, reference, A, H, parameters=()):
+def controllability_split_system(mutant, reference, system, parameters=()):
+    return len(mutant) == 2 and _is_split_system([sp.Matrix(part).T for part in mutant], system.A.T, system.B.T,
+                                                 parameters)
+
+
+def _is_split_system(mutant, A, H, parameters):
     """True if the blocks are zero and some invertible T has T A = A' T and H = H' T."""
-    if len(mutant) != 2 or sp.Matrix(mutant[0]).shape != A.shape or sp.Matrix(mutant[1]).shape != H.shape:
+    if sp.Matrix(mutant[0]).shape != A.shape or sp.Matrix(mutant[1]).shape != H.shape:
         return False
     new_A, new_H = map(sp.Matrix, mutant)
     if not _keeps_rank(kalman(new_A, new_H), A, H, parameters):
@@ -117,14 +136,14 @@ def observability_split_system(mutant, reference, A, H, parameters=()):
     return _has_blocks(new_A, new_H, _simplified_rank(kalman(A, H))) and _is_image(A, H, new_A, new_H)
 
 
-def controllability_split_system(mutant, reference, A, B, parameters=()):
-    return len(mutant) == 2 and observability_split_system([sp.Matrix(part).T for part in mutant], reference, A.T, B.T,
-                                                           parameters)
+def by_components(oracle):
+    """Of a system with a control the transposed matrices."""
+    return lambda mutant, reference, system: (oracle(sp.Matrix(mutant).T, system.A.T, system.B.T) if system.B.cols else
+                                              oracle(sp.Matrix(mutant), system.A, system.H))
 
 
-def sequential_outputs(mutant, reference, A, H):
+def sequential(T, A, H):
     """True if the parts of T are invariant one after the other and each output shows its own part alone."""
-    T = sp.Matrix(mutant)
     if T.shape != A.shape or T.det() == 0:
         return False
     new_A, new_H = T * A * T.inv(), H * T.inv()
@@ -137,9 +156,9 @@ def sequential_outputs(mutant, reference, A, H):
     return True
 
 
-def parallel_outputs(mutant, reference, A, H):
+def parallel(T, A, H):
     """True if every part of T lies, power by power, in the span of its own chain and of lower powers."""
-    T, n = sp.Matrix(mutant), A.rows
+    n = A.rows
     if T.shape != A.shape or T.det() == 0:
         return False
     levels = [sp.Matrix.vstack(*[H * A**j for j in range(k + 1)]) for k in range(n)]
@@ -157,8 +176,13 @@ def parallel_outputs(mutant, reference, A, H):
     return True
 
 
-def similarity(mutant, reference, A_from, A_to, parameters=()):
-    S = sp.Matrix(mutant)
+def similarity(mutant, reference, system, other, parameters=()):
+    """True if S is invertible and turns A into the other matrix, in deviations the derivatives of the field along the
+    motion, taken one by one."""
+    S, A_from = sp.Matrix(mutant), system.A
+    n = A_from.rows
+    A_to = other.A if not isinstance(other, Deviations) else sp.Matrix(n, n, lambda i, j: sp.diff(
+        other.field[i], other.state[j]).subs(other.motion))
     return S.shape == A_from.shape and sp.simplify(S.det()) != 0 and _is_zero(S * A_from - A_to * S)
 
 
@@ -210,12 +234,6 @@ def _meeting(one, other):
     return sp.Matrix.vstack(sp.zeros(0, one.cols), *[relation[:one.rows, :].T * one for relation in relations])
 
 
-def _first_order(M, D, K, L):
-    n, inverse = M.rows, M.inv()
-    A = sp.zeros(n).row_join(sp.eye(n)).col_join((-inverse * K).row_join(-inverse * D))
-    return A, sp.zeros(n, L.cols).col_join(inverse * L)
-
-
 def _lines(parameters):
     """Values of all parameters but one, each of them in turn left free."""
     for free in parameters:
@@ -265,22 +283,17 @@ def _allowed(symbol, value):
 ORACLES = {
     "observable_parameters": observable_parameters,
     "locally_determined": locally_determined,
-    "unobservable_parameters": unobservable_parameters,
-    "controllable_parameters": transposed(observable_parameters),
-    "mechanical_controllable_parameters": mechanical_controllable_parameters,
-    "unseen_states": unseen_states,
-    "uncontrolled_combinations": transposed(unseen_states),
+    "unobservable_parameters": region(seen, holds=False),
+    "controllable_parameters": region(reached),
+    "unseen_states": basis(seen),
+    "uncontrolled_combinations": basis(reached),
     "lost_eigenvalues": same_numbers,
     "uncontrolled_eigenvalues": same_numbers,
-    "mechanical_lost_eigenvalues": same_numbers,
-    "mechanical_uncontrolled_eigenvalues": same_numbers,
     "observability_split": observability_split,
     "controllability_split": controllability_split,
     "observability_split_system": observability_split_system,
     "controllability_split_system": controllability_split_system,
-    "sequential_outputs": sequential_outputs,
-    "parallel_outputs": parallel_outputs,
-    "sequential_inputs": lambda mutant, reference, A, B: sequential_outputs(sp.Matrix(mutant).T, reference, A.T, B.T),
-    "parallel_inputs": lambda mutant, reference, A, B: parallel_outputs(sp.Matrix(mutant).T, reference, A.T, B.T),
+    "sequential_split": by_components(sequential),
+    "parallel_split": by_components(parallel),
     "similarity": similarity,
 }

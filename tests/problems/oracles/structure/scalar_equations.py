@@ -4,22 +4,17 @@ import sympy as sp
 from sympy.core.function import AppliedUndef
 
 
-def canonical_equation(mutant, reference, A, B, motion, control, parameters=()):
+def scalar_equation(mutant, reference, system, motion, control, parameters=()):
     """Left less right, as a linear form in the derivatives, is that of the reference times a factor that is not
     zero."""
     if not isinstance(mutant, sp.Eq):
         return False
     one, other = (sp.expand((side.lhs - side.rhs).doit()) for side in (mutant, reference))
-    top = motion.diff(motion.args[0], A.rows)
+    top = motion.diff(motion.args[0], system.A.rows)
     factor = sp.cancel(one.coeff(top) / other.coeff(top))
     if factor == 0 or factor.free_symbols - set(parameters) or factor.atoms(AppliedUndef):
         return False
     return sp.simplify(sp.expand(one - factor * other)) == 0
 
 
-def scalar_equation(mutant, reference, A, B, output, motion, control, parameters=()):
-    """The same for another combination of the state."""
-    return canonical_equation(mutant, reference, A, B, motion, control, parameters)
-
-
-ORACLES = {"canonical_equation": canonical_equation, "scalar_equation": scalar_equation}
+ORACLES = {"scalar_equation": scalar_equation}
