@@ -10,7 +10,7 @@ Matrix([
 Matrix([[0, 0]])
 """
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, field, fields
 
 import sympy as sp
 
@@ -107,6 +107,33 @@ class Varying:
     def subs(self, *values):
         """The system with values, or other expressions, for its symbols."""
         return Varying(self.A.subs(*values), self.H.subs(*values), self.time)
+
+
+@dataclass(frozen=True)
+class Measurements:
+    """Measurements z = h(x) of constant unknowns x: the `quantities` measured, the symbols that are `unknown`, and `at`
+    {symbol: expression} where these are, unless they stand for any values.
+
+    >>> x, y = sp.symbols("x y")
+    >>> from trajlib.systems import Measurements
+    >>> Measurements([x**2 + y**2], [x, y]).jacobian
+    Matrix([[2*x, 2*y]])
+    """
+
+    quantities: list
+    unknown: list
+    at: dict = field(default_factory=dict)
+
+    @property
+    def unknowns(self):
+        """How many numbers are unknown."""
+        return len(self.unknown)
+
+    @property
+    def jacobian(self):
+        """The derivatives of the quantities by the unknowns, where these are."""
+        found = sp.Matrix(self.quantities).jacobian(list(self.unknown))
+        return found.subs(self.at, simultaneous=True).as_immutable()
 
 
 @dataclass(frozen=True)

@@ -38,13 +38,11 @@ SHAPES = {
         "time": "symbol", "times": "list of numbers", "unknowns": "list of symbols", "vector": "list of symbols",
     },
     "structure": COMMON | {
-        "at": "dict from unknowns to expressions", "control": "function of time, u(t)", "duration": "number",
-        "known": "Linear or Deviations", "measured": "list of expressions of the unknowns",
+        "control": "function of time, u(t)", "duration": "number", "known": "Linear or Deviations",
         "motion": "function of time, y(t)", "other": "Linear or Deviations",
         "outputs": "list of symbols for z, z', ...", "own": "True or False", "part": '"state", "error" or None',
         "quantities": "dict from names to rows, or to expressions of the state", "start": "symbols of x(0)",
-        "system": "record: Linear, WithError, Varying, Process or Mechanical",
-        "time": "symbol", "unknowns": "list of symbols",
+        "system": "record: Linear, WithError, Varying, Process, Mechanical or Measurements", "time": "symbol",
     },
     "feedback": COMMON | {
         "K": "s x n matrix", "L": "n x m matrix", "controls": "list of s symbols",

@@ -3,15 +3,8 @@
 
 from trajlib.checks.contract.claims import Matrix, Vectors, YesNo
 from trajlib.checks.contract.verdict import judged
-from trajlib.checks.structure.dual_questions import (
-    CONTROL,
-    EIGENVALUES,
-    judge_eigenvalues,
-    judge_kalman,
-    judge_region,
-    judge_yes_no,
-)
-from trajlib.checks.structure.mechanical import DRIVEN, judge_rank, judge_roots
+from trajlib.checks.structure.dual_questions import CONTROL, judge_kalman, judge_region, judge_yes_no
+from trajlib.checks.structure.mechanical import DRIVEN, judge_rank
 from trajlib.checks.structure.unseen_bases import bases_by_value, judge_basis, judge_where_lost
 from trajlib.checks.truths.records import reached
 from trajlib.systems import Mechanical
@@ -62,15 +55,3 @@ def uncontrolled_where_lost(claim, system, parameter):
     """
     return judge_where_lost(claim, reached(system, (parameter,)), CONTROL,
                             lambda value: reached(system.subs(parameter, value)))
-
-
-@judged(EIGENVALUES)
-def uncontrolled_eigenvalues(claim, system, parameters=()):
-    """The different eigenvalues of A at which the rank of Theorem 2.4 falls, for a `Mechanical` system the values of
-    lambda at which that of Theorem 2.6 does; an empty list or set if there are none.
-
-    With parameters: for their values in general position, as the assumptions allow.
-    """
-    if isinstance(system, Mechanical):
-        return judge_roots(claim, system.dual, parameters, DRIVEN)
-    return judge_eigenvalues(claim, reached(system, parameters), CONTROL)

@@ -13,38 +13,12 @@ from trajlib.checks.contract import coercion
 from trajlib.checks.contract.claims import Expression
 from trajlib.checks.contract.tolerance import EXACT, same
 from trajlib.checks.contract.verdict import Invalid, Wrong, judged
-from trajlib.checks.structure.dual_questions import OUTPUT, Side
 from trajlib.checks.tools.comparisons import Same
 from trajlib.checks.tools.samples import in_every_case
 from trajlib.checks.tools.values import matrix_at, moved, uncertain_entries
 from trajlib.checks.tools.wording import number_text, where_text
 from trajlib.checks.truths.invariant_subspaces import echelon, product, to_floats
 from trajlib.checks.truths.records import augmented, seen
-from trajlib.systems import WithError
-
-BOTH = Side("observable together with the error", "not observable together with the error",
-            "independent pair (x(0), C) with z = 0 for all time", "independent pairs (x(0), C) with z = 0 for all time",
-            "no pair (x(0), C) but zero gives z = 0 for all time", "N", "row", "(A - lambda E; H)",
-            "eigenvector v of A with H v = 0")
-STATE = Side("such that z determines the state", "such that z does not determine the state",
-             "independent x(0), not zero, whose motion together with some error gives z = 0",
-             "independent x(0) whose motions together with some error give z = 0",
-             "only x(0) = 0 can give z = 0, whatever the error", "N", "row", "(A - lambda E; H)",
-             "eigenvector v of A with H v = 0")
-AMPLITUDE = Side("such that z determines C", "such that z does not determine C",
-                 "C, up to a factor and not zero, with z = 0 for some motion", "C with z = 0 for some motion",
-                 "only C = 0 can give z = 0, whatever the motion", "N", "row", "(A - lambda E; H)",
-                 "eigenvector v of A with H v = 0")
-
-
-WORDS = {None: BOTH, "state": STATE, "error": AMPLITUDE}
-#: The positions of a part among the unknowns (x(0), C).
-PARTS = {"state": lambda system: tuple(range(system.A.rows)), "error": lambda system: (system.A.rows,)}
-
-
-def words(system, part=None):
-    """The words of the question whether an output shows all, or a part of what is unknown."""
-    return WORDS[part] if isinstance(system, WithError) else OUTPUT
 
 
 @judged

@@ -1,19 +1,13 @@
 """Observability of a system that is told as a record: x' = A x, z = H x as `Linear` or `Process`, with an error in the
-measurement as `WithError`, with a row H(t) as `Varying`, and `Mechanical`; for the `parameters` (a list of symbols) in
-them."""
+measurement as `WithError`, with a row H(t) as `Varying`, and `Mechanical`; of constants as `Measurements`, locally. For
+the `parameters` (a list of symbols) in them."""
 
 from trajlib.checks.contract.claims import Vectors, YesNo
 from trajlib.checks.contract.verdict import judged
-from trajlib.checks.structure.dual_questions import (
-    EIGENVALUES,
-    OUTPUT,
-    judge_eigenvalues,
-    judge_region,
-    judge_yes_no,
-)
-from trajlib.checks.structure.measurement_errors import PARTS, words
-from trajlib.checks.structure.mechanical import SEEN, judge_rank, judge_roots
+from trajlib.checks.structure.dual_questions import OUTPUT, judge_region, judge_yes_no
+from trajlib.checks.structure.mechanical import SEEN, judge_rank
 from trajlib.checks.structure.unseen_bases import bases_by_value, judge_basis, judge_where_lost
+from trajlib.checks.structure.words import PARTS, words
 from trajlib.checks.truths.records import seen
 from trajlib.systems import Mechanical
 
@@ -34,7 +28,7 @@ def observable_parameters(answer, system, parameters, part=None):
 
     Of a system `WithError` a `part` may be asked for, "state" or "error": that it is found, whether or not the other
     one is. Where the M of a `Mechanical` system is singular its order drops; what is said of these values does not
-    count.
+    count. Of `Measurements` it is that their Jacobian has full rank.
     """
     pair = seen(system, parameters) if part is None else seen(system, parameters, PARTS[part](system))
     return judge_region(answer, pair, words(system, part))
@@ -50,7 +44,8 @@ def unobservable_parameters(answer, system, parameters):
 @judged(Vectors("parameters", size="system.unknowns"))
 def unseen_states(claim, system, parameters=()):
     """A basis of the starts whose motions give z = 0 for all time, an empty list if zero is the only one: x(0), with an
-    error (x(0), C), for a `Mechanical` system, with invertible M, (x(0), x'(0)).
+    error (x(0), C), for a `Mechanical` system, with invertible M, (x(0), x'(0)); of `Measurements` the changes of the
+    unknowns that alter none to first order.
 
     With parameters: for their values in general position, as the assumptions allow, and wherever as much is unseen.
     """
@@ -66,15 +61,3 @@ def unseen_where_lost(claim, system, parameter):
     """
     return judge_where_lost(claim, seen(system, (parameter,)), words(system),
                             lambda value: seen(system.subs(parameter, value)))
-
-
-@judged(EIGENVALUES)
-def lost_eigenvalues(claim, system, parameters=()):
-    """The different eigenvalues of A at which the rank of Theorem 2.3 falls, for a `Mechanical` system the values of
-    lambda at which that of Theorem 2.5 does; an empty list or set if there are none.
-
-    With parameters: for their values in general position, as the assumptions allow.
-    """
-    if isinstance(system, Mechanical):
-        return judge_roots(claim, system, parameters, SEEN)
-    return judge_eigenvalues(claim, seen(system, parameters), OUTPUT)

@@ -5,9 +5,10 @@ import functools
 
 import sympy as sp
 
+from trajlib.checks.truths.constant_unknowns import constants_of
 from trajlib.checks.truths.known_starts import starts_of, starts_of_varying
 from trajlib.checks.truths.pairs import pair_of
-from trajlib.systems import Deviations, Linear, Mechanical, Process, Varying, WithError
+from trajlib.systems import Deviations, Linear, Measurements, Mechanical, Process, Varying, WithError
 
 
 @functools.singledispatch
@@ -41,6 +42,11 @@ def _(system: Varying, parameters=()):
     return starts_of_varying(system.A, system.H, system.time, parameters)
 
 
+@seen.register
+def _(system: Measurements, parameters=()):
+    return constants_of(system.jacobian, tuple(parameters))
+
+
 def reached(system, parameters=()):
     """The `Pair` of what the control reaches: that of the transposed matrices."""
     return seen(_in_states(system).dual, parameters)
@@ -71,10 +77,14 @@ def row_of(system, *quantities):
 
 
 def by_control(system):
-    """Whether a `Linear` system, which has a control or an output, has a control."""
-    if bool(system.B) == bool(system.H):
+    """Whether a system, which has a control or an output, has a control."""
+    if isinstance(system, Mechanical):
+        control, output = any(system.L), any(system.H1) or any(system.H2)
+    else:
+        control, output = bool(getattr(system, "B", ())), bool(system.H)
+    if control == output:
         raise TypeError("system: expected one with either a control or an output")
-    return bool(system.B)
+    return control
 
 
 def _in_states(system):

@@ -9,7 +9,7 @@ from sympy.core.relational import Relational
 
 from oracles.sameness import LOGIC, same_value
 from oracles.structure.records import kalman, reached, seen
-from trajlib.systems import Deviations, Varying, WithError
+from trajlib.systems import Deviations, Measurements, Varying, WithError
 
 
 @functools.lru_cache(maxsize=32)
@@ -24,8 +24,10 @@ def region(rows, holds=True):
 
 
 def observable_parameters(mutant, reference, system, parameters, part=None):
-    """The same, and for an error in the measurement by what the vectors that are not seen have of the state, or of
-    C."""
+    """The same, of constants by the Jacobian, and for an error in the measurement by what the vectors that are not seen
+    have of the state, or of C."""
+    if isinstance(system, Measurements):
+        return _as_minors_say(mutant, _jacobian(system), parameters, True)
     n = system.unknowns - 1
     found = {None: lambda v: False, "state": lambda v: not any(v[:n]), "error": lambda v: v[n] == 0}[part]
     if not isinstance(system, (WithError, Varying)):
@@ -46,10 +48,10 @@ def _where(mutant, N, parameter, found):
                for value in _values(parameter, common, mutant))
 
 
-def locally_determined(mutant, reference, measured, unknowns, parameters, at=None):
-    """As the minors of the Jacobian say, its roots and denominators left out: a row has them in common."""
-    jacobian = sp.Matrix(measured).jacobian(unknowns).applyfunc(lambda entry: sp.numer(sp.together(entry)))
-    return _as_minors_say(mutant, jacobian.subs(at or {}, simultaneous=True), parameters, True)
+def _jacobian(system):
+    """Its roots and denominators left out: a row has them in common."""
+    found = sp.Matrix(system.quantities).jacobian(system.unknown).applyfunc(lambda entry: sp.numer(sp.together(entry)))
+    return found.subs(system.at, simultaneous=True)
 
 
 def _as_minors_say(mutant, N, parameters, holds):
@@ -78,12 +80,24 @@ def _minors_on_lines(N, parameters):
     return found
 
 
-def basis(rows):
-    """True for independent vectors of the null space of Kalman's matrix, as many as it has dimensions."""
-    return lambda mutant, reference, system, parameters=(): is_basis(mutant, rows(system).as_immutable())
+def unseen_states(mutant, reference, system, parameters=()):
+    """Of constants independent combinations of the vectors of the reference, as many."""
+    if not isinstance(system, Measurements):
+        return is_basis(mutant, seen(system).as_immutable())
+    size = system.unknowns
+    if not isinstance(mutant, (list, tuple)) or len(mutant) != len(reference) or any(
+            not isinstance(v, (list, tuple)) or len(v) != size for v in mutant):
+        return False
+    both = [sp.Matrix(vectors).T for vectors in (mutant, reference)]
+    return both[0].rank(simplify=True) == sp.Matrix.hstack(*both).rank(simplify=True) == len(reference)
+
+
+def uncontrolled_combinations(mutant, reference, system, parameters=()):
+    return is_basis(mutant, reached(system).as_immutable())
 
 
 def is_basis(vectors, N):
+    """True for independent vectors of the null space of N, as many as it has dimensions."""
     if not isinstance(vectors, (list, tuple)) or any(not isinstance(v, (list, tuple, sp.MatrixBase))
                                                      or len(v) != N.cols for v in vectors):
         return False
@@ -282,13 +296,11 @@ def _allowed(symbol, value):
 
 ORACLES = {
     "observable_parameters": observable_parameters,
-    "locally_determined": locally_determined,
     "unobservable_parameters": region(seen, holds=False),
     "controllable_parameters": region(reached),
-    "unseen_states": basis(seen),
-    "uncontrolled_combinations": basis(reached),
+    "unseen_states": unseen_states,
+    "uncontrolled_combinations": uncontrolled_combinations,
     "lost_eigenvalues": same_numbers,
-    "uncontrolled_eigenvalues": same_numbers,
     "observability_split": observability_split,
     "controllability_split": controllability_split,
     "observability_split_system": observability_split_system,

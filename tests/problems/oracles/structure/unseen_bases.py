@@ -18,15 +18,4 @@ def where_lost(rows):
     return oracle
 
 
-def unseen_changes(mutant, reference, *data, **options):
-    """Independent combinations of the vectors of the reference, as many."""
-    size = len(reference[0]) if reference else 0
-    if not isinstance(mutant, (list, tuple)) or len(mutant) != len(reference) or any(
-            not isinstance(v, (list, tuple)) or len(v) != size for v in mutant):
-        return False
-    both = [sp.Matrix(vectors).T for vectors in (mutant, reference)]
-    return both[0].rank(simplify=True) == sp.Matrix.hstack(*both).rank(simplify=True) == len(reference)
-
-
-ORACLES = {"unseen_where_lost": where_lost(seen), "uncontrolled_where_lost": where_lost(reached),
-           "unseen_changes": unseen_changes}
+ORACLES = {"unseen_where_lost": where_lost(seen), "uncontrolled_where_lost": where_lost(reached)}
