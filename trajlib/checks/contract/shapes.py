@@ -12,16 +12,17 @@ COMMON = {
 }
 SHAPES = {
     "stability": COMMON | {
-        "angle": "symbol", "angular": "expression of the radius", "at": "list of n expressions",
+        "angle": "symbol", "angular": "expression of the radius",
+        "at": "list of n expressions, or dict from symbols of the state to functions of time",
         "constants": "list of symbols", "controls": "list of s symbols", "deviations": "list of two symbols",
-        "domain": "dict from symbols to intervals", "equation": "expression that is to be zero",
+        "domain": "dict from symbols to intervals",
         "expression": "expression of the state", "function": "expression of the state",
         "given": "condition, or list of them", "integer": "symbol", "margin": "number",
-        "motion": "function of time, x(t)",
         "part": "list of those symbols of the state that are meant", "polar": "list of two symbols",
         "program": "dict from symbols of the state to functions of time", "radial": "expression of the radius",
         "radius": "symbol, or number", "rate": "expression", "start": "symbols of the initial state",
-        "system": "polynomial in one more symbol, or n x n matrix", "through": "list of points", "time": "symbol",
+        "system": "polynomial in one more symbol, n x n matrix, or differential equation",
+        "through": "list of points", "time": "symbol",
         "variable": "symbol", "zeros": "list of n expressions of the state",
     },
     "estimation": COMMON | {

@@ -5,29 +5,18 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from trajlib.checks.contract.claims import Choice, Matrix
+from trajlib.checks.contract.claims import Choice
 from trajlib.checks.contract.verdict import Wrong, judged
 from trajlib.checks.tools.comparisons import Word
-from trajlib.checks.tools.samples import in_every_case, sample_values
 from trajlib.checks.tools.values import matrix_at
 from trajlib.checks.tools.wording import other_rate, where_text
-from trajlib.checks.truths.fields import Field, known_field
+from trajlib.checks.truths.fields import known_field
 from trajlib.checks.truths.near_rest import by_motions
 from trajlib.checks.truths.spectra import compare_region
 
 STABILITY = ("asymptotically stable", "stable", "unstable")
 #: Below this a derivative is zero: what complex steps leave of terms of higher order.
 FLOOR = 1e-25
-
-
-@judged(Matrix("parameters", shape=lambda data: (len(data["state"]),) * 2))
-def linearisation(claim, field, state, at, parameters=()):
-    """The n x n matrix A of the equations in deviations x' = A x at the stationary point `at` (n expressions)
-    of the field (n expressions in the n symbols `state`)."""
-    for values in in_every_case(sample_values(parameters), claim):
-        true = Field(field, state, values).jacobian([float(sp.sympify(x).subs(values)) for x in at])
-        yield Rates(claim, true, state, values)
-    return "for small deviations in every direction the field changes as the matrix says"
 
 
 @dataclass
@@ -78,5 +67,5 @@ def zero_stability(claim, field, state):
 
 def _matrix(field, state, at):
     """The exact matrix of partial derivatives at a point."""
-    rest = dict(zip(state, at))
+    rest = at if isinstance(at, dict) else dict(zip(state, at))
     return sp.Matrix([[sp.diff(component, x).subs(rest) for x in state] for component in field])

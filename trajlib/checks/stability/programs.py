@@ -59,9 +59,10 @@ def program_motion(answer, field, state, parameters, program, controls, time):
 
 
 @judged(Matrix("parameters", shape=lambda data: (len(data["state"]),) * 2))
-def linearisation_along(claim, field, state, parameters, program):
-    """The n x n matrix A of the equations in deviations x' = A x + B w from a program motion (n symbols `state`)."""
-    motion = Motion(field, state, parameters, program)
+def linearisation(claim, field, state, at, parameters=()):
+    """The n x n matrix A of the equations in deviations x' = A x + B w from the motion `at`: a stationary point, n
+    expressions, or what a program prescribes."""
+    motion = Motion(field, state, parameters, at if isinstance(at, dict) else dict(zip(state, at)))
     for values in in_every_case(sample_values(parameters), claim):
         yield Rates(claim, motion.matrix(values), state, values)
     return AS_IT_SAYS

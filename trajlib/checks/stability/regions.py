@@ -6,6 +6,7 @@ The truth about the spectrum stands in `truths.spectra`.
 import functools
 
 import sympy as sp
+from sympy.core.function import AppliedUndef
 
 from trajlib.checks.contract.verdict import judged
 from trajlib.checks.truths.spectra import compare_region
@@ -15,21 +16,13 @@ from trajlib.checks.truths.spectra import compare_region
 def stability_region(answer, system, parameters, margin=0):
     """The set of parameters for which every root has real part below `-margin` (asymptotic stability for 0).
 
-    `system` is a characteristic polynomial in one further symbol or a square matrix. Parameters where the order of
-    the equation drops are accepted either way; with a positive margin (Definition 1.5, Re <= -mu) so is the boundary.
+    `system` is a characteristic polynomial in one further symbol, a square matrix, or a linear differential equation
+    `system` = 0 of an unknown x(t). Parameters where the order of the equation drops are accepted either way; with a
+    positive margin (Definition 1.5, Re <= -mu) so is the boundary.
     """
     what = "stable" if margin == 0 else "stable with the margin"
-    return compare_region(answer, system, parameters, what, margin)
-
-
-@judged
-def stable_equation(answer, equation, motion, parameters):
-    """The parameters for which the zero solution of the linear differential equation `equation` = 0 is asymptotically
-    stable.
-
-    `motion` is the unknown x(t). Parameters where the order of the equation drops are accepted either way.
-    """
-    return compare_region(answer, characteristic_of(equation, motion), parameters, "stable")
+    motions = system.atoms(AppliedUndef)
+    return compare_region(answer, characteristic_of(system, *motions) if motions else system, parameters, what, margin)
 
 
 @functools.lru_cache(maxsize=16)

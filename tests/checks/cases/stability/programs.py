@@ -9,7 +9,7 @@ m, e = sp.symbols("m e", real=True)
 
 # A cart: place x, y, direction f, speed s; u drives it, w turns it.
 CART = ([s * sp.cos(f), s * sp.sin(f), w / s, u - c * s], [x, y, f, s], [c, V], {x: V * t, y: 0, s: V})
-DRIVE = (*CART, [u, w], t)
+DRIVE, ALONG = (*CART, [u, w], t), (*CART[:2], CART[3], CART[2])
 # A pendulum turned by a moment m, with friction.
 TURNED = ([rate, -g * sp.sin(phi) - c * rate + m], [phi, rate], [m, g, c])
 PUMPED = ([rate, -g * sp.sin(phi) + e * rate], [phi, rate], [g, e])
@@ -28,16 +28,16 @@ CASES = [
     Case("program_motion", {"x": V * t, "y": 0, "varphi": 0, "s": V, "u": ..., "w": 0}, DRIVE, "missing", "half of it"),
     Case("program_motion", [V * t, 0, 0, V], DRIVE, "invalid", "without controls"),
     Case("program_motion", {"x": V * t}, DRIVE, "invalid", "names missing"),
-    Case("linearisation_along", [[0, 0, 0, 1], [0, 0, V, 0], [0, 0, 0, 0], [0, 0, 0, -c]], CART, "right",
+    Case("linearisation", [[0, 0, 0, 1], [0, 0, V, 0], [0, 0, 0, 0], [0, 0, 0, -c]], ALONG, "right",
          "nested lists"),
-    Case("linearisation_along", sp.Matrix([[0, 0, 0, 1], [0, 0, V, 0], [0, 0, 0, 0 * V], [0, 0, 0, -sp.Symbol("c")]]),
-         CART, "right", "a matrix, a plain symbol"),
-    Case("linearisation_along", [[0, 0, 0, 1], [0, 0, 0, 0], [0, 0, 0, 0], [0, 0, 0, -c]], CART, "wrong",
+    Case("linearisation", sp.Matrix([[0, 0, 0, 1], [0, 0, V, 0], [0, 0, 0, 0 * V], [0, 0, 0, -sp.Symbol("c")]]),
+         ALONG, "right", "a matrix, a plain symbol"),
+    Case("linearisation", [[0, 0, 0, 1], [0, 0, 0, 0], [0, 0, 0, 0], [0, 0, 0, -c]], ALONG, "wrong",
          "the drift to the side lost"),
-    Case("linearisation_along", [[0, 0, 0, 1], [0, 0, V, 0], [0, 0, 0, 0], [0, 0, 0, c]], CART, "wrong", "a sign"),
-    Case("linearisation_along", ..., CART, "missing", "the untouched stub"),
-    Case("linearisation_along", [[0, 0], [0, V]], CART, "invalid", "the wrong shape"),
-    Case("linearisation_along", [[0, 0, 0, 1], [0, 0, s, 0], [0, 0, 0, 0], [0, 0, 0, -c]], CART, "invalid",
+    Case("linearisation", [[0, 0, 0, 1], [0, 0, V, 0], [0, 0, 0, 0], [0, 0, 0, c]], ALONG, "wrong", "a sign"),
+    Case("linearisation", ..., ALONG, "missing", "the untouched stub"),
+    Case("linearisation", [[0, 0], [0, V]], ALONG, "invalid", "the wrong shape"),
+    Case("linearisation", [[0, 0, 0, 1], [0, 0, s, 0], [0, 0, 0, 0], [0, 0, 0, -c]], ALONG, "invalid",
          "the program not put in"),
     Case("input_matrix_along", [[0, 0], [0, 0], [0, 1 / V], [1, 0]], (*CART, [u, w]), "right", "nested lists"),
     Case("input_matrix_along", sp.Matrix([[0, 0], [0, 0], [1 / V, 0], [0, 1]]), (*CART, [w, u]), "right",

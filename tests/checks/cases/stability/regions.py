@@ -8,7 +8,7 @@ FALLING = (k1 * s**2 + s + 1, [k1])
 MATRIX = (sp.Matrix([[k1, 1], [k2, 1]]), [k1, k2])
 NEVER = (sp.Matrix([[1, k1], [k2, 1]]), [k1, k2])
 t, z = sp.symbols("t", real=True), sp.Function("z")(sp.Symbol("t", real=True))
-SECOND = (z.diff(t, 2) + z.diff(t) + z + k1 * z.diff(t, 2), z, [k1])
+SECOND = (z.diff(t, 2) + z.diff(t) + z + k1 * z.diff(t, 2), [k1])
 
 TRUE = sp.And(k1 > 0, k1 * k2 > 1)
 ROOTS = (s**2 + s + 2 - k1**2, [k1])
@@ -74,11 +74,11 @@ CASES = [
          (("margin", 1),)),
     Case("stability_region", sp.Eq(k1, k2), NEVER, "wrong", "margin 1, an equation instead of the empty set",
          (("margin", 1),)),
-    Case("stable_equation", k1 > -1, SECOND, "right", "the order drops at -1: left out"),
-    Case("stable_equation", sp.Interval(-1, sp.oo), SECOND, "right", "the order drops at -1: counted in"),
-    Case("stable_equation", k1 > 0, SECOND, "wrong", "the own coefficient forgotten"),
-    Case("stable_equation", sp.Ne(k1, -1), SECOND, "wrong", "only the order looked at"),
-    Case("stable_equation", -1, SECOND, "invalid", "the border alone"),
+    Case("stability_region", k1 > -1, SECOND, "right", "the order drops at -1: left out"),
+    Case("stability_region", sp.Interval(-1, sp.oo), SECOND, "right", "the order drops at -1: counted in"),
+    Case("stability_region", k1 > 0, SECOND, "wrong", "the own coefficient forgotten"),
+    Case("stability_region", sp.Ne(k1, -1), SECOND, "wrong", "only the order looked at"),
+    Case("stability_region", -1, SECOND, "invalid", "the border alone"),
 ]
 LIMITS = [
     "What is not polynomial (a logarithm), or too large to be decided, is compared at points; the verdict says so.",

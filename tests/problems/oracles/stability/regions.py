@@ -1,6 +1,7 @@
 """Oracles of stability regions."""
 
 import sympy as sp
+from sympy.core.function import AppliedUndef
 
 from oracles.sameness import LOGIC, same_condition
 
@@ -12,6 +13,7 @@ def stability_region(mutant, reference, system, parameters, margin=0):
     if isinstance(system, sp.MatrixBase):
         leading, polynomial = sp.S.One, system.charpoly()
     else:
+        system = _polynomial(system)
         (symbol,) = sp.sympify(system).free_symbols - set(parameters)
         polynomial = sp.Poly(system, symbol)
         leading = polynomial.LC()
@@ -29,12 +31,16 @@ def stability_region(mutant, reference, system, parameters, margin=0):
     return same_condition(mutant, reference, convention)
 
 
-def stable_equation(mutant, reference, equation, motion, parameters):
-    """As `stability_region` for the polynomial of a linear equation."""
+def _polynomial(equation):
+    """That of a linear differential equation; what is none stays."""
+    motions = sp.sympify(equation).atoms(AppliedUndef)
+    if not motions:
+        return equation
+    (motion,) = motions
     time, s = motion.args[0], sp.Symbol("s")
     order = max((d.derivative_count for d in equation.atoms(sp.Derivative)), default=0)
-    terms = [sp.diff(equation, sp.Derivative(motion, (time, k)) if k else motion) * s**k for k in range(order + 1)]
-    return stability_region(mutant, reference, sp.Add(*terms), parameters)
+    return sp.Add(*(sp.diff(equation, sp.Derivative(motion, (time, k)) if k else motion) * s**k
+                    for k in range(order + 1)))
 
 
-ORACLES = {"stability_region": stability_region, "stable_equation": stable_equation}
+ORACLES = {"stability_region": stability_region}
