@@ -13,7 +13,7 @@ __getattr__, __dir__, __all__ = lazy_names(__name__, {
     "contract.verdict": ["Unusable", "Verdict", "judged"],
     "stability.regions": ["stability_region"],
     "stability.equilibrium": ["equilibria", "spectra", "stable_equilibria"],
-    "stability.first_approximation": ["first_approximation_stable", "first_approximation_unstable", "zero_stability"],
+    "stability.first_approximation": ["first_approximation_unstable", "zero_stability"],
     "stability.lyapunov": ["basin_estimate", "basin_level", "departure", "lyapunov_derivative", "proved_global",
         "proved_stable", "vanishing_set"],
     "stability.rest_families": ["deviation_matrices", "growth_rate", "rest_kinds", "rest_values", "saddle_slopes",

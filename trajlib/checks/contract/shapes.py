@@ -21,7 +21,7 @@ SHAPES = {
         "part": "list of those symbols of the state that are meant", "polar": "list of two symbols",
         "program": "dict from symbols of the state to functions of time", "radial": "expression of the radius",
         "radius": "symbol, or number", "rate": "expression", "start": "symbols of the initial state",
-        "system": "polynomial in one more symbol, n x n matrix, or differential equation",
+        "system": "polynomial in one more symbol, n x n matrix, differential equation, or Deviations",
         "through": "list of points", "time": "symbol",
         "variable": "symbol", "zeros": "list of n expressions of the state",
     },

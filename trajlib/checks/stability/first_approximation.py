@@ -12,6 +12,7 @@ from trajlib.checks.tools.values import matrix_at
 from trajlib.checks.tools.wording import other_rate, where_text
 from trajlib.checks.truths.fields import known_field
 from trajlib.checks.truths.near_rest import by_motions
+from trajlib.checks.truths.records import matrix_of
 from trajlib.checks.truths.spectra import compare_region
 
 STABILITY = ("asymptotically stable", "stable", "unstable")
@@ -36,15 +37,9 @@ class Rates:
 
 
 @judged
-def first_approximation_stable(answer, field, state, at, parameters):
-    """The parameters for which all eigenvalues of the first approximation at `at` have negative real parts."""
-    return compare_region(answer, _matrix(field, state, at), parameters, "asymptotically stable")
-
-
-@judged
-def first_approximation_unstable(answer, field, state, at, parameters):
-    """The parameters for which some eigenvalue of the first approximation at `at` has a positive real part."""
-    return compare_region(answer, _matrix(field, state, at), parameters,
+def first_approximation_unstable(answer, system, parameters):
+    """The parameters for which some eigenvalue of the first approximation in `Deviations` has a positive real part."""
+    return compare_region(answer, matrix_of(system, parameters), parameters,
                           "unstable by a root with positive real part", unstable=True)
 
 
@@ -63,9 +58,3 @@ def zero_stability(claim, field, state):
     else:
         truth, reason = by_motions(flow)
     return (yield Word(claim, truth, reason, "this does not agree with the motions near zero: "))
-
-
-def _matrix(field, state, at):
-    """The exact matrix of partial derivatives at a point."""
-    rest = at if isinstance(at, dict) else dict(zip(state, at))
-    return sp.Matrix([[sp.diff(component, x).subs(rest) for x in state] for component in field])

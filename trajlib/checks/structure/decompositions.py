@@ -134,7 +134,7 @@ def parallel_split(claim, system):
 def similarity(claim, system, other, parameters=()):
     """A matrix S of y = S x that turns x' = A x into the equations y' = A' y of the `other` system, which may be in
     `Deviations`: it is invertible and S A = A' S (all n x n)."""
-    A_from, A_to = system.A, matrix_of(other)
+    A_from, A_to = system.A, matrix_of(other, parameters)
     tolerance = share(claim)
     given, wanted = pair_of(A_from, A_from[:1, :], parameters), pair_of(A_to, A_to[:1, :], parameters)
     for (values, one, _, _), (_, other, _, _) in zip(given.systems, wanted.systems):

@@ -60,18 +60,18 @@ def augmented(system):
     return Linear(sp.diag(system.A, system.S), system.B.col_join(sp.zeros(k, s)), system.H.row_join(system.c))
 
 
-def matrix_of(system):
+def matrix_of(system, parameters=()):
     """The matrix of the equations."""
-    return row_of(system, *system.field) if isinstance(system, Deviations) else system.A
+    return row_of(system, *system.field, parameters=parameters) if isinstance(system, Deviations) else system.A
 
 
-def row_of(system, *quantities):
+def row_of(system, *quantities, parameters=()):
     """What quantities of the state are in x: rows of numbers as they are, in deviations expressions by their
-    derivatives on the motion, which have to be constant."""
+    derivatives on the motion, which hold the parameters alone."""
     if not isinstance(system, Deviations):
         return sp.Matrix.vstack(*quantities)
     found = sp.Matrix(quantities).jacobian(list(system.state)).subs(system.motion).applyfunc(sp.simplify)
-    if found.free_symbols:
+    if not found.free_symbols <= set(parameters):
         raise ValueError("the equations in deviations are not constant")
     return found
 

@@ -2,6 +2,8 @@ import numpy as np
 import sympy as sp
 from case import Case
 
+from trajlib.systems import Deviations
+
 x, v, d, w, e, s = sp.symbols("x v delta omega epsilon sigma", real=True)
 m = sp.symbols("m", positive=True)
 # The pendulum with friction at the bottom and at the top.
@@ -12,7 +14,8 @@ TOP = (*PENDULUM, [sp.pi, 0], [d, w])
 MOVED = ([v, m - x**2 - v], [x, v], [sp.sqrt(m), 0], [m])
 NUMBERS = ([sp.exp(x) - sp.exp(v), sp.log(2 - x**2)], [x, v], [1, 1])
 FLAT = ([v**2, -x**3], [x, v], [0, 0])
-VDP = ([v, e * (1 - x**2) * v - x], [x, v], [0, 0], [e])
+VDP = (Deviations([v, e * (1 - x**2) * v - x], [x, v], {x: 0, v: 0}), [e])
+UPRIGHT = (Deviations(*PENDULUM, {x: sp.pi, v: 0}), [d, w])
 FOCUS = ([v - x, -x - v], [x, v])
 REPELS = ([v + x, -x + v], [x, v])
 CENTRE = ([v, -x], [x, v])
@@ -42,19 +45,19 @@ CASES = [
     Case("linearisation", [[0, 1, 0], [1, 0, 0]], BOTTOM, "invalid", "the wrong shape"),
     Case("linearisation", [[0, 1], [-w**2 * sp.cos(x), -d]], BOTTOM, "invalid", "the equilibrium not put in"),
     Case("linearisation", d + w, BOTTOM, "invalid", "an expression"),
-    Case("first_approximation_stable", e < 0, VDP, "right", "the sign of the trace"),
-    Case("first_approximation_stable", sp.Interval.open(-sp.oo, 0), VDP, "right", "an interval"),
-    Case("first_approximation_stable", [sp.Symbol("epsilon") < 0], VDP, "right", "a list, a plain symbol"),
-    Case("first_approximation_stable", e > 0, VDP, "wrong", "the other sign"),
-    Case("first_approximation_stable", e <= 0, VDP, "wrong", "imaginary eigenvalues counted in"),
-    Case("first_approximation_stable", True, VDP, "wrong", "always"),
-    Case("first_approximation_stable", ..., VDP, "missing", "the untouched stub"),
-    Case("first_approximation_stable", "negative", VDP, "invalid", "a word"),
+    Case("stability_region", e < 0, VDP, "right", "the sign of the trace"),
+    Case("stability_region", sp.Interval.open(-sp.oo, 0), VDP, "right", "an interval"),
+    Case("stability_region", [sp.Symbol("epsilon") < 0], VDP, "right", "a list, a plain symbol"),
+    Case("stability_region", e > 0, VDP, "wrong", "the other sign"),
+    Case("stability_region", e <= 0, VDP, "wrong", "imaginary eigenvalues counted in"),
+    Case("stability_region", True, VDP, "wrong", "always"),
+    Case("stability_region", ..., VDP, "missing", "the untouched stub"),
+    Case("stability_region", "negative", VDP, "invalid", "a word"),
     Case("first_approximation_unstable", e > 0, VDP, "right", "the sign of the trace"),
     Case("first_approximation_unstable", 0 < e, VDP, "right", "turned round"),
-    Case("first_approximation_unstable", sp.Or(sp.Ne(w, 0), d < 0), TOP, "right",
+    Case("first_approximation_unstable", sp.Or(sp.Ne(w, 0), d < 0), UPRIGHT, "right",
          "the upper equilibrium, whatever the friction"),
-    Case("first_approximation_unstable", d < 0, TOP, "wrong", "the saddle overlooked"),
+    Case("first_approximation_unstable", d < 0, UPRIGHT, "wrong", "the saddle overlooked"),
     Case("first_approximation_unstable", e >= 0, VDP, "wrong", "imaginary eigenvalues counted in"),
     Case("first_approximation_unstable", sp.Or(e < 0, e > 0), VDP, "wrong", "both signs"),
     Case("first_approximation_unstable", False, VDP, "wrong", "never"),

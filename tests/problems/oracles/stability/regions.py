@@ -4,12 +4,15 @@ import sympy as sp
 from sympy.core.function import AppliedUndef
 
 from oracles.sameness import LOGIC, same_condition
+from trajlib.systems import Deviations
 
 
 def stability_region(mutant, reference, system, parameters, margin=0):
     """As `same_condition`, with the two conventions: where the order drops, and on the boundary of a margin."""
     if not isinstance(mutant, LOGIC):
         return False
+    if isinstance(system, Deviations):
+        system = sp.Matrix([[sp.diff(f, x).subs(system.motion) for x in system.state] for f in system.field])
     if isinstance(system, sp.MatrixBase):
         leading, polynomial = sp.S.One, system.charpoly()
     else:
