@@ -206,14 +206,14 @@ def loop_of(system):
 
 @judged(Gain("parameters", shape=_column))
 def observer_gain(gain, system, parameters=(), given=sp.true, margin=0, polynomial=None, symbol=None):
-    """A gain L of an observer, or an empty list if there is none: the spectrum of A - LH is as required.
+    """A gain L of an observer, or an empty list if there is none: the spectrum of A - LH is as required. Of a system
+    `WithError` it belongs to the state with w below it.
 
     Required is the `margin` for all values of the parameters that are as `given`, or the `polynomial` in `symbol`,
     whose coefficients are parameters.
     """
     requirement = Requirement(tuple(parameters), given, margin, polynomial, symbol)
-    A, H = system.A, system.H
-    return _judge(gain, *loop_of(Linear(A, H=H)), requirement, seen(system, _of(parameters, A, H)))
+    return _judge(gain, *_watched(system, parameters, requirement))
 
 
 @judged(Gain("parameters", shape=_by_what_is_fed_back))
@@ -226,12 +226,10 @@ def feedback_gain(gain, system, parameters=(), given=sp.true, margin=0, polynomi
     """
     requirement = Requirement(tuple(parameters), given, margin, polynomial, symbol)
     if not system.H:
-        pair = reached(system, _of(parameters, system.A, system.B))
-    elif gain is None:
+        return _judge(gain, *_driven(system, parameters, requirement))
+    if gain is None:
         return _judge_none_static(system, requirement)
-    else:
-        pair = None
-    return _judge(gain, *loop_of(system), requirement, pair)
+    return _judge(gain, *loop_of(system), requirement, None)
 
 
 def _judge_none_static(system, requirement):
@@ -259,17 +257,26 @@ def estimate_gains(gains, system, parameters=(), given=sp.true, margin=0):
     parameters, of the loop and of the errors.
     """
     requirement = Requirement(tuple(parameters), given, margin)
-    driven, both = Linear(system.A, system.B), augmented(system)
-    watched = Linear(both.A, H=both.H)
-    pairs = [reached(driven, _of(parameters, driven.A, driven.B)), seen(watched, _of(parameters, both.A, both.H))]
+    parts = [_driven(system, parameters, requirement), _watched(system, parameters, requirement)]
     if gains is None:
-        if not any(map(requirement.impossible, pairs)):
+        if not any(requirement.impossible(pair) for *_, pair in parts):
             raise Wrong("there are such gains: no mode that stays the same forbids it")
         return "there are no such gains: a mode that no gain changes forbids it"
-    K, L = gains
-    _judge(K, *loop_of(driven), requirement, pairs[0])
-    told = _judge(L, *loop_of(watched), requirement, pairs[1])
+    _, told = [_judge(gain, *part) for gain, part in zip(gains, parts)]
     return f"{told}, and so do those of A + BK"
+
+
+def _driven(system, parameters, requirement):
+    """What `_judge` needs of the loop by the whole state."""
+    system = Linear(system.A, system.B)
+    return *loop_of(system), requirement, reached(system, _of(parameters, system.A, system.B))
+
+
+def _watched(system, parameters, requirement):
+    """What it needs of the errors of an observer."""
+    both = augmented(system)
+    system = Linear(both.A, H=both.H)
+    return *loop_of(system), requirement, seen(system, _of(parameters, system.A, system.H))
 
 
 def _of(parameters, *matrices):

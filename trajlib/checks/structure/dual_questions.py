@@ -43,8 +43,7 @@ class Side:
 
     holds: str
     fails: str
-    free: str  # what is left over where the property fails, one of them and independent ones
-    several_free: str
+    free: str  # what is left over where the property fails, one of them
     none_free: str
     matrix: str
     block: str  # of the matrix: row or column
@@ -62,11 +61,9 @@ class Side:
 
 
 OUTPUT = Side("observable", "not observable", "initial state, not zero, with z = 0 for all time",
-              "independent initial states with z = 0 for all time",
               "no initial state but zero gives z = 0 for all time", "N", "row", "(A - lambda E; H)",
               "eigenvector v of A with H v = 0")
 CONTROL = Side("controllable", "not controllable", "combination of the coordinates that no control changes",
-               "independent combinations of the coordinates that no control changes",
                "every combination of the coordinates is changed by some control", "W", "column", "(A - lambda E, B)",
                "row w with w A = lambda w and w B = 0", left="what no control changes", shows=_control_changes,
                basis_right="no control changes any of them, they are independent, and there are no more",

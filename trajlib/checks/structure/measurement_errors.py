@@ -1,10 +1,9 @@
 """A measurement with an error of a known kind and an unknown size, told as `WithError`: z = H x + c w, w' = S w,
-w(0) = C (start).
+w(0) = C (start): the system of both together, and C by the output.
 
-Unknown are the state x(0) and the amplitude C. A pair (x(0), C) that gives z = 0 for all time cannot be told from
-nothing at all; what is found and what is not follows from these pairs. They come from the largest invariant subspace
-that z does not show (`known_starts`), at every exceptional value of a parameter too, and not from the rank of an
-augmented matrix, which allows errors of any start w(0).
+What z determines of x(0) and C is asked in `observability.py`: a pair (x(0), C) that gives z = 0 for all time cannot
+be told from nothing at all. These pairs come from the largest invariant subspace that z does not show (`known_starts`),
+and not from the rank of an augmented matrix, which allows errors of any start w(0).
 """
 
 import numpy as np
