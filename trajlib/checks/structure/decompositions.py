@@ -63,33 +63,25 @@ CONTROL = _Side("controllable", "uncontrollable", "rank W", "P in x = P (xi; eta
 
 
 @judged(Matrix("parameters", shape="system.A"))
-def observability_split(claim, system, parameters=()):
-    """A matrix T of (xi; eta) = T x that leads to the form (2.7): neither xi' nor z contains eta, and xi has rank N
-    coordinates."""
-    return _judge_split(claim, seen(system, parameters), OUTPUT)
+def decomposition(claim, system, parameters=()):
+    """The change of variables of a decomposition into (xi; eta).
 
-
-@judged(Matrix("parameters", shape="system.A"))
-def controllability_split(claim, system, parameters=()):
-    """A matrix P of x = P (xi; eta) that leads to the form (2.6): eta' contains neither xi nor u, and xi has rank W
-    coordinates."""
-    return _judge_split(claim.T, reached(system, parameters), CONTROL)
+    Of a system with an output it is T of (xi; eta) = T x, which leads to the form (2.7): neither xi' nor z contains
+    eta, and xi has rank N coordinates. With a control it is P of x = P (xi; eta), which leads to the form (2.6): eta'
+    contains neither xi nor u, and xi has rank W coordinates.
+    """
+    return _judge_split(*_by_observation(claim, system, parameters))
 
 
 @judged
-def observability_split_system(answer, system, parameters=()):
-    """The list [A', H'] of the system in coordinates (xi; eta) as in (2.7): any right ones, xi first, with rank N
-    coordinates."""
-    matrix, output = _as_system(answer, parameters, ("A'", "H'"), system.H.rows)
-    return _judge_system(matrix, output, seen(system, parameters), OUTPUT)
-
-
-@judged
-def controllability_split_system(answer, system, parameters=()):
-    """The list [A', B'] of the system in coordinates (xi; eta) as in (2.6): any right ones, xi first, with rank W
-    coordinates."""
-    matrix, control = _as_system(answer, parameters, ("A'", "B'"), system.B.cols, columns=True)
-    return _judge_system(matrix.T, control.T, reached(system, parameters), CONTROL)
+def decomposed_system(answer, system, parameters=()):
+    """The list [A', H'] or [A', B'] of the system in coordinates (xi; eta), as in (2.7) or (2.6): any right ones, xi
+    first, with as many coordinates as N or W has rank."""
+    control = by_control(system)
+    matrix, other = _as_system(answer, parameters, ("A'", "B'" if control else "H'"),
+                               system.B.cols if control else system.H.rows, columns=control)
+    matrix, pair, side = _by_observation(matrix, system, parameters)
+    return _judge_system(matrix, other.T if control else other, pair, side)
 
 
 @judged
@@ -154,6 +146,13 @@ def similarity(claim, system, other, parameters=()):
                         f"{number_text(left[i, j])} by the first system and {number_text(right[i, j])} by the second")
     judge_everywhere(claim, given.parameters, lambda: sp.true, "your matrix is undefined", "your matrix has no inverse")
     return "it is invertible, and the derivatives of y agree in both systems"
+
+
+def _by_observation(claim, system, parameters=()):
+    """A matrix, the pair and the words of a question, transposed if it is one of control."""
+    if by_control(system):
+        return claim.T, reached(system, parameters), CONTROL
+    return claim, seen(system, parameters), OUTPUT
 
 
 def _judge_split(claim, pair, side):
@@ -316,7 +315,7 @@ def _why_different(A, new_A, part, part_output, values, side):
 
 def _judge_components(claim, system, sequential):
     """Zeros outside the blocks that a decomposition by components leaves, in the form by observation."""
-    claim, pair, side = (claim.T, reached(system), CONTROL) if by_control(system) else (claim, seen(system), OUTPUT)
+    claim, pair, side = _by_observation(claim, system)
     tolerance, n, m = share(claim), pair.order, pair.outputs
     ((_, A, H, _),), ((_, place),) = pair.systems, pair.samples
     sizes = (_sizes_in_turn if sequential else _sizes_by_turns)(*pair.at(place))

@@ -115,12 +115,10 @@ def same_numbers(mutant, reference, *_):
             and all(any(same_value(a, b) for a in mutant) for b in reference))
 
 
-def observability_split(mutant, reference, system, parameters=()):
+def decomposition(mutant, reference, system, parameters=()):
+    if system.B.cols:
+        return _is_split(sp.Matrix(mutant).T, system.A.T, system.B.T, parameters)
     return _is_split(mutant, system.A, system.H, parameters)
-
-
-def controllability_split(mutant, reference, system, parameters=()):
-    return _is_split(sp.Matrix(mutant).T, system.A.T, system.B.T, parameters)
 
 
 def _is_split(mutant, A, H, parameters):
@@ -131,13 +129,12 @@ def _is_split(mutant, A, H, parameters):
     return _has_blocks(T * A * T.inv(), H * T.inv(), _simplified_rank(kalman(A, H)))
 
 
-def observability_split_system(mutant, reference, system, parameters=()):
-    return len(mutant) == 2 and _is_split_system(mutant, system.A, system.H, parameters)
-
-
-def controllability_split_system(mutant, reference, system, parameters=()):
-    return len(mutant) == 2 and _is_split_system([sp.Matrix(part).T for part in mutant], system.A.T, system.B.T,
-                                                 parameters)
+def decomposed_system(mutant, reference, system, parameters=()):
+    if len(mutant) != 2:
+        return False
+    if system.B.cols:
+        return _is_split_system([sp.Matrix(part).T for part in mutant], system.A.T, system.B.T, parameters)
+    return _is_split_system(mutant, system.A, system.H, parameters)
 
 
 def _is_split_system(mutant, A, H, parameters):
@@ -301,10 +298,8 @@ ORACLES = {
     "unseen_states": unseen_states,
     "uncontrolled_combinations": uncontrolled_combinations,
     "lost_eigenvalues": same_numbers,
-    "observability_split": observability_split,
-    "controllability_split": controllability_split,
-    "observability_split_system": observability_split_system,
-    "controllability_split_system": controllability_split_system,
+    "decomposition": decomposition,
+    "decomposed_system": decomposed_system,
     "sequential_split": by_components(sequential),
     "parallel_split": by_components(parallel),
     "similarity": similarity,
