@@ -15,8 +15,8 @@ from workbook.reference import spans
 
 
 class CheckCases(SphinxDirective):
-    """A section a theme, a table a check, then the theme's known limits. A check with cases in several files stands in
-    the first of these themes."""
+    """A section a theme, a table a check, then the theme's known limits. What a check asks is told in the theme of its
+    module, or else in the first that has cases of it; the others refer there."""
 
     def run(self):
         folder = Path(self.env.srcdir) / "tests" / "checks"
@@ -25,26 +25,38 @@ class CheckCases(SphinxDirective):
         for path in sorted((folder / "cases").glob("*/*.py")):
             self.env.note_dependency(str(path))
             modules[path] = _load(path, folder)
-        cases, place = [case for module in modules.values() for case in module.CASES], {}
-        for path, module in modules.items():
-            for case in module.CASES:
-                place.setdefault(case.check, path)
-        return [self._theme(module, path.stem, [case for case in cases if place[case.check] == path])
+        homes = homes_of(modules)
+        return [self._theme(module, path.stem, {name for name in homes if homes[name] == path})
                 for path, module in modules.items()]
 
-    def _theme(self, module, theme, cases):
+    def _theme(self, module, theme, at_home):
         section = nodes.section("", nodes.title("", theme.replace("_", " ").capitalize()),
                                 ids=[f"checks-{theme.replace('_', '-')}"])
-        for name in dict.fromkeys(case.check for case in cases):
-            purpose, *more = (" ".join(part.split()) for part in getattr(checks, name).__doc__.split("\n\n"))
-            anchor = nodes.target("", "", ids=[f"check-{name}"])
-            section += nodes.paragraph("", "", anchor, nodes.literal("", f"checks.{name}"), *spans(f": {purpose}"))
-            section += [nodes.paragraph("", "", *spans(part)) for part in more if part.startswith("Data: ")]
-            section += _table([case for case in cases if case.check == name])
+        for name in dict.fromkeys(case.check for case in module.CASES):
+            shown = nodes.literal("", f"checks.{name}")
+            if name in at_home:
+                purpose, *more = (" ".join(part.split()) for part in getattr(checks, name).__doc__.split("\n\n"))
+                anchor = nodes.target("", "", ids=[f"check-{name}"])
+                section += nodes.paragraph("", "", anchor, shown, *spans(f": {purpose}"))
+                section += [nodes.paragraph("", "", *spans(part)) for part in more if part.startswith("Data: ")]
+            else:
+                section += nodes.paragraph("", "", nodes.reference("", "", shown, refid=f"check-{name}", internal=True))
+            section += _table([case for case in module.CASES if case.check == name])
         section += nodes.paragraph("", "", nodes.strong("", "Known limits"))
         limits = (nodes.list_item("", nodes.paragraph("", "", *spans(limit))) for limit in module.LIMITS)
         section += nodes.bullet_list("", *limits)
         return section
+
+
+def homes_of(modules):
+    """The file, of those in which a check has cases, where it is told what it asks, by the names of the checks."""
+    homes = {}
+    for path, module in modules.items():
+        for name in {case.check for case in module.CASES}:
+            if getattr(checks, name).__module__.split(".")[-2:] == [path.parent.name, path.stem]:
+                homes[name] = path
+            homes.setdefault(name, path)
+    return homes
 
 
 def _table(cases):
