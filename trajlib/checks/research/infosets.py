@@ -4,6 +4,7 @@ A polygon {p: a_i p <= b_i} is judged by its corners, which are found where two 
 whether it has a point at all by Farkas' lemma, over pairs and triples of sides. Sides are not made tight.
 """
 
+import functools
 import itertools
 
 import numpy as np
@@ -43,7 +44,8 @@ def common_point(answer, sides, bounds):
         return (f"for {place_text(values)} " + ("some point keeps all bounds, yet your condition fails" if holds else
                                                 "no point keeps all bounds, yet your condition holds"))
 
-    agreement = compare(answer, symbols, exactly(sp.And(*_necessary(sides, bounds)), here), reason)
+    needed = _necessary(sides.as_immutable(), tuple(map(sp.sympify, bounds)))
+    agreement = compare(answer, symbols, exactly(needed, here), reason)
     return f"it agrees with the bounds on all pairs and triples of sides: {agreement}"
 
 
@@ -67,19 +69,18 @@ def _corners(sides, bounds, values):
     return np.array(found)
 
 
+@functools.lru_cache(maxsize=32)
 def _necessary(sides, bounds):
     """The conditions sum lambda_i b_i >= 0 for all lambda >= 0 of two or three sides with sum lambda_i a_i = 0."""
     rows = [sides.row(i) for i in range(sides.rows)]
-
-    def turn(i, j):
-        return sp.simplify(rows[i][0]*rows[j][1] - rows[i][1]*rows[j][0])
-
-    for i, j in itertools.combinations(range(len(rows)), 2):
-        if turn(i, j) == 0 and rows[i].dot(rows[j]) < 0:
-            yield sp.simplify(rows[j].norm()*bounds[i] + rows[i].norm()*bounds[j]) >= 0
+    turns = {(i, j): sp.simplify(rows[i][0]*rows[j][1] - rows[i][1]*rows[j][0])
+             for i, j in itertools.combinations(range(len(rows)), 2)}
+    found = [sp.simplify(rows[j].norm()*bounds[i] + rows[i].norm()*bounds[j]) >= 0
+             for (i, j), turn in turns.items() if turn == 0 and rows[i].dot(rows[j]) < 0]
     for i, j, k in itertools.combinations(range(len(rows)), 3):
-        weights = [turn(j, k), turn(k, i), turn(i, j)]
+        weights = [turns[j, k], -turns[i, k], turns[i, j]]
         signs = {sp.sign(weight) for weight in weights}
         if len(signs) == 1 and signs != {sp.S.Zero}:
             total = sum(abs(weight)*bounds[n] for weight, n in zip(weights, (i, j, k)))
-            yield sp.simplify(total/abs(weights[0])) >= 0
+            found.append(sp.simplify(total/abs(weights[0])) >= 0)
+    return sp.And(*found)
