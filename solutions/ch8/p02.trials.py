@@ -5,7 +5,7 @@ a_weights = [1/(1 - q)/2, sp.Rational(1, 2), q/(q - 1)/2]  # Which sample is spo
 # Was the nuisance taken out and the weights not divided by what is left of the signal? (hint 2)
 s1, s2 = 1 + q + q**2, 1 + q**2 + q**4
 a_weights = [1 - s1*q**k/s2 for k in range(3)]
-b_condition = q < 1  # Is a drift that grows worse than one that fades? Try q = 2. (hint 1)
+b_condition = q < 1  # Is a drift that grows worse than one that fades? Try $q = 2$. (hint 1)
 b_condition = sp.true  # Try a drift that does not fade at all. (hint 1)
 c_estimates = [(h0 + h1 + h2)/3, h0 - (h0 + h1 + h2)/3]  # Do these numbers minimise the sum of squares? (hint 1)
 c_estimates = [(q*h0 - h1)/(q - 1), (h1 - h0)/(q - 1)]  # Was the third sample used? (hint 1)
