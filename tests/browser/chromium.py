@@ -6,6 +6,7 @@ import shutil
 import time
 from contextlib import suppress
 
+import psutil
 import pytest
 
 from trajlib.grading.isolation import system_call
@@ -17,7 +18,7 @@ PR_SET_CHILD_SUBREAPER = 36
 class Browser:
     """Chromium with every name but this machine's unknown to it."""
 
-    def __init__(self, chromium, driver, profile):
+    def __init__(self, chromium, driver, profile, *more):
         from selenium import webdriver
         from selenium.webdriver.chrome.service import Service
 
@@ -26,7 +27,7 @@ class Browser:
         for argument in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
                          "--disable-background-networking", "--disable-component-update", "--disable-sync",
                          "--no-first-run", f"--user-data-dir={profile}", "--window-size=1280,900",
-                         "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1"):
+                         "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1", *more):
             options.add_argument(argument)
         options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
         self.driver = webdriver.Chrome(options=options, service=Service(driver))
@@ -82,6 +83,17 @@ class Browser:
 
 @pytest.fixture(scope="session")
 def browser(tmp_path_factory, core_seconds):
+    yield from _running(tmp_path_factory, core_seconds)
+
+
+@pytest.fixture(scope="session")
+def still_browser(tmp_path_factory, core_seconds):
+    """For pages on which nothing is to move: without a graphics card, layers that a thread of their own puts together
+    are a third of what a visit computes, and without that thread no frames of animations come."""
+    yield from _running(tmp_path_factory, core_seconds, "--disable-threaded-compositing")
+
+
+def _running(tmp_path_factory, core_seconds, *arguments):
     chromium = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
     driver = shutil.which("chromedriver")
     if not (chromium and driver):
@@ -89,20 +101,27 @@ def browser(tmp_path_factory, core_seconds):
         if os.environ.get("CI") == "true":
             pytest.fail(missing)
         pytest.skip(missing)
-    browser = Browser(chromium, driver, tmp_path_factory.mktemp("profile"))
+    browser = Browser(chromium, driver, tmp_path_factory.mktemp("profile"), *arguments)
     yield browser
     with core_seconds("a browser"):  # what it computed is known when it has ended
         _end(browser.driver)
 
 
 def _end(driver):
-    """Quit and wait for all processes of Chromium. Its driver leaves them behind, so that nobody would know what they
-    computed, which is nearly all of it: they are taken on (Linux)."""
+    """Quit and wait for all processes of this Chromium. Its driver leaves them behind, so that nobody would know what
+    they computed, which is nearly all of it: they are taken on (Linux)."""
     with suppress(OSError):
         system_call("prctl", PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
+    left = {process.pid for process in psutil.Process(driver.service.process.pid).children(recursive=True)}
     driver.quit()
     end = time.monotonic() + 10
-    with suppress(ChildProcessError):  # when there is none left
-        while time.monotonic() < end:
-            if os.waitpid(-1, os.WNOHANG) == (0, 0):
-                time.sleep(0.02)
+    while left and time.monotonic() < end:
+        left = {pid for pid in left if not _waited_for(pid)}
+        time.sleep(0.02)
+
+
+def _waited_for(pid):
+    try:
+        return os.waitpid(pid, os.WNOHANG) != (0, 0)
+    except ChildProcessError:  # it is still another one's, or gone
+        return not psutil.pid_exists(pid)
