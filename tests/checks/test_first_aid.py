@@ -50,6 +50,7 @@ def errors(outputs):
     return ["\n".join(output.traceback) for output in outputs if output.output_type == "error"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("mistake", ["and", "chain", "unbracketed", "if"])
 def test_conditions_joined_as_in_python_are_told_what_to_write(first_day, mistake):
     [said] = errors(first_day[mistake])
@@ -77,6 +78,7 @@ def test_a_check_before_its_answer_is_missing(first_day):
 ALONE = f"from trajlib import checks\n\n{CHECK}"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("before", [(), ("a_region = True",), ("import trajlib",)])
 def test_a_check_before_its_data_says_what_to_run(outputs, before):
     """As the first cell after a restart nothing of ours is loaded but what it imports itself."""
@@ -88,6 +90,7 @@ def test_a_check_before_its_data_says_what_to_run(outputs, before):
     assert not errors(data) and shown(check)
 
 
+@pytest.mark.slow
 def test_other_names_that_do_not_exist_are_told_as_ever(outputs):
     _, typo = outputs(DATA, "a_region = k3 > 0")
     [said] = errors(typo)

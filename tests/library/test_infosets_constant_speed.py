@@ -107,6 +107,7 @@ def test_what_is_reached_is_a_member(seed, T):
     assert not exact.contains(away).any()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("T", [np.pi/2, np.pi, 5*np.pi/4, 2*np.pi])
 def test_the_boundary_separates(T):
     """Beside each of its points one side is reached and one is not; it is made of turn-straight and turn-turn ends."""
@@ -144,6 +145,7 @@ def test_three_controls_come_from_inside_in_the_square_of_the_step(steps):
     assert short.min() > -1e-9 and 0.2 < short.max()/(T*(1 - np.cos(T/steps/2))) <= 1
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("i", [1, 2, 3, 4])
 def test_figure_9_the_exact_set_lies_inside_up_to_the_step(i):
     """At the times i (pi/2) V/k all that is reached lies in the union of the sections, grown by O(D^2); of the union a

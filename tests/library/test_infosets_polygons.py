@@ -45,6 +45,7 @@ def scanned(values, margin=1e-9):
     return result
 
 
+@pytest.mark.slow
 @given(m=SIZES, seed=st.integers(0, 10**6))
 @settings(max_examples=150, deadline=None)
 def test_tight_values_are_those_of_linear_programming(m, seed):
@@ -152,6 +153,7 @@ def test_arrays_of_polygons_are_treated_alike():
     assert many.shift([1, 1]).intersect(many).shape == (7, 5)
 
 
+@pytest.mark.slow
 @given(seed=st.integers(0, 10**6), m=st.sampled_from([5, 8, 12, 16, 64]))
 @settings(max_examples=60, deadline=None)
 def test_rounding_never_loses_a_corner_far_from_the_origin(seed, m):
