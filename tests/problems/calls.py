@@ -12,22 +12,35 @@ import sys
 from contextlib import contextmanager
 from types import FunctionType
 
+#: Where calls are noted now: the set, and what is heeded.
+_NOW = [set(), None]
+
 
 @contextmanager
 def calls_noted(packages, heed):
     """Within it, the set of (module, name) grows by each function called for which `heed(its module, the frame of its
     caller)` is true; functions are those of modules whose names begin with one of `packages`."""
-    called, codes = set(), {}
-    for name, module in sys.modules.copy().items():
-        if name.startswith(packages):
-            codes |= {function: function.__code__ for function in _functions(vars(module), name, set())}
-    for function in codes:
-        _exchange(function, called, heed)
+    codes = codes_that_note(packages)
+    _NOW[:] = called, heed = set(), heed
+    for function, _, noting in codes:
+        function.__code__ = noting
     try:
         yield called
     finally:
-        for function, code in codes.items():
-            function.__code__ = code
+        for function, own, _ in codes:
+            function.__code__ = own
+
+
+def codes_that_note(packages):
+    """(function, its code, one that notes the call first) for each function; a process that is forked from one that has
+    asked for them finds them ready."""
+    return [found for name in list(sys.modules) if name.startswith(packages) for found in _codes_in(name)]
+
+
+@functools.cache
+def _codes_in(module):
+    return [(function, function.__code__, _that_notes(function))
+            for function in _functions(vars(sys.modules[module]), module, set())]
 
 
 def _functions(names, module, seen):
@@ -52,18 +65,19 @@ def _functions(names, module, seen):
             yield value
 
 
-def _exchange(function, called, heed):
+def _that_notes(function):
     module, name = function.__module__, function.__qualname__
 
     def note():
+        called, heed = _NOW
         if (module, name) not in called and heed(module, sys._getframe(2)):
             called.add((module, name))
 
     original = FunctionType(function.__code__, function.__globals__, function.__name__, function.__defaults__)
     original.__kwdefaults__ = function.__kwdefaults__
     put = {"NOTE": note, "FUNCTION": original}
-    function.__code__ = _noted.__code__.replace(co_consts=tuple(put.get(constant, constant)
-                                                                for constant in _noted.__code__.co_consts))
+    return _noted.__code__.replace(co_consts=tuple(put.get(constant, constant)
+                                                   for constant in _noted.__code__.co_consts))
 
 
 def _noted(*args, **kwargs):

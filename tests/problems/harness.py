@@ -7,7 +7,7 @@ import time
 import traceback
 
 import sympy as sp
-from calls import calls_noted
+from calls import calls_noted, codes_that_note
 from forms import each_form
 
 from trajlib import checks
@@ -19,6 +19,7 @@ from trajlib.systems import Controlled
 PACE = 0.155
 #: Solvers that an answer and its check must not share.
 SOLVERS = ("trajlib.", "control", "casadi", "scipy.linalg", "scipy.optimize", "sympy.solvers")
+codes_that_note(SOLVERS)  # each problem is solved and judged in processes forked from this one
 
 
 class Workbench:
