@@ -73,7 +73,7 @@ def test_a_condition_with_an_undefined_term_does_not_hold():
 
 
 LAW = cases("pontryagin/syntheses")
-MOVE, SEEN = cases("pontryagin/transfers"), cases("research/solvability")
+MOVE, SEEN, SOLVED = map(cases, ("pontryagin/transfers", "structure/observability", "research/solvability"))
 SPLINE, PLANE = cases("research/reconstruction"), cases("stability/stationary")
 LINES, FLAT = cases("stability/critical"), cases("stability/first_approximation")
 LISTS = cases("stability/rest_families")
@@ -92,9 +92,9 @@ LATE = sp.Piecewise((-1, MOVE.t < 1), (1, MOVE.t > sp.Rational(21, 20)))
     ("optimal_control", LATE, (MOVE.REST, MOVE.t), "wrong", "your control at t = 1.0"),
     ("optimal_control", [(-1, 1), (1, sp.oo)], (MOVE.REST, MOVE.t), "wrong",
      "the end of your arc number 2"),
-    ("unseen_direction", [HUGE, HUGE, HUGE, HUGE], SEEN.UNSEEN, "wrong", "larger than"),
-    ("unseen_direction", [0, 10**9, 0, 10**9 * SEEN.g], SEEN.UNSEEN, "right", "changes"),
-    ("breaks_bound", [0, 0, HUGE], SEEN.BOUND, "invalid", "finite"),
+    ("unseen_states", [HUGE, HUGE, HUGE, HUGE], SEEN.PLATFORM, "wrong", "larger than"),
+    ("unseen_states", [0, 10**9, 0, 10**9 * SEEN.g], SEEN.PLATFORM, "right", "z stays zero"),
+    ("breaks_bound", [0, 0, HUGE], SOLVED.BOUND, "invalid", "finite"),
     ("multiple_eigenvalues", HUGE, SPLINE.MULTIPLE, "invalid", "finite"),
     ("growing_motion", [HUGE * LINES.t**2, HUGE], (*LINES.DRIFT, LINES.t), "wrong", "larger than 1e+50"),
     ("linearisation", [[0, 1], [-HUGE, -HUGE]], FLAT.BOTTOM, "wrong", "the entry (2, 1) of your matrix"),

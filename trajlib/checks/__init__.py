@@ -41,7 +41,7 @@ __getattr__, __dir__, __all__ = lazy_names(__name__, {
     "structure.output_meaning": ["measured_quantity"],
     "structure.measurement_errors": ["amplitude_from_output", "augmented_system"],
     "structure.scalar_equations": ["canonical_coordinate", "scalar_equation"],
-    "structure.time_varying": ["derivative_rows", "frozen_determinant", "output_gramian", "varying_output"],
+    "structure.time_varying": ["derivative_rows", "frozen_determinant", "measured_motion", "output_gramian"],
     "feedback.equations": ["equation_gains", "state_form"],
     "feedback.loops": ["estimate_gains", "feedback_gain", "observer_gain"],
     "feedback.margins": ["gain_region", "observer_obstacle", "possible_margins"],
@@ -81,8 +81,8 @@ __getattr__, __dir__, __all__ = lazy_names(__name__, {
         "spline_acceleration", "spline_misfit", "spline_positions", "steady_costate", "transition_polynomial",
         "weight_for_bound", "weight_of_harmonic"],
     "research.solvability": ["bearing_tells_range", "bias_of_estimate", "breaks_bound", "condition_of_nearly_equal",
-        "fooling_error", "measured_motion", "modes_of_range", "most_rows", "numbers_seen", "range_error",
-        "stations_insufficient", "unseen_by_bearings", "unseen_direction", "unseen_motions", "worst_of_three"],
+        "fooling_error", "modes_of_range", "most_rows", "numbers_seen", "range_error",
+        "stations_insufficient", "unseen_by_bearings", "worst_of_three"],
 })
 
 # The first data or check cell of a notebook that runs imports this package: from then on its cells are watched.

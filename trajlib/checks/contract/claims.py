@@ -73,11 +73,12 @@ class Laid(Claim):
 
 
 class Vectors(Claim):
-    """A list of vectors of the `size` given or that of a datum: also a set of them, a matrix whose columns they are."""
+    """A list of vectors of the `size` given or that of a datum: also a set of them, a matrix whose columns they are.
+    For the `names` given a vector may be a dict."""
 
     @staticmethod
-    def coerce(answer, symbols, size):
-        return vectors(answer, _size(size), symbols)
+    def coerce(answer, symbols, size, names=()):
+        return vectors(answer, _size(size), symbols, names)
 
 
 class Values(Claim):

@@ -57,8 +57,9 @@ def in_order(answer, names):
     return [by_name[name] for name in names]
 
 
-def vectors(answer, n, symbols):
-    """A list of vectors from a list, a set, a matrix whose columns they are; none of them from anything empty."""
+def vectors(answer, n, symbols, names=()):
+    """A list of vectors from a list, a set, a matrix whose columns they are; none of them from anything empty. One that
+    is a dict has a key for each of the `names`."""
     if isinstance(answer, np.ndarray) and answer.ndim == 2:
         answer = sp.Matrix(*answer.shape, [sp.sympify(x) for x in answer.ravel().tolist()])
     if isinstance(answer, np.ndarray):
@@ -74,6 +75,8 @@ def vectors(answer, n, symbols):
         answer = [list(answer.col(j)) for j in range(answer.cols)]
     if answer is sp.S.EmptySet:
         return []
+    if names and isinstance(answer, dict):
+        answer = [answer]
     if not isinstance(answer, (list, tuple, set, frozenset, sp.FiniteSet, sp.Tuple)):
         raise Invalid(f"expected a list of vectors with {n} components each")
     parts = list(answer)
@@ -82,4 +85,4 @@ def vectors(answer, n, symbols):
         parts = [parts]  # a single vector, written without the outer list
     if n > 1 and len(parts) == n and all(isinstance(part, (list, tuple)) and len(part) == 1 for part in parts):
         parts = [[part[0] for part in parts]]  # a single column
-    return [coercion.as_expressions(part, symbols, n) for part in parts]
+    return [coercion.as_expressions(in_order(part, names) if names else part, symbols, n) for part in parts]

@@ -14,10 +14,10 @@ import sympy as sp
 
 from trajlib.checks.contract import coercion
 from trajlib.checks.contract.claims import Expression, Expressions, Integer
-from trajlib.checks.contract.verdict import Invalid, Wrong, judged
+from trajlib.checks.contract.verdict import Wrong, judged
 from trajlib.checks.tools.comparisons import Same
 from trajlib.checks.tools.conditions import compare, exactly, place_text
-from trajlib.checks.tools.samples import in_every_case, joined, random_values
+from trajlib.checks.tools.samples import in_every_case, random_values
 from trajlib.checks.tools.values import value_at
 from trajlib.checks.tools.wording import rounded_text
 from trajlib.checks.truths.exceptional_values import judge_everywhere
@@ -25,58 +25,29 @@ from trajlib.checks.truths.exceptional_values import judge_everywhere
 MOMENTS = 12
 #: What counts as nothing beside numbers of size one.
 ZERO = 1e-8
-#: What may become of a change of the unknowns at special values of the symbols.
-OF_CHANGE = "your change is undefined", "your change is zero"
 
 
-@judged(Expression("matrix", "initial", "t"))
-def measured_motion(claim, matrix, output, initial, t):
-    """The measured component of the solution of x' = A x through the initial values."""
-    from scipy.linalg import expm
-
-    for values in in_every_case(random_values([*_symbols(matrix), *initial, t], 71), claim):
-        states = expm(_array(matrix, values)*values[t])@[values[s] for s in initial]
-        yield Same(claim, _seen(output, values, states), "what is measured", values, np.abs(states).max())
-    return "it is what is measured along the motion, for random values of all symbols"
-
-
-@judged(Expressions("matrix", length=lambda data: data["matrix"].rows, names="unknowns"))
-def unseen_direction(claim, matrix, output, unknowns=()):
-    """A change of the initial state of x' = A x, of the `unknowns`, that no measurement sees."""
-    for values in in_every_case(random_values(_symbols(matrix), 72), claim):
-        direction = _direction(claim, values)
-        times = np.linspace(0, 3, MOMENTS)
-        for time, move in zip(times, _moves(matrix, values, times)):
-            seen = _seen(output, values, move@direction)
-            if not abs(seen) <= ZERO:
-                raise Wrong(f"for {rounded_text(values)}, scaled to length 1, your change alters the measurement at t "
-                            f"= {time:.3g} by {seen:.3g}")
-    judge_everywhere(sp.Matrix(claim), _symbols(matrix), lambda: sp.true, *OF_CHANGE)
-    return "it changes the state and no measurement, for random values of the symbols"
-
-
-@judged(Expression("matrix", "left_out"))
-def bias_of_estimate(claim, matrix, output, unknowns, wanted, left_out):
+@judged(Expression("system.A", "left_out"))
+def bias_of_estimate(claim, system, unknowns, wanted, left_out):
     """The error of the estimate of `wanted` when the constant unknown `left_out` is taken for zero."""
     j, k = list(unknowns).index(wanted), list(unknowns).index(left_out)
-    kept = [i for i in range(matrix.rows) if i != k]
-    for values in in_every_case(random_values([*_symbols(matrix), left_out], 73), claim):
-        rows = _rows(matrix, output, values, np.linspace(0, 4, 3*MOMENTS))
+    kept = [i for i in range(system.A.rows) if i != k]
+    for values in in_every_case(random_values([*_symbols(system.A), left_out], 73), claim):
+        rows = _rows(system.A, system.H, values, np.linspace(0, 4, 3*MOMENTS))
         found = np.linalg.lstsq(rows[:, kept], rows[:, k]*values[left_out], rcond=None)[0]
         yield Same(claim, found[kept.index(j)], f"the error of the estimate of {wanted}", values, abs(values[left_out]),
                    1e-7)
     return "least squares without this unknown is wrong by it, for random values of the symbols"
 
 
-@judged(Expression("matrix", "tau", "delta"))
-def worst_of_three(claim, matrix, output, unknowns, wanted, tau, delta):
+@judged(Expression("system.A", "tau", "delta"))
+def worst_of_three(claim, system, unknowns, wanted, tau, delta):
     """The greatest error of `wanted` from three measurements at 0, tau, 2 tau with errors up to delta."""
     j = list(unknowns).index(wanted)
-    for values in in_every_case(random_values([*_symbols(matrix), tau, delta], 74), claim):
-        A = _array(matrix, values)
-        fastest = np.abs(np.linalg.eigvals(A)).max()
+    for values in in_every_case(random_values([*_symbols(system.A), tau, delta], 74), claim):
+        fastest = np.abs(np.linalg.eigvals(_array(system.A, values))).max()
         values[tau] *= 1.1/fastest                # between an eighth and seven eighths of half a period
-        rows = _rows(matrix, output, values, values[tau]*np.arange(3))
+        rows = _rows(system.A, system.H, values, values[tau]*np.arange(3))
         corners = (np.linalg.solve(rows, np.array(signs)*values[delta])[j]
                    for signs in itertools.product((-1, 1), repeat=3))
         yield Same(claim, max(abs(error) for error in corners), f"the greatest error of {wanted}", values, 0, 1e-7)
@@ -98,7 +69,7 @@ def unseen_by_bearings(answer, relative, t):
                             f"{time:.3g} by {turned:.3g} rad per unit")
     (x, y), (dx, dy) = relative, (sp.diff(part, t) for part in relative)
     judge_everywhere(sp.Matrix(claim), _symbols(sp.Matrix(relative), t), lambda: sp.Ne(sp.expand(x*dy - y*dx), 0),
-                     *OF_CHANGE)
+                     "your change is undefined", "your change is zero")
     return "it changes no bearing to first order, for random motions"
 
 
@@ -161,37 +132,6 @@ def modes_of_range(claims, matrix, sight, initial, rate, t):
                 raise Wrong(f"for {rounded_text(values)} the range at {t} = {time:.3g} deviates by {true:.5g}; your "
                             f"four terms sum up to {said:.5g}")
     return "the four terms sum up to the deviation of the range at all times, for random directions and motions"
-
-
-@judged
-def unseen_motions(answer, matrix, sight, count, given=()):
-    """`count` independent initial states whose motion does not change the range, for all values of the symbols that
-    are as `given`."""
-    if isinstance(answer, sp.MatrixBase) and answer.cols == count != 1 and answer.rows == matrix.rows:
-        answer = [list(answer.col(j)) for j in range(count)]
-    if not isinstance(answer, (list, tuple)):
-        raise Invalid(f"expected a list of {count} vectors")
-    symbols = [*_symbols(matrix), *sight]
-    claims = [coercion.as_expressions(vector, symbols, matrix.rows) for vector in answer]
-    if len(claims) != count:
-        raise Wrong(f"{count} independent motions were asked for, your list has {len(claims)}")
-    output = sp.Matrix([[*sight, *[0]*(matrix.rows - len(sight))]])
-    for values in random_values(symbols, 80):
-        directions = np.array([_direction(claim, values) for claim in claims])
-        times = np.linspace(0, 6, MOMENTS)
-        moves, (towards,) = _moves(matrix, values, times), _array(output, values)
-        for number, direction in enumerate(directions, 1):
-            for time, move in zip(times, moves):
-                motion = move@direction
-                seen = float(towards@motion)
-                if not abs(seen) <= ZERO*(1 + np.abs(motion).max()):
-                    raise Wrong(f"for {rounded_text(values)} motion number {number}, scaled to length 1, changes the "
-                                f"range at t = {time:.3g} by {seen:.3g}")
-        if not np.linalg.svd(directions, compute_uv=False)[-1] >= 1e-6:
-            raise Wrong(f"for {rounded_text(values)} your motions are not independent: a combination of them is zero")
-    judge_everywhere(sp.Matrix(claims).T, symbols, lambda: joined(given), "one of your motions is undefined",
-                     "your motions are dependent")
-    return "they are independent and leave the range as it is, for random directions"
 
 
 @judged(Expressions(length=lambda data: len(data["sights"])))
@@ -331,12 +271,6 @@ def _moves(matrix, values, times):
     from scipy.linalg import expm
 
     return expm(_array(matrix, values)*times[:, None, None])
-
-
-def _seen(output, values, state):
-    """The measurement, a single number, of a state."""
-    (number,) = _array(output, values)@state
-    return float(number)
 
 
 def _direction(claim, values):

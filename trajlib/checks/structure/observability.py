@@ -41,13 +41,14 @@ def unobservable_parameters(answer, system, parameters):
     return judge_region(answer, seen(system, parameters), words(system), holds=False)
 
 
-@judged(Vectors("parameters", size="system.unknowns"))
-def unseen_states(claim, system, parameters=()):
+@judged(Vectors("parameters", size="system.unknowns", names="start"))
+def unseen_states(claim, system, parameters=(), start=()):
     """A basis of the starts whose motions give z = 0 for all time, an empty list if zero is the only one: x(0), with an
     error (x(0), C), for a `Mechanical` system, with invertible M, (x(0), x'(0)); of `Measurements` the changes of the
     unknowns that alter none to first order.
 
-    With parameters: for their values in general position, as the assumptions allow, and wherever as much is unseen.
+    With parameters: for their values in general position, as the assumptions allow, and wherever as much is unseen. By
+    the symbols of the `start` a vector may be given as a dict.
     """
     return judge_basis(claim, seen(system, parameters), words(system))
 

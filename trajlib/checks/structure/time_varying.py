@@ -1,5 +1,5 @@
-"""An output z = H(t) x of x' = A x whose row changes with time, told as `Varying`: its motions, its derivatives, its
-Gramian, the trap of frozen rows. What it never shows is asked in `observability.py`."""
+"""An output z = H x of x' = A x in the course of time; where its row H(t) changes, told as `Varying`: its derivatives,
+its Gramian, the trap of frozen rows. What it never shows is asked in `observability.py`."""
 
 from math import comb
 
@@ -15,17 +15,18 @@ from trajlib.checks.tools.values import value_at
 from trajlib.checks.tools.wording import number_text, rounded_text
 
 
-@judged(Expression("system.time", "start", "parameters"))
-def varying_output(claim, system, start, parameters):
-    """z(t) along the motion from the start, an expression in the symbols of the start, the time and the parameters."""
+@judged(Expression("time", "start", "parameters"))
+def measured_motion(claim, system, start, time, parameters=()):
+    """The single output z(t) along the motion from the start, an expression in the symbols of the start, the time and
+    the parameters; its row may change with the time."""
     from scipy.linalg import expm
 
-    for values in in_every_case(signed_values([system.time, *start, *parameters], positive=[system.time]), claim):
+    for values in in_every_case(signed_values([time, *start, *parameters], positive=[time]), claim):
         x = np.array([values[symbol] for symbol in start])
         matrix, row = _at(system.A, values), _at(system.H, values)
-        z = float((row @ expm(values[system.time] * matrix) @ x)[0])
-        yield Same(claim, z, "z", values, np.linalg.norm(row) * np.linalg.norm(x))
-    return "it is H(t) x(t) for all starts, moments and parameters tried"
+        z = float((row @ expm(values[time] * matrix) @ x)[0])
+        yield Same(claim, z, "the measurement", values, np.linalg.norm(row) * np.linalg.norm(x))
+    return "it is what is measured for all starts, moments and parameters tried"
 
 
 @judged(Matrix("system.time", "parameters", shape="system.A"))

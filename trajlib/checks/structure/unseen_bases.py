@@ -46,7 +46,7 @@ def judge_basis(vectors, pair, side, at=None):
     if vectors:
         judge_everywhere(sp.Matrix(vectors).T, pair.parameters, lambda: pair.in_general,
                          "one of your vectors is undefined",
-                         "your vectors are linearly dependent")
+                         "your vectors are linearly dependent" if len(vectors) > 1 else "your vector is zero")
     return side.basis_right if vectors else side.none_free
 
 

@@ -28,6 +28,15 @@ ALWAYS = (Linear(M([[0, 1], [-w**2, 0]]), H=M([[1, 0]])), [w])
 SOMETIMES = (Linear(M([[0, 1], [-w**2, 0]]), H=M([[1 - w, 0]])), [w])
 NEVER = (Linear(M([[a, 0], [0, a]]), H=M([[1, 1]])), [a])
 u, v = [1, 0, -1, 0], [0, 1, 0, -1]
+# A platform levelled by the speed that it shows, with a drift and a bias; names of its start.
+g, R = sp.symbols("g R", positive=True)
+PLATFORM = (Linear(M([[0, -g, 0, 1], [1/R, 0, 1, 0], [0, 0, 0, 0], [0, 0, 0, 0]]), H=M([[1, 0, 0, 0]])), [g, R],
+            sp.symbols("v phi eps b"))
+# The range of a satellite that stands nearly still, along a direction neither in the plane of the orbit nor across it.
+n1, n2, n3 = sp.symbols("n1", real=True), *sp.symbols("n2 n3", real=True, nonzero=True)
+RANGE = (Linear(M([[0, 0, 0, 1, 0, 0], [0, 0, 0, 0, 1, 0], [0, 0, 0, 0, 0, 1], [3*w**2, 0, 0, 0, 2*w, 0],
+                   [0, 0, 0, -2*w, 0, 0], [0, 0, -w**2, 0, 0, 0]]), H=M([[n1, n2, n3, 0, 0, 0]])), [w, n1, n2, n3])
+FIRST, OTHER = [1, 0, -n1/n3, 0, -2*w, 2*n2*w/n3], [0, 2, -2*n2/n3, w, 0, -n1*w/n3]
 
 CASES = [
     Case("observable", "yes", CHAIN, "right", "nothing stays unseen"),
@@ -117,6 +126,18 @@ CASES = [
     Case("unseen_states", [[-b * (1 + a**2), a + a**3]], GAINS, "right", "two parameters, a factor that is never zero"),
     Case("unseen_states", [[-b / a, 1]], GAINS, "wrong", "two parameters: divided by one of them"),
     Case("unseen_states", [[-b * (a - b), a * (a - b)]], GAINS, "wrong", "two parameters: zero on a line"),
+    Case("unseen_states", {"v": 0, "phi": 1, "eps": 0, "b": g}, PLATFORM, "right", "a dict by the names of the start"),
+    Case("unseen_states", [{"v": 0, "phi": -3/g, "eps": 0, "b": -3}], PLATFORM, "right", "in a list, a multiple"),
+    Case("unseen_states", {"v": 0, "phi": 1, "eps": 0, "b": -g}, PLATFORM, "wrong", "a sign"),
+    Case("unseen_states", [0, g - R, 0, g*(g - R)], PLATFORM, "wrong", "zero for g = R"),
+    Case("unseen_states", {"v": 0, "phi": 1, "b": g}, PLATFORM, "invalid", "three components"),
+    Case("unseen_states", {"v": 0, "phi": 1}, LOST, "invalid", "names that the data do not have"),
+    Case("unseen_states", [FIRST, OTHER], RANGE, "right", "in six coordinates"),
+    Case("unseen_states", [[p + q for p, q in zip(FIRST, OTHER)], OTHER], RANGE, "right", "another basis"),
+    Case("unseen_states", [[n2*n3*p for p in FIRST], OTHER], RANGE, "right", "zero where it is not asked"),
+    Case("unseen_states", [FIRST, [0]*6], RANGE, "wrong", "one of them zero"),
+    Case("unseen_states", [[n1*p for p in FIRST], OTHER], RANGE, "wrong", "zero for a sight across"),
+    Case("unseen_states", [[-n2, n1, 0, 0, 0, 0], [0, -n3, n2, 0, 0, 0]], RANGE, "wrong", "displacements across"),
     Case("unseen_states", [[1, 0, -1, 0]], LOST, "invalid", "four components"),
     Case("unseen_states", sp.eye(2), LOST, "invalid", "a matrix of another order"),
     Case("lost_eigenvalues", [0], LOST, "right", "a list"),

@@ -1,7 +1,7 @@
 import sympy as sp
 from case import Case
 
-from trajlib.systems import Varying
+from trajlib.systems import Linear, Varying
 
 t, w, a, b = sp.symbols("t omega a b", real=True)
 # A body on a line: H(t) mixes place and speed.
@@ -24,15 +24,30 @@ FIRST = sp.Piecewise((0, sp.Eq(w, 2)), (HALF - SINE, True))
 MEAN = sp.Piecewise((BOTH, sp.Ne(w, 2)), (0, True))
 SECOND = sp.Piecewise((HALF + SINE, w < 2), (HALF + SINE, w > 2), (1, True))
 
+# The speed of a platform that is levelled by it, with a drift and a bias.
+g, R = sp.symbols("g R", positive=True)
+v0, phi0, eps, bias = sp.symbols("v0 phi0 eps b", real=True)
+PLATFORM = Linear([[0, -g, 0, 1], [1/R, 0, 1, 0], [0, 0, 0, 0], [0, 0, 0, 0]], H=[[1, 0, 0, 0]])
+SPEED = (PLATFORM, [v0, phi0, eps, bias], t, [g, R])
+f = sp.sqrt(g/R)
+
 CASES = [
-    Case("varying_output", BEAT_Z, (*BEAT, [a, b], [w]), "right", "the difference of two frequencies"),
-    Case("varying_output", a, (FADES[0], [a, b], []), "right", "a constant"),
-    Case("varying_output", sp.expand_trig(sp.expand(BEAT_Z)), (*BEAT, [a, b], [w]), "right", "products"),
-    Case("varying_output", BEAT_Z.subs(w, w + 4), (*BEAT, [a, b], [w]), "wrong", "the sum of the frequencies"),
-    Case("varying_output", a - t * b, (FADES[0], [a, b], []), "wrong", "the state held fast"),
-    Case("varying_output", sp.Piecewise((BEAT_Z, w > 1)), (*BEAT, [a, b], [w]), "wrong",
+    Case("measured_motion", BEAT_Z, (*BEAT, [a, b], t, [w]), "right", "the difference of two frequencies"),
+    Case("measured_motion", a, (FADES[0], [a, b], t), "right", "a constant"),
+    Case("measured_motion", sp.expand_trig(sp.expand(BEAT_Z)), (*BEAT, [a, b], t, [w]), "right", "products"),
+    Case("measured_motion", BEAT_Z.subs(w, w + 4), (*BEAT, [a, b], t, [w]), "wrong", "the sum of the frequencies"),
+    Case("measured_motion", a - t * b, (FADES[0], [a, b], t), "wrong", "the state held fast"),
+    Case("measured_motion", sp.Piecewise((BEAT_Z, w > 1)), (*BEAT, [a, b], t, [w]), "wrong",
          "defined for some parameters alone"),
-    Case("varying_output", sp.Symbol("x1"), (*BEAT, [a, b], [w]), "invalid", "a symbol that is not of the start"),
+    Case("measured_motion", sp.Symbol("x1"), (*BEAT, [a, b], t, [w]), "invalid", "a symbol that is not of the start"),
+    Case("measured_motion", -R*eps + (v0 + R*eps)*sp.cos(f*t) + (bias - g*phi0)/f*sp.sin(f*t), SPEED, "right",
+         "a constant row"),
+    Case("measured_motion", v0*sp.cos(f*t) - 2*R*eps*sp.sin(f*t/2)**2 + (bias - g*phi0)/f*sp.sin(f*t), SPEED, "right",
+         "half angle"),
+    Case("measured_motion", v0 + (bias - g*phi0)*t, SPEED, "wrong", "for short times only"),
+    Case("measured_motion", -R*eps + v0*sp.cos(f*t) + (bias - g*phi0)/f*sp.sin(f*t), SPEED, "wrong", "another start"),
+    Case("measured_motion", sp.Function("v")(t), SPEED, "invalid", "an unknown function"),
+    Case("measured_motion", ..., SPEED, "missing", "the untouched stub"),
     Case("derivative_rows", [[1, -t], [0, 0]], FADES, "right", "a first integral"),
     Case("derivative_rows", sp.Matrix([[1, t], [0, 2]]), (Varying(FREE, ONES, t), []), "right", "a power of t"),
     Case("derivative_rows", sp.Matrix([[1, -t], [0, 1]]), FADES, "wrong", "H and HA"),

@@ -80,8 +80,10 @@ def _minors_on_lines(N, parameters):
     return found
 
 
-def unseen_states(mutant, reference, system, parameters=()):
-    """Of constants independent combinations of the vectors of the reference, as many."""
+def unseen_states(mutant, reference, system, parameters=(), start=()):
+    """Of constants independent combinations of the vectors of the reference, as many; a single vector may be itself."""
+    if isinstance(mutant, list) and mutant and all(isinstance(part, (int, sp.Expr)) for part in mutant):
+        mutant = [mutant]
     if not isinstance(system, Measurements):
         return is_basis(mutant, seen(system).as_immutable())
     size = system.unknowns
