@@ -352,6 +352,27 @@ class Coloured:
                         *(getattr(self, name).subs(*values) for name in ("A", "B", "H", "C", "R", "covariance")))
 
 
+@dataclass(frozen=True)
+class FilterErrors:
+    """The errors x - y of the filter y' = A y + K (z - H y), in discrete time y(k + 1) = A y(k) + K (z(k) - H y(k)),
+    with any gain K, from y(0), the mean of x(0).
+
+    process: the `Process` or `Coloured` system that is measured, of the latter the noise belongs to x; gain: n x m.
+
+    >>> K = sp.Symbol("K")
+    >>> from trajlib.systems import FilterErrors, Process
+    >>> FilterErrors(Process(A=-1, Q=2, H=1, R=1), [[K]]).gain
+    Matrix([[K]])
+    """
+
+    process: Process | Coloured
+    gain: sp.Matrix
+
+    def __post_init__(self):
+        n, m = self.process.A.rows + isinstance(self.process, Coloured), self.process.H.rows
+        _set_matrices(self, {"gain": (n, m)}, "process")
+
+
 def _set_matrices(record, shapes, given, symmetric=(), meaning=""):
     """Make the named fields matrices of these shapes; those `symmetric` are what `meaning` says."""
     for name, shape in shapes.items():

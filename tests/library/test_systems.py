@@ -5,6 +5,7 @@ from trajlib.systems import (
     Coloured,
     Controlled,
     Deviations,
+    FilterErrors,
     Linear,
     Mechanical,
     Process,
@@ -99,6 +100,15 @@ def test_a_coloured_noise_stands_alone_or_enters_a_system():
     assert cart.covariance == sp.zeros(2) and cart.C == sp.zeros(1) and cart.subs(k, 3).correlation == 3
     with pytest.raises(ValueError, match="B has the shape"):
         Coloured(k, tau, A=[[0, 1], [0, 0]], B=[1], H=[[0, 1]], R=1)
+
+
+def test_the_gain_of_a_filter_has_a_column_for_each_measurement():
+    tau = sp.Symbol("tau", nonnegative=True)
+    made = Coloured(k*sp.exp(-tau), tau, A=-1, B=1, H=1, R=2)
+    assert FilterErrors(made, [1, k]).gain.shape == (2, 1)
+    assert FilterErrors(Process(A=-1, H=1), k).gain == sp.Matrix([[k]])
+    with pytest.raises(ValueError, match="gain has the shape"):
+        FilterErrors(made, [[1, k]])
 
 
 @pytest.mark.parametrize("part, given, words", [

@@ -15,12 +15,11 @@ from trajlib.checks.contract.claims import Laid, Matrix, Values
 from trajlib.checks.contract.tolerance import REPEATED, same
 from trajlib.checks.contract.verdict import judged
 from trajlib.checks.tools.comparisons import Entries, Members
-from trajlib.checks.tools.conditions import compare, contrary, exactly, place_text
-from trajlib.checks.tools.samples import allowed_values, in_every_case, joined
+from trajlib.checks.tools.conditions import compare, place_text
+from trajlib.checks.tools.samples import allowed_values, in_every_case
 from trajlib.checks.tools.values import numbers_at
 from trajlib.checks.tools.wording import entry_text, number_text, part_text, where_text
 from trajlib.checks.truths import processes
-from trajlib.checks.truths.spectra import decays
 
 COUNT = 6
 BEFORE, AFTER = "before", "after"
@@ -87,35 +86,6 @@ def steady_gain(claim, process, parameters=(), given=sp.true):
 
         yield Entries(claim, true, told, values, abs(true).max())
     return "no other gain makes the variances of the errors smaller"
-
-
-@judged(Matrix("gain", "parameters", shape=processes.shape_of("A")))
-def covariance_with_gain(claim, process, gain, parameters=(), given=sp.true):
-    """The covariance matrix that the errors of the filter y' = A y + K (z - H y) settle to with any `gain`, a matrix of
-    symbols, for which they decay."""
-    symbols = [*parameters, *sorted(gain.free_symbols - set(parameters), key=str)]
-    one = processes.plain(process)
-    decaying = sp.And(joined(given), decays(one.A - gain * one.H, one.discrete))
-    for values in in_every_case(allowed_values(symbols, decaying, COUNT), claim, decaying):
-        one = processes.numbers(process, values, start=False)
-        true = processes.erring(one, processes.array(gain, values))
-        yield Entries(claim, true, _other("the errors with this gain", values), values, abs(true).max())
-    return "the dispersion equation of the errors keeps this covariance"
-
-
-@judged
-def decaying_gains(answer, process, gain, parameters=()):
-    """The condition on the gain, a matrix of symbols, and the parameters under which the errors of the filter
-    y' = A y + K (z - H y) decay."""
-    one = processes.plain(process)
-    symbols = [*parameters, *sorted(gain.free_symbols - set(parameters), key=str)]
-
-    def told(values):
-        roots = np.linalg.eigvals(processes.array(one.A - gain * one.H, values))
-        return f"there an error changes at the rate {number_text(roots[np.argmax(roots.real)])}"
-
-    known = compare(answer, symbols, exactly(decays(one.A - gain * one.H, one.discrete)), contrary(told))
-    return f"the errors decay with these gains and with no others: {known}"
 
 
 @judged

@@ -15,7 +15,7 @@ import sympy as sp
 from trajlib.checks.tools.conditions import Case, Truth
 from trajlib.checks.truths.fixed_modes import ON_BORDER, fixed_eigenvalues
 from trajlib.checks.truths.pairs import pair_of
-from trajlib.systems import Coloured, Process
+from trajlib.systems import Coloured, FilterErrors, Process
 
 
 @dataclass(frozen=True)
@@ -48,10 +48,15 @@ def _arrays(process, values, start):
 
 @functools.lru_cache(maxsize=32)
 def plain(process):
-    """The `Process` of x and, below it, the noise w of a `Coloured` one; any other as it is.
+    """The `Process` of x and, below it, the noise w of a `Coloured` one, or that of `FilterErrors`, which at the start
+    are those of the mean; any other as it is.
 
     A correlation D exp(-a delay) belongs to w' = -a w + q with the intensity 2 a D, from w(0) with the variance D on.
     """
+    if isinstance(process, FilterErrors):
+        one, gain = plain(process.process), process.gain
+        return Process(one.A - gain * one.H, one.Q + gain * one.R * gain.T, covariance=one.covariance,
+                       discrete=one.discrete)
     if not isinstance(process, Coloured):
         return process
     D, a = variance_and_rate(process)

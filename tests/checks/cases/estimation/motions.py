@@ -1,7 +1,7 @@
 import sympy as sp
 from case import Case
 
-from trajlib.systems import Coloured, Process
+from trajlib.systems import Coloured, FilterErrors, Process
 
 t = sp.Symbol("t", nonnegative=True)
 k = sp.Symbol("k", integer=True, nonnegative=True)
@@ -25,6 +25,11 @@ BIASED = Coloured(D, tau, A=[[0, 1], [0, 0]], B=[0, 1], H=[[0, 1]], R=R)
 WAY = sp.Matrix([t**2/2, t, 1])
 LAGGED = Coloured(D*sp.exp(-tau), tau, A=-1, B=1, H=1, R=1)
 BOTH = sp.Matrix([[1, 0, 0], [0, 1, 0]])
+# Measured, with the errors of filters that have the gain v, or u and v.
+MADE = Coloured(sp.exp(-tau), tau, C=1, R=1)
+CART = Process(A=[[0, 1], [0, 0]], Q=sp.diag(0, q), H=[[1, 0]], R=1)
+MEASURED = Process(A=u, Q=q, H=1, R=1)
+WALK = Process(A=1, Q=1, H=1, R=1, discrete=True)
 
 CASES = [
     Case("mean_motion", m*sp.exp(-a*t), (DECAY, t, [a, q, m, P]), "right", "decay"),
@@ -105,6 +110,23 @@ CASES = [
          "where the order drops"),
     Case("settling_region", abs(u) < 1, (DELAY, [u]), "wrong", "as if it came back"),
     Case("settling_region", q, (Process(A=u, Q=1, discrete=True), [u]), "invalid", "an expression"),
+    Case("settling_region", v > -1, (FilterErrors(MADE, [[v]]), [v]), "right", "a single gain"),
+    Case("settling_region", sp.And(u > 0, v > 0), (FilterErrors(CART, [u, v]), [u, v]), "right", "two gains"),
+    Case("settling_region", v > 0, (FilterErrors(MADE, [[v]]), [v]), "wrong", "the decay of the process forgotten"),
+    Case("settling_region", sp.And(u > 0, v > 0, u > v), (FilterErrors(CART, [u, v]), [u, v]), "wrong", "too narrow"),
+    Case("settling_region", abs(v - 1) < 1, (FilterErrors(WALK, [[v]]), [v]), "right", "the gain of predictions"),
+    Case("settled_covariance", (q + v**2)/(2*(v - u)), (FilterErrors(MEASURED, [[v]]), [u, v, q]), "right",
+         "where the errors decay"),
+    Case("settled_covariance", (v**2 + 2)/(2*(v + 1)), (FilterErrors(MADE, [[v]]), [v]), "right",
+         "a noise with a correlation, measured"),
+    Case("settled_covariance", (q + v**2)/v/2, (FilterErrors(MEASURED.subs(u, 0), [[v]]), [v, q]), "right",
+         "an integrator"),
+    Case("settled_covariance", (1 + v**2)/(v*(2 - v)), (FilterErrors(WALK, [[v]]), [v]), "right", "of predictions"),
+    Case("settled_covariance", q/(2*(v - u)), (FilterErrors(MEASURED, [[v]]), [u, v, q]), "wrong",
+         "the noise of the measurement forgotten"),
+    Case("settled_covariance", (q + v)/(2*(v - u)), (FilterErrors(MEASURED, [[v]]), [u, v, q]), "wrong",
+         "the gain not squared"),
+    Case("settled_covariance", [1, 2], (FilterErrors(MEASURED, [[v]]), [u, v, q]), "invalid", "a list"),
     Case("settled_covariance", "q/2", (DECAY, [a, q]), "invalid", "a word"),
     Case("covariance_rises", P < q/(2*a), (DECAY, [a, q, P]), "right", "below the limit"),
     Case("covariance_rises", sp.Or(a >= 1, P*(1 - a**2) < q), (STEPS, [a, q, P]), "right", "in steps"),
