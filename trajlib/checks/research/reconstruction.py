@@ -5,7 +5,6 @@ integral of u^2 between two states is a quadratic form; the sweep is not used. E
 of their symbols.
 """
 
-import cmath
 import math
 
 import numpy as np
@@ -17,7 +16,7 @@ from trajlib.checks.contract.verdict import Wrong, judged
 from trajlib.checks.tools.comparisons import Same
 from trajlib.checks.tools.samples import in_every_case, random_values, spread
 from trajlib.checks.tools.values import uncertain_entries, value_at
-from trajlib.checks.tools.wording import rounded_text
+from trajlib.checks.tools.wording import number_text, rounded_text
 
 RECORDS = 6
 #: Of the values of all symbols, the same in every check.
@@ -27,39 +26,22 @@ PIECES = 16
 
 @judged(Expression("lam", "kappa"))
 def transition_polynomial(claim, transition, lam, kappa):
-    """The characteristic polynomial det(lambda E - A) of a transition matrix that depends on kappa."""
-    random = np.random.default_rng(61)
+    """The characteristic polynomial P(lambda) = det(lambda E - A) of a transition matrix that depends on kappa.
+
+    Where `lam` is written with another symbol, w/2 + sqrt(w^2/4 - 1) or exp(i phi), P(lambda)/lambda^(n/2) in this
+    symbol, which is real for a reciprocal polynomial: without the imaginary unit on the unit circle.
+    """
+    if lam.has(sp.I) and claim.has(sp.I):
+        raise Wrong("the imaginary unit is left in it: an expression whose sign can be read off was asked for")
+    (symbol,), n, random = lam.free_symbols, transition.rows, np.random.default_rng(61)
+    what, power = ("det(lambda E - A)", 0) if lam == symbol else (f"det(lambda E - A)/lambda^{n//2}", n//2)
     for stiffness in spread(random, 0.1, 9, RECORDS):
         at = random.uniform(-3, 3)
-        true = np.linalg.det(at*np.eye(transition.rows) - _matrix(transition, kappa, stiffness))
-        yield Same(claim, true, "det(lambda E - A)", {lam: at, kappa: stiffness}, abs(true) + 1)
-    return "it is det(lambda E - A) at random lambda and kappa"
-
-
-@judged(Expression("w", "kappa"))
-def reduced_polynomial(claim, transition, w, kappa):
-    """The polynomial in w = lambda + 1/lambda whose product with lambda^2 is the characteristic polynomial."""
-    random = np.random.default_rng(62)
-    for stiffness in spread(random, 0.1, 9, RECORDS):
-        at = random.choice([-1, 1])*random.uniform(0.3, 3)
-        true = np.linalg.det(at*np.eye(transition.rows) - _matrix(transition, kappa, stiffness))/at**2
-        yield Same(claim, true, f"P(lambda)/lambda^2 at lambda = {at:.3g}", {w: at + 1/at, kappa: stiffness},
-                   abs(true) + 1)
-    return "lambda^2 times it is det(lambda E - A) at random lambda and kappa"
-
-
-@judged(Expression("phi", "kappa"))
-def on_unit_circle(claim, transition, phi, kappa):
-    """P(e^{i phi}) e^{-2 i phi} of a reciprocal characteristic polynomial, written without the imaginary unit."""
-    if claim.has(sp.I):
-        raise Wrong("the imaginary unit is left in it: an expression whose sign can be read off was asked for")
-    random = np.random.default_rng(63)
-    for angle, stiffness in zip(spread(random, 0.2, 3, RECORDS), spread(random, 0.1, 9, RECORDS)):
-        point = cmath.exp(1j*angle)
-        true = (np.linalg.det(point*np.eye(transition.rows) - _matrix(transition, kappa, stiffness))/point**2).real
-        yield Same(claim, true, f"P/lambda^2 at lambda = exp({angle:.3g} i)", {phi: angle, kappa: stiffness},
-                   abs(true) + 1)
-    return "on the unit circle it is P(lambda)/lambda^2, at random angles and kappa"
+        point = complex(lam.subs(symbol, at))
+        true = np.linalg.det(point*np.eye(n) - _matrix(transition, kappa, stiffness))/point**power
+        yield Same(claim, true.real, what if power == 0 else f"{what} at lambda = {number_text(point)}",
+                   {symbol: at, kappa: stiffness}, abs(true) + 1)
+    return f"it is {what} at random places and kappa"
 
 
 @judged(Number())
@@ -90,12 +72,13 @@ def digits_lost(number, transition, kappa, value):
 
 
 @judged(Expression("times", "samples", "rho", "M"))
-def spline_acceleration(claim, times, samples, rho, M):
-    """The acceleration of the motion of least cost at the middle one of three samples of equal weight rho."""
-    for values, t, h in _drawn(times, samples, rho, M):
-        states = _least_cost(t, h, values[rho], values[M])
+def spline_acceleration(claim, times, samples, rho=None, M=None):
+    """The acceleration of the motion of least cost at the middle one of three samples of equal weight rho, without
+    weights of the easiest motion through the samples."""
+    for values, t, h in _drawn(times, samples, *filter(None, (rho, M))):
+        states = _least_cost(t, h, values.get(rho), values.get(M))
         yield Same(claim, _middle(t, *states), "the acceleration at the middle sample", values, np.abs(h).max()/t[1]**2)
-    return "it is that of the motion with the least cost, for random samples and weights"
+    return "it is that of the motion with the least cost, for random values of all symbols"
 
 
 @judged(Expressions("times", "samples", "rho", "M", length=lambda data: len(data["times"])))
@@ -106,15 +89,6 @@ def spline_positions(claims, times, samples, rho, M):
         for k, claim in enumerate(claims):
             yield Same(claim, x[k], f"x{k}", values, np.abs(h).max())
     return "they are those of the motion with the least cost, for random samples and weights"
-
-
-@judged(Expression("times", "samples"))
-def interpolant_acceleration(claim, times, samples):
-    """The greatest acceleration of the motion with the least integral of u^2 through three samples."""
-    for values, t, h in _drawn(times, samples):
-        yield Same(claim, abs(_middle(t, *_least_cost(t, h, 1.0, None))),
-                   "the greatest acceleration through the samples", values, np.abs(h).max()/t[1]**2)
-    return "it is that of the easiest motion through the samples"
 
 
 @judged(Expression("times", "samples", "rho", "D"))

@@ -11,8 +11,8 @@ A = sp.Matrix([[1 - kappa/6, 1, sp.Rational(1, 2), -sp.Rational(1, 6)], [-kappa/
                [kappa, 0, 0, 1]])
 P = (lam - 1)**4 + kappa/6*lam*(lam**2 + 4*lam + 1)
 POLYNOMIAL = (A, lam, kappa)
-REDUCED = (A, w, kappa)
-CIRCLE = (A, phi, kappa)
+REDUCED = (A, w/2 + sp.sqrt(w**2/4 - 1), kappa)
+CIRCLE = (A, sp.exp(sp.I*phi), kappa)
 MULTIPLE = (A, kappa)
 DIGITS = (A, kappa, sp.Rational(1, 4))
 TIMES, SAMPLES, DIP = [0, tau, 2*tau], [h0, h1, h2], [0, -Delta/2, 0]
@@ -39,22 +39,23 @@ CASES = [
     Case("transition_polynomial", P/(lam - lam), POLYNOMIAL, "invalid", "undefined"),
     Case("transition_polynomial", "P", POLYNOMIAL, "invalid", "a word"),
     Case("transition_polynomial", ..., POLYNOMIAL, "missing", "the untouched stub"),
-    Case("reduced_polynomial", (w - 2)**2 + kappa/6*(w + 4), REDUCED, "right", "a square and a rest"),
-    Case("reduced_polynomial", w**2 + (kappa/6 - 4)*w + 2*kappa/3 + 4, REDUCED, "right", "by powers"),
-    Case("reduced_polynomial", w**2 + (kappa/6 - 4)*w + 2*kappa/3 + 6, REDUCED, "wrong",
+    Case("transition_polynomial", (w - 2)**2 + kappa/6*(w + 4), REDUCED, "right", "a square and a rest"),
+    Case("transition_polynomial", w**2 + (kappa/6 - 4)*w + 2*kappa/3 + 4, REDUCED, "right", "by powers"),
+    Case("transition_polynomial", w**2 + (kappa/6 - 4)*w + 2*kappa/3 + 6, REDUCED, "wrong",
          "lambda^2 + 1/lambda^2 taken for w^2"),
-    Case("reduced_polynomial", 6*(w - 2)**2 + kappa*(w + 4), REDUCED, "wrong", "multiplied by 6"),
-    Case("reduced_polynomial", P, REDUCED, "invalid", "in lambda"),
-    Case("reduced_polynomial", ..., REDUCED, "missing", "the untouched stub"),
-    Case("on_unit_circle", 4*(1 - sp.cos(phi))**2 + kappa/3*(2 + sp.cos(phi)), CIRCLE, "right",
+    Case("transition_polynomial", 6*(w - 2)**2 + kappa*(w + 4), REDUCED, "wrong", "multiplied by 6"),
+    Case("transition_polynomial", P, REDUCED, "invalid", "in lambda"),
+    Case("transition_polynomial", ..., REDUCED, "missing", "the untouched stub"),
+    Case("transition_polynomial", 4*(1 - sp.cos(phi))**2 + kappa/3*(2 + sp.cos(phi)), CIRCLE, "right",
          "two terms that are not negative"),
-    Case("on_unit_circle", 16*sp.sin(phi/2)**4 + kappa*(2 + sp.cos(phi))/3, CIRCLE, "right", "by the half angle"),
-    Case("on_unit_circle", (sp.cos(phi) - 2)**2 + kappa/6*(sp.cos(phi) + 4), CIRCLE, "wrong", "w = cos phi"),
-    Case("on_unit_circle", (P/lam**2).subs(lam, sp.exp(sp.I*phi)), CIRCLE, "wrong",
+    Case("transition_polynomial", 16*sp.sin(phi/2)**4 + kappa*(2 + sp.cos(phi))/3, CIRCLE, "right",
+         "by the half angle"),
+    Case("transition_polynomial", (sp.cos(phi) - 2)**2 + kappa/6*(sp.cos(phi) + 4), CIRCLE, "wrong", "w = cos phi"),
+    Case("transition_polynomial", (P/lam**2).subs(lam, sp.exp(sp.I*phi)), CIRCLE, "wrong",
          "the right value, still with the imaginary unit"),
-    Case("on_unit_circle", 4*(1 - sp.cos(phi))**2, CIRCLE, "wrong", "the first term only"),
-    Case("on_unit_circle", sp.Gt(kappa, 0), CIRCLE, "invalid", "a condition"),
-    Case("on_unit_circle", ..., CIRCLE, "missing", "the untouched stub"),
+    Case("transition_polynomial", 4*(1 - sp.cos(phi))**2, CIRCLE, "wrong", "the first term only"),
+    Case("transition_polynomial", sp.Gt(kappa, 0), CIRCLE, "invalid", "a condition"),
+    Case("transition_polynomial", ..., CIRCLE, "missing", "the untouched stub"),
     Case("multiple_eigenvalues", 144, MULTIPLE, "right", "exact"),
     Case("multiple_eigenvalues", 144.4, MULTIPLE, "right", "a decimal that rounds to it"),
     Case("multiple_eigenvalues", 145, MULTIPLE, "wrong", "the next whole number"),
@@ -86,12 +87,12 @@ CASES = [
     Case("spline_positions", SAMPLES, THREE, "wrong", "the samples"),
     Case("spline_positions", [h0 + s, h1 - 2*s], THREE, "invalid", "two of three"),
     Case("spline_positions", [h0 + s, ..., h2 + s], THREE, "missing", "filled in part"),
-    Case("interpolant_acceleration", 3*Delta/(2*tau**2), THROUGH, "right", "exact"),
-    Case("interpolant_acceleration", 1.5*Delta/tau**2, THROUGH, "right", "decimals"),
-    Case("interpolant_acceleration", Delta/tau**2, THROUGH, "wrong", "the second difference quotient"),
-    Case("interpolant_acceleration", sp.oo, THROUGH, "wrong", "infinite, as the paper says"),
-    Case("interpolant_acceleration", 3*Delta/(2*M), THROUGH, "invalid", "with the weight"),
-    Case("interpolant_acceleration", ..., THROUGH, "missing", "the untouched stub"),
+    Case("spline_acceleration", 3*Delta/(2*tau**2), THROUGH, "right", "exact"),
+    Case("spline_acceleration", 1.5*Delta/tau**2, THROUGH, "right", "decimals"),
+    Case("spline_acceleration", Delta/tau**2, THROUGH, "wrong", "the second difference quotient"),
+    Case("spline_acceleration", sp.oo, THROUGH, "wrong", "infinite, as the paper says"),
+    Case("spline_acceleration", 3*Delta/(2*M), THROUGH, "invalid", "with the weight"),
+    Case("spline_acceleration", ..., THROUGH, "missing", "the untouched stub"),
     Case("weight_for_bound", rho*tau*(3*Delta - 2*D*tau**2)/(18*D), BOUNDED, "right", "a fraction"),
     Case("weight_for_bound", rho*tau*Delta/(6*D) - rho*tau**3/9, BOUNDED, "right", "multiplied out"),
     Case("weight_for_bound", 0.167*rho*tau*Delta/D - 0.111*rho*tau**3, BOUNDED, "right", "three digits"),
