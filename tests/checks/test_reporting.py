@@ -188,7 +188,7 @@ def test_code_in_a_message_is_set_as_code():
     shown = reporting._as_html({"a": checks.observable_parameters(True, Linear(sp.diag(x, 1), H=[[1, 1]]), [x])})
     assert re.findall("<code style='color: inherit; background: none'>(.*?)</code>", shown) == [
         "x != 77", "x == 77", "sp.Ne(x, 77)", "sp.Eq(x, 77)"]
-    assert checks.covariance_matrix("[[1]]", [x], [x], sp.eye(1)).message.endswith("leave its quotation marks out")
+    assert checks.covariance("[[1]]", x, x, [x], sp.eye(1)).message.endswith("leave its quotation marks out")
 
 
 #: First aid is printed as it stands.

@@ -49,7 +49,7 @@ __getattr__, __dir__, __all__ = lazy_names(__name__, {
     "feedback.quadratic_costs": ["best_eigenvalues", "best_gain", "best_rest", "controller_equations", "cost_matrix",
         "cost_rate", "least_quadratic_cost", "steady_cost"],
     "feedback.observers": ["complete_model", "observer_equations"],
-    "estimation.moments": ["correlation", "covariance", "covariance_matrix", "expectations", "uncorrelated"],
+    "estimation.moments": ["correlation", "covariance", "expectations", "uncorrelated"],
     "estimation.least_squares": ["error_covariance", "least_squares", "least_sum"],
     "estimation.motions": ["correlation_motion", "covariance_exponents", "covariance_motion", "covariance_rises",
         "mean_motion", "settled_covariance", "settling_region", "shaping_equation", "state_by_noise"],

@@ -12,6 +12,7 @@ import functools
 import numbers
 
 import sympy as sp
+from sympy.logic.boolalg import Boolean
 
 from trajlib.checks.contract import coercion
 from trajlib.checks.contract.members import NUMBERS, in_order, members, vectors
@@ -53,7 +54,7 @@ class Matrix(Claim):
     @staticmethod
     def coerce(answer, symbols, shape=None):
         shape = getattr(shape, "shape", shape)
-        if shape == (1, 1) and isinstance(answer, (sp.Expr, numbers.Number)):
+        if shape == (1, 1) and isinstance(answer, (sp.Expr, Boolean, numbers.Number, str)):
             return sp.ImmutableMatrix([[coercion.as_expression(answer, symbols)]])
         return coercion.as_matrix(answer, symbols, shape)
 

@@ -28,14 +28,14 @@ SHAPES = {
     "estimation": COMMON | {
         "angle": "symbol", "at": "number, or expression of the parameters",
         "covariance": "symmetric n x n matrix of symbols", "deviations": "list of positive numbers or expressions",
-        "estimates": "list of n symbols", "first": "expression of the vector",
+        "estimates": "list of n symbols", "first": "expression of the vector, or list of them",
         "given": "condition, or list of them",
         "law": "covariance matrix of the vector, or dict from its values to their probabilities",
         "measured": "list of pairs", "moment": '"before" or "after"',
         "noises": "list of columns of n expressions, for a single coordinate of expressions",
         "of": "2 x n matrix, a row for each quantity", "outputs": "list of m symbols",
         "process": "Process, Coloured or FilterErrors", "start": "list of n symbols",
-        "quantities": "list of expressions of the vector", "second": "expression of the vector",
+        "quantities": "list of expressions of the vector", "second": "expression of the vector, or list of them",
         "time": "symbol", "times": "list of numbers", "unknowns": "list of symbols", "vector": "list of symbols",
     },
     "structure": COMMON | {

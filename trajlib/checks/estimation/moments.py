@@ -12,10 +12,10 @@ import sympy as sp
 from trajlib.checks.contract.claims import Expression, Expressions, Matrix, Values
 from trajlib.checks.contract.tolerance import EXACT, same
 from trajlib.checks.contract.verdict import judged
-from trajlib.checks.tools.comparisons import Entries, Members, Same
+from trajlib.checks.tools.comparisons import Members, Same
 from trajlib.checks.tools.samples import general_values, in_every_case
 from trajlib.checks.tools.values import value_at
-from trajlib.checks.tools.wording import number_text, where_text
+from trajlib.checks.tools.wording import number_text
 
 
 @judged(Expressions("parameters", length="quantities"))
@@ -28,12 +28,15 @@ def expectations(claims, quantities, vector, law, parameters=()):
     return "each is the sum over all values, each with its probability"
 
 
-@judged(Expression("parameters"))
+@judged(Matrix("parameters", shape=lambda data: (len(_several(data["first"])), len(_several(data["second"])))))
 def covariance(claim, first, second, vector, law, parameters=()):
-    """The covariance of two quantities."""
+    """The covariance of two quantities; of two lists of them the matrix of the covariances of each of the first with
+    each of the second."""
+    rows, columns = _several(first), _several(second)
     for values in in_every_case(general_values(parameters), claim):
-        found, size = _covariances([first, second], vector, law, values)
-        yield Same(claim, found[0, 1], "the covariance", values, size[0, 1])
+        found, size = (part[:len(rows), len(rows):] for part in _covariances([*rows, *columns], vector, law, values))
+        for i, j in np.ndindex(claim.shape):
+            yield Same(claim[i, j], found[i, j], f"the covariance of {rows[i]} and {columns[j]}", values, size[i, j])
     return "it is the mean of the product of the deviations from the means"
 
 
@@ -44,17 +47,6 @@ def correlation(claim, first, second, vector, law, parameters=()):
         found, _ = _covariances([first, second], vector, law, values)
         yield Same(claim, found[0, 1] / np.sqrt(found[0, 0] * found[1, 1]), "the correlation coefficient", values)
     return "it is the covariance as a share of what it could be at most"
-
-
-@judged(Matrix("parameters", shape=lambda data: (len(data["quantities"]),) * 2))
-def covariance_matrix(claim, quantities, vector, law, parameters=()):
-    """The covariance matrix of several quantities."""
-    for values in in_every_case(general_values(parameters), claim):
-        found, size = _covariances(quantities, vector, law, values)
-        yield Entries(claim, found, lambda said, i, j: (
-            f"the entry ({i + 1}, {j + 1}) of your matrix is {number_text(said[i, j])}{where_text(values)}; the mean "
-            "of the product of these deviations is another number"), values, size)
-    return "each entry is the mean of a product of deviations"
 
 
 @judged(Values(expected="a list of angles"))
@@ -80,6 +72,10 @@ def uncorrelated(claims, first, second, vector, law, angle):
 def _zeros(expression, angle):
     """The angles from 0 to pi, without pi, at which an expression of the data vanishes: kept for all verdicts."""
     return tuple(float(zero) for zero in sp.solveset(expression, angle, sp.Interval.Ropen(0, sp.pi)))
+
+
+def _several(quantities):
+    return quantities if isinstance(quantities, list) else [quantities]
 
 
 def _mean(quantity, vector, law, values):

@@ -6,6 +6,7 @@ K = sp.Matrix([[2, 1], [1, 5]])
 PAIR = ([x1, x2], K)
 COIN = ([x], {0: sp.Rational(1, 2), 2: sp.Rational(1, 2)})
 TURN = (x1*sp.cos(a) + x2*sp.sin(a), -x1*sp.sin(a) + x2*sp.cos(a), [x1, x2], sp.diag(1, 3), a)
+FORMS = [x1 + x2, x1 - x2]
 OF_A = (x1 + a*x2, x1 - x2, [x1, x2], K, [a])
 
 CASES = [
@@ -28,12 +29,14 @@ CASES = [
     Case("correlation", sp.Rational(1, 10), (x1, x2, *PAIR), "wrong", "without the root"),
     Case("correlation", -1/sp.sqrt(10), (x1, x2, *PAIR), "wrong", "the sign"),
     Case("correlation", sp.true, (x1, x2, *PAIR), "invalid", "a truth value"),
-    Case("covariance_matrix", sp.Matrix([[9, -3], [-3, 5]]), ([x1 + x2, x1 - x2], *PAIR), "right", "two forms"),
-    Case("covariance_matrix", [[9, -3], [-3, 5]], ([x1 + x2, x1 - x2], *PAIR), "right", "lists"),
-    Case("covariance_matrix", sp.Matrix([[9, -3], [3, 5]]), ([x1 + x2, x1 - x2], *PAIR), "wrong", "not symmetric"),
-    Case("covariance_matrix", sp.Matrix([[7, -3], [-3, 7]]), ([x1 + x2, x1 - x2], *PAIR), "wrong",
+    Case("covariance", sp.Matrix([[9, -3], [-3, 5]]), (FORMS, FORMS, *PAIR), "right", "two forms"),
+    Case("covariance", [[9, -3], [-3, 5]], (FORMS, FORMS, *PAIR), "right", "lists"),
+    Case("covariance", sp.Matrix([[9, -3], [3, 5]]), (FORMS, FORMS, *PAIR), "wrong", "not symmetric"),
+    Case("covariance", sp.Matrix([[7, -3], [-3, 7]]), (FORMS, FORMS, *PAIR), "wrong",
          "the covariances left out"),
-    Case("covariance_matrix", [9, -3], ([x1 + x2, x1 - x2], *PAIR), "invalid", "a row"),
+    Case("covariance", [9, -3], ([x1 + x2], FORMS, *PAIR), "invalid", "a column"),
+    Case("covariance", [[9, -3]], ([x1 + x2], FORMS, *PAIR), "right", "of one with two"),
+    Case("covariance", [9, -3], (FORMS, FORMS, *PAIR), "invalid", "a row"),
     Case("uncorrelated", [0, sp.pi/2], TURN, "right", "along the axes"),
     Case("uncorrelated", {1.57, 0}, TURN, "right", "a set, decimals"),
     Case("uncorrelated", [0], TURN, "wrong", "one of two"),
