@@ -20,6 +20,8 @@ from trajlib.checks.truths import processes, regulators
 from trajlib.checks.truths.fixed_modes import ON_BORDER
 
 COUNT = 6
+#: What rounding leaves of a zero.
+ROUNDED = 1e-9
 #: At which parts of the duration a law or a cost that changes with time is tried.
 PARTS = (0, 0.2, 0.5, 0.8, 0.95, 1)
 
@@ -85,10 +87,28 @@ def cost_matrix(claim, problem, time=None, parameters=(), given=sp.true):
     """The matrix S of the least cost from x, factor x^T S x, with a given end in the symbol of `time`."""
     for values, one, moment in _moments(problem, time, claim, parameters, given):
         true = one.least(moment)
-        yield Entries(claim, true, lambda said, i, j: (
-            f"the least cost is another one{where_text(values)}: look at the entry ({i + 1}, {j + 1}), where yours is "
-            f"{number_text(said[i, j])}"), values, abs(true).max())
+        yield Entries(claim, true, _other_cost(one, values), values, abs(true).max())
     return "it solves the Riccati equation, and the law that belongs to it leads each state at this cost"
+
+
+def _other_cost(one, values):
+    def told(said, i, j):
+        place, S = where_text(values), said.real
+        if np.isfinite(one.duration) or said.imag.any():
+            return (f"the least cost is another one{place}: look at the entry ({i + 1}, {j + 1}), where yours is "
+                    f"{number_text(said[i, j])}")
+        if not abs(S - S.T).max() <= ROUNDED * abs(S).max():
+            return f"your matrix is not symmetric{place}, and that of a cost is"
+        rate, size = sum(one.rates(S)), sum(map(abs, one.rates(S))).max()
+        if not abs(rate).max() <= ROUNDED * size:
+            i, j = np.unravel_index(abs(rate).argmax(), rate.shape)
+            return (f"your matrix would not stay constant{place}: by the Riccati equation its entry ({i + 1}, {j + 1}) "
+                    f"changes at the rate {number_text(rate[i, j])}")
+        stays = not one.anywhere and np.linalg.eigvals(one.A + one.B @ one.gain_for(S)).real.max() >= -ON_BORDER
+        return f"your matrix solves the Riccati equation{place}, but " + (
+            "a cost cannot be negative" if np.linalg.eigvalsh(S).min() < -ROUNDED * abs(S).max() else
+            "under its law not every state comes to zero" if stays else "there is a law that costs less")
+    return told
 
 
 @judged(Expression("start", "parameters"))
@@ -141,8 +161,7 @@ def cost_rate(claim, problem, cost, parameters=()):
     symbols = [*parameters, *sorted(cost.free_symbols, key=str)]
     for values in in_every_case(allowed_values(symbols, sp.true, COUNT), claim):
         one, S = regulators.Regulator(problem, values), processes.array(cost, values)
-        K = one.gain_for(S)
-        terms = -one.A.T @ S, -S @ one.A, -one.G, K.T @ one.N @ K
+        terms = one.rates(S)
         yield Entries(claim, sum(terms), lambda said, i, j: (
             f"with S of these values{where_text(values)} the least cost changes at another rate: your entry ({i + 1}, "
             f"{j + 1}) is {number_text(said[i, j])}"), values, sum(map(abs, terms)))

@@ -10,7 +10,7 @@ import math
 import numpy as np
 import sympy as sp
 
-from trajlib.checks.contract.claims import Expression, Expressions, Matrix, Number
+from trajlib.checks.contract.claims import Expression, Expressions, Number
 from trajlib.checks.contract.tolerance import half_unit, in_decimals, same
 from trajlib.checks.contract.verdict import Wrong, judged
 from trajlib.checks.tools.comparisons import Same
@@ -173,30 +173,6 @@ def weight_of_harmonic(claim, amplitude, omega, rho, D):
             raise Wrong(f"for {rounded_text(values)} your M = {weight:.4g} gives the greatest acceleration "
                         f"{size*values[omega]**2:.4g}, not {values[D]:.4g}")
     return "with this weight the greatest acceleration is D, for random measurements and bounds"
-
-
-@judged(Matrix("rho", "M", shape=(2, 2)))
-def steady_costate(claim, rho, M):
-    """The constant matrix P >= 0 of (psi1, psi2) = c - P (x, y) for steady continuous measurements of weight rho."""
-    A, b = np.array([[0.0, 1], [0, 0]]), np.array([0.0, 1])
-    for values in in_every_case(random_values([rho, M], SEED), claim):
-        P = np.array([[value_at(claim[i, j], values, f"p{i + 1}{j + 1}") for j in range(2)] for i in range(2)])
-        open_ = uncertain_entries(claim, values)
-        if not abs(P[0, 1] - P[1, 0]) <= 1e-9*np.abs(P).max() + open_[0, 1] + open_[1, 0]:
-            raise Wrong(f"for {rounded_text(values)} your matrix is not symmetric; it is a matrix of second "
-                        f"derivatives of a cost")
-        terms = [P@A, A.T@P, -np.outer(P@b, b@P)/values[M], np.diag([values[rho], 0])]
-        residual, size = sum(terms), sum(map(np.abs, terms))
-        acted = np.outer(open_@b, np.abs(b@P))/values[M]
-        allowed = 1e-9*size.max() + open_@A + A.T@open_ + acted + acted.T
-        if not (np.abs(residual) <= allowed).all():
-            i, j = np.unravel_index(np.abs(residual).argmax(), (2, 2))
-            raise Wrong(f"for {rounded_text(values)} your P would not stay constant: the element ({i + 1}, {j + 1}) "
-                        f"of its rate is {-residual[i, j]:.4g}")
-        if not np.linalg.eigvalsh(P).min() > 0:
-            raise Wrong(f"for {rounded_text(values)} your P is constant, but not positive definite: a cost that is "
-                        f"still to come cannot be negative")
-    return "it stays constant under the Riccati equation and is positive definite, for random weights"
 
 
 def _matrix(transition, kappa, value):

@@ -34,6 +34,11 @@ class Regulator:
         """The gain that costs least now, if what comes later costs x^T `cost` x."""
         return -processes.gain_of(self._dual, cost).T
 
+    def rates(self, cost):
+        """The terms of the rate at which the matrix of the cost changes by the Riccati equation."""
+        gain = self.gain_for(cost)
+        return -self.A.T @ cost, -cost @ self.A, -self.G, gain.T @ self.N @ gain
+
     def least(self, time=0.0):
         """The matrix S of the least cost from a state at a time."""
         if np.isfinite(self.duration):

@@ -21,6 +21,10 @@ CART = Quadratic(A=[[0, 1], [0, 0]], B=[0, 1], G=sp.zeros(2), N=1, F=sp.eye(2), 
 SPRING = Quadratic(A=[[0, 1], [-1, 0]], B=[0, 1], G=sp.diag(0, 1), N=1)
 SWUNG = Process(A=[[0, 1], [-1, 0]], Q=sp.diag(0, 4), H=[[0, 1]], R=1)
 SEEN = Process(A=[[0, 1], [-1, 0]], Q=sp.diag(0, 4))
+# The sweep of a long record, with the weights of its samples and of the acceleration.
+rho, M = sp.symbols("rho M", positive=True)
+RECORD = (Quadratic(A=[[0, 1], [0, 0]], B=[0, 1], G=sp.diag(rho, 0), N=M, factor=HALF), None, [rho, M])
+q = sp.sqrt(rho*M)
 COST = sp.Matrix([[s11, s12], [s12, s22]])
 RATE = sp.Matrix([[s12**2, s12*s22 - s11], [s12*s22 - s11, s22**2 - 2*s12]])
 LEFT = 1 - t
@@ -61,6 +65,25 @@ CASES = [
     Case("cost_matrix", n*(a - sp.sqrt(a**2 + g/n)), (ANY, None, [a, g, n]), "wrong", "the other root"),
     Case("cost_matrix", [[-1, 0], [0, 1]], (PUSHED,), "wrong", "another solution of the equation"),
     Case("cost_matrix", 1/(1 + t), (BRAKE, t, [T]), "wrong", "time turned round"),
+    Case("cost_matrix", [[1.41*rho**0.75*M**0.25, (rho*M)**0.5], [(rho*M)**0.5, 1.41*rho**0.25*M**0.75]], RECORD,
+         "right", "three digits"),
+    Case("cost_matrix", [[1.43*rho**0.75*M**0.25, (rho*M)**0.5], [(rho*M)**0.5, 1.43*rho**0.25*M**0.75]], RECORD,
+         "wrong", "one per cent off"),
+    Case("cost_matrix", sp.Matrix([[sp.sqrt(2*rho*q), q], [q, sp.sqrt(2*M*q)]]), RECORD, "right",
+         "with nested roots"),
+    Case("cost_matrix", [[sp.sqrt(2)*rho**0.75*M**0.25, (rho*M)**0.5], [(rho*M)**0.5, sp.sqrt(2)*rho**0.25*M**0.75]],
+         RECORD, "right", "powers"),
+    Case("cost_matrix", -sp.Matrix([[sp.sqrt(2*rho*q), -q], [-q, sp.sqrt(2*M*q)]]), RECORD, "wrong",
+         "the negative root"),
+    Case("cost_matrix", sp.Matrix([[sp.sqrt(2*M*q), q], [q, sp.sqrt(2*rho*q)]]), RECORD, "wrong",
+         "rho and M interchanged"),
+    Case("cost_matrix", sp.Matrix([[sp.sqrt(2*rho*q), q], [-q, sp.sqrt(2*M*q)]]), RECORD, "wrong", "not symmetric"),
+    Case("cost_matrix", sp.zeros(2), RECORD, "wrong", "zero"),
+    Case("cost_matrix", [q, q, q], RECORD, "invalid", "three numbers"),
+    Case("cost_matrix", sp.eye(3), RECORD, "invalid", "another size"),
+    Case("cost_matrix", ..., RECORD, "missing", "the untouched stub"),
+    Case("cost_matrix", 0, (CHEAP,), "wrong", "under its law the state grows"),
+    Case("cost_matrix", 2, (LAZY,), "wrong", "what stability costs, which nobody asks for"),
     Case("cost_matrix", [1, 2], (PUSHED,), "invalid", "a list"),
     Case("least_quadratic_cost", ROOT*x**2, (ANY, [x], [a, g, n]), "right", "a scalar"),
     Case("least_quadratic_cost", SQRT5*(x1**2 + x2**2) + 4*x1*x2, (PUSHED, [x1, x2]), "right", "a form"),
