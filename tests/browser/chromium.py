@@ -83,14 +83,14 @@ class Browser:
 
 @pytest.fixture(scope="session")
 def browser(tmp_path_factory, core_seconds):
-    yield from _running(tmp_path_factory, core_seconds)
-
-
-@pytest.fixture(scope="session")
-def still_browser(tmp_path_factory, core_seconds):
     """For pages on which nothing is to move: without a graphics card, layers that a thread of their own puts together
     are a third of what a visit computes, and without that thread no frames of animations come."""
     yield from _running(tmp_path_factory, core_seconds, "--disable-threaded-compositing")
+
+
+@pytest.fixture(scope="session")
+def moving_browser(tmp_path_factory, core_seconds):
+    yield from _running(tmp_path_factory, core_seconds)
 
 
 def _running(tmp_path_factory, core_seconds, *arguments):

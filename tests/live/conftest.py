@@ -10,7 +10,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
-from chromium import browser  # noqa: F401
+from chromium import moving_browser as browser  # noqa: F401
 
 ROOT = Path(__file__).resolve().parents[2]
 HERE = Path(__file__).parent

@@ -13,7 +13,7 @@ from types import SimpleNamespace
 
 import pytest
 from bs4 import BeautifulSoup
-from chromium import browser, still_browser  # noqa: F401
+from chromium import browser, moving_browser  # noqa: F401
 
 ROOT = Path(__file__).resolve().parents[2]
 HERE = Path(__file__).parent

@@ -20,39 +20,39 @@ WIDE = ("solutions/ch*/p*.html", "book/ch*.html", "book/guides/*.html", "book/li
 
 
 @pytest.fixture(scope="module", autouse=True)
-def at_a_desk_again(still_browser):
+def at_a_desk_again(browser):
     yield
-    still_browser.resize(1280, 900)
+    browser.resize(1280, 900)
 
 
 # First what takes longest: no process waits for it at the end.
 @pytest.mark.parametrize("number", ["the other pages", *PROBLEMS])
-def test_every_page_fits_a_phone_and_a_desk_without_errors(still_browser, addresses, editions, pages_of, number):
+def test_every_page_fits_a_phone_and_a_desk_without_errors(browser, addresses, editions, pages_of, number):
     pages = {path.relative_to(editions.full).as_posix() for path in pages_of(editions.full)}
     assert pages.issuperset(PROBLEMS.values())
     for page in [PROBLEMS[number]] if number in PROBLEMS else sorted(pages.difference(PROBLEMS.values())):
-        assert _faults_on_a_phone(still_browser, f"{addresses['http']}/{page}") == []
+        assert _faults_on_a_phone(browser, f"{addresses['http']}/{page}") == []
         if any(PurePosixPath(page).match(pattern) for pattern in WIDE):
-            assert _cut_off(still_browser, 1400) == {}, page
-        still_browser.forget()
+            assert _cut_off(browser, 1400) == {}, page
+        browser.forget()
 
 
-def test_what_is_cut_off_is_seen(still_browser, addresses):
+def test_what_is_cut_off_is_seen(browser, addresses):
     """Also in a window that was a phone before: it has scroll bars again, which take room."""
-    still_browser.resize(PHONE, 844, phone=True)
-    still_browser.open(f"{addresses['http']}/solutions/ch4/p17.html")
-    assert {"code", "displayed", "tables"} <= _cut_off(still_browser, 620).keys()
-    assert still_browser.run("innerWidth - document.documentElement.clientWidth") > 10
+    browser.resize(PHONE, 844, phone=True)
+    browser.open(f"{addresses['http']}/solutions/ch4/p17.html")
+    assert {"code", "displayed", "tables"} <= _cut_off(browser, 620).keys()
+    assert browser.run("innerWidth - document.documentElement.clientWidth") > 10
 
 
-def test_what_the_student_edition_alone_shows_fits_a_phone_without_errors(still_browser, addresses, editions, pages_of):
+def test_what_the_student_edition_alone_shows_fits_a_phone_without_errors(browser, addresses, editions, pages_of):
     """Most of its pages show a part of what those of the other edition do, and that has been seen to fit."""
     pages = {path.relative_to(editions.student).as_posix(): path for path in pages_of(editions.student)}
     own = [page for page, path in pages.items()
            if not _shown(path) <= _shown(editions.full / page.replace("exercises/", "solutions/"))]
     assert "genindex.html" in own and len(own) < len(pages) / 5
     for page in {*own, "book/index.html", "exercises/ch1/p15.html"}:
-        assert _faults_on_a_phone(still_browser, f"{addresses['student']}/{page}") == []
+        assert _faults_on_a_phone(browser, f"{addresses['student']}/{page}") == []
 
 
 #: What may be too wide or fail to be set. Code scrolls in its own box on every page.

@@ -16,6 +16,11 @@ AT = "Number(document.querySelector('.motion-controls input').value)"
 
 
 @pytest.fixture
+def browser(moving_browser):
+    return moving_browser
+
+
+@pytest.fixture
 def page(tmp_path):
     """A page with nothing but a motion of four seconds."""
     t = np.linspace(0, 4, 81)
