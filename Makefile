@@ -48,7 +48,7 @@ serve:  ## show the built site at http://127.0.0.1:8000
 test: $(INSTALLED)  ## the style of the code and all tests
 	$(BIN)/ruff check
 	@mkdir -p _build/tests
-	@$(PYTEST) -n 3 tests/grading --junitxml=_build/tests/grader.xml > _build/tests/grader.log 2>&1 & grader=$$!; \
+	@$(PYTEST) -n 2 tests/grading --junitxml=_build/tests/grader.xml > _build/tests/grader.log 2>&1 & grader=$$!; \
 	  trap 'kill $$grader' INT TERM; \
 	  $(PYTEST) -n $(CORES) --ignore=tests/grading --ignore=tests/site --junitxml=_build/tests/others.xml; others=$$?; \
 	  $(PYTEST) -n $(CORES) tests/site --junitxml=_build/tests/site.xml; site=$$?; \

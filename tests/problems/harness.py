@@ -44,12 +44,11 @@ class Workbench:
                 execute(source, "check", namespace)
         return verdicts
 
-    def judge_among_right(self, answers):
-        """Verdicts on the check cells of some answers, with the reference in the place of all others."""
+    def judge_among_right(self, names, answers):
+        """Verdicts on the answers `names`, with the reference in the place of all that are not among `answers`."""
         with checks.collecting() as verdicts:
-            for source in self.master.code("check"):
-                if answers.keys() & reported_names(source):
-                    execute(source, "check", self.data | self.reference | answers)
+            for name in names:
+                exec(self._alone[name], self.data | self.reference | answers)
         return verdicts
 
     def judge_one(self, name, value):

@@ -160,15 +160,15 @@ def test_wrong_trials_are_wrong_and_harm_no_other_answer(master):
 
 def _wrong(bench):
     """Every other answer is wrong, first one half of them and then the other, each in all its wrong ways: the rest stay
-    right."""
+    right, which is looked at in the first turn."""
     trials, harmed, order = {}, [], list(bench.master.answers)
     for trial in _values(bench, "wrong"):
         trials.setdefault(trial["answer"], []).append(trial)
     for half in (order[::2], order[1::2]):
         for turn in range(max((len(trials[name]) for name in half if name in trials), default=0)):
             tried = {name: trials[name][turn] for name in half if turn < len(trials.get(name, ()))}
-            verdicts = bench.judge_among_right({name: trial["value"] for name, trial in tried.items()})
-            for name, verdict in verdicts.items():
+            values = {name: trial["value"] for name, trial in tried.items()}
+            for name, verdict in bench.judge_among_right(tried if turn else order, values).items():
                 if name in tried:
                     tried[name].update(status=verdict.status, message=verdict.message,
                                        told=_told_of(bench.reference[name], tried[name]["value"], verdict.message))

@@ -16,6 +16,12 @@ NAMELESS = """[...document.querySelectorAll('summary, article th')].filter(e => 
 
 
 @pytest.fixture
+def browser(moving_browser):
+    """Icons are drawn when a frame is."""
+    return moving_browser
+
+
+@pytest.fixture
 def faults(browser):
     """Opens a page and tells what is wrong with it: rule and element."""
     axe = Axe(browser.driver)
