@@ -5,8 +5,8 @@
 
 Processor time of each test and of its child processes. What a problem costs is the sum of its proof (the tests of
 tests/problems under its number), its page (executed in a kernel), its part of the Sphinx builds of both editions and of
-the tests of the built files, its visits by the browser with a like part of what Chromium computed, and the tests of
-the grader and others under its number. What the tests took before the first and after the last problem is no part.
+the tests of the built files, its visit by the browser with what Chromium computed for it, and the tests of the grader
+and others under its number. What the tests took before the first and after the last problem is no part.
 
 Read the numbers of a quiet machine: what runs beside the tests made the same proof cost up to twice as much.
 """
@@ -91,6 +91,7 @@ def main(*reports):
             layers[layer(place)] += seconds
             counts[layer(place)] += 1
             if number:
+                visits[number] += noted.get("core seconds in Chromium", 0)
                 {"proofs": proofs, "exercises": proofs, "site in the browser": visits}.get(
                     layer(place), others)[number] += seconds
     executed = pages(began) if layers["site builds"] else {}
@@ -112,12 +113,11 @@ def by_problem(proofs, visits, others, layers, executed):
     if not numbers:
         return
     built = (layers["site builds"] + layers["built files"]) / len(numbers)
-    browser = (layers["site in the browser"] - sum(visits.values())) / len(numbers) if visits else 0
     columns = "proof", "page", "built", "visit", "others", "all"
     print("\ncore-seconds by problem\n" + " " * 10 + "".join(f"{name:>8}" for name in columns))
     costs = {}
     for number in numbers:
-        parts = (proofs[number], executed.get(number, 0.0), built, visits[number] + browser, others[number])
+        parts = (proofs[number], executed.get(number, 0.0), built, visits[number], others[number])
         costs[number] = *parts, sum(parts)
         print(f"{number:>10}" + line(costs[number]))
     chapters = defaultdict(list)

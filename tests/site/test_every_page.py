@@ -27,7 +27,9 @@ def at_a_desk_again(browser):
 
 # First what takes longest: no process waits for it at the end.
 @pytest.mark.parametrize("number", ["the other pages", *PROBLEMS])
-def test_every_page_fits_a_phone_and_a_desk_without_errors(browser, addresses, editions, pages_of, number):
+def test_every_page_fits_a_phone_and_a_desk_without_errors(browser, addresses, editions, pages_of, number,
+                                                           record_property):
+    began = browser.computed()
     pages = {path.relative_to(editions.full).as_posix() for path in pages_of(editions.full)}
     assert pages.issuperset(PROBLEMS.values())
     for page in [PROBLEMS[number]] if number in PROBLEMS else sorted(pages.difference(PROBLEMS.values())):
@@ -35,6 +37,7 @@ def test_every_page_fits_a_phone_and_a_desk_without_errors(browser, addresses, e
         if any(PurePosixPath(page).match(pattern) for pattern in WIDE):
             assert _cut_off(browser, 1400) == {}, page
         browser.forget()
+    record_property("core seconds in Chromium", round(browser.computed() - began, 3))
 
 
 def test_what_is_cut_off_is_seen(browser, addresses):
