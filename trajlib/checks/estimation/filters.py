@@ -53,8 +53,9 @@ def estimate_deviations(claim, process, measured, at, parameters=(), given=sp.tr
     for one, values, known, time in _measured(process, measured, at, claim, parameters, given):
         true = np.sqrt(np.diag(processes.given(one, known, time)[1]))[:, None]
         yield Entries(claim, true, lambda said, i, j: (
-            f"{part_text('answer', said, i)}{where_text(values)}; its square is not the variance "
-            "of the error of the best estimate"), values)
+            f"{part_text('answer', said, i)}{where_text(values)}; " + (
+                "a standard deviation is not negative" if said[i, j].real < 0 else
+                "its square is not the variance of the error of the best estimate")), values)
     return "its square is the variance of the state under the condition of what was measured"
 
 

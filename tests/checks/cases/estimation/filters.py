@@ -68,6 +68,7 @@ CASES = [
     Case("estimate_deviations", [sp.sqrt(6)/3]*2, (START, [(1, 3)], 1), "right", "a column"),
     Case("estimate_deviations", p*R/(p + R), (CONSTANT, [(0, z)], 2, [R, p, m, z]), "wrong", "the variance"),
     Case("estimate_deviations", [sp.sqrt(2), 1], (START, [(1, 3)], 1), "wrong", "before the measurement"),
+    Case("estimate_deviations", [-sp.sqrt(6)/3]*2, (START, [(1, 3)], 1), "wrong", "negative roots"),
     Case("estimate_deviations", 1, (START, [(1, 3)], 1), "invalid", "one of two"),
     Case("estimate_covariance", D*R/(R + D*T**2)*WAY*WAY.T, (BIASED, [(T, 0)], T, [T, D, R]), "right",
          "a noise that is constant"),
