@@ -95,6 +95,7 @@ def browser(tmp_path_factory, core_seconds):
 
 @pytest.fixture(scope="session")
 def moving_browser(tmp_path_factory, core_seconds):
+    """For what moves, for icons and for JupyterLab, which are drawn when a frame is."""
     yield from _running(tmp_path_factory, core_seconds)
 
 

@@ -2,10 +2,9 @@
 jump, or quickly. Next to them an answer may be wrong that is right at all other places."""
 
 import numpy as np
-import sympy as sp
 
 from trajlib.checks.contract.verdict import Invalid
-from trajlib.checks.tools.values import real_function
+from trajlib.checks.tools.values import is_slow, real_function
 
 #: In so many parts the way from one place to the next is divided, so often; the strongest bends of so many ways count,
 #: by what they are after so many rounds, unless they are a smaller share of the values than this.
@@ -21,7 +20,7 @@ def next_to_bends(claim, places):
     """Places at the strongest bends of an expression, on the ways from each of the places, dicts from the same symbols
     to real numbers, to the next one; on both sides of a bend if the values there differ. None where it has no bends, or
     is too slow to be asked so often, as an integral is."""
-    if claim.has(sp.Integral, sp.Sum):
+    if is_slow(claim):
         return []
     symbols = list(places[0])
     function = real_function(symbols, [claim])

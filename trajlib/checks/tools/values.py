@@ -192,9 +192,14 @@ def wide_function(symbols, expressions):
     return evaluate
 
 
+def is_slow(e):
+    """Whether an expression holds an integral or a sum, and has to be computed one place after the other."""
+    return e.has(sp.Integral, sp.Sum)
+
+
 def _compiled(symbols, e):
     """One expression as a function of arrays: by NumPy, with SciPy's special functions where it has such ones."""
-    for libraries in () if e.has(sp.Integral, sp.Sum) else (["numpy"], ["scipy", "numpy"]):
+    for libraries in () if is_slow(e) else (["numpy"], ["scipy", "numpy"]):
         function = sp.lambdify(symbols, _printable(e), [{"select": _first_of}, *libraries], docstring_limit=0)
         known = {name: function.__globals__.get(name, getattr(builtins, name, None))
                  for name in function.__code__.co_names}
