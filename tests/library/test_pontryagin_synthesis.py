@@ -9,7 +9,8 @@ import sympy as sp
 from scipy.linalg import expm
 
 from trajlib.pontryagin import Problem, synthesis
-from trajlib.pontryagin.planar.plant import summed
+from trajlib.pontryagin.planar.plant import Plant, summed
+from trajlib.pontryagin.planar.task import read_plant
 
 pytestmark = pytest.mark.slow
 x1, x2, u, alpha = sp.symbols("x1 x2 u alpha", real=True)
@@ -419,5 +420,29 @@ def test_a_step_of_a_linear_plant_is_exact(size):
     h = np.array([0.2, -0.5, 0.0, 1.0])
     joined = np.block([[matrix, constant], [np.zeros((1, 4))]])
     there = [(expm(joined*when) @ np.append(z, 1))[:3] for when, z in zip(h, start.T)]
-    found = summed(matrix, matrix @ start + constant, start, h)
+    found = summed(matrix, np.linalg.norm(matrix, 1), matrix @ start + constant, start, h)
     assert np.allclose(found.T, there, rtol=1e-12, atol=1e-13*np.abs(there).max())
+
+
+def test_where_a_motion_crosses_a_surface():
+    """psi_2 = -sin(angle - tau) of the oscillator at its zero; what rounding has put beyond it crosses it at once."""
+    to_rest = linear(OSCILLATOR, [x1, x2])
+    plant = Plant(to_rest, read_plant(to_rest))
+    angle = np.array([1.0, 0.3, 0.05, 0.0, -1e-15])
+    z = np.zeros((7, angle.size))
+    z[2], z[3], z[4] = np.cos(angle), -np.sin(angle), 1
+    mode, surface = np.full(angle.size, plant.first_mode(z)[0]), np.zeros(angle.size, int)
+    for h in (np.full(angle.size, 1.2), angle + 1e-3):
+        when, there = plant.first_zero(z, mode, surface, h, plant.step(z, mode, h))
+        assert np.abs(when - np.maximum(angle, 0)).max() < 1e-14 and np.abs(there[3]).max() < 1e-14
+
+
+def test_a_motion_beyond_a_surface_and_on_its_way_back_crosses_it_later():
+    to_rest = linear(OSCILLATOR, [x1, x2])
+    plant = Plant(to_rest, read_plant(to_rest))
+    # psi_2 = sin(tau - 1e-9) is in the mode of its positive values, begins below, and comes down after a half-turn
+    z = np.array([0, 0, np.cos(1e-9), -np.sin(1e-9), 1, 0, 0])[:, None]
+    mode, surface, h = np.array([1]), np.array([0]), np.array([3.5])
+    assert plant.name(1) == "u+"
+    when, _ = plant.first_zero(z, mode, surface, h, plant.step(z, mode, h))
+    assert abs(when[0] - np.pi - 1e-9) < 1e-13

@@ -161,11 +161,7 @@ class Fan:
                 lost = ~(begin[waiting] < longest)
                 begin[waiting[lost]] = np.nan
                 waiting = waiting[~lost]
-        mode, rest = plant.words.mode[word], tau - begin
-        steps = self._long_steps(rest[np.isfinite(rest)])
-        for _ in range(steps):
-            z = plant.step(z, mode, rest/steps)
-        return z, begin
+        return plant.follow(z, plant.words.mode[word], tau - begin, stride), begin
 
     def _long_steps(self, tau):
         """The grid of times is finer than the accuracy of the steps asks for."""

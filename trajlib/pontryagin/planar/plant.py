@@ -22,6 +22,8 @@ from .words import Words
 COLUMNS = (2, 4, 6, 8)
 ROWS = 7
 COST, HELD = 5, 6
+#: Norm of matrix and time up to which the terms of a matrix series have few digits to lose to each other.
+SUMMED = 3.0
 
 
 class Plant:
@@ -45,6 +47,7 @@ class Plant:
         slope = rates.jacobian(motion)
         #: d(dz/dtau)/dz where it is the same everywhere, as for linear plants with the time or the fuel as the cost.
         self._matrix = None if slope.free_symbols else np.array(slope.row_join(sp.zeros(ROWS, 2)), dtype=float)
+        self._growth = None if self._matrix is None else np.linalg.norm(self._matrix, 1)
         self._levels = [part.levels for part in parts]
         surfaces = [(j, e, size) for j, part in enumerate(parts)
                     for e, size in part.surfaces(psi, lambda_0)]
@@ -192,8 +195,18 @@ class Plant:
         with np.errstate(over="ignore", invalid="ignore"):      # what runs away to infinity leaves the box
             u, moving = self._plan(mode)
             if self._matrix is not None and not moving:
-                return summed(self._matrix, self._rate(*z[:5], *u), z, h)
+                return summed(self._matrix, self._growth, self._rate(*z[:5], *u), z, h)
             return extrapolated(lambda y: self._rate(*y[:5], *self._filled(y, u, moving)), z, h)
+
+    def follow(self, z, mode, times, longest):
+        """The motions after `times`, one a column, in the same modes; in steps of at most `longest` where no series
+        gives longer ones."""
+        if self._matrix is not None and self._plain[mode].all():
+            longest = np.inf if self._growth == 0 else SUMMED/self._growth
+        steps = max(int(np.ceil(np.abs(times).max(initial=0, where=np.isfinite(times))/longest)), 1)
+        for _ in range(steps):
+            z = self.step(z, mode, times/steps)
+        return z
 
     def advance(self, z, mode, h):
         """A step in which the mode changes where the motion crosses a surface.
@@ -234,19 +247,23 @@ class Plant:
         return when, there, which
 
     def first_zero(self, z, mode, surface, h, end):
-        """Newton's method for surface = 0 in the step, with bisection where it would leave the bracket."""
-        columns = np.arange(h.size)
-        demand = self.demand[mode, surface]
-        low, high = np.zeros(h.shape), h.copy()
-        value, there = self.surfaces(end)[surface, columns], end
-        when = h.copy()
+        """Newton's method for surface = 0 in the step, with bisection where it would leave the bracket.
+
+        It begins where the time is zero as a cubic function of the surface, with the values and slopes of both ends.
+        """
+        columns, demand = np.arange(h.size), self.demand[mode, surface]
+        low, high, when, there = np.zeros(h.shape), h.copy(), h, end
+        first, value = (self.surfaces(y)[surface, columns] for y in (z, end))
+        begun, slope = (self.slope(y, mode, surface) for y in (z, end))     # in time, which runs the other way
+        # What rounding has put beyond the surface, and what goes on beyond it, has crossed it at once.
+        high[(demand*first <= 0) & (demand*begun >= 0)] = 0
+        with np.errstate(all="ignore"):
+            share = first/(first - value)
+            new = h*share**2*(3 - 2*share) - (value - first)*share*(1 - share)*((1 - share)/begun - share/slope)
         for _ in range(40):
-            slope = -self.slope(there, mode, surface)
-            with np.errstate(all="ignore"):
-                new = when - value/slope
             bad = ~((new >= low) & (new <= high))
             new[bad] = ((low + high)/2)[bad]
-            done = (np.abs(new - when) < 1e-13*h).all()
+            done = (np.abs(new - when) < 1e-10*h).all() or not high.any()
             when = new
             there = self.step(z, mode, when)
             if done:
@@ -254,12 +271,15 @@ class Plant:
             value = self.surfaces(there)[surface, columns]
             late = demand*value < 0
             low, high = np.where(late, low, when), np.where(late, when, high)
+            with np.errstate(all="ignore"):
+                new = when + value/self.slope(there, mode, surface)
         return when, there
 
 
-def summed(matrix, rate, z, h):
-    """A step of z' = A z + b from its rate at z by the series z + h (1 + hA/2! + (hA)^2/3! + ...) z', to rounding."""
-    size = np.linalg.norm(matrix, 1)*np.max(np.abs(h), initial=0, where=np.isfinite(h))
+def summed(matrix, growth, rate, z, h):
+    """A step of z' = A z + b from its rate at z by the series z + h (1 + hA/2! + (hA)^2/3! + ...) z', to rounding;
+    `growth`: a norm of A."""
+    size = growth*np.max(np.abs(h), initial=0, where=np.isfinite(h))
     terms, left = 1, 1.0
     while 1e-17 < left < np.inf:
         terms += 1

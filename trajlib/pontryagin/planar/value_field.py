@@ -12,6 +12,8 @@ import numpy as np
 SQUARES = 192
 #: How far outside of a triangle (in its barycentric coordinates) a point still counts as inside: borders are curved.
 SLACK = 0.02
+#: For so many points at once the numbers of all their candidates stay close to the processor.
+TOGETHER = 2000
 #: How many steps an interpolated cost may be wrong.
 SOONEST = 1.5
 #: Values of the terminal expression this close to zero count as zero.
@@ -130,6 +132,13 @@ class ValueField:
 
     def candidates(self, x, slack=SLACK):
         """Pairs (point, triangle) with (s, tau, cost) there, for points `x` of shape (2, N)."""
+        begins = range(0, max(x.shape[1], 1), TOGETHER)
+        parts = [self._candidates(x[:, begin:begin + TOGETHER], slack) for begin in begins]
+        points, triangles, values = zip(*parts)
+        points = [begin + point for begin, point in zip(begins, points)]
+        return np.concatenate(points), np.concatenate(triangles), np.hstack(values)
+
+    def _candidates(self, x, slack):
         place = np.clip(self._square(x.T), -1, SQUARES)
         # The upper and the right edge belong to the window.
         place -= (place == SQUARES) & (x.T <= self.corner + SQUARES*self.square*(1 + 1e-9))
