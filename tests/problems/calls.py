@@ -1,7 +1,7 @@
 """Notes which functions of some packages a computation calls, at the cost of these calls alone.
 
 A profiler sees every call, also the millions within SymPy, and with one a verdict takes half as long again. Here each
-function that matters has other code meanwhile, which notes the call and then does what the function does: so it is also
+function that matters has other code until it is noted, which does so and then what the function does: so it is also
 seen by whoever has imported the function before.
 
 Not seen are functions made inside others, methods that use `super()`, and what is imported only meanwhile.
@@ -66,12 +66,13 @@ def _functions(names, module, seen):
 
 
 def _that_notes(function):
-    module, name = function.__module__, function.__qualname__
+    module, name, own = function.__module__, function.__qualname__, function.__code__
 
     def note():
         called, heed = _NOW
-        if (module, name) not in called and heed(module, sys._getframe(2)):
+        if heed(module, sys._getframe(2)):
             called.add((module, name))
+            function.__code__ = own
 
     original = FunctionType(function.__code__, function.__globals__, function.__name__, function.__defaults__)
     original.__kwdefaults__ = function.__kwdefaults__

@@ -27,6 +27,8 @@ WIDE = 1.5705
 LONG = 0.3
 #: How many starts are looked at together: fewer take nearly the same time, more need much memory.
 TOGETHER = 640
+#: What is found from each start; starts that agree to so many decimals are the same, and so many are kept.
+FOUND, SAME, KEPT = ("time", "control", "switching", "angle"), 12, 20_000
 
 
 class Lanes:
@@ -49,6 +51,8 @@ class FastestTimes:
     def __init__(self, plant, convex):
         self.plant, self.convex = plant, convex
         self._angles, self._spacing = convex.angles()
+        #: What has been found from a start, since the same law in other words leads through the same states.
+        self._known = {}
 
     @functools.cached_property
     def _near(self):
@@ -80,12 +84,16 @@ class FastestTimes:
         """
         x, case = np.asarray(x, dtype=float), np.asarray(case)
         inside = self.convex.inside(x, case)
-        groups = [slice(k, k + TOGETHER) for k in range(0, len(x), TOGETHER)]
-        parts = [self._solve(x[group], case[group], inside[group], far) for group in groups]
-        if not parts:
-            return Lanes(x=x, case=case, inside=inside,
-                         **dict.fromkeys(("time", "control", "switching", "angle"), np.zeros(0)))
-        return Lanes.joined(parts)
+        starts = [(far, *start) for start in np.column_stack([x.round(SAME), case]).tolist()]
+        if len(self._known) > KEPT:
+            self._known.clear()
+        fresh = np.array([k for k, start in enumerate(starts) if start not in self._known], dtype=int)
+        for group in np.split(fresh, range(TOGETHER, len(fresh), TOGETHER)) if len(fresh) else ():
+            found = self._solve(x[group], case[group], inside[group], far)
+            rows = np.column_stack([getattr(found, name) for name in FOUND]).tolist()
+            self._known.update(zip([starts[k] for k in group], rows))
+        found = np.array([self._known[start] for start in starts]).reshape(-1, len(FOUND)).T
+        return Lanes(x=x, case=case, inside=inside, **dict(zip(FOUND, found)))
 
     def _solve(self, x, case, inside, far, careful=False):
         starts = x, case, inside
@@ -111,41 +119,54 @@ class FastestTimes:
         first, and second another one, if there is one. `careful`: lines between the directions tried count too.
         """
         n, p = len(x), directions(self._angles)
-        support = np.array([self.convex.support(np.broadcast_to(d, (n, 2)), case, x) for d in p])
         low, high, theta, second, todo = np.full(n, np.inf), np.full(n, np.inf), np.zeros(n), np.zeros(n), np.arange(n)
-        before = p @ x.T - support
-        line, suspects = self._middle(before), []
+        support, outward, state = self._supports(p, x, case), inside, x.T
+        before, suspects = p @ state - support, []
+        line = self._middle(before) if careful else None
         # the distance of x and D, later R(T) and D, at the last two times
         apart = np.array([np.full(n, np.inf), before.max(axis=0)])
         for j, (T, carried, least, most) in enumerate(self._moments(far)):
-            outward = inside[todo]
-            gap = carried @ x[todo].T - support[:, todo] + np.where(outward, most[:, None], least[:, None])
+            gap = carried @ state - support
+            gap += np.where(outward, most[:, None], least[:, None]) if outward.any() else least[:, None]
             best = gap.argmax(axis=0)
-            largest, angle = gap[best, np.arange(len(todo))], np.where(outward, self._angles[best], self._middle(gap))
+            distance = largest = gap[best, np.arange(len(todo))]
             if careful:
-                self._look_between(np.flatnonzero(~outward & (largest <= 0)), T, line, largest, angle,
+                largest, line_before = distance.copy(), line
+                line = np.where(outward, self._angles[best], self._middle(gap))
+                self._look_between(np.flatnonzero(~outward & (largest <= 0)), T, line_before, largest, line,
                                    *_rows(todo, x, case, inside))
             hit = np.where(outward, largest >= 0, largest <= 0)
             if j and not self.convex.point:
                 # A distance that falls and rises again may have been zero in between, if it does so steeply enough.
-                drop, rise = np.where(np.isfinite(apart[0]), apart[0], apart[1]) - apart[1], gap.max(axis=0) - apart[1]
+                drop, rise = np.where(np.isfinite(apart[0]), apart[0], apart[1]) - apart[1], distance - apart[1]
                 dip = np.flatnonzero(~outward & (drop >= 0) & (rise > 0) & (apart[1] <= 2 * np.maximum(drop, rise)))
                 suspects.append((todo[dip], np.full(len(dip), TIMES[j - 2] if j > 1 else 0.0), np.full(len(dip), T)))
-            here = todo[hit]
-            if len(here):
+            apart = np.array([apart[1], distance])
+            if hit.any():
+                here, out = todo[hit], outward[hit]
+                high[here] = T
                 # From inside, a direction between those tried may have got through one or two of the times before.
-                low[here] = np.where(inside[here], TIMES[j - 3] if j > 2 else 0.0, TIMES[j - 1] if j else 0.0)
-                with np.errstate(all="ignore"):
-                    share = np.where(gap[:, hit] >= 0, -before[:, hit] / (gap[:, hit] - before[:, hit]), np.inf)
-                high[here], theta[here] = T, np.where(inside[here], self._angles[share.argmin(axis=0)], line[hit])
-                second[here] = self._angles[self._other_top(gap[:, hit], theta[here])]
-            on = ~hit
-            todo, before, line = todo[on], gap[:, on], angle[on]
-            apart = np.array([apart[1, on], gap[:, on].max(axis=0)])
-            if not len(todo):
-                break
+                low[here] = np.where(out, TIMES[j - 3] if j > 2 else 0.0, TIMES[j - 1] if j else 0.0)
+                theta[here] = line_before[hit] if careful else self._middle(before[:, hit])
+                if out.any():
+                    through, now, then = here[out], gap[:, hit][:, out], before[:, hit][:, out]
+                    with np.errstate(all="ignore"):
+                        share = np.where(now >= 0, -then / (now - then), np.inf)
+                    theta[through] = self._angles[share.argmin(axis=0)]
+                    second[through] = self._angles[self._other_top(now, theta[through])]
+                on = ~hit
+                todo, support, outward, state, gap = todo[on], support[:, on], outward[on], state[:, on], gap[:, on]
+                apart, line = apart[:, on], line[on] if careful else None
+                if not len(todo):
+                    break
+            before = gap
         self._dips(suspects, low, high, theta, x, case, inside)
         return low, high, theta, second
+
+    def _supports(self, p, x, case):
+        """sup p.y over D for every direction, shape (directions, starts)."""
+        rows = np.repeat(p, len(x), axis=0), np.tile(case, len(p)), np.tile(x, (len(p), 1))
+        return self.convex.support(*rows).reshape(len(p), len(x))
 
     def _look_between(self, maybe, T, line, largest, angle, *starts):
         """Put into largest and angle, for the rows `maybe`, a line between the directions tried that separates still:
@@ -231,9 +252,8 @@ class FastestTimes:
         return np.arctan2(p[:, 1], p[:, 0])
 
     def _gap(self, theta, T, x, case, inside):
-        p = directions(theta)
-        moved = np.einsum("nij,nj->ni", self.plant.exponential(T), x)
-        return ((p * moved).sum(axis=1) + self.plant.extreme(p, T, np.where(inside, 1, -1))
+        p, moved = directions(theta), self.plant.free(x, T)
+        return (p[:, 0] * moved[:, 0] + p[:, 1] * moved[:, 1] + self.plant.extreme(p, T, np.where(inside, 1, -1))
                 - self.convex.support(p, case, x))
 
     def _best(self, theta, T, x, case, inside, width, steps, enough=np.inf):
@@ -245,7 +265,7 @@ class FastestTimes:
         """
         if not self._spacing:
             return theta, self._gap(theta, T, x, case, inside)
-        moved = np.einsum("nij,nj->ni", self.plant.exponential(T), x)
+        moved = self.plant.free(x, T)
         whole, sign = self.plant.response(T)[1], np.where(inside, 1, -1)
 
         def gap(turn, rows):
@@ -334,11 +354,10 @@ class FastestTimes:
         """The distance from the target at the best moment within the times `left`."""
         n, p, steps = len(x), directions(self._angles), 16
         best, when, angle = np.full(n, np.inf), left, np.zeros(n)
-        rows, cases, starts = np.repeat(p, n, axis=0), np.tile(case, len(p)), np.tile(x, (len(p), 1))
-        sign = np.tile(np.where(inside, 1, -1), len(p))
-        support = self.convex.support(rows, cases, starts).reshape(len(p), n)
+        rows, sign = np.repeat(p, n, axis=0), np.tile(np.where(inside, 1, -1), len(p))
+        support = self._supports(p, x, case)
         for T in left * (np.arange(1, steps + 1) / steps)[:, None]:
-            moved = np.einsum("nij,nj->ni", self.plant.exponential(T), x)
+            moved = self.plant.free(x, T)
             gaps = p @ moved.T + self.plant.extreme(rows, np.tile(T, len(p)), sign).reshape(len(p), n) - support
             top = np.where(inside, -gaps.max(axis=0), gaps.max(axis=0))
             better = top < best

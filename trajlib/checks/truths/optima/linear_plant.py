@@ -61,6 +61,12 @@ class Plant:
             return np.cos(self._root * s), np.sin(self._root * s) / self._root
         return np.ones_like(s), s
 
+    def free(self, x, s):
+        """The states x after times s without control, each row its own."""
+        s = s[:, None]
+        even, odd = self._grown(*self._waves(s), s)
+        return even * x + odd * (x @ self._deviator.T)
+
     def move(self, x, u, s):
         """The states x after times s under constant controls u, each row its own."""
         s = s[:, None]

@@ -118,7 +118,7 @@ class TargetFamily:
         q = (self.plant.response(np.full(len(places), time / 2))[0] * n).sum(axis=1)
         u = np.where(q > 0, *self.plant.bounds)
         span = np.full(len(places), time)
-        return np.einsum("nij,nj->ni", self.plant.exponential(-span), y - u[:, None] * self.plant.response(span)[1]), u
+        return self.plant.free(y - u[:, None] * self.plant.response(span)[1], -span), u
 
     def table(self, values):
         """The switching curve as two arrays, the first of them increasing."""
