@@ -342,7 +342,7 @@ RIGHT_ANSWERS = {name: eval(text, {"k1": k1, "k2": k2}) for name, text in RIGHT_
 @pytest.fixture
 def same():
     """A judge for one notebook after the other."""
-    one = Judge(Bounds(seconds=12, answer_seconds=3))
+    one = Judge(Bounds(seconds=8, answer_seconds=2))
     yield one
     one.end()
 
@@ -362,17 +362,19 @@ def like(text):
 def test_no_verdict_depends_on_what_was_judged_before(same):
     """Of several problems, right and wrong, odd and hostile, in both orders: each as by a judge that has judged
     nothing."""
-    five = exercises.find("5.25")
-    a = sp.Symbol("a")
-    notebooks = [(EXERCISE, handed_over(RIGHT_ANSWERS)), (five, handed_over({"cost": a**2})),
+    five = exercises.find("5.22")
+    a, b = sp.symbols("xi1 xi2")
+    energy = 12*a**2 - 12*a*b + 4*b**2
+    notebooks = [(EXERCISE, handed_over(RIGHT_ANSWERS)), (five, handed_over({"a_energy": energy, "b_energy": energy})),
                  (EXERCISE, handed_over(RIGHT_ANSWERS | {"b_region": k1 > sp.Float("0.25", 3)})),
                  (EXERCISE, handed_over({"a_region": EXPLOSIVE, "b_region": (k2 > 0) & (k1 > k2)})),
-                 (five, handed_over({"cost": _tower(a**99)})), (EXERCISE, handed_over(WRONG_ANSWERS)),
-                 (EXERCISE, b"\x00"), (five, handed_over({"cost": float("nan")})),
+                 (five, handed_over({"a_energy": _tower(a**99)})), (EXERCISE, handed_over(WRONG_ANSWERS)),
+                 (EXERCISE, b"\x00"), (five, handed_over({"a_energy": float("nan")})),
                  (EXERCISE, handed_over({"a_region": sp.Symbol("k1") > sp.Rational(1, 4)})),
                  (EXERCISE, handed_over({}, stopped=[3]))]
     alone = [judge(exercise, Outcome("done", message), same._bounds) for exercise, message in notebooks]
     assert len({json.dumps(statuses(one)) for one in alone}) > 4, "they are of many kinds"
+    assert [statuses(alone[1])[name] for name in ("a_energy", "b_energy")] == [RIGHT, WRONG]
     for order in (notebooks, notebooks[::-1]):
         found = {}
         for exercise, message in order:

@@ -374,7 +374,7 @@ STATEMENTS = {
     "5.33": statement(Problem(THRUST, FREE, AT_REST, [y - R(1, 2), w, v - 1]), ORBIT_TIME, LOCAL, "linear tangent"),
     "5.34": statement(Problem(THRUST, FREE, {x: 1, y: 2, v: 1, w: 0}, [x, y]),
                       brentq(lambda T: (1 + T)**2 + 4 - T**4/4, 0.1, 10, xtol=1e-15), LOCAL, "constant direction"),
-    "5.35": statement(Problem(THRUST, FREE, {x: 1, y: 2, v: 1, w: 0}, [x, y, v, w]), rendezvous(), PROVED,
+    "5.35": statement(Problem(THRUST, FREE, {x: 1, y: 2, v: 1, w: 0}, [x, y, v, w]), rendezvous, PROVED,
                       "separation in the dual", accuracy=1e-9),
     "5.37": statement(Problem({x: v*sp.cos(u), y: v*sp.sin(u), v: -sp.sin(u)}, FREE, {x: 0, y: 0, v: 1}, final=-x,
                               duration=1),
