@@ -41,6 +41,7 @@ def test_in_step_with_its_master(master, links):
     written = json.loads(master.exercise.read_text(encoding="utf-8"))
     assert written == student_notebook(master, links), "run `trajlib exercises`"
     nbformat.validate(written)
+    assert [cell["metadata"] for cell in written["cells"] if not "".join(cell["source"]).strip()] == [], "empty cells"
 
 
 def test_holds_no_solution(master):

@@ -41,7 +41,7 @@ def transition_polynomial(claim, transition, lam, kappa):
         true = np.linalg.det(point*np.eye(n) - _matrix(transition, kappa, stiffness))/point**power
         yield Same(claim, true.real, what if power == 0 else f"{what} at lambda = {number_text(point)}",
                    {symbol: at, kappa: stiffness}, abs(true) + 1)
-    return f"it is {what} at random places and kappa"
+    return f"it is {what} for random {symbol} and {kappa}"
 
 
 @judged(Number())
@@ -78,7 +78,8 @@ def spline_acceleration(claim, times, samples, rho=None, M=None):
     for values, t, h in _drawn(times, samples, *filter(None, (rho, M))):
         states = _least_cost(t, h, values.get(rho), values.get(M))
         yield Same(claim, _middle(t, *states), "the acceleration at the middle sample", values, np.abs(h).max()/t[1]**2)
-    return "it is that of the motion with the least cost, for random values of all symbols"
+    which = "easiest motion through the samples" if rho is None else "motion with the least cost"
+    return f"it is that of the {which}, for random values of all symbols"
 
 
 @judged(Expressions("times", "samples", "rho", "M", length=lambda data: len(data["times"])))

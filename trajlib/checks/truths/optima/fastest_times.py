@@ -28,7 +28,7 @@ LONG = 0.3
 #: How many starts are looked at together: fewer take nearly the same time, more need much memory.
 TOGETHER = 640
 #: What is found from each start; starts that agree to so many decimals are the same, and so many are kept.
-FOUND, SAME, KEPT = ("time", "control", "switching", "angle"), 12, 20_000
+FOUND, SAME, KEPT = ("time", "control", "switching", "angle"), 12, 5_000
 
 
 class Lanes:
