@@ -342,7 +342,7 @@ RIGHT_ANSWERS = {name: eval(text, {"k1": k1, "k2": k2}) for name, text in RIGHT_
 @pytest.fixture
 def same():
     """A judge for one notebook after the other."""
-    one = Judge(Bounds(seconds=8, answer_seconds=2))
+    one = Judge(Bounds(seconds=12, answer_seconds=3))
     yield one
     one.end()
 
