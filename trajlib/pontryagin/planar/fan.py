@@ -9,7 +9,7 @@ where a level changes the step is divided.
 """
 import numpy as np
 
-from .plant import HELD, ROWS
+from .plant import HELD, ROWS, steps_needed
 
 #: For so many steps an extremal that has met the target again is followed further, for neighbours that live longer:
 #: the cells between them have to reach as far as these.
@@ -123,7 +123,7 @@ class Fan:
         s, tau = np.atleast_1d(np.asarray(s, float)), np.atleast_1d(np.asarray(tau, float))
         z, mode = self.start(np.clip(s, self.ends.low, self.ends.high))
         mode = np.maximum(mode, 0)
-        steps = self._long_steps(tau)
+        steps = steps_needed(tau, 2*self.times[1])      # the grid is finer than the accuracy of the steps asks for
         for _ in range(steps):
             z, mode, _ = self.plant.advance(z, mode, tau/steps)
         return z, mode
@@ -162,7 +162,3 @@ class Fan:
                 begin[waiting[lost]] = np.nan
                 waiting = waiting[~lost]
         return plant.follow(z, plant.words.mode[word], tau - begin, stride), begin
-
-    def _long_steps(self, tau):
-        """The grid of times is finer than the accuracy of the steps asks for."""
-        return max(int(np.ceil(np.abs(tau).max(initial=0)/(2*self.times[1]))), 1)

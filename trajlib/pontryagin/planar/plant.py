@@ -203,7 +203,7 @@ class Plant:
         gives longer ones."""
         if self._matrix is not None and self._plain[mode].all():
             longest = np.inf if self._growth == 0 else SUMMED/self._growth
-        steps = max(int(np.ceil(np.abs(times).max(initial=0, where=np.isfinite(times))/longest)), 1)
+        steps = steps_needed(times, longest)
         for _ in range(steps):
             z = self.step(z, mode, times/steps)
         return z
@@ -274,6 +274,11 @@ class Plant:
             with np.errstate(all="ignore"):
                 new = when + value/self.slope(there, mode, surface)
         return when, there
+
+
+def steps_needed(times, longest):
+    """In how many steps of at most `longest` all these times have gone."""
+    return max(int(np.ceil(np.abs(times).max(initial=0, where=np.isfinite(times))/longest)), 1)
 
 
 def summed(matrix, growth, rate, z, h):

@@ -64,14 +64,16 @@ class Plant:
     def free(self, x, s):
         """The states x after times s without control, each row its own."""
         s = s[:, None]
-        even, odd = self._grown(*self._waves(s), s)
+        return self._turned_on(x, *self._grown(*self._waves(s), s))
+
+    def _turned_on(self, x, even, odd):
         return even * x + odd * (x @ self._deviator.T)
 
     def move(self, x, u, s):
         """The states x after times s under constant controls u, each row its own."""
         s = s[:, None]
         even, odd = self._grown(*self._waves(s), s)
-        free = even * x + odd * (x @ self._deviator.T)
+        free = self._turned_on(x, even, odd)
         if self._inverse is not None:
             return free + u[:, None] * ((even * self.b + odd * self._turned - self.b) @ self._inverse.T)
         return free + u[:, None] * (s * self.b + self._second(s) * (self.A @ self.b))
