@@ -17,6 +17,8 @@ ROOT = Path(__file__).resolve().parent.parent
 #: jsonschema, which all of Jupyter loads, would build the grammars of a checker that nothing here asks: that takes
 #: twice as long as all else that is loaded.
 sys.modules["rfc3987_syntax"] = None
+#: And every kernel would load this, for cells that somebody wants to go through step by step.
+sys.modules["debugpy"] = None
 
 
 def outputs():

@@ -10,8 +10,8 @@ A cell that fails, also a check that finds an answer not right, ends with the pa
 1.
 """
 
-import gc
 import hashlib
+import io
 import json
 import multiprocessing
 import os
@@ -19,13 +19,14 @@ import re
 import sys
 import time
 from dataclasses import dataclass
-from importlib import import_module
 from multiprocessing.connection import wait
 from pathlib import Path
 
 import yaml
 from jupyter_cache import get_cache
 from jupyter_cache.base import CacheBundleIn
+from jupyter_client.localinterfaces import local_ips
+from jupyter_client.provisioning import KernelProvisionerFactory
 from kernel import Kernel
 from myst_nb.core.read import is_myst_markdown_notebook, read_myst_markdown_notebook
 from myst_parser.config.main import MdParserConfig
@@ -37,6 +38,7 @@ from sphinx_external_toc.parsing import parse_toc_yaml
 
 import trajlib
 from trajlib.dependencies import module_closure
+from trajlib.grading.preloading import SYMPY, preload
 
 ROOT = Path(__file__).resolve().parent.parent
 LIBRARY = Path(trajlib.__file__).parent
@@ -44,7 +46,7 @@ LIBRARY = Path(trajlib.__file__).parent
 HOW = [Path(__file__).with_name(name) for name in ("execute.py", "kernel.py", "settings.py")]
 #: What pages and the modules of trajlib load beside trajlib, most of it only when a function is called.
 LIBRARIES = ("casadi", "control", "matplotlib.pyplot", "numpy", "scipy.integrate", "scipy.interpolate", "scipy.linalg",
-             "scipy.optimize", "scipy.signal", "sympy")
+             "scipy.optimize", "scipy.signal", "z3", *SYMPY)
 #: Characters of a picture.
 LARGEST = 600_000
 CURVE = re.compile(r'(?<= d=")[^"]*')
@@ -167,11 +169,20 @@ def keep_fresh_records(cache, current, settled):
 
 def import_for(pages):
     """Import what pages load, so that no kernel has to; what only some may load is not worth its time for a few."""
-    if pages:
-        libraries = LIBRARIES if len(pages) > CORES else ()
-        for module in (*libraries, *sorted({module for page in pages for module in page.modules})):
-            import_module(module)
-        gc.freeze()  # what is here stays: the garbage collectors of the kernels need not go through it
+    many = len(pages) > CORES
+    preload(*(LIBRARIES if many else ()), *sorted({module for page in pages for module in page.modules}))
+    if many:
+        local_ips(), KernelProvisionerFactory.instance()  # both are kept, and were found anew by every page
+        draw_once()
+
+
+def draw_once():
+    """The first picture of a process loads its fonts and the grammar of formulas."""
+    from matplotlib.figure import Figure  # not for a page or two
+
+    figure = Figure()
+    figure.subplots().set_title("$x$")
+    figure.savefig(io.BytesIO(), format="svg", bbox_inches="tight")
 
 
 def side_by_side(function, items, *arguments):

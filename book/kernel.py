@@ -8,17 +8,35 @@ import os
 import signal
 import sys
 import traceback
+from contextlib import suppress
+from queue import Empty
 from tempfile import TemporaryDirectory
 
 import numpy
 from ipykernel.kernelapp import IPKernelApp
-from jupyter_client import AsyncKernelManager
+from jupyter_client import AsyncKernelClient, AsyncKernelManager
 from jupyter_client.provisioning import LocalProvisioner
 from traitlets.config import Config
 
 #: Pictures are sharp at any size, and the same pictures are the same bytes.
 PICTURES = {"figure_formats": {"svg"}, "rc": {"svg.hashsalt": "workbook"},
             "print_figure_kwargs": {"bbox_inches": "tight", "metadata": {"Date": None}, "dpi": 220}}
+
+
+class Client(AsyncKernelClient):
+    """Who talks to a kernel that is ready: at once, where Jupyter's own would wait until nothing is heard of it for a
+    fifth of a second. What the kernel tells of the first question is not taken for what it tells of a cell."""
+
+    async def wait_for_ready(self, timeout):
+        heard = None
+        while not heard:
+            self.kernel_info()
+            try:
+                await self.shell_channel.get_msg(timeout=timeout)
+            except Empty:
+                raise RuntimeError(f"the kernel gives no answer within {timeout} seconds") from None
+            with suppress(Empty):  # or it was not listened to yet
+                heard = await self.iopub_channel.get_msg(timeout=0.2)
 
 
 class Kernel:
@@ -42,7 +60,7 @@ class Kernel:
 
     def manager(self):
         """What nbclient asks for: it finds this kernel running and needs not start one."""
-        manager = AsyncKernelManager(connection_file=self._file)
+        manager = AsyncKernelManager(connection_file=self._file, client_factory=Client)
         manager.load_connection_file()
         manager.provisioner = LocalProvisioner(kernel_spec=manager.kernel_spec, kernel_id="", parent=manager)
         manager.provisioner.process, manager.provisioner.pid, manager.provisioner.pgid = self, self.pid, self.pid

@@ -2,6 +2,7 @@
 
 import fcntl
 import functools
+import gc
 import os
 import subprocess
 import sys
@@ -62,7 +63,11 @@ def pages_of():
 def pages(request, editions, pages_of):
     """The folder of an edition, and path -> parsed page; all tests of an edition share them."""
     root = getattr(editions, request.param)
-    return root, {path: BeautifulSoup(path.read_text(encoding="utf-8"), "html.parser") for path in pages_of(root)}
+    gc.disable()  # all of this stays: to look for what does not takes as long as parsing
+    parsed = {path: BeautifulSoup(path.read_text(encoding="utf-8"), "html.parser") for path in pages_of(root)}
+    gc.freeze()
+    gc.enable()
+    return root, parsed
 
 
 @pytest.fixture(scope="session")

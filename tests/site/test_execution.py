@@ -4,6 +4,7 @@ import re
 import subprocess
 import sys
 import textwrap
+import time
 from pathlib import Path
 
 import pytest
@@ -259,3 +260,12 @@ def test_a_kernel_that_dies_in_a_cell_is_told(book):
     book.write("p1", "import pathlib; pathlib.Path('runs').open('a').write('x')", "import os; os._exit(1)")
     ended, _, error = book.run()
     assert ended == 1 and "p1.md, Kernel died" in error and (book.root / "runs").read_text() == "x"
+
+
+def test_a_kernel_that_gives_no_answer_is_told(book, monkeypatch):
+    waits = kernel.Client.wait_for_ready
+    monkeypatch.setattr(kernel.Client, "wait_for_ready", lambda client, timeout: waits(client, 1))
+    monkeypatch.setattr(kernel.IPKernelApp, "start", lambda app: time.sleep(30))
+    book.write("p1", "1 + 1")
+    code, _, error = book.run()
+    assert code == 1 and "p1.md, the kernel gives no answer within 1 seconds" in error

@@ -79,7 +79,7 @@ def _nobody(address):
 
 
 def _import_all():
-    from trajlib.grading.preloading import SYMPY
+    from trajlib.grading.preloading import CONTAINERS, SYMPY
 
     gc.disable()  # all of this stays: to look for what does not takes a fifth of the time
     os.environ["MPLBACKEND"] = "module://matplotlib_inline.backend_inline"
@@ -96,6 +96,7 @@ def _import_all():
     del sys.modules["rfc3987_syntax"], sys.modules["jupyter_server"]
     gc.freeze()  # the collectors of the kernels need not copy it by going through it
     gc.enable()
+    gc.set_threshold(CONTAINERS)
 
 
 def _draw_once():

@@ -17,6 +17,9 @@ keeping     what is kept from one build to the next
 offline     nothing is loaded from another host
 """
 
+import gc
+
+from trajlib.grading.preloading import CONTAINERS
 from workbook import (
     boxes,
     cases,
@@ -37,6 +40,7 @@ from workbook import (
 
 
 def setup(app):
+    gc.set_threshold(CONTAINERS)  # trees of pages live on: to look for garbage in them takes a seventh of a build
     for part in (catalogue, pages, listings, downloads, boxes, figures, printed, punctuation, numbering, reference,
                  lectures, cases, freshness, keeping, offline):
         part.setup(app)
