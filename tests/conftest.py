@@ -17,7 +17,6 @@ sys.modules["rfc3987_syntax"] = None
 for folder in ("problems", "checks", "library", "browser"):
     sys.path.insert(0, str(Path(__file__).parent / folder))
 
-import control  # noqa: E402, F401
 import pytest  # noqa: E402
 
 from trajlib.grading.preloading import ALWAYS, LIBRARIES, THEMES, preload  # noqa: E402
@@ -43,8 +42,13 @@ def keep_what_was_freed():
 
 
 keep_what_was_freed()
-# Every problem is solved and judged in processes of its own, which would import it all again.
-preload(*ALWAYS, *LIBRARIES, themes=["checks", *THEMES])
+
+
+def pytest_configure(config):
+    """Every problem is solved and judged in processes of its own, which would import it all again. Who only shares
+    tests out has none."""
+    if hasattr(config, "workerinput") or not config.getoption("numprocesses", None):
+        preload("control", *ALWAYS, *LIBRARIES, themes=["checks", *THEMES])
 
 
 def together(nodeid):

@@ -31,12 +31,16 @@ def same_value(one, other, kind=""):
         return same_condition(one, other)
     if isinstance(one, sp.MatrixBase) or isinstance(other, sp.MatrixBase):
         return sp.Matrix(one).shape == sp.Matrix(other).shape and all(map(same_value, sp.Matrix(one), sp.Matrix(other)))
-    difference = sp.sympify(one) - sp.sympify(other)
-    return not differs_somewhere(difference) and sp.simplify(difference) == 0
+    return vanishes(sp.sympify(one) - sp.sympify(other))
 
 
-def differs_somewhere(difference):
-    """True if it certainly is not zero at some place: that is soon seen, and then nothing has to be simplified."""
+def vanishes(difference):
+    """True if an expression is zero everywhere. That it is not is soon seen at a few places, and then nothing has to
+    be simplified."""
+    return difference == 0 or not _differs_somewhere(difference) and sp.simplify(difference) == 0
+
+
+def _differs_somewhere(difference):
     random = Random(5)
     for _ in range(4):
         place = {symbol: _some_value(symbol, random) for symbol in sorted(difference.free_symbols, key=str)}

@@ -7,7 +7,7 @@ from fractions import Fraction
 import sympy as sp
 from sympy.core.relational import Relational
 
-from oracles.sameness import LOGIC, differs_somewhere, holds
+from oracles.sameness import LOGIC, holds, vanishes
 from oracles.structure.records import kalman
 from trajlib.systems import Linear, Scalar, WithError
 
@@ -20,7 +20,7 @@ def _meets(matrix, parameters, margin, polynomial, symbol, given):
     found = sp.expand((s*sp.eye(matrix.rows) - matrix).det(method="berkowitz"))
     if polynomial is not None:
         difference = found - sp.sympify(polynomial).subs(symbol, s)
-        return not differs_somewhere(difference) and sp.simplify(difference) == 0
+        return vanishes(difference)
     for sign in (1, -1):
         for k in range(len(VALUES)):
             values = {p: (1 if p.is_positive else sign)*VALUES[(k + 2*j) % len(VALUES)]

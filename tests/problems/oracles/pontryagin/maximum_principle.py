@@ -3,7 +3,7 @@
 import sympy as sp
 
 from oracles.pontryagin.processes import same_parts
-from oracles.sameness import same_value
+from oracles.sameness import same_value, vanishes
 
 
 def same_conditions(mutant, reference, problem, costates):
@@ -29,10 +29,8 @@ def same_on_the_arc(mutant, reference, problem, costates, control=None, domain=N
     """True if two expressions agree on the surface of the singular arcs, as the library finds it."""
     arc = problem.conditions().singular[control or problem.control[0]]
     difference = sp.sympify(mutant - reference).subs(_known(problem, costates))
-    for solution in sp.solve(list(arc.surface), list(problem.state), dict=True) if arc.surface else [{}]:
-        if sp.simplify(difference.subs(solution)) != 0:
-            return False
-    return True
+    found = sp.solve(list(arc.surface), list(problem.state), dict=True) if arc.surface else [{}]
+    return all(vanishes(difference.subs(solution)) for solution in found)
 
 
 def same_sign(mutant, reference, problem, costates, control=None, domain=None):
@@ -44,7 +42,7 @@ def same_sign(mutant, reference, problem, costates, control=None, domain=None):
 
 def same_rate(mutant, reference, problem, costates, *_, **__):
     known = _known(problem, costates)
-    return sp.simplify((mutant - reference).subs(known)) == 0
+    return vanishes((mutant - reference).subs(known))
 
 
 def _known(problem, costates):

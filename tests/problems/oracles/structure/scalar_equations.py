@@ -3,6 +3,8 @@
 import sympy as sp
 from sympy.core.function import AppliedUndef
 
+from oracles.sameness import vanishes
+
 
 def scalar_equation(mutant, reference, system, motion, control, parameters=()):
     """Left less right, as a linear form in the derivatives, is that of the reference times a factor that is not
@@ -14,7 +16,7 @@ def scalar_equation(mutant, reference, system, motion, control, parameters=()):
     factor = sp.cancel(one.coeff(top) / other.coeff(top))
     if factor == 0 or factor.free_symbols - set(parameters) or factor.atoms(AppliedUndef):
         return False
-    return sp.simplify(sp.expand(one - factor * other)) == 0
+    return vanishes(sp.expand(one - factor * other))
 
 
 ORACLES = {"scalar_equation": scalar_equation}
