@@ -11,7 +11,6 @@ A cell that fails, also a check that finds an answer not right, ends with the pa
 """
 
 import hashlib
-import io
 import json
 import multiprocessing
 import os
@@ -38,7 +37,7 @@ from sphinx_external_toc.parsing import parse_toc_yaml
 
 import trajlib
 from trajlib.dependencies import module_closure
-from trajlib.grading.preloading import SYMPY, preload
+from trajlib.grading.preloading import SYMPY, draw_once, preload
 
 ROOT = Path(__file__).resolve().parent.parent
 LIBRARY = Path(trajlib.__file__).parent
@@ -173,16 +172,7 @@ def import_for(pages):
     preload(*(LIBRARIES if many else ()), *sorted({module for page in pages for module in page.modules}))
     if many:
         local_ips(), KernelProvisionerFactory.instance()  # both are kept, and were found anew by every page
-        draw_once()
-
-
-def draw_once():
-    """The first picture of a process loads its fonts and the grammar of formulas."""
-    from matplotlib.figure import Figure  # not for a page or two
-
-    figure = Figure()
-    figure.subplots().set_title("$x$")
-    figure.savefig(io.BytesIO(), format="svg", bbox_inches="tight")
+        draw_once("svg")
 
 
 def side_by_side(function, items, *arguments):

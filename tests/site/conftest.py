@@ -2,7 +2,6 @@
 
 import fcntl
 import functools
-import gc
 import os
 import subprocess
 import sys
@@ -15,6 +14,8 @@ from types import SimpleNamespace
 import pytest
 from bs4 import BeautifulSoup
 from chromium import browser, moving_browser  # noqa: F401
+
+from trajlib.grading.preloading import what_stays
 
 ROOT = Path(__file__).resolve().parents[2]
 HERE = Path(__file__).parent
@@ -63,11 +64,8 @@ def pages_of():
 def pages(request, editions, pages_of):
     """The folder of an edition, and path -> parsed page; all tests of an edition share them."""
     root = getattr(editions, request.param)
-    gc.disable()  # all of this stays: to look for what does not takes as long as parsing
-    parsed = {path: BeautifulSoup(path.read_text(encoding="utf-8"), "html.parser") for path in pages_of(root)}
-    gc.freeze()
-    gc.enable()
-    return root, parsed
+    with what_stays():
+        return root, {path: BeautifulSoup(path.read_text(encoding="utf-8"), "html.parser") for path in pages_of(root)}
 
 
 @pytest.fixture(scope="session")

@@ -7,9 +7,7 @@ a kernel for every request that comes by its socket. It ends, with its kernels, 
 started it need not come back to end it.
 """
 
-import gc
 import importlib
-import io
 import json
 import os
 import select
@@ -79,34 +77,21 @@ def _nobody(address):
 
 
 def _import_all():
-    from trajlib.grading.preloading import CONTAINERS, SYMPY
+    from trajlib.grading.preloading import SYMPY, draw_once, what_stays
 
-    gc.disable()  # all of this stays: to look for what does not takes a fifth of the time
-    os.environ["MPLBACKEND"] = "module://matplotlib_inline.backend_inline"
-    without_grammars()
-    sys.modules["jupyter_server"] = None  # jupytext would import a server, and do without one
-    for name in (*LIBRARIES, *SYMPY):
-        importlib.import_module(name)
-    # found meanwhile by who started this; read without a buffer, in which `select` would miss the end
-    for name in json.loads(sys.stdin.buffer.raw.readline() or "[]"):
-        importlib.import_module(name)
-    if any("casadi" in name for name in sys.modules):
-        importlib.import_module("casadi")
-    _draw_once()
-    del sys.modules["rfc3987_syntax"], sys.modules["jupyter_server"]
-    gc.freeze()  # the collectors of the kernels need not copy it by going through it
-    gc.enable()
-    gc.set_threshold(CONTAINERS)
-
-
-def _draw_once():
-    """The first picture of a process loads its fonts."""
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure
-
-    figure = Figure()
-    figure.subplots().set_title("$x$")
-    FigureCanvasAgg(figure).print_png(io.BytesIO())
+    with what_stays():
+        os.environ["MPLBACKEND"] = "module://matplotlib_inline.backend_inline"
+        without_grammars()
+        sys.modules["jupyter_server"] = None  # jupytext would import a server, and do without one
+        for name in (*LIBRARIES, *SYMPY):
+            importlib.import_module(name)
+        # found meanwhile by who started this; read without a buffer, in which `select` would miss the end
+        for name in json.loads(sys.stdin.buffer.raw.readline() or "[]"):
+            importlib.import_module(name)
+        if any("casadi" in name for name in sys.modules):
+            importlib.import_module("casadi")
+        draw_once("png")
+        del sys.modules["rfc3987_syntax"], sys.modules["jupyter_server"]
 
 
 def _answer(connection, listener):
