@@ -26,7 +26,7 @@ def count_reading(app):
 
 def setup(app):
     if {{kept}}:
-        from workbook import keeping
+        from workbook_site import keeping
         keeping.setup(app)
     app.connect("builder-inited", count_reading)
 """

@@ -9,7 +9,7 @@ from bs4 import BeautifulSoup
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "book" / "_ext"))
-from workbook import reference  # noqa: E402
+from workbook_site import reference  # noqa: E402
 
 MODULES = sorted(path.stem for path in (ROOT / "book" / "library").glob("*.md"))
 

@@ -7,8 +7,8 @@ from docutils import nodes
 from docutils.utils import new_document
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "book" / "_ext"))
-from workbook.pages import BeginWithCapital  # noqa: E402
-from workbook.punctuation import KeepWithFormula  # noqa: E402
+from workbook_site.pages import BeginWithCapital  # noqa: E402
+from workbook_site.punctuation import KeepWithFormula  # noqa: E402
 
 
 def test_equal_texts_are_told_apart():

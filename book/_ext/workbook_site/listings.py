@@ -5,8 +5,8 @@ from itertools import groupby
 from docutils import nodes
 from sphinx.util.docutils import SphinxDirective
 
-from workbook import catalogue
-from workbook.pages import to_page, topic_label
+from workbook_site import catalogue
+from workbook_site.pages import to_page, topic_label
 
 
 class Listing(SphinxDirective):

@@ -19,8 +19,8 @@ from sphinx.util.docutils import SphinxDirective
 
 from trajlib import exercises
 from trajlib.formulas import typeset
-from workbook import catalogue
-from workbook.pages import to_label, to_page
+from workbook_site import catalogue
+from workbook_site.pages import to_label, to_page
 
 CELL = re.compile(r"^(`{3,})\{code-cell\}[^\n]*\n(?P<code>.*?)^\1[ \t]*$", re.M | re.S)
 OPTION = re.compile(r"^:[\w-]+:.*$", re.M)

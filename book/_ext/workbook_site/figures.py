@@ -13,7 +13,7 @@ from docutils import nodes
 from sphinx.transforms.post_transforms import SphinxPostTransform
 
 from trajlib.masters.drawn import beginning
-from workbook import catalogue
+from workbook_site import catalogue
 
 CHAPTER = re.compile(r"book/ch(\d+)")
 SIZE = re.compile(r'viewBox="0 0 ([\d.]+) ([\d.]+)"')

@@ -20,7 +20,7 @@ offline     nothing is loaded from another host
 import gc
 
 from trajlib.grading.preloading import CONTAINERS
-from workbook import (
+from workbook_site import (
     boxes,
     cases,
     catalogue,

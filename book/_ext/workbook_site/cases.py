@@ -11,7 +11,7 @@ from sphinx.util.docutils import SphinxDirective
 from trajlib import checks
 from trajlib.checks.contract.encoding import describe
 from trajlib.checks.contract.reporting import MARKS
-from workbook.reference import spans
+from workbook_site.reference import spans
 
 
 class CheckCases(SphinxDirective):

@@ -21,9 +21,9 @@ from sphinx_exercise.nodes import exercise_node
 from trajlib import exercises
 from trajlib.masters.contract import in_words, item_of
 from trajlib.masters.converting import SENTENCE_END, core_text
-from workbook import catalogue
-from workbook.boxes import details, summary
-from workbook.downloads import link
+from workbook_site import catalogue
+from workbook_site.boxes import details, summary
+from workbook_site.downloads import link
 
 logger = logging.getLogger(__name__)
 

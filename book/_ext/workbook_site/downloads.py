@@ -12,7 +12,7 @@ from docutils import nodes
 from sphinx.util.docutils import SphinxRole
 
 from trajlib import exercises
-from workbook import catalogue
+from workbook_site import catalogue
 
 
 class WheelRole(SphinxRole):
