@@ -9,8 +9,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .matrices import ROUNDING, in_floats, read_covariance, read_matrix, read_vector
-from .recursion import BLOCK, recursion, varying_recursion
+from trajlib.estimation.matrices import ROUNDING, in_floats, read_covariance, read_matrix, read_vector
+from trajlib.estimation.recursion import BLOCK, recursion, varying_recursion
 
 #: How much of the variances may be left to converge when the gain is kept.
 SETTLED = 1e-13

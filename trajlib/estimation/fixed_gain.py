@@ -9,10 +9,10 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from ..stability.systems import read_symbols
-from .limits import discrete_stationary_covariance, stationary_covariance
-from .linear import identity_like, latex, symmetric
-from .matrices import in_floats, read_covariance, read_matrix, read_square
+from trajlib.stability.systems import read_symbols
+from trajlib.estimation.limits import discrete_stationary_covariance, stationary_covariance
+from trajlib.estimation.linear import identity_like, latex, symmetric
+from trajlib.estimation.matrices import in_floats, read_covariance, read_matrix, read_square
 
 
 def error_covariance(A, H, Q, R, K):

@@ -9,9 +9,9 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from ..stability.systems import exact_decimals, read_expression, read_symbols
-from .linear import latex, solve
-from .matrices import in_floats, read_covariance, read_vector
+from trajlib.stability.systems import exact_decimals, read_expression, read_symbols
+from trajlib.estimation.linear import latex, solve
+from trajlib.estimation.matrices import in_floats, read_covariance, read_vector
 
 
 @dataclass(frozen=True)

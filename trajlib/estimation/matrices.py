@@ -6,9 +6,9 @@ numbers; so it is refused here.
 import numpy as np
 import sympy as sp
 
-from ..stability.hurwitz import is_float_array
-from ..stability.systems import vanishes
-from ..structure.pairs import as_floats, read_exact_rectangle
+from trajlib.stability.hurwitz import is_float_array
+from trajlib.stability.systems import vanishes
+from trajlib.structure.pairs import as_floats, read_exact_rectangle
 
 #: By how much, relative to its greatest entry, a covariance of floats may miss symmetry or fall below zero: beyond
 #: rounding, below anything that is meant.

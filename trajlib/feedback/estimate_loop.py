@@ -13,10 +13,10 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..stability.hurwitz import characteristic_polynomial
-from ..structure.measurement_errors import with_measurement_error
-from ..structure.pairs import read_controlled, read_exact_rectangle, read_observed
-from ..structure.splitting import named_matrices
+from trajlib.stability.hurwitz import characteristic_polynomial
+from trajlib.structure.measurement_errors import with_measurement_error
+from trajlib.structure.pairs import read_controlled, read_exact_rectangle, read_observed
+from trajlib.structure.splitting import named_matrices
 
 
 @dataclass(frozen=True)

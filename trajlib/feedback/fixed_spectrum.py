@@ -9,8 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from ..stability.systems import as_prose
-from ..structure.rank_tests import controllability, observability
+from trajlib.stability.systems import as_prose
+from trajlib.structure.rank_tests import controllability, observability
 
 
 @dataclass(frozen=True)

@@ -6,8 +6,8 @@ or any expressions of its symbols: a feedback of part of the coordinates is one 
 """
 import sympy as sp
 
-from ..stability.regions import stability_conditions
-from ..structure.pairs import read_controlled, read_exact_rectangle, read_observed
+from trajlib.stability.regions import stability_conditions
+from trajlib.structure.pairs import read_controlled, read_exact_rectangle, read_observed
 
 
 def stabilising_gains(A, B, K, H=None, parameters=None, margin=0):

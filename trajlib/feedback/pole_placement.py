@@ -23,9 +23,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..structure.pairs import read_controlled
-from ..structure.rank_tests import controllability
-from ..structure.scaling import balanced
+from trajlib.structure.pairs import read_controlled
+from trajlib.structure.rank_tests import controllability
+from trajlib.structure.scaling import balanced
 
 #: Decimal digits of the first attempt, and those that are no longer doubled.
 FIRST, LAST = 50, 1600

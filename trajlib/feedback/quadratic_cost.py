@@ -13,13 +13,13 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from ..estimation.continuous_filter import ContinuousFilter
-from ..estimation.linear import latex, symmetric, tidy
-from ..estimation.matrices import in_floats, read_covariance, read_matrix, read_square
-from ..estimation.stationary_filters import StationaryFilter, stationary_filter
-from ..stability.regions import latex_condition
-from ..stability.systems import as_prose
-from ..structure.splitting import observability_decomposition
+from trajlib.estimation.continuous_filter import ContinuousFilter
+from trajlib.estimation.linear import latex, symmetric, tidy
+from trajlib.estimation.matrices import in_floats, read_covariance, read_matrix, read_square
+from trajlib.estimation.stationary_filters import StationaryFilter, stationary_filter
+from trajlib.stability.regions import latex_condition
+from trajlib.stability.systems import as_prose
+from trajlib.structure.splitting import observability_decomposition
 
 
 @dataclass(frozen=True)

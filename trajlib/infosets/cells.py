@@ -24,9 +24,9 @@ takes more than 2e-12 of it, so that 1e5 steps are covered. Support values are r
 """
 import numpy as np
 
-from .polygons import EPS
-from .sections import FULL, arc_of
-from .turning import apart, cosine_parts
+from trajlib.infosets.polygons import EPS
+from trajlib.infosets.sections import FULL, arc_of
+from trajlib.infosets.turning import apart, cosine_parts
 
 #: Of a cell's half width, for the rounding of nodes and reaches; and what a reach may be below its bound, in nodes.
 WIDER, SHORT = 1 + 2e-6, 1e-12

@@ -14,8 +14,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .arguments import number, positive, vectors
-from .turning import apart, cosine_parts
+from trajlib.infosets.arguments import number, positive, vectors
+from trajlib.infosets.turning import apart, cosine_parts
 
 #: First turns that are tried to begin with.
 TRIED = 300

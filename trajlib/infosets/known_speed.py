@@ -7,12 +7,12 @@ headings, `trajlib.infosets.cells` with one row.
 """
 import numpy as np
 
-from . import arguments
-from .cells import Cells
-from .polygons import normals as unit_normals
-from .regions import read_region
-from .sections import FULL, Bounds, Sections, arc_of
-from .turning import apart
+from trajlib.infosets import arguments
+from trajlib.infosets.cells import Cells
+from trajlib.infosets.polygons import normals as unit_normals
+from trajlib.infosets.regions import read_region
+from trajlib.infosets.sections import FULL, Bounds, Sections, arc_of
+from trajlib.infosets.turning import apart
 
 
 class ConstantSpeedInformationSet(Sections):

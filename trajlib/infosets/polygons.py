@@ -15,7 +15,7 @@ what `intersect` returns contains the intersection.
 """
 import numpy as np
 
-from .arguments import vectors
+from trajlib.infosets.arguments import vectors
 
 EPS = float(np.finfo(float).eps)
 #: Relative error of a computed alpha rho_j + beta rho_k, in units of EPS: four for a quotient of sines, three for

@@ -10,8 +10,8 @@ encloses.
 """
 import numpy as np
 
-from .polygons import normals
-from .sections import FULL, arc_of
+from trajlib.infosets.polygons import normals
+from trajlib.infosets.sections import FULL, arc_of
 
 
 class Nodes:

@@ -1,8 +1,8 @@
 """What a measurement says: a convex set of the plane, by its support function."""
 import numpy as np
 
-from .arguments import positive, vectors
-from .polygons import EPS, ROUNDINGS, SupportPolygons, normals
+from trajlib.infosets.arguments import positive, vectors
+from trajlib.infosets.polygons import EPS, ROUNDINGS, SupportPolygons, normals
 
 
 class Region:

@@ -3,11 +3,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .arguments import count as read_count
-from .arguments import vectors
-from .errors import EmptyInformationSet
-from .polygons import SupportPolygons
-from .regions import read_region
+from trajlib.infosets.arguments import count as read_count
+from trajlib.infosets.arguments import vectors
+from trajlib.infosets.errors import EmptyInformationSet
+from trajlib.infosets.polygons import SupportPolygons
+from trajlib.infosets.regions import read_region
 
 FULL = 2*np.pi
 

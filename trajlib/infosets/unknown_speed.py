@@ -1,11 +1,11 @@
 """The information set of a vehicle whose speed is not known: states (x, y, psi, V)."""
 import numpy as np
 
-from . import arguments
-from .cells import Cells
-from .published import Nodes
-from .regions import read_region
-from .sections import FULL, Bounds, Sections
+from trajlib.infosets import arguments
+from trajlib.infosets.cells import Cells
+from trajlib.infosets.published import Nodes
+from trajlib.infosets.regions import read_region
+from trajlib.infosets.sections import FULL, Bounds, Sections
 
 
 class InformationSet(Sections):

@@ -8,8 +8,8 @@ from dataclasses import dataclass, fields, replace
 import numpy as np
 import sympy as sp
 
-from .errors import WrongStructure
-from .extremal import Extremal, solve
+from trajlib.pontryagin.errors import WrongStructure
+from trajlib.pontryagin.extremal import Extremal, solve
 
 REWARDED = ("the cost rewards the absolute value of a control: p and q with u = p - q are positive at once, so that "
             "p + q is not |u|. State the problem without Abs.")

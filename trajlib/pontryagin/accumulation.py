@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
-from .flow import extrapolated_midpoint
+from trajlib.pontryagin.flow import extrapolated_midpoint
 
 # Steps of the integrator an arc, most arcs, and the relative change of the cost at which more arcs change nothing.
 STEPS, MOST, SETTLED = 12, 9, 1e-13

@@ -9,7 +9,7 @@ from dataclasses import dataclass, fields
 
 import numpy as np
 
-from .evidence import Evidence
+from trajlib.pontryagin.evidence import Evidence
 
 # Panels an arc, one number after another, until the integrals agree with the trajectory to within INTEGRATED: a rapid
 # turn needs many. What stays is a defect of the trajectory, not of the formula.

@@ -12,9 +12,9 @@ numbers decide.
 import casadi as ca
 import numpy as np
 
-from .accumulation import accumulation
-from .errors import Chattering, WrongStructure
-from .flow import ArcFlow
+from trajlib.pontryagin.accumulation import accumulation
+from trajlib.pontryagin.errors import Chattering, WrongStructure
+from trajlib.pontryagin.flow import ArcFlow
 
 
 def refuse_chattering(numeric, arcs, end, duration):

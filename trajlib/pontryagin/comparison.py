@@ -1,8 +1,8 @@
 """Several extremals of one problem: the maximum principle is necessary, the cost decides."""
 from dataclasses import dataclass
 
-from .errors import PontryaginError
-from .extremal import kind_latex, solve
+from trajlib.pontryagin.errors import PontryaginError
+from trajlib.pontryagin.extremal import kind_latex, solve
 
 
 @dataclass(frozen=True)

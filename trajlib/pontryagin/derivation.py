@@ -17,8 +17,8 @@ import sympy as sp
 
 from trajlib.flows import lie_derivative
 
-from .singular import SingularArc, singular_arc
-from .statement import Problem
+from trajlib.pontryagin.singular import SingularArc, singular_arc
+from trajlib.pontryagin.statement import Problem
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,7 +56,7 @@ class Conditions:
 
     @cached_property
     def maximising(self):
-        from .maximum import maximising_control
+        from trajlib.pontryagin.maximum import maximising_control
 
         return maximising_control(self)
 
@@ -66,7 +66,7 @@ class Conditions:
 
     @cached_property
     def control_field(self):
-        from .elimination import control_field
+        from trajlib.pontryagin.elimination import control_field
 
         return control_field(self.problem)
 
@@ -112,7 +112,7 @@ class Conditions:
         return lie_derivative(expression, {**self.problem.dynamics, **self.adjoint})
 
     def _repr_markdown_(self):
-        from .presentation import conditions_markdown
+        from trajlib.pontryagin.presentation import conditions_markdown
 
         return conditions_markdown(self)
 

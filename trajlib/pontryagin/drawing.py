@@ -2,7 +2,7 @@
 import numpy as np
 import sympy as sp
 
-from .. import plotting
+from trajlib import plotting
 
 _BAND = {"u-": plotting.SKY, "u+": plotting.ORANGE, "interior": plotting.GREEN, "singular": plotting.PURPLE,
          "zero": plotting.GREY}

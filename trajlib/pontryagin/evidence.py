@@ -8,7 +8,7 @@ from functools import cached_property, lru_cache
 import numpy as np
 import sympy as sp
 
-from .singular import raw_derivatives
+from trajlib.pontryagin.singular import raw_derivatives
 
 _GAUSS = np.polynomial.legendre.leggauss(12)
 

@@ -9,14 +9,14 @@ from functools import cached_property
 import numpy as np
 import sympy as sp
 
-from .chattering import refuse_chattering
-from .errors import NotUnique, WrongStructure
-from .flow import STEADY
-from .guesses import read_guess
-from .numeric import NumericProblem
-from .optimality import Optimality, theorem_with_discs
-from .polishing import arc_lengths, polish
-from .searching import (
+from trajlib.pontryagin.chattering import refuse_chattering
+from trajlib.pontryagin.errors import NotUnique, WrongStructure
+from trajlib.pontryagin.flow import STEADY
+from trajlib.pontryagin.guesses import read_guess
+from trajlib.pontryagin.numeric import NumericProblem
+from trajlib.pontryagin.optimality import Optimality, theorem_with_discs
+from trajlib.pontryagin.polishing import arc_lengths, polish
+from trajlib.pontryagin.searching import (
     INTERVALS,
     escaped,
     finer_picture,
@@ -26,11 +26,11 @@ from .searching import (
     settled_duration,
     with_controls,
 )
-from .second_order import along_extremal, of_picture, second_variation
-from .sliding import in_turn, refuse_sliding, relaxed_picture
-from .structure import Arc, detect, name, read_structure, readings
-from .transcription import Picture, target_multipliers
-from .units import large_states, solve_in_units
+from trajlib.pontryagin.second_order import along_extremal, of_picture, second_variation
+from trajlib.pontryagin.sliding import in_turn, refuse_sliding, relaxed_picture
+from trajlib.pontryagin.structure import Arc, detect, name, read_structure, readings
+from trajlib.pontryagin.transcription import Picture, target_multipliers
+from trajlib.pontryagin.units import large_states, solve_in_units
 
 
 @dataclass(frozen=True, eq=False)
@@ -100,7 +100,7 @@ class Extremal:
         there is none (see `proof.prove`). For linear plants and costs that are at most quadratic; needs python-flint.
         """
         if proved:
-            from .proof import prove
+            from trajlib.pontryagin.proof import prove
 
             return prove(self.problem, self.arcs, self.state(0), self.costate(0), self.multiplier)
         return self._certificate if points is None else self._certified(points)
@@ -110,7 +110,7 @@ class Extremal:
         return self._certified(None)
 
     def _certified(self, points):
-        from .certificate import certify
+        from trajlib.pontryagin.certificate import certify
 
         return certify(self.problem, self.state, self.costate, self.control, self.duration, self.switching_times,
                        multiplier=self.multiplier, arcs=[kind for kind, _, _ in self.arcs], points=points)
@@ -143,7 +143,7 @@ class Extremal:
 
     def plot(self, axes=None):
         """Phase plane and time plots of states, controls, costates and switching function; returns the Axes."""
-        from .drawing import draw_extremal
+        from trajlib.pontryagin.drawing import draw_extremal
 
         return draw_extremal(self, axes)
 
@@ -217,7 +217,7 @@ def solve(problem, structure=None, guess=None):
     Extremal(cost=0.375, duration=2, arcs: u- [0, 1], singular [1, 1.5], u+ [1.5, 2])
     """
     if problem.running.has(sp.Abs):
-        from .absolute import solve_split, split
+        from trajlib.pontryagin.absolute import solve_split, split
 
         pairs = split(problem)
         if pairs:

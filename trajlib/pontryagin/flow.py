@@ -17,7 +17,7 @@ from functools import cached_property
 import casadi as ca
 import numpy as np
 
-from .errors import NotUnique, WrongStructure
+from trajlib.pontryagin.errors import NotUnique, WrongStructure
 
 KINDS = ("u-", "u+", "interior", "singular")
 # Arcs of a constant angle, with the angle that is added to the common one. To the user they are interior.

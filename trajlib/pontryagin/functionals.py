@@ -79,7 +79,7 @@ def functional_value(functional, motion):
 def control_problem(functional):
     """The same as a problem of optimal control: `Problem` with the states x1 = x, x2 = x', ... and the control
     u = x^(n) without bounds; time is a state where the integrand depends on it."""
-    from .statement import Problem
+    from trajlib.pontryagin.statement import Problem
 
     n, time = functional.order, functional.time
     state, control = sp.symbols(f"{functional.motion.func}1:{n + 1}", real=True), sp.Symbol("u", real=True)

@@ -2,8 +2,8 @@
 import casadi as ca
 import numpy as np
 
-from .errors import StartOnTarget
-from .transcription import runge_kutta
+from trajlib.pontryagin.errors import StartOnTarget
+from trajlib.pontryagin.transcription import runge_kutta
 
 
 def guesses(numeric, intervals, side=None):

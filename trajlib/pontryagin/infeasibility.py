@@ -15,7 +15,7 @@ Angles count as vectors in discs (`discs`): a plant that is linear in cos u and 
 import numpy as np
 import sympy as sp
 
-from .errors import Infeasible
+from trajlib.pontryagin.errors import Infeasible
 
 # What counts as beyond, relative to the size of the values.
 MARGIN = 1e-9

@@ -1,7 +1,7 @@
 """Which arcs the maximum condition asks for along a trajectory that satisfies the boundary value problem."""
 import numpy as np
 
-from .structure import Arc, name
+from trajlib.pontryagin.structure import Arc, name
 
 # Where the maximum condition is looked at on a segment: densely at its ends, where a short arc may be missing.
 FRACTIONS = np.concatenate([[1e-5, 1e-4, 1e-3], (1 - np.cos(np.pi*np.arange(1, 32)/32))/2,

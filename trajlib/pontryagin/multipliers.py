@@ -11,7 +11,7 @@ from copy import copy
 import casadi as ca
 import numpy as np
 
-from .maximum_condition import FRACTIONS
+from trajlib.pontryagin.maximum_condition import FRACTIONS
 
 # Singular values below this share of the largest count as zero.
 RANK = 1e-9

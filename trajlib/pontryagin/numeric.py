@@ -5,8 +5,8 @@ import casadi as ca
 import numpy as np
 import sympy as sp
 
-from .compiled import to_casadi
-from .discs import is_angle, relaxed
+from trajlib.pontryagin.compiled import to_casadi
+from trajlib.pontryagin.discs import is_angle, relaxed
 
 # Values tried for a control in which H is not linear.
 GRID = 41

@@ -18,7 +18,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from .discs import relaxed
+from trajlib.pontryagin.discs import relaxed
 
 
 @dataclass(frozen=True)

@@ -3,13 +3,13 @@ from copy import copy
 
 import numpy as np
 
-from .errors import WrongStructure
-from .flow import STEADY
-from .maximum_condition import wanted_arcs
-from .multipliers import several_multipliers
-from .shooting import CANCELLING, ArcEquations, Shot, build_flows, jumps, newton
-from .structure import Arc, line_of, name
-from .transcription import Picture, target_multipliers
+from trajlib.pontryagin.errors import WrongStructure
+from trajlib.pontryagin.flow import STEADY
+from trajlib.pontryagin.maximum_condition import wanted_arcs
+from trajlib.pontryagin.multipliers import several_multipliers
+from trajlib.pontryagin.shooting import CANCELLING, ArcEquations, Shot, build_flows, jumps, newton
+from trajlib.pontryagin.structure import Arc, line_of, name
+from trajlib.pontryagin.transcription import Picture, target_multipliers
 
 # Largest relative residual of an accepted solution; most end near 1e-15.
 ACCEPTED = 1e-10

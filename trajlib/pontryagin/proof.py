@@ -18,8 +18,8 @@ import sympy as sp
 
 from trajlib.formulas import typeset
 
-from .linear_arcs import LinearArcs, NotLinear
-from .optimality import theorem
+from trajlib.pontryagin.linear_arcs import LinearArcs, NotLinear
+from trajlib.pontryagin.optimality import theorem
 
 # Bits of the arithmetic: more where errors grow along the arcs. The box in which the zero is looked for takes a share.
 PRECISIONS, SHARE = (256, 1024), 0.6

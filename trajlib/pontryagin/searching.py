@@ -4,13 +4,13 @@ from itertools import zip_longest
 
 import numpy as np
 
-from .errors import Infeasible, NotConverged, NotUnique, Unbounded
-from .guesses import guesses, refuse_start_on_target, sides, waves
-from .infeasibility import refuse_infeasible, separated
-from .optimality import held, theorem
-from .second_order import ABNORMAL, of_picture, second_variation
-from .structure import name
-from .transcription import Picture, Transcription, target_multipliers
+from trajlib.pontryagin.errors import Infeasible, NotConverged, NotUnique, Unbounded
+from trajlib.pontryagin.guesses import guesses, refuse_start_on_target, sides, waves
+from trajlib.pontryagin.infeasibility import refuse_infeasible, separated
+from trajlib.pontryagin.optimality import held, theorem
+from trajlib.pontryagin.second_order import ABNORMAL, of_picture, second_variation
+from trajlib.pontryagin.structure import name
+from trajlib.pontryagin.transcription import Picture, Transcription, target_multipliers
 
 INTERVALS = 80
 # Where several starts are compared, they are on fewer intervals; those within this share of the best cost are refined.
@@ -386,7 +386,7 @@ def _with_duration(numeric, picture, side, factor, patience=400):
     """The picture, or the failure, for another duration, with steps as long as those of the picture."""
     from dataclasses import replace
 
-    from .numeric import NumericProblem
+    from trajlib.pontryagin.numeric import NumericProblem
 
     duration = factor*picture.duration
     fixed = NumericProblem(replace(numeric.problem, duration=duration))
@@ -426,7 +426,7 @@ def _least_time(numeric):
     """The least time to the target, by transcription; None if none was found."""
     from dataclasses import replace
 
-    from .numeric import NumericProblem
+    from trajlib.pontryagin.numeric import NumericProblem
 
     fastest = NumericProblem(replace(numeric.problem, running=1, final=0, duration=None, maximise=False))
     programme = Transcription(fastest, INTERVALS)

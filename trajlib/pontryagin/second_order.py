@@ -16,7 +16,7 @@ from dataclasses import dataclass, replace
 import casadi as ca
 import numpy as np
 
-from .transcription import runge_kutta
+from trajlib.pontryagin.transcription import runge_kutta
 
 # Into how many intervals an extremal is cut.
 INTERVALS = 80

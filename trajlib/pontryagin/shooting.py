@@ -20,7 +20,7 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
-from .flow import STEADY, ArcFlow
+from trajlib.pontryagin.flow import STEADY, ArcFlow
 
 # Size of cancelling terms up to which residuals are judged against them: what may grow along a segment.
 CANCELLING = 1e3

@@ -12,9 +12,9 @@ from dataclasses import replace
 import numpy as np
 import sympy as sp
 
-from .errors import Unbounded
-from .numeric import NumericProblem
-from .transcription import Picture, Transcription
+from trajlib.pontryagin.errors import Unbounded
+from trajlib.pontryagin.numeric import NumericProblem
+from trajlib.pontryagin.transcription import Picture, Transcription
 
 # What relaxing has to gain, as a share of the cost, and on which share of the intervals both values are to be used.
 GAIN, USED = 1e-3, 0.1

@@ -10,8 +10,8 @@ from dataclasses import dataclass, fields, replace
 
 import sympy as sp
 
-from ..stability.systems import exact_decimals, read_expression
-from .arguments import names_of, read_bounds, read_duration, read_initial, read_table, read_terminal
+from trajlib.stability.systems import exact_decimals, read_expression
+from trajlib.pontryagin.arguments import names_of, read_bounds, read_duration, read_initial, read_table, read_terminal
 
 
 @dataclass(frozen=True, eq=False)
@@ -134,7 +134,7 @@ class Problem:
 
     def conditions(self):
         """The conditions of the maximum principle, derived and ready to be shown: `Conditions`."""
-        from .derivation import conditions
+        from trajlib.pontryagin.derivation import conditions
 
         # A problem does not change: its conditions are derived once.
         if "_conditions" not in self.__dict__:
@@ -143,7 +143,7 @@ class Problem:
 
     def solve(self, structure=None, guess=None):
         """An extremal of the problem with its arcs and switching times: `Extremal`; see `extremal.solve`."""
-        from .extremal import solve
+        from trajlib.pontryagin.extremal import solve
 
         return solve(self, structure, guess)
 
@@ -152,7 +152,7 @@ class Problem:
         return f"Problem({shown})"
 
     def _repr_markdown_(self):
-        from .presentation import problem_markdown
+        from trajlib.pontryagin.presentation import problem_markdown
 
         return problem_markdown(self)
 

@@ -3,7 +3,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .flow import KINDS, STEADY
+from trajlib.pontryagin.flow import KINDS, STEADY
 
 # The share of the distance between its bounds up to which a control counts as being at one of them, and the same where
 # only the bound itself does: what IPOPT leaves at a bound that presses.

@@ -9,10 +9,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from .guesses import read_guess, refuse_start_on_target
-from .infeasibility import refuse_infeasible
-from .numeric import NumericProblem
-from .shooting import CANCELLING, build_flows
+from trajlib.pontryagin.guesses import read_guess, refuse_start_on_target
+from trajlib.pontryagin.infeasibility import refuse_infeasible
+from trajlib.pontryagin.numeric import NumericProblem
+from trajlib.pontryagin.shooting import CANCELLING, build_flows
 
 
 def large_states(problem):
@@ -34,7 +34,7 @@ def measured_in(problem, units):
 
 def solve_in_units(problem, units, structure, guess):
     """The extremal of a problem, found for states in these units."""
-    from .extremal import found_extremal, solve
+    from trajlib.pontryagin.extremal import found_extremal, solve
 
     numeric = NumericProblem(problem)
     # What is refused is told in the user's units.

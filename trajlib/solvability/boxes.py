@@ -15,8 +15,8 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from .intervals import FUNCTIONS, Interval
-from .rounding import EPS, threshold
+from trajlib.solvability.intervals import FUNCTIONS, Interval
+from trajlib.solvability.rounding import EPS, threshold
 
 #: Cells that are treated together.
 BATCH = 256

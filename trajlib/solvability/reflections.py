@@ -13,8 +13,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .rounding import backward_errors
-from .verdicts import Solvability, analyse
+from trajlib.solvability.rounding import backward_errors
+from trajlib.solvability.verdicts import Solvability, analyse
 
 
 @dataclass(frozen=True, repr=False)

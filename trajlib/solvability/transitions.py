@@ -1,7 +1,7 @@
 """Transition matrices that are known exactly, and the stacked matrix of all measurements."""
 import numpy as np
 
-from .arguments import read_matrix, read_times
+from trajlib.solvability.arguments import read_matrix, read_times
 
 
 def transition(A, times, reference=None):

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .arguments import read_names, read_times
-from .transitions import stack
+from trajlib.solvability.arguments import read_names, read_times
+from trajlib.solvability.transitions import stack
 
 #: The error of each entry is found from a second integration whose tolerance is smaller by this factor.
 TIGHTER = 100

@@ -14,9 +14,9 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from . import rounding
-from .arguments import read_matrix, read_names
-from .weights import Weights
+from trajlib.solvability import rounding
+from trajlib.solvability.arguments import read_matrix, read_names
+from trajlib.solvability.weights import Weights
 
 #: Components of a direction smaller than this share of its norm are left out of the words.
 MENTIONED = 0.01

@@ -20,16 +20,16 @@ from itertools import combinations
 import numpy as np
 import sympy as sp
 
-from .inequalities import sign_of
-from .lyapunov import (
+from trajlib.stability.inequalities import sign_of
+from trajlib.stability.lyapunov import (
     barbashin_krasovskii,
     derivative_factors,
     is_positive_definite,
     lyapunov_derivative,
     separate_parts,
 )
-from .real_solutions import solve_real
-from .systems import as_prose, as_real, exact_decimals, read_expression, read_field, vanishes, with_names
+from trajlib.stability.real_solutions import solve_real
+from trajlib.stability.systems import as_prose, as_real, exact_decimals, read_expression, read_field, vanishes, with_names
 
 
 @dataclass(frozen=True)
@@ -48,7 +48,7 @@ class BasinEstimate:
 
     def plot(self, x_range, y_range, ax=None):
         """Hatch the estimate in the plane and draw the level curve; returns the Axes. Needs numbers for parameters."""
-        from .. import plotting
+        from trajlib import plotting
 
         if len(self.state) != 2 or self.V.free_symbols - set(self.state):
             raise ValueError("plot: expected a planar system with numbers for all parameters")

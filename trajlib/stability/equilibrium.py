@@ -8,9 +8,9 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from .inequalities import nonnegative, positive, tidied
-from .real_solutions import solve_real
-from .systems import as_real, exact_decimals, read_field, read_symbols
+from trajlib.stability.inequalities import nonnegative, positive, tidied
+from trajlib.stability.real_solutions import solve_real
+from trajlib.stability.systems import as_real, exact_decimals, read_field, read_symbols
 
 
 @dataclass(frozen=True)

@@ -18,7 +18,7 @@ import numpy as np
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
-from .systems import exact_decimals, read_expression, read_symbols
+from trajlib.stability.systems import exact_decimals, read_expression, read_symbols
 
 
 def characteristic_polynomial(A, symbol):

@@ -5,7 +5,7 @@ leaves out those that follow from the others.
 """
 import sympy as sp
 
-from .strict_inequalities import TooLarge, solution_point
+from trajlib.stability.strict_inequalities import TooLarge, solution_point
 
 
 def sign_of(expression):

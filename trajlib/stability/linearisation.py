@@ -6,7 +6,7 @@ x' = A x + B w with A = df/dy and B = df/du taken along the programme motion.
 import numpy as np
 import sympy as sp
 
-from .systems import read_field, read_symbols, read_vector, vanishes
+from trajlib.stability.systems import read_field, read_symbols, read_vector, vanishes
 
 
 def linearise(field, state, at, inputs=(), inputs_at=()):

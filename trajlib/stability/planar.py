@@ -9,12 +9,12 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from .hurwitz import is_float_array, read_exact_matrix
-from .inequalities import equation, positive, sign_of, tidied
-from .real_solutions import definedness
-from .regions import latex_condition
-from .strict_inequalities import TooLarge, solution_point
-from .systems import as_real, exact_decimals, read_expression, read_field
+from trajlib.stability.hurwitz import is_float_array, read_exact_matrix
+from trajlib.stability.inequalities import equation, positive, sign_of, tidied
+from trajlib.stability.real_solutions import definedness
+from trajlib.stability.regions import latex_condition
+from trajlib.stability.strict_inequalities import TooLarge, solution_point
+from trajlib.stability.systems import as_real, exact_decimals, read_expression, read_field
 
 
 @dataclass(frozen=True)

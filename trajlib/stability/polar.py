@@ -8,10 +8,10 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from .inequalities import sign_factors
-from .real_solutions import solve_real
-from .strict_inequalities import TooLarge, solution_point
-from .systems import as_real, exact_decimals, read_expression, read_field, read_symbols, with_names
+from trajlib.stability.inequalities import sign_factors
+from trajlib.stability.real_solutions import solve_real
+from trajlib.stability.strict_inequalities import TooLarge, solution_point
+from trajlib.stability.systems import as_real, exact_decimals, read_expression, read_field, read_symbols, with_names
 
 
 def polar_form(field, state, r, phi):

@@ -10,8 +10,8 @@ from dataclasses import dataclass, field
 
 import sympy as sp
 
-from .inequalities import nonnegative, nonzero, positive, tidied
-from .systems import vanishes
+from trajlib.stability.inequalities import nonnegative, nonzero, positive, tidied
+from trajlib.stability.systems import vanishes
 
 
 class Unsolved(Exception):

@@ -11,9 +11,9 @@ from fractions import Fraction
 import numpy as np
 import sympy as sp
 
-from .hurwitz import characteristic_polynomial, hurwitz_minors, is_float_array, read_coefficients, read_exact_matrix
-from .inequalities import conjunction, sign_of
-from .systems import as_real, exact_decimals, read_expression, read_symbols, read_vector
+from trajlib.stability.hurwitz import characteristic_polynomial, hurwitz_minors, is_float_array, read_coefficients, read_exact_matrix
+from trajlib.stability.inequalities import conjunction, sign_of
+from trajlib.stability.systems import as_real, exact_decimals, read_expression, read_symbols, read_vector
 
 
 def shift(poly, margin, symbol=None):
@@ -106,7 +106,7 @@ class StabilityConditions:
 
     def plot(self, first_range, second_range, ax=None):
         """Draw the region over a rectangle of the two parameters; returns the Axes."""
-        from .. import plotting
+        from trajlib import plotting
 
         if len(self.parameters) != 2:
             raise ValueError(f"plot: a picture needs two parameters, this region has {len(self.parameters)}")

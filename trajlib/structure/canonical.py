@@ -13,12 +13,12 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from ..stability.hurwitz import characteristic_polynomial
-from . import exact, floats
-from .kalman_matrices import stacked_powers
-from .pairs import read_controlled, read_observed
-from .popov import visible_symbol
-from .splitting import holds_where, inverse, named_matrices
+from trajlib.stability.hurwitz import characteristic_polynomial
+from trajlib.structure import exact, floats
+from trajlib.structure.kalman_matrices import stacked_powers
+from trajlib.structure.pairs import read_controlled, read_observed
+from trajlib.structure.popov import visible_symbol
+from trajlib.structure.splitting import holds_where, inverse, named_matrices
 
 _WORST_CONDITION = 1e12
 

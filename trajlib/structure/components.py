@@ -46,9 +46,9 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from . import exact
-from .pairs import read_controlled, read_observed
-from .splitting import holds_where, named_matrices
+from trajlib.structure import exact
+from trajlib.structure.pairs import read_controlled, read_observed
+from trajlib.structure.splitting import holds_where, named_matrices
 
 
 @dataclass(frozen=True)

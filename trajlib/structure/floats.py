@@ -11,9 +11,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .nearest import nearest, smallest
-from .scaling import Scaled, balanced
-from .staircase import staircase
+from trajlib.structure.nearest import nearest, smallest
+from trajlib.structure.scaling import Scaled, balanced
+from trajlib.structure.staircase import staircase
 
 _EPS = np.finfo(float).eps
 #: Lost directions are split off together if they are as independent as this.

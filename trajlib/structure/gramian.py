@@ -9,8 +9,8 @@ Loan, 1978).
 import numpy as np
 import sympy as sp
 
-from ..stability.systems import read_expression
-from .pairs import read_controlled
+from trajlib.stability.systems import read_expression
+from trajlib.structure.pairs import read_controlled
 
 
 def controllability_gramian(A, B=None, duration=None):

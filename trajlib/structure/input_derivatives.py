@@ -15,13 +15,13 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from ..stability.hurwitz import characteristic_polynomial
-from ..stability.systems import exact_decimals, read_expression, read_symbols
-from . import exact
-from .canonical import controller_canonical_form
-from .pairs import read_exact_rectangle, read_observed
-from .popov import visible_symbol
-from .splitting import observability_decomposition
+from trajlib.stability.hurwitz import characteristic_polynomial
+from trajlib.stability.systems import exact_decimals, read_expression, read_symbols
+from trajlib.structure import exact
+from trajlib.structure.canonical import controller_canonical_form
+from trajlib.structure.pairs import read_exact_rectangle, read_observed
+from trajlib.structure.popov import visible_symbol
+from trajlib.structure.splitting import observability_decomposition
 
 
 def state_form(left, right, symbol=None):

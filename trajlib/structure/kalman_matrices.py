@@ -8,7 +8,7 @@ many orders of magnitude: ask `observability` and `controllability`, which use P
 import numpy as np
 import sympy as sp
 
-from .pairs import read_controlled, read_observed
+from trajlib.structure.pairs import read_controlled, read_observed
 
 
 def observability_matrix(A, H=None):

@@ -16,8 +16,8 @@ parameters.
 import numpy as np
 import sympy as sp
 
-from ..stability.systems import read_symbols
-from .pairs import (
+from trajlib.stability.systems import read_symbols
+from trajlib.structure.pairs import (
     as_floats,
     is_float_array,
     read_exact_matrix,
@@ -25,7 +25,7 @@ from .pairs import (
     read_float_matrix,
     read_observed,
 )
-from .parameters import rank_conditions
+from trajlib.structure.parameters import rank_conditions
 
 
 def with_measurement_error(A, H, S, c):

@@ -10,11 +10,11 @@ from itertools import combinations
 import numpy as np
 import sympy as sp
 
-from ..stability.hurwitz import is_float_array
-from . import exact
-from .pairs import as_floats, read_exact_rectangle
-from .popov import LAMBDA, LostMode, lost_modes
-from .rank_tests import float_test, rank_test
+from trajlib.stability.hurwitz import is_float_array
+from trajlib.structure import exact
+from trajlib.structure.pairs import as_floats, read_exact_rectangle
+from trajlib.structure.popov import LAMBDA, LostMode, lost_modes
+from trajlib.structure.rank_tests import float_test, rank_test
 
 
 def mechanical_observability(M, D, K, H1, H2=None):

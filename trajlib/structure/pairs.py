@@ -6,8 +6,8 @@ controllable exactly when (A^T, B^T) is observable.
 import numpy as np
 import sympy as sp
 
-from ..stability.hurwitz import is_float_array, read_exact_matrix, read_float_matrix
-from ..stability.systems import exact_decimals
+from trajlib.stability.hurwitz import is_float_array, read_exact_matrix, read_float_matrix
+from trajlib.stability.systems import exact_decimals
 
 
 def read_observed(A, H, name="H"):

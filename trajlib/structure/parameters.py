@@ -15,14 +15,14 @@ from textwrap import shorten
 import numpy as np
 import sympy as sp
 
-from ..stability.inequalities import equation, sign_of
-from ..stability.regions import latex_region
-from ..stability.strict_inequalities import TooLarge, solution_point
-from ..stability.systems import as_real, read_symbols, with_names
-from . import exact
-from .kalman_matrices import stacked_powers
-from .pairs import read_controlled, read_observed
-from .popov import LAMBDA, kernels_modulo
+from trajlib.stability.inequalities import equation, sign_of
+from trajlib.stability.regions import latex_region
+from trajlib.stability.strict_inequalities import TooLarge, solution_point
+from trajlib.stability.systems import as_real, read_symbols, with_names
+from trajlib.structure import exact
+from trajlib.structure.kalman_matrices import stacked_powers
+from trajlib.structure.pairs import read_controlled, read_observed
+from trajlib.structure.popov import LAMBDA, kernels_modulo
 
 _MOST_MINORS = 300
 #: Terms of a polynomial modulo which a rank can still be found in seconds.

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from .exact import simple_multiple
+from trajlib.structure.exact import simple_multiple
 
 # A stand-in, so that the user's own matrices may contain a symbol lambda.
 LAMBDA = sp.Dummy("lambda")

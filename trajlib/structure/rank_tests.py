@@ -9,12 +9,12 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from ..stability.hurwitz import characteristic_polynomial
-from ..stability.systems import as_prose
-from . import exact, floats
-from .kalman_matrices import stacked_powers
-from .pairs import read_controlled, read_observed
-from .popov import LAMBDA, LostMode, lost_modes
+from trajlib.stability.hurwitz import characteristic_polynomial
+from trajlib.stability.systems import as_prose
+from trajlib.structure import exact, floats
+from trajlib.structure.kalman_matrices import stacked_powers
+from trajlib.structure.pairs import read_controlled, read_observed
+from trajlib.structure.popov import LAMBDA, LostMode, lost_modes
 
 __all__ = ["LostMode", "RankTest", "controllability", "observability"]
 

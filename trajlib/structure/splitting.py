@@ -12,10 +12,10 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from ..stability.regions import latex_condition
-from . import exact, floats
-from .kalman_matrices import stacked_powers
-from .pairs import read_controlled, read_observed
+from trajlib.stability.regions import latex_condition
+from trajlib.structure import exact, floats
+from trajlib.structure.kalman_matrices import stacked_powers
+from trajlib.structure.pairs import read_controlled, read_observed
 
 
 @dataclass(frozen=True)

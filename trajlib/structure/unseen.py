@@ -7,9 +7,9 @@ the transposed system.
 import numpy as np
 import sympy as sp
 
-from . import exact, floats
-from .kalman_matrices import stacked_powers
-from .pairs import read_controlled, read_observed
+from trajlib.structure import exact, floats
+from trajlib.structure.kalman_matrices import stacked_powers
+from trajlib.structure.pairs import read_controlled, read_observed
 
 
 def unobservable_subspace(A, H=None):

@@ -3,7 +3,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .value_field import SQUARES
+from trajlib.pontryagin.planar.value_field import SQUARES
 
 #: Jumps of the least cost below so many steps of the grid are not told from a steep rise.
 SMALLEST_JUMP = 2

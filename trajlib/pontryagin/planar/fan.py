@@ -9,7 +9,7 @@ where a level changes the step is divided.
 """
 import numpy as np
 
-from .plant import HELD, ROWS, steps_needed
+from trajlib.pontryagin.planar.plant import HELD, ROWS, steps_needed
 
 #: For so many steps an extremal that has met the target again is followed further, for neighbours that live longer:
 #: the cells between them have to reach as far as these.

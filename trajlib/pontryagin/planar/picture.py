@@ -2,7 +2,7 @@
 import numpy as np
 import sympy as sp
 
-from ...plotting import BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, RED, SKY, style, window
+from trajlib.plotting import BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, RED, SKY, style, window
 
 
 def draw(synthesis, ax=None, isochrones=(), extremals=24):

@@ -16,7 +16,7 @@ from itertools import product
 import numpy as np
 import sympy as sp
 
-from .words import Words
+from trajlib.pontryagin.planar.words import Words
 
 #: Numbers of substeps of the extrapolated midpoint rule.
 COLUMNS = (2, 4, 6, 8)

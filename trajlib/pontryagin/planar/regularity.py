@@ -15,7 +15,7 @@ import numpy as np
 
 from trajlib.formulas import typeset
 
-from .cuts import crossing_angles
+from trajlib.pontryagin.planar.cuts import crossing_angles
 
 #: Side of the raster on which regions are counted.
 RASTER = 240

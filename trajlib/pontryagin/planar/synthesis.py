@@ -22,13 +22,13 @@ from functools import cached_property
 
 import numpy as np
 
-from ..statement import Problem
-from .cuts import Curve, border_extremals, cut_at_overlaps, dispersal_curves, switching_curves
-from .fan import BEYOND, Fan
-from .plant import Plant
-from .task import Final, greatest_rate, positive, read_plant, read_target, read_window, refuse_singular_arcs
-from .terminal_sets import Ends, Transversality, families
-from .value_field import ON_TARGET, ValueField
+from trajlib.pontryagin.statement import Problem
+from trajlib.pontryagin.planar.cuts import Curve, border_extremals, cut_at_overlaps, dispersal_curves, switching_curves
+from trajlib.pontryagin.planar.fan import BEYOND, Fan
+from trajlib.pontryagin.planar.plant import Plant
+from trajlib.pontryagin.planar.task import Final, greatest_rate, positive, read_plant, read_target, read_window, refuse_singular_arcs
+from trajlib.pontryagin.planar.terminal_sets import Ends, Transversality, families
+from trajlib.pontryagin.planar.value_field import ON_TARGET, ValueField
 
 #: Neighbouring extremals are at most this share of the window apart (while there are not too many of them).
 SPACING = 0.025
@@ -148,13 +148,13 @@ class Synthesis:
 
     def regularity(self):
         """The conditions of Boltyansky's regular synthesis, each with what was found: `Regularity`."""
-        from .regularity import regularity
+        from trajlib.pontryagin.planar.regularity import regularity
 
         return regularity(self)
 
     def plot(self, ax=None, isochrones=(), extremals=24):
         """The synthesis in the phase plane; returns the Axes. `isochrones`: times whose lines are drawn."""
-        from .picture import draw
+        from trajlib.pontryagin.planar.picture import draw
 
         return draw(self, ax, isochrones, extremals)
 

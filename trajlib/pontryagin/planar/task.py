@@ -4,10 +4,10 @@ from itertools import product
 import numpy as np
 import sympy as sp
 
-from ..statement import Problem
-from .control_parts import ControlPart
-from .plant import stacked
-from .terminal_sets import CurveTarget, PointTarget
+from trajlib.pontryagin.statement import Problem
+from trajlib.pontryagin.planar.control_parts import ControlPart
+from trajlib.pontryagin.planar.plant import stacked
+from trajlib.pontryagin.planar.terminal_sets import CurveTarget, PointTarget
 
 
 def read_window(window):

@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from .plant import ROWS
+from trajlib.pontryagin.planar.plant import ROWS
 
 #: Points at which w(s) is sampled to find where it changes its sign.
 SAMPLES = 1441
