@@ -56,7 +56,7 @@ test: $(INSTALLED)  ## the style of the code and all tests
 
 test-problem: $(INSTALLED)  ## all tests of one problem: make test-problem N=2.30
 	@test -n "$(N)" || { echo "Name the problem: make test-problem N=2.30" >&2; exit 2; }
-	@$(BIN)/trajlib exercises $(N)
+	@$(BIN)/workbook exercises $(N)
 	$(PYTEST) -n 0 tests/problems -k "[$(N)]"
 
 test-quick: $(INSTALLED)  ## the fast layers: without the site, the proofs of all problems, and what waits or is slow
@@ -65,7 +65,7 @@ test-quick: $(INSTALLED)  ## the fast layers: without the site, the proofs of al
 clean:  ## remove everything built, but not the environment
 	rm -rf _build conf.py
 
-_build/wheels: $(INSTALLED) pyproject.toml $(shell find trajlib exercises -name '*.py' -o -name '*.ipynb')
+_build/wheels: $(INSTALLED) pyproject.toml $(shell find trajlib workbook exercises -name '*.py' -o -name '*.ipynb')
 	@rm -rf $@
 	$(BIN)/pip wheel --quiet --no-deps --wheel-dir $@ .
 

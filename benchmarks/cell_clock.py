@@ -1,4 +1,4 @@
-"""`trajlib grade` with a clock beside the cells: what a notebook's own cells take, noted in the very run that is timed.
+"""`workbook grade` with a clock beside the cells: what a notebook's own cells take, noted in the very run that is timed.
 
     python benchmarks/cell_clock.py LOG grade submitted --out graded
 
@@ -13,20 +13,20 @@ import sys
 from dataclasses import replace
 from pathlib import Path
 
-from trajlib.checks.contract.encoding import decode
-from trajlib.grading import judging, lanes, nursery
-from trajlib.grading.sandbox import Sandbox
+from workbook.checks.contract.encoding import decode
+from workbook.grading import judging, lanes, nursery
+from workbook.grading.sandbox import Sandbox
 
-SPENT = "trajlib_spent"
+SPENT = "workbook_spent"
 #: Not `time.process_time`: while a timer of processor time runs, as it does in a notebook's process, that clock stands
 #: still between two ticks of the kernel.
 CLOCKS = "time.perf_counter(), sum(resource.getrusage(resource.RUSAGE_SELF)[:2])"
-BEGIN = f"import resource, time; trajlib_began = {CLOCKS}"
-SINCE = f"[now - began for now, began in zip(({CLOCKS}), trajlib_began)]"
+BEGIN = f"import resource, time; workbook_began = {CLOCKS}"
+SINCE = f"[now - began for now, began in zip(({CLOCKS}), workbook_began)]"
 
 
 def main(log, *arguments):
-    from trajlib import cli
+    from workbook import cli
 
     folder = str(Path(__file__).resolve().parent)
     nursery.START = (f"import sys; sys.path.insert(0, {folder!r}); import cell_clock; "

@@ -1,4 +1,4 @@
-"""Grading a class with `trajlib grade` against `nbgrader autograde`, on the same notebooks in one run.
+"""Grading a class with `workbook grade` against `nbgrader autograde`, on the same notebooks in one run.
 
 Overhead is what a run takes less what the cells themselves take, both measured in that very run: for nbgrader by the
 times it leaves in each graded notebook (on the clock) and by a cell before the others (of the processor), for trajlib
@@ -35,20 +35,20 @@ from pathlib import Path
 
 from stopwatch import Taken, run
 
-from trajlib import exercises
-from trajlib.masters import read
-from trajlib.masters.contract import master_file
+from workbook.authoring import read
+from workbook.authoring.contract import master_file
+from workbook.notebooks import exercises
 
 ROOT = Path(__file__).resolve().parents[1]
 PYTHON, CLOCK = sys.executable, ROOT / "benchmarks" / "cell_clock.py"
 #: What nbgrader's kernel is told before the other cells, and after them: to sum up their processor time.
 CLOCK_IN = """import time
-trajlib_clock = {"began": 0.0, "spent": 0.0}
-get_ipython().events.register("pre_run_cell", lambda *_: trajlib_clock.update(began=time.process_time()))
-get_ipython().events.register("post_run_cell", lambda *_: trajlib_clock.update(
-    spent=trajlib_clock["spent"] + time.process_time() - trajlib_clock["began"]))
-trajlib_clock["began"] = time.process_time()"""
-CLOCK_OUT = "print(trajlib_clock['spent'])"
+workbook_clock = {"began": 0.0, "spent": 0.0}
+get_ipython().events.register("pre_run_cell", lambda *_: workbook_clock.update(began=time.process_time()))
+get_ipython().events.register("post_run_cell", lambda *_: workbook_clock.update(
+    spent=workbook_clock["spent"] + time.process_time() - workbook_clock["began"]))
+workbook_clock["began"] = time.process_time()"""
+CLOCK_OUT = "print(workbook_clock['spent'])"
 
 
 def main(students=8, *problems):
@@ -69,11 +69,11 @@ def main(students=8, *problems):
         assert count == students * len(problems)
 
         cores = len(os.sched_getaffinity(0))
-        ours, our_cells = trajlib(course, environment, 1)
-        side_by_side, _ = trajlib(course, environment, cores)
+        ours, our_cells = workbook(course, environment, 1)
+        side_by_side, _ = workbook(course, environment, cores)
         multiply(course, students, 4)
-        ours_of_4, our_cells_of_4 = trajlib(course, environment, 1)
-        side_by_side_of_4, _ = trajlib(course, environment, cores)
+        ours_of_4, our_cells_of_4 = workbook(course, environment, 1)
+        side_by_side_of_4, _ = workbook(course, environment, cores)
 
     further = (ours_of_4 - ours) / (3 * count), (our_cells_of_4 - our_cells) / (3 * count)
     their_further = (theirs - their_start) / count, their_cells / count
@@ -87,7 +87,7 @@ def main(students=8, *problems):
         compare(*((whole + each * ((times - 1) * count), cells + cells_of_each * ((times - 1) * count))
                   for (whole, cells), (each, cells_of_each) in [((theirs, their_cells), their_further),
                                                                 ((ours, our_cells), further)]))
-    print(f"growth of trajlib grade, 1 process and {cores}, on the clock (processor)")
+    print(f"growth of workbook grade, 1 process and {cores}, on the clock (processor)")
     for number, one, several in [(count, ours, side_by_side), (4 * count, ours_of_4, side_by_side_of_4)]:
         print(f"  {number} notebooks: {one.wall:.1f} s ({one.processor:.1f} s), {several.wall:.1f} s "
               f"({several.processor:.1f} s): {one.wall / several.wall:.2f} times as fast, of "
@@ -96,7 +96,7 @@ def main(students=8, *problems):
 
 def compare(theirs, ours):
     """Print what (the whole, its cells) of each take, on the clock and of the processor."""
-    for name, (whole, cells) in [("nbgrader autograde", theirs), ("trajlib grade     ", ours)]:
+    for name, (whole, cells) in [("nbgrader autograde", theirs), ("workbook grade     ", ours)]:
         overhead = whole - cells
         print(f"  {name} {whole.wall:.3f} s: cells {cells.wall:.3f} s, overhead {overhead.wall:.3f} s; processor "
               f"{whole.processor:.3f} s: cells {cells.processor:.3f} s, overhead {overhead.processor:.3f} s")
@@ -151,7 +151,7 @@ def nbgrader(course, environment, command):
     return taken
 
 
-def trajlib(course, environment, processes):
+def workbook(course, environment, processes):
     """Grade everything from nothing; what that has `Taken`, and what the cells of it."""
     shutil.rmtree(course / "graded", ignore_errors=True)
     log = course / "cells"

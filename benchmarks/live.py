@@ -1,4 +1,4 @@
-"""From the command to a cell that answers: `trajlib live 1.15` against plain `jupyter lab` with the same imports; and
+"""From the command to a cell that answers: `workbook live 1.15` against plain `jupyter lab` with the same imports; and
 the frames of the explorers.
 
 Both are driven as JupyterLab's page drives its server: the notebook is asked for, a kernel is started, the first cell
@@ -32,7 +32,7 @@ ROOT = Path(__file__).resolve().parents[1]
 RUNS = 5
 #: What a lecture's first cells ask for, by hand in a kernel that has nothing.
 IMPORTS = ("import sympy as sp\nimport numpy as np\nimport matplotlib.pyplot as plt\nimport scipy.integrate\n"
-           "from trajlib import checks, plotting, stability\nfrom trajlib.showing import show\n")
+           "from trajlib import plotting, stability\nfrom workbook import checks\nfrom workbook.display import show\n")
 DATA = "k1, k2, s = sp.symbols('k1 k2 s', real=True)\na_poly = s**3 + k1*s**2 + k2*s + 1\na_poly\n"
 PICTURE = "plotting.region(sp.And(k1 > 0, k1*k2 > 1), [k1, k2], (-2, 4), (-2, 4))\n"
 JUDGED = "%check a_region = sp.And(k1 > 0, k1*k2 > 1)"
@@ -54,10 +54,10 @@ def starts():
     for what in ("first cell", "first picture", "check"):
         mine = median(run[what] for run in ours)
         other = median(run[what] for run in theirs) if what in theirs[0] else None
-        print(f"{what:14} trajlib live {mine:6.2f} s" + (f"   jupyter lab {other:6.2f} s   {other/mine:5.1f} times"
+        print(f"{what:14} workbook live {mine:6.2f} s" + (f"   jupyter lab {other:6.2f} s   {other/mine:5.1f} times"
                                                          if other else ""))
     if os.geteuid() == 0 and forget_files():
-        print(f"first cell, cold: trajlib live {timed(live)['first cell']:6.2f} s")
+        print(f"first cell, cold: workbook live {timed(live)['first cell']:6.2f} s")
         forget_files()
         print(f"first cell, cold: jupyter lab  {timed(lab)['first cell']:6.2f} s")
 
@@ -70,7 +70,7 @@ FRAMES = 40
 
 def kernels_side():
     """Core-seconds of one frame, by a slider and by the pointer, and of opening the explorer."""
-    from trajlib.live.explorers import explore
+    from workbook.live.explorers import explore
 
     print("\nexplorer                 opens       by slider   by pointer   (core-seconds in the kernel)")
     for words, moved in EXPLORERS.items():
@@ -106,7 +106,7 @@ def ways_to_send():
 
     from PIL import Image
 
-    from trajlib.live.explorers import explore
+    from workbook.live.explorers import explore
 
     explorer = explore("region_of_stability")
     figure, canvas = explorer.stage.figure, explorer.stage._canvas
@@ -162,7 +162,7 @@ def browsers_side():
                 time.sleep(2)
                 browser.find(".jp-NotebookPanel .jp-CodeCell .cm-content").click()
                 ActionChains(browser.driver).key_down(Keys.SHIFT).send_keys(Keys.ENTER).key_up(Keys.SHIFT).perform()
-                browser.wait_for("document.querySelector('.trajlib-stage img')?.naturalWidth > 100", 60)
+                browser.wait_for("document.querySelector('.workbook-stage img')?.naturalWidth > 100", 60)
                 browser.wait_for(idle, 60)
                 print(f"{words:22} {browser.driver.execute_async_script(PULLED):5.1f} frames a second in the browser")
         finally:
@@ -172,9 +172,9 @@ def browsers_side():
 
 #: Moves a pressed pointer over the layer for four seconds, or the slider where the pointer does nothing.
 PULLED = """
-const done = arguments[0], layer = document.querySelector('.trajlib-layer');
-const image = document.querySelector('.trajlib-stage img'), box = image.getBoundingClientRect();
-const handle = document.querySelector('.trajlib-explorer .noUi-handle'), began = performance.now();
+const done = arguments[0], layer = document.querySelector('.workbook-layer');
+const image = document.querySelector('.workbook-stage img'), box = image.getBoundingClientRect();
+const handle = document.querySelector('.workbook-explorer .noUi-handle'), began = performance.now();
 let frames = 0;
 image.addEventListener('load', () => frames++);
 function step() {
@@ -235,7 +235,7 @@ def seconds(function, *arguments):
 
 
 def live(folder):
-    process = subprocess.Popen([sys.executable, "-m", "trajlib.cli", "live", "1.15", "--no-browser", "--discard"],
+    process = subprocess.Popen([sys.executable, "-m", "workbook.cli", "live", "1.15", "--no-browser", "--discard"],
                                cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, text=True)
     found = re.search(r"127\.0\.0\.1:(\d+)/\S*token=(\w+)", process.stdout.readline())
     return process, found[1], found[2], "1.15.ipynb"

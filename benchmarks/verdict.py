@@ -18,9 +18,9 @@ def main(number="1.15"):
     import nbformat
     import sympy  # noqa: F401
 
-    from trajlib import exercises
-    from trajlib.execution import judge, run_notebook
-    from trajlib.masters import read
+    from workbook.authoring import read
+    from workbook.notebooks import exercises
+    from workbook.notebooks.execution import judge, run_notebook
 
     exercise = exercises.find(number)
     master = read(ROOT / "solutions" / exercise.path.parent.name / f"{exercise.path.stem}.md")

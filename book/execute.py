@@ -1,6 +1,6 @@
 """Execute the pages of the book whose outputs are missing or stale into the cache the site is built from, one a core.
 
-A page is stale when its code cells changed, or a module of trajlib that it loads (however indirectly), or
+A page is stale when its code cells changed, or a module of ours that it loads (however indirectly), or
 requirements.txt, or how pages are executed. Jupyter Book's own cache sees only the cells. Records that no page uses any
 more are removed.
 
@@ -35,15 +35,13 @@ from nbformat import NotebookNode
 from settings import CORES
 from sphinx_external_toc.parsing import parse_toc_yaml
 
-import trajlib
-from trajlib.dependencies import module_closure
-from trajlib.grading.preloading import SYMPY, draw_once, preload
+from workbook.grading.preloading import SYMPY, draw_once, preload
+from workbook.notebooks.dependencies import HOME, OURS, module_closure
 
 ROOT = Path(__file__).resolve().parent.parent
-LIBRARY = Path(trajlib.__file__).parent
 #: How pages are executed: what they show may depend on it.
 HOW = [Path(__file__).with_name(name) for name in ("execute.py", "kernel.py", "settings.py")]
-#: What pages and the modules of trajlib load beside trajlib, most of it only when a function is called.
+#: What pages and the modules of ours load beside them, most of it only when a function is called.
 LIBRARIES = ("casadi", "control", "matplotlib.pyplot", "numpy", "scipy.integrate", "scipy.interpolate", "scipy.linalg",
              "scipy.optimize", "scipy.signal", "z3", *SYMPY)
 #: Characters of a picture.
@@ -57,7 +55,7 @@ class Page:
     path: Path
     notebook: NotebookNode
     fingerprint: str
-    modules: tuple  # of trajlib, that its cells load
+    modules: tuple  # of ours, that its cells load
 
 
 def main(root=ROOT):
@@ -109,7 +107,8 @@ def settle(notes, common, found, keys):
 
 def shared_digest(root):
     """One hash of everything beside a page's own text that its outputs may depend on."""
-    files = [root / "_config.yml", root / "requirements.txt", *HOW, *LIBRARY.rglob("*.py")]
+    files = [root / "_config.yml", root / "requirements.txt", *HOW,
+             *(path for package in OURS for path in (HOME / package).rglob("*.py"))]
     found = hashlib.sha256(sys.version.encode())
     for path in sorted(files):
         found.update(f"{path}\n".encode() + path.read_bytes())
@@ -143,7 +142,7 @@ def read_pages(root, config, paths):
 
 
 def modules_loaded(code):
-    """Module -> hash, for every module of trajlib that the cells load."""
+    """Module -> hash, for every module of ours that the cells load."""
     try:
         return module_closure("\n".join(code))
     except SyntaxError:

@@ -19,7 +19,7 @@ for folder in ("problems", "checks", "library", "browser"):
 
 import pytest  # noqa: E402
 
-from trajlib.grading.preloading import ALWAYS, LIBRARIES, THEMES, preload  # noqa: E402
+from workbook.grading.preloading import ALWAYS, LIBRARIES, THEMES, preload  # noqa: E402
 
 #: Tests that share what costs much: the proof of a problem, what a check knows of its data, the parsed pages of an
 #: edition, syntheses, a cluster, an installed bundle. The tests of a group are those with the same parts in their ids.
@@ -48,7 +48,7 @@ def pytest_configure(config):
     """Every problem is solved and judged in processes of its own, which would import it all again. Who only shares
     tests out has none."""
     if hasattr(config, "workerinput") or not config.getoption("numprocesses", None):
-        preload("control", *ALWAYS, *LIBRARIES, themes=["checks", *THEMES])
+        preload("control", *ALWAYS, *LIBRARIES, packages=["workbook.checks", *THEMES])
 
 
 def together(nodeid):

@@ -1,4 +1,4 @@
-"""Controlled motion: the library of the executable workbook.
+"""Controlled motion: stability, observers, filters and optimal control, exact where the input is exact.
 
 `import trajlib` loads nothing heavy; a theme is loaded when it is first used:
 
@@ -9,8 +9,7 @@ True
 
 from trajlib._lazy import lazy_modules
 
-__version__ = "0.1.0"
-_MODULES = ["checks", "drawings", "estimation", "feedback", "flows", "infosets", "invariant", "masters", "motions",
-            "plotting", "pontryagin", "reconstruction", "reference_curves", "showing", "solvability", "stability",
-            "structure", "systems"]
+__version__ = "0.2.0"
+_MODULES = ["estimation", "feedback", "flows", "infosets", "invariant", "plotting", "pontryagin", "reconstruction",
+            "reference_curves", "solvability", "stability", "structure"]
 __getattr__, __dir__, __all__ = lazy_modules(__name__, _MODULES)

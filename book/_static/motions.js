@@ -1,4 +1,4 @@
-/* Motions (trajlib.motions): a button and a slider for each; nothing moves before it is asked to.
+/* Motions (workbook.display.animations): a button and a slider for each; nothing moves before it is asked to.
    Who asked the system for less motion gets a button that goes on by a step. */
 addEventListener("DOMContentLoaded", () => {
   const calm = matchMedia("(prefers-reduced-motion: reduce)");

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from trajlib.checks.tools.bends import next_to_bends
+from workbook.checks.tools.bends import next_to_bends
 
 x, y = sp.symbols("x y", real=True)
 PLACES = [{x: a, y: b} for a, b in ((-3.1, 0.2), (2.3, 1.4), (0.7, -2.2), (-1.9, 1.1))]

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from trajlib import checks
-from trajlib.checks.contract.shapes import COMMON, SHAPES
+from workbook import checks
+from workbook.checks.contract.shapes import COMMON, SHAPES
 
 TABLES = sorted((Path(__file__).parent / "cases").glob("*/*.py"))
 NOT_CHECKS = {"NotYet", "Unusable", "Verdict", "collecting", "judged", "report"}

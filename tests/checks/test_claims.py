@@ -3,8 +3,8 @@
 import pytest
 import sympy as sp
 
-from trajlib.checks import judged
-from trajlib.checks.contract.claims import (
+from workbook.checks import judged
+from workbook.checks.contract.claims import (
     Choice,
     Expression,
     Expressions,
@@ -18,8 +18,8 @@ from trajlib.checks.contract.claims import (
     YesNo,
     symbols_in,
 )
-from trajlib.checks.contract.verdict import Invalid, Wrong
-from trajlib.checks.tools.comparisons import Agrees, Entries, Follows, Members, Same, Word
+from workbook.checks.contract.verdict import Invalid, Wrong
+from workbook.checks.tools.comparisons import Agrees, Entries, Follows, Members, Same, Word
 
 x, k = sp.symbols("x k", positive=True)
 

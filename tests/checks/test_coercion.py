@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from trajlib.checks.contract import coercion
-from trajlib.checks.contract.encoding import decode, encode
-from trajlib.checks.contract.verdict import Invalid
+from workbook.checks.contract import coercion
+from workbook.checks.contract.encoding import decode, encode
+from workbook.checks.contract.verdict import Invalid
 
 x, y = sp.symbols("x y", real=True)
 plain = sp.Symbol("x")

@@ -7,13 +7,13 @@ from fractions import Fraction
 import pytest
 import sympy as sp
 
-from trajlib import checks
-from trajlib.checks.contract.verdict import Wrong
-from trajlib.checks.tools.conditions import Case, Condition, Truth, compare, decision, exactly
-from trajlib.checks.truths.invariant_subspaces import characteristic_coefficients, kernel, restricted, unseen_subspace
-from trajlib.checks.truths.pairs import pair_of
-from trajlib.checks.truths.spectra import Spectrum
-from trajlib.systems import Linear
+from workbook import checks
+from workbook.checks.contract.verdict import Wrong
+from workbook.checks.tools.conditions import Case, Condition, Truth, compare, decision, exactly
+from workbook.checks.truths.invariant_subspaces import characteristic_coefficients, kernel, restricted, unseen_subspace
+from workbook.checks.truths.pairs import pair_of
+from workbook.checks.truths.spectra import Spectrum
+from workbook.systems import Linear
 
 x, y = sp.symbols("x y", real=True)
 positive = sp.Symbol("p", positive=True)

@@ -27,8 +27,8 @@ from hypothesis import strategies as st
 from sympy.core.function import AppliedUndef, UndefinedFunction
 from sympy.logic.boolalg import ITE
 
-from trajlib.checks.contract import encoding
-from trajlib.checks.contract.encoding import EncodingError, decode, describe, encode
+from workbook.checks.contract import encoding
+from workbook.checks.contract.encoding import EncodingError, decode, describe, encode
 
 x, y, z = sp.symbols("x y z")
 t = sp.Symbol("t", real=True)
@@ -277,7 +277,7 @@ def test_equal_sets_and_dicts_give_equal_bytes():
 
 PROGRAM = """
 import hashlib, sympy as sp
-from trajlib.checks.contract.encoding import encode, decode
+from workbook.checks.contract.encoding import encode, decode
 x, y, t = sp.symbols("x y t")
 f = sp.Function("f")
 values = [{"b", "a", "c", x, sp.pi, (1, "z")}, {x: 1, "x": 2, 3: 4}, sp.solveset(sp.sin(x) * sp.cos(2*x), x),
@@ -302,8 +302,8 @@ def test_the_same_bytes_in_every_process():
 
 
 def test_plain_values_import_nothing_heavy():
-    heavy = ["numpy", "sympy", "casadi", "trajlib.checks.contract.sympy_codec"]
-    program = ("import sys; from trajlib.checks.contract.encoding import *; "
+    heavy = ["numpy", "sympy", "casadi", "workbook.checks.contract.sympy_codec"]
+    program = ("import sys; from workbook.checks.contract.encoding import *; "
                "decode(encode([1, 2.5, 'a', {'k': (1j, ...)}, {3}])); describe([1, {}]); ")
     assert in_process(program + f"print([m for m in {heavy} if m in sys.modules])").strip() == "[]"
 

@@ -7,7 +7,7 @@ import pytest
 from nbclient import NotebookClient
 
 DATA = """import sympy as sp
-from trajlib import checks
+from workbook import checks
 k1, k2, s = sp.symbols("k1 k2 s", real=True)
 a_poly = s**3 + k1*s**2 + k2*s + 1"""
 CHECK = "checks.report(a_region=checks.stability_region(a_region, a_poly, [k1, k2]))"
@@ -75,11 +75,11 @@ def test_a_check_before_its_answer_is_missing(first_day):
     assert shown(first_day["early"]) == "… a_region: missing: not answered yet"
 
 
-ALONE = f"from trajlib import checks\n\n{CHECK}"
+ALONE = f"from workbook import checks\n\n{CHECK}"
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("before", [(), ("a_region = True",), ("import trajlib",)])
+@pytest.mark.parametrize("before", [(), ("a_region = True",), ("import workbook",)])
 def test_a_check_before_its_data_says_what_to_run(outputs, before):
     """As the first cell after a restart nothing of ours is loaded but what it imports itself."""
     *_, early, data, check = outputs(*before, ALONE, DATA, ALONE)
@@ -110,6 +110,6 @@ def test_half_right_keeps_each_line_its_own_colour(first_day):
     """The error is one line; the verdicts are HTML, whose colours do not need the site's style sheet."""
     display, error = first_day["after half"]
     assert error.output_type == "error" and error.traceback == ["Not yet: 1 of 2 right."]
-    lines = re.findall(r'<div class="trajlib-verdict (\w+)" style="color: ([^;]+);', display["data"]["text/html"])
+    lines = re.findall(r'<div class="workbook-verdict (\w+)" style="color: ([^;]+);', display["data"]["text/html"])
     assert [status for status, _ in lines] == ["right", "wrong"]
     assert len({colour for _, colour in lines}) == 2 and all("#" in colour for _, colour in lines)

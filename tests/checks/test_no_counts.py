@@ -6,7 +6,7 @@ import re
 import pytest
 from test_cases import CASES
 
-from trajlib import checks
+from workbook import checks
 
 #: A count of what is asked for, as it could stand in a message.
 COUNT = re.compile(r"(?<!more than )\b(\d+|two|three|four) (of them|of which|of these|values?|equilibria|"

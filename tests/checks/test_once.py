@@ -6,9 +6,9 @@ import weakref
 import pytest
 import sympy as sp
 
-from trajlib import checks
-from trajlib.checks.truths.optima import several_controls
 from trajlib.pontryagin import Problem
+from workbook import checks
+from workbook.checks.truths.optima import several_controls
 
 x, y, angle = sp.symbols("x y angle")
 t, T, a, b = sp.symbols("t T a b", positive=True)

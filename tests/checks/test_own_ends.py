@@ -4,8 +4,8 @@ the best one up to the digits shown."""
 import pytest
 import sympy as sp
 
-from trajlib import checks
 from trajlib.pontryagin import Problem
+from workbook import checks
 
 pytestmark = pytest.mark.slow
 x, v, u = sp.symbols("x v u", real=True)

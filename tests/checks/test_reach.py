@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from trajlib.checks.truths.optima import reach
-from trajlib.checks.truths.optima.linear_plant import Plant
-from trajlib.checks.truths.optima.transfer_optima import Transfer
 from trajlib.pontryagin import Problem
+from workbook.checks.truths.optima import reach
+from workbook.checks.truths.optima.linear_plant import Plant
+from workbook.checks.truths.optima.transfer_optima import Transfer
 
 x1, x2, u, t = sp.symbols("x1 x2 u t", real=True)
 STATE = [x1, x2]

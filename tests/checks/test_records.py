@@ -3,8 +3,8 @@
 import pytest
 import sympy as sp
 
-from trajlib.checks.truths.records import augmented, by_control, matrix_of, reached, seen
-from trajlib.systems import Deviations, Linear, Measurements, Mechanical, Process, Varying, WithError
+from workbook.checks.truths.records import augmented, by_control, matrix_of, reached, seen
+from workbook.systems import Deviations, Linear, Measurements, Mechanical, Process, Varying, WithError
 
 k, t, x, y = sp.symbols("k t x y", real=True)
 # M is not symmetric, so that the dual system is not the system of the transposed states.

@@ -15,11 +15,11 @@ import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from trajlib import checks
-from trajlib.checks.contract import reporting
-from trajlib.checks.contract.encoding import EncodingError, decode, encode
-from trajlib.checks.contract.verdict import Unusable, Verdict, Wrong, judged
-from trajlib.systems import Linear, Process
+from workbook import checks
+from workbook.checks.contract import reporting
+from workbook.checks.contract.encoding import EncodingError, decode, encode
+from workbook.checks.contract.verdict import Unusable, Verdict, Wrong, judged
+from workbook.systems import Linear, Process
 
 
 @judged

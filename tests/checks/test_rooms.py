@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from trajlib import checks
+from workbook import checks
 
 HOUSE = Path(checks.__file__).parent
 FLOORS = [["contract"], ["tools"], ["truths"],
@@ -23,7 +23,7 @@ def taken():
                      [alias.name for alias in node.names] if isinstance(node, ast.Import) else [])
             for name in names:
                 assert name is not None, f"{path}: imports in the checks are absolute"
-                if name.startswith("trajlib.checks"):
+                if name.startswith("workbook.checks"):
                     rooms = [name.split(".")[2]] if name.count(".") > 1 else [alias.name for alias in node.names]
                     for room in rooms:
                         found.setdefault((path.relative_to(HOUSE).parts[0], room), []).append(path.name)

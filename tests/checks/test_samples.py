@@ -5,8 +5,8 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from trajlib.checks.tools.samples import found_once, in_every_case, sample_values
-from trajlib.checks.tools.searching import bisected
+from workbook.checks.tools.samples import found_once, in_every_case, sample_values
+from workbook.checks.tools.searching import bisected
 
 x, y = sp.symbols("x y", real=True)
 

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from trajlib import checks
-from trajlib.checks.contract.tolerance import EXACT, MOST_FOLLOWED, in_decimals, rounds_to, same, share
-from trajlib.checks.tools.values import uncertain_at
-from trajlib.systems import Linear
+from workbook import checks
+from workbook.checks.contract.tolerance import EXACT, MOST_FOLLOWED, in_decimals, rounds_to, same, share
+from workbook.checks.tools.values import uncertain_at
+from workbook.systems import Linear
 
 k = sp.Symbol("k", positive=True)
 x, v, r, t = sp.symbols("x v r t", real=True)

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from trajlib import checks
-from trajlib.checks.contract.verdict import Invalid, Wrong
-from trajlib.checks.tools.values import matrix_at, number_at, numbers_at, real_at, real_function, truth_at, value_at
+from workbook import checks
+from workbook.checks.contract.verdict import Invalid, Wrong
+from workbook.checks.tools.values import matrix_at, number_at, numbers_at, real_at, real_function, truth_at, value_at
 
 x, y, t = sp.symbols("x y t", real=True)
 UNDEFINED = sp.Add(sp.oo, -sp.oo, evaluate=False)

@@ -3,9 +3,9 @@
 import pytest
 import sympy as sp
 
-from trajlib.checks.contract.verdict import Invalid, Wrong
-from trajlib.checks.tools import values
-from trajlib.checks.tools.values import number_at, real_at
+from workbook.checks.contract.verdict import Invalid, Wrong
+from workbook.checks.tools import values
+from workbook.checks.tools.values import number_at, real_at
 
 x, y = sp.symbols("x y")
 ANGLE = sp.Symbol("psi", positive=True)

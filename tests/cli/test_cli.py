@@ -8,41 +8,41 @@ from pathlib import Path
 
 import pytest
 
-from trajlib import exercises
-from trajlib.masters import read
+from workbook.authoring import read
+from workbook.notebooks import exercises
 
 pytestmark = pytest.mark.slow
 ROOT = Path(__file__).resolve().parents[2]
 
 
-def trajlib(*arguments, cwd=ROOT):
+def workbook(*arguments, cwd=ROOT):
     environment = os.environ | {"COLUMNS": "200", "NO_COLOR": "1", "TERM": "dumb"}
-    return subprocess.run([sys.executable, "-m", "trajlib.cli", *map(str, arguments)], cwd=cwd, env=environment,
+    return subprocess.run([sys.executable, "-m", "workbook.cli", *map(str, arguments)], cwd=cwd, env=environment,
                           capture_output=True, text=True, timeout=120)
 
 
 @pytest.mark.parametrize("arguments", [["--help"], ["problems", "--help"], ["solve", "-h"], ["check", "-h"],
                                        ["exercises", "-h"]])
 def test_help(arguments):
-    done = trajlib(*arguments)
+    done = workbook(*arguments)
     assert done.returncode == 0 and "Usage" in done.stdout
 
 
 def test_problems():
-    done = trajlib("problems")
+    done = workbook("problems")
     assert done.returncode == 0 and "1.15" in done.stdout and "Stability regions" in done.stdout
-    listed = json.loads(trajlib("problems", "--json").stdout)
+    listed = json.loads(workbook("problems", "--json").stdout)
     assert {"number", "title", "section", "level", "topics", "answers"} <= set(listed[0])
     assert [problem["number"] for problem in listed] == [e.number for e in exercises.read_all()]
 
 
 def test_solve():
-    done = trajlib("solve", "1.15", "--json")
+    done = workbook("solve", "1.15", "--json")
     assert done.returncode == 0, done.stderr
     solved = json.loads(done.stdout)
     assert solved["number"] == "1.15" and set(solved["answers"]["a_region"]) == {"type", "text", "encoded"}
     assert {v["verdict"] for v in solved["verdicts"].values()} == {"right"}
-    assert "k1" in trajlib("solve", "1.15").stdout
+    assert "k1" in workbook("solve", "1.15").stdout
 
 
 def worked(tmp_path, answered):
@@ -53,7 +53,7 @@ def worked(tmp_path, answered):
     stubs = [cell for cell in notebook["cells"] if cell["metadata"].get("tags") == ["answer"]]
     for k, cell in enumerate(stubs):
         if "abcde"[k] in answered:
-            first = "from trajlib.stability import hurwitz_minors\nfrom trajlib.showing import show\n"
+            first = "from trajlib.stability import hurwitz_minors\nfrom workbook.display import show\n"
             cell["source"] = (first if k else "") + sources[k]
     path = tmp_path / "mine.ipynb"
     path.write_text(json.dumps(notebook), encoding="utf-8")
@@ -61,11 +61,11 @@ def worked(tmp_path, answered):
 
 
 def test_check(tmp_path):
-    done = trajlib("check", worked(tmp_path, "abcde"))
+    done = workbook("check", worked(tmp_path, "abcde"))
     assert done.returncode == 0 and "5 of 5 right" in done.stdout, done.stdout + done.stderr
-    done = trajlib("check", worked(tmp_path, "bd"))
+    done = workbook("check", worked(tmp_path, "bd"))
     assert done.returncode == 1 and "2 of 5 right" in done.stdout
-    verdicts = json.loads(trajlib("check", worked(tmp_path, "bd"), "--json").stdout)["verdicts"]
+    verdicts = json.loads(workbook("check", worked(tmp_path, "bd"), "--json").stdout)["verdicts"]
     assert [v["verdict"] for v in verdicts.values()] == ["missing", "right", "missing", "right", "missing"]
 
 
@@ -79,7 +79,7 @@ def test_check_finds_answers_wherever_they_are_and_survives_a_failing_cell(tmp_p
     notebook["cells"] += [{"cell_type": "code", "metadata": {}, "outputs": [], "execution_count": None, "source": s}
                           for s in extra]
     path.write_text(json.dumps(notebook))
-    found = json.loads(trajlib("check", path, "--json").stdout)
+    found = json.loads(workbook("check", path, "--json").stdout)
     assert found["verdicts"]["b_region"]["verdict"] == "right" and found["verdicts"]["a_region"]["verdict"] == "invalid"
     assert len(found["errors"]) == 1 and "ZeroDivisionError" in found["errors"][0]
 
@@ -93,7 +93,7 @@ def test_check_finds_answers_wherever_they_are_and_survives_a_failing_cell(tmp_p
     (["check", "README.md"], "README.md is not a readable notebook"),
 ])
 def test_bad_input_ends_in_one_line_and_code_2(arguments, said):
-    done = trajlib(*arguments)
+    done = workbook(*arguments)
     assert done.returncode == 2 and said in done.stderr
     assert len(done.stderr.strip().split("\n")) == 1 and "Traceback" not in done.stderr
 
@@ -104,12 +104,12 @@ def test_check_stops_an_endless_notebook(tmp_path):
     notebook["cells"].append({"cell_type": "code", "metadata": {}, "outputs": [], "execution_count": None,
                               "source": "while True: pass"})
     path.write_text(json.dumps(notebook))
-    done = trajlib("check", path, "--timeout", "8")
+    done = workbook("check", path, "--timeout", "8")
     assert done.returncode == 2 and "still running after 8 s" in done.stderr
 
 
 def test_exercises_are_written_anew(tmp_path):
-    done = trajlib("exercises", "--json")
+    done = workbook("exercises", "--json")
     assert done.returncode == 0 and json.loads(done.stdout) == {"changed": []}
 
 
@@ -122,15 +122,15 @@ def test_importing_trajlib_loads_nothing_heavy():
 
 def test_notebooks_to_work_on(tmp_path):
     """Also from a wheel, which holds them; a second call leaves what a student has written alone."""
-    done = trajlib("exercises", "1.15", "2.5", "--to", "mine", cwd=tmp_path)
+    done = workbook("exercises", "1.15", "2.5", "--to", "mine", cwd=tmp_path)
     assert done.returncode == 0 and done.stdout.split() == ["mine/ch1/p15.ipynb", "mine/ch2/p05.ipynb"], done.stderr
     assert (tmp_path / "mine/ch1/p15.ipynb").read_bytes() == exercises.find("1.15").path.read_bytes()
     (tmp_path / "mine/ch1/p15.ipynb").write_text("my work")
-    assert "mine/ch2/p05.ipynb" not in trajlib("exercises", "1.15", "2.5", "--to", "mine", cwd=tmp_path).stdout
+    assert "mine/ch2/p05.ipynb" not in workbook("exercises", "1.15", "2.5", "--to", "mine", cwd=tmp_path).stdout
     assert (tmp_path / "mine/ch1/p15.ipynb").read_text() == "my work"
 
 
 def test_check_of_a_number_says_what_it_wants(tmp_path):
-    done = trajlib("check", "1.15", cwd=tmp_path)
+    done = workbook("check", "1.15", cwd=tmp_path)
     assert done.returncode == 2 and "a notebook of yours" in done.stderr and "--to" in done.stderr
     assert len(done.stderr.splitlines()) == 1

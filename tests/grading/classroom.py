@@ -4,11 +4,11 @@ import hashlib
 import json
 import os
 
-from trajlib import exercises
-from trajlib.checks.contract.verdict import Verdict
-from trajlib.grading import assignment as assignments
+from workbook.checks.contract.verdict import Verdict
+from workbook.grading import assignment as assignments
+from workbook.notebooks import exercises
 
-#: Right answers of problem 1.15, each in one line (`from trajlib` is in the notebook's own data cell).
+#: Right answers of problem 1.15, each in one line (the import is in the notebook's own data cell).
 RIGHT_1_15 = {"a_region": "(k1 > 0) & (k1*k2 > 1)", "b_region": "(k2 > 0) & (k1 > k2)",
               "c_region": "(k1 > 0) & (k2 > 0) & (k1*k2 < 1)",
               "d_region": "(k1 > 0) & (k2 > k1)", "e_region": "(k1 > 0) & (k2 > k1)"}

@@ -65,7 +65,7 @@ class LocalCluster:
     def lanes(self):
         """Processes below the workers that grade, or run notebooks."""
         below = set().union(*(descendants(process.pid) for process in self._processes if process.poll() is None))
-        return {one for one in below if b"trajlib" in command_of(one[0])}
+        return {one for one in below if b"workbook" in command_of(one[0])}
 
     def workers(self):
         """Numbers of the processes that do the workers' work, below their nannies."""

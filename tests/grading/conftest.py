@@ -8,7 +8,7 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 from classroom import an_assignment  # noqa: E402
 
-from trajlib.grading.store import Store  # noqa: E402
+from workbook.grading.store import Store  # noqa: E402
 
 #: Their tests wait: for sandboxes, lanes, whole commands, a browser, limits of time.
 WAITING = {"test_cluster", "test_commands", "test_fairness", "test_gradescope", "test_hostile", "test_judging",

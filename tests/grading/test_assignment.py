@@ -11,10 +11,10 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 from classroom import an_assignment, write_assignment  # noqa: E402
 
-from trajlib import exercises  # noqa: E402
-from trajlib.grading import assignment as assignments  # noqa: E402
-from trajlib.grading import handing_out, submissions  # noqa: E402
-from trajlib.grading.assignment import AssignmentError  # noqa: E402
+from workbook.grading import assignment as assignments  # noqa: E402
+from workbook.grading import handing_out, submissions  # noqa: E402
+from workbook.grading.assignment import AssignmentError  # noqa: E402
+from workbook.notebooks import exercises  # noqa: E402
 
 FULL = """
 title = "Homework 1: stability"
@@ -152,7 +152,7 @@ def test_what_is_handed_out_is_the_exercise_without_dead_links(tmp_path):
             if site:
                 assert f"[chapter {exercise.number.split('.')[0]}](https://example.org/course/book/ch" in text
                 assert "/solutions/" not in text, "homework leads to pages without solutions"
-                assert "%pip install https://example.org/course/wheels/trajlib-" in text
+                assert '%pip install "trajlib[workbook] @ https://example.org/course/wheels/trajlib-' in text
 
 
 def test_a_notebook_is_found_again_without_its_metadata(tmp_path):

@@ -9,8 +9,8 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 from classroom import an_assignment, hand_in  # noqa: E402
 
-from trajlib.grading import belonging, submissions, submitted_file  # noqa: E402
-from trajlib.grading.gradescope import autograder  # noqa: E402
+from workbook.grading import belonging, submissions, submitted_file  # noqa: E402
+from workbook.grading.gradescope import autograder  # noqa: E402
 
 
 def without_metadata(path):

@@ -26,12 +26,12 @@ from clusters import CERTIFICATES, COMMANDS, a_cluster, command_of  # noqa: E402
 from guide import like  # noqa: E402
 from test_nothing_lost import count, grades, outliving, submit_a_course  # noqa: E402
 
-from trajlib import exercises  # noqa: E402
-from trajlib.grading import bench, cluster, cluster_lanes, course  # noqa: E402
-from trajlib.grading.isolation import NoIsolation  # noqa: E402
-from trajlib.grading.judging import Bounds  # noqa: E402
-from trajlib.grading.preloading import ALWAYS  # noqa: E402
-from trajlib.grading.sandbox import Limits  # noqa: E402
+from workbook.grading import bench, cluster, cluster_lanes, course  # noqa: E402
+from workbook.grading.isolation import NoIsolation  # noqa: E402
+from workbook.grading.judging import Bounds  # noqa: E402
+from workbook.grading.preloading import ALWAYS  # noqa: E402
+from workbook.grading.sandbox import Limits  # noqa: E402
+from workbook.notebooks import exercises  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[2]
 ALIKE = os.environ | {"COLUMNS": "200", "NO_COLOR": "1", "TERM": "dumb"}
@@ -68,7 +68,7 @@ def expected(submitted, tmp_path_factory):
 def start(dask, out):
     heeding = partial(signal.signal, signal.SIGINT, signal.SIG_DFL)
     known = () if dask.scheme == "tcp" else CERTIFICATES
-    command = [sys.executable, "-m", "trajlib.cli", "grade", "submitted", "--out", str(out), "--cluster", dask.address,
+    command = [sys.executable, "-m", "workbook.cli", "grade", "submitted", "--out", str(out), "--cluster", dask.address,
                *known]
     return subprocess.Popen(command, cwd=dask.here, env=ALIKE, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                             text=True,
@@ -98,7 +98,7 @@ def a_unit(key, problem="1.15", answers=RIGHT_1_15):
 
 def test_the_guide_grades_as_one_machine_does(dask, submitted, expected):
     (command, shown) = COMMANDS[-1]
-    assert command.startswith("trajlib grade") and [known for known, _ in COMMANDS[:4]] and len(COMMANDS) == 5
+    assert command.startswith("workbook grade") and [known for known, _ in COMMANDS[:4]] and len(COMMANDS) == 5
     path = f"{Path(sys.executable).parent}:{os.environ['PATH']}"
     done = subprocess.run(["bash", "-c", dask.as_here(command)], cwd=dask.here, env=ALIKE | {"PATH": path},
                           stdout=subprocess.PIPE,
@@ -124,7 +124,7 @@ def test_whatever_ends_in_the_midst_costs_nothing(dask, expected, tmp_path):
     _, said = process.communicate(timeout=60)
     assert process.returncode == 130 and "Traceback" not in said, said
     assert (said.strip().split("\n")[-1]
-            == "trajlib: stopped; what is graded is stored, and the same command goes on from there")
+            == "workbook: stopped; what is graded is stored, and the same command goes on from there")
     # and then a worker is killed.
     before, victim = count(tmp_path), dask.workers()[0]
     process = start(dask, tmp_path)
@@ -153,8 +153,9 @@ def test_nothing_runs_on_after_the_grader_has_stopped(dask):
 
 
 def copied_library(folder, path, old, new):
-    """A copy of trajlib and its exercises with one text changed."""
-    shutil.copytree(ROOT / "trajlib", folder / "trajlib", ignore=shutil.ignore_patterns("__pycache__"))
+    """A copy of both packages and of the exercises with one text changed."""
+    for package in ("trajlib", "workbook"):
+        shutil.copytree(ROOT / package, folder / package, ignore=shutil.ignore_patterns("__pycache__"))
     shutil.copytree(ROOT / "exercises" / "ch1", folder / "exercises" / "ch1")
     text = (folder / path).read_text(encoding="utf-8")
     assert old in text
@@ -171,7 +172,7 @@ def test_another_library_on_a_worker_is_named_before_anything_is_graded(dask, su
     dask.remove(worker)
     assert process.returncode == 2, said
     last = said.strip().split("\n")[-1]
-    assert re.fullmatch(r"trajlib: worker tls://127.0.0.1:\d+: its problem 1.15 is another one than here: .*",
+    assert re.fullmatch(r"workbook: worker tls://127.0.0.1:\d+: its problem 1.15 is another one than here: .*",
                         last), said
     assert "Traceback" not in said
     assert {row[0] for row in grades(tmp_path / "out")} == {"gil", "hal"}, ("whose files are no notebooks, for which "
@@ -192,7 +193,7 @@ def test_a_worker_without_a_sandbox_refuses(dask, tmp_path):
 @pytest.mark.parametrize("changes, said", [
     ({"sympy": "1.12"}, r"it has sympy 1\.\d+(\.\d+)?, and this machine 1\.12"),
     ({"casadi": None}, r"it has casadi 3\.\S+, and this machine \(none\)"),
-    ({"trajlib": "0"}, "its trajlib is another one than here"),
+    ({"workbook": "0"}, "its workbook is another one than here"),
     ({"problem 1.15": "0"}, "its problem 1.15 is another one than here"),
     ({"problem 99.1": "0"}, "its problem 99.1 is another one than here"),
 ])
@@ -206,10 +207,10 @@ def test_what_differs_is_said(changes, said, monkeypatch):
 
 def test_the_library_that_counts_is_all_that_grades():
     """Both what runs and judges a notebook and what is below its checks."""
-    from trajlib.dependencies import module_closure
+    from workbook.notebooks.dependencies import module_closure
 
-    closure = module_closure("import trajlib.grading.cluster_lanes")
-    assert {f"trajlib.{name}" for name in ("cells", "execution", "exercises", "checks.contract.encoding",
+    closure = module_closure("import workbook.grading.cluster_lanes")
+    assert {f"workbook.{name}" for name in ("notebooks.cells", "notebooks.execution", "notebooks.exercises", "checks.contract.encoding",
                                            "checks.contract.verdict",
                                            "grading.cluster_lanes",
                                            "grading.framing", "grading.isolation", "grading.judging", "grading.lanes",
@@ -348,7 +349,7 @@ def test_nobody_at_the_address(monkeypatch, seconds):
 def test_somebody_else_at_the_address(tmp_path):
     """The command ends, though Dask would wait for ever for the first word."""
     hand_in(tmp_path, "ada", "1.15", RIGHT_1_15)
-    shorter = "from trajlib import cli\nfrom trajlib.grading import cluster\ncluster.TO_CONNECT = 1\ncli.main()"
+    shorter = "from workbook import cli\nfrom workbook.grading import cluster\ncluster.TO_CONNECT = 1\ncli.main()"
     with socket.create_server(("127.0.0.1", 0)) as silent:
         address = f"tcp://127.0.0.1:{silent.getsockname()[1]}"
         done = subprocess.run([sys.executable, "-c", shorter, "grade", "submitted", "--out", "graded", "--cluster",
@@ -371,7 +372,7 @@ def test_without_dask_one_line(monkeypatch):
 ])
 def test_bad_options_end_in_one_line_and_code_2(tmp_path, options, said):
     (tmp_path / "submitted").mkdir()
-    done = subprocess.run([sys.executable, "-m", "trajlib.cli", "grade", "submitted", "--out", "graded", *options],
+    done = subprocess.run([sys.executable, "-m", "workbook.cli", "grade", "submitted", "--out", "graded", *options],
                           cwd=tmp_path, env=ALIKE,
                           capture_output=True, text=True, timeout=60)
     assert done.returncode == 2 and said in done.stderr and len(done.stderr.strip().split("\n")) == 1, done.stderr
@@ -379,8 +380,8 @@ def test_bad_options_end_in_one_line_and_code_2(tmp_path, options, said):
 
 
 def test_grading_on_one_machine_loads_nothing_of_dask():
-    code = ("import sys, trajlib.cli, trajlib.grading.commands, trajlib.grading.lanes, trajlib.grading.worker, "
-            "trajlib.grading.cluster\n"
+    code = ("import sys, workbook.cli, workbook.grading.commands, workbook.grading.lanes, workbook.grading.worker, "
+            "workbook.grading.cluster\n"
             "print([name for name in sys.modules if name.split('.')[0] in ('dask', 'distributed')])")
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
     assert done.stdout.strip() == "[]", done

@@ -5,7 +5,7 @@ from collections import Counter
 
 import pytest
 
-from trajlib.grading import cluster, cluster_lanes
+from workbook.grading import cluster, cluster_lanes
 
 
 class Dask:

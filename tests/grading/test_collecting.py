@@ -1,4 +1,4 @@
-"""A download from Moodle or Canvas becomes folders that `trajlib grade` reads, whatever names are in it."""
+"""A download from Moodle or Canvas becomes folders that `workbook grade` reads, whatever names are in it."""
 
 import json
 import re
@@ -12,10 +12,10 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 from classroom import notebook  # noqa: E402
 
-from trajlib.cli import app  # noqa: E402
-from trajlib.grading.assignment import BadInput  # noqa: E402
-from trajlib.grading.collecting import collect  # noqa: E402
-from trajlib.grading.submissions import Aside, Submission, find  # noqa: E402
+from workbook.cli import app  # noqa: E402
+from workbook.grading.assignment import BadInput  # noqa: E402
+from workbook.grading.collecting import collect  # noqa: E402
+from workbook.grading.submissions import Aside, Submission, find  # noqa: E402
 
 MOODLE = {"Ann Able_101_assignsubmission_file/ch1-p15.ipynb": 1,
           "Renée_O Neil_102_assignsubmission_file_/sub/ch1-p15.ipynb": 2,

@@ -1,4 +1,4 @@
-"""`trajlib grade`, `trajlib score`, `trajlib assignment new`: what they write, say and refuse."""
+"""`workbook grade`, `workbook score`, `workbook assignment new`: what they write, say and refuse."""
 
 import csv
 import io
@@ -16,21 +16,21 @@ sys.path.insert(0, str(Path(__file__).parent))
 from classroom import RIGHT_1_15, hand_in, write_assignment  # noqa: E402
 from guide import like, steps  # noqa: E402
 
-from trajlib import exercises  # noqa: E402
-from trajlib.checks.contract.encoding import decode, describe  # noqa: E402
-from trajlib.execution import judge, run_notebook  # noqa: E402
-from trajlib.grading import bench, commands, lanes  # noqa: E402
-from trajlib.grading.assignment import BadInput  # noqa: E402
-from trajlib.grading.judging import Judgement  # noqa: E402
+from workbook.checks.contract.encoding import decode, describe  # noqa: E402
+from workbook.grading import bench, commands, lanes  # noqa: E402
+from workbook.grading.assignment import BadInput  # noqa: E402
+from workbook.grading.judging import Judgement  # noqa: E402
+from workbook.notebooks import exercises  # noqa: E402
+from workbook.notebooks.execution import judge, run_notebook  # noqa: E402
 
 HOMEWORK = 'title = "Homework 1"\nproblems = ["1.15", "1.17"]\ndue = 2026-10-01T12:00:00Z\n[points]\n"1.15" = 10\n'
 DUE = 1790856000.0
 WRONG = {name: "(k1 > 5) & (k2 > 5)" for name in RIGHT_1_15}
 
 
-def trajlib(*arguments, cwd):
+def workbook(*arguments, cwd):
     environment = os.environ | {"COLUMNS": "200", "NO_COLOR": "1", "TERM": "dumb"}
-    return subprocess.run([sys.executable, "-m", "trajlib.cli", *map(str, arguments)], cwd=cwd, env=environment,
+    return subprocess.run([sys.executable, "-m", "workbook.cli", *map(str, arguments)], cwd=cwd, env=environment,
                           capture_output=True, text=True, timeout=300)
 
 
@@ -73,7 +73,7 @@ def course(tmp_path):
 
 
 def test_a_course_in_the_sandbox_from_the_command_line(course):
-    done = trajlib("grade", "submitted", "--out", "graded", "--site", "https://example.org/course", cwd=course)
+    done = workbook("grade", "submitted", "--out", "graded", "--site", "https://example.org/course", cwd=course)
     assert done.returncode == 0, done.stderr
     assert "hw1: 12 points, due 2026-10-01 12:00 (UTC), by assignments/hw1/assignment.toml" in done.stderr
     assert ("3 of 4 students handed something in, 1 late; tables and pages in graded/hw1" in done.stderr
@@ -91,7 +91,7 @@ def test_a_course_in_the_sandbox_from_the_command_line(course):
     bob = (course / "graded" / "hw1" / "feedback" / "bob.html").read_text(encoding="utf-8")
     assert "Handed in after the due date" in bob and "<code>k1 &gt; 0</code>" in bob.replace("0 &lt; k1", "k1 &gt; 0")
     assert "https://example.org/course/book/ch1.html" in bob
-    again = trajlib("grade", "submitted", "--out", "graded", "--json", cwd=course)
+    again = workbook("grade", "submitted", "--out", "graded", "--json", cwd=course)
     summary = json.loads(again.stdout)
     assert again.stderr == "" and summary["graded"] == 0 and summary["already graded"] == 3
     assert (summary["assignments"] == {"hw1": {"ann": 10, "bob": 6, "cid": 0, "dan": 0}}
@@ -100,11 +100,11 @@ def test_a_course_in_the_sandbox_from_the_command_line(course):
 
 def test_points_by_hand_from_the_command_line(course, here):
     grade(course)
-    done = trajlib("score", "bob", "hw1", "1.15", "a_region", "1.5", "--comment", "the idea is right", cwd=course)
+    done = workbook("score", "bob", "hw1", "1.15", "a_region", "1.5", "--comment", "the idea is right", cwd=course)
     assert done.returncode == 0 and "bob, hw1, 1.15 a_region: 1.5 of 2 points by hand" in done.stdout
     assert grade(course)["assignments"]["hw1"]["bob"] == 7.5
     assert "the idea is right" in (course / "graded" / "hw1" / "feedback" / "bob.html").read_text(encoding="utf-8")
-    done = trajlib("score", "bob", "hw1", "1.15", "a_region", "--remove", "--graded", course / "graded", cwd="/")
+    done = workbook("score", "bob", "hw1", "1.15", "a_region", "--remove", "--graded", course / "graded", cwd="/")
     assert done.returncode == 0 and "the automatic points count again" in done.stdout
     assert grade(course)["assignments"]["hw1"]["bob"] == 6
     assert [row[-1] for row in table(course / "graded" / "hw1" / "changes.csv")[1:]] == ["points given by hand",
@@ -123,7 +123,7 @@ def test_points_by_hand_from_the_command_line(course, here):
 ])
 def test_a_score_that_cannot_be_is_refused_in_one_line(course, here, arguments, said):
     grade(course)
-    done = trajlib("score", *arguments, cwd=course)
+    done = workbook("score", *arguments, cwd=course)
     assert done.returncode == 2 and said in done.stderr and len(done.stderr.strip().split("\n")) == 1
 
 
@@ -436,7 +436,7 @@ def test_a_record_of_another_form_is_said_in_one_line(course, here, spoilt):
     (course / "graded" / "hw1" / "grades.json").write_text(spoilt)
     for act in (lambda: grade(course), lambda: commands.score_by_hand(course / "graded", "ann", "hw1", "1.15",
                                                                       "a_region", 1.0)):
-        with pytest.raises(BadInput, match="grades.json is not as trajlib grade wrote it"):
+        with pytest.raises(BadInput, match="grades.json is not as workbook grade wrote it"):
             act()
 
 
@@ -469,20 +469,20 @@ def test_answers_to_be_looked_at(course, here, changed_workbook, capsys):
     (["assignment", "new", "hw2", "1.15", "--due", "0001-01-01"], "'0001-01-01' is not a date"),
 ])
 def test_bad_input_ends_in_one_line_and_code_2(course, arguments, said):
-    done = trajlib(*arguments, cwd=course)
+    done = workbook(*arguments, cwd=course)
     assert done.returncode == 2 and said in done.stderr, done.stderr
     assert len(done.stderr.strip().split("\n")) == 1 and "Traceback" not in done.stderr
 
 
 def test_a_bad_assignment_file_ends_in_one_line_and_code_2(course):
     write_assignment(course, 'problems = ["1.15"]\n[points]\n"1.16" = 2')
-    done = trajlib("grade", "submitted", "--out", "graded", cwd=course)
+    done = workbook("grade", "submitted", "--out", "graded", cwd=course)
     assert done.returncode == 2 and 'assignments/hw1/assignment.toml: points."1.16" names neither' in done.stderr
     assert len(done.stderr.strip().split("\n")) == 1
 
 
 def test_a_homework_from_the_command_line(tmp_path):
-    done = trajlib("assignment", "new", "hw1", "1.4", "1.15", "--title", "Stability", "--due", "2026-10-01T23:59+03:00",
+    done = workbook("assignment", "new", "hw1", "1.4", "1.15", "--title", "Stability", "--due", "2026-10-01T23:59+03:00",
                    cwd=tmp_path)
     assert (done.returncode == 0
             and "assignments/hw1: 2 problems, 13 answers, 13 points, due 2026-10-01 23:59 (UTC+03:00)" in done.stdout)
@@ -493,7 +493,7 @@ def test_a_homework_from_the_command_line(tmp_path):
 def test_a_spoilt_record_is_said_in_one_line(course, here):
     grade(course)
     (course / "graded" / "hw1" / "grades.json").write_text("{")
-    with pytest.raises(BadInput, match="grades.json is not as trajlib grade wrote it"):
+    with pytest.raises(BadInput, match="grades.json is not as workbook grade wrote it"):
         grade(course)
     (course / "graded" / "hw1" / "grades.json").unlink()
     assert grade(course)["changes"] == {"hw1": []}
@@ -550,14 +550,14 @@ def test_every_command_of_the_lecturers_guide(tmp_path):
             command, folder, shown = command.replace("make", "make -n", 1), GUIDE.parents[2], ["..."]
         elif command == "source .venv/bin/activate":
             # The environment of these tests, in a terminal that knows nothing of it.
-            command = f"PATH=/usr/bin:/bin; source {sys.prefix}/bin/activate && command -v trajlib"
-            folder, shown = tmp_path, [f"{sys.prefix}/bin/trajlib"]
+            command = f"PATH=/usr/bin:/bin; source {sys.prefix}/bin/activate && command -v workbook"
+            folder, shown = tmp_path, [f"{sys.prefix}/bin/workbook"]
         else:
             folder = tmp_path
         done = subprocess.run(["bash", "-c", command], cwd=folder, env=environment, stdout=subprocess.PIPE,
                               stderr=subprocess.STDOUT,
                               text=True, timeout=300)
-        assert done.returncode == (1 if command.startswith("trajlib check") else 0), f"{command}: {done.stdout}"
+        assert done.returncode == (1 if command.startswith("workbook check") else 0), f"{command}: {done.stdout}"
         assert (not shown or like(shown, done.stdout)), (f"{command} prints\n{done.stdout}\nand the page shows\n"
                                                          + "\n".join(shown))
         told.append(command)

@@ -11,14 +11,14 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 from classroom import RIGHT_1_15, hand_in, write_assignment  # noqa: E402
 
-from trajlib import exercises  # noqa: E402
-from trajlib.checks.contract.verdict import Verdict  # noqa: E402
-from trajlib.grading import bench, commands, course, fingerprint, lanes, nursery, preloading  # noqa: E402
-from trajlib.grading.assignment import BadInput  # noqa: E402
-from trajlib.grading.judging import Judgement, failed  # noqa: E402
-from trajlib.grading.sandbox import Limits  # noqa: E402
-from trajlib.grading.scores import scores  # noqa: E402
-from trajlib.grading.store import Store  # noqa: E402
+from workbook.checks.contract.verdict import Verdict  # noqa: E402
+from workbook.grading import bench, commands, course, fingerprint, lanes, nursery, preloading  # noqa: E402
+from workbook.grading.assignment import BadInput  # noqa: E402
+from workbook.grading.judging import Judgement, failed  # noqa: E402
+from workbook.grading.sandbox import Limits  # noqa: E402
+from workbook.grading.scores import scores  # noqa: E402
+from workbook.grading.store import Store  # noqa: E402
+from workbook.notebooks import exercises  # noqa: E402
 
 
 def points(out, known):
@@ -73,7 +73,7 @@ def test_a_first_run_imports_while_it_reads_and_a_later_one_only_what_is_needed(
 
 def test_a_lane_that_dies_is_replaced(tmp_path, monkeypatch):
     """For real: every lane ends itself at the first notebook of its life that says so."""
-    monkeypatch.setattr(nursery, "START", "import os\nfrom trajlib.grading import bench\nreal = bench.Bench.grade\n"
+    monkeypatch.setattr(nursery, "START", "import os\nfrom workbook.grading import bench\nreal = bench.Bench.grade\n"
                         "bench.Bench.grade = lambda bench, unit: os._exit(1) if 'DIE' in ''.join(unit['sources']) "
                         "else real(bench, unit)\n" + nursery.START)
     for student, answers in (("ada", RIGHT_1_15), ("bela", {"a_region": "'DIE'"}), ("cyd", RIGHT_1_15)):
@@ -231,8 +231,8 @@ def test_a_mended_judge_grades_again(tmp_path, broken_lanes, monkeypatch):
     assert course.grade(tmp_path / "submitted", tmp_path / "graded")[1].pending == ()
     closure = fingerprint.module_closure
     monkeypatch.setattr(fingerprint, "module_closure", lambda source: closure(source)
-                        | {"trajlib.checks.contract.encoding": "mended"}
-                        if "trajlib.checks.contract.encoding" in closure(source) else closure(source))
+                        | {"workbook.checks.contract.encoding": "mended"}
+                        if "workbook.checks.contract.encoding" in closure(source) else closure(source))
     assert len(course.grade(tmp_path / "submitted", tmp_path / "graded")[1].pending) == 1
 
 

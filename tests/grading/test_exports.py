@@ -12,12 +12,12 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 from classroom import graded  # noqa: E402
 
-from trajlib.checks.contract.verdict import MISSING, RIGHT, UNCHECKED, WRONG  # noqa: E402
-from trajlib.grading import canvas, exporting  # noqa: E402
-from trajlib.grading.assignment import BadInput  # noqa: E402
-from trajlib.grading.canvas import Roster  # noqa: E402
-from trajlib.grading.record import Change  # noqa: E402
-from trajlib.grading.scores import scores  # noqa: E402
+from workbook.checks.contract.verdict import MISSING, RIGHT, UNCHECKED, WRONG  # noqa: E402
+from workbook.grading import canvas, exporting  # noqa: E402
+from workbook.grading.assignment import BadInput  # noqa: E402
+from workbook.grading.canvas import Roster  # noqa: E402
+from workbook.grading.record import Change  # noqa: E402
+from workbook.grading.scores import scores  # noqa: E402
 
 HOMEWORK = ('title = "Homework 1, stability"\nproblems = ["1.17", "1.18"]\ndue = '
             '2026-10-01T12:00:00+03:00\n[points]\n"1.17" = 5\n')

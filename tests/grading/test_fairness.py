@@ -13,11 +13,11 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 from classroom import RIGHT_1_15, notebook  # noqa: E402
 
-from trajlib import exercises  # noqa: E402
-from trajlib.grading import submissions  # noqa: E402
-from trajlib.grading.bench import Bench, _lacking  # noqa: E402
-from trajlib.grading.preloading import ALWAYS  # noqa: E402
-from trajlib.grading.sandbox import Limits  # noqa: E402
+from workbook.grading import submissions  # noqa: E402
+from workbook.grading.bench import Bench, _lacking  # noqa: E402
+from workbook.grading.preloading import ALWAYS  # noqa: E402
+from workbook.grading.sandbox import Limits  # noqa: E402
+from workbook.notebooks import exercises  # noqa: E402
 
 EXERCISE = exercises.find("1.15")
 NAMES = list(EXERCISE.about["answers"])

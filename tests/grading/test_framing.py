@@ -8,7 +8,7 @@ import time
 
 import pytest
 
-from trajlib.grading import framing
+from workbook.grading import framing
 
 
 @pytest.fixture

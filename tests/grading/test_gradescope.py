@@ -26,13 +26,13 @@ from packaging.utils import canonicalize_name
 sys.path.insert(0, str(Path(__file__).parent))
 from classroom import RIGHT_1_15, notebook, write_assignment  # noqa: E402
 
-from trajlib import exercises  # noqa: E402
-from trajlib.grading import assignment as assignments  # noqa: E402
-from trajlib.grading.assignment import AssignmentError  # noqa: E402
-from trajlib.grading.gradescope import autograder, bundle  # noqa: E402
-from trajlib.masters import read, read_all  # noqa: E402
-from trajlib.masters.contract import master_file  # noqa: E402
-from trajlib.masters.mistakes import sentence  # noqa: E402
+from workbook.authoring import read, read_all  # noqa: E402
+from workbook.authoring.contract import master_file  # noqa: E402
+from workbook.authoring.mistakes import sentence  # noqa: E402
+from workbook.grading import assignment as assignments  # noqa: E402
+from workbook.grading.assignment import AssignmentError  # noqa: E402
+from workbook.grading.gradescope import autograder, bundle  # noqa: E402
+from workbook.notebooks import exercises  # noqa: E402
 
 HOMEWORK = ('title = "Homework 1"\nproblems = ["1.15", "1.17"]\ndue = 2020-01-01T00:00:00Z\nattempts = '
             '3\n[points]\n"1.15" = 10\n')
@@ -40,7 +40,7 @@ HALF = RIGHT_1_15 | {"a_region": "k1 > 0"}
 #: A user that nobody on this machine is.
 STUDENT = 61234
 PYTHON = f"python3.{sys.version_info.minor}"
-USER_ADDED = "useradd --system --no-create-home --shell /usr/sbin/nologin trajlib-student\n"
+USER_ADDED = "useradd --system --no-create-home --shell /usr/sbin/nologin workbook-student\n"
 
 
 @pytest.fixture(scope="module")
@@ -66,9 +66,9 @@ def test_what_the_bundle_holds(archive):
                 and "trajlib" not in bundled.read("constraints.txt").decode())
         with zipfile.ZipFile(io.BytesIO(bundled.read(wheel_name(bundled)))) as wheel:
             names = wheel.namelist()
-            assert {f"trajlib/_exercises/{e.path.parent.name}/{e.path.name}"
+            assert {f"workbook/_exercises/{e.path.parent.name}/{e.path.name}"
                     for e in exercises.read_all()} <= set(names)
-            assert "trajlib/grading/gradescope/autograder.py" in names
+            assert "workbook/grading/gradescope/autograder.py" in names
             assert {name.replace(".ipynb", ".mistakes") for name in names if name.endswith(".ipynb")} <= set(names)
             assert not any("solutions/" in name or name.endswith((".md", ".trials.py")) for name in names)
             (record,) = [name for name in names if name.endswith("RECORD")]
@@ -155,7 +155,7 @@ def as_root():
 
 @pytest.fixture(scope="module")
 def installed(archive, tmp_path_factory):
-    """/opt/trajlib as setup.sh makes it, with the wheel of the bundle and the libraries of this environment."""
+    """/opt/workbook as setup.sh makes it, with the wheel of the bundle and the libraries of this environment."""
     if shutil.which("bwrap") is None or as_root() is None:
         (pytest.fail if os.environ.get("CI") == "true" else pytest.skip)("the mock container needs bubblewrap and root")
     folder, outside = tmp_path_factory.mktemp("opt"), tmp_path_factory.mktemp("outside")
@@ -216,7 +216,7 @@ class Container:
             path.chmod(0o755)  # extracting by Python drops the bit that the archive has
         self.metadata([])
         passwd = root.parent / "passwd"
-        passwd.write_text(f"root:x:0:0::/root:/bin/sh\ntrajlib-student:x:{STUDENT}:{STUDENT}::/:/usr/sbin/nologin\n")
+        passwd.write_text(f"root:x:0:0::/root:/bin/sh\nworkbook-student:x:{STUDENT}:{STUDENT}::/:/usr/sbin/nologin\n")
 
     def metadata(self, previous):
         about = {"id": 1, "users": [{"email": "secret@uni.example", "id": 1, "name": "Ann"}],
@@ -229,12 +229,12 @@ class Container:
         path.write_text(content if isinstance(content, str) else json.dumps(content), encoding="utf-8")
 
     def run(self, *command, writable=False, shown=(), environment={"PATH": "/usr/bin:/bin:/usr/sbin"}):
-        """Run a command in the container; the finished process. While it is set up, its /opt/trajlib is `writable`, and
+        """Run a command in the container; the finished process. While it is set up, its /opt/workbook is `writable`, and
         more folders are `shown`, these to be written to as well."""
         writing, shown = shown, {Path(sys.base_prefix), Path(os.path.realpath(sys.base_prefix)), *shown}
         shown = sorted(path for path in shown if not path.is_relative_to("/usr"))
         # Folders on the way are open to all there, as in any container with its interpreter in /usr.
-        ways = sorted({way for path in [*shown, Path("/opt/trajlib")] for way in path.parents if way != Path("/")})
+        ways = sorted({way for path in [*shown, Path("/opt/workbook")] for way in path.parents if way != Path("/")})
         ways = [word for way in ways for word in ("--perms", "0755", "--dir", str(way))]
         binds = [*ways, *(word for path in shown
                           for word in ("--bind" if path in writing else "--ro-bind", str(path), str(path)))]
@@ -247,7 +247,7 @@ class Container:
              "/etc/ld.so.cache",
              "--ro-bind", str(self.root.parent / "passwd"), "/etc/passwd", "--proc", "/proc", "--dev", "/dev",
              "--perms", "1777", "--tmpfs", "/tmp", *binds,
-             "--bind" if writable else "--ro-bind", str(self._installed), "/opt/trajlib",
+             "--bind" if writable else "--ro-bind", str(self._installed), "/opt/workbook",
              "--bind", str(self.root), "/autograder", "--chdir", "/", *command],
             capture_output=True, text=True, timeout=300)
 
@@ -316,7 +316,7 @@ def test_a_crash_of_ours_leaves_a_result_all_the_same(container, breaks):
     if breaks == "assignment.toml":
         (container.root / "source" / "assignment.toml").write_text("broken")
     elif breaks == "wheel":
-        container._installed = container.root.parent  # no /opt/trajlib/bin/python
+        container._installed = container.root.parent  # no /opt/workbook/bin/python
     else:
         (container.root.parent / "passwd").write_text("root:x:0:0::/root:/bin/sh\n")
     result, done = container.grade()
@@ -372,7 +372,7 @@ def with_cell(problem, answers, source):
 def test_what_a_notebook_cannot_do(container, port):
     cell = ATTEMPTS.replace("PORT", str(port))
     (container.root / "results" / "results.json").write_text("{}")
-    unguarded = container.run("/opt/trajlib/bin/python", "-c", cell + "\nprint(done, flush=True)\nos._exit(0)")
+    unguarded = container.run("/opt/workbook/bin/python", "-c", cell + "\nprint(done, flush=True)\nos._exit(0)")
     assert unguarded.stdout.strip().split("\n")[-1] == repr(NAMES), ("run as root each attempt succeeds, else it "
                                                                      "tests nothing")
     container.submit("ch1-p15.ipynb", with_cell("1.15", HALF, cell + "\nraise RuntimeError('achieved: ' + repr(done))"))
@@ -410,14 +410,14 @@ def test_what_a_notebook_leaves_running_ends_with_it(container):
 # setup.sh
 
 
-@pytest.mark.parametrize("has, said", [("3.12", "python3.12 -m venv /opt/trajlib"),
-                                       ("3.11", "python3.11 -m venv /opt/trajlib"),
+@pytest.mark.parametrize("has, said", [("3.12", "python3.12 -m venv /opt/workbook"),
+                                       ("3.11", "python3.11 -m venv /opt/workbook"),
                                        ("", "choose Ubuntu 22.04")])
 def test_setup(tmp_path, archive, has, said):
     """What setup.sh asks of the system, and where that has no Python it can use."""
     log = programs(tmp_path, f"python{has}", "python3.12", "python3.11")
     with zipfile.ZipFile(archive) as bundled:
-        script = bundled.read("setup.sh").decode().replace("/opt/trajlib/bin/pip", "echo")
+        script = bundled.read("setup.sh").decode().replace("/opt/workbook/bin/pip", "echo")
     done = subprocess.run(["bash", "-c", script], env={"PATH": f"{tmp_path}:/usr/bin:/bin"}, capture_output=True,
                           text=True, timeout=60)
     assert said in (log.read_text() if has else done.stderr) and done.returncode == (0 if has else 1)

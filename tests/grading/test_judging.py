@@ -17,13 +17,13 @@ sys.path.insert(0, str(Path(__file__).parent))
 from classroom import RIGHT_1_15  # noqa: E402
 from foreign import Watch  # noqa: E402
 
-from trajlib import exercises  # noqa: E402
-from trajlib.checks.contract.encoding import encode  # noqa: E402
-from trajlib.checks.contract.verdict import INVALID, MISSING, RIGHT, STATUSES, UNCHECKED, WRONG  # noqa: E402
-from trajlib.execution import CONTEXT, decoded, in_child, judge_cells  # noqa: E402
-from trajlib.grading import judging  # noqa: E402
-from trajlib.grading.judging import FINAL, NOT_FINAL, WITHIN_LIMITS, Bounds, Judge, judge  # noqa: E402
-from trajlib.grading.sandbox import Outcome  # noqa: E402
+from workbook.checks.contract.encoding import encode  # noqa: E402
+from workbook.checks.contract.verdict import INVALID, MISSING, RIGHT, STATUSES, UNCHECKED, WRONG  # noqa: E402
+from workbook.grading import judging  # noqa: E402
+from workbook.grading.judging import FINAL, NOT_FINAL, WITHIN_LIMITS, Bounds, Judge, judge  # noqa: E402
+from workbook.grading.sandbox import Outcome  # noqa: E402
+from workbook.notebooks import exercises  # noqa: E402
+from workbook.notebooks.execution import CONTEXT, decoded, in_child, judge_cells  # noqa: E402
 
 EXERCISE = exercises.find("1.15")
 NAMES = list(EXERCISE.about["answers"])
@@ -190,8 +190,8 @@ def test_any_bytes_are_judged():
 def _fuzz(count):
     import z3  # noqa: F401, which is loaded when the first condition is judged
 
-    import trajlib.mistakes.likeness  # and these when the first answer is wrong
-    import trajlib.mistakes.sealing  # noqa: F401
+    import workbook.mistakes.likeness  # and these when the first answer is wrong
+    import workbook.mistakes.sealing  # noqa: F401
     found = []
     cells = EXERCISE.code("data", "check")
     judge_cells(cells, {}, {}, NAMES)  # what our own cells import, they have imported
@@ -297,8 +297,8 @@ def _with_little_memory(taken, allowed):
 
 LEFT_ALONE = """
 import os, sys, time
-from trajlib import exercises
-from trajlib.grading import isolation, judging
+from workbook.notebooks import exercises
+from workbook.grading import isolation, judging
 real, grader = isolation.system_call, os.getpid()
 def late(*given):
     # The parent ends before this process can ask to end with it.
@@ -456,8 +456,8 @@ def _remembered():
 
 
 HOW_A_BENCH_ENDS = """
-from trajlib.grading.bench import Bench
-from trajlib.grading.preloading import ALWAYS
+from workbook.grading.bench import Bench
+from workbook.grading.preloading import ALWAYS
 with Bench(modules=ALWAYS) as bench:
     graded = bench.grade({"problem": "1.15", "sources": ["a_region = 1"]})
     worker = bench._sandbox._worker

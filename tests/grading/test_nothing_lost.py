@@ -35,10 +35,10 @@ def submit_a_course(folder):
 
 
 def start(folder, out):
-    """`trajlib grade` in a process group of its own."""
+    """`workbook grade` in a process group of its own."""
     # What a shell starts in the background ignores Ctrl-C, and so would all that these tests start.
     heeding = partial(signal.signal, signal.SIGINT, signal.SIG_DFL)
-    return subprocess.Popen([sys.executable, "-m", "trajlib.cli", "grade", str(folder / "submitted"), "--out",
+    return subprocess.Popen([sys.executable, "-m", "workbook.cli", "grade", str(folder / "submitted"), "--out",
                              str(out), "--processes", "2"],
                             stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True, preexec_fn=heeding)
 
@@ -146,21 +146,21 @@ def test_interrupted(tmp_path):
     _, said = process.communicate(timeout=60)
     assert process.returncode == 130 and below
     assert (said.decode().strip().split("\n")[-1]
-            == "trajlib: stopped; what is graded is stored, and the same command goes on from there")
+            == "workbook: stopped; what is graded is stored, and the same command goes on from there")
     assert b"Traceback" not in said
     assert not outliving(below)
     assert count(out) >= 3
 
 
 def test_one_grader_at_a_time(tmp_path):
-    from trajlib.grading import course
+    from workbook.grading import course
 
     (tmp_path / "submitted").mkdir()
     with course._alone(tmp_path):
         done = start(tmp_path, tmp_path)
         _, said = done.communicate(timeout=60)
         assert (done.returncode == 2 and said.decode().strip()
-                == f"trajlib: another trajlib grade is at work on {tmp_path}")
+                == f"workbook: another workbook grade is at work on {tmp_path}")
     done = start(tmp_path, tmp_path)
     done.communicate(timeout=60)
     assert done.returncode == 0

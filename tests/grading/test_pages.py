@@ -14,22 +14,22 @@ import sympy as sp
 sys.path.insert(0, str(Path(__file__).parent))
 from classroom import an_assignment, graded  # noqa: E402
 
-from trajlib import exercises  # noqa: E402
-from trajlib.checks.contract.encoding import decode, describe, encode  # noqa: E402
-from trajlib.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG, Verdict  # noqa: E402
-from trajlib.execution import judge, run_notebook  # noqa: E402
-from trajlib.formulas import plain  # noqa: E402
-from trajlib.grading import assignment as assignments  # noqa: E402
-from trajlib.grading import judging  # noqa: E402
-from trajlib.grading.bench import as_plain, from_plain  # noqa: E402
-from trajlib.grading.feedback import feedback  # noqa: E402
-from trajlib.grading.sandbox import Outcome  # noqa: E402
-from trajlib.grading.scores import of_student, scores  # noqa: E402
-from trajlib.grading.store import Attempt  # noqa: E402
-from trajlib.grading.summary import summary  # noqa: E402
-from trajlib.masters import read  # noqa: E402
-from trajlib.masters.contract import master_file  # noqa: E402
-from trajlib.masters.mistakes import sentence  # noqa: E402
+from trajlib.typesetting import plain  # noqa: E402
+from workbook.authoring import read  # noqa: E402
+from workbook.authoring.contract import master_file  # noqa: E402
+from workbook.authoring.mistakes import sentence  # noqa: E402
+from workbook.checks.contract.encoding import decode, describe, encode  # noqa: E402
+from workbook.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG, Verdict  # noqa: E402
+from workbook.grading import assignment as assignments  # noqa: E402
+from workbook.grading import judging  # noqa: E402
+from workbook.grading.bench import as_plain, from_plain  # noqa: E402
+from workbook.grading.feedback import feedback  # noqa: E402
+from workbook.grading.sandbox import Outcome  # noqa: E402
+from workbook.grading.scores import of_student, scores  # noqa: E402
+from workbook.grading.store import Attempt  # noqa: E402
+from workbook.grading.summary import summary  # noqa: E402
+from workbook.notebooks import exercises  # noqa: E402
+from workbook.notebooks.execution import judge, run_notebook  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[2]
 HOMEWORK = 'title = "Homework <1>"\nproblems = ["1.15", "1.17"]\ndue = 2026-10-01T12:00:00Z\n'
@@ -194,7 +194,7 @@ def test_summary(store, homework):
             "points" in text)
     looked_at = page.split("To be looked at")[1].split("<h2>")[0]
     assert (looked_at.count("<code>e_region</code>") == 3 and "odd 2" in looked_at
-            and "trajlib score STUDENT hw1" in looked_at)
+            and "workbook score STUDENT hw1" in looked_at)
     hardest = page.split("hardest first")[1].split("<h2>")[0]
     assert hardest.index("b_region") < hardest.index("a_region"), "the hardest stands first"
     assert "3 right" in hardest and 'style="flex: 3" title="3 wrong"' in hardest

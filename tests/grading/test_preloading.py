@@ -10,13 +10,13 @@ from unittest.mock import patch
 
 import pytest
 
-from trajlib import exercises
-from trajlib.grading import bench, lanes
-from trajlib.grading.isolation import NotStarted
-from trajlib.grading.judging import Bounds
-from trajlib.grading.nursery import Nursery
-from trajlib.grading.preloading import ALWAYS, LIBRARIES, needed
-from trajlib.grading.sandbox import STARTS, Limits
+from workbook.grading import bench, lanes
+from workbook.grading.isolation import NotStarted
+from workbook.grading.judging import Bounds
+from workbook.grading.nursery import Nursery
+from workbook.grading.preloading import ALWAYS, LIBRARIES, needed
+from workbook.grading.sandbox import STARTS, Limits
+from workbook.notebooks import exercises
 
 #: Of lanes that import nothing beforehand.
 SETTINGS = bench.settings(Limits(), Bounds()) | {"modules": {"notebooks": [], "checks": []}}
@@ -51,7 +51,7 @@ def test_functions_of_a_theme_that_is_a_single_module():
 
 
 def test_sandboxes_have_what_notebooks_use_and_not_what_only_checks_do():
-    assert {"z3", "trajlib.checks.stability.regions"} <= set(needed(["1.15"], [])["checks"])
+    assert {"z3", "workbook.checks.stability.regions"} <= set(needed(["1.15"], [])["checks"])
     assert "z3" in needed(["1.15"], ["import z3"])["notebooks"]
     functions = needed(["1.15"], ["from trajlib import feedback\nfeedback.lqr(A, B, G, N)"])
     assert "scipy.linalg" in functions["notebooks"], "which the library imports when it is called"
@@ -63,27 +63,27 @@ def test_words_of_a_notebook_only_choose_among_ours():
     foreign = ["import evil, casadi.evil\nfrom scipy.optimize.evil import x", "__import__('trajlib.evil')"]
     named = loaded(["1.15"], foreign)
     assert not [name for name in named if "evil" in name]
-    assert {name for name in named if not name.startswith("trajlib.")} <= {*ALWAYS, *LIBRARIES}
+    assert {name for name in named if not name.startswith(("trajlib.", "workbook."))} <= {*ALWAYS, *LIBRARIES}
 
 
 def test_a_judge_finds_all_that_it_imports():
     """Whatever modules of ours a check stands on are there before the first answer comes, and what decides
     conditions."""
     code = ("import importlib, json, sys\nfor name in json.loads(sys.argv[1]): importlib.import_module(name)\n"
-            "from trajlib import exercises\nfrom trajlib.checks.contract.encoding import encode\n"
-            "from trajlib.execution import judge_cells\nk = sys.modules['sympy'].Symbol('k1')\n"
+            "from workbook.notebooks import exercises\nfrom workbook.checks.contract.encoding import encode\n"
+            "from workbook.notebooks.execution import judge_cells\nk = sys.modules['sympy'].Symbol('k1')\n"
             "before = set(sys.modules)\n"
             "exercise = exercises.find('1.15')\nnames = list(exercise.about['answers'])\n"
             "judge_cells(exercise.code('data', 'check'), {'a_region': encode(k > 0).decode()}, {}, names)\n"
             "print([name for name in set(sys.modules) - before if name.split('.')[0] in "
-            "('trajlib', 'sympy', 'scipy', 'casadi', 'z3')])")
+            "('trajlib', 'workbook', 'sympy', 'scipy', 'casadi', 'z3')])")
     done = subprocess.run([sys.executable, "-c", code, json.dumps(loaded(["1.15"], []))], capture_output=True,
                           text=True, timeout=120)
     assert done.stdout == "[]\n", done.stdout + done.stderr
 
 
 def test_what_scipy_only_names_is_loaded_by_who_uses_it():
-    code = ("import sys\nfrom trajlib.grading.preloading import NAMED_BY_SCIPY, preload\n"
+    code = ("import sys\nfrom workbook.grading.preloading import NAMED_BY_SCIPY, preload\n"
             "preload('numpy', 'scipy.integrate', 'scipy.linalg', 'scipy.optimize')\n"
             "waiting = [name for name in NAMED_BY_SCIPY if type(sys.modules[name]).__name__ == '_LazyModule']\n"
             "print('scipy.spatial._ckdtree' in sys.modules, 'numpy.f2py.rules' in sys.modules)\n"

@@ -20,10 +20,10 @@ sys.path.insert(0, str(Path(__file__).parent))
 import ordinary  # noqa: E402
 from hostile.reading import READING  # noqa: E402
 
-from trajlib.grading import framing, isolation, watching  # noqa: E402
-from trajlib.grading import sandbox as sandbox_module  # noqa: E402
-from trajlib.grading.preloading import ALWAYS  # noqa: E402
-from trajlib.grading.sandbox import Limits, Outcome, Sandbox, Trusting  # noqa: E402
+from workbook.grading import framing, isolation, watching  # noqa: E402
+from workbook.grading import sandbox as sandbox_module  # noqa: E402
+from workbook.grading.preloading import ALWAYS  # noqa: E402
+from workbook.grading.sandbox import Limits, Outcome, Sandbox, Trusting  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[2]
 TIGHT = Limits(cpu_seconds=3, wall_seconds=6, memory_megabytes=300)
@@ -69,10 +69,10 @@ b = [sorted(os.listdir("/")), sorted(os.environ), os.getcwd(), os.listdir("."), 
 
 
 @pytest.mark.parametrize("once", [False, True], ids=["nested", "once"])
-def test_sees_trajlib_and_nothing_else_of_ours(once):
+def test_sees_both_packages_and_nothing_else_of_ours(once):
     with lean(PATIENT, once) as sandbox:  # looking through everything takes a while
         found = answers(run(sandbox, LOOK, names=("a", "b")))
-    assert (found["a"] and all(path.startswith(f"{isolation.PACKAGE}/") and not path.endswith(".ipynb")
+    assert (found["a"] and all(path.startswith((f"{isolation.PACKAGE}/", f"{isolation.LIBRARY}/")) and not path.endswith(".ipynb")
                                for path in found["a"]))
     top, variables, here, files, shared = found["b"]
     assert not {"home", "var", "opt", "srv", "mnt", "run", "boot", "sys"} & set(top)
@@ -88,10 +88,11 @@ def test_sees_no_exercise_whatever_the_installation(layout):
     folder = Path(tempfile.mkdtemp(prefix="installed-"))
     try:
         packages = folder / "lib" / "site-packages"
-        home = packages if layout == "wheel" else packages / "workbook"
-        shutil.copytree(ROOT / "trajlib", home / "trajlib", ignore=shutil.ignore_patterns("__pycache__"))
+        home = packages if layout == "wheel" else packages / "checkout"
+        for package in ("trajlib", "workbook"):
+            shutil.copytree(ROOT / package, home / package, ignore=shutil.ignore_patterns("__pycache__"))
         if layout == "wheel":
-            shutil.copytree(ROOT / "exercises", home / "trajlib" / "_exercises")
+            shutil.copytree(ROOT / "exercises", home / "workbook" / "_exercises")
         else:
             for name in ("exercises", "solutions", "tests"):
                 shutil.copytree(ROOT / name, home / name, ignore=shutil.ignore_patterns("__pycache__"))
@@ -101,10 +102,10 @@ def test_sees_no_exercise_whatever_the_installation(layout):
         code = f"""
             import sys
             sys.path[:0] = [{str(packages)!r}, {str(home)!r}]
-            import json, trajlib
-            from trajlib import exercises
-            from trajlib.grading.sandbox import Sandbox
-            assert trajlib.__file__.startswith({str(folder)!r}) and exercises.find("1.15")
+            import json, workbook
+            from workbook.notebooks import exercises
+            from workbook.grading.sandbox import Sandbox
+            assert workbook.__file__.startswith({str(folder)!r}) and exercises.find("1.15")
             with Sandbox() as sandbox:
                 outcome = sandbox.run([{LOOK!r}], ["a"])
             print(json.loads(json.loads(outcome.handed_over)["encoded"]["a"]))
@@ -112,7 +113,7 @@ def test_sees_no_exercise_whatever_the_installation(layout):
         done = subprocess.run([sys.executable, "-c", dedent(code)], cwd=folder, capture_output=True, text=True,
                               timeout=120)
         assert done.returncode == 0, done.stderr
-        assert "trajlib/grading/worker.py" in done.stdout
+        assert "workbook/grading/worker.py" in done.stdout
         for ours in ("exercises/ch", "solutions/ch", "/tests/", ".ipynb"):
             assert ours not in done.stdout, done.stdout
     finally:
@@ -120,7 +121,7 @@ def test_sees_no_exercise_whatever_the_installation(layout):
 
 
 def test_refuses_a_course_that_every_notebook_could_read(tmp_path):
-    from trajlib.grading import course
+    from workbook.grading import course
 
     submitted = Path(sys.base_prefix).resolve() / "submitted"
     with pytest.raises(course.CourseError, match="every notebook can read"):
@@ -256,7 +257,7 @@ def test_the_same_for_an_ordinary_user(once):
     try:
         done = ordinary.run(dedent(f"""
             import os
-            from trajlib.grading.sandbox import Sandbox, Limits
+            from workbook.grading.sandbox import Sandbox, Limits
             assert os.getuid() != 0
             with Sandbox(Limits(cpu_seconds=10, wall_seconds=100, memory_megabytes=600), once={once}) as sandbox:
                 print(sandbox._once)
@@ -418,13 +419,13 @@ def test_refused_in_one_line_where_there_is_no_sandbox(open_folder, does, says):
     submitted.mkdir(parents=True)
     shutil.copy(ROOT / "exercises/ch1/p15.ipynb", submitted)
     path = bubblewrap_that(open_folder / "bin", does) if does else str(open_folder / "nothing")
-    command = [sys.executable, "-m", "trajlib.cli", "grade", str(open_folder / "submitted"), "--out",
+    command = [sys.executable, "-m", "workbook.cli", "grade", str(open_folder / "submitted"), "--out",
                str(open_folder / "graded")]
     done = subprocess.run(command, env=os.environ | {"PATH": path, "TERM": "dumb"}, capture_output=True, text=True,
                           timeout=120)
     assert done.returncode == 2 and done.stdout == ""
     (line,) = [line for line in done.stderr.strip().split("\n") if not line.startswith("grading ")]
-    assert line.startswith("trajlib: ") and says in line and "--trust-students" in line
+    assert line.startswith("workbook: ") and says in line and "--trust-students" in line
 
     trusted = subprocess.run([*command, "--trust-students", "--json"], env=os.environ | {"PATH": path},
                              capture_output=True, text=True, timeout=120)
@@ -463,7 +464,7 @@ def test_nobody_is_led_to_drop_the_sandbox_for_it(open_folder):
     submitted.mkdir(parents=True)
     shutil.copy(ROOT / "exercises/ch1/p15.ipynb", submitted)
     path = bubblewrap_that(open_folder / "bin", "kill -9 $$")
-    done = subprocess.run([sys.executable, "-m", "trajlib.cli", "grade", str(open_folder / "submitted"), "--out",
+    done = subprocess.run([sys.executable, "-m", "workbook.cli", "grade", str(open_folder / "submitted"), "--out",
                            str(open_folder / "graded")], env=os.environ | {"PATH": path, "TERM": "dumb"},
                           capture_output=True, text=True, timeout=120)
     (line,) = [line for line in done.stderr.strip().split("\n") if not line.startswith("grading ")]

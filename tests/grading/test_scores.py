@@ -8,8 +8,8 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 from classroom import an_assignment, graded  # noqa: E402
 
-from trajlib.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG  # noqa: E402
-from trajlib.grading.scores import scores  # noqa: E402
+from workbook.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG  # noqa: E402
+from workbook.grading.scores import scores  # noqa: E402
 
 TWO = ["a_region", "b_region"]  # the answers of problem 1.17
 HOMEWORK = 'problems = ["1.17"]\ndue = 2026-10-01T12:00:00Z\n[points]\n"1.17.a_region" = 3\n'

@@ -8,7 +8,7 @@ import weakref
 
 import pytest
 
-from trajlib.grading.stopping import ctrl_c_heeded
+from workbook.grading.stopping import ctrl_c_heeded
 
 
 class Disturbed:

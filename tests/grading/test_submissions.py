@@ -12,9 +12,9 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 from classroom import hand_in, notebook  # noqa: E402
 
-from trajlib.grading import submissions, submitted_file  # noqa: E402
-from trajlib.grading.printable import printable, printable_name  # noqa: E402
-from trajlib.grading.submissions import Aside, Submission, find, students  # noqa: E402
+from workbook.grading import submissions, submitted_file  # noqa: E402
+from workbook.grading.printable import printable, printable_name  # noqa: E402
+from workbook.grading.submissions import Aside, Submission, find, students  # noqa: E402
 
 
 def test_in_order_with_what_was_left_aside(tmp_path):

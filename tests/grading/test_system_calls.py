@@ -8,10 +8,10 @@ import struct
 
 import pytest
 
-from trajlib.execution import in_child
-from trajlib.grading import system_calls
-from trajlib.grading.isolation import NoIsolation, system_call
-from trajlib.grading.worker import PR_SET_NO_NEW_PRIVS
+from workbook.grading import system_calls
+from workbook.grading.isolation import NoIsolation, system_call
+from workbook.grading.worker import PR_SET_NO_NEW_PRIVS
+from workbook.notebooks.execution import in_child
 
 
 def _under_the_filter(function):

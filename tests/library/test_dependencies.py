@@ -7,22 +7,22 @@ import sys
 
 import pytest
 
-from trajlib import dependencies
-from trajlib.dependencies import module_closure
+from workbook.notebooks import dependencies
+from workbook.notebooks.dependencies import module_closure
 
 PIECES = [
-    "from trajlib import checks\nchecks.stability_region",
-    "from trajlib import checks\nchecks.basin_estimate\nchecks.report",
+    "from workbook import checks\nchecks.stability_region",
+    "from workbook import checks\nchecks.basin_estimate\nchecks.report",
     "from trajlib.stability import linearise\nlinearise",
     "from trajlib.stability import basin_estimate, hurwitz_minors",
     "from trajlib import plotting, stability\nplotting.style\nstability.limit_cycles",
-    "import trajlib.execution",
+    "import workbook.notebooks.execution",
 ]
 
 
 @pytest.mark.parametrize("code", PIECES)
 def test_the_closure_holds_all_that_is_loaded(code):
-    show = "import sys; print(' '.join(m for m in sys.modules if m.startswith('trajlib.')))"
+    show = "import sys; print(' '.join(m for m in sys.modules if m.startswith(('trajlib.', 'workbook.'))))"
     loaded = subprocess.run([sys.executable, "-c", f"{code}\n{show}"], capture_output=True, text=True,
                             check=True, timeout=120).stdout.split()
     # Packages hold lazy names or a docstring: they and the helper behind them say nothing of what a notebook computes.
@@ -32,8 +32,8 @@ def test_the_closure_holds_all_that_is_loaded(code):
 
 def test_no_import_of_ours_is_missed_by_reading_quickly(monkeypatch):
     """Of each module as many as by its whole tree, or more: code in a text counts too."""
-    modules = {".".join(path.relative_to(dependencies.PACKAGE.parent).with_suffix("").parts): path
-               for path in dependencies.PACKAGE.rglob("*.py") if path.name != "__init__.py"}
+    modules = {".".join(path.relative_to(dependencies.HOME).with_suffix("").parts): path for package in dependencies.OURS
+               for path in (dependencies.HOME / package).rglob("*.py") if path.name != "__init__.py"}
     quickly = {name: dependencies._loaded_by.__wrapped__(name, path) for name, path in modules.items()}
     monkeypatch.setattr(dependencies, "_quick", ast.parse)
     dependencies._loaded_by.cache_clear()
@@ -44,32 +44,32 @@ def test_no_import_of_ours_is_missed_by_reading_quickly(monkeypatch):
 
 
 @pytest.mark.parametrize("source, expected", [
-    ("from trajlib.cells import (\n    prepare,\n    run_cells,\n)", {"trajlib.cells"}),
-    ("def f():\n    from trajlib.cells import prepare  # here", {"trajlib.cells"}),
-    ("import json, trajlib.cells", {"trajlib.cells"}),
-    ('"""Words that\nimport nothing at all.\n"""\nimport trajlib.cells', {"trajlib.cells"}),
-    ("from .cells import prepare", {"trajlib.cells"})])
+    ("from workbook.notebooks.cells import (\n    prepare,\n    run_cells,\n)", {"workbook.notebooks.cells"}),
+    ("def f():\n    from workbook.notebooks.cells import prepare  # here", {"workbook.notebooks.cells"}),
+    ("import json, workbook.notebooks.cells", {"workbook.notebooks.cells"}),
+    ('"""Words that\nimport nothing at all.\n"""\nimport workbook.notebooks.cells', {"workbook.notebooks.cells"}),
+    ("from .cells import prepare", {"workbook.notebooks.cells"})])
 def test_however_an_import_is_written(source, expected):
-    assert dependencies._loaded(source, "trajlib") == expected
+    assert dependencies._loaded(source, "workbook.notebooks") == expected
 
 
 def test_a_theme_that_is_not_used_does_not_count():
-    closure = module_closure("from trajlib import checks\nchecks.stability_region")
-    assert "trajlib.checks.stability.cycles" not in closure and "trajlib.stability.hurwitz" not in closure
+    closure = module_closure("from workbook import checks\nchecks.stability_region")
+    assert "workbook.checks.stability.cycles" not in closure and "trajlib.stability.hurwitz" not in closure
 
 
 def test_the_hash_is_that_of_the_text():
     import hashlib
 
-    import trajlib.checks.stability.regions as regions
+    import workbook.checks.stability.regions as regions
     text = open(regions.__file__, "rb").read()
-    assert (module_closure("from trajlib import checks\nchecks.stability_region")["trajlib.checks.stability.regions"]
+    assert (module_closure("from workbook import checks\nchecks.stability_region")["workbook.checks.stability.regions"]
             == hashlib.sha256(text).hexdigest())
 
 
 def test_reading_what_checks_stand_on_loads_none_of_it():
     """Who grades reads this of every problem, before anything is computed."""
-    code = ("import sys\nfrom trajlib import exercises\nfrom trajlib.grading.fingerprint import fingerprint\n"
+    code = ("import sys\nfrom workbook.notebooks import exercises\nfrom workbook.grading.fingerprint import fingerprint\n"
             "for exercise in exercises.read_all(): fingerprint(exercise)\n"
             "print([name for name in ('sympy', 'numpy', 'z3') if name in sys.modules])")
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120)

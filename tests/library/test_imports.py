@@ -5,9 +5,10 @@ import sys
 
 EVERYTHING = """
 import importlib, pkgutil, sys
-import trajlib
-names = [module.name for module in pkgutil.walk_packages(trajlib.__path__, "trajlib.")
-         if not module.name.startswith("trajlib.grading")]
+import trajlib, workbook
+names = [module.name for package in (trajlib, workbook)
+         for module in pkgutil.walk_packages(package.__path__, package.__name__ + ".")
+         if not module.name.startswith("workbook.grading")]
 for name in names:
     importlib.import_module(name)
 print(len(names), *(name for name in sys.modules if name.split(".")[0] == "scipy"))

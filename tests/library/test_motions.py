@@ -7,13 +7,13 @@ import numpy as np
 import pytest
 from bs4 import BeautifulSoup
 
-from trajlib.motions import SIZE, Motion
+from workbook.display.animations import SIZE, Animation
 
 T = np.linspace(0, 2, 5)
 
 
 def circle(**given):
-    motion = Motion(T, "A <point> on a circle.", **given)
+    motion = Animation(T, "A <point> on a circle.", **given)
     plane = motion.panel((-1, 1), (-1, 1), "x", "y")
     plane.curve([0, 1], [0, 1], dashed=True)
     plane.trail(np.cos(T), np.sin(T))
@@ -44,9 +44,9 @@ def test_where_nothing_moves_the_still_frame_is_a_picture():
 
 
 @pytest.mark.parametrize("make, said", [
-    (lambda: Motion([0, 0], "w"), "increasing"),
-    (lambda: Motion([0], "w"), "at least two"),
-    (lambda: Motion(T, "w", speed=0), "speed"),
+    (lambda: Animation([0, 0], "w"), "increasing"),
+    (lambda: Animation([0], "w"), "at least two"),
+    (lambda: Animation(T, "w", speed=0), "speed"),
     (lambda: circle().panel((1, 1), (0, 1)), "low < high"),
     (lambda: circle().panel((0, 1), (0, 1)).dot([1, 2], 0), "each of the 5 frames"),
     (lambda: circle().panel((0, 1), (0, 1)).dot(np.nan, 0), "finite"),

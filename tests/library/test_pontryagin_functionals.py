@@ -12,7 +12,7 @@ from trajlib.pontryagin import (
     momenta,
     natural_conditions,
 )
-from trajlib.systems import Functional
+from workbook.systems import Functional
 
 t, T, eps = sp.symbols("t T epsilon", positive=True)
 x = sp.Function("x")

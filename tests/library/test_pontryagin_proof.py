@@ -8,9 +8,9 @@ import sympy as sp
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from trajlib.formulas import typeset
 from trajlib.pontryagin import Problem
 from trajlib.pontryagin.proof import prove
+from trajlib.typesetting import typeset
 
 R = sp.Rational
 x, x1, x2, x3, u, v = sp.symbols("x x1 x2 x3 u v")

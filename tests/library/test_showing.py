@@ -11,10 +11,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 from IPython import display
 
-from trajlib import showing
-from trajlib.formulas import typeset
-from trajlib.showing import LINE, show, table
 from trajlib.structure import observability
+from trajlib.typesetting import typeset
+from workbook.display import results
+from workbook.display.results import LINE, show, table
 
 k1, x, psi2 = sp.symbols("k1 x psi2")
 
@@ -106,7 +106,7 @@ def test_a_long_sum_is_broken_between_its_terms(shown):
     total = sp.expand((x + k1 + psi2)**6)
     text = shown(sp.Eq(x, total, evaluate=False)).set
     lines = re.search(r"\$\$\n\\begin\{aligned\} (.*)\\end\{aligned\}\n\$\$", text, re.S)[1].split(r"\\")
-    assert len(lines) > 2 and max(map(showing._letters, lines)) <= LINE + 8
+    assert len(lines) > 2 and max(map(results._letters, lines)) <= LINE + 8
     assert lines[0].startswith("x ={} & ")
     terms = sum(len(re.findall(r"(?:^|[+-]) ?\S", line.partition("&")[2].strip())) for line in lines)
     assert terms == len(total.args)

@@ -1,7 +1,7 @@
 import pytest
 import sympy as sp
 
-from trajlib.systems import (
+from workbook.systems import (
     Coloured,
     Controlled,
     Deviations,

@@ -1,4 +1,4 @@
-"""Lectures as a lecturer opens them: `trajlib live` in a process of its own, of which nothing may be left."""
+"""Lectures as a lecturer opens them: `workbook live` in a process of its own, of which nothing may be left."""
 
 import os
 import re
@@ -23,7 +23,7 @@ def pytest_collection_modifyitems(items):
 
 
 class Lecture:
-    """A running `trajlib live` and the address that it printed."""
+    """A running `workbook live` and the address that it printed."""
 
     def __init__(self, process, address):
         self.process, self.address = process, address
@@ -42,7 +42,7 @@ def lecture(tmp_path):
 
     @contextmanager
     def opened(*arguments):
-        process = subprocess.Popen([sys.executable, "-m", "trajlib.cli", "live", *arguments, "--no-browser"],
+        process = subprocess.Popen([sys.executable, "-m", "workbook.cli", "live", *arguments, "--no-browser"],
                                    cwd=tmp_path, env=os.environ | {"TMPDIR": str(temporary), "NO_COLOR": "1"},
                                    text=True, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                    stderr=subprocess.STDOUT)

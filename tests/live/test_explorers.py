@@ -5,8 +5,8 @@ import pytest
 import sympy as sp
 
 from trajlib import stability
-from trajlib.live import LiveError
-from trajlib.live.explorers import (
+from workbook.live import LiveError
+from workbook.live.explorers import (
     against_the_best,
     explore,
     fastest_motion,
@@ -16,11 +16,11 @@ from trajlib.live.explorers import (
     popov_distance,
     region_of_stability,
 )
-from trajlib.live.explorers.asking import NAMES
-from trajlib.live.explorers.circle import STEP, followed
-from trajlib.live.explorers.fastest import _extremal, _synthesis
-from trajlib.live.explorers.phase import PORTRAITS
-from trajlib.live.worked import Worked
+from workbook.live.explorers.asking import NAMES
+from workbook.live.explorers.circle import STEP, followed
+from workbook.live.explorers.fastest import _extremal, _synthesis
+from workbook.live.explorers.phase import PORTRAITS
+from workbook.live.worked import Worked
 
 
 def words(explorer):

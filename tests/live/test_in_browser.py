@@ -64,42 +64,42 @@ class Lab:
 
 def an_explorer_follows(browser):
     """A slider changes the picture, and so does the pointer, which moves the sliders."""
-    image = "document.querySelector('.trajlib-stage img').src"
-    assert browser.wait_for("document.querySelector('.trajlib-stage img')?.naturalWidth > 500", 30)
+    image = "document.querySelector('.workbook-stage img').src"
+    assert browser.wait_for("document.querySelector('.workbook-stage img')?.naturalWidth > 500", 30)
     before = browser.run(image)
-    slider = browser.find(".trajlib-explorer .noUi-handle")
+    slider = browser.find(".workbook-explorer .noUi-handle")
     slider.send_keys("\ue014")  # the right arrow
     assert browser.wait_for(f"{image} !== {before!r}", 20), "the slider moves nothing"
-    pulled = browser.run("document.querySelector('.trajlib-explorer .widget-readout').innerText")
-    click(browser, ".trajlib-layer", 0.2, 0.5)
-    assert browser.wait_for("document.querySelector('.trajlib-explorer .widget-readout').innerText !== "
+    pulled = browser.run("document.querySelector('.workbook-explorer .widget-readout').innerText")
+    click(browser, ".workbook-layer", 0.2, 0.5)
+    assert browser.wait_for("document.querySelector('.workbook-explorer .widget-readout').innerText !== "
                             f"{pulled!r}", 20), "the pointer moves nothing"
 
 
 def a_poll_is_answered(browser):
     """Hands are counted by a button; nothing is told before the reveal."""
-    text = "document.querySelector('.trajlib-poll').innerText"
-    assert browser.wait_for("document.querySelectorAll('.trajlib-poll mjx-container').length >= 4", 30), "no formulas"
+    text = "document.querySelector('.workbook-poll').innerText"
+    assert browser.wait_for("document.querySelectorAll('.workbook-poll mjx-container').length >= 4", 30), "no formulas"
     assert "right" not in browser.run(text)
-    buttons = browser.driver.find_elements("css selector", ".trajlib-poll button")
+    buttons = browser.driver.find_elements("css selector", ".workbook-poll button")
     assert [button.get_attribute("textContent").strip() for button in buttons] == ["+1"]*4 + ["Reveal"]
     for k in (1, 1, 2):
         browser.driver.execute_script("arguments[0].click()", buttons[k])
     assert browser.wait_for(f"{text}.includes('67%') && {text}.includes('33%')", 20)
     browser.driver.execute_script("arguments[0].click()", buttons[-1])
-    assert browser.wait_for("document.querySelectorAll('.trajlib-right').length === 1", 20)
-    assert browser.run("document.querySelectorAll('.trajlib-wrong').length") == 3
+    assert browser.wait_for("document.querySelectorAll('.workbook-right').length === 1", 20)
+    assert browser.run("document.querySelectorAll('.workbook-wrong').length") == 3
     assert "Which minor was not looked at?" in browser.run(text)
 
 
 def a_click_starts_an_optimal_path(browser, lab):
     """Where one clicks the fastest motion starts, and the play button moves along it."""
-    said = "[...document.querySelectorAll('.trajlib-words')].at(-1).innerText"
+    said = "[...document.querySelectorAll('.workbook-words')].at(-1).innerText"
     assert browser.wait_for(f"{said}.includes('least time')", 60)
     before = browser.run(said)
-    click(browser, ".trajlib-layer", 0.15, 0.6, which=-1)
+    click(browser, ".workbook-layer", 0.15, 0.6, which=-1)
     assert browser.wait_for(f"{said} !== {before!r} && {said}.includes('now t = 0.00')", 20), "no new path"
-    browser.driver.execute_script("[...document.querySelectorAll('.trajlib-explorer .widget-play button')][0].click()")
+    browser.driver.execute_script("[...document.querySelectorAll('.workbook-explorer .widget-play button')][0].click()")
     assert browser.wait_for(f"!{said}.includes('now t = 0.00')", 20), "it does not move"
 
 

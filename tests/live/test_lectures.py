@@ -3,15 +3,15 @@
 import nbformat
 import pytest
 
-from trajlib import exercises
-from trajlib.cells import run_cells
-from trajlib.execution import in_child
-from trajlib.live import find, lectures
-from trajlib.live.copies import notebook_of
-from trajlib.live.explorers.asking import NAMES
-from trajlib.live.magics import is_ours
-from trajlib.live.polls import options
-from trajlib.live.worked import Worked
+from workbook.live import find, lectures
+from workbook.live.copies import notebook_of
+from workbook.live.explorers.asking import NAMES
+from workbook.live.magics import is_ours
+from workbook.live.polls import options
+from workbook.live.worked import Worked
+from workbook.notebooks import exercises
+from workbook.notebooks.cells import run_cells
+from workbook.notebooks.execution import in_child
 
 pytestmark = pytest.mark.slow
 SLUGS = [lecture.word for lecture in lectures()]

@@ -7,10 +7,10 @@ from types import SimpleNamespace
 import pytest
 from jupyter_client.manager import start_new_kernel
 
-from trajlib.live import LiveError
-from trajlib.live.catching_up import cells_above
-from trajlib.live.lab import furnish
-from trajlib.live.magics import is_ours
+from workbook.live import LiveError
+from workbook.live.catching_up import cells_above
+from workbook.live.lab import furnish
+from workbook.live.magics import is_ours
 
 pytestmark = pytest.mark.slow
 
@@ -63,7 +63,7 @@ def kernel(running, request):
     """The kernel as a lecture begins it."""
     running.run("%reset -f")
     running.run(f"import os; os.environ['TRAJLIB_LIVE'] = {getattr(request, 'param', '1.15')!r}\n"
-                "__import__('trajlib.live').live.load_ipython_extension(get_ipython())\ndel os")
+                "__import__('workbook.live').live.load_ipython_extension(get_ipython())\ndel os")
     return running
 
 

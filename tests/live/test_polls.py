@@ -2,9 +2,9 @@
 
 import pytest
 
-from trajlib.live import LiveError
-from trajlib.live.polls import options, poll
-from trajlib.live.worked import Worked
+from workbook.live import LiveError
+from workbook.live.polls import options, poll
+from workbook.live.worked import Worked
 
 
 @pytest.fixture(scope="module")

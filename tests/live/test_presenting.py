@@ -1,4 +1,4 @@
-"""`trajlib live` from the command to its end: the copy, the processes, and what is said where it cannot be."""
+"""`workbook live` from the command to its end: the copy, the processes, and what is said where it cannot be."""
 
 import json
 import os
@@ -13,15 +13,15 @@ from urllib.parse import parse_qs, urlsplit
 
 import pytest
 
-from trajlib import exercises
-from trajlib.live import LiveError, find, presenting
-from trajlib.live.copies import notebook_of, settle
+from workbook.live import LiveError, find, presenting
+from workbook.live.copies import notebook_of, settle
+from workbook.notebooks import exercises
 
 ROOT = Path(__file__).resolve().parents[2]
 
 
-def trajlib(*arguments, **environment):
-    return subprocess.run([sys.executable, "-m", "trajlib.cli", *arguments], env=os.environ | environment,
+def workbook(*arguments, **environment):
+    return subprocess.run([sys.executable, "-m", "workbook.cli", *arguments], env=os.environ | environment,
                           stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=120)
 
 
@@ -31,7 +31,7 @@ def one_line(done):
 
 
 def test_the_list_names_lectures_and_problems():
-    done = trajlib("live", COLUMNS="200")
+    done = workbook("live", COLUMNS="200")
     assert done.returncode == 0 and "1.15" in done.stdout and "Stability regions" in done.stdout
 
 
@@ -43,7 +43,7 @@ def test_the_list_names_lectures_and_problems():
     (["1.15", "--no-browser", "--keep", str(ROOT / "solutions" / "ch1" / "p15.md")], "the workbook's own files"),
 ])
 def test_bad_input_ends_in_one_line(arguments, said):
-    assert said in one_line(trajlib("live", *arguments))
+    assert said in one_line(workbook("live", *arguments))
 
 
 def test_a_taken_port_ends_in_one_line():
@@ -51,11 +51,11 @@ def test_a_taken_port_ends_in_one_line():
         other.bind(("127.0.0.1", 0))
         other.listen()
         port = str(other.getsockname()[1])
-        assert f"port {port} cannot be had" in one_line(trajlib("live", "1.15", "--no-browser", "--port", port))
+        assert f"port {port} cannot be had" in one_line(workbook("live", "1.15", "--no-browser", "--port", port))
 
 
 def test_without_a_browser_one_line_says_what_to_do():
-    done = trajlib("live", "1.15", PATH="/nowhere", DISPLAY="", BROWSER="", WAYLAND_DISPLAY="")
+    done = workbook("live", "1.15", PATH="/nowhere", DISPLAY="", BROWSER="", WAYLAND_DISPLAY="")
     assert "--no-browser prints the address" in one_line(done)
 
 
@@ -116,7 +116,7 @@ def test_a_process_that_ended_before_it_read_is_put_away():
 def test_kernels_are_forked_however_long_the_path_is(lecture, tmp_path):
     with lecture("1.15", "--discard") as live:
         end = time.monotonic() + 30
-        while not (found := list(tmp_path.glob("temporary*/trajlib-live-*/kernels"))) and time.monotonic() < end:
+        while not (found := list(tmp_path.glob("temporary*/workbook-live-*/kernels"))) and time.monotonic() < end:
             time.sleep(0.2)
         assert found and found[0].is_socket()
         live.end()
@@ -132,7 +132,7 @@ def test_what_is_saved_goes_to_the_copy_and_is_kept_where_asked(lecture, tmp_pat
         assert "kept: monday.ipynb" in live.end()
     assert "spoilt" in (tmp_path / "monday.ipynb").read_text()
     assert {path: path.read_bytes() for path in before} == before
-    assert not list(tmp_path.glob("temporary*/trajlib-live-*"))
+    assert not list(tmp_path.glob("temporary*/workbook-live-*"))
 
 
 def test_who_cannot_be_asked_loses_nothing(tmp_path, monkeypatch):

@@ -4,8 +4,8 @@ from pathlib import Path
 
 import pytest
 
-from trajlib.live.steps import CODE, IDEA, PICTURE, steps_of
-from trajlib.masters import read_all
+from workbook.authoring import read_all
+from workbook.live.steps import CODE, IDEA, PICTURE, steps_of
 
 pytestmark = pytest.mark.slow
 ROOT = Path(__file__).resolve().parents[2]

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from trajlib.checks.contract.reporting import COLOURS, MARKS
+from workbook.checks.contract.reporting import COLOURS, MARKS
 
 pytestmark = [pytest.mark.waits, pytest.mark.timeout(300)]
 NOTEBOOK = Path(__file__).resolve().parents[2] / "exercises" / "ch1" / "p15.ipynb"
@@ -51,7 +51,7 @@ class Desk:
         """A check cell is run: (mark, verdict, colour, text) of each line, and the error below them."""
         cell = self.run(beginning, text)
         lines = self._browser.run(
-            f"[...{cell}.querySelectorAll('.trajlib-verdict')].map(line => [line.querySelector('.mark').innerText, "
+            f"[...{cell}.querySelectorAll('.workbook-verdict')].map(line => [line.querySelector('.mark').innerText, "
             "line.className.split(' ').at(-1), getComputedStyle(line).color, line.innerText])")
         return lines, self._browser.run(
             f"[...{cell}.querySelectorAll('[data-mime-type=\"application/vnd.jupyter.stderr\"], "

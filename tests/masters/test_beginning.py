@@ -1,9 +1,9 @@
-"""`trajlib new` writes a master that holds the contract, and never writes over one."""
+"""`workbook new` writes a master that holds the contract, and never writes over one."""
 
 import pytest
 
-from trajlib.masters import begin, read
-from trajlib.masters.trials import trials_file
+from workbook.authoring import begin, read
+from workbook.authoring.trials import trials_file
 
 SECTIONS = {"ch2/p05.md": "§2.2", "ch2/p31.md": "§2.5"}
 

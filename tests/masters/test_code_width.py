@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from trajlib.masters import master_paths
+from workbook.authoring import master_paths
 
 ROOT = Path(__file__).resolve().parents[2]
 CELL = re.compile(r"^(`{3,})\{code-cell\}[^\n]*\n(.*?)^\1[ \t]*$", re.M | re.S)

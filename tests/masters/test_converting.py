@@ -8,10 +8,10 @@ from pathlib import Path
 
 import pytest
 
-from trajlib import exercises
-from trajlib.masters import Links, MasterError, read, student_notebook
-from trajlib.masters.contract import master_file
-from trajlib.masters.converting import WIDTH, plain_markdown
+from workbook.authoring import Links, MasterError, read, student_notebook
+from workbook.authoring.contract import master_file
+from workbook.authoring.converting import WIDTH, plain_markdown
+from workbook.notebooks import exercises
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -75,8 +75,8 @@ def test_a_notebook_links_to_the_site_only_where_that_has_an_address(links, tmp_
                      if not address.startswith("attachment:")]  # a drawing, which the notebook itself holds
             assert all(address.startswith("https://example.org/course/") for address in found)
             assert bool(found) == bool(base)
-            wheel = re.search(r"%pip install (\S*)trajlib-[\d.]+-py3-none-any\.whl", cells[1]["source"])
-            assert wheel[1] == (f"{base}wheels/" if base else "")
+            wheel = re.search(r'%pip install "(.*)trajlib-[\d.]+-py3-none-any\.whl', cells[1]["source"])
+            assert wheel[1] == (f"trajlib[workbook] @ {base}wheels/" if base else "")
 
 
 def test_links_can_be_led_elsewhere():
@@ -90,13 +90,13 @@ def test_links_can_be_led_elsewhere():
 
 
 def test_without_the_library_one_line_says_how_to_get_it(tmp_path):
-    """In a kernel that finds no trajlib, the first code cell fails with this line alone, and Run All ends there."""
+    """In a kernel that finds no workbook, the first code cell fails with this line alone, and Run All ends there."""
     import nbformat
     from nbclient import NotebookClient
     from nbclient.exceptions import CellExecutionError
 
     notebook = student_notebook(read(ROOT / "solutions" / "ch1" / "p15.md"), Links(ROOT, "https://example.org"))
-    hidden = "import sys; sys.modules['trajlib'] = None"
+    hidden = "import sys; sys.modules['workbook'] = None"
     notebook["cells"].insert(1, {"cell_type": "code", "id": "hide", "metadata": {}, "source": hidden, "outputs": [],
                                  "execution_count": None})
     opened = nbformat.from_dict(notebook)
@@ -104,7 +104,7 @@ def test_without_the_library_one_line_says_how_to_get_it(tmp_path):
         NotebookClient(opened, timeout=60, kernel_name="python3").execute()
     [said] = [output for cell in opened.cells if cell.cell_type == "code" for output in cell.outputs]
     assert len(said.traceback) == 1
-    assert "%pip install https://example.org/wheels/trajlib-" in said.traceback[0]
+    assert '%pip install "trajlib[workbook] @ https://example.org/wheels/trajlib-' in said.traceback[0]
 
 
 def test_the_students_copy():
@@ -116,14 +116,14 @@ def test_the_students_copy():
     assert code[1]["source"] == ("# condition: the set of (k1, k2) where the equation of item a is asymptotically\n"
                                  "# stable\na_region = ...")
     assert "nbgrader" not in code[1]["metadata"]
-    assert all(cell["source"].startswith('from trajlib import checks\n\nchecks.report("1.15",') for cell in code[2::2])
+    assert all(cell["source"].startswith('from workbook import checks\n\nchecks.report("1.15",') for cell in code[2::2])
     assert code[2]["metadata"]["nbgrader"] | {"grade_id": ""} == {
         "schema_version": 3, "grade": True, "locked": True, "solution": False, "task": False, "cell_type": "code",
         "points": 1, "grade_id": ""}
     ids = [cell["metadata"]["nbgrader"]["grade_id"] for cell in code if "nbgrader" in cell["metadata"]]
     assert len(set(ids)) == len(ids) and len({cell["id"] for cell in notebook["cells"]}) == len(notebook["cells"])
-    assert "Moscow, 2012" in notebook["cells"][0]["source"] and "pip install -e ." in notebook["cells"][0]["source"]
-    assert not re.search(r"pip install trajlib\b(?!-)", str(notebook)), "no index has it: only the wheel's file"
+    assert "Moscow, 2012" in notebook["cells"][0]["source"] and "pip install -e " in notebook["cells"][0]["source"]
+    assert not re.search(r"pip install \W*trajlib\b(?![-\[])", str(notebook)), "no index has it: only the wheel's file"
 
 
 def drawing_of(written, cell):
@@ -138,7 +138,7 @@ def drawing_of(written, cell):
     return read(written)
 
 
-ROD = "from trajlib.drawings import Drawing\n\nd = Drawing((0, 2), (0, 1))\nd.rod((0.2, 0.2), (1.8, 0.8))\nd"
+ROD = "from workbook.display import Drawing\n\nd = Drawing((0, 2), (0, 1))\nd.rod((0.2, 0.2), (1.8, 0.8))\nd"
 
 
 def test_a_drawing_becomes_its_picture(tmp_path):

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from trajlib.masters import master_paths, read
+from workbook.authoring import master_paths, read
 
 pytestmark = pytest.mark.slow
 ROOT = Path(__file__).resolve().parents[2]

@@ -6,10 +6,10 @@ from pathlib import Path
 
 import pytest
 
-from trajlib.formulas import plain
-from trajlib.masters import master_paths, read
-from trajlib.masters.front_matter import read_front_matter
-from trajlib.masters.mistakes import sentence
+from trajlib.typesetting import plain
+from workbook.authoring import master_paths, read
+from workbook.authoring.front_matter import read_front_matter
+from workbook.authoring.mistakes import sentence
 
 pytestmark = pytest.mark.slow
 SOLUTIONS = Path(__file__).resolve().parents[2] / "solutions"

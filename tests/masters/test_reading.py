@@ -5,8 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from trajlib.masters import MasterError, read
-from trajlib.masters.contract import hold_front_matter
+from workbook.authoring import MasterError, read
+from workbook.authoring.contract import hold_front_matter
 
 ROOT = Path(__file__).resolve().parents[2]
 GOOD = (ROOT / "solutions" / "ch1" / "p15.md").read_text(encoding="utf-8")
@@ -110,7 +110,7 @@ def test_a_slip_in_the_front_matter_is_one_line(written, old, new, said):
 
 DRAWING = """```{code-cell}
 :tags: [drawing]
-from trajlib.drawings import Drawing
+from workbook.display import Drawing
 
 d = Drawing((0, 1), (0, 1))
 d
@@ -129,7 +129,7 @@ d
 def test_a_drawing_stands_in_the_statement_with_its_caption(written, place, below, said):
     page = GOOD.replace(place, DRAWING + below + place, 1)
     if said:
-        with pytest.raises(MasterError, match=rf"p15\.md:{line_of(page, 'from trajlib.drawings')}: {said}"):
+        with pytest.raises(MasterError, match=rf"p15\.md:{line_of(page, 'from workbook.display.drawings')}: {said}"):
             read(written(page))
     else:
         assert len(read(written(page)).code("drawing")) == 1

@@ -3,7 +3,7 @@
 import re
 from pathlib import Path
 
-from trajlib.masters import master_paths, read
+from workbook.authoring import master_paths, read
 
 SOLUTIONS = Path(__file__).resolve().parents[2] / "solutions"
 #: The first problem of each section, as the book counts them.

@@ -3,8 +3,8 @@
 import re
 from pathlib import Path
 
-from trajlib.masters import master_paths
-from trajlib.masters.front_matter import read_front_matter
+from workbook.authoring import master_paths
+from workbook.authoring.front_matter import read_front_matter
 
 SOLUTIONS = Path(__file__).resolve().parents[2] / "solutions"
 ENDINGS = re.compile(r"('s|um|a|s)$")

@@ -2,8 +2,8 @@
 
 import pytest
 
-from trajlib.masters import MasterError
-from trajlib.masters.trials import Trial, read_trials
+from workbook.authoring import MasterError
+from workbook.authoring.trials import Trial, read_trials
 
 NAMES = {"a_region": None, "b_points": None}
 

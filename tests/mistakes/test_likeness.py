@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from trajlib.mistakes.likeness import LONGEST, Question, Unlike, in_cases, likenesses
+from workbook.mistakes.likeness import LONGEST, Question, Unlike, in_cases, likenesses
 
 x, y, k, t = sp.symbols("x y k t", real=True)
 m = sp.Symbol("m", positive=True)

@@ -2,7 +2,7 @@
 
 import base64
 
-from trajlib.mistakes.sealing import find, seal
+from workbook.mistakes.sealing import find, seal
 
 SENTENCE = "Is this what comes out if friction is forgotten?\nHint 1: Write the second law down."
 

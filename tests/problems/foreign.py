@@ -9,12 +9,12 @@ from contextlib import suppress
 import scipy.optimize  # noqa: F401, so that nothing is left to be imported under the watch
 import sympy as sp
 
-import trajlib.mistakes.likeness
-import trajlib.mistakes.sealing  # noqa: F401
-from trajlib.checks.contract.encoding import encode
-from trajlib.checks.contract.verdict import RIGHT, UNCHECKED
-from trajlib.execution import decoded
-from trajlib.grading import judging
+import workbook.mistakes.likeness
+import workbook.mistakes.sealing  # noqa: F401
+from workbook.checks.contract.encoding import encode
+from workbook.checks.contract.verdict import RIGHT, UNCHECKED
+from workbook.grading import judging
+from workbook.notebooks.execution import decoded
 
 
 class Watch:

@@ -14,7 +14,7 @@ import sympy as sp
 from sympy.core.relational import Relational
 from sympy.logic.boolalg import Boolean, BooleanAtom
 
-from trajlib.checks.contract.encoding import encode
+from workbook.checks.contract.encoding import encode
 
 
 def forms(value, kind, symbols):

@@ -10,15 +10,16 @@ import sympy as sp
 from calls import calls_noted, codes_that_note
 from forms import each_form
 
-from trajlib import checks
-from trajlib.checks.contract.encoding import decode, encode
-from trajlib.masters.statements import reported_names
-from trajlib.systems import Controlled
+from workbook import checks
+from workbook.authoring.statements import reported_names
+from workbook.checks.contract.encoding import decode, encode
+from workbook.systems import Controlled
 
 #: What `_pace` is on the quiet machine that the limits of verdicts are for.
 PACE = 0.155
 #: Solvers that an answer and its check must not share.
-SOLVERS = ("trajlib.", "control", "casadi", "scipy.linalg", "scipy.optimize", "sympy.solvers")
+OURS = ("trajlib.", "workbook.")
+SOLVERS = (*OURS, "control", "casadi", "scipy.linalg", "scipy.optimize", "sympy.solvers")
 codes_that_note(SOLVERS)  # each problem is solved and judged in processes forked from this one
 
 
@@ -170,14 +171,14 @@ def each_part(master, answers, parts):
 
 
 def from_answers(module, caller):
-    """All calls of trajlib are heeded, and those of other solvers from an answer cell."""
-    return module.startswith("trajlib") or caller.f_code.co_filename == "<answer cell>"
+    """All calls of ours are heeded, and those of other solvers from an answer cell."""
+    return module.startswith(OURS) or caller.f_code.co_filename == "<answer cell>"
 
 
 def from_checks(module, caller):
     """The same from a check cell or a check."""
-    return (module.startswith("trajlib") or caller.f_code.co_filename == "<check cell>"
-            or caller.f_globals.get("__name__", "").startswith("trajlib.checks"))
+    return (module.startswith(OURS) or caller.f_code.co_filename == "<check cell>"
+            or caller.f_globals.get("__name__", "").startswith("workbook.checks"))
 
 
 def _only(source, name):

@@ -11,7 +11,7 @@ import sympy as sp
 from sympy.core.relational import Relational
 
 from trajlib.pontryagin import Problem
-from trajlib.systems import Controlled
+from workbook.systems import Controlled
 
 LOGIC = (Relational, sp.And, sp.Or, sp.Not)
 NEVER = sp.Integer(10) ** 9

@@ -4,7 +4,7 @@ from pathlib import Path
 
 from adversarial.tables import ROWS
 
-from trajlib.masters import master_paths
+from workbook.authoring import master_paths
 
 SOLUTIONS = Path(__file__).resolve().parents[2] / "solutions"
 

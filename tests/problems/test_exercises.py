@@ -1,4 +1,4 @@
-"""The students' notebooks: in step with their masters, free of solutions, judged rightly by `trajlib` and by
+"""The students' notebooks: in step with their masters, free of solutions, judged rightly by `workbook` and by
 nbgrader."""
 
 import base64
@@ -10,11 +10,11 @@ from pathlib import Path
 import nbformat
 import pytest
 
-from trajlib import exercises
-from trajlib.execution import judge, run_notebook
-from trajlib.masters import Links, master_paths, read, student_notebook
-from trajlib.masters.mistakes import origin
-from trajlib.mistakes import file_beside
+from workbook.authoring import Links, master_paths, read, student_notebook
+from workbook.authoring.mistakes import origin
+from workbook.mistakes import file_beside
+from workbook.notebooks import exercises
+from workbook.notebooks.execution import judge, run_notebook
 
 pytestmark = pytest.mark.slow
 ROOT = Path(__file__).resolve().parents[2]
@@ -29,7 +29,7 @@ def master(request):
 
 @pytest.fixture(scope="module")
 def links():
-    from trajlib.masters.converting import baseurl
+    from workbook.authoring.converting import baseurl
     return Links(ROOT, baseurl(ROOT))
 
 
@@ -39,7 +39,7 @@ def test_every_exercise_has_a_master():
 
 def test_in_step_with_its_master(master, links):
     written = json.loads(master.exercise.read_text(encoding="utf-8"))
-    assert written == student_notebook(master, links), "run `trajlib exercises`"
+    assert written == student_notebook(master, links), "run `workbook exercises`"
     nbformat.validate(written)
     assert [cell["metadata"] for cell in written["cells"] if not "".join(cell["source"]).strip()] == [], "empty cells"
 
@@ -59,7 +59,7 @@ def test_holds_no_solution(master):
 def test_mistakes_are_in_step_and_sealed(master):
     text = file_beside(master.exercise).read_text(encoding="utf-8")
     said = json.loads(text)
-    assert said["of"] == origin(master), f"run `trajlib exercises {master.number}`"
+    assert said["of"] == origin(master), f"run `workbook exercises {master.number}`"
     assert set(said["answers"]) <= set(master.answers)
     shown = text.encode() + b"".join(base64.b64decode(one) for asked in said["answers"].values()
                                      for one in asked["told"].values())

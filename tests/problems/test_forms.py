@@ -15,10 +15,10 @@ import sympy as sp
 from forms import forms
 from harness import Workbench, solve
 
-from trajlib import exercises
-from trajlib.checks.contract.encoding import EncodingError, encode
-from trajlib.execution import in_child, judge_cells
-from trajlib.masters import read
+from workbook.authoring import read
+from workbook.checks.contract.encoding import EncodingError, encode
+from workbook.notebooks import exercises
+from workbook.notebooks.execution import in_child, judge_cells
 
 pytestmark = pytest.mark.slow
 SOLUTIONS = Path(__file__).resolve().parents[2] / "solutions"

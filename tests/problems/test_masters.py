@@ -22,15 +22,15 @@ from oracles import is_right
 from roundings import roundings
 from sympy.logic.boolalg import Boolean
 
-from trajlib import exercises
-from trajlib.checks.contract.encoding import decode, encode
-from trajlib.execution import in_child, judge_cells
-from trajlib.masters import master_paths, read
-from trajlib.masters.beginning import PLACEHOLDER
-from trajlib.masters.mistakes import question_of, sealed, sentence
-from trajlib.masters.trials import trials_file
-from trajlib.mistakes import file_beside, name_of
-from trajlib.mistakes.likeness import Unlike, in_cases, likenesses
+from workbook.authoring import master_paths, read
+from workbook.authoring.beginning import PLACEHOLDER
+from workbook.authoring.mistakes import question_of, sealed, sentence
+from workbook.authoring.trials import trials_file
+from workbook.checks.contract.encoding import decode, encode
+from workbook.mistakes import file_beside, name_of
+from workbook.mistakes.likeness import Unlike, in_cases, likenesses
+from workbook.notebooks import exercises
+from workbook.notebooks.execution import in_child, judge_cells
 
 pytestmark = pytest.mark.slow  # all together; `make test-problem N=1.15` runs those of one problem
 ROOT = Path(__file__).resolve().parents[2]
@@ -56,7 +56,7 @@ DOUBLED = {"5.11": {"time"}, "5.12": {"latest"}, "5.13": {"time"}}
 #: Options of checks that may be written as numbers in a check cell.
 TOLERANCES = {"tolerance", "horizon"}
 #: What only states a system solves nothing.
-RECORDS = ("trajlib.systems", "trajlib.pontryagin.statement")
+RECORDS = ("workbook.systems", "trajlib.pontryagin.statement")
 #: And what loads a library solves nothing either.
 LAZY = "trajlib._lazy"
 
@@ -240,7 +240,7 @@ def _decimals(bench):
 def test_who_gives_a_wrong_trial_is_told_its_mistake(master):
     seen = found(master, "mistakes")
     assert json.loads(file_beside(master.exercise).read_text(encoding="utf-8"))["answers"] == seen["sealed"], (
-        f"run `trajlib exercises {master.number}`")
+        f"run `workbook exercises {master.number}`")
     assert len(seen["without name"]) == LIKE_ANOTHER.get(master.number, 0), seen["without name"]
     assert seen["not recognised"] == [] and seen["right"] == []
 
@@ -431,6 +431,6 @@ def test_answer_and_check_share_no_solver(master):
     answered = set(map(tuple, _solved(master.path)["called"]))
     checked = set(map(tuple, found(master, "reference")["called"]))
     assert answered and checked
-    assert [call for call in answered if call[0].startswith("trajlib.checks") and call[1] != "<module>"] == []
+    assert [call for call in answered if call[0].startswith("workbook.checks") and call[1] != "<module>"] == []
     assert [call for call in answered & checked if call[0].startswith(SOLVERS)
-            and not call[0].startswith("trajlib.checks") and call[0] not in (*RECORDS, LAZY)] == []
+            and not call[0].startswith("workbook.checks") and call[0] not in (*RECORDS, LAZY)] == []

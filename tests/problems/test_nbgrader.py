@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from trajlib import exercises
-from trajlib.masters import read
+from workbook.authoring import read
+from workbook.notebooks import exercises
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -47,7 +47,7 @@ def test_right_half_right_and_untouched(tmp_path, monkeypatch):
             notebook["cells"].insert(1, {"cell_type": "code", "execution_count": None, "id": "mine", "metadata": {},
                                          "outputs": [],
                                          "source": "from trajlib.stability import hurwitz_minors\n"
-                                                   "from trajlib.showing import show"})
+                                                   "from workbook.display import show"})
         (folder / "p15.ipynb").write_text(json.dumps(notebook), encoding="utf-8")
 
     environment = os.environ | {"JUPYTER_CONFIG_DIR": str(tmp_path), "IPYTHONDIR": str(tmp_path / "ipython")}

@@ -15,7 +15,7 @@ import pytest
 from bs4 import BeautifulSoup
 from chromium import browser, moving_browser  # noqa: F401
 
-from trajlib.grading.preloading import what_stays
+from workbook.grading.preloading import what_stays
 
 ROOT = Path(__file__).resolve().parents[2]
 HERE = Path(__file__).parent

@@ -5,7 +5,7 @@ import re
 import pytest
 from bs4 import BeautifulSoup
 
-from trajlib.formulas import GREEK, TYPEWRITTEN
+from trajlib.typesetting import GREEK, TYPEWRITTEN
 
 full = pytest.mark.parametrize("pages", ["full"], indirect=True)
 PROBLEM, CHAPTER = "solutions/ch*/p*.html", "book/ch*.html"

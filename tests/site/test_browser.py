@@ -78,7 +78,7 @@ def test_the_students_notebook_is_served(browser, addresses, problem):
     with urlopen(browser.find(".problem-notebook a").get_attribute("href")) as answer:
         assert answer.status == 200
         notebook = json.load(answer)
-    assert notebook["nbformat"] == 4 and notebook["metadata"]["trajlib"]["number"] == problem.number
+    assert notebook["nbformat"] == 4 and notebook["metadata"]["workbook"]["number"] == problem.number
 
 
 def test_the_wheel_is_served(browser, addresses):
@@ -86,7 +86,7 @@ def test_the_wheel_is_served(browser, addresses):
     browser.open(page)
     with urlopen(urljoin(page, browser.find("a.download[href$='.whl']").get_attribute("href"))) as answer:
         names = zipfile.ZipFile(io.BytesIO(answer.read())).namelist()
-    assert "trajlib/__init__.py" in names
+    assert {"trajlib/__init__.py", "workbook/__init__.py"} <= set(names)
     assert not [name for name in names if name.startswith(("solutions", "book"))]
 
 

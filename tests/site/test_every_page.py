@@ -8,7 +8,7 @@ from pathlib import Path, PurePosixPath
 
 import pytest
 
-from trajlib.masters import master_paths
+from workbook.authoring import master_paths
 
 SOLUTIONS = Path(__file__).resolve().parents[2] / "solutions"
 #: Number -> the page of a problem.

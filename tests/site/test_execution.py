@@ -191,8 +191,8 @@ def test_a_failing_cell_is_named_with_its_page_and_message(book):
 def test_an_answer_that_is_not_right_ends_with_its_verdict(book):
     book.write("p1", """\
         :tags: [check]
-        from trajlib import checks
-        from trajlib.checks.contract.verdict import Verdict
+        from workbook import checks
+        from workbook.checks.contract.verdict import Verdict
         checks.report(a=Verdict("wrong", "the trace is 3, not 2"))""")
     code, _, error = book.run()
     assert code == 1 and "cell 2 (check)" in error and "the trace is 3, not 2" in error

@@ -17,15 +17,16 @@ MODULES = sorted(path.stem for path in (ROOT / "book" / "library").glob("*.md"))
 def test_every_theme_that_can_be_imported_has_a_page():
     import trajlib
 
-    assert set(MODULES) == {name for name in trajlib.__all__ if name not in ("checks", "masters")}
+    assert set(MODULES) == {*trajlib.__all__, *reference.OF_WORKBOOK}
 
 
 @pytest.mark.parametrize("module", MODULES)
 def test_every_public_name_is_explained(editions, module):
     text = (editions.full / "book" / "library" / f"{module}.html").read_text(encoding="utf-8")
     page = BeautifulSoup(text, "html.parser")
-    for name in reference.public_names(f"trajlib.{module}"):
-        section = page.find(id=reference.label_of(f"trajlib.{module}", name))
+    home = reference.module_of(module)
+    for name in reference.public_names(home):
+        section = page.find(id=reference.label_of(home, name))
         assert section.pre.get_text().startswith(name), name
         assert len(section.p.get_text()) > 20, name
 

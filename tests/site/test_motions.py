@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from trajlib.motions import Motion
+from workbook.display import Animation
 
 STATIC = Path(__file__).resolve().parents[2] / "book" / "_static"
 PAGES = [*(f"book/ch{k}.html" for k in range(1, 6)), "solutions/ch1/p05.html", "solutions/ch1/p10.html",
@@ -24,7 +24,7 @@ def browser(moving_browser):
 def page(tmp_path):
     """A page with nothing but a motion of four seconds."""
     t = np.linspace(0, 4, 81)
-    motion = Motion(t, "A point on a circle.")
+    motion = Animation(t, "A point on a circle.")
     plane = motion.panel((-1.2, 1.2), (-1.2, 1.2), "x", "y")
     plane.trail(np.cos(t), np.sin(t))
     plane.dot(np.cos(t), np.sin(t))

@@ -7,7 +7,7 @@ from urllib.parse import unquote, urldefrag, urlsplit
 
 import pytest
 
-from trajlib import masters
+from workbook import authoring
 
 ROOT = Path(__file__).resolve().parents[2]
 LOADING = {"script": "src", "img": "src", "iframe": "src", "source": "src", "video": "src", "audio": "src",
@@ -89,7 +89,7 @@ def test_every_problem_is_listed_under_its_number_and_topics(pages):
 def test_the_student_edition_holds_no_solution(pages):
     root, parsed = pages
     assert not (root / "solutions").exists()
-    for master in masters.read_all(ROOT / "solutions"):
+    for master in authoring.read_all(ROOT / "solutions"):
         copy = root / master.exercise.relative_to(ROOT)
         page = parsed[copy.with_suffix(".html")]
         shown = page.get_text() + copy.read_text(encoding="utf-8")

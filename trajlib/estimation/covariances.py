@@ -7,9 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from trajlib.stability.regions import latex_condition
 from trajlib.estimation.linear import latex, symmetric, tidy
 from trajlib.estimation.matrices import in_floats, read_covariance, read_matrix, read_vector
+from trajlib.stability.regions import latex_condition
 
 
 @dataclass(frozen=True)

@@ -9,10 +9,10 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from trajlib.stability.systems import read_symbols
 from trajlib.estimation.limits import discrete_stationary_covariance, stationary_covariance
 from trajlib.estimation.linear import identity_like, latex, symmetric
 from trajlib.estimation.matrices import in_floats, read_covariance, read_matrix, read_square
+from trajlib.stability.systems import read_symbols
 
 
 def error_covariance(A, H, Q, R, K):

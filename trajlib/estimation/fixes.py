@@ -15,11 +15,11 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from trajlib.stability.systems import as_prose
-from trajlib.structure import exact
 from trajlib.estimation.linear import latex, tidy
 from trajlib.estimation.linear_fit import least_squares
 from trajlib.estimation.matrices import in_floats, read_matrix, read_vector
+from trajlib.stability.systems import as_prose
+from trajlib.structure import exact
 
 
 @dataclass(frozen=True)

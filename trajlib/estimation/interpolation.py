@@ -9,9 +9,9 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from trajlib.stability.systems import exact_decimals, read_expression, read_symbols
 from trajlib.estimation.linear import latex, solve
 from trajlib.estimation.matrices import in_floats, read_covariance, read_vector
+from trajlib.stability.systems import exact_decimals, read_expression, read_symbols
 
 
 @dataclass(frozen=True)

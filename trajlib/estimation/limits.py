@@ -8,11 +8,11 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
+from trajlib.estimation.linear import latex, solve, symmetric
+from trajlib.estimation.matrices import in_floats, read_covariance, read_square
 from trajlib.stability.hurwitz import characteristic_polynomial
 from trajlib.stability.regions import latex_condition, stability_conditions
 from trajlib.stability.systems import as_prose
-from trajlib.estimation.linear import latex, solve, symmetric
-from trajlib.estimation.matrices import in_floats, read_covariance, read_square
 
 
 @dataclass(frozen=True)

@@ -11,11 +11,11 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from trajlib.structure import exact
 from trajlib.estimation.correction import corrected
 from trajlib.estimation.covariances import Moments
 from trajlib.estimation.linear import latex, solve, symmetric, tidy
 from trajlib.estimation.matrices import in_floats, read_measurement
+from trajlib.structure import exact
 
 
 @dataclass(frozen=True)

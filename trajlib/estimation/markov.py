@@ -11,11 +11,11 @@ from typing import NamedTuple
 import numpy as np
 import sympy as sp
 
-from trajlib.stability.systems import as_real, exact_decimals
 from trajlib.estimation.covariances import trusted_moments
 from trajlib.estimation.linear import identity_like, symmetric
 from trajlib.estimation.matrices import in_floats, read_covariance, read_square, read_vector
 from trajlib.estimation.modes import Modes, continuous_basis, discrete_basis, exact_spectrum, products, sums
+from trajlib.stability.systems import as_real, exact_decimals
 
 
 class DiscreteModel(NamedTuple):

@@ -7,11 +7,11 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from trajlib.stability.systems import exact_decimals
 from trajlib.estimation.correction import corrected
 from trajlib.estimation.covariances import Moments
 from trajlib.estimation.markov import continuous_moments
 from trajlib.estimation.matrices import in_floats, read_matrix, read_square
+from trajlib.stability.systems import exact_decimals
 
 
 @dataclass(frozen=True)

@@ -9,9 +9,9 @@ discrete time (for l = 0: 1 at k = j, else 0). No eigenvector is needed, so noth
 """
 import sympy as sp
 
+from trajlib.estimation.linear import tidy, tidy_entry
 from trajlib.stability.inequalities import equation
 from trajlib.stability.systems import vanishes
-from trajlib.estimation.linear import tidy, tidy_entry
 
 
 def exact_spectrum(A):

@@ -13,10 +13,10 @@ also for a singular Phi.
 import numpy as np
 import sympy as sp
 
+from trajlib.estimation.linear import solve
 from trajlib.stability.inequalities import equation, positive
 from trajlib.stability.regions import stability_conditions
 from trajlib.stability.systems import as_real, vanishes
-from trajlib.estimation.linear import solve
 
 
 def continuous_hamiltonian(A, H, Q, R):

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from trajlib.stability.systems import exact_decimals, read_expression, read_symbols
 from trajlib.estimation.linear import stack
 from trajlib.estimation.matrices import in_floats, read_matrix, read_square
+from trajlib.stability.systems import exact_decimals, read_expression, read_symbols
 
 
 @dataclass(frozen=True)

@@ -12,12 +12,12 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from trajlib.stability.regions import latex_condition
-from trajlib.stability.systems import as_prose
-from trajlib.structure.rank_tests import controllability, observability
 from trajlib.estimation.linear import identity_like, latex, solve, symmetric
 from trajlib.estimation.matrices import in_floats, read_covariance, read_matrix, read_square
 from trajlib.estimation.riccati import Stabilising, continuous_hamiltonian, discrete_hamiltonian
+from trajlib.stability.regions import latex_condition
+from trajlib.stability.systems import as_prose
+from trajlib.structure.rank_tests import controllability, observability
 
 #: Errors that decay by less than this share of the size of the matrix count as not decaying, in floats.
 BORDER = 1e-9

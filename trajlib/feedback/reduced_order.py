@@ -12,9 +12,9 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from trajlib.feedback.gains import GainFamily, observer
 from trajlib.structure import exact
 from trajlib.structure.pairs import is_float_array, read_controlled, read_observed
-from trajlib.feedback.gains import GainFamily, observer
 
 
 @dataclass(frozen=True)

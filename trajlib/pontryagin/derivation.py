@@ -16,7 +16,6 @@ from functools import cached_property
 import sympy as sp
 
 from trajlib.flows import lie_derivative
-
 from trajlib.pontryagin.singular import SingularArc, singular_arc
 from trajlib.pontryagin.statement import Problem
 

@@ -12,7 +12,7 @@ psi_k = p_k where J is to be least, and -p_k where it is to be greatest.
 
 >>> import sympy as sp
 >>> from trajlib import pontryagin
->>> from trajlib.systems import Functional
+>>> from workbook.systems import Functional
 >>> t, x = sp.Symbol("t"), sp.Function("x")
 >>> J = Functional(x(t).diff(t)**2 + x(t)**2, x(t), (t, 0, 1), start=[1], final=-x(1)**2)
 >>> pontryagin.euler_equation(J)

@@ -16,10 +16,9 @@ from fractions import Fraction
 
 import sympy as sp
 
-from trajlib.formulas import typeset
-
 from trajlib.pontryagin.linear_arcs import LinearArcs, NotLinear
 from trajlib.pontryagin.optimality import theorem
+from trajlib.typesetting import typeset
 
 # Bits of the arithmetic: more where errors grow along the arcs. The box in which the zero is looked for takes a share.
 PRECISIONS, SHARE = (256, 1024), 0.6

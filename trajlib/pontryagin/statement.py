@@ -10,8 +10,8 @@ from dataclasses import dataclass, fields, replace
 
 import sympy as sp
 
-from trajlib.stability.systems import exact_decimals, read_expression
 from trajlib.pontryagin.arguments import names_of, read_bounds, read_duration, read_initial, read_table, read_terminal
+from trajlib.stability.systems import exact_decimals, read_expression
 
 
 @dataclass(frozen=True, eq=False)

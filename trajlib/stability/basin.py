@@ -29,7 +29,15 @@ from trajlib.stability.lyapunov import (
     separate_parts,
 )
 from trajlib.stability.real_solutions import solve_real
-from trajlib.stability.systems import as_prose, as_real, exact_decimals, read_expression, read_field, vanishes, with_names
+from trajlib.stability.systems import (
+    as_prose,
+    as_real,
+    exact_decimals,
+    read_expression,
+    read_field,
+    vanishes,
+    with_names,
+)
 
 
 @dataclass(frozen=True)

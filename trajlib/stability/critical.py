@@ -18,7 +18,13 @@ import numpy as np
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
-from trajlib.stability.hurwitz import characteristic_polynomial, hurwitz_minors, is_float_array, read_exact_matrix, read_float_matrix
+from trajlib.stability.hurwitz import (
+    characteristic_polynomial,
+    hurwitz_minors,
+    is_float_array,
+    read_exact_matrix,
+    read_float_matrix,
+)
 from trajlib.stability.inequalities import sign_of
 from trajlib.stability.systems import as_prose, as_real, with_names
 

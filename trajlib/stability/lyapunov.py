@@ -7,10 +7,18 @@ from dataclasses import dataclass
 import sympy as sp
 
 from trajlib.flows import lie_derivative
-
 from trajlib.stability.inequalities import positive, sign_of, tidied
 from trajlib.stability.real_solutions import solve_real
-from trajlib.stability.systems import as_prose, as_real, exact_decimals, read_expression, read_field, read_symbols, vanishes, with_names
+from trajlib.stability.systems import (
+    as_prose,
+    as_real,
+    exact_decimals,
+    read_expression,
+    read_field,
+    read_symbols,
+    vanishes,
+    with_names,
+)
 
 
 def lyapunov_derivative(V, field, state):

@@ -11,7 +11,13 @@ from fractions import Fraction
 import numpy as np
 import sympy as sp
 
-from trajlib.stability.hurwitz import characteristic_polynomial, hurwitz_minors, is_float_array, read_coefficients, read_exact_matrix
+from trajlib.stability.hurwitz import (
+    characteristic_polynomial,
+    hurwitz_minors,
+    is_float_array,
+    read_coefficients,
+    read_exact_matrix,
+)
 from trajlib.stability.inequalities import conjunction, sign_of
 from trajlib.stability.systems import as_real, exact_decimals, read_expression, read_symbols, read_vector
 

@@ -19,7 +19,7 @@ offline     nothing is loaded from another host
 
 import gc
 
-from trajlib.grading.preloading import CONTAINERS
+from workbook.grading.preloading import CONTAINERS
 from workbook_site import (
     boxes,
     cases,

@@ -8,9 +8,9 @@ from pathlib import Path
 from docutils import nodes
 from sphinx.util.docutils import SphinxDirective
 
-from trajlib import checks
-from trajlib.checks.contract.encoding import describe
-from trajlib.checks.contract.reporting import MARKS
+from workbook import checks
+from workbook.checks.contract.encoding import describe
+from workbook.checks.contract.reporting import MARKS
 from workbook_site.reference import spans
 
 

@@ -10,10 +10,10 @@ from pathlib import Path
 
 from sphinx.errors import ExtensionError
 
-from trajlib import exercises
-from trajlib.masters import MasterError
-from trajlib.masters.front_matter import read_front_matter
-from trajlib.masters.study_time import study_time
+from workbook.authoring import MasterError
+from workbook.authoring.front_matter import read_front_matter
+from workbook.authoring.study_time import study_time
+from workbook.notebooks import exercises
 
 PAGE = re.compile(r"(solutions|exercises)/ch\d+/p\d+")
 

@@ -1,4 +1,4 @@
-"""What the site serves beside its pages: the students' notebooks and the wheel of trajlib.
+"""What the site serves beside its pages: the students' notebooks and the wheel of trajlib and workbook.
 
 A notebook has the address it has in the repository, exercises/ch1/p15.ipynb; `make` puts the wheel into wheels/.
 """
@@ -11,7 +11,7 @@ from importlib.metadata import version
 from docutils import nodes
 from sphinx.util.docutils import SphinxRole
 
-from trajlib import exercises
+from workbook.notebooks import exercises
 from workbook_site import catalogue
 
 

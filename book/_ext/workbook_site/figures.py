@@ -12,7 +12,7 @@ from string import ascii_lowercase
 from docutils import nodes
 from sphinx.transforms.post_transforms import SphinxPostTransform
 
-from trajlib.masters.drawn import beginning
+from workbook.authoring.drawn import beginning
 from workbook_site import catalogue
 
 CHAPTER = re.compile(r"book/ch(\d+)")

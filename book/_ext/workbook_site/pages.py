@@ -18,9 +18,9 @@ from sphinx.util.docutils import SphinxDirective, SphinxRole
 from sphinx.util.index_entries import split_index_msg
 from sphinx_exercise.nodes import exercise_node
 
-from trajlib import exercises
-from trajlib.masters.contract import in_words, item_of
-from trajlib.masters.converting import SENTENCE_END, core_text
+from workbook.authoring.contract import in_words, item_of
+from workbook.authoring.converting import SENTENCE_END, core_text
+from workbook.notebooks import exercises
 from workbook_site import catalogue
 from workbook_site.boxes import details, summary
 from workbook_site.downloads import link
@@ -37,7 +37,7 @@ def _complete(app, page, source):
     if problem is None:
         return
     if not (app.srcdir / problem.notebook).exists():
-        logger.warning(f"{problem.notebook} is missing; `trajlib exercises` writes it", location=page)
+        logger.warning(f"{problem.notebook} is missing; `workbook exercises` writes it", location=page)
     head = f"# {problem.number} {problem.title}\n\n```{{problem-head}}\n```\n"
     if problem.solved:
         text = TITLE.sub(lambda _: head, source[0], count=1)

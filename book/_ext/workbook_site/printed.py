@@ -3,7 +3,7 @@
 from docutils import nodes
 from sphinx.transforms.post_transforms import SphinxPostTransform
 
-from trajlib.formulas import TYPEWRITTEN, typeset
+from trajlib.typesetting import TYPEWRITTEN, typeset
 
 
 class SetFormulas(SphinxPostTransform):

@@ -17,14 +17,17 @@ from textwrap import dedent, fill
 from docutils import nodes
 from sphinx.util.docutils import SphinxDirective
 
-from trajlib import exercises
-from trajlib.formulas import typeset
+from trajlib.typesetting import typeset
+from workbook.notebooks import exercises
+from workbook.notebooks.dependencies import OURS
 from workbook_site import catalogue
 from workbook_site.pages import to_label, to_page
 
 CELL = re.compile(r"^(`{3,})\{code-cell\}[^\n]*\n(?P<code>.*?)^\1[ \t]*$", re.M | re.S)
 OPTION = re.compile(r"^:[\w-]+:.*$", re.M)
 PAGES = "book/library/"
+#: Pages of the library about modules of the workbook; all others are about themes of trajlib.
+OF_WORKBOOK = ("display", "systems")
 CHAPTER = re.compile(r"book/(?:errata/)?ch(\d+)")
 
 
@@ -81,12 +84,22 @@ class LibraryUsed(SphinxDirective):
         line = nodes.paragraph("", "Of the library this page uses ", classes=["used-in"])
         for k, (module, name) in enumerate(used):
             line += [nodes.Text(", ")] if k else []
-            line += to_label(self.env.docname, label_of(module, name), f"{module.removeprefix('trajlib.')}.{name}")
+            line += to_label(self.env.docname, label_of(module, name), f"{_short(module)}.{name}")
         return [line]
 
 
+def _short(module):
+    """A module without its package: each of these names is one page."""
+    return module.split(".", 1)[1]
+
+
+def module_of(page):
+    theme = page.removeprefix(PAGES)
+    return f"workbook.{theme}" if theme in OF_WORKBOOK else f"trajlib.{theme}"
+
+
 def label_of(module, name):
-    return f"library-{module.removeprefix('trajlib.')}-{name}"
+    return f"library-{_short(module)}-{name}"
 
 
 @cache
@@ -154,7 +167,7 @@ def _code(text, language="python"):
 
 
 def uses(code):
-    """(module, name) of what code uses of the modules of trajlib, where it says so by its imports.
+    """(module, name) of what code uses of our modules, where it says so by its imports.
 
     >>> sorted(uses("from trajlib import structure\\nfrom trajlib.stability import shift\\nstructure.observability(A)"))
     [('trajlib.stability', 'shift'), ('trajlib.structure', 'observability')]
@@ -162,17 +175,21 @@ def uses(code):
     tree = list(ast.walk(ast.parse(code)))
     modules, found = {}, set()
     for node in tree:
-        if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("trajlib"):
+        if isinstance(node, ast.ImportFrom) and _is_ours(node.module or ""):
             for alias in node.names:
                 found.add((node.module, alias.name))
                 modules[alias.asname or alias.name] = f"{node.module}.{alias.name}"
         elif isinstance(node, ast.Import):
             modules |= {alias.asname or alias.name: alias.name for alias in node.names
-                        if alias.name.startswith("trajlib")}
+                        if _is_ours(alias.name)}
     for node in tree:
         if isinstance(node, ast.Attribute) and (module := modules.get(ast.unparse(node.value))):
             found.add((module, node.attr))
-    return {(module, name) for module, name in found if module != "trajlib"}
+    return {(module, name) for module, name in found if "." in module}
+
+
+def _is_ours(module):
+    return module.split(".")[0] in OURS
 
 
 def _cells(path):
@@ -184,14 +201,14 @@ def _cells(path):
 
 def _find_uses(app, env, added, changed, removed):
     """Who uses what, before any page is read; where that changed, the pages on both ends are read again."""
-    modules = [f"trajlib.{page.removeprefix(PAGES)}" for page in sorted(env.found_docs) if page.startswith(PAGES)]
+    modules = [module_of(page) for page in sorted(env.found_docs) if page.startswith(PAGES)]
     pages = [page for page in env.found_docs if CHAPTER.fullmatch(page) or page in catalogue.of(env)]
     found = {(module, name): [] for module in modules for name in public_names(module)}
     for page in sorted(pages, key=_order):
         for used in uses(_cells(Path(env.doc2path(page)))) & found.keys():
             found[used].append(page)
     previous, env.workbook_uses = getattr(env, "workbook_uses", {}), found
-    return [f"{PAGES}{module.removeprefix('trajlib.')}" for module in modules
+    return [f"{PAGES}{_short(module)}" for module in modules
             if any(found[key] != previous.get(key) for key in found if key[0] == module)]
 
 

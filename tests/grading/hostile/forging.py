@@ -44,7 +44,7 @@ FORGING = [
     Attack("forges the data", "hands over values under the names of the data, encoded as answers are",
            "whatever comes from the notebook is there when the check cells run", "only the names of the answers count",
            gained,
-           forged(WRONG, "a_poly = (s + k1)*(s + k2)", "from trajlib.checks.contract.encoding import encode",
+           forged(WRONG, "a_poly = (s + k1)*(s + k2)", "from workbook.checks.contract.encoding import encode",
                   "forged = {'a_poly': a_poly, 'k1': k1, 'k2': k2, 's': s, 'a_region': a_region, 'checks': 1}",
                   "hand_over(outcome(encoded={name: encode(value).decode() for name, value in forged.items()}))")),
     Attack("hands over a pickle", "hands over a pickle that runs code when it is read", "results are unpickled",

@@ -54,8 +54,8 @@ def grade(apart, marks):
 def _mark(path, student, marks):
     import sympy as sp
 
-    from trajlib.checks import collecting
-    from trajlib.checks.contract import coercion, verdict
+    from workbook.checks import collecting
+    from workbook.checks.contract import coercion, verdict
 
     # It judges the objects themselves, as checks do that know no encoder, and of any size.
     verdict.encode = verdict.decode = lambda answer: answer
@@ -84,7 +84,7 @@ def _mark(path, student, marks):
 
 def _named_checks(notebook):
     """Further checks, from the file that the notebook's metadata names."""
-    name = notebook.get("metadata", {}).get("trajlib", {}).get("number", "")
+    name = notebook.get("metadata", {}).get("workbook", {}).get("number", "")
     path = Path("checks") / f"{name}.py"
     return [path.read_text(encoding="utf-8")] if path.exists() else []
 

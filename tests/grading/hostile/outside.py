@@ -34,12 +34,12 @@ OUTSIDE = [
     Attack("overwrites another's submission", "replaces the notebook of the next student", "submissions can be written",
            "the other keeps full marks", harmed_others, (
                "open(HERE + '/submitted/z-honest/hw/p15.ipynb', 'w').write('{}')", WRONG)),
-    Attack("overwrites the library", "plants a module that replaces trajlib's checks for all who come later",
+    Attack("overwrites the library", "plants a module that replaces the workbook's checks for all who come later",
            "the folder of the grader's modules can be written", "all but /tmp is read-only", marked, (
                """
-               import os, trajlib
+               import os, workbook
                # Unguarded, the true library is spared: the folder of marks stands for it.
-               folder = HERE + "/marks" if os.path.exists(HERE) else os.path.dirname(trajlib.__file__)
+               folder = HERE + "/marks" if os.path.exists(HERE) else os.path.dirname(workbook.__file__)
                open(folder + "/" + NAME, "w").write("def report(**given): pass")
                """, WRONG)),
     Attack("calls a server", "sends what it has found to an address on this machine", "the network is open",
@@ -83,8 +83,8 @@ OUTSIDE = [
            "later students are marked in the same process",
            "every notebook has a process of its own", harmed_others, (
                """
-               import threading, time, trajlib.checks.stability.regions as regions
-               from trajlib.checks.contract.verdict import Wrong
+               import threading, time, workbook.checks.stability.regions as regions
+               from workbook.checks.contract.verdict import Wrong
                def refuse(*given, **more):
                    raise Wrong("not for you")
                def spoil():

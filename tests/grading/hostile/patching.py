@@ -3,18 +3,18 @@
 from hostile.attack import WRONG, Attack, gained, harmed_others
 
 PATCHING = [
-    Attack("patches trajlib's check", "replaces the check by one that is content", "checks run where it was replaced",
+    Attack("patches the check", "replaces the check by one that is content", "checks run where it was replaced",
            "checks run where no student's code ever ran", gained, (
                """
-               from trajlib.checks.contract.verdict import Verdict
+               from workbook.checks.contract.verdict import Verdict
                checks.stability_region = lambda *given: Verdict("right", "of course")
                """, WRONG)),
-    Attack("patches trajlib's report", "replaces what collects the verdicts",
+    Attack("patches the report", "replaces what collects the verdicts",
            "verdicts are collected where it was replaced",
            "verdicts are collected where no student's code ever ran", gained, (
                """
-               from trajlib.checks.contract import reporting
-               from trajlib.checks.contract.verdict import Verdict
+               from workbook.checks.contract import reporting
+               from workbook.checks.contract.verdict import Verdict
                checks.report = lambda problem="", **given: reporting._collected.get().update(
                    {name: Verdict("right", "") for name in given})
                """, WRONG)),
@@ -22,14 +22,14 @@ PATCHING = [
            "checks run where it was replaced",
            "checks run where no student's code ever ran", gained, (
                """
-               import trajlib.checks.stability.regions as regions
+               import workbook.checks.stability.regions as regions
                regions.compare_region = lambda *given, **more: "as it should be"
                """, WRONG)),
     Attack("patches SymPy", "makes every polynomial another one", "the check computes with the patched library",
            "the judge has a SymPy of its own", gained, (
                """
                import sympy
-               from trajlib.checks.truths import spectra
+               from workbook.checks.truths import spectra
                sympy.Poly.all_coeffs = lambda self: [sympy.Integer(1), *sorted(self.free_symbols_in_domain, key=str)]
                spectra._spectrum.cache_clear()  # what was found for those before, with the true coefficients
                """, WRONG)),
@@ -43,22 +43,22 @@ PATCHING = [
            "the next students are marked in the same process",
            "every notebook has a process of its own", harmed_others, (
                """
-               import trajlib.checks.stability.regions as regions
-               from trajlib.checks.contract.verdict import Wrong
+               import workbook.checks.stability.regions as regions
+               from workbook.checks.contract.verdict import Wrong
                def refuse(*given, **more):
                    raise Wrong("not for you")
                regions.compare_region = refuse
                """, WRONG)),
-    Attack("replaces modules", "puts a module of its own in the place of trajlib.checks", "the next import finds it",
+    Attack("replaces modules", "puts a module of its own in the place of workbook.checks", "the next import finds it",
            "imports of the judge find the real one", gained, (
                """
                import sys, types
-               from trajlib.checks.contract import reporting
-               from trajlib.checks.contract.verdict import Verdict
-               checks = sys.modules["trajlib.checks"] = types.ModuleType("trajlib.checks")
+               from workbook.checks.contract import reporting
+               from workbook.checks.contract.verdict import Verdict
+               checks = sys.modules["workbook.checks"] = types.ModuleType("workbook.checks")
                checks.stability_region = lambda *given: Verdict("right", "")
                checks.report, checks.collecting = reporting.report, reporting.collecting
-               sys.modules["trajlib"].checks = checks
+               sys.modules["workbook"].checks = checks
                """, WRONG)),
     Attack("walks the stack", "looks for the grader's own variables in the frames below it, and sets its points",
            "the cell is run by the grader itself", "no frame of the judge is below it", gained, (
@@ -67,7 +67,7 @@ PATCHING = [
                frame = sys._getframe()
                while frame:
                    if "verdicts" in frame.f_locals:
-                       from trajlib.checks.contract.verdict import Verdict
+                       from workbook.checks.contract.verdict import Verdict
                        frame.f_locals["verdicts"]["a_region"] = Verdict("right", "")
                        checks.report = lambda problem="", **given: None
                    frame = frame.f_back
@@ -75,8 +75,8 @@ PATCHING = [
     Attack("finds the verdicts", "finds the dictionary of verdicts among all objects", "it is in the same process",
            "verdicts are made in another process", gained, (
                """
-               from trajlib.checks.contract import reporting
-               from trajlib.checks.contract.verdict import Verdict
+               from workbook.checks.contract import reporting
+               from workbook.checks.contract.verdict import Verdict
                reporting._collected.get()["a_region"] = Verdict("right", "")
                reporting.report.__code__ = (lambda **given: None).__code__
                """, WRONG)),
@@ -84,7 +84,7 @@ PATCHING = [
            "the notebook's check cells are run as handed in",
            "check cells are always the pristine ones", gained, (
                """
-               from trajlib.checks.contract.verdict import Verdict
+               from workbook.checks.contract.verdict import Verdict
                checks.report(a_region=Verdict("right", "it is right"))
                checks.report = lambda problem="", **given: None
                """, WRONG)),
@@ -102,7 +102,7 @@ def _with_own_checks(folder):
     from hostile.attack import with_cells, write
 
     notebook = with_cells([WRONG])
-    notebook["metadata"]["trajlib"]["number"] = f"../{'/'.join(folder.parts[-3:])}/own"
+    notebook["metadata"]["workbook"]["number"] = f"../{'/'.join(folder.parts[-3:])}/own"
     write(folder / "essay.ipynb", notebook)
-    (folder / "own.py").write_text("from trajlib.checks.contract.verdict import "
+    (folder / "own.py").write_text("from workbook.checks.contract.verdict import "
                                    "Verdict\nchecks.report(a_region=Verdict('right', ''))")

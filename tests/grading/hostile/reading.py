@@ -6,12 +6,12 @@ READING = [
     Attack("reads the solution", "opens the solution file beside the course", "the file is there to be opened",
            "no such file is in sight", gained, (
                "exec(open(HERE + '/solutions/p15.py').read())",)),
-    Attack("reads the master", "looks for the worked solution in the checkout that trajlib was loaded from",
+    Attack("reads the master", "looks for the worked solution in the checkout that workbook was loaded from",
            "an installation by `pip install -e` leads straight to solutions/",
-           "the folder of trajlib stands there alone", gained, (
+           "the folders of trajlib and workbook stand there alone", gained, (
                """
-               import re, pathlib, trajlib
-               text = (pathlib.Path(trajlib.__file__).parents[1] / "solutions/ch1/p15.md").read_text()
+               import re, pathlib, workbook
+               text = (pathlib.Path(workbook.__file__).parents[1] / "solutions/ch1/p15.md").read_text()
                a_region = eval(re.search("^a_region = (.*)$", text, re.M)[1])
                """,)),
     Attack("searches the disk", "walks through every folder for a file that assigns the answer",

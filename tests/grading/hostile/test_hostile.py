@@ -12,7 +12,7 @@ from hostile.attack import SECRET  # noqa: E402
 from hostile.course import a_course, seen_by_naive, seen_by_ours  # noqa: E402
 from hostile.table import ATTACKS  # noqa: E402
 
-from trajlib.grading.isolation import PACKAGE  # noqa: E402
+from workbook.grading.isolation import PACKAGE  # noqa: E402
 
 HONEST = ("a-honest", "z-honest")
 #: How many attacks stand between two honest students.

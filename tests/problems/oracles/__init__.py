@@ -1,7 +1,7 @@
 """Decides, without the check, whether a mutant is right after all: the same answer in another form.
 
 The default compares with the reference answer by value (`sameness`). A check with room for several answers has an
-oracle of its own: the oracles of the checks of `trajlib/checks/stability/stationary.py` stand in
+oracle of its own: the oracles of the checks of `workbook/checks/stability/stationary.py` stand in
 `stability/stationary.py` here, under the checks' names in its `ORACLES`. What no oracle proves right, the check
 has to reject.
 """

@@ -13,9 +13,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trajlib.formulas import typeset
-
 from trajlib.pontryagin.planar.cuts import crossing_angles
+from trajlib.typesetting import typeset
 
 #: Side of the raster on which regions are counted.
 RASTER = 240

@@ -22,13 +22,21 @@ from functools import cached_property
 
 import numpy as np
 
-from trajlib.pontryagin.statement import Problem
 from trajlib.pontryagin.planar.cuts import Curve, border_extremals, cut_at_overlaps, dispersal_curves, switching_curves
 from trajlib.pontryagin.planar.fan import BEYOND, Fan
 from trajlib.pontryagin.planar.plant import Plant
-from trajlib.pontryagin.planar.task import Final, greatest_rate, positive, read_plant, read_target, read_window, refuse_singular_arcs
+from trajlib.pontryagin.planar.task import (
+    Final,
+    greatest_rate,
+    positive,
+    read_plant,
+    read_target,
+    read_window,
+    refuse_singular_arcs,
+)
 from trajlib.pontryagin.planar.terminal_sets import Ends, Transversality, families
 from trajlib.pontryagin.planar.value_field import ON_TARGET, ValueField
+from trajlib.pontryagin.statement import Problem
 
 #: Neighbouring extremals are at most this share of the window apart (while there are not too many of them).
 SPACING = 0.025

@@ -4,10 +4,10 @@ from itertools import product
 import numpy as np
 import sympy as sp
 
-from trajlib.pontryagin.statement import Problem
 from trajlib.pontryagin.planar.control_parts import ControlPart
 from trajlib.pontryagin.planar.plant import stacked
 from trajlib.pontryagin.planar.terminal_sets import CurveTarget, PointTarget
+from trajlib.pontryagin.statement import Problem
 
 
 def read_window(window):

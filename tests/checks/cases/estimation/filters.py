@@ -1,7 +1,7 @@
 import sympy as sp
 from case import Case
 
-from trajlib.systems import Coloured, Process
+from workbook.systems import Coloured, Process
 
 Q, R, p, m, z = sp.symbols("Q R p m z", positive=True)
 a, k1, k2 = sp.symbols("a k1 k2", real=True)

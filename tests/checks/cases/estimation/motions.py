@@ -1,7 +1,7 @@
 import sympy as sp
 from case import Case
 
-from trajlib.systems import Coloured, FilterErrors, Process
+from workbook.systems import Coloured, FilterErrors, Process
 
 t = sp.Symbol("t", nonnegative=True)
 k = sp.Symbol("k", integer=True, nonnegative=True)

@@ -1,7 +1,7 @@
 import sympy as sp
 from case import Case
 
-from trajlib.systems import Scalar
+from workbook.systems import Scalar
 
 mu, k1 = sp.symbols("mu", positive=True), sp.Symbol("k1", real=True)
 s, M = sp.Symbol("s", real=True), sp.Matrix

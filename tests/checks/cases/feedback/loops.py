@@ -1,7 +1,7 @@
 import sympy as sp
 from case import Case
 
-from trajlib.systems import Linear, WithError
+from workbook.systems import Linear, WithError
 
 lam, b1, b2, a, p = *sp.symbols("lambda beta1 beta2 a", real=True), sp.symbols("p", positive=True)
 M = sp.Matrix

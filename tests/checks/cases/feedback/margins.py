@@ -1,7 +1,7 @@
 import sympy as sp
 from case import Case
 
-from trajlib.systems import Linear, WithError
+from workbook.systems import Linear, WithError
 
 mu, a = sp.symbols("mu", positive=True), sp.symbols("a", real=True)
 k1, k2 = sp.symbols("k1 k2", real=True)

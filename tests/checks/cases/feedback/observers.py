@@ -1,7 +1,7 @@
 import sympy as sp
 from case import Case
 
-from trajlib.systems import Linear
+from workbook.systems import Linear
 
 e1, e2, z, u, p, lam = *sp.symbols("e1 e2 z u", real=True), sp.symbols("p", positive=True), sp.symbols("lambda")
 M = sp.Matrix

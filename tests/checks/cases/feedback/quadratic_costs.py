@@ -1,7 +1,7 @@
 import sympy as sp
 from case import Case
 
-from trajlib.systems import Process, Quadratic
+from workbook.systems import Process, Quadratic
 
 a, t, x, x1, x2, z, e1, e2, s11, s12, s22 = sp.symbols("a t x x1 x2 z e1 e2 s11 s12 s22", real=True)
 n, g, T, eps = sp.symbols("n g T epsilon", positive=True)

@@ -1,7 +1,7 @@
 import sympy as sp
 from case import Case
 
-from trajlib.systems import Functional
+from workbook.systems import Functional
 
 t, T = sp.symbols("t T", positive=True)
 x = sp.Function("x")

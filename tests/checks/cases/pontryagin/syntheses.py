@@ -1,7 +1,7 @@
 import sympy as sp
 from case import Case
 
-from trajlib.systems import Controlled
+from workbook.systems import Controlled
 
 x1, x2, u, v, w, alpha = sp.symbols("x1 x2 u v w alpha", real=True)
 R = sp.symbols("R", positive=True)

@@ -1,7 +1,7 @@
 import sympy as sp
 from case import Case
 
-from trajlib.systems import Linear
+from workbook.systems import Linear
 
 t, g, R, tau, delta, omega, T, M = sp.symbols("t g R tau delta omega T M", positive=True)
 v0, phi0, eps, b = sp.symbols("v0 phi0 eps b", real=True)

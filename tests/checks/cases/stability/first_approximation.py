@@ -2,7 +2,7 @@ import numpy as np
 import sympy as sp
 from case import Case
 
-from trajlib.systems import Deviations
+from workbook.systems import Deviations
 
 x, v, d, w, e, s = sp.symbols("x v delta omega epsilon sigma", real=True)
 m = sp.symbols("m", positive=True)

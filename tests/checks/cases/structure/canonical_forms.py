@@ -2,7 +2,7 @@ import numpy as np
 import sympy as sp
 from case import Case
 
-from trajlib.systems import Linear
+from workbook.systems import Linear
 
 a = sp.symbols("alpha", real=True)
 M = sp.Matrix

@@ -1,7 +1,7 @@
 import sympy as sp
 from case import Case
 
-from trajlib.systems import Deviations, Linear
+from workbook.systems import Deviations, Linear
 
 x, v, t = sp.symbols("x v t", real=True)
 M = sp.Matrix

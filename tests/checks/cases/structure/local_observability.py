@@ -1,7 +1,7 @@
 import sympy as sp
 from case import Case
 
-from trajlib.systems import Measurements
+from workbook.systems import Measurements
 
 x1, x2, x3, a, v = sp.symbols("x1 x2 x3 a v", real=True)
 PLANE, SPACE = [x1, x2], [x1, x2, x3]

@@ -2,7 +2,7 @@ import numpy as np
 import sympy as sp
 from case import Case
 
-from trajlib.systems import WithError
+from workbook.systems import WithError
 
 w, k, t = sp.symbols("omega k t", real=True)
 z, z1, z2 = sp.symbols("z z1 z2", real=True)

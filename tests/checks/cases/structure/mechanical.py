@@ -2,7 +2,7 @@ import numpy as np
 import sympy as sp
 from case import Case
 
-from trajlib.systems import Mechanical
+from workbook.systems import Mechanical
 
 b = sp.symbols("beta", real=True)
 W, r = sp.symbols("Omega r0", positive=True)

@@ -1,7 +1,7 @@
 import sympy as sp
 from case import Case
 
-from trajlib.systems import Mechanical
+from workbook.systems import Mechanical
 
 r, g, m, M = sp.symbols("r g m M", positive=True)
 # An inverted pendulum on a cart that is moved: r phi'' - g phi = -u.

@@ -2,7 +2,7 @@ import numpy as np
 import sympy as sp
 from case import Case
 
-from trajlib.systems import Linear
+from workbook.systems import Linear
 
 a, b = sp.symbols("alpha beta", real=True)
 w = sp.symbols("omega", positive=True)

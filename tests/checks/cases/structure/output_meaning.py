@@ -1,7 +1,7 @@
 import sympy as sp
 from case import Case
 
-from trajlib.systems import Linear
+from workbook.systems import Linear
 
 # A free body pulled along a line by a constant: place (1, t, t^2), speed (1, t), force (1).
 FREE = sp.Matrix([[0, 1, 0], [0, 0, 1], [0, 0, 0]])

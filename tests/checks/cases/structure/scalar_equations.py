@@ -1,7 +1,7 @@
 import sympy as sp
 from case import Case
 
-from trajlib.systems import Linear
+from workbook.systems import Linear
 
 t, a = sp.symbols("t", real=True), sp.symbols("alpha", real=True)
 y, u = sp.Function("y")(t), sp.Function("u")(t)

@@ -1,7 +1,7 @@
 import sympy as sp
 from case import Case
 
-from trajlib.systems import Linear, Varying
+from workbook.systems import Linear, Varying
 
 t, w, a, b = sp.symbols("t omega a b", real=True)
 # A body on a line: H(t) mixes place and speed.

@@ -2,7 +2,7 @@ import numpy as np
 import sympy as sp
 from case import Case
 
-from trajlib.systems import Linear
+from workbook.systems import Linear
 
 k, c = sp.symbols("k", real=True), sp.symbols("c", positive=True)
 half = sp.Rational(1, 2)

@@ -9,7 +9,7 @@ from sympy.core.relational import Relational
 
 from oracles.sameness import LOGIC, holds, vanishes
 from oracles.structure.records import kalman
-from trajlib.systems import Linear, Scalar, WithError
+from workbook.systems import Linear, Scalar, WithError
 
 VALUES = (sp.Rational(1, 7), sp.Rational(3, 5), sp.Rational(13, 9), sp.Integer(4), sp.Integer(31))
 

@@ -4,7 +4,7 @@ import sympy as sp
 from sympy.core.function import AppliedUndef
 
 from oracles.sameness import LOGIC, same_condition
-from trajlib.systems import Deviations
+from workbook.systems import Deviations
 
 
 def stability_region(mutant, reference, system, parameters, margin=0):

@@ -9,7 +9,7 @@ from sympy.core.relational import Relational
 
 from oracles.sameness import LOGIC, same_value
 from oracles.structure.records import kalman, reached, seen
-from trajlib.systems import Deviations, Measurements, Varying, WithError
+from workbook.systems import Deviations, Measurements, Varying, WithError
 
 
 @functools.lru_cache(maxsize=32)

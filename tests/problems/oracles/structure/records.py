@@ -5,7 +5,7 @@ import functools
 
 import sympy as sp
 
-from trajlib.systems import Mechanical, Varying, WithError
+from workbook.systems import Mechanical, Varying, WithError
 
 
 def seen(system):

@@ -1,0 +1,69 @@
+"""Estimates by least squares: at the estimate the weighted sum of the squared residuals is the least.
+
+Measurements are [(quantity, measured value), ...], the quantities linear in the unknowns; `deviations` are the standard
+deviations of their errors, without which all are 1 and independent. A third entry, (quantity, value, count), stands for
+so many measurements with this value.
+"""
+
+import numpy as np
+import sympy as sp
+
+from workbook.checks.contract.claims import Expression, Expressions, Matrix
+from workbook.checks.contract.tolerance import same
+from workbook.checks.contract.verdict import Wrong, judged
+from workbook.checks.tools.comparisons import Entries, Same
+from workbook.checks.tools.samples import general_values, in_every_case
+from workbook.checks.tools.values import numbers_at, uncertain_at
+from workbook.checks.tools.wording import number_text, where_text
+
+
+@judged(Expressions("parameters", length=lambda data: len(data["unknowns"])))
+def least_squares(claims, measured, unknowns, deviations=None, parameters=()):
+    """The estimate of the unknowns, in their order."""
+    for values in in_every_case(general_values(parameters), claims):
+        rows, wanted = _weighted(measured, unknowns, deviations, values)
+        true, said = np.linalg.lstsq(rows, wanted, rcond=None)[0], numbers_at(claims, values, unknowns)
+        uncertain = [uncertain_at(claim, values) for claim in claims]
+        if not same(said, true, claims, abs(true).max(), uncertain=uncertain).all():
+            residuals = wanted - rows @ said.real
+            slopes = rows.T @ residuals
+            k = int(np.argmax(abs(slopes)))
+            raise Wrong(f"the weighted sum of the squared residuals is {number_text(residuals @ residuals)} at your "
+                        f"estimate{where_text(values)}, and it falls when {unknowns[k]} alone is made "
+                        f"{'larger' if slopes[k] > 0 else 'smaller'}")
+    return "no other values have a smaller weighted sum of squared residuals"
+
+
+@judged(Expression("parameters"))
+def least_sum(claim, measured, unknowns, deviations=None, parameters=()):
+    """The least value of the weighted sum of the squared residuals."""
+    for values in in_every_case(general_values(parameters), claim):
+        rows, wanted = _weighted(measured, unknowns, deviations, values)
+        residuals = wanted - rows @ np.linalg.lstsq(rows, wanted, rcond=None)[0]
+        yield Same(claim, residuals @ residuals, "the least sum", values, wanted @ wanted)
+    return "it is the sum at the estimate"
+
+
+@judged(Matrix("parameters", shape=lambda data: (len(data["unknowns"]),) * 2))
+def error_covariance(claim, measured, unknowns, deviations=None, parameters=()):
+    """The covariance matrix of the errors of the estimate."""
+    for values in in_every_case(general_values(parameters), claim):
+        rows, _ = _weighted(measured, unknowns, deviations, values)
+        # Each estimate is a sum of measurements, whose weighted errors are independent with the variance 1.
+        shares = np.linalg.pinv(rows)
+        yield Entries(claim, shares @ shares.T, lambda said, i, j: (
+            f"the entry ({i + 1}, {j + 1}) of your matrix is {number_text(said[i, j])}{where_text(values)}; the errors "
+            "of the measurements, taken through the estimate, give another one"), values, abs(shares) @ abs(shares).T)
+    return "so the errors of the measurements pass into the estimate"
+
+
+def _weighted(measured, unknowns, deviations, values):
+    """Rows and measured values, divided by the standard deviations."""
+    quantities = sp.Matrix([quantity for quantity, *_ in measured])
+    rest = quantities.subs(dict.fromkeys(unknowns, 0))
+    wanted = sp.Matrix([value for _, value, *_ in measured]) - rest
+    counts = [sp.sqrt(*count) if count else 1 for _, _, *count in measured]
+    scale = sp.diag(*[count / sp.sympify(s) for count, s in zip(counts, deviations or [1] * len(measured))])
+    rows, wanted = (np.array((scale * part).subs(values).evalf(30), dtype=float)
+                    for part in (quantities.jacobian(unknowns), wanted))
+    return rows, wanted[:, 0]

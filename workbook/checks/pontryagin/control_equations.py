@@ -1,0 +1,122 @@
+"""The differential equation that the control obeys where it makes H greatest inside its bounds.
+
+There H_u = 0, and so is its derivative along the equations of motion and of the costates:
+
+    u' = -(the derivative of H_u for a fixed u) / H_uu.
+
+H_u and H_uu are linear in the costates. Where H_u = 0, with the costates that transversality says, leaves these free up
+to a factor that does not matter, they can be eliminated; if it leaves more, H = 0 may help where the time is free.
+"""
+
+import numpy as np
+import sympy as sp
+
+from workbook.checks.contract.claims import Expression
+from workbook.checks.contract.tolerance import EXACT, same
+from workbook.checks.contract.verdict import Wrong, judged
+from workbook.checks.tools.samples import draw
+from workbook.checks.tools.values import real_function, value_at
+from workbook.checks.tools.wording import rounded_text
+from workbook.checks.truths.singular_arcs import hamiltonian, known_costates
+
+#: At so many places of states, control and parameters an equation is compared, of so many that are tried.
+PLACES, TRIED = 8, 60
+#: So many costates are tried at each place, and u' is the same for all of them up to this share.
+COSTATES, DETERMINED = 6, 1e-7
+#: Where H_uu is a smaller share of its terms, u' has lost its digits.
+CURVED = 1e-3
+
+
+@judged(Expression(lambda data: [*data["problem"].state, *data["problem"].control, *data["problem"].parameters]))
+def control_equation(claim, problem, domain=None):
+    """The right-hand side of u' = ... for a control that makes H greatest inside its bounds, in states, control and
+    parameters, the costates eliminated; for problems with one control."""
+    truth = _Rate(problem)
+    places = list(truth.places(domain))
+    told = len({round(true, 6) for _, true, _ in places}) > 1  # the one true number would be the answer itself
+    u = problem.control[0]
+    for values, true, size in places:
+        said = value_at(claim, values, f"{u}'")
+        if same(said, true, claim, size=size, computed=EXACT):
+            continue
+        if not told:
+            raise Wrong(f"dH/d{u} does not stay zero where your expression gives {u}' the value {said:.4g}")
+        shown = {s: value for s, value in values.items() if s in truth.symbols | claim.free_symbols}
+        raise Wrong(f"for {rounded_text(shown)} dH/d{u} stays zero only if {u}' is {true:.4g}; your expression gives "
+                    f"{said:.4g}")
+    return f"under it dH/d{u} stays zero, tried at {PLACES} places"
+
+
+class _Rate:
+    """The rate of the control of a problem, found with costates as numbers."""
+
+    def __init__(self, problem):
+        if len(problem.control) != 1:
+            raise RuntimeError("the equation is known for problems with one control")
+        self._problem, (u,) = problem, problem.control
+        costates = sp.symbols(f"psi:{len(problem.state)}", cls=sp.Dummy, real=True)
+        H, known = hamiltonian(problem, costates), known_costates(problem, costates)
+        slope = sp.diff(H, u)
+        drift = sum((sp.diff(slope, y) * f - sp.diff(slope, psi) * sp.diff(H, y)
+                     for y, f, psi in zip(problem.state, problem.field, costates)), sp.S.Zero)
+        free = [psi for psi in costates if psi not in known]
+        self._count = len(free) + 1
+        self._symbols = [*problem.state, u, *problem.parameters]
+        affine = [part for e in (slope, H, drift, sp.diff(slope, u)) for part in _affine(e.subs(known), free)]
+        #: What it depends on.
+        self.symbols = set().union(*(part.free_symbols for part in affine))
+        self._parts = real_function(self._symbols, affine)
+
+    def places(self, domain):
+        """Values of all symbols at which a costate makes H greatest, the rate of the control, the size of its terms."""
+        random, found = np.random.default_rng(31), 0
+        low, high = self._problem.controls[self._problem.control[0]]
+        if low.is_number and high.is_number and low.is_finite and high.is_finite:
+            domain = {self._problem.control[0]: sp.Interval(low, high)} | (domain or {})
+        for _ in range(TRIED):
+            values = {s: draw(random, s, domain) for s in self._symbols}
+            rate = self._at(values, random)
+            if rate is not None:
+                yield values, *rate
+                found += 1
+            if found == PLACES:
+                return
+        raise RuntimeError("too few places were found where a costate makes H greatest")
+
+    def _at(self, values, random):
+        """The rate and the size of its terms, or None where no costate makes H greatest."""
+        parts = self._parts(*values.values()).reshape(4, self._count)
+        if not np.isfinite(parts).all():
+            return None
+        slope, H, drift, bend = parts
+        for rows in [slope[None]] + ([np.vstack([slope, H])] if self._problem.free_time else []):
+            costates = _solutions(rows, random)
+            if costates is None:
+                return None
+            bends, sizes = costates @ bend, np.abs(costates) @ np.abs(bend)
+            curved = np.abs(bends) > CURVED * sizes
+            if not (bends[curved] < 0).any():
+                return None
+            rates = -(costates @ drift)[curved] / bends[curved]
+            terms = (np.abs(costates) @ np.abs(drift))[curved] / np.abs(bends[curved])
+            if np.ptp(rates) <= DETERMINED * terms.max():
+                return float(rates[0]), float(terms[0])
+        raise RuntimeError("the costates cannot be eliminated from the equation of the control")
+
+
+def _affine(e, symbols):
+    """An expression that is linear in symbols: its value where they vanish, and its coefficients."""
+    return [e.subs(dict.fromkeys(symbols, 0)), *(sp.diff(e, s) for s in symbols)]
+
+
+def _solutions(rows, random):
+    """Vectors (1, psi) with rows @ (1, psi) = 0, some of all; None if there are none or only psi = 0."""
+    constant, matrix = rows[:, 0], rows[:, 1:]
+    _, sizes, basis = np.linalg.svd(matrix)
+    rank = int((sizes > 1e-9 * max(sizes.max(initial=0), np.abs(constant).max())).sum())
+    one = np.linalg.lstsq(matrix, -constant, rcond=1e-9)[0]
+    if np.abs(matrix @ one + constant).max() > 1e-9 * (np.abs(constant) + np.abs(matrix) @ np.abs(one)).max():
+        return None
+    free = random.normal(size=(COSTATES, len(basis) - rank)) @ basis[rank:]
+    free = np.vstack([free, -free])  # one of both signs makes H greatest
+    return np.column_stack([np.ones(len(free)), one + free]) if (one + free).any() else None

@@ -1,0 +1,41 @@
+"""Equations for the duration of a shortest process, where it has no formula."""
+
+import numpy as np
+import sympy as sp
+
+from workbook.checks.contract import coercion
+from workbook.checks.contract.tolerance import share
+from workbook.checks.contract.verdict import Invalid, Wrong, judged
+from workbook.checks.tools.values import real_function
+from workbook.checks.tools.wording import rounded_text
+from workbook.checks.truths.optima.best_processes import best_processes
+
+#: At so many shorter durations an equation for the shortest one is tried, up to this part of it, and next to it.
+SHORTER, ALMOST, NEXT = 400, 0.99, 1e-2
+
+
+@judged
+def duration_equation(answer, problem, duration, parameters):
+    """An equation whose least positive root is the shortest duration; `duration` is its symbol there, `parameters` a
+    dict from the other symbols to intervals."""
+    symbols = [duration, *parameters]
+    sides = answer.args if isinstance(answer, sp.Eq) else (answer, sp.S.Zero)
+    left, right = (coercion.as_expression(side, symbols) for side in sides)
+    claim = left - right
+    if duration not in claim.free_symbols:
+        raise Invalid(f"expected an equation for {duration}")
+    function, allowed = real_function(symbols, [claim]), max(1e-6, 10 * share(claim))
+    for values, best in best_processes(problem, parameters):
+        T, numbers, where = best.duration, [float(v) for v in values.values()], rounded_text(values)
+        at, *near = function(T * np.array([1, 1 - NEXT, 1 + NEXT]), *numbers)[0]
+        if not np.isfinite([at, *near]).all():
+            raise Wrong(f"for {where} your equation is not defined next to the shortest duration")
+        if not abs(at) <= allowed * np.abs(near).max() or at == max(near, key=abs):
+            raise Wrong(f"for {where} the shortest duration does not satisfy your equation")
+        shorter = T * ALMOST * np.arange(1, SHORTER + 1) / SHORTER
+        left = function(shorter, *numbers)[0]
+        found = np.flatnonzero(~(left[1:] * left[:-1] > 0))
+        if found.size:
+            raise Wrong(f"for {where} your equation has a root near {duration} = {shorter[found[0]]:.4g}, and no "
+                        "admissible process is so short")
+    return "its least positive root is the shortest duration, for all parameters tried"

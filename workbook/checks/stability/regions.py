@@ -1,0 +1,38 @@
+"""Regions of parameters in which a linear system is stable.
+
+The truth about the spectrum stands in `truths.spectra`.
+"""
+
+import functools
+
+import sympy as sp
+from sympy.core.function import AppliedUndef
+
+from workbook.checks.contract.verdict import judged
+from workbook.checks.truths.records import matrix_of
+from workbook.checks.truths.spectra import compare_region
+from workbook.systems import Deviations
+
+
+@judged
+def stability_region(answer, system, parameters, margin=0):
+    """The set of parameters for which every root has real part below `-margin` (asymptotic stability for 0).
+
+    `system` is a characteristic polynomial in one further symbol, a square matrix, a linear differential equation
+    `system` = 0 of an unknown x(t), or `Deviations` from a motion of another one, by their first approximation.
+    Parameters where the order of the equation drops are accepted either way; with a positive margin (Definition 1.5,
+    Re <= -mu) so is the boundary.
+    """
+    if isinstance(system, Deviations):
+        return compare_region(answer, matrix_of(system, parameters), parameters, "asymptotically stable", margin)
+    what = "stable" if margin == 0 else "stable with the margin"
+    motions = system.atoms(AppliedUndef)
+    return compare_region(answer, characteristic_of(system, *motions) if motions else system, parameters, what, margin)
+
+
+@functools.lru_cache(maxsize=16)
+def characteristic_of(equation, motion):
+    """The characteristic polynomial of a linear equation: its left-hand side for x(t) = e^(s t), divided by e^(s t)."""
+    (time,) = motion.args
+    s = sp.Dummy("s")
+    return sp.expand(sp.expand(equation.subs(motion, sp.exp(s * time)).doit()) * sp.exp(-s * time))

@@ -1,0 +1,58 @@
+"""What a scalar measurement means: which of several known quantities it can be.
+
+A measurement z = H x along the motions of x' = A x is a solution of a linear equation p(d/dt) z = 0, and every solution
+of the equation of lowest order occurs. So a measurement and a coordinate of another system can be the same quantity
+only if these equations agree; they are found as the first dependence among the rows H, H A, H A^2, ..., in exact
+arithmetic.
+"""
+
+import sympy as sp
+from sympy.polys.matrices import DomainMatrix
+
+from workbook.checks.contract.claims import Choice
+from workbook.checks.contract.verdict import Wrong, judged
+from workbook.checks.truths.records import matrix_of, row_of
+
+
+@judged(Choice(words="quantities"))
+def measured_quantity(claim, system, known, quantities):
+    """Which of the `quantities` {name: row} of the system `known` the measurement z = H x of x' = A x is; of one in
+    `Deviations` they are {name: expression in its state}, and their deviations are meant."""
+    equations = {name: _equation(matrix_of(known), row_of(known, quantity)) for name, quantity in quantities.items()}
+    A, H = system.A, system.H
+    seen = _equation(A, H)
+    if list(equations.values()).count(seen) != 1:
+        raise RuntimeError("the equations do not tell the quantities apart")
+    if equations[claim] != seen:
+        raise Wrong(f"the {claim} satisfies the linear equation {_told(equations[claim])} and none of lower order, in "
+                    f"all motions; what is measured has motions that do not" if _breaks(equations[claim], A, H) else
+                    f"the {claim} has motions that break {_told(seen)}, an equation that holds for what is measured "
+                    f"in all motions")
+    return f"both satisfy {_told(seen)} and no equation of lower order, and no other of the quantities does"
+
+
+def _equation(A, H):
+    """The coefficients c0, c1, ..., 1 of the lowest order with c0 H + c1 H A + ... + H A^k = 0."""
+    rows = [sp.Matrix(H)]
+    while True:
+        following = rows[-1] * sp.Matrix(A)
+        relations = DomainMatrix.from_Matrix(sp.Matrix.vstack(*rows, following).T).to_field().nullspace().to_Matrix()
+        if relations.rows:
+            return tuple(relations[0, :] / relations[0, len(rows)])
+        rows.append(following)
+
+
+def _breaks(equation, A, H):
+    """Whether some motion of the system does not satisfy the equation."""
+    row, total = sp.Matrix(H), sp.zeros(1, sp.Matrix(A).rows)
+    for coefficient in equation:
+        total, row = total + coefficient * row, row * sp.Matrix(A)
+    return not total.is_zero_matrix
+
+
+def _told(equation):
+    """The equation for z, its derivatives with primes."""
+    order = len(equation) - 1
+    names = ["z", *("z" + "'" * k for k in range(1, order + 1))]
+    terms = [name if c == 1 else f"{c} {name}" for c, name in reversed(list(zip(equation, names))) if c]
+    return " + ".join(terms).replace("+ -", "- ") + " = 0"

@@ -1,0 +1,206 @@
+"""Whether a condition is as the truth at all places, decided by z3 (nlsat, Jovanovic and de Moura 2012).
+
+A question has a fixed number of z3's own steps, so the same one always ends the same way. What z3 names as a difference
+is evaluated again, exactly, before it is told: "wrong" never rests on a solver.
+"""
+
+import functools
+import math
+import operator
+
+import sympy as sp
+from sympy.core.relational import Relational
+
+from workbook.checks.tools.conditions.evaluation import HOW, allowed, prepared, sign
+from workbook.checks.tools.conditions.plain import Plain, Undecidable
+
+#: z3's own steps before a question counts as undecided: so many, or more where its polynomials are small, so many times
+#: their size; and its megabytes. What is decided takes hundreds of them, at most some 40,000. With large polynomials a
+#: single step may take so long that minutes would go by.
+STEPS, TIMES_SIZE, MEGABYTES = 200_000, 5_000_000, 300
+#: Terms larger than this a solver is not asked about.
+LARGEST_DEGREE, MOST_TERMS, MOST_WRITTEN_OUT = 40, 4000, 20_000
+
+
+def find_difference(readings, parameters, truth, besides=sp.true):
+    """(decided, place): a place where all readings of a claim are wrong, as (values, what holds), or None."""
+    try:
+        if not truth.inside or not truth.outside:
+            raise Undecidable
+        for case, holds in truth.cases:
+            found = _Question(parameters, case).answer(readings, holds, besides)
+            if found is not None:
+                place = _simplified(found, readings, parameters, case, holds, truth)
+                return (True, place) if place else (False, None)
+    except (Undecidable, sp.PolynomialError, ArithmeticError, NotImplementedError):
+        return False, None
+    return True, None
+
+
+def _confirmed(place, readings, parameters, case, holds, truth):
+    """Whether at a place, numbers of the parameters and the unknowns, all readings are wrong: by exact evaluation."""
+    symbols = [*parameters, *case.unknowns]
+    here = place[:len(parameters)]
+    if not all(allowed(p, sign(x)) for p, x in zip(symbols, place)):
+        return False
+    if any(prepared(reading, tuple(parameters)).holds(here) == holds for reading in readings):
+        return False
+    if case.every:
+        return truth.at is not None and truth.at(dict(zip(parameters, here))) is holds
+    return prepared(case.condition, tuple(symbols)).holds(place)
+
+
+def _simplified(place, readings, parameters, case, holds, truth):
+    """The values of the parameters, as simple as they can be, at a difference that exact evaluation confirms."""
+    confirm = functools.partial(_confirmed, readings=readings, parameters=parameters, case=case, holds=holds,
+                                truth=truth)
+    if not confirm(place):
+        return None
+    # With unknowns every coordinate hangs on the others, so the place stays as it is.
+    for k, x in enumerate(place if not case.unknowns or case.every else ()):
+        for q in (1, 2, 10, 100, 1000):
+            near = sp.Rational(round(float(x) * q), q) if abs(float(x)) < 1e12 else x
+            simpler = (*place[:k], near, *place[k + 1:])
+            if near == x or confirm(simpler):
+                place = simpler
+                break
+    return dict(zip(parameters, place)), holds
+
+
+class _Question:
+    """One question to z3: is there a place where all readings of a claim are wrong in one case? It has a context of
+    its own, so that no earlier question changes the count of steps."""
+
+    def __init__(self, parameters, case):
+        try:
+            import z3  # here, since only a verdict on a condition needs it
+        except ImportError:
+            raise Undecidable from None  # where it does not run, as in some browsers, samples have to do
+        self.z3, self.context, self.parameters, self.case = z3, z3.Context(), parameters, case
+        self.names, self.plain, self.size = {}, Plain(case.angles), 10
+
+    def answer(self, readings, holds, besides):
+        """A place, exact numbers of the parameters and the unknowns, or None if there is none."""
+        z3, case = self.z3, self.case
+        if not case.every:
+            self.plain, plain = _plain_truth(case.condition, case.angles)
+            self.plain = self.plain.copy()
+        claims = [self._formula(self.plain.condition(reading)) for reading in readings]
+        told = [z3.Not(claim) if holds else claim for claim in claims]
+        told.append(self._formula(self.plain.condition(besides)))
+        known = {*self.parameters, *self.names}
+        first = len(self.plain.sides)
+        truth = self._formula(self.plain.condition(case.condition) if case.every else plain)
+        sides = [self._formula(side) for side in self.plain.sides]
+        inner = [symbol for symbol in self.names if symbol not in known] if case.every else []
+        if inner:
+            told += sides[:first]
+            given = [*sides[first:], *(self._assumed(symbol) for symbol in inner)]
+            truth = z3.ForAll([self.names[s] for s in inner], z3.Implies(self._and(given), truth))
+        else:
+            told += sides
+        told += [self._assumed(symbol) for symbol in self.names if symbol not in inner]
+        model = self._model(self._and([*told, truth]), quantified=bool(inner))
+        symbols = [*self.parameters, *(() if case.every else case.unknowns)]
+        return None if model is None else tuple(self._value(model, symbol) for symbol in symbols)
+
+    def _model(self, question, quantified):
+        z3 = self.z3
+        names = ("simplify", "nlqsat") if quantified else ("simplify", "propagate-values", "qfnra-nlsat")
+        solver = z3.Then(*(z3.Tactic(name, self.context) for name in names), ctx=self.context).solver()
+        solver.set("rlimit", max(STEPS, TIMES_SIZE // self.size))
+        solver.set("max_memory", MEGABYTES)
+        solver.add(question)
+        try:
+            found = solver.check()
+        except z3.Z3Exception:
+            raise Undecidable from None
+        if found == z3.unknown:
+            raise Undecidable
+        return solver.model() if found == z3.sat else None
+
+    def _formula(self, node):
+        z3 = self.z3
+        if node in (sp.true, sp.false):
+            return z3.BoolVal(bool(node), self.context)
+        if isinstance(node, Relational):
+            above, below = (self._polynomial(part) for part in _as_fraction(node.lhs - node.rhs))
+            side = above if isinstance(node, (sp.Eq, sp.Ne)) else above * below
+            return z3.And(below != 0, HOW[type(node)](side, 0))
+        parts = [self._formula(part) for part in node.args]
+        join = {sp.And: z3.And, sp.Or: z3.Or, sp.Not: z3.Not, sp.ITE: z3.If,
+                sp.Xor: lambda *parts: functools.reduce(z3.Xor, parts)}[type(node)]
+        return join(*parts)
+
+    def _polynomial(self, expression):
+        terms, found = [], _terms(expression)
+        self.size = max(self.size, len(found) * max((len(symbols) for _, symbols in found), default=0))
+        for coefficient, symbols in found:
+            term = self.z3.RealVal(coefficient, self.context)
+            for symbol in symbols:
+                term = term * self._real(symbol)
+            terms.append(term)
+        return functools.reduce(lambda one, other: one + other, terms)
+
+    def _real(self, symbol):
+        if symbol not in self.names:
+            if symbol.is_integer or symbol.is_real is False:
+                raise Undecidable
+            self.names[symbol] = self.z3.Real(f"v{len(self.names)}", self.context)
+        return self.names[symbol]
+
+    def _assumed(self, symbol):
+        return self._and([how(self.names[symbol], 0) for assumed, how in (
+            (symbol.is_positive, operator.gt), (symbol.is_negative, operator.lt), (symbol.is_nonnegative, operator.ge),
+            (symbol.is_nonpositive, operator.le), (symbol.is_nonzero, operator.ne)) if assumed])
+
+    def _and(self, parts):
+        return self.z3.And(self.z3.BoolVal(True, self.context), *parts)
+
+    def _value(self, model, symbol):
+        if symbol in self.plain.circles:
+            c, s = (self._value(model, part) for part in self.plain.circles[symbol])
+            return sp.atan2(s, c) + (2 * sp.pi if symbol in self.case.angles and s < 0 else 0)
+        if symbol not in self.names:
+            return sp.Integer(-1 if symbol.is_negative or symbol.is_nonpositive else 1)
+        value = model.eval(self.names[symbol], model_completion=True)
+        if self.z3.is_rational_value(value):
+            return sp.Rational(str(value.as_fraction()))
+        coefficients = [int(str(c)) for c in value.poly()]
+        return sp.rootof(sp.Poly(coefficients[::-1], sp.Symbol("t")), value.index() - 1)
+
+
+@functools.lru_cache(maxsize=128)  # the same truth is asked about again and again
+def _plain_truth(condition, angles):
+    """A condition made plain, and what made it: the same symbols each time, so that their polynomials are known."""
+    plain = Plain(angles)
+    return plain, plain.condition(condition)
+
+
+@functools.lru_cache(maxsize=512)
+def _as_fraction(expression):
+    return sp.fraction(sp.together(expression))
+
+
+@functools.lru_cache(maxsize=512)
+def _terms(expression):
+    """A polynomial as (coefficient, symbols as often as they are factors), a pair a term."""
+    symbols = sorted(expression.free_symbols, key=str)
+    if not expression.is_polynomial(*symbols) or _size(expression) > MOST_WRITTEN_OUT:
+        raise Undecidable
+    poly = sp.Poly(expression, *symbols or [sp.Dummy()])
+    if poly.domain not in (sp.ZZ, sp.QQ) or poly.total_degree() > LARGEST_DEGREE or len(poly.terms()) > MOST_TERMS:
+        raise Undecidable
+    return [(str(coefficient), [symbol for symbol, power in zip(symbols, powers) for _ in range(power)])
+            for powers, coefficient in poly.terms()]
+
+
+def _size(expression):
+    """How many terms a polynomial may have when its powers and products are written out."""
+    if isinstance(expression, sp.Add):
+        return sum(map(_size, expression.args))
+    if isinstance(expression, sp.Mul):
+        return math.prod(map(_size, expression.args))
+    if isinstance(expression, sp.Pow) and expression.exp.is_Integer and expression.exp > 0:
+        return math.comb(_size(expression.base) + int(expression.exp) - 1, int(expression.exp))
+    return 1

@@ -1,0 +1,156 @@
+"""Make a homework folder to hand out: the students' notebooks, what they need to know, and the file that says what
+counts.
+
+A notebook is named ch1-p15.ipynb, so that it is still known for problem 1.15 when an editor has dropped its metadata.
+"""
+
+import datetime
+import json
+import re
+import shutil
+from pathlib import Path
+
+from workbook.grading import assignment as assignments
+from workbook.grading.assignment import AssignmentError
+from workbook.notebooks import exercises
+
+#: A day, with or without a time, with or without a zone.
+DATE = re.compile(r"\d{4}-\d\d-\d\d([T ]\d\d:\d\d(:\d\d)?(Z|[+-]\d\d:\d\d)?)?", re.ASCII)
+
+README = """\
+# {title}
+{due}
+{problems}
+
+## How to work
+
+1. Install the workbook as the first cell of a notebook says, and open the notebooks in Jupyter.
+2. Replace each `...` by your answer; the comment beside it says what is asked. Keep the names of the variables: answers
+   are found by name, in whatever cell they are assigned.
+3. Run the check cell as often as you like. It says what holds and what does not.
+
+## How to hand in
+
+Save the notebooks and hand them in **under the names they have**. {attempts}
+
+Your notebook is run from top to bottom in a fresh process, without network and without files beside it, so run it once
+that way yourself (*Restart kernel and run all cells*). Each answer earns its points alone: a wrong or missing one
+costs nothing else.
+Changing a check cell changes nothing, since answers are judged by the cells as they were handed out.
+"""
+
+
+def make(folder, name, problems, title=None, due=None, site=""):
+    """Write the homework `name` into `folder`/`name`; returns the `Assignment`. Nothing is written over.
+
+    `due` is an aware datetime or None, `site` the address of the student edition of the site, for links to the theory.
+    Raises `AssignmentError`.
+    """
+    place = Path(folder) / name
+    if not assignments.can_be_name(name):
+        raise AssignmentError(f"{name!r} cannot be the name of a homework: it names a folder, take letters, digits, - "
+                              f"and _")
+    if place.exists():
+        raise AssignmentError(f"{place} is already there; take another name or remove it")
+    files = {file_name(problem): release(problem, site) for problem in _known(problems)}
+    files["assignment.toml"] = _toml(title or name, problems, due)
+    homework = assignments.from_text(files["assignment.toml"], place / "assignment.toml")
+    files["README.md"] = _readme(homework)
+    made = False
+    try:
+        place.mkdir(parents=True)
+        made = True
+        for file, text in files.items():
+            (place / file).write_text(text, encoding="utf-8")
+    except OSError as error:
+        if made:
+            shutil.rmtree(place, ignore_errors=True)
+        raise AssignmentError(f"{place} cannot be written: {error.strerror}") from None
+    return homework
+
+
+def file_name(problem):
+    """The name under which a problem's notebook is handed out and comes back.
+
+    >>> file_name("1.4")
+    'ch1-p04.ipynb'
+    """
+    chapter, number = problem.split(".")
+    return f"ch{chapter}-p{number:0>2}.ipynb"
+
+
+def release(problem, site=""):
+    """The text of a student's notebook; its names of places in the book are links to `site`, if that is given."""
+    notebook = json.loads(exercises.find(problem).path.read_text(encoding="utf-8"))
+    if site:
+        # Homework leads to the student edition, where a problem stands without its solution.
+        to_site = exercises.below(site)
+        notebook = exercises.linked(notebook, lambda place: to_site(re.sub("^solutions/", "exercises/", place)))
+    return json.dumps(notebook, indent=1, ensure_ascii=False) + "\n"
+
+
+def due_date(text):
+    """An aware datetime from "2026-10-01 23:59" (of this machine's time zone, unless it names another one) or
+    "2026-10-01".
+
+    A date alone means the end of that day. Raises `AssignmentError`.
+    """
+    try:
+        # Python reads more than people would: 2026-W40-4 is a day, but ends at its beginning.
+        due = datetime.datetime.fromisoformat(text) if DATE.fullmatch(text) else None
+        if due is None or not assignments.can_be_due(due):
+            raise ValueError
+    except ValueError:
+        raise AssignmentError(f'{text!r} is not a date; write "2026-10-01 23:59", or "2026-10-01T23:59:00+03:00" with '
+                              f'a zone') from None
+    if len(text) == len("2026-10-01"):
+        due = due.replace(hour=23, minute=59, second=59)
+    return due if due.tzinfo else due.astimezone()
+
+
+def _known(problems):
+    for problem in problems:
+        try:
+            assignments.answers_of(problem)
+        except exercises.UnknownExercise as error:
+            raise AssignmentError(str(error)) from None
+    if len(set(problems)) != len(problems):
+        raise AssignmentError("a problem is named twice")
+    return problems
+
+
+def _toml(title, problems, due):
+    quoted = ", ".join(_text(problem) for problem in problems)
+    points = "\n".join(f"{_text(problem)} = {len(answers)}  # {', '.join(answers)}"
+                       for problem, answers in ((problem, assignments.answers_of(problem)) for problem in problems))
+    return ("# What counts. README.md tells the students the same: after a change here, change it there too.\n"
+            f"title = {_text(title)}\nproblems = [{quoted}]\n"
+            + (f"due = {due.isoformat(timespec='seconds')}\n" if due
+               else "# due = 2026-10-01T23:59:00+03:00  # later work is marked late\n")
+            + 'attempt = "best"  # which of several submissions counts: "best" or "last"\n# attempts = 3  # further '
+              'ones do not count\n\n'
+            f'# A problem\'s points are shared equally by its answers; '
+            f'{_text(problems[0] + "." + assignments.answers_of(problems[0])[0])} = 2 '
+            f"would set one answer's.\n[points]\n{points}\n")
+
+
+def _text(value):
+    """A TOML string: JSON escapes are TOML's, but for DEL."""
+    return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
+
+
+def _readme(homework):
+    rows = [f"- **{problem}** {exercises.find(problem).about['title']}, in `{file_name(problem)}`: "
+            f"{sum(points.values()):g} "
+            f"point{'s' * (sum(points.values()) != 1)} for {len(points)} answer{'s' * (len(points) != 1)}"
+            for problem, points in homework.points.items()]
+    due = f"\nDue {spoken(homework.due)}.\n" if homework.due else ""
+    counts = "the best one counts" if homework.attempt == "best" else "the last one counts"
+    attempts = (f"You may hand in up to {homework.attempts} times; {counts}." if homework.attempts
+                else f"You may hand in again; {counts}.")
+    return README.format(title=homework.title, due=due, problems="\n".join(rows), attempts=attempts)
+
+
+def spoken(due):
+    """A due date for people: 2026-10-01 23:59 (UTC+03:00)."""
+    return f"{due:%Y-%m-%d %H:%M} ({datetime.timezone(due.utcoffset())})"

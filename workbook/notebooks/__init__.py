@@ -1,0 +1,1 @@
+"""Notebooks: find the exercises, run their cells, and see which modules they use."""
