@@ -1,11 +1,12 @@
-"""`workbook grade` with a clock beside the cells: what a notebook's own cells take, noted in the very run that is timed.
+"""`workbook grade` with a clock beside the cells: what a notebook's own cells take, noted in the
+very run that is timed.
 
     python benchmarks/cell_clock.py LOG grade submitted --out graded
 
-Each notebook adds two kinds of lines to the file LOG, seconds on the clock and of a processor: one for its data and
-answer cells in the sandbox, and one for each of its check cells where they judge. Each cell counts once; that the
-grader runs data cells again before the notebook and before the checks is its own affair. What the clock itself takes is
-not taken off either.
+Each notebook adds two kinds of lines to the file LOG, seconds on the clock and of a processor: one
+for its data and answer cells in the sandbox, and one for each of its check cells where they judge.
+Each cell counts once; that the grader runs data cells again before the notebook and before the
+checks is its own affair. What the clock itself takes is not taken off either.
 """
 
 import json
@@ -18,8 +19,8 @@ from workbook.grading import judging, lanes, nursery
 from workbook.grading.sandbox import Sandbox
 
 SPENT = "workbook_spent"
-#: Not `time.process_time`: while a timer of processor time runs, as it does in a notebook's process, that clock stands
-#: still between two ticks of the kernel.
+#: Not `time.process_time`: while a timer of processor time runs, as it does in a notebook's
+#: process, that clock stands still between two ticks of the kernel.
 CLOCKS = "time.perf_counter(), sum(resource.getrusage(resource.RUSAGE_SELF)[:2])"
 BEGIN = f"import resource, time; workbook_began = {CLOCKS}"
 SINCE = f"[now - began for now, began in zip(({CLOCKS}), workbook_began)]"
@@ -29,8 +30,10 @@ def main(log, *arguments):
     from workbook import cli
 
     folder = str(Path(__file__).resolve().parent)
-    nursery.START = (f"import sys; sys.path.insert(0, {folder!r}); import cell_clock; "
-                     f"cell_clock.serve({str(Path(log).resolve())!r}, {{control}}, {{modules!r}})")
+    nursery.START = (
+        f"import sys; sys.path.insert(0, {folder!r}); import cell_clock; "
+        f"cell_clock.serve({str(Path(log).resolve())!r}, {{control}}, {{modules!r}})"
+    )
     sys.argv[1:] = arguments
     cli.main()
 
@@ -57,10 +60,20 @@ def work(log, *given):
     def clocked_judge_answers(cells, *rest):
         start = ("check", BEGIN)
         stop = ("check", f"import cell_clock; cell_clock.note({log!r}, {SINCE})")
-        return judge_answers([each for cell in cells
-                              for each in ([start, cell, stop] if cell[0] == "check" else [cell])], *rest)
+        return judge_answers(
+            [
+                each
+                for cell in cells
+                for each in ([start, cell, stop] if cell[0] == "check" else [cell])
+            ],
+            *rest,
+        )
 
-    Sandbox.hand_in, Sandbox.outcome, judging.judge_answers = clocked_hand_in, clocked_outcome, clocked_judge_answers
+    Sandbox.hand_in, Sandbox.outcome, judging.judge_answers = (
+        clocked_hand_in,
+        clocked_outcome,
+        clocked_judge_answers,
+    )
     lanes.work(*given)
 
 

@@ -1,17 +1,21 @@
-"""Gains on arrays, `trajlib.feedback.place` against scipy.signal.place_poles and python-control's acker and place.
+"""Gains on arrays, `trajlib.feedback.place` against scipy.signal.place_poles and python-control's
+acker and place.
 
-Right first, fast second. General pairs of n states (entries normal, spectral radius about 1), in good units and in bad
-ones (states measured in units that differ by up to ten powers of ten), get the eigenvalues -1/2, ..., -2; then, which
-asks for little, those of A moved to the left by 1/50. The table has the greatest distance of an eigenvalue of A + BK,
-as NumPy computes it, from the one asked for: the median of the pairs; `fails` where a peer raises an error for one of
-them. The last column is what rounding may do to the eigenvalues of our loop (median): where it is large, the distances
-are left to chance, and no gain of floats does better.
+Right first, fast second. General pairs of n states (entries normal, spectral radius about 1), in
+good units and in bad ones (states measured in units that differ by up to ten powers of ten), get
+the eigenvalues -1/2, ..., -2; then, which asks for little, those of A moved to the left by 1/50.
+The table has the greatest distance of an eigenvalue of A + BK, as NumPy computes it, from the one
+asked for: the median of the pairs; `fails` where a peer raises an error for one of them. The last
+column is what rounding may do to the eigenvalues of our loop (median): where it is large, the
+distances are left to chance, and no gain of floats does better.
 
-Then all eigenvalues at -1, which only Ackermann's formula and ours accept; the distance says little there, since an
-n-fold eigenvalue is spread by rounding to the power 1/n, so the table has our residual. Then seconds.
+Then all eigenvalues at -1, which only Ackermann's formula and ours accept; the distance says little
+there, since an n-fold eigenvalue is spread by rounding to the power 1/n, so the table has our
+residual. Then seconds.
 
     .venv/bin/python benchmarks/feedback.py [pairs of each kind, 5 if left out]
 """
+
 import sys
 import warnings
 
@@ -22,15 +26,17 @@ from stopwatch import seconds
 
 from trajlib.feedback import place
 
-PEERS = {"scipy place_poles": lambda A, B, w: -scipy.signal.place_poles(A, B, w).gain_matrix,
-         "control.place": lambda A, B, w: -np.asarray(control.place(A, B, w)),
-         "control.acker": lambda A, B, w: -np.atleast_2d(control.acker(A, B, w))}
+PEERS = {
+    "scipy place_poles": lambda A, B, w: -scipy.signal.place_poles(A, B, w).gain_matrix,
+    "control.place": lambda A, B, w: -np.asarray(control.place(A, B, w)),
+    "control.acker": lambda A, B, w: -np.atleast_2d(control.acker(A, B, w)),
+}
 
 
 def pair(rng, n, s, spread):
-    A, B = rng.normal(size=(n, n))/np.sqrt(n), rng.normal(size=(n, s))
-    units = 10.0**rng.uniform(-spread, spread, size=n)
-    return A*units/units[:, None], B/units[:, None]
+    A, B = rng.normal(size=(n, n)) / np.sqrt(n), rng.normal(size=(n, s))
+    units = 10.0 ** rng.uniform(-spread, spread, size=n)
+    return A * units / units[:, None], B / units[:, None]
 
 
 def distance(A, B, gain, wanted):
@@ -45,13 +51,22 @@ def median(values):
 
 
 def accuracy(count):
-    print(f"{'n':>3} {'s':>2} {'pairs':>6} {'trajlib':>9}", *(f"{name:>18}" for name in PEERS), f"{'rounding':>9}")
+    print(
+        f"{'n':>3} {'s':>2} {'pairs':>6} {'trajlib':>9}",
+        *(f"{name:>18}" for name in PEERS),
+        f"{'rounding':>9}",
+    )
     for n, s in ((5, 1), (10, 1), (15, 1), (20, 1), (30, 1), (40, 1), (6, 2), (12, 3)):
         for kind in ("good", "bad", "little"):
-            rng, found = np.random.default_rng(n), {name: [] for name in ("trajlib", *PEERS, "rounding")}
+            rng, found = (
+                np.random.default_rng(n),
+                {name: [] for name in ("trajlib", *PEERS, "rounding")},
+            )
             for _ in range(count):
-                A, B = pair(rng, n, s, 5*(kind == "bad"))
-                wanted = np.linalg.eigvals(A) - 0.02 if kind == "little" else -np.linspace(0.5, 2, n)
+                A, B = pair(rng, n, s, 5 * (kind == "bad"))
+                wanted = (
+                    np.linalg.eigvals(A) - 0.02 if kind == "little" else -np.linspace(0.5, 2, n)
+                )
                 ours = place(A, B, wanted)
                 found["trajlib"].append(distance(A, B, ours.gain, wanted))
                 found["rounding"].append(ours.uncertainty)
@@ -61,17 +76,24 @@ def accuracy(count):
                     except Exception:
                         found[name].append(None)
             ours, *others, rounding = map(median, found.values())
-            print(f"{n:3} {s:2} {kind:>6} {ours:>9}", *(f"{other:>18}" for other in others),
-                  f"{rounding:>9}", flush=True)
+            print(
+                f"{n:3} {s:2} {kind:>6} {ours:>9}",
+                *(f"{other:>18}" for other in others),
+                f"{rounding:>9}",
+                flush=True,
+            )
 
 
 def repeated(count):
     print("\nall eigenvalues at -1: the residual of ours, the condition of the eigenvectors")
     for n, s in ((5, 1), (20, 1), (40, 1), (6, 2), (12, 3), (40, 4)):
         rng = np.random.default_rng(n)
-        found = [place(*pair(rng, n, s, 0), [-1]*n) for _ in range(count)]
-        print(f"{n:3} {s:2} {median([one.residual for one in found])} {median([one.condition for one in found])}",
-              flush=True)
+        found = [place(*pair(rng, n, s, 0), [-1] * n) for _ in range(count)]
+        print(
+            f"{n:3} {s:2} {median([one.residual for one in found])} "
+            f"{median([one.condition for one in found])}",
+            flush=True,
+        )
 
 
 def speed():
@@ -79,8 +101,12 @@ def speed():
     for n, s in ((5, 1), (20, 1), (40, 1), (12, 3)):
         A, B = pair(np.random.default_rng(n), n, s, 0)
         wanted = -np.linspace(0.5, 2, n)
-        print(f"{n:3} {s:2} trajlib {seconds(lambda A=A, B=B, w=wanted: place(A, B, w), 3):.2g}, scipy place_poles "
-              f"{seconds(lambda A=A, B=B, w=wanted: PEERS['scipy place_poles'](A, B, w), 3):.2g}", flush=True)
+        print(
+            f"{n:3} {s:2} trajlib {seconds(lambda A=A, B=B, w=wanted: place(A, B, w), 3):.2g}, "
+            "scipy place_poles "
+            f"{seconds(lambda A=A, B=B, w=wanted: PEERS['scipy place_poles'](A, B, w), 3):.2g}",
+            flush=True,
+        )
 
 
 if __name__ == "__main__":

@@ -1,25 +1,30 @@
-"""Grading a class with `workbook grade` against `nbgrader autograde`, on the same notebooks in one run.
+"""Grading a class with `workbook grade` against `nbgrader autograde`, on the same notebooks in one
+run.
 
-Overhead is what a run takes less what the cells themselves take, both measured in that very run: for nbgrader by the
-times it leaves in each graded notebook (on the clock) and by a cell before the others (of the processor), for trajlib
-by `cell_clock.py`. Each is given on the clock and, with all processes of a run, in processor time. trajlib runs with
-its sandbox on; nbgrader has none. Starting costs both a few seconds, which a small class feels and a large one does
-not: so what each further notebook costs stands apart. Our check cells take less than theirs, since one process runs
-them for all and keeps what it has found from the data alone: a gain in cells, not in overhead. While a notebook is
-judged, one process of trajlib also gets the next one's place ready: this uses a second core where one is idle. The
-growth with as many processes as cores, where none is, shows what that hides; the best that it can be is the processor
-time of one process over that of the cores. Growth is with students (four times as many) and processes.
+Overhead is what a run takes less what the cells themselves take, both measured in that very run:
+for nbgrader by the times it leaves in each graded notebook (on the clock) and by a cell before the
+others (of the processor), for trajlib by `cell_clock.py`. Each is given on the clock and, with all
+processes of a run, in processor time. trajlib runs with its sandbox on; nbgrader has none. Starting
+costs both a few seconds, which a small class feels and a large one does not: so what each further
+notebook costs stands apart. Our check cells take less than theirs, since one process runs them for
+all and keeps what it has found from the data alone: a gain in cells, not in overhead. While a
+notebook is judged, one process of trajlib also gets the next one's place ready: this uses a second
+core where one is idle. The growth with as many processes as cores, where none is, shows what that
+hides; the best that it can be is the processor time of one process over that of the cores. Growth
+is with students (four times as many) and processes.
 
-What is left of our overhead is mostly the price of importing, and of a process for each notebook. To see where it goes,
-in processor time: `perf record -g` over a run, summed by process, and by phase where each phase gives its process
-another name (`prctl`, PR_SET_NAME). For 48 notebooks more than half is spent once, whatever their number: a nursery
-that imports SymPy, IPython, NumPy and what the homework uses (SciPy's `integrate` alone takes half as long as SymPy),
-and the command's own imports, of which Typer's of pydantic are the greatest. Of what each notebook takes, more than
-half is the kernel's: a fork of what is loaded, whose price grows with the number of mapped files and of small pages,
-the namespaces, and the pages that a process copies as it writes to them, if only to count references. The rest is read
-and written: answers, texts, results, pages. No less than a bare fork and end of a process of that size, once, can be
-had as long as each notebook has a process of its own, which is what keeps them apart; and no less at the start than
-importing SymPy takes.
+What is left of our overhead is mostly the price of importing, and of a process for each notebook.
+To see where it goes, in processor time: `perf record -g` over a run, summed by process, and by
+phase where each phase gives its process another name (`prctl`, PR_SET_NAME). For 48 notebooks more
+than half is spent once, whatever their number: a nursery that imports SymPy, IPython, NumPy and
+what the homework uses (SciPy's `integrate` alone takes half as long as SymPy), and the command's
+own imports, of which Typer's of pydantic are the greatest. Of what each notebook takes, more than
+half is the kernel's: a fork of what is loaded, whose price grows with the number of mapped files
+and of small pages, the namespaces, and the pages that a process copies as it writes to them, if
+only to count references. The rest is read and written: answers, texts, results, pages. No less than
+a bare fork and end of a process of that size, once, can be had as long as each notebook has a
+process of its own, which is what keeps them apart; and no less at the start than importing SymPy
+takes.
 
     python benchmarks/grading.py [STUDENTS] [PROBLEM ...]
 """
@@ -41,7 +46,8 @@ from workbook.notebooks import exercises
 
 ROOT = Path(__file__).resolve().parents[1]
 PYTHON, CLOCK = sys.executable, ROOT / "benchmarks" / "cell_clock.py"
-#: What nbgrader's kernel is told before the other cells, and after them: to sum up their processor time.
+#: What nbgrader's kernel is told before the other cells, and after them: to sum up their processor
+#: time.
 CLOCK_IN = """import time
 workbook_clock = {"began": 0.0, "spent": 0.0}
 get_ipython().events.register("pre_run_cell", lambda *_: workbook_clock.update(began=time.process_time()))
@@ -57,14 +63,20 @@ def main(students=8, *problems):
     with tempfile.TemporaryDirectory() as scratch:
         course = Path(scratch)
         hand_in(course, students, problems)
-        environment = os.environ | {"PATH": f"{Path(PYTHON).parent}{os.pathsep}{os.environ['PATH']}",
-                                    "JUPYTER_CONFIG_DIR": scratch,
-                                    "IPYTHONDIR": f"{scratch}/ipython", "OPENBLAS_NUM_THREADS": "1"}
+        environment = os.environ | {
+            "PATH": f"{Path(PYTHON).parent}{os.pathsep}{os.environ['PATH']}",
+            "JUPYTER_CONFIG_DIR": scratch,
+            "IPYTHONDIR": f"{scratch}/ipython",
+            "OPENBLAS_NUM_THREADS": "1",
+        }
         nbgrader(course, environment, "generate_assignment")
         theirs = nbgrader(course, environment, "autograde")
         # everything is graded: what is left is starting and ending
         their_start = nbgrader(course, environment, "autograde")
-        graded = [json.loads(path.read_text(encoding="utf-8")) for path in course.glob("autograded/*/hw1/*.ipynb")]
+        graded = [
+            json.loads(path.read_text(encoding="utf-8"))
+            for path in course.glob("autograded/*/hw1/*.ipynb")
+        ]
         count, their_cells = len(graded), sum(map(in_cells, graded), start=Taken(0, 0))
         assert count == students * len(problems)
 
@@ -77,36 +89,62 @@ def main(students=8, *problems):
 
     further = (ours_of_4 - ours) / (3 * count), (our_cells_of_4 - our_cells) / (3 * count)
     their_further = (theirs - their_start) / count, their_cells / count
-    print(f"{students} students, problems {', '.join(problems)}: {count} notebooks, one process each, trajlib in its "
-          f"sandbox")
+    print(
+        f"{students} students, problems {', '.join(problems)}: {count} notebooks, one process "
+        "each, trajlib in its "
+        f"sandbox"
+    )
     compare((theirs, their_cells), (ours, our_cells))
     print("each further notebook")
     compare(their_further, further)
     for times in (2, 4):
         print(f"{times * count} notebooks, so reckoned")
-        compare(*((whole + each * ((times - 1) * count), cells + cells_of_each * ((times - 1) * count))
-                  for (whole, cells), (each, cells_of_each) in [((theirs, their_cells), their_further),
-                                                                ((ours, our_cells), further)]))
+        compare(
+            *(
+                (
+                    whole + each * ((times - 1) * count),
+                    cells + cells_of_each * ((times - 1) * count),
+                )
+                for (whole, cells), (each, cells_of_each) in [
+                    ((theirs, their_cells), their_further),
+                    ((ours, our_cells), further),
+                ]
+            )
+        )
     print(f"growth of workbook grade, 1 process and {cores}, on the clock (processor)")
-    for number, one, several in [(count, ours, side_by_side), (4 * count, ours_of_4, side_by_side_of_4)]:
-        print(f"  {number} notebooks: {one.wall:.1f} s ({one.processor:.1f} s), {several.wall:.1f} s "
-              f"({several.processor:.1f} s): {one.wall / several.wall:.2f} times as fast, of "
-              f"{min(cores, one.wall * cores / several.processor):.2f} that {cores} busy processors would give")
+    for number, one, several in [
+        (count, ours, side_by_side),
+        (4 * count, ours_of_4, side_by_side_of_4),
+    ]:
+        print(
+            f"  {number} notebooks: {one.wall:.1f} s ({one.processor:.1f} s), {several.wall:.1f} s "
+            f"({several.processor:.1f} s): {one.wall / several.wall:.2f} times as fast, of "
+            f"{min(cores, one.wall * cores / several.processor):.2f} that {cores} busy processors "
+            "would give"
+        )
 
 
 def compare(theirs, ours):
     """Print what (the whole, its cells) of each take, on the clock and of the processor."""
     for name, (whole, cells) in [("nbgrader autograde", theirs), ("workbook grade     ", ours)]:
         overhead = whole - cells
-        print(f"  {name} {whole.wall:.3f} s: cells {cells.wall:.3f} s, overhead {overhead.wall:.3f} s; processor "
-              f"{whole.processor:.3f} s: cells {cells.processor:.3f} s, overhead {overhead.processor:.3f} s")
+        print(
+            f"  {name} {whole.wall:.3f} s: cells {cells.wall:.3f} s, overhead {overhead.wall:.3f} "
+            "s; processor "
+            f"{whole.processor:.3f} s: cells {cells.processor:.3f} s, overhead "
+            f"{overhead.processor:.3f} s"
+        )
     times, of_overhead = theirs[0] / ours[0], (theirs[0] - theirs[1]) / (ours[0] - ours[1])
-    print(f"  nbgrader takes {times.wall:.1f} times as long, its overhead is {of_overhead.wall:.1f} times ours; in "
-          f"processor time {times.processor:.1f} and {of_overhead.processor:.1f}")
+    print(
+        f"  nbgrader takes {times.wall:.1f} times as long, its overhead is {of_overhead.wall:.1f} "
+        "times ours; in "
+        f"processor time {times.processor:.1f} and {of_overhead.processor:.1f}"
+    )
 
 
 def hand_in(course, students, problems):
-    """A source for nbgrader, and for each student the notebooks with all answers as in the worked solutions."""
+    """A source for nbgrader, and for each student the notebooks with all answers as in the worked
+    solutions."""
     for problem in problems:
         exercise = exercises.find(problem)
         name = f"ch{problem.replace('.', '-p')}.ipynb"
@@ -114,11 +152,14 @@ def hand_in(course, students, problems):
         shutil.copy(exercise.path, course / "source" / "hw1" / name)
         notebook = json.loads(exercise.path.read_text(encoding="utf-8"))
         stubs = [cell for cell in notebook["cells"] if cell["metadata"].get("tags") == ["answer"]]
-        for cell, source in zip(stubs, read(ROOT / "solutions" / master_file(problem)).code("answer"), strict=True):
+        for cell, source in zip(
+            stubs, read(ROOT / "solutions" / master_file(problem)).code("answer"), strict=True
+        ):
             cell["source"] = source
         first = next(k for k, cell in enumerate(notebook["cells"]) if cell["cell_type"] == "code")
         for k in range(students):
-            # A remark of the student's own, since the same notebook twice would be one only by chance.
+            # A remark of the student's own, since the same notebook twice would be one only by
+            # chance.
             notebook["cells"][0]["source"] = f"student {k}"
             place = course / "submitted" / f"student{k:04d}" / "hw1"
             place.mkdir(parents=True, exist_ok=True)
@@ -132,7 +173,14 @@ def hand_in(course, students, problems):
 
 
 def code_cell(name, source):
-    return {"cell_type": "code", "id": name, "metadata": {}, "outputs": [], "execution_count": None, "source": source}
+    return {
+        "cell_type": "code",
+        "id": name,
+        "metadata": {},
+        "outputs": [],
+        "execution_count": None,
+        "source": source,
+    }
 
 
 def multiply(course, students, factor):
@@ -144,9 +192,21 @@ def multiply(course, students, factor):
 
 def nbgrader(course, environment, command):
     """Run a command of nbgrader, on the notebooks with a clock in them; what it has `Taken`."""
-    done, taken = run([PYTHON, "-m", "nbgrader", command, "hw1", f"--course-dir={course}",
-                       "--CourseDirectory.submitted_directory=clocked"], cwd=course, env=environment,
-                      capture_output=True, text=True)
+    done, taken = run(
+        [
+            PYTHON,
+            "-m",
+            "nbgrader",
+            command,
+            "hw1",
+            f"--course-dir={course}",
+            "--CourseDirectory.submitted_directory=clocked",
+        ],
+        cwd=course,
+        env=environment,
+        capture_output=True,
+        text=True,
+    )
     assert done.returncode == 0, done.stdout + done.stderr
     return taken
 
@@ -156,23 +216,52 @@ def workbook(course, environment, processes):
     shutil.rmtree(course / "graded", ignore_errors=True)
     log = course / "cells"
     log.write_text("", encoding="utf-8")
-    done, taken = run([PYTHON, CLOCK, log, "grade", "submitted", "--out", "graded", "--processes", str(processes),
-                       "--json"], cwd=course, env=environment, capture_output=True, text=True)
+    done, taken = run(
+        [
+            PYTHON,
+            CLOCK,
+            log,
+            "grade",
+            "submitted",
+            "--out",
+            "graded",
+            "--processes",
+            str(processes),
+            "--json",
+        ],
+        cwd=course,
+        env=environment,
+        capture_output=True,
+        text=True,
+    )
     assert done.returncode == 0, done.stderr
     points = json.loads(done.stdout)["assignments"]["hw1"]
     assert set(points.values()) == {max(points.values())}, "all answers are right"
-    clocked = [Taken(*map(float, line.split())) for line in log.read_text(encoding="utf-8").splitlines()]
-    assert len(clocked) >= 2 * len(list(course.glob("submitted/*/hw1/*.ipynb"))), "each notebook was clocked"
+    clocked = [
+        Taken(*map(float, line.split())) for line in log.read_text(encoding="utf-8").splitlines()
+    ]
+    assert len(clocked) >= 2 * len(list(course.glob("submitted/*/hw1/*.ipynb"))), (
+        "each notebook was clocked"
+    )
     return taken, sum(clocked, start=Taken(0, 0))
 
 
 def in_cells(notebook):
-    """What nbgrader's kernel needed for the cells of one notebook: by the times it wrote down, and as clocked."""
-    cells = [cell for cell in notebook["cells"] if cell["cell_type"] == "code"
-             and not cell["id"].startswith("clock-")]
+    """What nbgrader's kernel needed for the cells of one notebook: by the times it wrote down, and
+    as clocked."""
+    cells = [
+        cell
+        for cell in notebook["cells"]
+        if cell["cell_type"] == "code" and not cell["id"].startswith("clock-")
+    ]
     stamps = [cell["metadata"]["execution"] for cell in cells if cell["metadata"].get("execution")]
-    spans = [[datetime.fromisoformat(each[event]) for event in ("iopub.execute_input", "shell.execute_reply")]
-             for each in stamps]
+    spans = [
+        [
+            datetime.fromisoformat(each[event])
+            for event in ("iopub.execute_input", "shell.execute_reply")
+        ]
+        for each in stamps
+    ]
     told = "".join(notebook["cells"][-1]["outputs"][0]["text"])
     return Taken(sum((end - begin).total_seconds() for begin, end in spans), float(told))
 

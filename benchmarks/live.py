@@ -1,13 +1,15 @@
-"""From the command to a cell that answers: `workbook live 1.15` against plain `jupyter lab` with the same imports; and
-the frames of the explorers.
+"""From the command to a cell that answers: `workbook live 1.15` against plain `jupyter lab` with
+the same imports; and the frames of the explorers.
 
-Both are driven as JupyterLab's page drives its server: the notebook is asked for, a kernel is started, the first cell
-is sent to it. Cold is the first run after the files of the environment have left the system's cache, which only root
-can see to; without it only warm runs are timed. The time that the browser takes to draw its page is in neither.
+Both are driven as JupyterLab's page drives its server: the notebook is asked for, a kernel is
+started, the first cell is sent to it. Cold is the first run after the files of the environment have
+left the system's cache, which only root can see to; without it only warm runs are timed. The time
+that the browser takes to draw its page is in neither.
 
-A frame is counted twice: in core-seconds of the kernel, so that a busy machine says the same as a quiet one, and as
-the browser gets it, pictures a second while a pointer moves all the time (needs Chromium; `--frames` times only this).
-The bar is 20 a second. The ways to send a frame are compared on one picture.
+A frame is counted twice: in core-seconds of the kernel, so that a busy machine says the same as a
+quiet one, and as the browser gets it, pictures a second while a pointer moves all the time (needs
+Chromium; `--frames` times only this). The bar is 20 a second. The ways to send a frame are compared
+on one picture.
 """
 
 import json
@@ -31,8 +33,12 @@ import websocket
 ROOT = Path(__file__).resolve().parents[1]
 RUNS = 5
 #: What a lecture's first cells ask for, by hand in a kernel that has nothing.
-IMPORTS = ("import sympy as sp\nimport numpy as np\nimport matplotlib.pyplot as plt\nimport scipy.integrate\n"
-           "from trajlib import plotting, stability\nfrom workbook import checks\nfrom workbook.display import show\n")
+IMPORTS = (
+    "import sympy as sp\nimport numpy as np\nimport matplotlib.pyplot as plt\nimport "
+    "scipy.integrate\n"
+    "from trajlib import plotting, stability\nfrom workbook import checks\nfrom workbook.display "
+    "import show\n"
+)
 DATA = "k1, k2, s = sp.symbols('k1 k2 s', real=True)\na_poly = s**3 + k1*s**2 + k2*s + 1\na_poly\n"
 PICTURE = "plotting.region(sp.And(k1 > 0, k1*k2 > 1), [k1, k2], (-2, 4), (-2, 4))\n"
 JUDGED = "%check a_region = sp.And(k1 > 0, k1*k2 > 1)"
@@ -54,8 +60,10 @@ def starts():
     for what in ("first cell", "first picture", "check"):
         mine = median(run[what] for run in ours)
         other = median(run[what] for run in theirs) if what in theirs[0] else None
-        print(f"{what:14} workbook live {mine:6.2f} s" + (f"   jupyter lab {other:6.2f} s   {other/mine:5.1f} times"
-                                                         if other else ""))
+        print(
+            f"{what:14} workbook live {mine:6.2f} s"
+            + (f"   jupyter lab {other:6.2f} s   {other / mine:5.1f} times" if other else "")
+        )
     if os.geteuid() == 0 and forget_files():
         print(f"first cell, cold: workbook live {timed(live)['first cell']:6.2f} s")
         forget_files()
@@ -63,8 +71,15 @@ def starts():
 
 
 #: What is asked for, and the values that move.
-EXPLORERS = {"region_of_stability": "k1", "phase_portrait 1.4": "epsilon", "losing_a_mode": "beta",
-             "popov_distance": "alpha", "fastest_motion": "frame", "circle_synthesis": "R", "against_the_best": None}
+EXPLORERS = {
+    "region_of_stability": "k1",
+    "phase_portrait 1.4": "epsilon",
+    "losing_a_mode": "beta",
+    "popov_distance": "alpha",
+    "fastest_motion": "frame",
+    "circle_synthesis": "R",
+    "against_the_best": None,
+}
 FRAMES = 40
 
 
@@ -72,7 +87,10 @@ def kernels_side():
     """Core-seconds of one frame, by a slider and by the pointer, and of opening the explorer."""
     from workbook.live.explorers import explore
 
-    print("\nexplorer                 opens       by slider   by pointer   (core-seconds in the kernel)")
+    print(
+        "\nexplorer                 opens       by slider   by pointer   (core-seconds in the "
+        "kernel)"
+    )
     for words, moved in EXPLORERS.items():
         began = time.process_time()
         explorer = explore(words)
@@ -80,14 +98,21 @@ def kernels_side():
         by_slider = "-"
         if moved:
             control = explorer.controls[moved]
-            places = [type(control.value)(control.min + (control.max - control.min)*(k + 0.5)/FRAMES)
-                      for k in range(FRAMES)]
-            by_slider = f"{core_seconds(explorer, lambda place: setattr(control, 'value', place), places)*1e3:.1f} ms"
+            places = [
+                type(control.value)(control.min + (control.max - control.min) * (k + 0.5) / FRAMES)
+                for k in range(FRAMES)
+            ]
+            by_slider = f"{core_seconds(explorer, lambda place: setattr(control, 'value', place), places) * 1e3:.1f} ms"
         by_pointer = "-"
         if explorer.pulled:
-            places = [f"{k} {0.2 + 0.2*k/FRAMES:.4f} {0.3 + 0.4*k/FRAMES:.4f}" for k in range(FRAMES)]
-            moves = core_seconds(explorer, lambda place: setattr(explorer._pointer, "value", place), places)
-            by_pointer = f"{moves*1e3:.1f} ms"
+            places = [
+                f"{k} {0.2 + 0.2 * k / FRAMES:.4f} {0.3 + 0.4 * k / FRAMES:.4f}"
+                for k in range(FRAMES)
+            ]
+            moves = core_seconds(
+                explorer, lambda place: setattr(explorer._pointer, "value", place), places
+            )
+            by_pointer = f"{moves * 1e3:.1f} ms"
         print(f"{words:22} {opened:6.2f} s {by_slider:>14} {by_pointer:>12}")
 
 
@@ -97,11 +122,16 @@ def core_seconds(explorer, move, places):
     frames, began = explorer.frames, time.process_time()
     for place in places[1:]:
         move(place)
-    return (time.process_time() - began)/(explorer.frames - frames) if explorer.frames > frames else float("nan")
+    return (
+        (time.process_time() - began) / (explorer.frames - frames)
+        if explorer.frames > frames
+        else float("nan")
+    )
 
 
 def ways_to_send():
-    """One picture of the plane and the roots, redrawn whole and in its moving parts, in the formats a browser shows."""
+    """One picture of the plane and the roots, redrawn whole and in its moving parts, in the formats
+    a browser shows."""
     import io
 
     from PIL import Image
@@ -110,7 +140,9 @@ def ways_to_send():
 
     explorer = explore("region_of_stability")
     figure, canvas = explorer.stage.figure, explorer.stage._canvas
-    picture = Image.frombuffer("RGBA", canvas.get_width_height(), canvas.buffer_rgba(), "raw", "RGBA", 0, 1)
+    picture = Image.frombuffer(
+        "RGBA", canvas.get_width_height(), canvas.buffer_rgba(), "raw", "RGBA", 0, 1
+    )
 
     def saved(form, **how):
         told = io.BytesIO()
@@ -122,22 +154,28 @@ def ways_to_send():
         figure.savefig(told, format=form)
         return len(told.getvalue())
 
-    ways = {"moving parts, JPEG (ours)": lambda: len(explorer.stage.frame()),
-            "of this the JPEG": lambda: saved("jpeg", quality=93, subsampling=0),
-            "the PNG instead": lambda: saved("png", compress_level=1),
-            "the BMP instead": lambda: saved("bmp"),
-            "whole figure, PNG": lambda: whole("png"), "whole figure, SVG": lambda: whole("svg")}
+    ways = {
+        "moving parts, JPEG (ours)": lambda: len(explorer.stage.frame()),
+        "of this the JPEG": lambda: saved("jpeg", quality=93, subsampling=0),
+        "the PNG instead": lambda: saved("png", compress_level=1),
+        "the BMP instead": lambda: saved("bmp"),
+        "whole figure, PNG": lambda: whole("png"),
+        "whole figure, SVG": lambda: whole("svg"),
+    }
     for name, way in ways.items():
         runs = 3 if "whole" in name else 20
         size = way()
         began = time.process_time()
         for _ in range(runs):
             way()
-        print(f"{name:26} {(time.process_time() - began)/runs*1e3:7.1f} ms {size/1e3:7.0f} kB")
+        print(
+            f"{name:26} {(time.process_time() - began) / runs * 1e3:7.1f} ms {size / 1e3:7.0f} kB"
+        )
 
 
 def browsers_side():
-    """Pictures that the page has loaded in a second while a pointer moves over it without a rest."""
+    """Pictures that the page has loaded in a second while a pointer moves over it without a
+    rest."""
     sys.path.insert(0, str(ROOT / "tests" / "browser"))
     from chromium import Browser
     from selenium.webdriver import ActionChains
@@ -147,30 +185,56 @@ def browsers_side():
         return
     with TemporaryDirectory(ignore_cleanup_errors=True) as folder:
         process, port, token, path = live(Path(folder))
-        browser = Browser(shutil.which("chromium"), shutil.which("chromedriver"), f"{folder}/profile")
+        browser = Browser(
+            shutil.which("chromium"), shutil.which("chromedriver"), f"{folder}/profile"
+        )
         try:
             for words in EXPLORERS:
                 notebook = call(port, token, f"/api/contents/{path}")["content"]
-                notebook["cells"] = [{"cell_type": "code", "id": "one", "execution_count": None, "metadata": {},
-                                      "outputs": [], "source": f"%explore {words}"}]
-                call(port, token, f"/api/contents/{path}", {"type": "notebook", "content": notebook}, "PUT")
+                notebook["cells"] = [
+                    {
+                        "cell_type": "code",
+                        "id": "one",
+                        "execution_count": None,
+                        "metadata": {},
+                        "outputs": [],
+                        "source": f"%explore {words}",
+                    }
+                ]
+                call(
+                    port,
+                    token,
+                    f"/api/contents/{path}",
+                    {"type": "notebook", "content": notebook},
+                    "PUT",
+                )
                 browser.open("about:blank")
                 browser.open(f"http://127.0.0.1:{port}/doc/tree/{path}?token={token}&reset")
                 idle = "document.querySelector('.jp-Notebook-ExecutionIndicator')?.dataset.status === 'idle'"
-                browser.wait_for("document.querySelector('.jp-NotebookPanel .cm-content')?.offsetParent", 60)
+                browser.wait_for(
+                    "document.querySelector('.jp-NotebookPanel .cm-content')?.offsetParent", 60
+                )
                 browser.wait_for(idle, 60)
                 time.sleep(2)
                 browser.find(".jp-NotebookPanel .jp-CodeCell .cm-content").click()
-                ActionChains(browser.driver).key_down(Keys.SHIFT).send_keys(Keys.ENTER).key_up(Keys.SHIFT).perform()
-                browser.wait_for("document.querySelector('.workbook-stage img')?.naturalWidth > 100", 60)
+                ActionChains(browser.driver).key_down(Keys.SHIFT).send_keys(Keys.ENTER).key_up(
+                    Keys.SHIFT
+                ).perform()
+                browser.wait_for(
+                    "document.querySelector('.workbook-stage img')?.naturalWidth > 100", 60
+                )
                 browser.wait_for(idle, 60)
-                print(f"{words:22} {browser.driver.execute_async_script(PULLED):5.1f} frames a second in the browser")
+                print(
+                    f"{words:22} {browser.driver.execute_async_script(PULLED):5.1f} frames a "
+                    "second in the browser"
+                )
         finally:
             browser.driver.quit()
             end(process)
 
 
-#: Moves a pressed pointer over the layer for four seconds, or the slider where the pointer does nothing.
+#: Moves a pressed pointer over the layer for four seconds, or the slider where the pointer does
+#: nothing.
 PULLED = """
 const done = arguments[0], layer = document.querySelector('.workbook-layer');
 const image = document.querySelector('.workbook-stage img'), box = image.getBoundingClientRect();
@@ -207,8 +271,12 @@ def timed(start):
         began = time.perf_counter()
         process, port, token, path = start(Path(folder))
         try:
-            session = call(port, token, "/api/sessions", {"path": path, "name": path, "type": "notebook",
-                                                          "kernel": {"name": "python3"}})
+            session = call(
+                port,
+                token,
+                "/api/sessions",
+                {"path": path, "name": path, "type": "notebook", "kernel": {"name": "python3"}},
+            )
             place = f"ws://127.0.0.1:{port}/api/kernels/{session['kernel']['id']}/channels?token={token}"
             kernel = websocket.create_connection(place, timeout=120)
             run(kernel, IMPORTS + DATA)
@@ -235,8 +303,13 @@ def seconds(function, *arguments):
 
 
 def live(folder):
-    process = subprocess.Popen([sys.executable, "-m", "workbook.cli", "live", "1.15", "--no-browser", "--discard"],
-                               cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, text=True)
+    process = subprocess.Popen(
+        [sys.executable, "-m", "workbook.cli", "live", "1.15", "--no-browser", "--discard"],
+        cwd=folder,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        text=True,
+    )
     found = re.search(r"127\.0\.0\.1:(\d+)/\S*token=(\w+)", process.stdout.readline())
     return process, found[1], found[2], "1.15.ipynb"
 
@@ -247,10 +320,22 @@ def lab(folder):
         free.bind(("127.0.0.1", 0))
         port = free.getsockname()[1]
     (folder / "1.15.ipynb").write_bytes((ROOT / "exercises" / "ch1" / "p15.ipynb").read_bytes())
-    process = subprocess.Popen([sys.executable, "-m", "jupyterlab", "--no-browser", f"--port={port}", "--allow-root",
-                                f"--ServerApp.root_dir={folder}", f"--IdentityProvider.token={token}"],
-                               cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                               stderr=subprocess.DEVNULL)
+    process = subprocess.Popen(
+        [
+            sys.executable,
+            "-m",
+            "jupyterlab",
+            "--no-browser",
+            f"--port={port}",
+            "--allow-root",
+            f"--ServerApp.root_dir={folder}",
+            f"--IdentityProvider.token={token}",
+        ],
+        cwd=folder,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.DEVNULL,
+    )
     end = time.monotonic() + 120
     while time.monotonic() < end:
         try:
@@ -262,9 +347,12 @@ def lab(folder):
 
 
 def call(port, token, path, body=None, method=None):
-    request = urllib.request.Request(f"http://127.0.0.1:{port}{path}", json.dumps(body).encode() if body else None,
-                                     {"Authorization": f"token {token}", "Content-Type": "application/json"},
-                                     method=method)
+    request = urllib.request.Request(
+        f"http://127.0.0.1:{port}{path}",
+        json.dumps(body).encode() if body else None,
+        {"Authorization": f"token {token}", "Content-Type": "application/json"},
+        method=method,
+    )
     with urllib.request.urlopen(request, timeout=120) as answer:
         return json.load(answer)
 
@@ -272,11 +360,32 @@ def call(port, token, path, body=None, method=None):
 def run(kernel, source):
     """Run a cell to its end; what it said of an error ends the benchmark."""
     asked = uuid.uuid4().hex
-    kernel.send(json.dumps({
-        "header": {"msg_id": asked, "username": "", "session": "benchmark", "msg_type": "execute_request",
-                   "version": "5.3", "date": ""}, "parent_header": {}, "metadata": {}, "channel": "shell",
-        "content": {"code": source, "silent": False, "store_history": True, "user_expressions": {},
-                    "allow_stdin": False, "stop_on_error": True}, "buffers": []}))
+    kernel.send(
+        json.dumps(
+            {
+                "header": {
+                    "msg_id": asked,
+                    "username": "",
+                    "session": "benchmark",
+                    "msg_type": "execute_request",
+                    "version": "5.3",
+                    "date": "",
+                },
+                "parent_header": {},
+                "metadata": {},
+                "channel": "shell",
+                "content": {
+                    "code": source,
+                    "silent": False,
+                    "store_history": True,
+                    "user_expressions": {},
+                    "allow_stdin": False,
+                    "stop_on_error": True,
+                },
+                "buffers": [],
+            }
+        )
+    )
     left = {"execute_reply", "idle"}
     while left:
         message = json.loads(kernel.recv())

@@ -1,14 +1,15 @@
-"""Extremals by `Problem.solve()` against YAPSS, rockit, dymos and plain CasADi: error of the cost and of the switching
-times against the time from the bare statement to the result, each solved in a fresh process, packages imported before
-the clock starts.
+"""Extremals by `Problem.solve()` against YAPSS, rockit, dymos and plain CasADi: error of the cost
+and of the switching times against the time from the bare statement to the result, each solved in a
+fresh process, packages imported before the clock starts.
 
-The peers live in an environment of their own, which is made on the first run (`python -m venv`, then pip) in
-_build/peers or where `--environment` says. Peers get a guess of the time and straight lines as states; trajlib gets the
-statement alone. Their switching times are read off their controls with the right structure given, so that no peer
-suffers from a bad reading.
+The peers live in an environment of their own, which is made on the first run (`python -m venv`,
+then pip) in _build/peers or where `--environment` says. Peers get a guess of the time and straight
+lines as states; trajlib gets the statement alone. Their switching times are read off their controls
+with the right structure given, so that no peer suffers from a bad reading.
 """
 
 import argparse
+import itertools
 import json
 import os
 import subprocess
@@ -28,7 +29,7 @@ HERE = Path(__file__).resolve().parent
 
 def environment(folder):
     """The interpreter of the peers' environment, made if it is not there."""
-    python = folder/"bin"/"python"
+    python = folder / "bin" / "python"
     if not python.exists():
         print(f"making {folder} with {', '.join(PACKAGES)} ...", flush=True)
         subprocess.run([sys.executable, "-m", "venv", folder], check=True)
@@ -38,7 +39,8 @@ def environment(folder):
 
 def ours(name):
     """What a fresh process prints for trajlib: cost, switching times, seconds, residuals."""
-    # The peers' packages are imported before the clock starts, so ours are too; trajlib's own modules load inside.
+    # The peers' packages are imported before the clock starts, so ours are too; trajlib's own
+    # modules load inside.
     import casadi  # noqa: F401
     import numpy  # noqa: F401
     import sympy as sp
@@ -48,23 +50,44 @@ def ours(name):
     case = CASES[name]
     start = time.perf_counter()
     x, u = sp.symbols(f"x1:{len(case.start) + 1}"), sp.Symbol("u")
-    extremal = Problem(dict(zip(x, case.field(x, u))), {u: (-1, 1)}, dict(zip(x, case.start)),
-                       {x[i]: end for i, end in case.fixed}, running=case.density(x, u), duration=case.duration).solve()
+    extremal = Problem(
+        dict(zip(x, case.field(x, u))),
+        {u: (-1, 1)},
+        dict(zip(x, case.start)),
+        {x[i]: end for i, end in case.fixed},
+        running=case.density(x, u),
+        duration=case.duration,
+    ).solve()
     seconds = time.perf_counter() - start
     again = time.perf_counter()
     extremal.problem.solve()
-    print(json.dumps({"cost": extremal.cost, "switchings": extremal.switching_times, "seconds": seconds,
-                      "again": time.perf_counter() - again, "worst": extremal.certificate().worst}))
+    print(
+        json.dumps(
+            {
+                "cost": extremal.cost,
+                "switchings": extremal.switching_times,
+                "seconds": seconds,
+                "again": time.perf_counter() - again,
+                "worst": extremal.certificate().worst,
+            }
+        )
+    )
 
 
 def run(command):
     """The last line that a process prints, as JSON; a word saying why if there is none."""
     try:
-        # One thread for linear algebra: more only get in one another's way on problems of this size.
-        # A folder of its own, since OpenMDAO leaves its output where it runs.
+        # One thread for linear algebra: more only get in one another's way on problems of this
+        # size. A folder of its own, since OpenMDAO leaves its output where it runs.
         with tempfile.TemporaryDirectory() as folder:
-            done = subprocess.run(command, capture_output=True, text=True, timeout=LIMIT, cwd=folder,
-                                  env=os.environ | {"OPENBLAS_NUM_THREADS": "1"})
+            done = subprocess.run(
+                command,
+                capture_output=True,
+                text=True,
+                timeout=LIMIT,
+                cwd=folder,
+                env=os.environ | {"OPENBLAS_NUM_THREADS": "1"},
+            )
     except subprocess.TimeoutExpired:
         return f"more than {LIMIT} s"
     try:
@@ -74,35 +97,44 @@ def run(command):
 
 
 def switchings(case, times, controls):
-    """Switching times of a peer's control: from the mean between the middles of the true arcs, or from the line that
-    meets a bound."""
+    """Switching times of a peer's control: from the mean between the middles of the true arcs, or
+    from the line that meets a bound."""
     times, controls = np.array(times), np.array(controls)
     if "line" in case.levels:
-        middles = (times[1:] + times[:-1])/2 if len(times) > len(controls) else times
+        middles = (times[1:] + times[:-1]) / 2 if len(times) > len(controls) else times
         found = []
-        for bound, half in ((-1.0, middles <= times[-1]/2), (1.0, middles > times[-1]/2)):
+        for bound, half in ((-1.0, middles <= times[-1] / 2), (1.0, middles > times[-1] / 2)):
             inside = half & (np.abs(controls) < 0.97)
             slope, offset = np.polyfit(middles[inside], controls[inside], 1)
-            found.append((bound - offset)/slope)
+            found.append((bound - offset) / slope)
         return found
     ends = [0.0, *case.switchings, case.cost if case.duration is None else case.duration]
-    cuts = [0.0, *((ends[i] + ends[i + 1])/2 for i in range(1, len(ends) - 2)), times[-1]]
+    cuts = [0.0, *((ends[i] + ends[i + 1]) / 2 for i in range(1, len(ends) - 2)), times[-1]]
     found = []
-    for (low, high), (a, b) in zip(zip(cuts, cuts[1:]), zip(case.levels, case.levels[1:])):
+    for (low, high), (a, b) in zip(itertools.pairwise(cuts), zip(case.levels, case.levels[1:])):
         grid = np.linspace(low, high, 200_001)
-        grid = (grid[1:] + grid[:-1])/2
+        grid = (grid[1:] + grid[:-1]) / 2
         if len(times) > len(controls):
-            u = controls[np.clip(np.searchsorted(times, grid, side="right") - 1, 0, len(controls) - 1)]
+            u = controls[
+                np.clip(np.searchsorted(times, grid, side="right") - 1, 0, len(controls) - 1)
+            ]
         else:
             u = np.interp(grid, times, controls)
-        found.append(low + float(np.mean((b - u)/(b - a)))*(high - low))
+        found.append(low + float(np.mean((b - u) / (b - a))) * (high - low))
     return found
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--environment", type=Path, default=HERE.parent/"_build"/"peers", help="where the peers live")
-    parser.add_argument("--problem", choices=list(CASES), action="append", help="only this one (may be repeated)")
+    parser.add_argument(
+        "--environment",
+        type=Path,
+        default=HERE.parent / "_build" / "peers",
+        help="where the peers live",
+    )
+    parser.add_argument(
+        "--problem", choices=list(CASES), action="append", help="only this one (may be repeated)"
+    )
     parser.add_argument("--ours", help=argparse.SUPPRESS)
     arguments = parser.parse_args()
     if arguments.ours:
@@ -110,21 +142,41 @@ def main():
     python = environment(arguments.environment.resolve())
     for name in arguments.problem or CASES:
         case = CASES[name]
-        print(f"\n{name}: J = {case.cost:.12f}, switchings "
-              f"{', '.join(f'{t:.10f}' for t in case.switchings) or 'not compared'}")
+        print(
+            f"\n{name}: J = {case.cost:.12f}, switchings "
+            f"{', '.join(f'{t:.10f}' for t in case.switchings) or 'not compared'}"
+        )
         print(f"{'':38} {'error of J':>11} {'of switchings':>14} {'seconds':>9}", flush=True)
         best = measured(python, name, case)
         mine = best.pop("trajlib")
-        line("trajlib", case, mine, mine["switchings"],
-             f"again {mine['again']:.3f}; worst residual of the certificate {mine['worst']:.1e}")
+        line(
+            "trajlib",
+            case,
+            mine,
+            mine["switchings"],
+            f"again {mine['again']:.3f}; worst residual of the certificate {mine['worst']:.1e}",
+        )
         for peer, one in best.items():
             if isinstance(one, str):
                 print(f"{peer:38} {one:>11}")
             else:
-                line(peer, case, one, switchings(case, one["times"], one["controls"]),
-                     f"with the guess {one['guess']:g} of the time" if one["guess"] != guesses(case)[0] else "")
-        seconds, peer = min((one["seconds"], peer) for peer, one in best.items() if not isinstance(one, str))
-        print(f"the fastest peer takes {seconds/mine['seconds']:.2f} times as long as trajlib ({peer})", flush=True)
+                line(
+                    peer,
+                    case,
+                    one,
+                    switchings(case, one["times"], one["controls"]),
+                    f"with the guess {one['guess']:g} of the time"
+                    if one["guess"] != guesses(case)[0]
+                    else "",
+                )
+        seconds, peer = min(
+            (one["seconds"], peer) for peer, one in best.items() if not isinstance(one, str)
+        )
+        print(
+            f"the fastest peer takes {seconds / mine['seconds']:.2f} times as long as trajlib "
+            f"({peer})",
+            flush=True,
+        )
 
 
 def guesses(case):
@@ -133,22 +185,27 @@ def guesses(case):
 
 
 def measured(python, name, case):
-    """{solver: its fastest run, or a word saying why there is none}; the solvers take turns, since other work slows all
-    of them."""
+    """{solver: its fastest run, or a word saying why there is none}; the solvers take turns, since
+    other work slows all of them."""
     best, guess = {}, {}
     for turn in range(RUNS):
-        results = {"trajlib": run([sys.executable, HERE/"pontryagin.py", "--ours", name])}
+        results = {"trajlib": run([sys.executable, HERE / "pontryagin.py", "--ours", name])}
         for peer in PEERS:
             if isinstance(best.get(peer), str) or (turn and "dymos" in peer):
                 continue
-            for guess[peer] in [guess[peer]] if peer in guess else guesses(case):
-                results[peer] = run([python, HERE/"pontryagin_peers.py", peer, name, str(guess[peer])])
+            for first in [guess[peer]] if peer in guess else guesses(case):
+                guess[peer] = first
+                results[peer] = run(
+                    [python, HERE / "pontryagin_peers.py", peer, name, str(guess[peer])]
+                )
                 if results[peer] != "fails":
                     break
             if not isinstance(results[peer], str):
                 results[peer]["guess"] = guess[peer]
         for solver, one in results.items():
-            if solver not in best or (not isinstance(one, str) and one["seconds"] < best[solver]["seconds"]):
+            if solver not in best or (
+                not isinstance(one, str) and one["seconds"] < best[solver]["seconds"]
+            ):
                 best[solver] = one
     return best
 
@@ -156,7 +213,11 @@ def measured(python, name, case):
 def line(solver, case, one, times, remark):
     error = max((abs(a - b) for a, b in zip(times, case.switchings)), default=float("nan"))
     remark = f"   ({remark})" if remark else ""
-    print(f"{solver:38} {abs(one['cost'] - case.cost):11.1e} {error:14.1e} {one['seconds']:9.3f}{remark}", flush=True)
+    print(
+        f"{solver:38} {abs(one['cost'] - case.cost):11.1e} {error:14.1e} "
+        f"{one['seconds']:9.3f}{remark}",
+        flush=True,
+    )
 
 
 if __name__ == "__main__":

@@ -1,8 +1,8 @@
 """The problems of `pontryagin.py`, and how each peer solves them; runs in the peers' environment.
 
-`python pontryagin_peers.py PEER PROBLEM GUESS` (of the time) prints {"cost", "times", "controls", "seconds"}: times and
-controls of the solution (the controls constant on intervals for CasADi and rockit), seconds from the bare statement,
-the package being imported.
+`python pontryagin_peers.py PEER PROBLEM GUESS` (of the time) prints {"cost", "times", "controls",
+"seconds"}: times and controls of the solution (the controls constant on intervals for CasADi and
+rockit), seconds from the bare statement, the package being imported.
 """
 
 import json
@@ -14,15 +14,17 @@ from math import cos, exp, pi, sin, sqrt
 
 @dataclass(frozen=True)
 class Case:
-    """min of int f_0 dt, x' = f(x, u), |u| <= 1, start and end given (None: free); free time if `duration` is None;
-    with its solution. Without `levels` the switching times are not compared; `guess`: of the time, for the peers."""
+    """min of int f_0 dt, x' = f(x, u), |u| <= 1, start and end given (None: free); free time if
+    `duration` is None; with its solution. Without `levels` the switching times are not compared;
+    `guess`: of the time, for the peers."""
 
     field: object
     density: object
     start: tuple
     end: tuple
     duration: float | None
-    levels: tuple           # the control on the arcs in turn; "line" for one that joins its neighbours linearly
+    # the control on the arcs in turn; "line" for one that joins its neighbours linearly
+    levels: tuple
     switchings: tuple
     cost: float
     guess: float | None = None
@@ -39,20 +41,33 @@ class Case:
 
 
 def oscillator(damping, lengths):
-    """To the origin, backwards from it: arcs of these lengths, last first, with u = 1 on the last."""
-    w = sqrt(1 - damping**2/4)
+    """To the origin, backwards from it: arcs of these lengths, last first, with u = 1 on the
+    last."""
+    w = sqrt(1 - damping**2 / 4)
     x, y, u = 0.0, 0.0, 1.0
     for s in lengths:
         # x'' + d x' + x = u, backwards for the time s: about x = u a spiral with the decay d/2.
         p, q = x - u, y
-        c, g, grow = cos(w*s), sin(w*s)/w, exp(damping*s/2)
-        x, y, u = u + grow*(p*c - (q + damping/2*p)*g), grow*(q*c + (p + damping/2*q)*g), -u
+        c, g, grow = cos(w * s), sin(w * s) / w, exp(damping * s / 2)
+        x, y, u = (
+            u + grow * (p * c - (q + damping / 2 * p) * g),
+            grow * (q * c + (p + damping / 2 * q) * g),
+            -u,
+        )
     times = []
     for s in lengths[:0:-1]:
         times.append(s + (times[-1] if times else 0.0))
     levels = tuple(1.0 if (len(lengths) - i) % 2 else -1.0 for i in range(len(lengths)))
-    return Case(lambda x, u: (x[1], -x[0] - damping*x[1] + u), lambda x, u: 1, (x, y), (0.0, 0.0), None, levels,
-                tuple(times), sum(lengths))
+    return Case(
+        lambda x, u: (x[1], -x[0] - damping * x[1] + u),
+        lambda x, u: 1,
+        (x, y),
+        (0.0, 0.0),
+        None,
+        levels,
+        tuple(times),
+        sum(lengths),
+    )
 
 
 def plane(x, u):
@@ -62,8 +77,8 @@ def plane(x, u):
 def goddard(x, u):
     """Goddard's rocket (COPS), the thrust from 0 to 3.5."""
     h, v, m = x
-    thrust, drag = 1.75*(1 + u), 310*v**2*exponential(-500*(h - 1))
-    return v, (thrust - drag)/m - 1/h**2, -2*thrust
+    thrust, drag = 1.75 * (1 + u), 310 * v**2 * exponential(-500 * (h - 1))
+    return v, (thrust - drag) / m - 1 / h**2, -2 * thrust
 
 
 def exponential(z):
@@ -75,22 +90,49 @@ def exponential(z):
     return library.exp(z)
 
 
-r, c = sqrt(1.08), sqrt(3*(2.1**2/4 - 1))
+r, c = sqrt(1.08), sqrt(3 * (2.1**2 / 4 - 1))
 CASES = {
-    "double integrator": Case(plane, lambda x, u: 1, (1.0, 0.4), (0.0, 0.0), None, (-1.0, 1.0), (0.4 + r,), 0.4 + 2*r),
-    "turnpike": Case(lambda x, u: (u,), lambda x, u: x[0]**2, (0.83,), (0.41,), 2.0, (-1.0, 0.0, 1.0), (0.83, 1.59),
-                     (0.83**3 + 0.41**3)/3),
+    "double integrator": Case(
+        plane, lambda x, u: 1, (1.0, 0.4), (0.0, 0.0), None, (-1.0, 1.0), (0.4 + r,), 0.4 + 2 * r
+    ),
+    "turnpike": Case(
+        lambda x, u: (u,),
+        lambda x, u: x[0] ** 2,
+        (0.83,),
+        (0.41,),
+        2.0,
+        (-1.0, 0.0, 1.0),
+        (0.83, 1.59),
+        (0.83**3 + 0.41**3) / 3,
+    ),
     "oscillator": oscillator(0.0, [1.0, pi, 2.0]),
-    "damped oscillator": oscillator(1.0, [0.9, 2*pi/sqrt(3), 1.4]),
-    "saturated quadratic": Case(plane, lambda x, u: u**2, (1.0, 0.0), (0.0, 0.0), 2.1, (-1.0, "line", 1.0),
-                                (1.05 - c, 1.05 + c), 2.1 - 4*c/3),
+    "damped oscillator": oscillator(1.0, [0.9, 2 * pi / sqrt(3), 1.4]),
+    "saturated quadratic": Case(
+        plane,
+        lambda x, u: u**2,
+        (1.0, 0.0),
+        (0.0, 0.0),
+        2.1,
+        (-1.0, "line", 1.0),
+        (1.05 - c, 1.05 + c),
+        2.1 - 4 * c / 3,
+    ),
     # The height by the feedback law of the singular surface, from an integration of its own.
-    "Goddard": Case(goddard, lambda x, u: -x[1], (1.0, 0.0, 1.0), (None, None, 0.6), None, (), (),
-                    1 - 1.0128369183174954, guess=0.2),
+    "Goddard": Case(
+        goddard,
+        lambda x, u: -x[1],
+        (1.0, 0.0, 1.0),
+        (None, None, 0.6),
+        None,
+        (),
+        (),
+        1 - 1.0128369183174954,
+        guess=0.2,
+    ),
 }
 N = 100
-# A user's guesses of the time, for the peers alone: the next is taken where one leads nowhere. States: the straight
-# line.
+# A user's guesses of the time, for the peers alone: the next is taken where one leads nowhere.
+# States: the straight line.
 GUESSES = (3.0, 1.0, 6.0, 9.0)
 
 
@@ -101,13 +143,17 @@ def casadi_rk4():
         n = len(case.start)
         x, u, h = ca.SX.sym("x", n), ca.SX.sym("u"), ca.SX.sym("h")
         rate = ca.Function("f", [x, u], [ca.vertcat(*case.field(x, u)), case.density(x, u)])
-        (k1, c1), (k2, c2) = rate(x, u), rate(x + h/2*rate(x, u)[0], u)
-        k3, c3 = rate(x + h/2*k2, u)
-        k4, c4 = rate(x + h*k3, u)
-        step = ca.Function("F", [x, u, h], [x + h/6*(k1 + 2*k2 + 2*k3 + k4), h/6*(c1 + 2*c2 + 2*c3 + c4)])
+        (k1, c1), (k2, c2) = rate(x, u), rate(x + h / 2 * rate(x, u)[0], u)
+        k3, c3 = rate(x + h / 2 * k2, u)
+        k4, c4 = rate(x + h * k3, u)
+        step = ca.Function(
+            "F",
+            [x, u, h],
+            [x + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4), h / 6 * (c1 + 2 * c2 + 2 * c3 + c4)],
+        )
         opti = ca.Opti()
         X, U, T = opti.variable(n, N + 1), opti.variable(1, N), opti.variable()
-        end, cost = step.map(N)(X[:, :-1], U, ca.repmat(T/N, 1, N))
+        end, cost = step.map(N)(X[:, :-1], U, ca.repmat(T / N, 1, N))
         opti.minimize(ca.sum2(cost))
         opti.subject_to(X[:, 1:] == end)
         opti.subject_to(opti.bounded(-1, U, 1))
@@ -116,11 +162,21 @@ def casadi_rk4():
             opti.subject_to(X[i, -1] == end)
         opti.subject_to(T == case.duration if case.duration else opti.bounded(0.01, T, 100))
         opti.set_initial(T, case.duration or guess_time)
-        opti.set_initial(X, ca.DM([[a + (b - a)*i/N for i in range(N + 1)] for a, b in case.ways]))
-        opti.solver("ipopt", {"expand": True, "print_time": False}, {"print_level": 0, "sb": "yes", "tol": 1e-10})
+        opti.set_initial(
+            X, ca.DM([[a + (b - a) * i / N for i in range(N + 1)] for a, b in case.ways])
+        )
+        opti.solver(
+            "ipopt",
+            {"expand": True, "print_time": False},
+            {"print_level": 0, "sb": "yes", "tol": 1e-10},
+        )
         found = opti.solve()
         T = float(found.value(T))
-        return float(found.value(opti.f)), [T*i/N for i in range(N + 1)], list(map(float, found.value(U)))
+        return (
+            float(found.value(opti.f)),
+            [T * i / N for i in range(N + 1)],
+            list(map(float, found.value(U))),
+        )
 
     return solve
 
@@ -136,10 +192,15 @@ def rockit():
         for one, rate, (begin, end) in zip(x, case.field(x, u), case.ways):
             ocp.set_der(one, rate)
             ocp.subject_to(ocp.at_t0(one) == begin)
-            ocp.set_initial(one, begin + (end - begin)*ocp.t/(case.duration or guess_time))
-        ocp.add_objective(ocp.integral(case.density(x, u)) if case.duration or case.guess else ocp.T)
+            ocp.set_initial(one, begin + (end - begin) * ocp.t / (case.duration or guess_time))
+        ocp.add_objective(
+            ocp.integral(case.density(x, u)) if case.duration or case.guess else ocp.T
+        )
         ocp.subject_to(-1 <= (u <= 1))
-        ocp.solver("ipopt", {"ipopt.tol": 1e-10, "ipopt.print_level": 0, "ipopt.sb": "yes", "print_time": False})
+        ocp.solver(
+            "ipopt",
+            {"ipopt.tol": 1e-10, "ipopt.print_level": 0, "ipopt.sb": "yes", "print_time": False},
+        )
         ocp.method(MultipleShooting(N=N, intg="rk"))
         found = ocp.solve()
         t, values = found.sample(u, grid="control")
@@ -162,11 +223,13 @@ def yapss(segments=10, points=10):
         def continuous(a):
             x, (u,) = a.phase[0].state, a.phase[0].control
             a.phase[0].dynamics[:] = case.field(x, u)
-            a.phase[0].integrand[:] = (case.density(x, u) + 0*u,)
+            a.phase[0].integrand[:] = (case.density(x, u) + 0 * u,)
 
         p.functions.objective, p.functions.continuous = objective, continuous
         low.initial_time.lower = low.initial_time.upper = 0
-        low.final_time.lower, low.final_time.upper = (case.duration,)*2 if case.duration else (0.01, 100)
+        low.final_time.lower, low.final_time.upper = (
+            (case.duration,) * 2 if case.duration else (0.01, 100)
+        )
         low.initial_state.lower[:] = low.initial_state.upper[:] = case.start
         for i, end in case.fixed:
             low.final_state.lower[i] = low.final_state.upper[i] = end
@@ -174,7 +237,10 @@ def yapss(segments=10, points=10):
         guess.time = [0, case.duration or guess_time]
         guess.state, guess.control = list(map(list, case.ways)), [[0, 0]]
         p.derivatives.method, p.derivatives.order = "auto", "second"
-        p.mesh.phase[0].collocation_points, p.mesh.phase[0].fraction = segments*(points,), segments*(1/segments,)
+        p.mesh.phase[0].collocation_points, p.mesh.phase[0].fraction = (
+            segments * (points,),
+            segments * (1 / segments,),
+        )
         p.ipopt_options.print_level, p.ipopt_options.tol = 0, 1e-10
         found = p.solve()
         phase = found.phase[0]
@@ -212,7 +278,7 @@ def dymos():
                 x, u = [inputs[name] for name in names], inputs["u"]
                 for name, rate in zip(names, case.field(x, u)):
                     outputs[name + "_rate"] = rate
-                outputs["J_rate"] = case.density(x, u) + 0*u
+                outputs["J_rate"] = case.density(x, u) + 0 * u
 
         p = om.Problem(reports=None)
         p.driver = om.ScipyOptimizeDriver(optimizer="SLSQP", tol=1e-9, maxiter=500, disp=False)
@@ -225,10 +291,17 @@ def dymos():
         else:
             phase.set_time_options(fix_initial=True, duration_bounds=(0.1, 100))
         for name, end in zip(names, case.end):
-            phase.add_state(name, fix_initial=True, fix_final=end is not None, rate_source=name + "_rate",
-                            targets=[name])
+            phase.add_state(
+                name,
+                fix_initial=True,
+                fix_final=end is not None,
+                rate_source=name + "_rate",
+                targets=[name],
+            )
         phase.add_state("J", fix_initial=True, rate_source="J_rate")
-        phase.add_control("u", lower=-1, upper=1, continuity=False, rate_continuity=False, targets=["u"])
+        phase.add_control(
+            "u", lower=-1, upper=1, continuity=False, rate_continuity=False, targets=["u"]
+        )
         phase.add_objective("J", loc="final")
         p.setup()
         phase.set_time_val(0, case.duration or guess_time)
@@ -245,8 +318,13 @@ def dymos():
     return solve
 
 
-PEERS = {"CasADi, RK4, N = 100": casadi_rk4, "rockit, multiple shooting, N = 100": rockit, "YAPSS, LGL 10 x 10": yapss,
-         "YAPSS, LGL 40 x 10": lambda: yapss(40, 10), "dymos, Radau 30 x 3, SLSQP": dymos}
+PEERS = {
+    "CasADi, RK4, N = 100": casadi_rk4,
+    "rockit, multiple shooting, N = 100": rockit,
+    "YAPSS, LGL 10 x 10": yapss,
+    "YAPSS, LGL 40 x 10": lambda: yapss(40, 10),
+    "dymos, Radau 30 x 3, SLSQP": dymos,
+}
 
 
 def main():
@@ -255,7 +333,9 @@ def main():
     start = time.perf_counter()
     cost, times, controls = solve(CASES[case], float(guess_time))
     seconds = time.perf_counter() - start
-    print("\n" + json.dumps({"cost": cost, "times": times, "controls": controls, "seconds": seconds}))
+    print(
+        "\n" + json.dumps({"cost": cost, "times": times, "controls": controls, "seconds": seconds})
+    )
 
 
 if __name__ == "__main__":

@@ -1,5 +1,6 @@
-"""`make book` from nothing (cold), with a sentence more in one page, and with nothing changed, in a copy of the
-checkout, in seconds on the clock and of processor time, which other work on the machine disturbs less.
+"""`make book` from nothing (cold), with a sentence more in one page, and with nothing changed, in a
+copy of the checkout, in seconds on the clock and of processor time, which other work on the machine
+disturbs less.
 
 The environment is made before the clock starts: it is a matter of the network, not of the build.
 """
@@ -18,14 +19,18 @@ def make(folder, *targets):
     start, before = time.perf_counter(), os.times()
     subprocess.run(["make", "-C", str(folder), *targets], check=True, stdout=subprocess.DEVNULL)
     after = os.times()
-    computed = after.children_user + after.children_system - before.children_user - before.children_system
+    computed = (
+        after.children_user + after.children_system - before.children_user - before.children_system
+    )
     return f"{time.perf_counter() - start:.1f} s ({computed:.1f} s of processor time)"
 
 
 def main():
     with tempfile.TemporaryDirectory() as scratch:
         copy = Path(scratch) / "workbook"
-        shutil.copytree(ROOT, copy, ignore=shutil.ignore_patterns(".git", ".venv", "_build", "__pycache__"))
+        shutil.copytree(
+            ROOT, copy, ignore=shutil.ignore_patterns(".git", ".venv", "_build", "__pycache__")
+        )
         make(copy, ".venv/.installed")
         cold = make(copy, "book")
         with open(copy / "book" / "ch1.md", "a", encoding="utf-8") as page:

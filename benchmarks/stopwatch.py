@@ -1,5 +1,5 @@
-"""How long a call takes, for benchmarks that time a function against a peer in the same process; and what a command
-takes of the clock and of the processors, with all processes that it starts."""
+"""How long a call takes, for benchmarks that time a function against a peer in the same process;
+and what a command takes of the clock and of the processors, with all processes that it starts."""
 
 import ctypes
 import os
@@ -46,9 +46,11 @@ class Taken:
 
 
 def run(command, **options):
-    """Run a command to its end as `subprocess.run` does; returns what that returns, and what it has `Taken`.
+    """Run a command to its end as `subprocess.run` does; returns what that returns, and what it has
+    `Taken`.
 
-    A process whose parent ended before it counts as well: it becomes a child of this one (on Linux).
+    A process whose parent ended before it counts as well: it becomes a child of this one (on
+    Linux).
     """
     ctypes.CDLL(None).prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
     before, start = _of_children(), time.perf_counter()

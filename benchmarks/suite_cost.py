@@ -3,12 +3,14 @@
     python benchmarks/suite_cost.py            # of the last `make test`: what stands in _build/tests
     python benchmarks/suite_cost.py one.xml    # of reports that pytest wrote with --junitxml
 
-Processor time of each test and of its child processes. What a problem costs is the sum of its proof (the tests of
-tests/problems under its number), its page (executed in a kernel), its part of the Sphinx builds of both editions and of
-the tests of the built files, its visit by the browser with what Chromium computed for it, and the tests of the grader
-and others under its number. What the tests took before the first and after the last problem is no part.
+Processor time of each test and of its child processes. What a problem costs is the sum of its proof
+(the tests of tests/problems under its number), its page (executed in a kernel), its part of the
+Sphinx builds of both editions and of the tests of the built files, its visit by the browser with
+what Chromium computed for it, and the tests of the grader and others under its number. What the
+tests took before the first and after the last problem is no part.
 
-Read the numbers of a quiet machine: what runs beside the tests made the same proof cost up to twice as much.
+Read the numbers of a quiet machine: what runs beside the tests made the same proof cost up to twice
+as much.
 """
 
 import re
@@ -51,14 +53,18 @@ def layer(place):
 def tests(report):
     """(place, number of the problem or None, {what: core-seconds}) of each test in a report."""
     for case in ElementTree.parse(report).iter("testcase"):
-        noted = {each.get("name"): float(each.get("value")) for each in case.iter("property")
-                 if each.get("name").startswith("core seconds")}
+        noted = {
+            each.get("name"): float(each.get("value"))
+            for each in case.iter("property")
+            if each.get("name").startswith("core seconds")
+        }
         number = NUMBER.search(case.get("name"))
         yield case.get("classname"), number and number[1], noted
 
 
 def pages(since):
-    """Problem or page of theory -> core-seconds of executing it, for pages executed after the moment `since`."""
+    """Problem or page of theory -> core-seconds of executing it, for pages executed after the
+    moment `since`."""
     found = {}
     for record in get_cache(ROOT / "_build" / ".jupyter_cache").list_cache_records():
         path = Path(record.uri)
@@ -77,14 +83,21 @@ def main(*reports):
     reports = reports or sorted((ROOT / "_build" / "tests").glob("*.xml"))
     if not reports:
         sys.exit("There is no report of the tests: run make test first.")
-    began = min(datetime.fromisoformat(suite.get("timestamp")).timestamp()
-                for report in reports for suite in ElementTree.parse(report).iter("testsuite"))
+    began = min(
+        datetime.fromisoformat(suite.get("timestamp")).timestamp()
+        for report in reports
+        for suite in ElementTree.parse(report).iter("testsuite")
+    )
     layers, proofs, visits, others = (defaultdict(float) for _ in range(4))
     counts = Counter()
     for report in reports:
         for place, number, noted in tests(report):
-            # Building the site and Chromium are noted by themselves, and are part of what a test took.
-            built, browser = noted.get("core seconds of a build", 0), noted.get("core seconds of a browser", 0)
+            # Building the site and Chromium are noted by themselves, and are part of what a test
+            # took.
+            built, browser = (
+                noted.get("core seconds of a build", 0),
+                noted.get("core seconds of a browser", 0),
+            )
             seconds = noted.get("core seconds", 0) - built - browser
             layers["site builds"] += built
             layers["site in the browser"] += browser
@@ -93,7 +106,8 @@ def main(*reports):
             if number:
                 visits[number] += noted.get("core seconds in Chromium", 0)
                 {"proofs": proofs, "exercises": proofs, "site in the browser": visits}.get(
-                    layer(place), others)[number] += seconds
+                    layer(place), others
+                )[number] += seconds
     executed = pages(began) if layers["site builds"] else {}
     layers["site builds"] -= sum(executed.values())
     layers["pages executed"] += sum(executed.values())
@@ -102,8 +116,12 @@ def main(*reports):
     print(f"{'layer':32}{'tests':>7}{'core-seconds':>15}{'share':>8}")
     for name, seconds in sorted(layers.items(), key=lambda pair: -pair[1]):
         if seconds or counts[name]:
-            print(f"{name:32}{counts[name] or '':>7}{seconds:15.1f}{seconds / max(total, 1e-9):8.0%}")
-    print(f"{'all':32}{counts.total():7}{total:15.1f}   at least {total / 120:.1f} min on two cores")
+            print(
+                f"{name:32}{counts[name] or '':>7}{seconds:15.1f}{seconds / max(total, 1e-9):8.0%}"
+            )
+    print(
+        f"{'all':32}{counts.total():7}{total:15.1f}   at least {total / 120:.1f} min on two cores"
+    )
     by_problem(proofs, visits, others, layers, executed)
 
 
@@ -126,14 +144,20 @@ def by_problem(proofs, visits, others, layers, executed):
     for chapter, rows in [*chapters.items(), ("all", list(costs.values()))]:
         print(f"{'mean ' + chapter:>10}" + line([sum(column) / len(rows) for column in zip(*rows)]))
     above = [number for number in numbers if costs[number][-1] > BAR]
-    print(f"\n{len(above)} of {len(numbers)} problems cost more than {BAR} core-seconds; the dearest:")
+    print(
+        f"\n{len(above)} of {len(numbers)} problems cost more than {BAR} core-seconds; the dearest:"
+    )
     for number in sorted(numbers, key=lambda number: -costs[number][-1])[:DEAREST]:
         part = max(zip(costs[number], columns[:-1]))
-        print(f"{number:>10}{costs[number][-1]:8.1f}, {costs[number][-1] / BAR:.1f} times the bar, "
-              f"of which {part[1]} {part[0]:.1f}")
+        print(
+            f"{number:>10}{costs[number][-1]:8.1f}, {costs[number][-1] / BAR:.1f} times the bar, "
+            f"of which {part[1]} {part[0]:.1f}"
+        )
     if missing := [number for number in numbers if number not in executed]:
-        print(f"\nWithout the page, which was not executed in this run, are {len(missing)} problems: "
-              "`make clean` comes first to see what pages cost.")
+        print(
+            f"\nWithout the page, which was not executed in this run, are {len(missing)} problems: "
+            "`make clean` comes first to see what pages cost."
+        )
 
 
 def line(numbers):

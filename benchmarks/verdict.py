@@ -1,6 +1,8 @@
-"""Judging an answered notebook in a ready-forked process against executing the same notebook with nbclient.
+"""Judging an answered notebook in a ready-forked process against executing the same notebook with
+nbclient.
 
-The peer executes data, answer and check cells in a fresh kernel, as nbgrader and most course tools do.
+The peer executes data, answer and check cells in a fresh kernel, as nbgrader and most course tools
+do.
 """
 
 import statistics
@@ -24,10 +26,12 @@ def main(number="1.15"):
 
     exercise = exercises.find(number)
     master = read(ROOT / "solutions" / exercise.path.parent.name / f"{exercise.path.stem}.md")
-    notebook = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(s)
-                                               for s in master.code("data", "answer", "check")])
+    notebook = nbformat.v4.new_notebook(
+        cells=[nbformat.v4.new_code_cell(s) for s in master.code("data", "answer", "check")]
+    )
     cells = exercise.code("data", "check")
-    run_notebook(master.code("data", "answer"), master.answers)  # the forked children find everything imported
+    # the forked children find everything imported
+    run_notebook(master.code("data", "answer"), master.answers)
 
     ours, judged, peer = [], [], []
     for _ in range(RUNS):
@@ -43,10 +47,15 @@ def main(number="1.15"):
         nbclient.NotebookClient(notebook.copy(), kernel_name="python3").execute()
         peer.append(time.perf_counter() - start)
     run_judge, alone, nbclient_time = map(statistics.median, (ours, judged, peer))
-    print(f"problem {number}: run and judge {run_judge:.2f} s (judging alone {alone:.2f} s), nbclient "
-          f"{nbclient_time:.2f} s (medians of {RUNS})")
-    print(f"nbclient takes {nbclient_time / run_judge:.1f} times as long as run and judge, "
-          f"{nbclient_time / alone:.1f} times as long as judging")
+    print(
+        f"problem {number}: run and judge {run_judge:.2f} s (judging alone {alone:.2f} s), "
+        "nbclient "
+        f"{nbclient_time:.2f} s (medians of {RUNS})"
+    )
+    print(
+        f"nbclient takes {nbclient_time / run_judge:.1f} times as long as run and judge, "
+        f"{nbclient_time / alone:.1f} times as long as judging"
+    )
 
 
 if __name__ == "__main__":

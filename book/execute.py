@@ -1,13 +1,15 @@
-"""Execute the pages of the book whose outputs are missing or stale into the cache the site is built from, one a core.
+"""Execute the pages of the book whose outputs are missing or stale into the cache the site is built
+from, one a core.
 
-A page is stale when its code cells changed, or a module of ours that it loads (however indirectly), or
-requirements.txt, or how pages are executed. Jupyter Book's own cache sees only the cells. Records that no page uses any
-more are removed.
+A page is stale when its code cells changed, or a module of ours that it loads (however indirectly),
+or requirements.txt, or how pages are executed. Jupyter Book's own cache sees only the cells.
+Records that no page uses any more are removed.
 
-What pages load is imported here, once; each page then has a kernel of its own, forked from this process.
+What pages load is imported here, once; each page then has a kernel of its own, forked from this
+process.
 
-A cell that fails, also a check that finds an answer not right, ends with the page, the cell and the message, exit code
-1.
+A cell that fails, also a check that finds an answer not right, ends with the page, the cell and the
+message, exit code 1.
 """
 
 import hashlib
@@ -42,8 +44,19 @@ ROOT = Path(__file__).resolve().parent.parent
 #: How pages are executed: what they show may depend on it.
 HOW = [Path(__file__).with_name(name) for name in ("execute.py", "kernel.py", "settings.py")]
 #: What pages and the modules of ours load beside them, most of it only when a function is called.
-LIBRARIES = ("casadi", "control", "matplotlib.pyplot", "numpy", "scipy.integrate", "scipy.interpolate", "scipy.linalg",
-             "scipy.optimize", "scipy.signal", "z3", *SYMPY)
+LIBRARIES = (
+    "casadi",
+    "control",
+    "matplotlib.pyplot",
+    "numpy",
+    "scipy.integrate",
+    "scipy.interpolate",
+    "scipy.linalg",
+    "scipy.optimize",
+    "scipy.signal",
+    "z3",
+    *SYMPY,
+)
 #: Characters of a picture.
 LARGEST = 600_000
 CURVE = re.compile(r'(?<= d=")[^"]*')
@@ -64,7 +77,11 @@ def main(root=ROOT):
     notes, common = cache.path / "settled.json", shared_digest(root)
     found = {path: hashlib.sha256(path.read_bytes()).hexdigest() for path in page_paths(root)}
     known = settled(notes, common)
-    keys = {path: known[path][1] for path, text in found.items() if path in known and known[path][0] == text}
+    keys = {
+        path: known[path][1]
+        for path, text in found.items()
+        if path in known and known[path][0] == text
+    }
     if found.keys() == keys.keys() == known.keys():
         print("nothing has changed, all outputs are up to date")
         return 0
@@ -74,14 +91,25 @@ def main(root=ROOT):
     current = {cache.create_hashed_notebook(page.notebook)[1]: page for page in pages}
     stale = keep_fresh_records(cache, current, {str(path): key for path, key in keys.items()})
     keys |= dict.fromkeys(changed) | {page.path: key for key, page in current.items()}
-    print(f"{len(stale)} of {sum(key is not None for key in keys.values())} pages with code are to be executed")
-    settle(notes, common, found, {path: key for path, key in keys.items() if path not in {page.path for page in stale}})
+    print(
+        f"{len(stale)} of {sum(key is not None for key in keys.values())} pages with code are to "
+        "be executed"
+    )
+    settle(
+        notes,
+        common,
+        found,
+        {path: key for path, key in keys.items() if path not in {page.path for page in stale}},
+    )
     failures = []
     import_for(stale)
     for page, result in side_by_side(execute, stale, config["execute"]["timeout"]):
         name = page.path.relative_to(root).as_posix()
         failure = result["failure"]
-        print(f"  {'failed  ' if failure else 'executed'} {result['seconds']:6.1f} s  {name}", flush=True)
+        print(
+            f"  {'failed  ' if failure else 'executed'} {result['seconds']:6.1f} s  {name}",
+            flush=True,
+        )
         if failure:
             failures.append(f"{name}, {failure}")
             del keys[page.path]
@@ -94,21 +122,29 @@ def main(root=ROOT):
 
 
 def settled(notes, common):
-    """Path -> (hash of its text, key of its record or None) of the pages that were up to date after the last run, if
-    what all pages share is what it was: they need not be read to know that they still are."""
+    """Path -> (hash of its text, key of its record or None) of the pages that were up to date after
+    the last run, if what all pages share is what it was: they need not be read to know that they
+    still are."""
     was, pages = json.loads(notes.read_text()) if notes.exists() else (None, {})
     return {Path(path): (text, key) for path, (text, key) in pages.items()} if was == common else {}
 
 
 def settle(notes, common, found, keys):
-    """Note what is up to date; before pages are executed too: records are gone by then, and a run may be stopped."""
-    notes.write_text(json.dumps([common, {str(path): (found[path], key) for path, key in keys.items()}]))
+    """Note what is up to date; before pages are executed too: records are gone by then, and a run
+    may be stopped."""
+    notes.write_text(
+        json.dumps([common, {str(path): (found[path], key) for path, key in keys.items()}])
+    )
 
 
 def shared_digest(root):
     """One hash of everything beside a page's own text that its outputs may depend on."""
-    files = [root / "_config.yml", root / "requirements.txt", *HOW,
-             *(path for package in OURS for path in (HOME / package).rglob("*.py"))]
+    files = [
+        root / "_config.yml",
+        root / "requirements.txt",
+        *HOW,
+        *(path for package in OURS for path in (HOME / package).rglob("*.py")),
+    ]
     found = hashlib.sha256(sys.version.encode())
     for path in sorted(files):
         found.update(f"{path}\n".encode() + path.read_bytes())
@@ -118,7 +154,9 @@ def shared_digest(root):
 def page_paths(root):
     """The pages of the table of contents."""
     toc = parse_toc_yaml(root / "_toc.yml")
-    paths = {root / f"{name}.md" for name in toc} | {path for glob in toc.globs() for path in root.glob(f"{glob}.md")}
+    paths = {root / f"{name}.md" for name in toc} | {
+        path for glob in toc.globs() for path in root.glob(f"{glob}.md")
+    }
     return sorted(path for path in paths if path.exists())
 
 
@@ -137,7 +175,9 @@ def read_pages(root, config, paths):
             if code:
                 modules = modules_loaded(code)
                 parts = json.dumps([code, modules, shared], sort_keys=True)
-                pages.append(Page(path, notebook, hashlib.sha256(parts.encode()).hexdigest(), tuple(modules)))
+                pages.append(
+                    Page(path, notebook, hashlib.sha256(parts.encode()).hexdigest(), tuple(modules))
+                )
     return pages
 
 
@@ -150,15 +190,20 @@ def modules_loaded(code):
 
 
 def keep_fresh_records(cache, current, settled):
-    """Remove what is stale or belongs to no page from the cache; returns the pages that are to be executed.
+    """Remove what is stale or belongs to no page from the cache; returns the pages that are to be
+    executed.
 
-    `current` are the pages that were read, by the key of their record; `settled` are the keys of the others, by their
-    path.
+    `current` are the pages that were read, by the key of their record; `settled` are the keys of
+    the others, by their path.
     """
     fresh = set()
     for record in cache.list_cache_records():
         page = current.get(record.hashkey)
-        if page is not None and record.data.get("fingerprint") == page.fingerprint and record.uri == str(page.path):
+        if (
+            page is not None
+            and record.data.get("fingerprint") == page.fingerprint
+            and record.uri == str(page.path)
+        ):
             fresh.add(record.hashkey)
         elif settled.get(record.uri) != record.hashkey:
             cache.remove_cache(record.pk)
@@ -166,16 +211,21 @@ def keep_fresh_records(cache, current, settled):
 
 
 def import_for(pages):
-    """Import what pages load, so that no kernel has to; what only some may load is not worth its time for a few."""
+    """Import what pages load, so that no kernel has to; what only some may load is not worth its
+    time for a few."""
     many = len(pages) > CORES
-    preload(*(LIBRARIES if many else ()), *sorted({module for page in pages for module in page.modules}))
+    preload(
+        *(LIBRARIES if many else ()), *sorted({module for page in pages for module in page.modules})
+    )
     if many:
-        local_ips(), KernelProvisionerFactory.instance()  # both are kept, and were found anew by every page
+        # both are kept, and were found anew by every page
+        local_ips(), KernelProvisionerFactory.instance()
         draw_once("svg")
 
 
 def side_by_side(function, items, *arguments):
-    """(item, function(item, *arguments)) as each ends; one a core at a time, each in a process forked from this one."""
+    """(item, function(item, *arguments)) as each ends; one a core at a time, each in a process
+    forked from this one."""
     waiting, running = list(items), {}
     while waiting or running:
         while waiting and len(running) < CORES:
@@ -196,20 +246,28 @@ def send(sender, function, *arguments):
 
 
 def execute(page, timeout):
-    """In a process of its own: execute a page in a ready kernel; its outputs or what failed, and what that took."""
+    """In a process of its own: execute a page in a ready kernel; its outputs or what failed, and
+    what that took."""
     start = time.monotonic()
     try:
         with Kernel(page.path.parent) as kernel:
             # Times of cells would make it another page in the eyes of the cache.
-            NotebookClient(page.notebook, km=kernel.manager(), timeout=timeout, record_timing=False).execute()
+            NotebookClient(
+                page.notebook, km=kernel.manager(), timeout=timeout, record_timing=False
+            ).execute()
         slim_pictures(page.notebook)
         failure = missing_picture(page.notebook) or heavy_picture(page.notebook)
     except (CellExecutionError, CellTimeoutError) as error:
         failure = explain(page.notebook, error)
     except RuntimeError as error:  # the kernel died
         failure = str(error)
-    return {"notebook": page.notebook, "failure": failure, "seconds": time.monotonic() - start,
-            "core_seconds": sum(os.times()[:4])}  # the kernel's too
+    # the kernel's too
+    return {
+        "notebook": page.notebook,
+        "failure": failure,
+        "seconds": time.monotonic() - start,
+        "core_seconds": sum(os.times()[:4]),
+    }
 
 
 def explain(notebook, error):
@@ -217,16 +275,26 @@ def explain(notebook, error):
     for number, cell in enumerate(notebook.cells):
         for output in cell.get("outputs", []):
             if output.output_type == "error":
-                said = output.evalue if output.ename == "NotYet" else f"{output.ename}: {output.evalue}"
+                said = (
+                    output.evalue
+                    if output.ename == "NotYet"
+                    else f"{output.ename}: {output.evalue}"
+                )
                 return f"{place(notebook, number)}:\n    {failing_line(cell, output)}\n{said}"
-    return str(error)  # a time limit or a dead kernel leaves no output; nbclient's message quotes the cell
+    # a time limit or a dead kernel leaves no output; nbclient's message quotes the cell
+    return str(error)
 
 
 def missing_picture(notebook):
-    """The first figure or drawing cell that shows nothing: its caption would stand under an empty place."""
+    """The first figure or drawing cell that shows nothing: its caption would stand under an empty
+    place."""
     for number, cell in enumerate(notebook.cells):
         for role in {"figure", "drawing"}.intersection(cell.metadata.get("tags", [])):
-            if not any(form.startswith("image/") for output in cell.outputs for form in output.get("data", ())):
+            if not any(
+                form.startswith("image/")
+                for output in cell.outputs
+                for form in output.get("data", ())
+            ):
                 return f"{place(notebook, number)}: this {role} cell shows no picture"
     return None
 
@@ -237,19 +305,24 @@ def heavy_picture(notebook):
         for output in cell.get("outputs", ()):
             size = len(output.get("data", {}).get("image/svg+xml", ""))
             if size > LARGEST:
-                return (f"{place(notebook, number)}: this picture takes {size // 1000} kB; draw what has so many "
-                        "points with rasterized=True")
+                return (
+                    f"{place(notebook, number)}: this picture takes {size // 1000} kB; draw what "
+                    "has so many "
+                    "points with rasterized=True"
+                )
     return None
 
 
 def slim_pictures(notebook):
-    """Hundredths of a point are enough for the curves of an SVG, of which Matplotlib gives millionths."""
+    """Hundredths of a point are enough for the curves of an SVG, of which Matplotlib gives
+    millionths."""
     for cell in notebook.cells:
         for output in cell.get("outputs", ()):
             data = output.get("data", {})
             if "image/svg+xml" in data:
-                data["image/svg+xml"] = CURVE.sub(lambda curve: re.sub(r"(\.\d\d)\d+", r"\1", curve[0]),
-                                                  data["image/svg+xml"])
+                data["image/svg+xml"] = CURVE.sub(
+                    lambda curve: re.sub(r"(\.\d\d)\d+", r"\1", curve[0]), data["image/svg+xml"]
+                )
 
 
 def place(notebook, number):
@@ -259,7 +332,8 @@ def place(notebook, number):
 
 
 def failing_line(cell, output):
-    """The line of the cell that the traceback points at; its first line if the traceback shows none."""
+    """The line of the cell that the traceback points at; its first line if the traceback shows
+    none."""
     traceback = re.sub(r"\x1b\[[0-9;]*m", "", "\n".join(output.traceback))
     arrow = re.search(r"^Cell In.*?^-+> (\d+) ", traceback, re.M | re.S)
     return cell.source.splitlines()[int(arrow[1]) - 1 if arrow else 0].strip()
@@ -267,7 +341,16 @@ def failing_line(cell, output):
 
 def remember(cache, page, result):
     cache.cache_notebook_bundle(
-        CacheBundleIn(result["notebook"], str(page.path),
-                      data={"fingerprint": page.fingerprint, "executed": time.time(),
-                            "execution_seconds": result["seconds"], "core_seconds": result["core_seconds"]}),
-        check_validity=False, overwrite=True)
+        CacheBundleIn(
+            result["notebook"],
+            str(page.path),
+            data={
+                "fingerprint": page.fingerprint,
+                "executed": time.time(),
+                "execution_seconds": result["seconds"],
+                "core_seconds": result["core_seconds"],
+            },
+        ),
+        check_validity=False,
+        overwrite=True,
+    )

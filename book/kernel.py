@@ -1,7 +1,9 @@
-"""A Jupyter kernel that is ready at once: a fork of this process, with all that this process has imported.
+"""A Jupyter kernel that is ready at once: a fork of this process, with all that this process has
+imported.
 
-It has to be forked before this process has a thread or a ZeroMQ context, since neither lives on in a fork. The kernel
-takes free ports and writes them into its connection file, so that no other program can take one of them meanwhile.
+It has to be forked before this process has a thread or a ZeroMQ context, since neither lives on in
+a fork. The kernel takes free ports and writes them into its connection file, so that no other
+program can take one of them meanwhile.
 """
 
 import os
@@ -19,13 +21,17 @@ from jupyter_client.provisioning import LocalProvisioner
 from traitlets.config import Config
 
 #: Pictures are sharp at any size, and the same pictures are the same bytes.
-PICTURES = {"figure_formats": {"svg"}, "rc": {"svg.hashsalt": "workbook"},
-            "print_figure_kwargs": {"bbox_inches": "tight", "metadata": {"Date": None}, "dpi": 220}}
+PICTURES = {
+    "figure_formats": {"svg"},
+    "rc": {"svg.hashsalt": "workbook"},
+    "print_figure_kwargs": {"bbox_inches": "tight", "metadata": {"Date": None}, "dpi": 220},
+}
 
 
 class Client(AsyncKernelClient):
-    """Who talks to a kernel that is ready: at once, where Jupyter's own would wait until nothing is heard of it for a
-    fifth of a second. What the kernel tells of the first question is not taken for what it tells of a cell."""
+    """Who talks to a kernel that is ready: at once, where Jupyter's own would wait until nothing is
+    heard of it for a fifth of a second. What the kernel tells of the first question is not taken
+    for what it tells of a cell."""
 
     async def wait_for_ready(self, timeout):
         heard = None
@@ -40,7 +46,8 @@ class Client(AsyncKernelClient):
 
 
 class Kernel:
-    """A running kernel in `folder`, with what `subprocess.Popen` has of a process; within `with` it lives."""
+    """A running kernel in `folder`, with what `subprocess.Popen` has of a process; within `with` it
+    lives."""
 
     stdin = stdout = stderr = None
 
@@ -62,8 +69,14 @@ class Kernel:
         """What nbclient asks for: it finds this kernel running and needs not start one."""
         manager = AsyncKernelManager(connection_file=self._file, client_factory=Client)
         manager.load_connection_file()
-        manager.provisioner = LocalProvisioner(kernel_spec=manager.kernel_spec, kernel_id="", parent=manager)
-        manager.provisioner.process, manager.provisioner.pid, manager.provisioner.pgid = self, self.pid, self.pid
+        manager.provisioner = LocalProvisioner(
+            kernel_spec=manager.kernel_spec, kernel_id="", parent=manager
+        )
+        manager.provisioner.process, manager.provisioner.pid, manager.provisioner.pgid = (
+            self,
+            self.pid,
+            self.pid,
+        )
         return manager
 
     def poll(self):
@@ -96,12 +109,22 @@ def _serve(connection_file, folder, tell):
     try:
         os.setsid()
         os.chdir(folder)
-        sys.path[:] = [path for path in sys.path if path != os.path.dirname(os.path.abspath(__file__))]
-        numpy.random.seed()  # as `random` does by itself: a fork would repeat the numbers of its brothers
+        sys.path[:] = [
+            path for path in sys.path if path != os.path.dirname(os.path.abspath(__file__))
+        ]
+        # as `random` does by itself: a fork would repeat the numbers of its brothers
+        numpy.random.seed()
         app = IPKernelApp.instance(config=Config(InlineBackend=PICTURES))
-        # A kernel's own log has nothing for the reader of a build: what a cell says is in its outputs.
-        app.initialize([f"--f={connection_file}", "--log-level=CRITICAL", "--HistoryManager.hist_file=:memory:",
-                        f"--IPKernelApp.parent_handle={os.getppid()}"])
+        # A kernel's own log has nothing for the reader of a build: what a cell says is in its
+        # outputs.
+        app.initialize(
+            [
+                f"--f={connection_file}",
+                "--log-level=CRITICAL",
+                "--HistoryManager.hist_file=:memory:",
+                f"--IPKernelApp.parent_handle={os.getppid()}",
+            ]
+        )
         os.write(tell, b"ready")
         os.close(tell)
         app.start()

@@ -1,4 +1,5 @@
-r"""Formulas in words: as TeX between dollars, as one would type them where nothing is set, and what was typed, set.
+r"""Formulas in words: as TeX between dollars, as one would type them where nothing is set, and what
+was typed, set.
 
 >>> plain(r"the roots of $\det(M s^2 + D s + K)$, for $\dot x_1 \leq \sqrt{2}/x_{10}$ and $\varphi_0 \neq 0$")
 "the roots of det(M s^2 + D s + K), for x1' <= sqrt(2)/x10 and phi0 != 0"
@@ -31,42 +32,92 @@ import re
 
 FORMULA = re.compile(r"\$([^$]+)\$")
 #: In this order: what stands in braces is read before what it belongs to.
-TYPED = [(re.compile(pattern), typed) for pattern, typed in [
-    (r"(?<=_[A-Za-z\d])(?=\\?[A-Za-z])", " "),
-    (r"(\\(?!d{1,3}ot|bar|[lr]vert)[A-Za-z]+)(?=\\[A-Za-z])", r"\1 "),
-    (r"\\(d{1,3})ot(?![a-z]) ?(\\?[A-Za-z]+(?:_(?:\w|\{\w+\}))?)", lambda m: m[2] + "'"*len(m[1])),
-    (r"\\bar ?(\w|\\[A-Za-z]+)", r"\1bar"),
-    (r"\\(?:operatorname|mathrm|text)\{([^{}]*)\}", r"\1"),
-    (r"_\{(\d+)\}|_(\d)", lambda m: m[1] or m[2]),
-    (r"_\{(\\?[A-Za-z]\w*)\}", r"_\1"),
-    (r"_\{([^{}]*)\}", r"_(\1)"),
-    (r"\\partial ?", "d"),
-    (r"\\sqrt\{([^{}]*)\}", r"sqrt(\1)"),
-    (r"\^\{(-?\w+)\}", r"^\1"),
-    (r"\^\{([^{}]*)\}", r"^(\1)"),
-    (r"\^\*", "*"),
-    (r"\\frac(\d)(\d)", r"\1/\2"),
-    (r"\\frac\{([^{}]*)\}\{([^{}]*)\}", lambda m: "/".join(_whole(part) for part in m.groups())),
-    (r"\\lvert |\\[lr]vert", "|"),
-    (r"\\[,; ]", " "),
-    (r"\\(leq?|geq|neq|to|cdot|l?dots|infty|top|pm|equiv)(?![A-Za-z])", lambda m: SIGNS[m[1]]),
-    (r"\\var(?=phi|epsilon|rho)|\\(?=[A-Za-z{}])", ""),
-    (r"  +", " "),
-]]
-SIGNS = {"leq": "<=", "le": "<=", "geq": ">=", "neq": "!=", "equiv": "==", "pm": "+-", "to": "->", "cdot": "*",
-         "dots": "...", "ldots": "...", "infty": "oo", "top": "T"}
+TYPED = [
+    (re.compile(pattern), typed)
+    for pattern, typed in [
+        (r"(?<=_[A-Za-z\d])(?=\\?[A-Za-z])", " "),
+        (r"(\\(?!d{1,3}ot|bar|[lr]vert)[A-Za-z]+)(?=\\[A-Za-z])", r"\1 "),
+        (
+            r"\\(d{1,3})ot(?![a-z]) ?(\\?[A-Za-z]+(?:_(?:\w|\{\w+\}))?)",
+            lambda m: m[2] + "'" * len(m[1]),
+        ),
+        (r"\\bar ?(\w|\\[A-Za-z]+)", r"\1bar"),
+        (r"\\(?:operatorname|mathrm|text)\{([^{}]*)\}", r"\1"),
+        (r"_\{(\d+)\}|_(\d)", lambda m: m[1] or m[2]),
+        (r"_\{(\\?[A-Za-z]\w*)\}", r"_\1"),
+        (r"_\{([^{}]*)\}", r"_(\1)"),
+        (r"\\partial ?", "d"),
+        (r"\\sqrt\{([^{}]*)\}", r"sqrt(\1)"),
+        (r"\^\{(-?\w+)\}", r"^\1"),
+        (r"\^\{([^{}]*)\}", r"^(\1)"),
+        (r"\^\*", "*"),
+        (r"\\frac(\d)(\d)", r"\1/\2"),
+        (
+            r"\\frac\{([^{}]*)\}\{([^{}]*)\}",
+            lambda m: "/".join(_whole(part) for part in m.groups()),
+        ),
+        (r"\\lvert |\\[lr]vert", "|"),
+        (r"\\[,; ]", " "),
+        (r"\\(leq?|geq|neq|to|cdot|l?dots|infty|top|pm|equiv)(?![A-Za-z])", lambda m: SIGNS[m[1]]),
+        (r"\\var(?=phi|epsilon|rho)|\\(?=[A-Za-z{}])", ""),
+        (r"  +", " "),
+    ]
+]
+SIGNS = {
+    "leq": "<=",
+    "le": "<=",
+    "geq": ">=",
+    "neq": "!=",
+    "equiv": "==",
+    "pm": "+-",
+    "to": "->",
+    "cdot": "*",
+    "dots": "...",
+    "ldots": "...",
+    "infty": "oo",
+    "top": "T",
+}
 
 #: A dark JupyterLab has a dark ground for code, and a verdict a light one.
 AS_AROUND = "color: inherit; background: none"
 SET = {"+/-": "±", "<=": "≤", ">=": "≥", "!=": "≠", "->": "→", "oo": "∞", "-": "−"}
-GREEK = dict(zip("alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau upsilon "
-                 "phi chi psi omega".split(), "αβγδεζηθικλμνξπρστυφχψω"))
+GREEK = dict(
+    zip(
+        [
+            "alpha",
+            "beta",
+            "gamma",
+            "delta",
+            "epsilon",
+            "zeta",
+            "eta",
+            "theta",
+            "iota",
+            "kappa",
+            "lambda",
+            "mu",
+            "nu",
+            "xi",
+            "pi",
+            "rho",
+            "sigma",
+            "tau",
+            "upsilon",
+            "phi",
+            "chi",
+            "psi",
+            "omega",
+        ],
+        "αβγδεζηθικλμνξπρστυφχψω",
+    )
+)
 GREEK |= {name.capitalize(): letter.upper() for name, letter in GREEK.items()}
 #: Powers, products and roots, as one types them and nobody writes them.
 TYPEWRITTEN = re.compile(r"\*\*|[\w)]\*[A-Za-z(]|\bsqrt\(")
-#: Code to write, and what is surely a formula in a line of words: letters with numbers, Greek letters, letters beside
-#: a sign.
-MATHEMATICS = re.compile(r"""
+#: Code to write, and what is surely a formula in a line of words: letters with numbers, Greek
+#: letters, letters beside a sign.
+MATHEMATICS = re.compile(
+    r"""
     `(?P<code>[^`]+)`
   | \bd(?P<above>[A-Za-z]|%s)?/d(?P<below>[A-Za-z]|%s)(?!\w)
   | (?:\*\*|\^)\s*(?: (?P<power>-?\w+) | \((?P<powers>[^()]+)\) )
@@ -83,7 +134,10 @@ MATHEMATICS = re.compile(r"""
   | (?<=\ )(?P<dash>-)(?=\ [a-z]+\ )
   | \b(?P<root>sqrt)(?=\()
   | (?:(?<=\b[\dA-Za-z])|(?<=\)))\ (?P<cross>x)\ (?=[\dA-Za-z]\b|\()
-""" % (6*("|".join(sorted(GREEK, key=len, reverse=True)),)), re.X)
+"""
+    % (6 * ("|".join(sorted(GREEK, key=len, reverse=True)),)),
+    re.X,
+)
 
 
 def plain(text):
@@ -103,14 +157,15 @@ def _typed(formula):
 
 
 def typeset(text, escape=html.escape):
-    """A text as one types it, as HTML: powers raised, numbers of letters lowered, Greek letters and signs as they are.
+    """A text as one types it, as HTML: powers raised, numbers of letters lowered, Greek letters and
+    signs as they are.
 
-    What stands between backticks is code. The text is not read as Python, so it may be anybody's. `escape` is for the
-    words between.
+    What stands between backticks is code. The text is not read as Python, so it may be anybody's.
+    `escape` is for the words between.
     """
     pieces, end = [], 0
     for found in MATHEMATICS.finditer(text):
-        pieces += [escape(text[end:found.start()]), _html(found)]
+        pieces += [escape(text[end : found.start()]), _html(found)]
         end = found.end()
     return "".join([*pieces, escape(text[end:])])
 
@@ -125,7 +180,11 @@ def _html(found):
     if found["product"]:
         return f"<i>{found['product']}</i>"
     if found["barred"]:
-        return f"{GREEK[found['barred']]}&#772;" if found["barred"] in GREEK else f"<i>{found['barred']}&#772;</i>"
+        return (
+            f"{GREEK[found['barred']]}&#772;"
+            if found["barred"] in GREEK
+            else f"<i>{found['barred']}&#772;</i>"
+        )
     if found["dash"]:
         return "–"
     if found["power"] or found["powers"]:
@@ -140,8 +199,8 @@ def _html(found):
         return "/".join("<i>d</i>" + _letter(found[part]) for part in ("above", "below"))
     if found["letter"]:
         letter, name = (_letter(found[part]) for part in ("letter", "name"))
-        lowered = found["index"] or found["name"] and name
-        return letter + (f"<sub>{lowered}</sub>" if lowered else "") + "′"*len(found["primes"])
+        lowered = found["index"] or (found["name"] and name)
+        return letter + (f"<sub>{lowered}</sub>" if lowered else "") + "′" * len(found["primes"])
     if found["times"]:
         return "·" if found.string[found.end()].isdigit() else "\u202f"
     return "√" if found["root"] else SET[found["sign"]]

@@ -1,1 +1,2 @@
-"""The course around `trajlib`: checks of answers, notebooks, grading, authoring and lectures; the command `workbook`."""
+"""The course around `trajlib`: checks of answers, notebooks, grading, authoring and lectures; the
+command `workbook`."""

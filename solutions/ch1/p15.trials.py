@@ -1,26 +1,31 @@
 # %% wrong
 # Are positive coefficients enough for a cubic? Which minor was not looked at? (hint 1)
 a_region = sp.And(k1 > 0, k2 > 0)
-a_region = k1*k2 > 1  # Is this the sign of one minor alone? Try a point where both parameters are negative. (hint 2)
-# Does a pair of imaginary roots on the border still make the zero solution asymptotically stable? (hint 2)
-a_region = sp.And(k1 > 0, k1*k2 >= 1)
-# Did the second minor get its sign the wrong way round? Try one point of your region by its roots. (hint 1)
+# Is this the sign of one minor alone? Try a point where both parameters are negative. (hint 2)
+a_region = k1 * k2 > 1
+# Does a pair of imaginary roots on the border still make the zero solution asymptotically stable?
+# (hint 2)
+a_region = sp.And(k1 > 0, k1 * k2 >= 1)
+# Did the second minor get its sign the wrong way round? Try one point of your region by its roots.
+# (hint 1)
 b_region = sp.And(k2 > 0, k1 < k2)
 # Was the inequality multiplied by a parameter without asking for its sign? (hint 1)
-c_region = sp.And(k2 > 0, k1*k2 < 1)
+c_region = sp.And(k2 > 0, k1 * k2 < 1)
 # Was the criterion for the leading coefficient 1 used without dividing the equation first? (hint 1)
 d_region = sp.And(k1 > 0, k2 > 1)
-e_region = sp.And(k1 > 0, k2 > 0)  # Are these the signs of the coefficients alone? Which minor can still fail? (hint 2)
+# Are these the signs of the coefficients alone? Which minor can still fail? (hint 2)
+e_region = sp.And(k1 > 0, k2 > 0)
 
 # %% right
-a_region = sp.And(k1 > 0, k2 > 1/k1)  # solved for k2
+a_region = sp.And(k1 > 0, k2 > 1 / k1)  # solved for k2
 # all three minors left as they come, with plain symbols
 p, q = sp.symbols("k1 k2")
-a_region = [p > 0, p*q - 1 > 0, 1*(p*q - 1) > 0]
-b_region = sp.Not(sp.Or(k1 <= 0, k2 <= 0, k1 <= k2))  # with the implied condition kept, as a negation
+a_region = [p > 0, p * q - 1 > 0, 1 * (p * q - 1) > 0]
+# with the implied condition kept, as a negation
+b_region = sp.Not(sp.Or(k1 <= 0, k2 <= 0, k1 <= k2))
 b_region = sp.ConditionSet((k1, k2), (0 < k2) & (k2 < k1), sp.S.Reals**2)  # as a set of points
-c_region = sp.And(k1 > 0, 0 < k2, k2 < 1/k1)  # solved for k2
-c_region = [1/k1 > 0, k2/k1 > 0, 1/k1**2 > k2/k1]  # the divided coefficients as they come
-d_region = sp.And(k1 > 0, k2 > 0, k2/k1 > 1)  # a quotient
+c_region = sp.And(k1 > 0, 0 < k2, k2 < 1 / k1)  # solved for k2
+c_region = [1 / k1 > 0, k2 / k1 > 0, 1 / k1**2 > k2 / k1]  # the divided coefficients as they come
+d_region = sp.And(k1 > 0, k2 > 0, k2 / k1 > 1)  # a quotient
 d_region = sp.And(k1 >= 0, k1 < k2)  # chained, with the line of lower order counted in
 e_region = sp.And(k2 - k1 > 0, k1 > 0, k2 > 0)  # the same wedge with the redundant sign kept

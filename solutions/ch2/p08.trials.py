@@ -1,14 +1,18 @@
 # %% wrong
-region = sp.And(sp.Ne(l1, l2), sp.Ne(l1, 0), sp.Ne(l2, 0))  # Does an eigenvalue zero hide its mode? (hint 2)
+# Does an eigenvalue zero hide its mode? (hint 2)
+region = sp.And(sp.Ne(l1, l2), sp.Ne(l1, 0), sp.Ne(l2, 0))
 region = sp.And(l1 < 0, l2 < 0)  # Is this stability instead of observability? (hint 1)
 region = sp.Ne(l1**2, l2**2)  # Do opposite eigenvalues give modes that look alike? (hint 1)
 unseen = [[1, 1]]  # Is this the direction that is seen best? (hint 1)
 unseen = [[1, 0], [0, 1]]  # Both modes look alike, but is their sum unseen as well? (hint 1)
-split = sp.Matrix([[1, -1], [1, 1]])  # Which of the two coordinates has to stand first? (hint 1)
+# Which of the two coordinates has to stand first? (hint 1)
+split = sp.Matrix([[1, -1], [1, 1]])
 split = sp.eye(2)  # Is the first coordinate observable by itself, as it stands? (hint 1)
 split = sp.Matrix([[1, 1], [2, 2]])  # Can the second row be a multiple of the first? (hint 1)
-split_system = [sp.diag(l, l), sp.Matrix([[1, 1]])]  # How does the output read in the new coordinates? (hint 1)
-split_system = [sp.diag(l, 0), sp.Matrix([[1, 0]])]  # Does the unseen coordinate stay constant? (hint 1)
+# How does the output read in the new coordinates? (hint 1)
+split_system = [sp.diag(l, l), sp.Matrix([[1, 1]])]
+# Does the unseen coordinate stay constant? (hint 1)
+split_system = [sp.diag(l, 0), sp.Matrix([[1, 0]])]
 
 # %% right
 # the determinant, with plain symbols
@@ -16,7 +20,9 @@ p, q = sp.symbols("l1 l2")
 region = sp.Ne(q - p, 0)
 region = sp.Or(l1 < l2, l1 > l2)  # two open half-planes
 unseen = [(-3, 3)]  # another length and sign, a tuple
-unseen = sp.Matrix([1, -1])/2  # a column
+unseen = sp.Matrix([1, -1]) / 2  # a column
 split = [[1, 1], [0, 1]]  # x2 as the second coordinate
-split = sp.Matrix([[sp.Rational(1, 2), sp.Rational(1, 2)], [1, -5]])  # the half sum and a slanted second coordinate
-split_system = [sp.diag(l, l), sp.Matrix([[2, 0]])]  # for the half sum as the observable coordinate
+# the half sum and a slanted second coordinate
+split = sp.Matrix([[sp.Rational(1, 2), sp.Rational(1, 2)], [1, -5]])
+# for the half sum as the observable coordinate
+split_system = [sp.diag(l, l), sp.Matrix([[2, 0]])]

@@ -1,29 +1,32 @@
 # %% wrong
-a_region = sp.And(sp.Ne(lam1, lam2), sp.Ne(lam1*lam2, 0))  # Does an eigenvalue zero have to be excluded? (hint 1)
+# Does an eigenvalue zero have to be excluded? (hint 1)
+a_region = sp.And(sp.Ne(lam1, lam2), sp.Ne(lam1 * lam2, 0))
 a_region = True  # Is the whole observable as soon as each part is? (hint 1)
 # Must the oscillators be equal for a motion to be lost, or is one common root enough? (hint 2)
 b_region = sp.Or(sp.Ne(p, 3), sp.Ne(k, 2))
 b_region = sp.Ne(k, p - 1)  # Which other eigenvalue has the first block? (hint 1)
 # Were the eigenvalues of the first oscillator taken with the wrong sign? (hint 1)
-b_region = sp.And(sp.Ne(k, -p - 1), sp.Ne(k, -2*p - 4))
-b_region = k > p**2/4  # Must the roots be complex? (hint 1)
-# What does the output show of each of the two eigenvectors? Subtract in such amounts that nothing is left. (hint 2)
+b_region = sp.And(sp.Ne(k, -p - 1), sp.Ne(k, -2 * p - 4))
+b_region = k > p**2 / 4  # Must the roots be complex? (hint 1)
+# What does the output show of each of the two eigenvectors? Subtract in such amounts that nothing
+# is left. (hint 2)
 c_unseen = [[1, 0, -1, -q]]
-c_unseen = [[2, 0, -q, -q**2]]  # Have the two amounts changed places? (hint 2)
-c_unseen = [[q, 0, 2, 2*q]]  # Do the outputs add up here instead of cancelling? (hint 2)
-d_observable = False  # Does the theorem speak of two outputs that are measured separately? (hint 1)
+c_unseen = [[2, 0, -q, -(q**2)]]  # Have the two amounts changed places? (hint 2)
+c_unseen = [[q, 0, 2, 2 * q]]  # Do the outputs add up here instead of cancelling? (hint 2)
+# Does the theorem speak of two outputs that are measured separately? (hint 1)
+d_observable = False
 
 # %% right
 # the difference squared, with plain symbols
 u, w = sp.symbols("lam1 lam2")
-a_region = (u - w)**2 > 0
+a_region = (u - w) ** 2 > 0
 a_region = sp.Or(lam1 > lam2, lam1 < lam2)  # two open half-planes
 # the resultant of the two polynomials
 x = sp.Symbol("x")
-b_region = sp.Ne(sp.resultant(x**2 + 3*x + 2, x**2 + p*x + k, x), 0)
-b_region = [sp.Ne(p, k + 1), sp.Ne(p, k/2 + 2)]  # a list of conditions, solved for p
-b_region = sp.Not(sp.Or(sp.Eq(1 - p + k, 0), sp.Eq(4 - 2*p + k, 0)))  # a negation
-c_unseen = [[1, 0, -2/q, -2]]  # divided by q, which is positive
+b_region = sp.Ne(sp.resultant(x**2 + 3 * x + 2, x**2 + p * x + k, x), 0)
+b_region = [sp.Ne(p, k + 1), sp.Ne(p, k / 2 + 2)]  # a list of conditions, solved for p
+b_region = sp.Not(sp.Or(sp.Eq(1 - p + k, 0), sp.Eq(4 - 2 * p + k, 0)))  # a negation
+c_unseen = [[1, 0, -2 / q, -2]]  # divided by q, which is positive
 # the other sign and length, plain symbols
 Q, S = sp.symbols("q s")
-c_unseen = [[-Q*(Q + S), 0, 2*(Q + S), 2*Q*(Q + S)]]
+c_unseen = [[-Q * (Q + S), 0, 2 * (Q + S), 2 * Q * (Q + S)]]

@@ -7,27 +7,36 @@ a_split = sp.eye(4)  # Can the order stay as it is? Ask which coordinate is unse
 a_split = sp.Matrix([[1, 0, 0, 0], [0, 0, 0, 1], [0, 0, 1, 0], [0, 1, 0, 0]])
 # Did an action of one variable on another get lost on the way? (hint 1)
 a_split_system = [sp.diag(sp.Matrix([[2, 1], [0, 2]]), 1, 1), sp.Matrix([[1, 0, 1, 0]])]
-a_split_system = [a_matrix, a_output]  # Was the matrix written in the new order at all? (hint 1)
+# Was the matrix written in the new order at all? (hint 1)
+a_split_system = [a_matrix, a_output]
 b_observable = True  # Is it enough that the eigenvalues of the blocks differ? (hint 1)
 b_unseen = [[0, 0, 1, 0]]  # Is a variable unseen because it rests? (hint 1)
-b_unseen = [[0, 0, 0, 1], [1, 0, 0, 0]]  # Does z stay zero here, or only at the first moment? (hint 1)
+# Does z stay zero here, or only at the first moment? (hint 1)
+b_unseen = [[0, 0, 0, 1], [1, 0, 0, 0]]
 # Which coordinates have to stand first? (hint 1)
 b_split = sp.Matrix([[0, 0, 0, 1], [1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]])
 # Is an unseen variable mixed into an observable coordinate here? (hint 1)
 b_split = sp.Matrix([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 1], [0, 0, 0, 1]])
 b_split_system = [b_matrix.T, b_output]  # Was the matrix transposed? (hint 1)
-b_split_system = [sp.diag(b_matrix[:3, :3], 3), b_output]  # Does the unseen part have this eigenvalue? (hint 1)
+# Does the unseen part have this eigenvalue? (hint 1)
+b_split_system = [sp.diag(b_matrix[:3, :3], 3), b_output]
 c_observable = True  # Is it enough that a way leads from every variable to z? (hint 1)
 c_unseen = [[1, -1, 0, 0]]  # Does this difference turn up in the second derivative? (hint 1)
 c_unseen = [[0, 0, 1, 1]]  # Does this combination turn up in the first derivative? (hint 1)
 # Have the two differences changed places? The unseen one has to stand last. (hint 1)
-c_split = half*sp.Matrix([[1, 1, 0, 0], [0, 0, 1, 1], [0, 0, 1, -1], [-1, 1, 0, 0]])
+c_split = half * sp.Matrix([[1, 1, 0, 0], [0, 0, 1, 1], [0, 0, 1, -1], [-1, 1, 0, 0]])
 # Are these the basis vectors instead of the coordinates? (hint 1)
 c_split = sp.Matrix([[1, 0, -1, 0], [1, 0, 1, 0], [0, 1, 0, 1], [0, 1, 0, -1]])
 # Does z act on the unseen coordinate? (hint 1)
-c_split_system = [sp.Matrix([[0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 1, 0], [0, 0, 0, 1]]), sp.Matrix([[1, 0, 0, 0]])]
+c_split_system = [
+    sp.Matrix([[0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 1, 0], [0, 0, 0, 1]]),
+    sp.Matrix([[1, 0, 0, 0]]),
+]
 # Did an eigenvalue get the wrong sign? (hint 1)
-c_split_system = [sp.Matrix([[0, 1, 0, 0], [0, 0, 1, 0], [0, 0, -1, 0], [1, 0, 0, 1]]), sp.Matrix([[1, 0, 0, 0]])]
+c_split_system = [
+    sp.Matrix([[0, 1, 0, 0], [0, 0, 1, 0], [0, 0, -1, 0], [1, 0, 0, 1]]),
+    sp.Matrix([[1, 0, 0, 0]]),
+]
 
 # %% right
 a_unseen = [(0, 0, -4, 0)]  # another length and sign
@@ -36,26 +45,47 @@ a_split = [[1, 0, 0, 1], [2, 1, 0, 1], [4, 4, 0, 1], [0, 0, 1, 0]]  # z, its der
 # another order and another fourth coordinate
 a_split = sp.Matrix([[0, 0, 0, 1], [0, 1, 0, 0], [1, 0, 0, 0], [1, 1, 1, 1]])
 # in z and its derivatives
-a_split_system = [sp.Matrix([[0, 1, 0, 0], [0, 0, 1, 0], [4, -8, 5, 0], [4, -4, 1, 1]]), sp.Matrix([[1, 0, 0, 0]])]
+a_split_system = [
+    sp.Matrix([[0, 1, 0, 0], [0, 0, 1, 0], [4, -8, 5, 0], [4, -4, 1, 1]]),
+    sp.Matrix([[1, 0, 0, 0]]),
+]
 # lists, the order x4, x1, x2, x3
 a_split_system = [[[1, 0, 0, 0], [0, 2, 1, 0], [0, 0, 2, 0], [1, 0, 0, 1]], [[1, 1, 0, 0]]]
 b_unseen = [[0, 0, 0, 7]]  # another length
 # floats
 import numpy as np
+
 b_unseen = [np.array([0, 0, 0, -1.0])]
-b_split = sp.Matrix([[0, 1, 1, 0], [1, 3, 0, 0], [6, 9, 2, 0], [0, 0, 0, 1]])  # z, its derivatives, and x4
-b_split = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0.5, 1]]  # the coordinate that nothing drives
+# z, its derivatives, and x4
+b_split = sp.Matrix([[0, 1, 1, 0], [1, 3, 0, 0], [6, 9, 2, 0], [0, 0, 0, 1]])
+# the coordinate that nothing drives
+b_split = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0.5, 1]]
 b_split_system = [sp.diag(b_matrix[:3, :3], 2), b_output]  # with the two parts cut apart
 # in z and its derivatives
-b_split_system = [sp.Matrix([[0, 1, 0, 0], [0, 0, 1, 0], [0, -9, 6, 0],
-                             [sp.Rational(9, 11), -sp.Rational(6, 11), sp.Rational(1, 11), 2]]),
-                  sp.Matrix([[1, 0, 0, 0]])]
+b_split_system = [
+    sp.Matrix(
+        [
+            [0, 1, 0, 0],
+            [0, 0, 1, 0],
+            [0, -9, 6, 0],
+            [sp.Rational(9, 11), -sp.Rational(6, 11), sp.Rational(1, 11), 2],
+        ]
+    ),
+    sp.Matrix([[1, 0, 0, 0]]),
+]
 c_unseen = [[0, 0, -half, half]]  # another length and sign
 c_unseen = sp.Matrix([0, 0, 1, -1])  # a column
-c_split = [[1, 1, 0, 0], [0, 0, 1, 1], [1, -1, 0, 0], [0, 0, 1, -1]]  # whole sums and differences
+# whole sums and differences
+c_split = [[1, 1, 0, 0], [0, 0, 1, 1], [1, -1, 0, 0], [0, 0, 1, -1]]
 # a single variable as the fourth coordinate, the observable ones mixed
 c_split = sp.Matrix([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 1], [0, 0, 0, 1]])
 # with y4 instead of the half difference; y1 = xi1 - xi3 and y3 = 2 xi2 - y4
-c_split_system = [sp.Matrix([[0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 1, 0], [-1, -1, 1, 1]]), sp.Matrix([[1, 0, 0, 0]])]
+c_split_system = [
+    sp.Matrix([[0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 1, 0], [-1, -1, 1, 1]]),
+    sp.Matrix([[1, 0, 0, 0]]),
+]
 # in whole sums and differences
-c_split_system = [sp.Matrix([[0, 1, 0, 0], [0, 0, -1, 0], [0, 0, 1, 0], [1, 0, 0, 1]]), sp.Matrix([[half, 0, 0, 0]])]
+c_split_system = [
+    sp.Matrix([[0, 1, 0, 0], [0, 0, -1, 0], [0, 0, 1, 0], [1, 0, 0, 1]]),
+    sp.Matrix([[half, 0, 0, 0]]),
+]

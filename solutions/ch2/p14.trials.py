@@ -1,8 +1,10 @@
 # %% wrong
 a_observable = False  # Are two measurements too few for four variables? (hint 1)
-a_unseen_z1 = [[0, 1, 1, 0], [0, 0, 0, 1]]  # Is this what $z_1$ and its first derivative alone do not see? (hint 1)
+# Is this what $z_1$ and its first derivative alone do not see? (hint 1)
+a_unseen_z1 = [[0, 1, 1, 0], [0, 0, 0, 1]]
 a_unseen_z3 = []  # Does this instrument see everything, as the other one does? (hint 1)
-a_unseen_z3 = [[1, 0, 0, 0]]  # Does the velocity turn with a satellite that is shifted along the orbit? (hint 2)
+# Does the velocity turn with a satellite that is shifted along the orbit? (hint 2)
+a_unseen_z3 = [[1, 0, 0, 0]]
 # Are these the measurement and its derivatives as they come? (hint 2)
 b_part = sp.Matrix([[1, 0, 0, 0], [0, -1, 1, 0], [-2, 0, 0, -2], [0, -2, -4, 0]])
 # Did a coefficient of the polynomial get the wrong sign? (hint 1)
@@ -23,9 +25,11 @@ c_parallel = sp.Matrix([[1, 0, 0, 0], [0, -1, 1, 0], [-1, 0, 0, -2], [0, -3, -3,
 c_parallel = sp.Matrix([[1, 0, 0, 0], [1, 0, 0, 1], [0, 1, 0, 0], [0, -1, 1, 0]])
 # Does the attraction change with the height? (hint 1)
 d_matrix = sp.Matrix([[0, 0, 1, 0], [0, 0, 0, 1], [0, 0, 0, -2], [0, 1, 2, 0]])
-# Which sign has the change of the attraction with the height, together with that of the centrifugal force? (hint 1)
+# Which sign has the change of the attraction with the height, together with that of the
+# centrifugal force? (hint 1)
 d_matrix = sp.Matrix([[0, 0, 1, 0], [0, 0, 0, 1], [0, 0, 0, -2], [0, -1, 2, 0]])
-d_change = sp.eye(4)  # Are absolute velocities the same as those relative to the turning axes? (hint 2)
+# Are absolute velocities the same as those relative to the turning axes? (hint 2)
+d_change = sp.eye(4)
 # Does this lead from the deviations to y, instead of from y to them? (hint 2)
 d_change = sp.Matrix([[1, 0, 0, 0], [0, 1, 0, 0], [0, 1, 1, 0], [-1, 0, 0, 1]])
 e_z1 = "height"  # Which way does the first axis point? (hint 1)
@@ -38,12 +42,16 @@ a_unseen_z3 = [[-2, 0, 0, 2]]  # another length
 a_unseen_z3 = [sp.Matrix([0.5, 0.0, 0.0, -0.5])]  # a column, with floats
 # z3 and its derivatives as they come, then z1 in another unit
 b_reversed = sp.Matrix([[0, 1, 0, 0], [1, 0, 0, 1], [0, 1, 2, 0], [-5, 0, 0, 0]])
-b_reversed = [[0, 1, 0, 0], [1, 0, 0, 1], [0, 2, 2, 0], [1, 0, 0, 0]]  # the part of z3 in the canonical form (2.5)
+# the part of z3 in the canonical form (2.5)
+b_reversed = [[0, 1, 0, 0], [1, 0, 0, 1], [0, 2, 2, 0], [1, 0, 0, 0]]
 # the rows h1, h1 A, h3, h3 A as they are
 c_parallel = sp.Matrix([[1, 0, 0, 0], [0, -1, 1, 0], [0, 1, 0, 0], [1, 0, 0, 1]])
-c_parallel = sp.Matrix([[1, 0, 0, 0], [0, 0, 1, 0], [0, 1, 0, 0], [0, 0, 0, 1]])  # every coordinate with its momentum
+# every coordinate with its momentum
+c_parallel = sp.Matrix([[1, 0, 0, 0], [0, 0, 1, 0], [0, 1, 0, 0], [0, 0, 0, 1]])
 # pi1 as the second coordinate of z1, floats
 c_parallel = [[1.0, 0, 0, 0], [0, 0, 1.0, 0], [0, 2.0, 0, 0], [1.0, 0, 0, 1.0]]
 d_change = [[-1, 0, 0, 0], [0, -1, 0, 0], [0, 1, -1, 0], [-1, 0, 0, -1]]  # all signs changed
 # the deviations at another time, by a matrix that commutes with the system
-d_change = sp.Matrix([[1, 0, 0, 0], [0, 1, 0, 0], [0, -1, 1, 0], [1, 0, 0, 1]])*(3*sp.eye(4) + satellite**2)
+d_change = sp.Matrix([[1, 0, 0, 0], [0, 1, 0, 0], [0, -1, 1, 0], [1, 0, 0, 1]]) * (
+    3 * sp.eye(4) + satellite**2
+)

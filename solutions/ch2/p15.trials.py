@@ -1,14 +1,16 @@
 # %% wrong
-# Did the sum and the difference change places? Ask which of the two free variables drives each. (hint 2)
+# Did the sum and the difference change places? Ask which of the two free variables drives each.
+# (hint 2)
 a_change = sp.Matrix([[1, 0, -1, 0], [0, 1, 0, 0], [1, 0, 1, 0], [0, 0, 0, 1]])
 # Which chain has to stand first? (hint 1)
 a_change = sp.Matrix([[1, 0, -1, 0], [0, 0, 0, 1], [1, 0, 1, 0], [0, 1, 0, 0]])
 # Does this lead from y to x, instead of from x to y?
-a_change = sp.Matrix([[1, 0, 1, 0], [0, 2, 0, 0], [1, 0, -1, 0], [0, 0, 0, 2]])*sp.Rational(1, 2)
+a_change = sp.Matrix([[1, 0, 1, 0], [0, 2, 0, 0], [1, 0, -1, 0], [0, 0, 0, 2]]) * sp.Rational(1, 2)
 b_observable = False  # If neither instrument sees all, can both together not see it? (hint 2)
 b_unseen_z1 = [[1, 0, 1, 0]]  # Is this the eigenvector that $z_1$ does see? (hint 1)
 b_unseen_z1 = []  # Does $z_1$ see both chains because both exponentials occur in it? (hint 1)
-b_unseen_z2 = [[1, 0, 1, 0], [0, 0, 0, 1]]  # Are these the states that $z_2$ does not show at a single moment? (hint 1)
+# Are these the states that $z_2$ does not show at a single moment? (hint 1)
+b_unseen_z2 = [[1, 0, 1, 0], [0, 0, 0, 1]]
 # Does $z_2$ show this last coordinate without any of the others? (hint 2)
 c_sequential = sp.Matrix([[1, 0, 1, 0], [0, 1, 0, 0], [0, 0, 0, 1], [1, 0, -1, 0]])
 # Must the two parts be of equal size in this order? (hint 1)
@@ -27,15 +29,18 @@ d_parallel = sp.Matrix([[1, 0, 1, 1], [1, 1, 1, 2], [1, 2, 1, 4], [1, 1, -1, 0]]
 # %% right
 # nested lists, another freedom: a multiple of the driver added to the head
 a_change = [[2, 3, 2, 0], [0, 2, 0, 0], [-1, 0, 1, 1], [0, 0, 0, -1]]
-a_change = sp.Matrix([[0.5, 0, 0.5, 0], [0, 0.5, 0, 0], [0.25, 0, -0.25, 0], [0, 0, 0, 0.25]])  # floats
+# floats
+a_change = sp.Matrix([[0.5, 0, 0.5, 0], [0, 0.5, 0, 0], [0.25, 0, -0.25, 0], [0, 0, 0, 0.25]])
 b_unseen_z1 = [[-3, 0, 3, 0]]  # another length and sign
 b_unseen_z1 = [sp.Matrix([half, 0, -half, 0])]  # a column
 b_unseen_z2 = [[0.7, 0.0, 0.7, 0.0]]  # floats
 b_unseen_z2 = sp.Matrix([-1, 0, -1, 0])  # a matrix with one column
-c_sequential = sp.Matrix([[1, 0, 1, 1], [1, 1, 1, 2], [1, 2, 1, 4], [1, 1, -1, 0]])  # z1 and its derivatives, then z2
+# z1 and its derivatives, then z2
+c_sequential = sp.Matrix([[1, 0, 1, 1], [1, 1, 1, 2], [1, 2, 1, 4], [1, 1, -1, 0]])
 # the first part mixed, the second in another unit, floats
 c_sequential = [[1.0, 2, 1, 0], [0, 1.0, 0, -1], [0, 0, 0, 1.0], [-2.0, -2, 2, 0]]
-c_reversed = [[1, 1, -1, 0], [2, 1, -2, 1], [4, 1, -4, 4], [1, 0, 1, 1]]  # z2 and its derivatives, then z1
+# z2 and its derivatives, then z1
+c_reversed = [[1, 1, -1, 0], [2, 1, -2, 1], [4, 1, -4, 4], [1, 0, 1, 1]]
 # another order in the first part, halves
 c_reversed = sp.Matrix([[0, 1, 0, 0], [0, 0, 0, 1], [half, 0, -half, 0], [half, 0, half, half]])
 # the rows h1, h1 A, h2, h2 A as they are

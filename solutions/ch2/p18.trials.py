@@ -1,11 +1,14 @@
 # %% wrong
 a_controllable = False  # Must the control stand in every equation? (hint 1)
 a_kalman = sp.Matrix([[1, 0], [0, 1]])  # Do the columns stand in the usual order? (hint 1)
-a_kalman = sp.Matrix([[0, 1], [1, 1]])  # What is the second column made of, besides A and b? (hint 1)
+# What is the second column made of, besides A and b? (hint 1)
+a_kalman = sp.Matrix([[0, 1], [1, 1]])
 b_region = sp.Ne(beta, 1)  # Has the determinant another root? (hint 2)
 b_region = sp.Ne(beta, -1)  # Does what dies out by itself count as controlled? (hint 2)
-b_region = sp.Or(beta > 1, beta < -1)  # Must the determinant be positive, or only different from zero? (hint 2)
-b_lost = {1: [[1, 1]], -1: [[-1, 1]]}  # Are these the directions in which the control acts? (hint 1)
+# Must the determinant be positive, or only different from zero? (hint 2)
+b_region = sp.Or(beta > 1, beta < -1)
+# Are these the directions in which the control acts? (hint 1)
+b_lost = {1: [[1, 1]], -1: [[-1, 1]]}
 b_lost = {-1: [[1, 1]]}  # Is only the combination that grows left alone? (hint 1)
 # Is something lost if the control does not change it at once? (hint 1)
 b_lost = {1: [[-1, 1]], -1: [[1, 1]], 0: [[1, 0]]}
@@ -13,8 +16,10 @@ b_lost = {1: [[-1, 1]], -1: [[1, 1]], 0: [[1, 0]]}
 # %% right
 # column beside column, as floats
 import numpy as np
+
 a_kalman = np.column_stack([[0.0, 1.0], [1.0, 0.0]])
-b_region = sp.Ne(sp.Symbol("beta")**2 - 1, 0)  # the determinant, with a plain symbol
+b_region = sp.Ne(sp.Symbol("beta") ** 2 - 1, 0)  # the determinant, with a plain symbol
 b_region = sp.Or(beta < -1, sp.And(-1 < beta, beta < 1), beta > 1)  # three intervals
 b_lost = {-1: [(0.5, 0.5)], 1: [(1, -1)]}  # other lengths and signs, tuples
-b_lost = {1.0: sp.Matrix([[3, -3]]), -1.0: sp.Matrix([[2, 2]])}  # rows as matrices, decimal keys
+# rows as matrices, decimal keys
+b_lost = {1.0: sp.Matrix([[3, -3]]), -1.0: sp.Matrix([[2, 2]])}

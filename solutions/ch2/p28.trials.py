@@ -15,12 +15,14 @@ split = sp.eye(2)  # Can the coordinates be left as they are? (hint 1)
 split_system = [sp.Matrix([[2, 0], [0, -1]]), sp.Matrix([1, 1])]
 # Does the coupling stand on the right side of the diagonal? (hint 1)
 split_system = [sp.Matrix([[2, 0], [2, -1]]), sp.Matrix([1, 0])]
-split_system = [sp.Matrix([[-1, 0], [0, 2]]), sp.Matrix([1, 0])]  # Have the two eigenvalues changed places? (hint 1)
+# Have the two eigenvalues changed places? (hint 1)
+split_system = [sp.Matrix([[-1, 0], [0, 2]]), sp.Matrix([1, 0])]
 
 # %% right
 uncontrolled = [[5, -5]]  # another length and sign
 lost = [-sp.sqrt(1)]  # the number in another form
 split = sp.Matrix([[1, 1], [1, 0]])  # b and the first axis
 split = sp.Matrix([[-3, 0], [-3, 7]])  # another length of b, the second axis
-split_system = [sp.Matrix([[2, 2], [0, -1]]), sp.Matrix([1, 0])]  # with the first axis: eta acts on xi
+# with the first axis: eta acts on xi
+split_system = [sp.Matrix([[2, 2], [0, -1]]), sp.Matrix([1, 0])]
 split_system = [sp.Matrix([[2, -5], [0, -1]]), sp.Matrix([3, 0])]  # other lengths

@@ -5,21 +5,29 @@ missed_by_u1 = [[0, 0, 0, 1]]  # Is this what the other control misses? (hint 1)
 # Is a variable missed because the control does not stand in its equation? (hint 1)
 missed_by_u2 = [[1, 0, 0, 0], [0, 0, 0, 1]]
 missed_by_u2 = []  # Does each control miss nothing because both together do? (hint 1)
-sequential = sp.eye(4)[:, [0, 2, 3, 1]]  # Does the second control enter the part of the first one here? (hint 1)
-sequential = sp.Matrix.hstack(b2, b1, A*b1, A**2*b1)  # Which part has to stand first? (hint 1)
-sequential = sp.Matrix.hstack(b1, A*b1, b2, A*b2)  # Is this the parallel decomposition? (hint 1)
-sequential = sp.Matrix.hstack(b1, A*b1, A**2*b1, A**3*b1)  # Was the chain continued beyond its end? (hint 1)
-reversed_order = sp.Matrix.hstack(b1, A*b1, A**2*b1, b2)  # Is this the decomposition in the other order? (hint 1)
-reversed_order = sp.Matrix.hstack(b1, b2, A*b2, A**2*b2)  # Which part has to stand first? (hint 1)
+# Does the second control enter the part of the first one here? (hint 1)
+sequential = sp.eye(4)[:, [0, 2, 3, 1]]
+sequential = sp.Matrix.hstack(b2, b1, A * b1, A**2 * b1)  # Which part has to stand first? (hint 1)
+# Is this the parallel decomposition? (hint 1)
+sequential = sp.Matrix.hstack(b1, A * b1, b2, A * b2)
+# Was the chain continued beyond its end? (hint 1)
+sequential = sp.Matrix.hstack(b1, A * b1, A**2 * b1, A**3 * b1)
+# Is this the decomposition in the other order? (hint 1)
+reversed_order = sp.Matrix.hstack(b1, A * b1, A**2 * b1, b2)
+# Which part has to stand first? (hint 1)
+reversed_order = sp.Matrix.hstack(b1, b2, A * b2, A**2 * b2)
 reversed_order = sp.eye(4)  # Does one control enter the part of the other one here? (hint 1)
-parallel = sp.Matrix.hstack(b1, A*b1, A**2*b1, b2)  # Is this the sequential decomposition? (hint 1)
-parallel = sp.Matrix.hstack(b1, b2, A*b1, A*b2)  # Are the columns sorted part by part? (hint 2)
-parallel = sp.Matrix.hstack(b2, A*b2, b1, A*b1)  # Which part has to stand first? (hint 2)
+# Is this the sequential decomposition? (hint 1)
+parallel = sp.Matrix.hstack(b1, A * b1, A**2 * b1, b2)
+parallel = sp.Matrix.hstack(b1, b2, A * b1, A * b2)  # Are the columns sorted part by part? (hint 2)
+parallel = sp.Matrix.hstack(b2, A * b2, b1, A * b1)  # Which part has to stand first? (hint 2)
 
 # %% right
 missed_by_u1 = [[0, -4, 0, 0]]  # another length and sign
 missed_by_u2 = [[0, 0, 0, 9]]  # another length
-sequential = sp.Matrix.hstack(b1, A*b1, A**2*b1, b2)  # the chains of the textbook
-sequential = sp.Matrix.hstack(A*b1 - b1, A**2*b1, 2*b1, 5*b2)  # another basis of the part of u1
-reversed_order = sp.Matrix.hstack(b2, A*b2, A**2*b2, b1)  # the chains of the textbook
-parallel = sp.Matrix.hstack(b1, A*b1 + b2, b2, A*b2 - b1)  # each chain up to columns with lower powers of A
+sequential = sp.Matrix.hstack(b1, A * b1, A**2 * b1, b2)  # the chains of the textbook
+# another basis of the part of u1
+sequential = sp.Matrix.hstack(A * b1 - b1, A**2 * b1, 2 * b1, 5 * b2)
+reversed_order = sp.Matrix.hstack(b2, A * b2, A**2 * b2, b1)  # the chains of the textbook
+# each chain up to columns with lower powers of A
+parallel = sp.Matrix.hstack(b1, A * b1 + b2, b2, A * b2 - b1)

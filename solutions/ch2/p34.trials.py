@@ -1,25 +1,38 @@
 # %% wrong
-uncontrolled = []  # Are two controls always enough? Look for a combination that neither enters. (hint 1)
+# Are two controls always enough? Look for a combination that neither enters. (hint 1)
+uncontrolled = []
 uncontrolled = [[0, 1, 1, 0]]  # Do the controls enter this sum? (hint 1)
-uncontrolled = [[0, 1, -1, 0], [1, 0, 0, 0]]  # Is a variable lost because no control stands in its equation?
-missed_by_u2 = [[0, 1, -1, 0]]  # Is this what both controls miss together? One alone may miss more. (hint 1)
-missed_by_u2 = [[0, 1, -1, 0], [1, 0, 0, 0]]  # Is a variable missed although others that are moved act on it? (hint 2)
+# Is a variable lost because no control stands in its equation?
+uncontrolled = [[0, 1, -1, 0], [1, 0, 0, 0]]
+# Is this what both controls miss together? One alone may miss more. (hint 1)
+missed_by_u2 = [[0, 1, -1, 0]]
+# Is a variable missed although others that are moved act on it? (hint 2)
+missed_by_u2 = [[0, 1, -1, 0], [1, 0, 0, 0]]
 missed_by_u2 = [[0, 1, 1, -1]]  # Was something forgotten that both controls miss? (hint 2)
 sequential = sp.eye(4)  # Can the coordinates be left as they are? (hint 1)
-sequential = sp.Matrix.hstack(sp.Matrix([0, 1, 0, 0]), b1, A*b1, A**2*b1)  # Which columns have to stand first? (hint 1)
-sequential = sp.Matrix.hstack(b1, A*b1, A**2*b1, A**3*b1)  # Was the chain continued beyond its end? (hint 1)
+# Which columns have to stand first? (hint 1)
+sequential = sp.Matrix.hstack(sp.Matrix([0, 1, 0, 0]), b1, A * b1, A**2 * b1)
+# Was the chain continued beyond its end? (hint 1)
+sequential = sp.Matrix.hstack(b1, A * b1, A**2 * b1, A**3 * b1)
 # Is this the decomposition in the other order? (hint 1)
-reversed_order = sp.Matrix.hstack(b1, A*b1, A**2*b1, sp.Matrix([0, 1, 0, 0]))
-reversed_order = sp.Matrix.hstack(b1, b2, A*b2, sp.Matrix([0, 1, 0, 0]))  # Which part has to stand first? (hint 1)
+reversed_order = sp.Matrix.hstack(b1, A * b1, A**2 * b1, sp.Matrix([0, 1, 0, 0]))
+# Which part has to stand first? (hint 1)
+reversed_order = sp.Matrix.hstack(b1, b2, A * b2, sp.Matrix([0, 1, 0, 0]))
 # Is this the sequential decomposition? (hint 1)
-parallel = sp.Matrix.hstack(b1, A*b1, A**2*b1, sp.Matrix([0, 1, 0, 0]))
-parallel = sp.Matrix.hstack(b1, b2, A*b1, sp.Matrix([0, 1, 0, 0]))  # Are the columns sorted part by part? (hint 1)
-parallel = sp.Matrix.hstack(b1, A*b1, b2, A*b2)  # Was a column kept that depends on those before it? (hint 2)
+parallel = sp.Matrix.hstack(b1, A * b1, A**2 * b1, sp.Matrix([0, 1, 0, 0]))
+# Are the columns sorted part by part? (hint 1)
+parallel = sp.Matrix.hstack(b1, b2, A * b1, sp.Matrix([0, 1, 0, 0]))
+# Was a column kept that depends on those before it? (hint 2)
+parallel = sp.Matrix.hstack(b1, A * b1, b2, A * b2)
 
 # %% right
 uncontrolled = [[0, -3, 3, 0]]  # another length and sign
 missed_by_u2 = [[0, 2, 0, -1], [0, 0, 2, -1]]  # sum and difference of the two rows
-sequential = sp.Matrix.hstack(b1, A*b1, b2, sp.Matrix([0, 1, 0, 0]))  # columns of the parallel one: they span the same
-sequential = sp.Matrix([[1, 0, 0, 0], [0, 1, 0, 1], [0, 1, 0, -1], [0, 0, 1, 0]])  # x1, x2 + x3, x4 and the difference
-reversed_order = sp.Matrix.hstack(A*b2 - b2, 2*b2, b1, sp.Matrix([0, 1, -1, 0]))  # other columns of the same parts
-parallel = sp.Matrix.hstack(2*b1, A*b1 - b2, b2, sp.Matrix([1, 0, 5, 0]))  # each chain up to columns with lower powers
+# columns of the parallel one: they span the same
+sequential = sp.Matrix.hstack(b1, A * b1, b2, sp.Matrix([0, 1, 0, 0]))
+# x1, x2 + x3, x4 and the difference
+sequential = sp.Matrix([[1, 0, 0, 0], [0, 1, 0, 1], [0, 1, 0, -1], [0, 0, 1, 0]])
+# other columns of the same parts
+reversed_order = sp.Matrix.hstack(A * b2 - b2, 2 * b2, b1, sp.Matrix([0, 1, -1, 0]))
+# each chain up to columns with lower powers
+parallel = sp.Matrix.hstack(2 * b1, A * b1 - b2, b2, sp.Matrix([1, 0, 5, 0]))

@@ -1,28 +1,39 @@
 # %% wrong
 a_gain = sp.Matrix([[2, 2]])  # Which sign has the feedback in the statement? (hint 1)
-a_gain = sp.Matrix([[-2, 0]])  # What does a pendulum do that is pushed back and not slowed down? (hint 1)
+# What does a pendulum do that is pushed back and not slowed down? (hint 1)
+a_gain = sp.Matrix([[-2, 0]])
 a_gain = sp.Matrix([[0, -2]])  # Does a pendulum that falls slowly not fall? (hint 1)
 a_gain = []  # Is the growing motion out of the reach of the control?
-a_region = (k1 < 0) & (k2 < 0)  # How strong has the push to be against the motion that grows? (hint 2)
+# How strong has the push to be against the motion that grows? (hint 2)
+a_region = (k1 < 0) & (k2 < 0)
 a_region = (k1 > 1) & (k2 > 0)  # Which sign has the feedback in the statement?
-a_region = k1 < -1  # Where is a growing motion left when the other gain has the wrong sign? (hint 1)
+# Where is a growing motion left when the other gain has the wrong sign? (hint 1)
+a_region = k1 < -1
 a_margins = mu < 1  # Is the rate of the free motion a limit, or do the gains move it? (hint 1)
 b_gain = sp.Matrix([[-2, 0]])  # Does a stiffer spring make the oscillation die out? (hint 1)
 b_region = (k1 < 0) & (k2 < 0)  # Is the spring that is there not enough? (hint 1)
-b_region = k2 < 0  # What if the feedback pushes away harder than the spring pulls back? (hint 1)
+# What if the feedback pushes away harder than the spring pulls back? (hint 1)
+b_region = k2 < 0
 b_region = (k1 < 1) & (k2 <= 0)  # What does the motion do without any damping? (hint 1)
-b_margins = mu <= 1  # Is the frequency a limit? What do the gains do to the coefficients? (hint 1)
-c_gain = sp.Matrix([[0, -1]])  # Where does the body come to rest with more damping only? (hint 1)
+# Is the frequency a limit? What do the gains do to the coefficients? (hint 1)
+b_margins = mu <= 1
+# Where does the body come to rest with more damping only? (hint 1)
+c_gain = sp.Matrix([[0, -1]])
 c_region = (k1 < 0) & (k2 < 0)  # How much of the friction that is there can be spared? (hint 1)
-c_region = (k1 < 0) & (k2 < -1)  # Has the friction the right sign? Write the polynomial down once more. (hint 1)
-c_margins = mu <= sp.Rational(1, 2)  # Is this what the position alone can do? The velocity is known, too. (hint 1)
-c_margins = mu <= 1  # Is the rate of the friction fixed, or does the control reach the velocity? (hint 1)
+# Has the friction the right sign? Write the polynomial down once more. (hint 1)
+c_region = (k1 < 0) & (k2 < -1)
+# Is this what the position alone can do? The velocity is known, too. (hint 1)
+c_margins = mu <= sp.Rational(1, 2)
+# Is the rate of the friction fixed, or does the control reach the velocity? (hint 1)
+c_margins = mu <= 1
 d_gain = sp.Matrix([[1, -3]])  # Which equation does the control enter? (hint 1)
 d_gain = []  # Does what is out of reach have to be moved? (hint 1)
 d_region = (k1 < 0) & (k2 < 0)  # Do both gains stand in the characteristic polynomial? (hint 2)
-d_region = (k1 < 0) & (k2 < 1)  # Has the control entered the same equation as in the system before? (hint 1)
+# Has the control entered the same equation as in the system before? (hint 1)
+d_region = (k1 < 0) & (k2 < 1)
 d_region = k1 < -1  # Is this what a margin needs, and not stability? (hint 1)
-d_margins = sp.true  # The gain moves one eigenvalue as far as one likes. And the other one? (hint 1)
+# The gain moves one eigenvalue as far as one likes. And the other one? (hint 1)
+d_margins = sp.true
 d_margins = mu < 1  # Does the definition of a margin exclude equality? (hint 2)
 d_margins = sp.false  # How fast does the part decay that the control does not reach? (hint 1)
 

@@ -2,21 +2,30 @@
 controllable = sp.true  # Can the robot get to any place at the speed zero?
 controllable = sp.Ne(V0, 0) & sp.Ne(k0, 0)  # Does a point on the wheels' axis not drive aside?
 controllable = V0 > 0  # Does the sign of the determinant matter?
-gain = sp.Matrix([[1, k1 + k2*V0 - k1*V0/(k3*k0) - 1]])  # Left of the track, which way has the robot to turn?
+# Left of the track, which way has the robot to turn?
+gain = sp.Matrix([[1, k1 + k2 * V0 - k1 * V0 / (k3 * k0) - 1]])
 gain = sp.Matrix([[-1, -1]])  # What if the robot is fast, or $k_0$ short?
-gain = sp.Matrix([[-1, k1 + k2*V0 - 1]])  # What does the second Hurwitz minor ask for?
+gain = sp.Matrix([[-1, k1 + k2 * V0 - 1]])  # What does the second Hurwitz minor ask for?
 gain = []  # Do the consequences of the angle not show in y?
-region = (k_eps < 0) & (k_omega < 1 - 3*V0/10)  # Does this law stabilise a robot that drives backwards, too?
-region = (V0 > 0) & (k_eps < 0) & (k_omega < 1 + V0/5)  # Are positive coefficients enough for a cubic?
-region = (V0 > 0) & (k_eps > 0) & (k_omega < 1 - 3*V0/10)  # Which sign has the last coefficient?
+# Does this law stabilise a robot that drives backwards, too?
+region = (k_eps < 0) & (k_omega < 1 - 3 * V0 / 10)
+# Are positive coefficients enough for a cubic?
+region = (V0 > 0) & (k_eps < 0) & (k_omega < 1 + V0 / 5)
+# Which sign has the last coefficient?
+region = (V0 > 0) & (k_eps > 0) & (k_omega < 1 - 3 * V0 / 10)
 region = (V0 > 0) & (k_eps < 0) & (k_omega < 0)  # How much damping does the speed ask for?
 
 # %% right
 controllable = sp.Or(V0 > 0, V0 < 0)  # either direction
-controllable = sp.Ne(k3**3*V0/k1**3, 0)  # the determinant
-gain = sp.Matrix([[-V0*k0, k1 + k2*V0 - 2*k1*V0/(k3*k0)]])  # a gain that grows with the speed
-gain = sp.Matrix([[-3, k1 + k2*V0 - k1*V0/(k3*k0) - sp.Rational(1, 10)]])  # closer to the border
+controllable = sp.Ne(k3**3 * V0 / k1**3, 0)  # the determinant
+# a gain that grows with the speed
+gain = sp.Matrix([[-V0 * k0, k1 + k2 * V0 - 2 * k1 * V0 / (k3 * k0)]])
+# closer to the border
+gain = sp.Matrix([[-3, k1 + k2 * V0 - k1 * V0 / (k3 * k0) - sp.Rational(1, 10)]])
 # the coefficients and the minor as they come
-c = 2 + 2*V0/5
-region = (c - 2*k_omega > 0) & (-V0*k_eps > 0) & (-(c - 2*k_omega)*2*k_eps > -2*V0*k_eps)
-region = (V0*k_eps < 0) & (V0 > 0) & (10*k_omega + 3*V0 < 10)  # the last product for the sign of the gain
+c = 2 + 2 * V0 / 5
+region = (
+    (c - 2 * k_omega > 0) & (-V0 * k_eps > 0) & (-(c - 2 * k_omega) * 2 * k_eps > -2 * V0 * k_eps)
+)
+# the last product for the sign of the gain
+region = (V0 * k_eps < 0) & (V0 > 0) & (10 * k_omega + 3 * V0 < 10)

@@ -8,7 +8,12 @@ system = [system[0], sp.Matrix([0, 1, 3]), *system[2:]]
 # Can all three initial values of x be chosen in this form, or only two? (hint 2)
 system = [system[0], sp.Matrix([0, 0, 1]), sp.Matrix([[3, 1, 0]]), sp.Matrix([[9, 6, 1]])]
 # Which motions of the equation were lost when the common factor was cancelled? (hint 2)
-system = [sp.Matrix([[0, 1], [-2, -3]]), sp.Matrix([0, 1]), sp.Matrix([[1, 0]]), sp.Matrix([[3, 1]])]
+system = [
+    sp.Matrix([[0, 1], [-2, -3]]),
+    sp.Matrix([0, 1]),
+    sp.Matrix([[1, 0]]),
+    sp.Matrix([[3, 1]]),
+]
 # Is z formed with the numbers in the order of the derivatives?
 system = [*system[:3], sp.Matrix([[1, 3, 0]])]
 # Were the signs on the left-hand side kept when the terms changed sides?
@@ -20,12 +25,19 @@ margins = sp.false  # Something is lost. Does it grow or decay?
 margins = mu <= 2  # Which of the three roots is the one that stays? (hint 1)
 gains = [*system, -gains[4], gains[5]]  # Which sign has $K$ in $u = Ke$? (hint 1)
 gains = [*system, gains[4], -gains[5]]  # Which sign has L in the observer? (hint 2)
-gains = [*system, sp.zeros(1, 3), gains[5]]  # Is the loop faster than without a control? (hint 1)
+# Is the loop faster than without a control? (hint 1)
+gains = [*system, sp.zeros(1, 3), gains[5]]
 gains = [*gains[:5], sp.zeros(3, 1)]  # How do the errors decay without a correction? (hint 2)
 # Were these computed for an equation without a derivative of u?
 gains = [*system, sp.Matrix([[-7, -sp.Rational(16, 3), -1]]), gains[5]]
 # Does this form hold the derivative of u?
-gains = [system[0], sp.Matrix([0, 0, 3]), *system[2:], sp.Matrix([[-7, -sp.Rational(16, 3), -1]]), gains[5]]
+gains = [
+    system[0],
+    sp.Matrix([0, 0, 3]),
+    *system[2:],
+    sp.Matrix([[-7, -sp.Rational(16, 3), -1]]),
+    gains[5],
+]
 static_region = k > -sp.Rational(2, 3)  # Was the feedback taken with a minus sign? (hint 1)
 static_region = k < 3  # Is it enough that the sum of the roots is negative? (hint 1)
 static_region = k <= sp.Rational(2, 3)  # What is the root at the end of your interval?
@@ -35,13 +47,24 @@ static_region = k < 2  # What was put into the place of the control, x or z? (hi
 # the measurement and its rate as state variables: x, z, z' - u
 system = [sp.Matrix([[-3, 1, 0], [0, 0, 1], [0, -2, -3]]), [0, 1, 0], [1, 0, 0], [0, 1, 0]]
 # the canonical form by observation
-system = [sp.Matrix([[-6, 1, 0], [-11, 0, 1], [-6, 0, 0]]), sp.Matrix([0, 1, 3]), sp.Matrix([[1, 0, 0]]),
-          sp.Matrix([[-3, 1, 0]])]
+system = [
+    sp.Matrix([[-6, 1, 0], [-11, 0, 1], [-6, 0, 0]]),
+    sp.Matrix([0, 1, 3]),
+    sp.Matrix([[1, 0, 0]]),
+    sp.Matrix([[-3, 1, 0]]),
+]
 # other units
-system = [system[0], 10.0*system[1], system[2]/10.0, system[3]/10.0]
+system = [system[0], 10.0 * system[1], system[2] / 10.0, system[3] / 10.0]
 margins = sp.And(mu > 0, mu - 3 <= 0)  # in another form
 # faster roots beside the one that stays
 gains = [*system, sp.Matrix([[-18, -6, 0]]), sp.Matrix([1, 1, -5])]
 # for the state x, z, z' - u: the feedback u = -4 z
-gains = [sp.Matrix([[-3, 1, 0], [0, 0, 1], [0, -2, -3]]), [0, 1, 0], [1, 0, 0], [0, 1, 0], [0, -4, 0], [0, 4, 4]]
-static_region = 3*k < 2  # a multiple
+gains = [
+    sp.Matrix([[-3, 1, 0], [0, 0, 1], [0, -2, -3]]),
+    [0, 1, 0],
+    [1, 0, 0],
+    [0, 1, 0],
+    [0, -4, 0],
+    [0, 4, 4],
+]
+static_region = 3 * k < 2  # a multiple

@@ -1,16 +1,21 @@
 # %% wrong
-determined = sp.Ne(v, 0)  # What does an observer see who steers straight for the target? (hint 1)
+# What does an observer see who steers straight for the target? (hint 1)
+determined = sp.Ne(v, 0)
 determined = sp.Or(sp.Ne(x[1], 0), sp.Ne(x[2], 0))  # Does one place of observation do? (hint 2)
-determined = sp.And(sp.Ne(v, 0), sp.Ne(x[1], 0), sp.Ne(x[2], 0))  # Try a target at the height of the observer. (hint 1)
-determined = sp.And(sp.Ne(v, 0), sp.Ne(x[0], 0), sp.Or(sp.Ne(x[1], 0), sp.Ne(x[2], 0)))  # Is a target abeam lost?
+# Try a target at the height of the observer. (hint 1)
+determined = sp.And(sp.Ne(v, 0), sp.Ne(x[1], 0), sp.Ne(x[2], 0))
+# Is a target abeam lost?
+determined = sp.And(sp.Ne(v, 0), sp.Ne(x[0], 0), sp.Or(sp.Ne(x[1], 0), sp.Ne(x[2], 0)))
 unseen = []  # How far away is a target dead ahead? (hint 1)
 unseen = [[1, 0, 0], [0, 1, 0]]  # Does a step aside leave the bearing as it was? (hint 1)
 unseen = [[0, 1, 0], [0, 0, 1]]  # Is this what is seen? (hint 1)
-moving = []  # Are the two angles of each of three bearings independent of all the others? (hint 2)
-moving = [[x[0], x[1], 0, v, 0, 0]]  # Whose velocity is subtracted in the relative motion? (hint 1)
+# Are the two angles of each of three bearings independent of all the others? (hint 2)
+moving = []
+# Whose velocity is subtracted in the relative motion? (hint 1)
+moving = [[x[0], x[1], 0, v, 0, 0]]
 moving = [[x[0], x[1], 0, 0, 0, 0]]  # Does the nearer target stand still, too? (hint 2)
 
 # %% right
-determined = sp.Ne(v**2*(x[1]**2 + x[2]**2), 0)  # by the cross product with the velocity
-unseen = [[-x[0]**2 - 1, 0, 0]]  # another multiple
-moving = [[x[0]/v, x[1]/v, 0, -1, 0, 0]]  # another multiple
+determined = sp.Ne(v**2 * (x[1] ** 2 + x[2] ** 2), 0)  # by the cross product with the velocity
+unseen = [[-(x[0] ** 2) - 1, 0, 0]]  # another multiple
+moving = [[x[0] / v, x[1] / v, 0, -1, 0, 0]]  # another multiple

@@ -1,27 +1,33 @@
 # %% wrong
-mean = [mu1*sp.cos(t) - mu2*sp.sin(t), mu1*sp.sin(t) + mu2*sp.cos(t)]  # Which way round does the state turn? (hint 2)
-mean = [mu1*sp.cos(t) + mu2*sp.sin(t), mu2]  # Does the speed stay as it was? (hint 2)
+# Which way round does the state turn? (hint 2)
+mean = [mu1 * sp.cos(t) - mu2 * sp.sin(t), mu1 * sp.sin(t) + mu2 * sp.cos(t)]
+mean = [mu1 * sp.cos(t) + mu2 * sp.sin(t), mu2]  # Does the speed stay as it was? (hint 2)
 mean = [mu1, mu2]  # Is the start a state of rest? (hint 1)
 # Does the start stay as it was? (hint 1)
-covariance = P0 + Q/4*sp.Matrix([[2*t - sp.sin(2*t), 1 - sp.cos(2*t)], [1 - sp.cos(2*t), 2*t + sp.sin(2*t)]])
+covariance = P0 + Q / 4 * sp.Matrix(
+    [[2 * t - sp.sin(2 * t), 1 - sp.cos(2 * t)], [1 - sp.cos(2 * t), 2 * t + sp.sin(2 * t)]]
+)
 # Does the noise enter through x or through its rate? (hint 2)
 turned = sp.Matrix([[sp.cos(t), sp.sin(t)], [-sp.sin(t), sp.cos(t)]])
-covariance = turned*P0*turned.T + Q/4*sp.Matrix([[2*t + sp.sin(2*t), 1 - sp.cos(2*t)],
-                                                 [1 - sp.cos(2*t), 2*t - sp.sin(2*t)]])
+covariance = turned * P0 * turned.T + Q / 4 * sp.Matrix(
+    [[2 * t + sp.sin(2 * t), 1 - sp.cos(2 * t)], [1 - sp.cos(2 * t), 2 * t - sp.sin(2 * t)]]
+)
 # Do the pushes of the noise turn with the motion, too? (hint 2)
 turned = sp.Matrix([[sp.cos(t), sp.sin(t)], [-sp.sin(t), sp.cos(t)]])
-covariance = turned*P0*turned.T + sp.diag(0, Q*t)
+covariance = turned * P0 * turned.T + sp.diag(0, Q * t)
 # Is there no product of what a push does to x and to its rate? (hint 2)
 turned = sp.Matrix([[sp.cos(t), sp.sin(t)], [-sp.sin(t), sp.cos(t)]])
-covariance = turned*P0*turned.T + Q/4*sp.diag(2*t - sp.sin(2*t), 2*t + sp.sin(2*t))
+covariance = turned * P0 * turned.T + Q / 4 * sp.diag(2 * t - sp.sin(2 * t), 2 * t + sp.sin(2 * t))
 # Which way round does the ellipse turn? (hint 1)
 turned = sp.Matrix([[sp.cos(t), -sp.sin(t)], [sp.sin(t), sp.cos(t)]])
-covariance = turned*P0*turned.T + Q/4*sp.Matrix([[2*t - sp.sin(2*t), 1 - sp.cos(2*t)],
-                                                 [1 - sp.cos(2*t), 2*t + sp.sin(2*t)]])
+covariance = turned * P0 * turned.T + Q / 4 * sp.Matrix(
+    [[2 * t - sp.sin(2 * t), 1 - sp.cos(2 * t)], [1 - sp.cos(2 * t), 2 * t + sp.sin(2 * t)]]
+)
 
 # %% right
-mean = (A*t).exp()*sp.Matrix([mu1, mu2])  # the exponential of the matrix, with complex numbers
+mean = (A * t).exp() * sp.Matrix([mu1, mu2])  # the exponential of the matrix, with complex numbers
 # as an integral, not multiplied out
 turned = sp.Matrix([[sp.cos(t), sp.sin(t)], [-sp.sin(t), sp.cos(t)]])
-covariance = turned*P0*turned.T + Q/2*sp.Matrix([[t - sp.sin(t)*sp.cos(t), sp.sin(t)**2],
-                                                 [sp.sin(t)**2, t + sp.sin(t)*sp.cos(t)]])
+covariance = turned * P0 * turned.T + Q / 2 * sp.Matrix(
+    [[t - sp.sin(t) * sp.cos(t), sp.sin(t) ** 2], [sp.sin(t) ** 2, t + sp.sin(t) * sp.cos(t)]]
+)

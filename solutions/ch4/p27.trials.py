@@ -1,21 +1,24 @@
 # %% wrong
-plain = S/n  # How many measurements are there, if they are counted from zero? (hint 2)
+plain = S / n  # How many measurements are there, if they are counted from zero? (hint 2)
 plain = S  # Is this the sum? (hint 2)
-plain_variance = R/n  # How many measurements are there, if they are counted from zero?
+plain_variance = R / n  # How many measurements are there, if they are counted from zero?
 plain_variance = R  # Is this the variance of a single measurement? (hint 1)
-plain_variance = R/(n + 1)**2  # How many variances are added up before the sum is divided? (hint 1)
-filtered = (R*mu + P*S)/(R + n*P)  # How often is it corrected? (hint 1)
-filtered = S/(n + 1)  # Is what was known before used? (hint 2)
-filtered = (mu + S)/(n + 2)  # Does what was known before weigh as much as one measurement? (hint 2)
-filtered = (P*mu + R*S)/(P + (n + 1)*R)  # Who weighs more, if the variance of the measurements is large?
-filtered_variance = P*R/(R + n*P)  # How often is it corrected? (hint 1)
-filtered_variance = P*R/(R + P)  # How often is it corrected? (hint 1)
-filtered_variance = 1/P + (n + 1)/R  # Is this the variance, or its inverse?
+# How many variances are added up before the sum is divided? (hint 1)
+plain_variance = R / (n + 1) ** 2
+filtered = (R * mu + P * S) / (R + n * P)  # How often is it corrected? (hint 1)
+filtered = S / (n + 1)  # Is what was known before used? (hint 2)
+# Does what was known before weigh as much as one measurement? (hint 2)
+filtered = (mu + S) / (n + 2)
+# Who weighs more, if the variance of the measurements is large?
+filtered = (P * mu + R * S) / (P + (n + 1) * R)
+filtered_variance = P * R / (R + n * P)  # How often is it corrected? (hint 1)
+filtered_variance = P * R / (R + P)  # How often is it corrected? (hint 1)
+filtered_variance = 1 / P + (n + 1) / R  # Is this the variance, or its inverse?
 wide = mu  # Which of the two, expectation and measurement, is believed here? (hint 1)
-wide = S/n  # How many measurements are there, if they are counted from zero?
-narrow = S/(n + 1)  # Which of the two, expectation and measurement, is believed here? (hint 1)
-narrow = 0*mu  # Is something known to be zero here? (hint 1)
+wide = S / n  # How many measurements are there, if they are counted from zero?
+narrow = S / (n + 1)  # Which of the two, expectation and measurement, is believed here? (hint 1)
+narrow = 0 * mu  # Is something known to be zero here? (hint 1)
 
 # %% right
-filtered = mu + (n + 1)*P/(R + (n + 1)*P)*(S/(n + 1) - mu)  # a correction by the mean
-filtered_variance = 1/(1/P + (n + 1)/R)  # inverse variances add up
+filtered = mu + (n + 1) * P / (R + (n + 1) * P) * (S / (n + 1) - mu)  # a correction by the mean
+filtered_variance = 1 / (1 / P + (n + 1) / R)  # inverse variances add up

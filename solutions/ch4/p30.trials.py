@@ -7,12 +7,14 @@ deviation = sp.Rational(3, 4)  # Is this the variance? (hint 1)
 deviation = sp.sqrt(3)  # Is this before the measurement? (hint 1)
 deviation = sp.sqrt(sp.Rational(1, 2))  # Has the variance stayed as it was at the start?
 start_estimate = 1  # Does the later measurement say nothing about the start? (hint 1)
-start_estimate = sp.Rational(3, 2)  # Is the noise on the way an error for this estimate? (hint 1)
+# Is the noise on the way an error for this estimate? (hint 1)
+start_estimate = sp.Rational(3, 2)
 start_estimate = sp.Rational(7, 4)  # Is this the end of the interval? (hint 1)
 start_deviation = 1  # Does the later measurement say nothing about the start?
 start_deviation = sp.Rational(3, 4)  # Is this the variance?
-start_deviation = sp.sqrt(sp.Rational(1, 2))  # Is the noise on the way an error for this estimate? (hint 1)
+# Is the noise on the way an error for this estimate? (hint 1)
+start_deviation = sp.sqrt(sp.Rational(1, 2))
 
 # %% right
-estimate = sp.Rational(1*1 + 3*2, 4)  # a mean with the inverse variances as weights
-start_deviation = 1/sp.sqrt(1 + sp.Rational(1, 3))  # the inverse variances add up
+estimate = sp.Rational(1 * 1 + 3 * 2, 4)  # a mean with the inverse variances as weights
+start_deviation = 1 / sp.sqrt(1 + sp.Rational(1, 3))  # the inverse variances add up

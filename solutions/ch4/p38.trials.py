@@ -1,37 +1,46 @@
 # %% wrong
-exists = sp.And(a > 0, b > 0)  # Does an unstable system forbid a filter, if one sees what it does? (hint 1)
-exists = sp.true  # Can every position be told from the speed? Try a body that no spring holds. (hint 2)
+# Does an unstable system forbid a filter, if one sees what it does? (hint 1)
+exists = sp.And(a > 0, b > 0)
+# Can every position be told from the speed? Try a body that no spring holds. (hint 2)
+exists = sp.true
 exists = sp.Ne(a, 0)  # Is it the friction that makes the position visible? (hint 2)
 # Are both variances of this matrix positive? Try the other root. (hint 2)
-covariance = -R*(sp.sqrt(a**2 + Q/R) + a)*sp.diag(1/b, 1)
+covariance = -R * (sp.sqrt(a**2 + Q / R) + a) * sp.diag(1 / b, 1)
 # Is this the covariance without a measurement?
-covariance = Q/(2*a)*sp.diag(1/b, 1)
+covariance = Q / (2 * a) * sp.diag(1 / b, 1)
 # Have the two variances changed places? Which of them does the spring make smaller? (hint 2)
-covariance = R*(sp.sqrt(a**2 + Q/R) - a)*sp.diag(1, 1/b)
-covariance = R*(sp.sqrt(a**2 + Q/R) - a)*sp.eye(2)  # Does the second equation hold with equal variances? (hint 1)
-gain = [0, R*(sp.sqrt(a**2 + Q/R) - a)]  # Is this the column of the covariance itself? (hint 1)
-gain = [(sp.sqrt(a**2 + Q/R) - a)/b, 0]  # Which of the two columns belongs to the measured speed? (hint 1)
-gain = [0, sp.sqrt(a**2 + Q/R)]  # Was the friction of the system itself counted with the gain?
-gain_negative = [0, sp.sqrt(a**2 + Q/R) - a]  # With this gain, do the errors decay if b is negative? (hint 1)
+covariance = R * (sp.sqrt(a**2 + Q / R) - a) * sp.diag(1, 1 / b)
+# Does the second equation hold with equal variances? (hint 1)
+covariance = R * (sp.sqrt(a**2 + Q / R) - a) * sp.eye(2)
+gain = [0, R * (sp.sqrt(a**2 + Q / R) - a)]  # Is this the column of the covariance itself? (hint 1)
+# Which of the two columns belongs to the measured speed? (hint 1)
+gain = [(sp.sqrt(a**2 + Q / R) - a) / b, 0]
+gain = [0, sp.sqrt(a**2 + Q / R)]  # Was the friction of the system itself counted with the gain?
+# With this gain, do the errors decay if b is negative? (hint 1)
+gain_negative = [0, sp.sqrt(a**2 + Q / R) - a]
 # Has the third equation kept the term with b? (hint 2)
-gain_negative = [2, sp.sqrt(a**2 + Q/R) - a]
+gain_negative = [2, sp.sqrt(a**2 + Q / R) - a]
 # Which sign has b in the root? It was to be negative. (hint 2)
-gain_negative = [2, sp.sqrt(a**2 + Q/R + 4*b) - a]
+gain_negative = [2, sp.sqrt(a**2 + Q / R + 4 * b) - a]
 limit_exists = b > 0  # Does it suffice that the position is held? Try $a = 0$. (hint 1)
-limit_exists = a > 0  # Does the covariance stay bounded if the position is pushed away from zero? (hint 2)
-limit_exists = sp.Ne(b, 0)  # Is this where a filter exists for each R? What happens as R grows? (hint 1)
+# Does the covariance stay bounded if the position is pushed away from zero? (hint 2)
+limit_exists = a > 0
+# Is this where a filter exists for each R? What happens as R grows? (hint 1)
+limit_exists = sp.Ne(b, 0)
 limit = sp.zeros(2)  # Does one know everything if the measurement is worth nothing? (hint 1)
-limit = Q/a*sp.diag(1/b, 1)  # Where has the two of the expansion gone? (hint 1)
-limit = Q/(2*a)*sp.diag(1, 1/b)  # Have the two variances changed places?
-free = Q/(2*a)*sp.eye(2)  # Does the stiffness play no part for the position? (hint 1)
-free = Q/(2*a)*sp.Matrix([[1/b, 1], [1, 1]])  # Do position and speed correlate in a process that has settled? (hint 1)
-free = Q/a*sp.diag(1/b, 1)  # How many terms with the friction has the third equation? (hint 1)
+limit = Q / a * sp.diag(1 / b, 1)  # Where has the two of the expansion gone? (hint 1)
+limit = Q / (2 * a) * sp.diag(1, 1 / b)  # Have the two variances changed places?
+free = Q / (2 * a) * sp.eye(2)  # Does the stiffness play no part for the position? (hint 1)
+# Do position and speed correlate in a process that has settled? (hint 1)
+free = Q / (2 * a) * sp.Matrix([[1 / b, 1], [1, 1]])
+# How many terms with the friction has the third equation? (hint 1)
+free = Q / a * sp.diag(1 / b, 1)
 
 # %% right
 exists = sp.Or(b < 0, b > 0)  # two cases
 exists = b**2 > 0  # a square
 # without a difference of large numbers
-covariance = Q/(sp.sqrt(a**2 + Q/R) + a)*sp.diag(1/b, 1)
-gain = [0, -a + sp.sqrt((a**2*R + Q)/R)]  # one fraction under the root
-gain_negative = [2, (Q/R - 4*b)/(sp.sqrt(a**2 + Q/R - 4*b) + a)]  # without a difference
-limit_exists = sp.And(a + b > 0, a*b > 0)  # by the sum and the product
+covariance = Q / (sp.sqrt(a**2 + Q / R) + a) * sp.diag(1 / b, 1)
+gain = [0, -a + sp.sqrt((a**2 * R + Q) / R)]  # one fraction under the root
+gain_negative = [2, (Q / R - 4 * b) / (sp.sqrt(a**2 + Q / R - 4 * b) + a)]  # without a difference
+limit_exists = sp.And(a + b > 0, a * b > 0)  # by the sum and the product

@@ -6,9 +6,11 @@ a_end = [psi1, psi2, psi3, psi4]  # Where has the cost gone? (hint 1)
 a_switching = psi2  # Does the force act on one pendulum only? (hint 1)
 a_switching = psi1 + psi3  # Which equations contain the control? (hint 1)
 a_rate = psi1 + psi3  # What is the sign in the adjoint equation? (hint 1)
-a_rate = -(psi1 + k*psi3)  # Which costate equation belongs to the velocity? (hint 1)
-a_matrix = sp.Matrix([[0, 1, 0, 0], [1, 0, 0, 0], [0, 1, 0, 0], [1, 0, 0, 0]])  # Are two derivatives enough? (hint 2)
-a_matrix = sp.Matrix([[0, 1, 0, -1], [1, 0, -1, 0], [0, 1, 0, -1], [1, 0, -1, 0]])  # Are the pendulums equal? (hint 1)
+a_rate = -(psi1 + k * psi3)  # Which costate equation belongs to the velocity? (hint 1)
+# Are two derivatives enough? (hint 2)
+a_matrix = sp.Matrix([[0, 1, 0, 0], [1, 0, 0, 0], [0, 1, 0, 0], [1, 0, 0, 0]])
+# Are the pendulums equal? (hint 1)
+a_matrix = sp.Matrix([[0, 1, 0, -1], [1, 0, -1, 0], [0, 1, 0, -1], [1, 0, -1, 0]])
 a_values = sp.Ne(k, 0)  # Which determinant was looked at? (hint 1)
 a_values = k > 1  # Does it matter which of the pendulums is the longer one? (hint 1)
 a_values = sp.And(k > 0, sp.Ne(k, 1))  # Is anything lost for a negative stiffness? (hint 1)
@@ -18,11 +20,13 @@ b_control = v  # Where does the motion end under this control? (hint 1)
 b_control = sp.Piecewise((v, t < 1), (1 - v, True))  # Is the end the best one? (hint 1)
 # Does the trolley leave the mean motion alone? (hint 1)
 c_lost = [sp.Matrix([[1, 0, 1, 0]]), sp.Matrix([[0, 1, 0, 1]])]
-c_lost = [sp.Matrix([[1, 0, -1, 0]])]  # Is one combination all? Which velocity belongs to it? (hint 1)
+# Is one combination all? Which velocity belongs to it? (hint 1)
+c_lost = [sp.Matrix([[1, 0, -1, 0]])]
 
 # %% right
-a_end = [sp.Eq(psi1, -x1), sp.Eq(psi3, -x3), sp.Eq(psi2 + psi4, 0), sp.Eq(psi2, psi4)]  # as equations, combined
-a_switching = 2*(psi2 + psi4)  # a positive multiple
+# as equations, combined
+a_end = [sp.Eq(psi1, -x1), sp.Eq(psi3, -x3), sp.Eq(psi2 + psi4, 0), sp.Eq(psi2, psi4)]
+a_switching = 2 * (psi2 + psi4)  # a positive multiple
 a_values = sp.Or(k < 1, k > 1)  # as two intervals
 b_starts = b**2 <= T**2  # squared
 b_control = sp.Piecewise((v, t < 1), (-v, True))  # there and back

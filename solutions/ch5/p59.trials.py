@@ -1,14 +1,18 @@
 # %% wrong
-a_pontryagin = psi1*x2 + psi2*(x1 + u) + x1**2 + 2*x2**2  # Is the cost to be small or great? (hint 1)
-a_pontryagin = psi1*x2 + psi2*u - x1**2 - 2*x2**2  # Which equation has the body without a force? (hint 1)
-a_adjoint = [2*x1, -psi1 + 4*x2]  # The plant is not a double integrator: what is missing? (hint 1)
-a_adjoint = [psi2 - 2*x1, psi1 - 4*x2]  # Which sign stands before the derivative of $H$? (hint 1)
+# Is the cost to be small or great? (hint 1)
+a_pontryagin = psi1 * x2 + psi2 * (x1 + u) + x1**2 + 2 * x2**2
+# Which equation has the body without a force? (hint 1)
+a_pontryagin = psi1 * x2 + psi2 * u - x1**2 - 2 * x2**2
+# The plant is not a double integrator: what is missing? (hint 1)
+a_adjoint = [2 * x1, -psi1 + 4 * x2]
+# Which sign stands before the derivative of $H$? (hint 1)
+a_adjoint = [psi2 - 2 * x1, psi1 - 4 * x2]
 a_regular = sp.sign(psi1)  # Which costate stands beside the control? (hint 1)
 a_regular = -sp.sign(psi2)  # Does this make $H$ greatest or least? (hint 1)
 b_surface = sp.Eq(x2, x1)  # Was $H = 0$ used with both terms of the cost? (hint 2)
-b_surface = sp.Eq(x2, -x1/sp.sqrt(2))  # Did the square root leave one line only? (hint 2)
+b_surface = sp.Eq(x2, -x1 / sp.sqrt(2))  # Did the square root leave one line only? (hint 2)
 b_control = -x1  # Does this keep the switching function at zero? (hint 1)
-b_control = x1/2  # Look at the sign in the second derivative. (hint 1)
+b_control = x1 / 2  # Look at the sign in the second derivative. (hint 1)
 b_order = 2  # Is this the number of the derivative itself? (hint 1)
 c_kelley = 4  # Which power of $-1$ belongs to this order? (hint 1)
 c_kelley = -2  # Was the factor of the velocity in the cost kept? (hint 1)
@@ -16,17 +20,18 @@ c_holds = "no"  # Which sign does the condition ask for? (hint 1)
 d_starts = sp.Abs(b) < 1  # Does the velocity not matter? (hint 1)
 d_starts = b + c < 1  # What of the other side? (hint 1)
 d_starts = sp.Abs(b - c) < 1  # Which combination grows, and which one decays? (hint 1)
-d_control = [[-1, 1], [0, 3]]  # When is the line reached, and what holds the body there? (hint 2)
+# When is the line reached, and what holds the body there? (hint 2)
+d_control = [[-1, 1], [0, 3]]
 d_control = [[-b, 3]]  # Does it pay to be gentle at the beginning? (hint 1)
-d_cost = sp.sqrt(2)*b**2  # Is the start on the line? (hint 1)
+d_cost = sp.sqrt(2) * b**2  # Is the start on the line? (hint 1)
 # Is the beginning free of charge? (hint 1)
-d_cost = sp.sqrt(2)*(1 - (1 - b)*sp.cosh(sp.asinh(1/(1 - b)) - sp.asinh(1)))**2
+d_cost = sp.sqrt(2) * (1 - (1 - b) * sp.cosh(sp.asinh(1 / (1 - b)) - sp.asinh(1))) ** 2
 
 # %% right
-b_surface = sp.Eq(sp.Abs(x1), sp.sqrt(2)*sp.Abs(x2))  # with absolute values
-b_control = -x2**2/x1  # with the equation of the lines
+b_surface = sp.Eq(sp.Abs(x1), sp.sqrt(2) * sp.Abs(x2))  # with absolute values
+b_control = -(x2**2) / x1  # with the equation of the lines
 d_starts = sp.And(b + c < 1, b + c > -1)  # two inequalities
 # with logarithms
-w = (1 + sp.sqrt(1 + (1 - b)**2))/((1 - b)*(1 + sp.sqrt(2)))
-start = 1 - (1 - b)*(w + 1/w)/2
-d_control = [[-1, sp.log(w)], [-start*sp.exp(-t/sp.sqrt(2))*w**(1/sp.sqrt(2))/2, 3]]
+w = (1 + sp.sqrt(1 + (1 - b) ** 2)) / ((1 - b) * (1 + sp.sqrt(2)))
+start = 1 - (1 - b) * (w + 1 / w) / 2
+d_control = [[-1, sp.log(w)], [-start * sp.exp(-t / sp.sqrt(2)) * w ** (1 / sp.sqrt(2)) / 2, 3]]

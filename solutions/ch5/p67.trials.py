@@ -1,6 +1,6 @@
 # %% wrong
 a_cost = sp.eye(2)  # Is the integrand itself the cost of the whole way? (hint 1)
-a_cost = sp.Matrix([[2, 1], [1, 3]])/2  # Is there a half before the integral?
+a_cost = sp.Matrix([[2, 1], [1, 3]]) / 2  # Is there a half before the integral?
 # Can a form with a zero on its diagonal and something beside it keep one sign? (hint 2)
 a_cost = sp.Matrix([[0, -1], [-1, 1]])
 a_cost = sp.Matrix([[-2, 1], [1, -1]])  # Can a cost be negative? (hint 2)
@@ -17,7 +17,8 @@ b_stabilising = [-1, -3]  # Is this law the best for a cost that does not contai
 # Does half of this feedback of the place cost more, or less? (hint 2)
 b_stabilising = [-sp.Rational(1, 100), -1 - sp.sqrt(2)]
 b_gain = [-1, -3]  # Is the place paid for in this item? (hint 1)
-b_gain = [0, sp.sqrt(2) - 1]  # Which root of the quadratic equation was taken, and where does v go with it?
+# Which root of the quadratic equation was taken, and where does v go with it?
+b_gain = [0, sp.sqrt(2) - 1]
 b_gain = [0, 1 + sp.sqrt(2)]  # Which sign has the feedback? (hint 1)
 b_gain = [0, -sp.sqrt(2)]  # Is this the eigenvalue of the loop instead of the gain?
 b_gain = [0, 0]  # Does the velocity stay as it is without control? (hint 1)
@@ -28,21 +29,24 @@ b_cost = sp.diag(0, sp.sqrt(2))  # Is this a rate of decay instead of a cost?
 b_rest = [0, 0]  # Does anything lead x back? (hint 1)
 b_rest = [x1, 0]  # Does the place not change while the velocity dies out? (hint 1)
 b_rest = [x1 + x2, 0]  # At which rate does the velocity decay? (hint 1)
-b_rest = [x1 + x2/(1 + sp.sqrt(2)), 0]  # Is this rate that of the gain, without the free motion? (hint 1)
+# Is this rate that of the gain, without the free motion? (hint 1)
+b_rest = [x1 + x2 / (1 + sp.sqrt(2)), 0]
 # Which power of the gain stands in the first equation? (hint 1)
-b_repaired = [-epsilon**2, -1 - sp.sqrt(2 + 2*epsilon**2)]
-b_repaired = [-epsilon, -1 - sp.sqrt(2)]  # Does the gain of the velocity know nothing of the place? (hint 1)
+b_repaired = [-(epsilon**2), -1 - sp.sqrt(2 + 2 * epsilon**2)]
+# Does the gain of the velocity know nothing of the place? (hint 1)
+b_repaired = [-epsilon, -1 - sp.sqrt(2)]
 b_repaired = [0, -1 - sp.sqrt(2)]  # Is this the law without the additional weight? (hint 1)
-b_repaired = [epsilon, -1 - sp.sqrt(2 - 2*epsilon)]  # Which sign of the root was taken in the first equation? (hint 1)
+# Which sign of the root was taken in the first equation? (hint 1)
+b_repaired = [epsilon, -1 - sp.sqrt(2 - 2 * epsilon)]
 # Is this the coefficient of the loop, with the free motion in it? (hint 1)
-b_repaired = [-epsilon, -sp.sqrt(2 + 2*epsilon)]
+b_repaired = [-epsilon, -sp.sqrt(2 + 2 * epsilon)]
 
 # %% right
 a_cost = [[2, 1], [1, 3]]  # lists
 a_gain = sp.Matrix([-1.0, -3.0])  # a column of decimals
 a_eigenvalues = {-1: 2}  # with its multiplicity
 b_stabilising = ()  # an empty tuple
-b_gain = [0, 1/(1 - sp.sqrt(2))]  # the conjugate
-b_cost = sp.Matrix([[0, 0], [0, 1/(sp.sqrt(2) - 1)]])  # the conjugate
-b_rest = [(2*x1 + sp.sqrt(2)*x2)/2, 0]  # over a common denominator
-b_repaired = [-epsilon, (1 + 2*epsilon)/(1 - sp.sqrt(2 + 2*epsilon))]  # the conjugate
+b_gain = [0, 1 / (1 - sp.sqrt(2))]  # the conjugate
+b_cost = sp.Matrix([[0, 0], [0, 1 / (sp.sqrt(2) - 1)]])  # the conjugate
+b_rest = [(2 * x1 + sp.sqrt(2) * x2) / 2, 0]  # over a common denominator
+b_repaired = [-epsilon, (1 + 2 * epsilon) / (1 - sp.sqrt(2 + 2 * epsilon))]  # the conjugate

@@ -1,29 +1,55 @@
 # %% wrong
 a_unseen = [x, y, 0, 0]  # Does the line of sight stay where it is? (hint 1)
-a_unseen = [0, 0, u, w]  # Is a bearing blind along the course, or along the line of sight? (hint 1)
-a_unseen = [-y, x, -w, u]  # Is this displacement across the line of sight, where a bearing sees best? (hint 1)
+# Is a bearing blind along the course, or along the line of sight? (hint 1)
+a_unseen = [0, 0, u, w]
+# Is this displacement across the line of sight, where a bearing sees best? (hint 1)
+a_unseen = [-y, x, -w, u]
 # Does any manoeuvre do? In which direction are all targets of the family displaced? (hint 1)
 b_condition = sp.Or(sp.Ne(p, 0), sp.Ne(q, 0))
-b_condition = sp.Ne(p*y - q*x, 0)  # Is the turn compared with the line of sight of the right moment? (hint 2)
-b_condition = sp.And(sp.Ne(p*(y + w*t) - q*(x + u*t), 0), sp.Ne(p, 0))  # Must the turn have a part along x? (hint 2)
+# Is the turn compared with the line of sight of the right moment? (hint 2)
+b_condition = sp.Ne(p * y - q * x, 0)
+# Must the turn have a part along x? (hint 2)
+b_condition = sp.And(sp.Ne(p * (y + w * t) - q * (x + u * t), 0), sp.Ne(p, 0))
 # Is it perpendicular to the line of sight, or just not along it, that is needed? (hint 2)
-b_condition = sp.Eq(p*(x + u*t) + q*(y + w*t), 0)
+b_condition = sp.Eq(p * (x + u * t) + q * (y + w * t), 0)
 # At which moment does the range enter, before the turn or at the bearing? (hint 2)
-c_error = delta*((x + u*t)**2 + (y + w*t)**2)/((t - T)*sp.Abs(p*(y + w*t) - q*(x + u*t)))
+c_error = (
+    delta
+    * ((x + u * t) ** 2 + (y + w * t) ** 2)
+    / ((t - T) * sp.Abs(p * (y + w * t) - q * (x + u * t)))
+)
 # Is this the change of velocity instead of the way aside? (hint 1)
-c_error = delta*((x + u*t - p*(t - T))**2 + (y + w*t - q*(t - T))**2)/sp.Abs(p*(y + w*t) - q*(x + u*t))
+c_error = (
+    delta
+    * ((x + u * t - p * (t - T)) ** 2 + (y + w * t - q * (t - T)) ** 2)
+    / sp.Abs(p * (y + w * t) - q * (x + u * t))
+)
 # Is this the sensitivity instead of the error? (hint 1)
-c_error = delta*(t - T)*sp.Abs(p*(y + w*t) - q*(x + u*t))/((x + u*t - p*(t - T))**2 + (y + w*t - q*(t - T))**2)
+c_error = (
+    delta
+    * (t - T)
+    * sp.Abs(p * (y + w * t) - q * (x + u * t))
+    / ((x + u * t - p * (t - T)) ** 2 + (y + w * t - q * (t - T)) ** 2)
+)
 # Can the size of an error be negative?
-c_error = delta*((x + u*t - p*(t - T))**2 + (y + w*t - q*(t - T))**2)/((t - T)*(p*(y + w*t) - q*(x + u*t)))
+c_error = (
+    delta
+    * ((x + u * t - p * (t - T)) ** 2 + (y + w * t - q * (t - T)) ** 2)
+    / ((t - T) * (p * (y + w * t) - q * (x + u * t)))
+)
 
 # %% right
-a_unseen = sp.Matrix([-x, -y, -u, -w])/3  # towards the observer, as a column
-b_condition = sp.Ne((t - T)*(q*x + q*u*t - p*y - p*w*t), 0)  # multiplied out, with the time after the turn
-b_condition = (p*(y + w*t) - q*(x + u*t))**2 > 0  # by the square
+a_unseen = sp.Matrix([-x, -y, -u, -w]) / 3  # towards the observer, as a column
+# multiplied out, with the time after the turn
+b_condition = sp.Ne((t - T) * (q * x + q * u * t - p * y - p * w * t), 0)
+b_condition = (p * (y + w * t) - q * (x + u * t)) ** 2 > 0  # by the square
 # by the way aside
-cx, cy = p*(t - T), q*(t - T)
-c_error = delta*((x + u*t - cx)**2 + (y + w*t - cy)**2)/sp.Abs(cx*(y + w*t) - cy*(x + u*t))
+cx, cy = p * (t - T), q * (t - T)
+c_error = (
+    delta
+    * ((x + u * t - cx) ** 2 + (y + w * t - cy) ** 2)
+    / sp.Abs(cx * (y + w * t) - cy * (x + u * t))
+)
 # by the cross product with the place at the moment of the bearing
-rx, ry = x + u*t - p*(t - T), y + w*t - q*(t - T)
-c_error = delta*(rx**2 + ry**2)/sp.Abs(rx*(y + w*t) - ry*(x + u*t))
+rx, ry = x + u * t - p * (t - T), y + w * t - q * (t - T)
+c_error = delta * (rx**2 + ry**2) / sp.Abs(rx * (y + w * t) - ry * (x + u * t))

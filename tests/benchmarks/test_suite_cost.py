@@ -7,13 +7,18 @@ from pathlib import Path
 import pytest
 
 PLACE = Path(__file__).resolve().parents[2] / "benchmarks" / "suite_cost.py"
-CASES = [("tests.problems.test_masters", "test_a[1.2]", {"": 7.0}),
-         ("tests.problems.test_exercises", "test_b[1.2]", {"": 1.0}),
-         ("tests.problems.test_masters", "test_a[1.10]", {"": 2.0}),
-         ("tests.checks.test_cases", "test_case[loops: 2.5]", {"": 0.5}),
-         ("tests.site.test_every_page", "test_fits[1.10-full]", {"": 30.0, " of a build": 20.0, " of a browser": 4.0,
-                                                                " in Chromium": 2.5}),
-         ("trajlib.stability.hurwitz", "trajlib.stability.hurwitz.minors", {"": 0.25})]
+CASES = [
+    ("tests.problems.test_masters", "test_a[1.2]", {"": 7.0}),
+    ("tests.problems.test_exercises", "test_b[1.2]", {"": 1.0}),
+    ("tests.problems.test_masters", "test_a[1.10]", {"": 2.0}),
+    ("tests.checks.test_cases", "test_case[loops: 2.5]", {"": 0.5}),
+    (
+        "tests.site.test_every_page",
+        "test_fits[1.10-full]",
+        {"": 30.0, " of a build": 20.0, " of a browser": 4.0, " in Chromium": 2.5},
+    ),
+    ("trajlib.stability.hurwitz", "trajlib.stability.hurwitz.minors", {"": 0.25}),
+]
 
 
 @pytest.fixture
@@ -22,11 +27,18 @@ def printed(tmp_path, capsys):
     suite_cost = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(suite_cost)
     suite_cost.pages = lambda since: {"1.2": 3.0}
-    cases = "".join(f'<testcase classname="{place}" name="{name}"><properties>' + "".join(
-        f'<property name="core seconds{what}" value="{seconds}"/>' for what, seconds in noted.items())
-        + "</properties></testcase>" for place, name, noted in CASES)
-    (tmp_path / "all.xml").write_text(f'<testsuites><testsuite timestamp="2026-01-01T00:00:00">{cases}</testsuite>'
-                                      "</testsuites>")
+    cases = "".join(
+        f'<testcase classname="{place}" name="{name}"><properties>'
+        + "".join(
+            f'<property name="core seconds{what}" value="{seconds}"/>'
+            for what, seconds in noted.items()
+        )
+        + "</properties></testcase>"
+        for place, name, noted in CASES
+    )
+    (tmp_path / "all.xml").write_text(
+        f'<testsuites><testsuite timestamp="2026-01-01T00:00:00">{cases}</testsuite></testsuites>'
+    )
     suite_cost.main(tmp_path / "all.xml")
     return capsys.readouterr().out.splitlines()
 
@@ -34,13 +46,22 @@ def printed(tmp_path, capsys):
 def test_a_layer_holds_its_own_tests_and_what_was_noted_apart(printed):
     lines = [re.fullmatch(r"(\D+?) +(\d+ +)?([\d.]+) +\d+%", said) for said in printed]
     assert {found[1]: float(found[3]) for found in lines if found} == {
-        "proofs": 9, "exercises": 1, "cases of the checks": 0.5, "doctests": 0.2, "site in the browser": 10,
-        "site builds": 17, "pages executed": 3}
+        "proofs": 9,
+        "exercises": 1,
+        "cases of the checks": 0.5,
+        "doctests": 0.2,
+        "site in the browser": 10,
+        "site builds": 17,
+        "pages executed": 3,
+    }
 
 
 def test_a_problem_has_its_proof_page_and_share_of_what_serves_all(printed):
-    costs = {words[0]: [float(word) for word in words[1:]] for words in map(str.split, printed)
-             if len(words) == 7 and words[0] in ("1.2", "1.10")}
+    costs = {
+        words[0]: [float(word) for word in words[1:]]
+        for words in map(str.split, printed)
+        if len(words) == 7 and words[0] in ("1.2", "1.10")
+    }
     # The build of 20 less the page, halved; the visit of 1.10 is 6, and 2.5 in Chromium.
     assert costs == {"1.2": [8, 3, 8.5, 0, 0, 19.5], "1.10": [2, 0, 8.5, 8.5, 0, 19]}
 

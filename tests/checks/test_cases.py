@@ -22,14 +22,18 @@ def _load(path):
 
 MODULES = {f"{path.parent.name}.{path.stem}": _load(path) for path in TABLES}
 CASES = [case for module in MODULES.values() for case in module.CASES]
-#: Rooms whose checks look for optima and follow motions: two thirds of what all cases take, for a fifth of them.
+#: Rooms whose checks look for optima and follow motions: two thirds of what all cases take, for a
+#: fifth of them.
 LONG = {"pontryagin"}
 
 
 def rows():
     for name, module in MODULES.items():
         marks = [pytest.mark.slow] if name.partition(".")[0] in LONG else []
-        yield from (pytest.param(case, marks=marks, id=f"{case.check}: {case.note}") for case in module.CASES)
+        yield from (
+            pytest.param(case, marks=marks, id=f"{case.check}: {case.note}")
+            for case in module.CASES
+        )
 
 
 @pytest.mark.parametrize("case", list(rows()))
@@ -42,7 +46,9 @@ def test_case(case):
 @pytest.mark.parametrize("name", sorted(set(dir(checks)) - NOT_CHECKS))
 def test_every_check_has_its_table(name):
     verdicts = [case.verdict for case in CASES if case.check == name]
-    assert verdicts.count("right") >= 2 and verdicts.count("wrong") >= 2 and "invalid" in verdicts, verdicts
+    assert (
+        verdicts.count("right") >= 2 and verdicts.count("wrong") >= 2 and "invalid" in verdicts
+    ), verdicts
     assert all(module.LIMITS is not None for module in MODULES.values())
 
 
@@ -53,6 +59,9 @@ def test_every_check_of_a_room_tells_the_shapes_of_its_data(room):
         check = getattr(checks, name)
         if check.__module__.split(".")[-2] == room:
             names = list(inspect.signature(check).parameters)[1:]
-            assert all(f"`{argument}`: {told[argument]}" in " ".join(check.__doc__.split()) for argument in names), name
+            assert all(
+                f"`{argument}`: {told[argument]}" in " ".join(check.__doc__.split())
+                for argument in names
+            ), name
             asked |= set(names)
     assert set(told) - set(COMMON) <= asked, "shapes of no check's data"

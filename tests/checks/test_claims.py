@@ -1,4 +1,5 @@
-"""A check that declares the type of its answer gets it read, and every comparison that it yields is done."""
+"""A check that declares the type of its answer gets it read, and every comparison that it yields is
+done."""
 
 import pytest
 import sympy as sp
@@ -32,17 +33,27 @@ def twice(claim, x, parameters=(k,)):
     return "it is"
 
 
-@pytest.mark.parametrize("answer, status", [
-    (2 * x * k, "right"), (2.0 * sp.Symbol("x") * k, "right"), (2 * x, "wrong"), (2.1 * x * k, "wrong"),
-    (x + sp.Symbol("y"), "invalid"), (x / (k - 2), "wrong"), ("2", "invalid"), (..., "missing"),
-])
+@pytest.mark.parametrize(
+    "answer, status",
+    [
+        (2 * x * k, "right"),
+        (2.0 * sp.Symbol("x") * k, "right"),
+        (2 * x, "wrong"),
+        (2.1 * x * k, "wrong"),
+        (x + sp.Symbol("y"), "invalid"),
+        (x / (k - 2), "wrong"),
+        ("2", "invalid"),
+        (..., "missing"),
+    ],
+)
 def test_an_expression(answer, status):
     assert twice(answer, x).status == status, twice(answer, x).message
 
 
 def test_the_last_comparison_counts():
     assert twice(sp.Piecewise((2 * x * k, k < 3), (0, True)), x).message == (
-        "for x = 2.5, k = 3, twice the product is 15; your expression gives 0")
+        "for x = 2.5, k = 3, twice the product is 15; your expression gives 0"
+    )
 
 
 def test_the_form_depends_on_the_data():
@@ -75,31 +86,46 @@ def test_symbols_in_data():
 A = sp.Matrix([[1, k], [0, 2]])
 
 
-@pytest.mark.parametrize("claim, answer, read", [
-    (YesNo(), "yes", True),
-    (Choice(words=("node", "focus")), "Focus", "focus"),
-    (Choice(words="names"), "the angle", "the angle"),
-    (Vectors("x", size="A"), [[1, x], [0, 1]], [[1, x], [0, 1]]),
-    (Vectors("x", size="A"), sp.Matrix([1, x]), [[1, x]]),
-    (Vectors("x", size=3), [], []),
-    (Matrix("A", shape="A"), A.tolist(), A),
-    (Values("x", expected="values"), {2, x}, {2, x}),
-    (Values("x", expected="values"), x, {x}),
-    (Values("x", expected="values"), {x: 2, sp.Integer(1): 1}, {x, 1}),
-    (Parts(Matrix(shape="A"), Integer(), expected="two"), [[[1, 2], [3, 4]], 5.0], [sp.Matrix([[1, 2], [3, 4]]), 5]),
-    (Table(Number(), YesNo(), "a dict"), {2: "no"}, [(2, False)]),
-])
+@pytest.mark.parametrize(
+    "claim, answer, read",
+    [
+        (YesNo(), "yes", True),
+        (Choice(words=("node", "focus")), "Focus", "focus"),
+        (Choice(words="names"), "the angle", "the angle"),
+        (Vectors("x", size="A"), [[1, x], [0, 1]], [[1, x], [0, 1]]),
+        (Vectors("x", size="A"), sp.Matrix([1, x]), [[1, x]]),
+        (Vectors("x", size=3), [], []),
+        (Matrix("A", shape="A"), A.tolist(), A),
+        (Values("x", expected="values"), {2, x}, {2, x}),
+        (Values("x", expected="values"), x, {x}),
+        (Values("x", expected="values"), {x: 2, sp.Integer(1): 1}, {x, 1}),
+        (
+            Parts(Matrix(shape="A"), Integer(), expected="two"),
+            [[[1, 2], [3, 4]], 5.0],
+            [sp.Matrix([[1, 2], [3, 4]]), 5],
+        ),
+        (Table(Number(), YesNo(), "a dict"), {2: "no"}, [(2, False)]),
+    ],
+)
 def test_what_a_claim_reads(claim, answer, read):
     found = claim.read(answer, {"x": x, "A": A, "names": {"the angle": 1}})
     assert (set(found) if isinstance(read, set) else found) == read
 
 
-@pytest.mark.parametrize("claim, answer", [
-    (YesNo(), 3), (Choice(words=("node", "focus")), "saddle"), (Vectors("x", size="A"), [[1, 2, 3]]),
-    (Matrix(shape="A"), [[1, 2]]), (Values("x", expected="values"), "x"), (Values("x", expected="values"), {x: 1.5}),
-    (Parts(Number(), Number(), expected="two"), [1]), (Table(Number(), Number(), "a dict"), [[1, 2]]),
-    (Table(Number(), Number(), lambda data: "a dict"), {"one": 2}),
-])
+@pytest.mark.parametrize(
+    "claim, answer",
+    [
+        (YesNo(), 3),
+        (Choice(words=("node", "focus")), "saddle"),
+        (Vectors("x", size="A"), [[1, 2, 3]]),
+        (Matrix(shape="A"), [[1, 2]]),
+        (Values("x", expected="values"), "x"),
+        (Values("x", expected="values"), {x: 1.5}),
+        (Parts(Number(), Number(), expected="two"), [1]),
+        (Table(Number(), Number(), "a dict"), [[1, 2]]),
+        (Table(Number(), Number(), lambda data: "a dict"), {"one": 2}),
+    ],
+)
 def test_what_a_claim_refuses(claim, answer):
     with pytest.raises(Invalid):
         claim.read(answer, {"x": x, "A": A})
@@ -114,13 +140,23 @@ def test_entries():
 
 
 def members(said, **twice):
-    return Members(said, [1, 4, 9], lambda one, other: abs(one - other) < 0.1, lambda one: f"{one} is none",
-                   lambda count, others: f"{count} of them, not {others}", **twice)
+    return Members(
+        said,
+        [1, 4, 9],
+        lambda one, other: abs(one - other) < 0.1,
+        lambda one: f"{one} is none",
+        lambda count, others: f"{count} of them, not {others}",
+        **twice,
+    )
 
 
 def test_members():
     assert members([9.01, 1, 4, 4]).judge() == [9, 1, 4, 4]
-    for said, message in (([1, 4], r"2 of them, not \[9\]"), ([1, 4, 9, 5], "5 is none"), ([], "0 of them")):
+    for said, message in (
+        ([1, 4], r"2 of them, not \[9\]"),
+        ([1, 4, 9, 5], "5 is none"),
+        ([], "0 of them"),
+    ):
         with pytest.raises(Wrong, match=message):
             members(said).judge()
     with pytest.raises(Wrong, match="4 again"):

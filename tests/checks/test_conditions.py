@@ -1,4 +1,5 @@
-"""Conditions are decided, not sampled; what is called wrong was evaluated exactly; the rest is said to be tried."""
+"""Conditions are decided, not sampled; what is called wrong was evaluated exactly; the rest is said
+to be tried."""
 
 import sys
 import time
@@ -10,7 +11,12 @@ import sympy as sp
 from workbook import checks
 from workbook.checks.contract.verdict import Wrong
 from workbook.checks.tools.conditions import Case, Condition, Truth, compare, decision, exactly
-from workbook.checks.truths.invariant_subspaces import characteristic_coefficients, kernel, restricted, unseen_subspace
+from workbook.checks.truths.invariant_subspaces import (
+    characteristic_coefficients,
+    kernel,
+    restricted,
+    unseen_subspace,
+)
 from workbook.checks.truths.pairs import pair_of
 from workbook.checks.truths.spectra import Spectrum
 from workbook.systems import Linear
@@ -21,29 +27,46 @@ ABOVE = exactly(sp.And(x > 0, x * y > 1))
 
 
 def judged(claim, truth=ABOVE, parameters=(x, y)):
-    """What is said of a claim: "proved ...", "agrees at N points", or the place where it is wrong."""
+    """What is said of a claim: "proved ...", "agrees at N points", or the place where it is
+    wrong."""
     try:
         return compare(claim, list(parameters), truth, lambda values, holds: f"{holds} at {values}")
     except Wrong as reason:
         return str(reason)
 
 
-@pytest.mark.parametrize("claim", [
-    sp.And(x > 0, x * y > 1), sp.And(y > 0, x > 1 / y), sp.And(x > 0, sp.sqrt(x) * sp.sqrt(y) > 1),
-    sp.And(x + sp.Abs(x) > 0, sp.Max(x * y, 1) > 1), sp.ITE(x > 0, x * y > 1, sp.false),
-    sp.Xor(x * y > 1, sp.And(x < 0, x * y > 1)), sp.And(x > 0, x * y > 1, x < sp.oo), sp.And(x > 0, x * y > 1.004),
-    sp.And(x > 0, x**2.0 * y > x), sp.And(x > 0, sp.pi * x * y > sp.pi),
-])
+@pytest.mark.parametrize(
+    "claim",
+    [
+        sp.And(x > 0, x * y > 1),
+        sp.And(y > 0, x > 1 / y),
+        sp.And(x > 0, sp.sqrt(x) * sp.sqrt(y) > 1),
+        sp.And(x + sp.Abs(x) > 0, sp.Max(x * y, 1) > 1),
+        sp.ITE(x > 0, x * y > 1, sp.false),
+        sp.Xor(x * y > 1, sp.And(x < 0, x * y > 1)),
+        sp.And(x > 0, x * y > 1, x < sp.oo),
+        sp.And(x > 0, x * y > 1.004),
+        sp.And(x > 0, x**2.0 * y > x),
+        sp.And(x > 0, sp.pi * x * y > sp.pi),
+    ],
+)
 def test_a_right_condition_in_any_form_is_proved(claim):
     assert judged(claim) == "proved for all values"
 
 
-@pytest.mark.parametrize("claim", [
-    sp.And(x > 0, x * y >= 1), sp.And(x > 0, x * y > 1, sp.Ne(x, sp.pi)), sp.And(x > 0, x * y > 1, sp.Ne(x * x, 2)),
-    sp.And(x > 0, x * y > 1, x**3 + y**3 < 10**12), sp.And(x > 0, x * y > 1.01), sp.And(x > 0, x * y >= 1.0),
-    sp.And(x > 0, x * y > 1, sp.Or(sp.Ne(x**2, 2), sp.Ne(y**2, 3))),
-    sp.Or(sp.And(x > 0, x * y > 1), sp.Eq((x**2 - 2)**2 + (y**2 - 3)**2, 0)),
-])
+@pytest.mark.parametrize(
+    "claim",
+    [
+        sp.And(x > 0, x * y >= 1),
+        sp.And(x > 0, x * y > 1, sp.Ne(x, sp.pi)),
+        sp.And(x > 0, x * y > 1, sp.Ne(x * x, 2)),
+        sp.And(x > 0, x * y > 1, x**3 + y**3 < 10**12),
+        sp.And(x > 0, x * y > 1.01),
+        sp.And(x > 0, x * y >= 1.0),
+        sp.And(x > 0, x * y > 1, sp.Or(sp.Ne(x**2, 2), sp.Ne(y**2, 3))),
+        sp.Or(sp.And(x > 0, x * y > 1), sp.Eq((x**2 - 2) ** 2 + (y**2 - 3) ** 2, 0)),
+    ],
+)
 def test_a_condition_that_errs_somewhere_is_refuted_there(claim):
     assert judged(claim).startswith(("True at", "False at"))
 
@@ -60,15 +83,27 @@ def test_the_difference_that_is_told_is_one():
         compare(claim, [x, y], ABOVE, told)
     ((place, holds),) = places
     assert holds and sp.And(x > 0, x * y > 1).subs(dict(zip((x, y), place)))
-    assert sp.minimal_polynomial(place[0], x) == x**2 - 2 and sp.minimal_polynomial(place[1], x) == x**3 - 5
+    assert (
+        sp.minimal_polynomial(place[0], x) == x**2 - 2
+        and sp.minimal_polynomial(place[1], x) == x**3 - 5
+    )
 
 
-@pytest.mark.parametrize("condition, high, low", [
-    (sp.Ne(x, sp.sqrt(2)), False, True), (sp.Ne(x**2, 2), False, False), (sp.Ne(sp.Abs(x), sp.sqrt(2)), False, False),
-    (x > 1, True, False), (x * sp.sqrt(2) >= 2, True, False), (sp.Eq(1 / (x**2 - 2), 1), False, False),
-    (sp.Implies(x > 0, sp.Eq(x**2, 2)), True, True), (sp.Ne(x, sp.Rational(141, 100)), True, True),
-    (sp.log(x) > 0, True, False), (sp.Eq(x**4, 2 * x**2), True, True),
-])
+@pytest.mark.parametrize(
+    "condition, high, low",
+    [
+        (sp.Ne(x, sp.sqrt(2)), False, True),
+        (sp.Ne(x**2, 2), False, False),
+        (sp.Ne(sp.Abs(x), sp.sqrt(2)), False, False),
+        (x > 1, True, False),
+        (x * sp.sqrt(2) >= 2, True, False),
+        (sp.Eq(1 / (x**2 - 2), 1), False, False),
+        (sp.Implies(x > 0, sp.Eq(x**2, 2)), True, True),
+        (sp.Ne(x, sp.Rational(141, 100)), True, True),
+        (sp.log(x) > 0, True, False),
+        (sp.Eq(x**4, 2 * x**2), True, True),
+    ],
+)
 def test_a_condition_at_the_roots_of_two(condition, high, low):
     claim = Condition(condition, [x])
     assert (claim.holds([sp.sqrt(2)]), claim.holds([-sp.sqrt(2)])) == (high, low)
@@ -112,8 +147,11 @@ def test_a_truth_that_says_nothing_anywhere_makes_no_verdict():
 def test_what_holds_for_every_value_of_an_unknown():
     """y^2 + x y + 1 > 0 for all y exactly if |x| < 2."""
     above = y**2 + x * y + 1 > 0
-    truth = Truth((Case(above, (y,), every=True),), (Case(sp.Not(above), (y,)),),
-                  lambda values: bool(values[x]**2 < 4))
+    truth = Truth(
+        (Case(above, (y,), every=True),),
+        (Case(sp.Not(above), (y,)),),
+        lambda values: bool(values[x] ** 2 < 4),
+    )
     assert judged(sp.Abs(x) < 2, truth, [x]) == "proved for all values"
     assert judged(sp.Abs(x) <= 2, truth, [x]).startswith("False at {x: ")
     assert judged(sp.Abs(x) < 1, truth, [x]).startswith("True at {x: ")
@@ -122,7 +160,7 @@ def test_what_holds_for_every_value_of_an_unknown():
 def test_an_angle_is_a_point_of_the_circle():
     truth = exactly(sp.cos(2 * x) > 0)
     assert judged(sp.Abs(sp.tan(x)) < 1, truth, [x]) == "proved for all values"
-    assert judged(sp.cos(x)**2 > sp.sin(x)**2, truth, [x]) == "proved for all values"
+    assert judged(sp.cos(x) ** 2 > sp.sin(x) ** 2, truth, [x]) == "proved for all values"
     assert judged(sp.cos(x) > sp.sin(x), truth, [x]).startswith(("True at", "False at"))
     assert "at" in judged(sp.Abs(x) < 1, truth, [x])  # an angle beside its sine is tried
 
@@ -136,7 +174,9 @@ def test_what_a_system_hides_at_an_irrational_value():
     """z = 2 x x1 + 2 x2 loses an eigenvalue of [[0, 1], [2, 0]] exactly for x^2 = 2."""
     system = Linear([[0, 1], [2, 0]], H=[[2 * x, 2]])
     pair = pair_of(system.A, system.H, [x])
-    assert [pair.dimension_at({x: value}) for value in (sp.sqrt(2), -sp.sqrt(2), sp.Rational(7, 5))] == [1, 1, 0]
+    assert [
+        pair.dimension_at({x: value}) for value in (sp.sqrt(2), -sp.sqrt(2), sp.Rational(7, 5))
+    ] == [1, 1, 0]
     assert checks.observable_parameters(sp.Ne(x**2, 2), system, [x]).status == "right"
     for wrong in (True, sp.Ne(x, sp.sqrt(2)), sp.And(sp.Ne(x**2, 2), sp.Ne(x, 1000))):
         assert checks.observable_parameters(wrong, system, [x]).status == "wrong"
@@ -155,41 +195,73 @@ angle = sp.Symbol("alpha", real=True)
 COSINE = sp.And(0 <= angle, angle < 2 * sp.pi, sp.cos(angle) < positive)
 
 
-@pytest.mark.parametrize("claim", [
-    sp.cos(angle) < positive, sp.And(angle > sp.acos(positive), angle < 2 * sp.pi - sp.acos(positive)),
-    sp.And(angle > sp.pi / 2 - sp.asin(positive), 2 * angle < 3 * sp.pi + 2 * sp.asin(positive)),
-    sp.And(sp.acos(positive) - angle < 0, -angle > -2 * sp.pi + sp.acos(positive)),
-    sp.And(angle > sp.atan(sp.sqrt(1 - positive**2) / positive), angle + sp.acos(positive) < 2 * sp.pi),
-    sp.Or(sp.And(angle > sp.acos(positive), angle <= sp.pi), sp.And(angle > sp.pi, sp.cos(angle) < positive)),
-])
+@pytest.mark.parametrize(
+    "claim",
+    [
+        sp.cos(angle) < positive,
+        sp.And(angle > sp.acos(positive), angle < 2 * sp.pi - sp.acos(positive)),
+        sp.And(
+            angle > sp.pi / 2 - sp.asin(positive), 2 * angle < 3 * sp.pi + 2 * sp.asin(positive)
+        ),
+        sp.And(sp.acos(positive) - angle < 0, -angle > -2 * sp.pi + sp.acos(positive)),
+        sp.And(
+            angle > sp.atan(sp.sqrt(1 - positive**2) / positive),
+            angle + sp.acos(positive) < 2 * sp.pi,
+        ),
+        sp.Or(
+            sp.And(angle > sp.acos(positive), angle <= sp.pi),
+            sp.And(angle > sp.pi, sp.cos(angle) < positive),
+        ),
+    ],
+)
 def test_angles_are_compared_on_the_circle(claim):
-    truth = Truth(*((Case(sp.And(0 <= angle, angle < 2 * sp.pi, positive < 1, part), angles=(angle,)),)
-                    for part in (COSINE, sp.Not(COSINE))))
+    truth = Truth(
+        *(
+            (Case(sp.And(0 <= angle, angle < 2 * sp.pi, positive < 1, part), angles=(angle,)),)
+            for part in (COSINE, sp.Not(COSINE))
+        )
+    )
     assert judged(claim, truth, (angle, positive)) == "proved for all values"
 
 
-@pytest.mark.parametrize("claim", [
-    angle > sp.acos(positive), sp.And(angle >= sp.acos(positive), angle < 2 * sp.pi - sp.acos(positive)),
-    sp.And(angle > sp.acos(positive), angle < 6), sp.And(angle > sp.acos(positive), angle < sp.pi + sp.acos(positive)),
-    sp.And(sp.cos(angle) < positive, angle < sp.Rational(157, 25)), sp.And(sp.cos(angle) < positive, sp.Ne(angle, 3)),
-])
+@pytest.mark.parametrize(
+    "claim",
+    [
+        angle > sp.acos(positive),
+        sp.And(angle >= sp.acos(positive), angle < 2 * sp.pi - sp.acos(positive)),
+        sp.And(angle > sp.acos(positive), angle < 6),
+        sp.And(angle > sp.acos(positive), angle < sp.pi + sp.acos(positive)),
+        sp.And(sp.cos(angle) < positive, angle < sp.Rational(157, 25)),
+        sp.And(sp.cos(angle) < positive, sp.Ne(angle, 3)),
+    ],
+)
 def test_a_condition_on_angles_that_errs_is_refuted(claim):
-    truth = Truth(*((Case(sp.And(0 <= angle, angle < 2 * sp.pi, positive < 1, part), angles=(angle,)),)
-                    for part in (COSINE, sp.Not(COSINE))))
+    truth = Truth(
+        *(
+            (Case(sp.And(0 <= angle, angle < 2 * sp.pi, positive < 1, part), angles=(angle,)),)
+            for part in (COSINE, sp.Not(COSINE))
+        )
+    )
     assert judged(claim, truth, (angle, positive)).startswith(("True at", "False at"))
 
 
 def test_a_question_with_large_polynomials_ends_soon():
-    """Four lines of sight in space, by their Gram determinant: z3 alone would take minutes, by its own steps or not."""
+    """Four lines of sight in space, by their Gram determinant: z3 alone would take minutes, by its
+    own steps or not."""
     r = sp.symbols("r1:4", real=True)
-    rows = sp.Matrix([[a - one for a, one in zip(place, r)] for place in ((1, 0, 0), (0, 1, 0), (0, 0, 1), (x, x, x))])
+    rows = sp.Matrix(
+        [
+            [a - one for a, one in zip(place, r)]
+            for place in ((1, 0, 0), (0, 1, 0), (0, 0, 1), (x, x, x))
+        ]
+    )
     gram = sp.expand((rows.T * rows).det())
-    plane = sp.Ne((sum(r) - 1)**2 + (3 * x - 1)**2, 0)
+    plane = sp.Ne((sum(r) - 1) ** 2 + (3 * x - 1) ** 2, 0)
     begin = time.process_time()
     assert judged(plane, exactly(sp.Ne(gram, 0)), [*r, x]).startswith(("proved", "agrees"))
     assert judged(sp.Ne(sum(r), 1), exactly(sp.Ne(gram, 0)), [*r, x]).startswith("True at")
     assert time.process_time() - begin < 6
-    large = sum((k + 1) * r[k % 3]**(k % 7) * r[k % 2] for k in range(60))**6
+    large = sum((k + 1) * r[k % 3] ** (k % 7) * r[k % 2] for k in range(60)) ** 6
     begin = time.process_time()
     assert judged(sp.Ne(large, 0), exactly(sp.Ne(large**2, 0)), r).startswith(("proved", "agrees"))
     assert time.process_time() - begin < 6
@@ -197,28 +269,41 @@ def test_a_question_with_large_polynomials_ends_soon():
 
 def test_a_sum_of_squares_vanishes_where_all_of_them_do():
     cross = exactly(sp.Or(sp.Ne(x, 1), sp.Ne(y, 2)))
-    for claim in (sp.Ne((x - 1)**2 + 3 * (y - 2)**4, 0), sp.Not(sp.Eq((x - 1)**2 + (2 - y)**2, 0))):
+    for claim in (
+        sp.Ne((x - 1) ** 2 + 3 * (y - 2) ** 4, 0),
+        sp.Not(sp.Eq((x - 1) ** 2 + (2 - y) ** 2, 0)),
+    ):
         assert judged(claim, cross) == "proved for all values"
-    assert judged(sp.Ne((x - 1)**2 - (y - 2)**2, 0), cross).startswith("True at")
+    assert judged(sp.Ne((x - 1) ** 2 - (y - 2) ** 2, 0), cross).startswith("True at")
 
 
 def test_families_of_rest_points_are_decided():
-    """A driven pendulum and a spring, with friction. In decimals, and by one formula with (-1)^n, samples do."""
+    """A driven pendulum and a spring, with friction. In decimals, and by one formula with (-1)^n,
+    samples do."""
     n = sp.Symbol("n", integer=True)
     k, d = sp.symbols("k d", positive=True)
     driven, spring = sp.Matrix([y, k - sp.sin(2 * x) - d * y]), sp.Matrix([y, x - k * x**3 - d * y])
     half, root = sp.asin(k) / 2, 1 / sp.sqrt(k)
     for check, claim, field, proved in (
-            ("stable_rest_angles", [half + sp.pi * n], driven, True),
-            ("unstable_rest_angles", [sp.pi / 2 - half - sp.pi * n], driven, True),
-            ("rest_angles", [half + sp.pi * n, half + sp.pi / 2 - 2 * half - 3 * sp.pi * n], driven, False),
-            ("rest_angles", [(-1)**n * half + sp.pi * n / 2], driven, False)):
+        ("stable_rest_angles", [half + sp.pi * n], driven, True),
+        ("unstable_rest_angles", [sp.pi / 2 - half - sp.pi * n], driven, True),
+        (
+            "rest_angles",
+            [half + sp.pi * n, half + sp.pi / 2 - 2 * half - 3 * sp.pi * n],
+            driven,
+            False,
+        ),
+        ("rest_angles", [(-1) ** n * half + sp.pi * n / 2], driven, False),
+    ):
         verdict = getattr(checks, check)(claim, field, [x, y], [k, d], n)
         assert (verdict.status, "proved" in verdict.message) == ("right", proved), verdict
     for check, claim, status, proved in (
-            ("rest_values", [0, root, -root], "right", True), ("stable_rest_values", [root, -root], "right", True),
-            ("unstable_rest_values", 0, "right", True), ("rest_values", [0, root, -1.0 * root], "right", False),
-            ("rest_values", [0, root + sp.Max(0, k - 10**6), -root], "wrong", False)):
+        ("rest_values", [0, root, -root], "right", True),
+        ("stable_rest_values", [root, -root], "right", True),
+        ("unstable_rest_values", 0, "right", True),
+        ("rest_values", [0, root, -1.0 * root], "right", False),
+        ("rest_values", [0, root + sp.Max(0, k - 10**6), -root], "wrong", False),
+    ):
         verdict = getattr(checks, check)(claim, spring, [x, y], [k, d])
         assert (verdict.status, "proved" in verdict.message) == (status, proved), verdict
 
@@ -226,4 +311,7 @@ def test_families_of_rest_points_are_decided():
 @pytest.mark.parametrize("margin, told", [(0, "exactly 0"), (1, "0")])
 def test_a_root_on_the_imaginary_axis_is_told_without_rounding(margin, told):
     pendulum = Spectrum(sp.Matrix([[0, 1], [-x, -y]]), [x, y], margin)
-    assert pendulum.describe({x: sp.Integer(1), y: sp.Integer(0)}) == f"the largest real part of a root is {told}"
+    assert (
+        pendulum.describe({x: sp.Integer(1), y: sp.Integer(0)})
+        == f"the largest real part of a root is {told}"
+    )

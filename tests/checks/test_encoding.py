@@ -1,4 +1,5 @@
-"""Answers as bytes: what is encoded comes back, and nothing hostile does more than raise EncodingError."""
+"""Answers as bytes: what is encoded comes back, and nothing hostile does more than raise
+EncodingError."""
 
 import base64
 import collections
@@ -38,7 +39,8 @@ f, g = sp.Function("f"), sp.Function("g", real=True)
 
 
 def same(a, b):
-    """Equality that also holds types, signs of zero, nan and array dtypes apart or together as an answer needs."""
+    """Equality that also holds types, signs of zero, nan and array dtypes apart or together as an
+    answer needs."""
     if type(a) != type(b):  # noqa: E721 -- not `is`: every Function("f") is a class of its own, equal to the others
         return False
     if isinstance(a, np.ndarray):
@@ -52,7 +54,8 @@ def same(a, b):
     if isinstance(a, dict):
         return a.keys() == b.keys() and all(same(a[key], b[key]) for key in a)
     if isinstance(a, sp.Basic):
-        if type(a) is not sp.Poly and hash(a) != hash(b):  # over RR, SymPy's equal polynomials differ in it
+        # over RR, SymPy's equal polynomials differ in it
+        if type(a) is not sp.Poly and hash(a) != hash(b):
             return False
         return a == b and sp.srepr(a) == sp.srepr(b) and all(map(same, a.args, b.args))
     return a == b
@@ -60,7 +63,8 @@ def same(a, b):
 
 @contextlib.contextmanager
 def within(seconds):
-    """Processor time, and without the collector walking through what other tests have left in memory."""
+    """Processor time, and without the collector walking through what other tests have left in
+    memory."""
     gc.freeze()
     start = time.process_time()
     try:
@@ -74,88 +78,258 @@ def within(seconds):
 # Round trips
 
 PLAIN = [
-    True, False, 0, -7, 10**2000 - 1, 0.0, -0.0, 1.5, 1e-320, 1e308, math.inf, -math.inf, math.nan, 2 - 3j,
+    True,
+    False,
+    0,
+    -7,
+    10**2000 - 1,
+    0.0,
+    -0.0,
+    1.5,
+    1e-320,
+    1e308,
+    math.inf,
+    -math.inf,
+    math.nan,
+    2 - 3j,
     complex(math.nan, -0.0),
-    "", "yes", "угол ψ — \"кавычки\" \\ \n\0\u2028",
-    ..., [], (), set(), frozenset(), {}, [1, [2.0, (3, "a")], ...], {1, "a", (2, 3)},
-    {frozenset({1}), frozenset()}, {"x": 1, 2: [3], 4.5: {}, x: y, sp.pi: 0, True: None or 1}, [[1, 2], [3, 4]],
-]  # fmt: skip
+    "",
+    "yes",
+    'угол ψ — "кавычки" \\ \n\0\u2028',
+    ...,
+    [],
+    (),
+    set(),
+    frozenset(),
+    {},
+    [1, [2.0, (3, "a")], ...],
+    {1, "a", (2, 3)},
+    {frozenset({1}), frozenset()},
+    {"x": 1, 2: [3], 4.5: {}, x: y, sp.pi: 0, True: None or 1},
+    [[1, 2], [3, 4]],
+]
 ARRAYS = [
-    np.zeros(0), np.zeros((0, 3)), np.array(2.5), np.arange(6).reshape(2, 3), np.eye(3), np.array([True, False]),
-    np.array([1 + 2j, np.nan, complex(-0.0, np.inf)]), np.zeros((1,) * 8), np.array([-(2**63), 2**63 - 1]),
-]  # fmt: skip
+    np.zeros(0),
+    np.zeros((0, 3)),
+    np.array(2.5),
+    np.arange(6).reshape(2, 3),
+    np.eye(3),
+    np.array([True, False]),
+    np.array([1 + 2j, np.nan, complex(-0.0, np.inf)]),
+    np.zeros((1,) * 8),
+    np.array([-(2**63), 2**63 - 1]),
+]
 EXPRESSIONS = [
-    sp.Integer(0), sp.Integer(1), sp.Integer(-1), sp.Integer(10) ** 1999, sp.S.Half, sp.Rational(-22, 7),
+    sp.Integer(0),
+    sp.Integer(1),
+    sp.Integer(-1),
+    sp.Integer(10) ** 1999,
+    sp.S.Half,
+    sp.Rational(-22, 7),
     sp.Float("0.1", 50),
-    sp.Float(0.0), sp.Float(-2.5), sp.Float(2) ** 6000, sp.pi, sp.E, sp.I, sp.oo, -sp.oo, sp.zoo, sp.nan,
-    sp.GoldenRatio, sp.EulerGamma,
-    x, t, k, sp.Symbol("x", commutative=True), sp.Symbol("lambda"), sp.Symbol(r"\dot{x}_{1,2}^*"), sp.Symbol("ψ₁"),
+    sp.Float(0.0),
+    sp.Float(-2.5),
+    sp.Float(2) ** 6000,
+    sp.pi,
+    sp.E,
+    sp.I,
+    sp.oo,
+    -sp.oo,
+    sp.zoo,
+    sp.nan,
+    sp.GoldenRatio,
+    sp.EulerGamma,
+    x,
+    t,
+    k,
+    sp.Symbol("x", commutative=True),
+    sp.Symbol("lambda"),
+    sp.Symbol(r"\dot{x}_{1,2}^*"),
+    sp.Symbol("ψ₁"),
     sp.Symbol("x′ 1"),
-    x + y, x - 1, 2 * x * y, x**2, x**-3, sp.sqrt(x), sp.sqrt(2) / 2, (x + y) ** k, 2**x, sp.exp(-t / 2), sp.E**2,
-    sp.log(x), -x * sp.pi,
-    sp.factor(2 * x + 2), (x**2 + 2 * x + 1) / (x - 1), sp.exp(-sp.exp(-10 * t)), sp.Rational(1, 2) ** (t / 5730),
+    x + y,
+    x - 1,
+    2 * x * y,
+    x**2,
+    x**-3,
+    sp.sqrt(x),
+    sp.sqrt(2) / 2,
+    (x + y) ** k,
+    2**x,
+    sp.exp(-t / 2),
+    sp.E**2,
+    sp.log(x),
+    -x * sp.pi,
+    sp.factor(2 * x + 2),
+    (x**2 + 2 * x + 1) / (x - 1),
+    sp.exp(-sp.exp(-10 * t)),
+    sp.Rational(1, 2) ** (t / 5730),
     sp.exp(-(10**6) * t),
-    *[fun(x) for fun in (sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc, sp.asin, sp.acos, sp.atan, sp.acot, sp.sinh,
-                         sp.cosh, sp.tanh)],
-    *[fun(x) for fun in (sp.coth, sp.asinh, sp.acosh, sp.atanh, sp.Abs, sp.sign, sp.re, sp.im, sp.conjugate, sp.arg,
-                         sp.floor)],
-    *[fun(x) for fun in (sp.ceiling, sp.Heaviside, sp.DiracDelta, sp.factorial, sp.gamma, sp.erf, sp.sinc)],
-    sp.atan2(y, x), sp.Mod(x, 3), sp.binomial(x, 2), sp.Max(x, y, 1), sp.Min(x, sp.Max(y, z)), sp.Heaviside(t, 1),
+    *[
+        fun(x)
+        for fun in (
+            sp.sin,
+            sp.cos,
+            sp.tan,
+            sp.cot,
+            sp.sec,
+            sp.csc,
+            sp.asin,
+            sp.acos,
+            sp.atan,
+            sp.acot,
+            sp.sinh,
+            sp.cosh,
+            sp.tanh,
+        )
+    ],
+    *[
+        fun(x)
+        for fun in (
+            sp.coth,
+            sp.asinh,
+            sp.acosh,
+            sp.atanh,
+            sp.Abs,
+            sp.sign,
+            sp.re,
+            sp.im,
+            sp.conjugate,
+            sp.arg,
+            sp.floor,
+        )
+    ],
+    *[
+        fun(x)
+        for fun in (
+            sp.ceiling,
+            sp.Heaviside,
+            sp.DiracDelta,
+            sp.factorial,
+            sp.gamma,
+            sp.erf,
+            sp.sinc,
+        )
+    ],
+    sp.atan2(y, x),
+    sp.Mod(x, 3),
+    sp.binomial(x, 2),
+    sp.Max(x, y, 1),
+    sp.Min(x, sp.Max(y, z)),
+    sp.Heaviside(t, 1),
     sp.DiracDelta(t, 2),
-    f(t), f(x, y + 1), g(t) ** 2, f(0), f(t).diff(t), f(t).diff(t, 2), f(x, y).diff(x, 2, y),
+    f(t),
+    f(x, y + 1),
+    g(t) ** 2,
+    f(0),
+    f(t).diff(t),
+    f(t).diff(t, 2),
+    f(x, y).diff(x, 2, y),
     sp.Derivative(f(t) ** 2, f(t)),
-    (f(t).diff(t) ** 2).diff(f(t).diff(t)), sp.Derivative(f(t), (t, sp.Symbol("m", integer=True, positive=True))),
-    sp.Integral(f(t), t), sp.Integral(f(t), (t, 0, x)), sp.Integral(x * y, (x, 0, 1), (y, 0, x)),
-    sp.Integral(sp.exp(-(x**2)), (x, -sp.oo, sp.oo)), sp.Sum(y**x, (x, 0, t)),
+    (f(t).diff(t) ** 2).diff(f(t).diff(t)),
+    sp.Derivative(f(t), (t, sp.Symbol("m", integer=True, positive=True))),
+    sp.Integral(f(t), t),
+    sp.Integral(f(t), (t, 0, x)),
+    sp.Integral(x * y, (x, 0, 1), (y, 0, x)),
+    sp.Integral(sp.exp(-(x**2)), (x, -sp.oo, sp.oo)),
+    sp.Sum(y**x, (x, 0, t)),
     sp.Piecewise((1, t < 0), (t, t < 1), (0, True)),
     sp.Piecewise((1, sp.And(x > 0, y > 0)), (sp.Piecewise((2, x > 1), (3, True)), y > 1)),
-    sp.Lambda(x, x**2), sp.Lambda((x, y), x + y), sp.Lambda(((x, y), z), x * y * z), sp.S.IdentityFunction,
+    sp.Lambda(x, x**2),
+    sp.Lambda((x, y), x + y),
+    sp.Lambda(((x, y), z), x * y * z),
+    sp.S.IdentityFunction,
     sp.Lambda(t, sp.ImmutableMatrix([t, 1])),
-]  # fmt: skip
+]
 CONDITIONS = [
-    sp.true, sp.false, sp.Eq(x, y), sp.Ne(x, 2), x < 1, x <= y, x > y, t >= 0, sp.And(x > 0, y > 0, z < 1),
+    sp.true,
+    sp.false,
+    sp.Eq(x, y),
+    sp.Ne(x, 2),
+    x < 1,
+    x <= y,
+    x > y,
+    t >= 0,
+    sp.And(x > 0, y > 0, z < 1),
     sp.Or(x > 0, sp.And(y > 0, z > 0)),
-    sp.Not(sp.And(x > 0, sp.Eq(y, 0))), sp.Xor(x > 0, y > 0), ITE(x > 0, y > 0, z > 0), sp.Implies(x > 0, y > 0),
+    sp.Not(sp.And(x > 0, sp.Eq(y, 0))),
+    sp.Xor(x > 0, y > 0),
+    ITE(x > 0, y > 0, z > 0),
+    sp.Implies(x > 0, y > 0),
     sp.And(x, sp.Not(y)),
-    sp.Eq(f(t).diff(t), -k * f(t)), sp.Eq(sp.ImmutableMatrix([x, y]), sp.ImmutableMatrix([1, 2])),
+    sp.Eq(f(t).diff(t), -k * f(t)),
+    sp.Eq(sp.ImmutableMatrix([x, y]), sp.ImmutableMatrix([1, 2])),
     sp.Eq(sp.Tuple(x, y), sp.Tuple(1, 2)),
-    sp.Contains(x, sp.Interval(0, y)), sp.And(sp.Contains(x, sp.Interval(0, 1)), y > 0),
+    sp.Contains(x, sp.Interval(0, y)),
+    sp.And(sp.Contains(x, sp.Interval(0, 1)), y > 0),
     sp.Piecewise((sp.true, x > 0), (y > 0, x < -1), (sp.false, True)),
-    sp.Eq(sp.Piecewise((x, x > 0), (0, True)), 1), sp.Or(sp.Eq(x, 0), sp.And(x > 0, sp.Or(y < 1, y > 2))),
-]  # fmt: skip
+    sp.Eq(sp.Piecewise((x, x > 0), (0, True)), 1),
+    sp.Or(sp.Eq(x, 0), sp.And(x > 0, sp.Or(y < 1, y > 2))),
+]
 SETS = [
-    sp.S.EmptySet, sp.S.Reals, sp.S.Complexes, sp.S.Rationals, sp.S.Integers, sp.S.Naturals, sp.S.Naturals0,
+    sp.S.EmptySet,
+    sp.S.Reals,
+    sp.S.Complexes,
+    sp.S.Rationals,
+    sp.S.Integers,
+    sp.S.Naturals,
+    sp.S.Naturals0,
     sp.S.UniversalSet,
-    sp.Interval(0, 1), sp.Interval.open(x, sp.oo), sp.Interval.Lopen(sp.sqrt(2), 2), sp.Interval(-sp.oo, t),
+    sp.Interval(0, 1),
+    sp.Interval.open(x, sp.oo),
+    sp.Interval.Lopen(sp.sqrt(2), 2),
+    sp.Interval(-sp.oo, t),
     sp.FiniteSet(1, x, sp.pi, y + 1),
-    sp.FiniteSet((1, 2), (3, 4)), sp.Union(sp.Interval(0, 1), sp.Interval(2, 3), sp.FiniteSet(5)),
-    sp.Intersection(sp.Interval(0, x), sp.Interval(y, 1)), sp.Complement(sp.S.Reals, sp.FiniteSet(x)),
+    sp.FiniteSet((1, 2), (3, 4)),
+    sp.Union(sp.Interval(0, 1), sp.Interval(2, 3), sp.FiniteSet(5)),
+    sp.Intersection(sp.Interval(0, x), sp.Interval(y, 1)),
+    sp.Complement(sp.S.Reals, sp.FiniteSet(x)),
     sp.Interval(0, 1) * sp.S.Reals,
-    sp.ConditionSet(x, x**2 > y, sp.S.Reals), sp.ConditionSet((x, y), x > y, sp.S.Reals**2),
+    sp.ConditionSet(x, x**2 > y, sp.S.Reals),
+    sp.ConditionSet((x, y), x > y, sp.S.Reals**2),
     sp.ConditionSet(x, x > y, sp.FiniteSet(1, 2)),
-    sp.ImageSet(sp.Lambda(x, 2 * sp.pi * x), sp.S.Integers), sp.Union(sp.Interval(0, x), sp.Interval(y, 1)),
-]  # fmt: skip
+    sp.ImageSet(sp.Lambda(x, 2 * sp.pi * x), sp.S.Integers),
+    sp.Union(sp.Interval(0, x), sp.Interval(y, 1)),
+]
 CONTAINERS = [
-    sp.Tuple(), sp.Tuple(1, x, sp.Tuple(y)), sp.Matrix([[k, 1], [x / 2, 3]]), sp.ImmutableMatrix([[1, x]]),
+    sp.Tuple(),
+    sp.Tuple(1, x, sp.Tuple(y)),
+    sp.Matrix([[k, 1], [x / 2, 3]]),
+    sp.ImmutableMatrix([[1, x]]),
     sp.zeros(0, 3),
     sp.zeros(2, 0),
-    sp.Poly(x**2 + 1, x), sp.Poly(x * y + y**2 / 2, x, y), sp.Poly(0, x), sp.Poly(k * x**2 + (k + y**2) * x, x),
+    sp.Poly(x**2 + 1, x),
+    sp.Poly(x * y + y**2 / 2, x, y),
+    sp.Poly(0, x),
+    sp.Poly(k * x**2 + (k + y**2) * x, x),
     sp.Poly(1.5 * x, x),
-    sp.Poly(sp.sin(x) ** 2 + 1, sp.sin(x)), sp.Matrix([[k, 1], [2, 3]]).charpoly("s"),
+    sp.Poly(sp.sin(x) ** 2 + 1, sp.sin(x)),
+    sp.Matrix([[k, 1], [2, 3]]).charpoly("s"),
     sp.Poly(x / k + sp.exp(y), x, domain="EX"),
-    [x, sp.Matrix([x])], {"u": sp.Piecewise((1, t < 1), (-1, True)), "T": sp.pi, k: [x > 0]}, {x + 1, sp.pi, 2},
-]  # fmt: skip
+    [x, sp.Matrix([x])],
+    {"u": sp.Piecewise((1, t < 1), (-1, True)), "T": sp.pi, k: [x > 0]},
+    {x + 1, sp.pi, 2},
+]
 UNEVALUATED = [
-    sp.Mul(2, x + 1, evaluate=False), sp.Add(x, x, evaluate=False), sp.Pow(x, 1, evaluate=False),
+    sp.Mul(2, x + 1, evaluate=False),
+    sp.Add(x, x, evaluate=False),
+    sp.Pow(x, 1, evaluate=False),
     sp.Eq(x, x, evaluate=False),
-    sp.sin(0, evaluate=False), sp.Gt(2, 1, evaluate=False), sp.Add(1, 1, evaluate=False), sp.Not(x > 0, evaluate=False),
-    sp.Union(sp.Interval(0, 2), sp.Interval(1, 3), evaluate=False), sp.sqrt(sp.Integer(8), evaluate=False),
-]  # fmt: skip
+    sp.sin(0, evaluate=False),
+    sp.Gt(2, 1, evaluate=False),
+    sp.Add(1, 1, evaluate=False),
+    sp.Not(x > 0, evaluate=False),
+    sp.Union(sp.Interval(0, 2), sp.Interval(1, 3), evaluate=False),
+    sp.sqrt(sp.Integer(8), evaluate=False),
+]
 VALUES = [*PLAIN, *ARRAYS, *EXPRESSIONS, *CONDITIONS, *SETS, *CONTAINERS, *UNEVALUATED]
 
 
-@pytest.mark.parametrize("value", VALUES,
-                         ids=lambda value: describe(value)[:40].encode("ascii", "backslashreplace").decode())
+@pytest.mark.parametrize(
+    "value",
+    VALUES,
+    ids=lambda value: describe(value)[:40].encode("ascii", "backslashreplace").decode(),
+)
 def test_a_value_comes_back(value):
     data = encode(value)
     back = decode(data)
@@ -164,14 +338,18 @@ def test_a_value_comes_back(value):
 
 
 def parts(value):
-    """All nodes in the order of `args` (SymPy's own traversals take the operands of And and Or in any order)."""
+    """All nodes in the order of `args` (SymPy's own traversals take the operands of And and Or in
+    any order)."""
     yield value
     for arg in value.args:
         yield from parts(arg)
 
 
-@pytest.mark.parametrize("value", [v for v in [*EXPRESSIONS, *CONDITIONS, *SETS] if v is not sp.S.IdentityFunction],
-                         ids=describe)
+@pytest.mark.parametrize(
+    "value",
+    [v for v in [*EXPRESSIONS, *CONDITIONS, *SETS] if v is not sp.S.IdentityFunction],
+    ids=describe,
+)
 def test_decoded_objects_are_made_as_sympy_makes_them(value):
     """Also in the attributes that SymPy's methods use beside the arguments."""
     for ours, theirs in zip(parts(decode(encode(value))), parts(value), strict=True):
@@ -184,8 +362,11 @@ def test_decoded_objects_work():
     law = decode(encode(sp.Piecewise((1, sp.And(t >= 0, t < 1)), (-1, True))))
     assert [law.subs(t, 0.5), law.subs(t, 2)] == [1, -1]
     region = decode(encode(sp.Or(sp.And(x > 0, x * y > 1), sp.Eq(y, 0))))
-    assert (region.subs({x: 2, y: 1}) == sp.true and region.subs({x: 1, y: -1}) == sp.false
-            and sp.to_dnf(region) == region)
+    assert (
+        region.subs({x: 2, y: 1}) == sp.true
+        and region.subs({x: 1, y: -1}) == sp.false
+        and sp.to_dnf(region) == region
+    )
     union = decode(encode(sp.Union(sp.Interval(0, 1), sp.FiniteSet(2))))
     assert 2 in union and 3 not in union and union.measure == 1 and sp.Interval(0, 3) - union
     assert decode(encode(sp.Integral(x, (x, 0, y)))).doit() == y**2 / 2
@@ -202,13 +383,21 @@ def test_decoded_objects_work():
 @pytest.mark.parametrize(
     ("value", "expected"),
     [
-        (np.float64(1.5), 1.5), (np.float32(0.1), float(np.float32(0.1))), (np.int8(-3), -3), (np.uint64(2**63), 2**63),
-        (np.bool_(True), True), (np.complex64(1j), 1j), (np.longdouble(2), 2.0), ([np.float64(2)], [2.0]),
+        (np.float64(1.5), 1.5),
+        (np.float32(0.1), float(np.float32(0.1))),
+        (np.int8(-3), -3),
+        (np.uint64(2**63), 2**63),
+        (np.bool_(True), True),
+        (np.complex64(1j), 1j),
+        (np.longdouble(2), 2.0),
+        ([np.float64(2)], [2.0]),
         ({np.int64(1): 2}, {1: 2}),
-        (np.array([1, 2], dtype=np.uint8), np.array([1, 2])), (np.array([1, 2], dtype=">f4"), np.array([1.0, 2.0])),
+        (np.array([1, 2], dtype=np.uint8), np.array([1, 2])),
+        (np.array([1, 2], dtype=">f4"), np.array([1.0, 2.0])),
         (np.arange(6).reshape(2, 3).T, np.array([[0, 3], [1, 4], [2, 5]])),
         (np.arange(9)[::-2], np.array([8, 6, 4, 2, 0])),
-        (casadi.DM([[1, 2], [3, 4]]), np.array([[1.0, 2.0], [3.0, 4.0]])), (casadi.DM(2, 1), np.zeros((2, 1))),
+        (casadi.DM([[1, 2], [3, 4]]), np.array([[1.0, 2.0], [3.0, 4.0]])),
+        (casadi.DM(2, 1), np.zeros((2, 1))),
         (casadi.DM(3), np.array([[3.0]])),
         (sp.SparseMatrix(2, 2, {(0, 1): x}), sp.Matrix([[0, x], [0, 0]])),
         (sp.ImmutableSparseMatrix(1, 1, {(0, 0): x}), sp.ImmutableMatrix([[x]])),
@@ -216,26 +405,40 @@ def test_decoded_objects_work():
         (sp.Poly(x**2, x, domain="QQ"), sp.Poly(x**2, x, domain="ZZ")),
         (np.array([sp.sqrt(2), 0]), [sp.sqrt(2), 0]),
         (np.array(sp.Matrix([[x, 1], [2, y]])), [[x, sp.S(1)], [sp.S(2), y]]),
-        (np.array([[x > 0, True]]), [[x > 0, True]]), (np.array(sp.pi), sp.pi), (np.zeros((0, 3), dtype=object), []),
-        (np.zeros((2, 0), dtype=object), [[], []]), (np.array([[x, y], [1, 2]]).T, [[x, 1], [y, 2]]),
+        (np.array([[x > 0, True]]), [[x > 0, True]]),
+        (np.array(sp.pi), sp.pi),
+        (np.zeros((0, 3), dtype=object), []),
+        (np.zeros((2, 0), dtype=object), [[], []]),
+        (np.array([[x, y], [1, 2]]).T, [[x, 1], [y, 2]]),
         (np.array([..., x]), [..., x]),
-        (np.str_("stable"), "stable"), ({np.str_("a"): 1, np.int64(2): 3}, {"a": 1, 2: 3}),
-        pytest.param({np.str_("a"), np.float64(2)}, {"a", 2.0}, id="a set, whose repr has no order of its own"),
-        (np.array(["yes", "no"]), ["yes", "no"]), (np.array("yes"), "yes"),
-        (fractions.Fraction(-1, 2), sp.Rational(-1, 2)), (fractions.Fraction(4, 2), 2),
+        (np.str_("stable"), "stable"),
+        ({np.str_("a"): 1, np.int64(2): 3}, {"a": 1, 2: 3}),
+        pytest.param(
+            {np.str_("a"), np.float64(2)},
+            {"a", 2.0},
+            id="a set, whose repr has no order of its own",
+        ),
+        (np.array(["yes", "no"]), ["yes", "no"]),
+        (np.array("yes"), "yes"),
+        (fractions.Fraction(-1, 2), sp.Rational(-1, 2)),
+        (fractions.Fraction(4, 2), 2),
         ({fractions.Fraction(1, 2)}, {sp.S.Half}),
         (np.array([fractions.Fraction(1, 3), 1]), [sp.Rational(1, 3), 1]),
-        (mpmath.mpf("0.1"), sp.Float(0.1)), (mpmath.mpf(0), sp.Float(0.0)), (mpmath.mpc(1, -2), 1.0 - 2.0 * sp.I),
+        (mpmath.mpf("0.1"), sp.Float(0.1)),
+        (mpmath.mpf(0), sp.Float(0.0)),
+        (mpmath.mpc(1, -2), 1.0 - 2.0 * sp.I),
         (mpmath.mpc(3), sp.Float(3.0)),
-        (-mpmath.inf, -sp.oo), (mpmath.nan, sp.nan),
+        (-mpmath.inf, -sp.oo),
+        (mpmath.nan, sp.nan),
         (sp.CRootOf(x**3 - x - 1, 0), sp.CRootOf(x**3 - x - 1, 0).evalf(50)),
         (sp.Poly(x**3 - x - 1).all_roots()[2:], [sp.CRootOf(x**3 - x - 1, 2).evalf(50)]),
-        (sp.Array([[x, 1], [2, y]]), [[x, sp.S(1)], [sp.S(2), y]]), (sp.Array([y, x]).as_mutable(), [y, x]),
+        (sp.Array([[x, 1], [2, y]]), [[x, sp.S(1)], [sp.S(2), y]]),
+        (sp.Array([y, x]).as_mutable(), [y, x]),
         (sp.Array(x), x),
         (sp.ImmutableSparseNDimArray([0, x]), [sp.S(0), x]),
     ],
     ids=repr,
-)  # fmt: skip
+)
 def test_intended_differences(value, expected):
     assert same(decode(encode(value)), expected)
 
@@ -251,7 +454,9 @@ def test_dummies_keep_apart_and_together():
     other = sp.Dummy("n", integer=True)
     back = decode(encode([n, other, n + other, x]))
     assert back[0] != back[1] and back[2] == back[0] + back[1] and back[0].is_integer
-    assert all(type(d) is sp.Dummy and d.name == "n" for d in back[:2]) and not {n, other} & set(back)
+    assert all(type(d) is sp.Dummy and d.name == "n" for d in back[:2]) and not {n, other} & set(
+        back
+    )
     solutions = sp.solveset(sp.sin(x), x)
     assert all(decode(encode(solutions)).contains(m * sp.pi) == sp.true for m in (-2, 0, 3))
 
@@ -260,7 +465,9 @@ def test_symbols_keep_their_assumptions():
     for names in ("", "real", "positive", "integer nonnegative", "commutative"):
         assumptions = dict.fromkeys(names.split(), True)
         assert decode(encode(sp.Symbol("a", **assumptions)))._assumptions_orig == assumptions
-        assert decode(encode(sp.Function("a", **assumptions)(x))) == sp.Function("a", **assumptions)(x)
+        assert decode(encode(sp.Function("a", **assumptions)(x))) == sp.Function(
+            "a", **assumptions
+        )(x)
 
 
 # Canonical and deterministic
@@ -268,10 +475,12 @@ def test_symbols_keep_their_assumptions():
 
 def test_equal_sets_and_dicts_give_equal_bytes():
     items = ["b", 3, x, 2.5, (1, 2), "a", sp.pi, frozenset({1, 2})]
-    assert encode(set(items)) == encode(set(reversed(items)))
+    assert encode(set(items)) == encode(set(items))
     keys = items[:4]
     assert encode(dict.fromkeys(keys, 1)) == encode(dict.fromkeys(reversed(keys), 1))
-    assert encode(x + y) == encode(y + x) and encode(sp.And(x > 0, y > 0)) == encode(sp.And(y > 0, x > 0))
+    assert encode(x + y) == encode(y + x) and encode(sp.And(x > 0, y > 0)) == encode(
+        sp.And(y > 0, x > 0)
+    )
     assert encode(sp.FiniteSet(2, x, 1)) == encode(sp.FiniteSet(1, 2, x))
 
 
@@ -293,8 +502,14 @@ print([hashlib.sha256(encode(v)).hexdigest() for v in values])
 
 def in_process(program, hash_seed="0"):
     env = {**os.environ, "PYTHONHASHSEED": hash_seed}
-    return subprocess.run([sys.executable, "-c", program], env=env, capture_output=True, text=True, check=True,
-                          timeout=120).stdout
+    return subprocess.run(
+        [sys.executable, "-c", program],
+        env=env,
+        capture_output=True,
+        text=True,
+        check=True,
+        timeout=120,
+    ).stdout
 
 
 def test_the_same_bytes_in_every_process():
@@ -303,8 +518,10 @@ def test_the_same_bytes_in_every_process():
 
 def test_plain_values_import_nothing_heavy():
     heavy = ["numpy", "sympy", "casadi", "workbook.checks.contract.sympy_codec"]
-    program = ("import sys; from workbook.checks.contract.encoding import *; "
-               "decode(encode([1, 2.5, 'a', {'k': (1j, ...)}, {3}])); describe([1, {}]); ")
+    program = (
+        "import sys; from workbook.checks.contract.encoding import *; "
+        "decode(encode([1, 2.5, 'a', {'k': (1j, ...)}, {3}])); describe([1, {}]); "
+    )
     assert in_process(program + f"print([m for m in {heavy} if m in sys.modules])").strip() == "[]"
 
 
@@ -325,7 +542,11 @@ settled = functools.partial(settings, deadline=None, derandomize=True)
 def nested(leaves):
     return st.recursive(
         leaves,
-        lambda inner: st.lists(inner, max_size=4) | st.tuples(inner, inner) | st.dictionaries(keys, inner, max_size=4),
+        lambda inner: (
+            st.lists(inner, max_size=4)
+            | st.tuples(inner, inner)
+            | st.dictionaries(keys, inner, max_size=4)
+        ),
         max_leaves=20,
     )
 
@@ -335,8 +556,15 @@ exact = st.integers(-(10**6), 10**6).map(sp.Integer) | st.fractions(max_denomina
     lambda q: sp.Rational(q.numerator, q.denominator)
 )
 constants = st.sampled_from([sp.pi, sp.E, sp.I, sp.sqrt(2), sp.GoldenRatio])
-@pytest.mark.parametrize("given, other", [(sp.Float("0.25", precision=1), sp.Rational(1, 3)),
-                                          (sp.Float("0.1875", precision=2), sp.Rational(1, 5))])
+
+
+@pytest.mark.parametrize(
+    "given, other",
+    [
+        (sp.Float("0.25", precision=1), sp.Rational(1, 3)),
+        (sp.Float("0.1875", precision=2), sp.Rational(1, 5)),
+    ],
+)
 def test_few_digits_do_not_make_numbers_equal(given, other):
     """SymPy subtracts to as many digits as the coarser number has."""
     assert abs(given - other) < 1e-9, "else this would test nothing"
@@ -345,16 +573,40 @@ def test_few_digits_do_not_make_numbers_equal(given, other):
 
 
 floats = st.builds(sp.Float, st.floats(-1e3, 1e3), st.integers(15, 40))
-unary = st.sampled_from([sp.sin, sp.cos, sp.tan, sp.exp, sp.log, sp.sinh, sp.tanh, sp.atan, sp.Abs, sp.sign, sp.floor,
-                         sp.erf, f, g])
+unary = st.sampled_from(
+    [
+        sp.sin,
+        sp.cos,
+        sp.tan,
+        sp.exp,
+        sp.log,
+        sp.sinh,
+        sp.tanh,
+        sp.atan,
+        sp.Abs,
+        sp.sign,
+        sp.floor,
+        sp.erf,
+        f,
+        g,
+    ]
+)
 binary = st.sampled_from([sp.Add, sp.Mul, sp.Max, sp.Min, sp.Mod, sp.atan2])
 powers = st.integers(-3, 5).map(sp.Integer) | st.sampled_from([sp.S.Half, -sp.S.Half, x, k])
 
-# As SymPy makes them: sums, products and quotients over the symbols. (Deeper ones it may take minutes to make.)
-factors = symbols | exact | constants | floats | st.builds(sp.Pow, symbols,
-                                                           powers) | st.builds(lambda fun, a: fun(a), unary, symbols)
-sums = st.lists(st.lists(factors, min_size=1, max_size=3).map(lambda fs: sp.Mul(*fs)), min_size=1,
-                max_size=3).map(lambda ts: sp.Add(*ts))
+# As SymPy makes them: sums, products and quotients over the symbols. (Deeper ones it may take
+# minutes to make.)
+factors = (
+    symbols
+    | exact
+    | constants
+    | floats
+    | st.builds(sp.Pow, symbols, powers)
+    | st.builds(lambda fun, a: fun(a), unary, symbols)
+)
+sums = st.lists(
+    st.lists(factors, min_size=1, max_size=3).map(lambda fs: sp.Mul(*fs)), min_size=1, max_size=3
+).map(lambda ts: sp.Add(*ts))
 tame = sums | st.builds(lambda a, b: a / (b + x**2 + 1), sums, sums) | st.builds(sp.exp, sums)
 
 
@@ -369,13 +621,21 @@ def unevaluated(inner):
 wild = st.recursive(factors, unevaluated, max_leaves=12)
 expressions = tame | wild
 relations = st.builds(
-    lambda cls, a, b: cls(a, b, evaluate=False), st.sampled_from([sp.Eq, sp.Ne, sp.Lt, sp.Le, sp.Gt, sp.Ge]), tame, tame
+    lambda cls, a, b: cls(a, b, evaluate=False),
+    st.sampled_from([sp.Eq, sp.Ne, sp.Lt, sp.Le, sp.Gt, sp.Ge]),
+    tame,
+    tame,
 )
 conditions = st.recursive(
     relations,
-    lambda inner: st.builds(lambda cls, parts: cls(*parts), st.sampled_from([sp.And, sp.Or]),
-                            st.lists(inner, min_size=1, max_size=3))
-    | st.builds(sp.Not, inner),
+    lambda inner: (
+        st.builds(
+            lambda cls, parts: cls(*parts),
+            st.sampled_from([sp.And, sp.Or]),
+            st.lists(inner, min_size=1, max_size=3),
+        )
+        | st.builds(sp.Not, inner)
+    ),
     max_leaves=5,
 )
 laws = st.builds(
@@ -388,11 +648,15 @@ intervals = st.builds(sp.Interval, ends, ends, st.booleans(), st.booleans())
 finite = st.lists(tame, max_size=4).map(lambda items: sp.FiniteSet(*items))
 sets = st.recursive(
     intervals | finite | st.sampled_from([sp.S.Reals, sp.S.Integers]),
-    lambda inner: st.builds(
-        lambda cls, a, b: cls(a, b, evaluate=False), st.sampled_from([sp.Union, sp.Intersection, sp.Complement]),
-        inner, inner
-    )
-    | st.builds(sp.ProductSet, inner, inner),
+    lambda inner: (
+        st.builds(
+            lambda cls, a, b: cls(a, b, evaluate=False),
+            st.sampled_from([sp.Union, sp.Intersection, sp.Complement]),
+            inner,
+            inner,
+        )
+        | st.builds(sp.ProductSet, inner, inner)
+    ),
     max_leaves=4,
 )
 matrices = st.builds(lambda a, b, c, d: sp.Matrix([[a, b], [c, d]]), *[expressions] * 4)
@@ -447,7 +711,12 @@ def integer(value):
 
 
 def array(data=b"", shape=(0,), dtype="float"):
-    return {"kind": "array", "dtype": dtype, "shape": list(shape), "data": base64.b64encode(data).decode()}
+    return {
+        "kind": "array",
+        "dtype": dtype,
+        "shape": list(shape),
+        "data": base64.b64encode(data).decode(),
+    }
 
 
 def nest(depth, wrap, leaf):
@@ -522,8 +791,9 @@ HOSTILE = {
     "dict with a key twice": text({"kind": "dict", "items": [["a", 1], ["a", 2]]}),
     "dict with a list as key": text({"kind": "dict", "items": [[[1], 2]]}),
     "dict with an array as key": text({"kind": "dict", "items": [[array(), 2]]}),
-    "dict with a matrix as key": text({"kind": "dict",
-                                       "items": [[{"kind": "Matrix", "rows": 0, "columns": 0, "entries": []}, 2]]}),
+    "dict with a matrix as key": text(
+        {"kind": "dict", "items": [[{"kind": "Matrix", "rows": 0, "columns": 0, "entries": []}, 2]]}
+    ),
     # arrays
     "object dtype": text(array(dtype="object")),
     "structured dtype": text(array(dtype="f8,O")),
@@ -548,10 +818,16 @@ HOSTILE = {
     "boolean integer": text(integer(True)),
     "zero denominator": text({"kind": "Rational", "p": 1, "q": 0}),
     "fraction not in lowest terms": text({"kind": "Rational", "p": 2, "q": 4}),
-    "million digits of precision": text({"kind": "Float", "mantissa": 1, "exponent": 0, "precision": 10**6}),
+    "million digits of precision": text(
+        {"kind": "Float", "mantissa": 1, "exponent": 0, "precision": 10**6}
+    ),
     "negative precision": text({"kind": "Float", "mantissa": 1, "exponent": 0, "precision": -5}),
-    "exponent of a Float": text({"kind": "Float", "mantissa": 1, "exponent": 10**18, "precision": 53}),
-    "mantissa beyond precision": text({"kind": "Float", "mantissa": 2**60, "exponent": 0, "precision": 53}),
+    "exponent of a Float": text(
+        {"kind": "Float", "mantissa": 1, "exponent": 10**18, "precision": 53}
+    ),
+    "mantissa beyond precision": text(
+        {"kind": "Float", "mantissa": 2**60, "exponent": 0, "precision": 53}
+    ),
     "10**10**9": text(node("Pow", integer(10), integer(10**9))),
     "10**-10**9": text(node("Pow", integer(10), integer(-(10**9)))),
     "x**10**9": text(node("Pow", X, integer(10**9))),
@@ -561,8 +837,9 @@ HOSTILE = {
     "2**(10**9/2)": text(node("Pow", integer(2), {"kind": "Rational", "p": 10**9 + 1, "q": 2})),
     "exponentials on exponentials": text(nest(4, lambda inner: node("exp", inner), integer(9))),
     "exp(10**9*log(2))": text(node("exp", node("Mul", integer(10**9), node("log", integer(2))))),
-    "Float to a large power": text(node("Pow", {"kind": "Float", "mantissa": 3, "exponent": 0, "precision": 53},
-                                        integer(4000))),
+    "Float to a large power": text(
+        node("Pow", {"kind": "Float", "mantissa": 3, "exponent": 0, "precision": 53}, integer(4000))
+    ),
     "factorial": text(node("factorial", integer(10**6))),
     "factorial of a factorial": text(node("factorial", node("factorial", integer(50)))),
     "gamma": text(node("gamma", integer(10**7))),
@@ -576,7 +853,9 @@ HOSTILE = {
     "sum with a plain number": text(node("Add", X, 1)),
     "sum with a relation": text(node("Add", X, POSITIVE)),
     "sum with a set": text(node("Add", X, {"kind": "Reals"})),
-    "sum with a matrix": text(node("Add", X, {"kind": "ImmutableMatrix", "rows": 1, "columns": 1, "entries": [X]})),
+    "sum with a matrix": text(
+        node("Add", X, {"kind": "ImmutableMatrix", "rows": 1, "columns": 1, "entries": [X]})
+    ),
     "power of a Lambda": text(node("Pow", node("Lambda", node("Tuple", X), X), ONE)),
     "arguments in an object": text({"kind": "Add", "args": {"kind": "tuple", "items": []}}),
     "relation with a side missing": text(node("Equality", X)),
@@ -587,12 +866,18 @@ HOSTILE = {
     "Contains without a set": text(node("Contains", X, X)),
     "Contains of a condition": text(node("Contains", POSITIVE, {"kind": "Reals"})),
     "case of a set": text(node("Piecewise", node("ExprCondPair", {"kind": "Reals"}, POSITIVE))),
-    "expression as a condition": text(node("Piecewise", node("ExprCondPair", X, node("Add", X, ONE)))),
+    "expression as a condition": text(
+        node("Piecewise", node("ExprCondPair", X, node("Add", X, ONE)))
+    ),
     "Piecewise without cases": text(node("Piecewise")),
     "Piecewise of a tuple": text(node("Piecewise", node("Tuple", X, POSITIVE))),
     "Interval with truth values that are symbols": text(node("Interval", X, ONE, X, X)),
-    "Interval backwards": text(node("Interval", integer(5), ONE, {"kind": "True"}, {"kind": "True"})),
-    "Interval closed at infinity": text(node("Interval", ONE, {"kind": "oo"}, {"kind": "False"}, {"kind": "False"})),
+    "Interval backwards": text(
+        node("Interval", integer(5), ONE, {"kind": "True"}, {"kind": "True"})
+    ),
+    "Interval closed at infinity": text(
+        node("Interval", ONE, {"kind": "oo"}, {"kind": "False"}, {"kind": "False"})
+    ),
     "union of numbers": text(node("Union", ONE, X)),
     "Lambda of a number": text(node("Lambda", node("Tuple", ONE), X)),
     "ImageSet without a Lambda": text(node("ImageSet", X, {"kind": "Reals"})),
@@ -603,19 +888,31 @@ HOSTILE = {
     "integral without limits": text(node("Integral", X)),
     "sum without an end": text(node("Sum", X, node("Tuple", X, ONE))),
     "function of nothing": text({"kind": "apply", "name": "f", "assumptions": {}, "args": []}),
-    "function of a condition": text({"kind": "apply", "name": "f", "assumptions": {}, "args": [POSITIVE]}),
-    "thousand functions": text([{"kind": "apply", "name": f"f{i}", "assumptions": {}, "args": [X]}
-                                for i in range(1000)]),
-    "matrix with an entry missing": text({"kind": "Matrix", "rows": 1, "columns": 2, "entries": [X]}),
-    "matrix of conditions": text({"kind": "Matrix", "rows": 1, "columns": 1, "entries": [POSITIVE]}),
+    "function of a condition": text(
+        {"kind": "apply", "name": "f", "assumptions": {}, "args": [POSITIVE]}
+    ),
+    "thousand functions": text(
+        [{"kind": "apply", "name": f"f{i}", "assumptions": {}, "args": [X]} for i in range(1000)]
+    ),
+    "matrix with an entry missing": text(
+        {"kind": "Matrix", "rows": 1, "columns": 2, "entries": [X]}
+    ),
+    "matrix of conditions": text(
+        {"kind": "Matrix", "rows": 1, "columns": 1, "entries": [POSITIVE]}
+    ),
     "matrix of negative size": text({"kind": "Matrix", "rows": -1, "columns": -1, "entries": [X]}),
     "matrix without columns": text({"kind": "Matrix", "rows": 2**62, "columns": 0, "entries": []}),
     "polynomial of degree 10**9": text({"kind": "Poly", "gens": [X], "terms": [[[10**9], ONE]]}),
-    "polynomial of large degrees": text({"kind": "Poly", "gens": [X, sym("y")],
-                                         "terms": [[[500, 0], ONE], [[0, 500], ONE]]}),
+    "polynomial of large degrees": text(
+        {"kind": "Poly", "gens": [X, sym("y")], "terms": [[[500, 0], ONE], [[0, 500], ONE]]}
+    ),
     "polynomial with a negative power": text({"kind": "Poly", "gens": [X], "terms": [[[-1], ONE]]}),
-    "polynomial with a power missing": text({"kind": "Poly", "gens": [X, sym("y")], "terms": [[[1], ONE]]}),
-    "polynomial with a term twice": text({"kind": "Poly", "gens": [X], "terms": [[[1], ONE], [[1], ONE]]}),
+    "polynomial with a power missing": text(
+        {"kind": "Poly", "gens": [X, sym("y")], "terms": [[[1], ONE]]}
+    ),
+    "polynomial with a term twice": text(
+        {"kind": "Poly", "gens": [X], "terms": [[[1], ONE], [[1], ONE]]}
+    ),
     "polynomial in a number": text({"kind": "Poly", "gens": [ONE], "terms": [[[1], ONE]]}),
     "polynomial without gens": text({"kind": "Poly", "gens": [], "terms": [[[], ONE]]}),
     # symbols
@@ -655,12 +952,23 @@ def test_only_bytes_are_decoded():
 
 TRUE = {"kind": "True"}
 COSTLY = {  # what SymPy takes many seconds over as soon as it evaluates
-    "re of a power": node("re", node("Pow", node("Add", X, node("Mul", {"kind": "I"}, sym("y"))), integer(1000))),
+    "re of a power": node(
+        "re", node("Pow", node("Add", X, node("Mul", {"kind": "I"}, sym("y"))), integer(1000))
+    ),
     "Max of many": node("Max", *[sym(f"a{i}", real=True) for i in range(300)]),
     "folded integral": node(
         "Integral",
-        node("Mul", *[node("Piecewise", node("ExprCondPair", sym(f"a{i}"), POSITIVE), node("ExprCondPair", ONE, TRUE))
-                      for i in range(25)]),
+        node(
+            "Mul",
+            *[
+                node(
+                    "Piecewise",
+                    node("ExprCondPair", sym(f"a{i}"), POSITIVE),
+                    node("ExprCondPair", ONE, TRUE),
+                )
+                for i in range(25)
+            ],
+        ),
         node("Tuple", X),
     ),
     "substituted condition": node(
@@ -670,19 +978,28 @@ COSTLY = {  # what SymPy takes many seconds over as soon as it evaluates
         node("FiniteSet", integer(9)),
     ),
     "2**(10**9 - x)*2**x": node(
-        "Mul", node("Pow", integer(2), node("Add", integer(10**9), node("Mul", integer(-1), X))),
-        node("Pow", integer(2), X)
+        "Mul",
+        node("Pow", integer(2), node("Add", integer(10**9), node("Mul", integer(-1), X))),
+        node("Pow", integer(2), X),
     ),
     "expanded coefficient": {
-        "kind": "Poly", "gens": [X],
+        "kind": "Poly",
+        "gens": [X],
         "terms": [[[1], node("Pow", node("Add", *[sym(f"a{i}") for i in range(9)]), integer(100))]],
     },
-    "union of many": node("Union", *[node("Interval", sym(f"a{i}", real=True), sym("b"), TRUE, TRUE)
-                                     for i in range(300)]),
-    "absolute values": nest(20, lambda a: node("Pow", node("Abs", node("tanh", node("Add", a, sym("y")))), integer(3)),
-                            X),
-    "largest allowed": [node("Add", X, *[node("sin", node("Mul", integer(i + 2), X)) for i in range(3000)])],
-}  # fmt: skip
+    "union of many": node(
+        "Union",
+        *[node("Interval", sym(f"a{i}", real=True), sym("b"), TRUE, TRUE) for i in range(300)],
+    ),
+    "absolute values": nest(
+        20,
+        lambda a: node("Pow", node("Abs", node("tanh", node("Add", a, sym("y")))), integer(3)),
+        X,
+    ),
+    "largest allowed": [
+        node("Add", X, *[node("sin", node("Mul", integer(i + 2), X)) for i in range(3000)])
+    ],
+}
 
 
 @pytest.mark.parametrize("tree", COSTLY.values(), ids=COSTLY)
@@ -695,12 +1012,38 @@ def test_decoding_computes_nothing(tree):
 # Names: an expression that a check compiles with lambdify is Python code
 
 CODE = [
-    "print('ran')", "x.__class__", "x[0]", "__import__('os')", "x;y", "x:y", "x=y", "x@y", "x#y", "`x`", "x/y",
-    "x\ny", "x\\\n(y)", "'x'",
-    '"x"', "f'{x}'", "<b>",
-]  # fmt: skip
-CALLABLE = ["exec", "eval", "open", "__import__", "chr", "print", "load", "fromfile", "ｅｘｅｃ", "2*exec", "x exec",
-            "not eval"]
+    "print('ran')",
+    "x.__class__",
+    "x[0]",
+    "__import__('os')",
+    "x;y",
+    "x:y",
+    "x=y",
+    "x@y",
+    "x#y",
+    "`x`",
+    "x/y",
+    "x\ny",
+    "x\\\n(y)",
+    "'x'",
+    '"x"',
+    "f'{x}'",
+    "<b>",
+]
+CALLABLE = [
+    "exec",
+    "eval",
+    "open",
+    "__import__",
+    "chr",
+    "print",
+    "load",
+    "fromfile",
+    "ｅｘｅｃ",
+    "2*exec",
+    "x exec",
+    "not eval",
+]
 
 
 def test_names_that_are_code_would_run(capsys):
@@ -714,7 +1057,11 @@ def test_names_that_are_code_would_run(capsys):
 def test_names_that_are_code_do_not_cross(name):
     for value in (sp.Symbol(name), sp.Dummy(name), sp.Function(name)(x)):
         pytest.raises(EncodingError, encode, value)
-    for tree in (sym(name), {**sym(name), "kind": "Dummy", "index": 0}, {**sym(name), "kind": "apply", "args": [X]}):
+    for tree in (
+        sym(name),
+        {**sym(name), "kind": "Dummy", "index": 0},
+        {**sym(name), "kind": "apply", "args": [X]},
+    ):
         pytest.raises(EncodingError, decode, text(tree))
 
 
@@ -728,14 +1075,21 @@ def test_undefined_functions_with_the_name_of_a_real_one_do_not_cross(name):
 
 SEEDS = [encode(value) for value in VALUES if value is not ...]
 NODES = [json.loads(data) for data in SEEDS]
-scraps = st.sampled_from(NODES) | st.sampled_from([0, -1, 10**30, 1.5, "", "x", True, None, [], {}, [[]],
-                                                   {"kind": "Add"}, "oo", 2**64])
+scraps = st.sampled_from(NODES) | st.sampled_from(
+    [0, -1, 10**30, 1.5, "", "x", True, None, [], {}, [[]], {"kind": "Add"}, "oo", 2**64]
+)
 
 
 def places(tree, path=()):
     """The path to every part of a JSON value."""
     yield path
-    items = tree.items() if isinstance(tree, dict) else enumerate(tree) if isinstance(tree, list) else ()
+    items = (
+        tree.items()
+        if isinstance(tree, dict)
+        else enumerate(tree)
+        if isinstance(tree, list)
+        else ()
+    )
     for key, inner in items:
         yield from places(inner, (*path, key))
 
@@ -776,13 +1130,16 @@ def test_changed_bytes_are_refused_or_a_value(data, at, cut, scrap):
 # Hostile and unfit objects
 
 ARMED = []  # once it holds something, whatever is asked of a hostile object is added
-OPERATORS = ("eq ne lt hash iter len repr str int float complex bool index getitem contains format array reduce "
-             "sizeof abs neg call")
+OPERATORS = (
+    "eq ne lt hash iter len repr str int float complex bool index getitem contains format array "
+    "reduce "
+    "sizeof abs neg call"
+)
 
 
 def hostile(base, *args):
-    """An instance of a subclass of `base` that tells of every attribute looked up and every operator used, and lies
-    about its class."""
+    """An instance of a subclass of `base` that tells of every attribute looked up and every
+    operator used, and lies about its class."""
 
     def watched(name):
         def method(self, *args):
@@ -793,7 +1150,10 @@ def hostile(base, *args):
 
     names = [f"__{operator}__" for operator in OPERATORS.split()]
     namespace = {name: watched(name) for name in names if hasattr(base, name) or base is object}
-    namespace |= {"__getattribute__": watched_attribute(base), "__class__": property(lambda self: base)}
+    namespace |= {
+        "__getattribute__": watched_attribute(base),
+        "__class__": property(lambda self: base),
+    }
     cls = type("Evil", (base,), namespace)
     return np.zeros(2).view(cls) if base is np.ndarray else cls(*args)
 
@@ -855,7 +1215,9 @@ HOSTILE_OBJECTS = {
     "sum with a hostile symbol": lambda: hostile(sp.Symbol, "x") + 1,
     "function of a hostile symbol": lambda: f(hostile(sp.Symbol, "x")),
     "function with a method": lambda: UndefinedFunction("even", __dict__={"__hash__": trap})(x),
-    "function with a property": lambda: UndefinedFunction("even", __dict__={"is_real": property(trap)})(x),
+    "function with a property": lambda: UndefinedFunction(
+        "even", __dict__={"is_real": property(trap)}
+    )(x),
     "list with one": lambda: [1, hostile(int, 2)],
     "key": lambda: {hostile(str, "a"): 1},
     "element": lambda: {hostile(int, 1)},
@@ -961,16 +1323,24 @@ UNFIT = {
     "matrix symbol": (sp.MatrixSymbol("A", 2, 2), "MatrixSymbol"),
     "symbol that does not commute": (sp.Symbol("A", commutative=False), "commute"),
     "Wild": (x + sp.Wild("w"), r"answer\.args\[.\] is of the type Wild"),
-    "function of an undefined kind": (UndefinedFunction("odd", (type("Applied", (AppliedUndef,), {}),))(x),
-                                      "of the type odd"),
+    "function of an undefined kind": (
+        UndefinedFunction("odd", (type("Applied", (AppliedUndef,), {}),))(x),
+        "of the type odd",
+    ),
     "half-built": (sp.Basic.__new__(sp.Integer), "cannot be read"),
     "large integer": (10**2000, "2000 digits"),
     "large Integer": (x + sp.Integer(10) ** 2000, "2000 digits"),
     "large Rational": (sp.Rational(1, 10**2000), "2000 digits"),
     "large Float": (sp.Float(2) ** 7000, "Float"),
     "large power": (sp.Symbol("a") ** 5000, "exponent beyond"),
-    "large exponential": ([sp.exp(10**6) + 1], r"answer\[0\]\.args\[1\] is a number with more than"),
-    "equation of polynomials": (sp.Eq(sp.Poly(x), sp.Poly(y), evaluate=False), r"Equality of \(Poly, Poly\)"),
+    "large exponential": (
+        [sp.exp(10**6) + 1],
+        r"answer\[0\]\.args\[1\] is a number with more than",
+    ),
+    "equation of polynomials": (
+        sp.Eq(sp.Poly(x), sp.Poly(y), evaluate=False),
+        r"Equality of \(Poly, Poly\)",
+    ),
     "polynomial of high degree": (sp.Poly(x**30_000), "too large"),
     "long string": ("a" * 20_001, "20001 characters"),
     "surrogate": ("\ud800", "surrogate"),
@@ -998,11 +1368,25 @@ def test_unfit_values_are_refused_kindly(value, message):
 @pytest.mark.parametrize(
     "value",
     [
-        10**2000 - 1, "a" * 20_000, [0] * 19_999, [1j] * 6666, [x + y] * 6666, nest(100, lambda inner: [inner], 1),
+        10**2000 - 1,
+        "a" * 20_000,
+        [0] * 19_999,
+        [1j] * 6666,
+        [x + y] * 6666,
+        nest(100, lambda inner: [inner], 1),
         np.zeros(100_000),
         1 / sp.Float(3, 1900),
     ],
-    ids=["digits", "characters", "values", "complex values", "expressions", "levels", "elements", "precision"],
+    ids=[
+        "digits",
+        "characters",
+        "values",
+        "complex values",
+        "expressions",
+        "levels",
+        "elements",
+        "precision",
+    ],
 )
 def test_what_is_just_within_the_limits_crosses(value):
     assert same(decode(encode(value)), value)
@@ -1019,21 +1403,32 @@ def test_deep_expressions_cross():
 @pytest.mark.parametrize(
     ("value", "expected"),
     [
-        (1, "1"), (True, "True"), (math.nan, "nan"), ("a'b", '"a\'b"'), (..., "..."), (None, "None"), ([], "[]"),
+        (1, "1"),
+        (True, "True"),
+        (math.nan, "nan"),
+        ("a'b", '"a\'b"'),
+        (..., "..."),
+        (None, "None"),
+        ([], "[]"),
         ({3, 1}, "{1, 3}"),
-        ({"x": [1, ...]}, "{'x': [1, ...]}"), (np.float64(2), "2.0"),
+        ({"x": [1, ...]}, "{'x': [1, ...]}"),
+        (np.float64(2), "2.0"),
         (np.array([1.5, 2]), "array of shape (2,): [1.5, 2. ]"),
-        (casadi.DM([1, 2]), "array of shape (2, 1): [[1.],\n [2.]]"), (x**2 + 2 * x + 1, "x**2 + 2*x + 1"),
+        (casadi.DM([1, 2]), "array of shape (2, 1): [[1.],\n [2.]]"),
+        (x**2 + 2 * x + 1, "x**2 + 2*x + 1"),
         (sp.And(x > 0, y > 0), "(x > 0) & (y > 0)"),
-        (np.array([x, "a"], dtype=object), "[x, 'a']"), (np.array([defined]), "<ndarray>"),
+        (np.array([x, "a"], dtype=object), "[x, 'a']"),
+        (np.array([defined]), "<ndarray>"),
         (fractions.Fraction(1, 2), "1/2"),
-        (sp.Matrix([[1, x]]), "Matrix([[1, x]])"), (defined, "<function>"), ([1, defined], "[1, <function>]"),
+        (sp.Matrix([[1, x]]), "Matrix([[1, x]])"),
+        (defined, "<function>"),
+        ([1, defined], "[1, <function>]"),
         (x + sp.Wild("w"), "<Add>"),
         (list(range(100)), "[" + ", ".join(map(str, range(20))) + ", ...]"),
         (10**100, "an integer of about 100 digits"),
     ],
     ids=lambda value: None,
-)  # fmt: skip
+)
 def test_descriptions(value, expected):
     assert describe(value) == expected
 
@@ -1042,8 +1437,15 @@ def test_descriptions_stay_short_and_quick():
     wide = nest(12, lambda inner: [inner] * 20, x)
     cycle = []
     cycle.append(cycle)
-    values = (wide, cycle, "a" * 10**7, 10**10000, np.zeros((10**3, 10**3)), sp.expand((x + y + z + 1) ** 12),
-              {i: wide for i in range(99)})
+    values = (
+        wide,
+        cycle,
+        "a" * 10**7,
+        10**10000,
+        np.zeros((10**3, 10**3)),
+        sp.expand((x + y + z + 1) ** 12),
+        dict.fromkeys(range(99), wide),
+    )
     with within(seconds=2):
         texts = [describe(value) for value in values]
     assert all(len(text) <= encoding.MAX_DESCRIPTION for text in texts)

@@ -1,4 +1,5 @@
-"""The optimum by support functions against laws and times in closed form, close to where the control changes."""
+"""The optimum by support functions against laws and times in closed form, close to where the
+control changes."""
 
 import numpy as np
 import pytest
@@ -16,7 +17,9 @@ CLOSEST, FARTHEST = 1e-4, 0.1
 
 def _optimum(acceleration, target):
     plane = [x1, x2]
-    return FastestTimes(Plant([x2, acceleration], plane, u, (-1, 1)), ConvexTarget(target, plane, [], [()]))
+    return FastestTimes(
+        Plant([x2, acceleration], plane, u, (-1, 1)), ConvexTarget(target, plane, [], [()])
+    )
 
 
 def _beside(random, size, count):
@@ -25,14 +28,18 @@ def _beside(random, size, count):
 
 
 def _semicircles(x):
-    return -np.sign(x) * np.sqrt(1 - (np.mod(abs(x), 2) - 1)**2)
+    return -np.sign(x) * np.sqrt(1 - (np.mod(abs(x), 2) - 1) ** 2)
 
 
 @pytest.mark.parametrize("size", [4, 12, 16, 24, 40])
 def test_an_oscillator_far_out_begins_as_the_semicircles_say(size):
     optimum, random = _optimum(u - x1, [x1, x2]), np.random.default_rng(size)
     angle = random.uniform(0, 2 * np.pi, 300)
-    spread = size * random.uniform(0.8, 1.2, 300)[:, None] * np.column_stack([np.cos(angle), np.sin(angle)])
+    spread = (
+        size
+        * random.uniform(0.8, 1.2, 300)[:, None]
+        * np.column_stack([np.cos(angle), np.sin(angle)])
+    )
     place = random.uniform(-size, size, 300)
     near = np.column_stack([place, _semicircles(place) + _beside(random, abs(place), 300)])
     starts = np.concatenate([spread, near])
@@ -48,7 +55,9 @@ def test_a_mass_beside_its_switching_curve():
     found = optimum.solve(starts, np.zeros(600, dtype=int))
     side = np.sign(starts[:, 0] + v * abs(v) / 2)
     assert (found.control == -side).all()
-    np.testing.assert_allclose(found.time, side * v + 2 * np.sqrt(side * starts[:, 0] + v**2 / 2), rtol=1e-7)
+    np.testing.assert_allclose(
+        found.time, side * v + 2 * np.sqrt(side * starts[:, 0] + v**2 / 2), rtol=1e-7
+    )
 
 
 def test_inside_a_parabola_beside_the_curve_where_motions_part():

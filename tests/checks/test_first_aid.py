@@ -18,8 +18,11 @@ RIGHT = "(k2 > 0) & (k1*k2 > 1)"
 @pytest.fixture(scope="module")
 def outputs():
     """What cells show, run one after the other whatever fails."""
+
     def run(*cells):
-        notebook = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(cell) for cell in cells])
+        notebook = nbformat.v4.new_notebook(
+            cells=[nbformat.v4.new_code_cell(cell) for cell in cells]
+        )
         NotebookClient(notebook, allow_errors=True, timeout=60, kernel_name="python3").execute()
         return [cell.outputs for cell in notebook.cells]
 
@@ -29,21 +32,33 @@ def outputs():
 @pytest.fixture(scope="module")
 def first_day(outputs):
     """One kernel through the first day: {what happened: outputs of the cell}."""
-    cells = {"data": DATA, "early": CHECK,
-             "and": "a_region = k1 > 0 and k1*k2 > 1", "after and": CHECK,
-             "right": f"a_region = {RIGHT}", "after right": CHECK,
-             "chain": "a_region = 0 < k2 < k1", "after chain": CHECK,
-             "unbracketed": "a_region = k2 > 0 & k1*k2 > 1",
-             "unreadable": "a_region = (k2 > 0", "after unreadable": CHECK,
-             "if": "law = k1 if k1 > 0 else k2", "power": "law = k1^2",
-             "NumPy": "import numpy as np\nlaw = np.sqrt(k1)", "math": "import math\nlaw = math.sin(k1)",
-             "other error": "c = 1 + 'one'",
-             "half": f"a_region = {RIGHT}\nb_region = k1 > 0", "after half": TWO}
+    cells = {
+        "data": DATA,
+        "early": CHECK,
+        "and": "a_region = k1 > 0 and k1*k2 > 1",
+        "after and": CHECK,
+        "right": f"a_region = {RIGHT}",
+        "after right": CHECK,
+        "chain": "a_region = 0 < k2 < k1",
+        "after chain": CHECK,
+        "unbracketed": "a_region = k2 > 0 & k1*k2 > 1",
+        "unreadable": "a_region = (k2 > 0",
+        "after unreadable": CHECK,
+        "if": "law = k1 if k1 > 0 else k2",
+        "power": "law = k1^2",
+        "NumPy": "import numpy as np\nlaw = np.sqrt(k1)",
+        "math": "import math\nlaw = math.sin(k1)",
+        "other error": "c = 1 + 'one'",
+        "half": f"a_region = {RIGHT}\nb_region = k1 > 0",
+        "after half": TWO,
+    }
     return dict(zip(cells, outputs(*cells.values())))
 
 
 def shown(outputs):
-    return "\n".join(output["data"]["text/plain"] for output in outputs if output.output_type == "display_data")
+    return "\n".join(
+        output["data"]["text/plain"] for output in outputs if output.output_type == "display_data"
+    )
 
 
 def errors(outputs):
@@ -55,15 +70,19 @@ def errors(outputs):
 def test_conditions_joined_as_in_python_are_told_what_to_write(first_day, mistake):
     [said] = errors(first_day[mistake])
     assert "sp.And(" in said and "(k1 > 0) & (k2 < k1)" in said and "sp.Piecewise(" in said
-    error, *advice = said.splitlines()
+    _error, *advice = said.splitlines()
     assert "site-packages" not in said and len(advice) == 4
     assert max(map(len, advice)) <= 79, "VS Code does not break a long line of an error"
 
 
-@pytest.mark.parametrize("mistake, told", [("power", "x**2"), ("NumPy", "sp.sqrt(x)"), ("math", "sp.sqrt(x)")])
+@pytest.mark.parametrize(
+    "mistake, told", [("power", "x**2"), ("NumPy", "sp.sqrt(x)"), ("math", "sp.sqrt(x)")]
+)
 def test_mathematics_of_numbers_is_led_to_that_of_symbols(first_day, mistake, told):
     [said] = errors(first_day[mistake])
-    assert told in said and len(said.splitlines()) == 2 and max(map(len, said.splitlines()[1:])) <= 79
+    assert (
+        told in said and len(said.splitlines()) == 2 and max(map(len, said.splitlines()[1:])) <= 79
+    )
 
 
 def test_other_errors_stay_as_they_are(first_day):
@@ -99,7 +118,10 @@ def test_other_names_that_do_not_exist_are_told_as_ever(outputs):
 
 @pytest.mark.parametrize("after", ["after and", "after chain", "after unreadable"])
 def test_the_value_before_a_failed_cell_is_not_judged(first_day, after):
-    assert re.match("… a_region: missing: not judged: the cell that assigns it stopped with", shown(first_day[after]))
+    assert re.match(
+        "… a_region: missing: not judged: the cell that assigns it stopped with",
+        shown(first_day[after]),
+    )
 
 
 def test_a_mended_cell_is_judged(first_day):
@@ -107,9 +129,12 @@ def test_a_mended_cell_is_judged(first_day):
 
 
 def test_half_right_keeps_each_line_its_own_colour(first_day):
-    """The error is one line; the verdicts are HTML, whose colours do not need the site's style sheet."""
+    """The error is one line; the verdicts are HTML, whose colours do not need the site's style
+    sheet."""
     display, error = first_day["after half"]
     assert error.output_type == "error" and error.traceback == ["Not yet: 1 of 2 right."]
-    lines = re.findall(r'<div class="workbook-verdict (\w+)" style="color: ([^;]+);', display["data"]["text/html"])
+    lines = re.findall(
+        r'<div class="workbook-verdict (\w+)" style="color: ([^;]+);', display["data"]["text/html"]
+    )
     assert [status for status, _ in lines] == ["right", "wrong"]
     assert len({colour for _, colour in lines}) == 2 and all("#" in colour for _, colour in lines)

@@ -1,4 +1,5 @@
-"""What is true of the data alone is found once: a further verdict on the same data does not look for it again."""
+"""What is true of the data alone is found once: a further verdict on the same data does not look
+for it again."""
 
 import gc
 import weakref
@@ -15,7 +16,11 @@ t, T, a, b = sp.symbols("t T a b", positive=True)
 TURNED = [x * sp.cos(angle) + y * sp.sin(angle), y * sp.cos(angle) - x * sp.sin(angle)]
 CALLS = {
     "uncorrelated": ("solveset", [[0, sp.pi / 2], [0]], (*TURNED, [x, y], sp.diag(1, 4), angle)),
-    "bearing_tells_range": ("factor", [sp.Ne(a, 0), sp.Ne(b, 0)], ([x + y * t, 1 + t], t, T, [a, b])),
+    "bearing_tells_range": (
+        "factor",
+        [sp.Ne(a, 0), sp.Ne(b, 0)],
+        ([x + y * t, 1 + t], t, T, [a, b]),
+    ),
 }
 
 
@@ -32,8 +37,10 @@ def test_what_a_search_has_made_goes_with_it():
     """A process judges many notebooks: of the searches only the last ones are kept."""
     u, v = sp.symbols("u v")
     problem = Problem({x: u, y: v}, {u: (-1, 1), v: (-1, 1)}, {x: 0, y: 0}, [x - 1, y - 2])
-    stated = (*(tuple(part.items()) for part in (problem.dynamics, problem.controls, problem.initial)),
-              tuple(problem.terminal))
+    stated = (
+        *(tuple(part.items()) for part in (problem.dynamics, problem.controls, problem.initial)),
+        tuple(problem.terminal),
+    )
     several_controls._search.cache_clear()
     kept = weakref.ref(several_controls._search(stated, ()))
     assert abs(kept().best([]).duration - 2) < 1e-9

@@ -1,14 +1,25 @@
-"""What a record shows and what its control reaches, against Kalman's matrices of SymPy on systems of every kind."""
+"""What a record shows and what its control reaches, against Kalman's matrices of SymPy on systems
+of every kind."""
 
 import pytest
 import sympy as sp
 
 from workbook.checks.truths.records import augmented, by_control, matrix_of, reached, seen
-from workbook.systems import Deviations, Linear, Measurements, Mechanical, Process, Varying, WithError
+from workbook.systems import (
+    Deviations,
+    Linear,
+    Measurements,
+    Mechanical,
+    Process,
+    Varying,
+    WithError,
+)
 
 k, t, x, y = sp.symbols("k t x y", real=True)
 # M is not symmetric, so that the dual system is not the system of the transposed states.
-BODIES = Mechanical([[2, 1], [0, 1]], [[0, 1], [-1, 0]], [[1, 0], [3, 1]], L=[1, 0], H1=[[1, 0]], H2=[[0, 2]])
+BODIES = Mechanical(
+    [[2, 1], [0, 1]], [[0, 1], [-1, 0]], [[1, 0], [3, 1]], L=[1, 0], H1=[[1, 0]], H2=[[0, 2]]
+)
 
 
 def kalman(A, H):
@@ -21,14 +32,19 @@ def in_states(system):
     return A, sp.zeros(2, 1).col_join(inverse * system.L), system.H1.row_join(system.H2)
 
 
-@pytest.mark.parametrize("stiffness", [[[1, 0], [3, 1]], [[1, 2], [0, 1]], [[4, 0], [0, 1]], [[0, 0], [0, 0]]])
+@pytest.mark.parametrize(
+    "stiffness", [[[1, 0], [3, 1]], [[1, 2], [0, 1]], [[4, 0], [0, 1]], [[0, 0], [0, 0]]]
+)
 def test_a_mechanical_system_is_that_of_its_states(stiffness):
     system = Mechanical(BODIES.M, BODIES.D * 0, stiffness, BODIES.L, BODIES.H1)
     A, B, H = in_states(system)
     for pair, rows in ((seen(system), kalman(A, H)), (reached(system), kalman(A.T, B.T))):
         (unseen,) = pair.unseen
-        vectors = sp.Matrix(len(unseen), 4, [sp.Rational(int(v.numerator), int(v.denominator)) for row in unseen
-                                             for v in row])
+        vectors = sp.Matrix(
+            len(unseen),
+            4,
+            [sp.Rational(int(v.numerator), int(v.denominator)) for row in unseen for v in row],
+        )
         assert (rows * vectors.T).is_zero_matrix and len(unseen) == 4 - rows.rank()
 
 
@@ -64,7 +80,10 @@ def test_rows_that_change_and_measurements_of_constants():
 def test_deviations_are_constant_or_refused():
     turning = Deviations([y, -k * sp.sin(x)], [x, y], {x: sp.pi, y: 0})
     assert matrix_of(turning, [k]) == sp.Matrix([[0, 1], [k, 0]])
-    for system, parameters in ((turning, ()), (Deviations([y, sp.sin(x)], [x, y], {x: t, y: 1}), [k])):
+    for system, parameters in (
+        (turning, ()),
+        (Deviations([y, sp.sin(x)], [x, y], {x: t, y: 1}), [k]),
+    ):
         with pytest.raises(ValueError, match="not constant"):
             matrix_of(system, parameters)
 
@@ -72,7 +91,9 @@ def test_deviations_are_constant_or_refused():
 def test_a_record_with_one_side_says_which():
     pair = sp.eye(2), [1, 0]
     assert by_control(Linear(*pair)) and by_control(Mechanical(pair[0], 0, 0, L=pair[1]))
-    assert not by_control(Linear(pair[0], H=[pair[1]])) and not by_control(Mechanical(pair[0], 0, 0, H2=[pair[1]]))
+    assert not by_control(Linear(pair[0], H=[pair[1]])) and not by_control(
+        Mechanical(pair[0], 0, 0, H2=[pair[1]])
+    )
     for unclear in (Linear(pair[0]), Linear(*pair, [pair[1]]), BODIES):
         with pytest.raises(TypeError, match="either a control or an output"):
             by_control(unclear)

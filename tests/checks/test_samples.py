@@ -1,5 +1,5 @@
-"""Every case that an answer distinguishes is met by a sample; what is found of the data is found once; halving many
-intervals at once is halving each of them."""
+"""Every case that an answer distinguishes is met by a sample; what is found of the data is found
+once; halving many intervals at once is halving each of them."""
 
 import numpy as np
 import pytest
@@ -11,18 +11,29 @@ from workbook.checks.tools.searching import bisected
 x, y = sp.symbols("x y", real=True)
 
 
-@pytest.mark.parametrize("added", [
-    sp.Piecewise((0, x < 50), (1, True)), sp.Piecewise((0, sp.Or(x < 70, x > 71)), (1, True)), sp.Max(x - 50, 0),
-    sp.Abs(x + 60) - x - 60, 1 - sp.sign(60 - x), sp.Heaviside(-x - 80), sp.Piecewise((0, sp.Ne(x, 7)), (1, True)),
-    sp.Min(x*y, 90) - x*y, sp.Piecewise((0, sp.Abs(x) < 50), (1, True)),
-    sp.Piecewise((0, sp.exp(y) < 10**9), (1, True)), sp.Piecewise((0, sp.sqrt(sp.Abs(x*y)) < 1000), (1, True)),
-], ids=str)
+@pytest.mark.parametrize(
+    "added",
+    [
+        sp.Piecewise((0, x < 50), (1, True)),
+        sp.Piecewise((0, sp.Or(x < 70, x > 71)), (1, True)),
+        sp.Max(x - 50, 0),
+        sp.Abs(x + 60) - x - 60,
+        1 - sp.sign(60 - x),
+        sp.Heaviside(-x - 80),
+        sp.Piecewise((0, sp.Ne(x, 7)), (1, True)),
+        sp.Min(x * y, 90) - x * y,
+        sp.Piecewise((0, sp.Abs(x) < 50), (1, True)),
+        sp.Piecewise((0, sp.exp(y) < 10**9), (1, True)),
+        sp.Piecewise((0, sp.sqrt(sp.Abs(x * y)) < 1000), (1, True)),
+    ],
+    ids=str,
+)
 def test_every_case_of_an_answer_is_met(added):
     samples = sample_values([x, y])
     assert all(added.subs(values) == 0 for values in samples)
-    more = in_every_case(samples, [sp.Matrix([x*y + added])])
+    more = in_every_case(samples, [sp.Matrix([x * y + added])])
     assert {bool(added.subs(values) == 0) for values in more} == {True, False}
-    assert in_every_case(samples, x*y) == samples
+    assert in_every_case(samples, x * y) == samples
     assert in_every_case(samples, x + added, sp.And(abs(x) <= 3, abs(y) <= 3)) == samples
 
 
@@ -38,16 +49,24 @@ def test_places_are_looked_for_once():
     place[x] = 0.5  # who takes a place may change it
     assert places([x, y], {x: sp.Interval(0, 3)}) == [{x: 1.0, y: 1.0}] and len(asked) == 1
     assert places([x, y], {x: sp.Interval(0, 4)}) == [{x: 1.0, y: 1.0}] and len(asked) == 2
-    assert places([x, y], far=True) == [{x: 2.0, y: 2.0}] and places([x]) == [{x: 1.0}] and len(asked) == 4
+    assert (
+        places([x, y], far=True) == [{x: 2.0, y: 2.0}]
+        and places([x]) == [{x: 1.0}]
+        and len(asked) == 4
+    )
 
 
 @pytest.mark.parametrize("as_matrix", [sp.Matrix, sp.ImmutableMatrix, list])
-@pytest.mark.parametrize("limit", [sp.Piecewise((0, sp.Eq(x, 7)), (x, True)),
-                                   sp.Piecewise((x, sp.Ne(x - 7, 0)), (0, True))], ids=str)
+@pytest.mark.parametrize(
+    "limit",
+    [sp.Piecewise((0, sp.Eq(x, 7)), (x, True)), sp.Piecewise((x, sp.Ne(x - 7, 0)), (0, True))],
+    ids=str,
+)
 def test_a_limit_in_one_entry_obliges_no_other(limit, as_matrix):
     samples = sample_values([x, y])
     assert in_every_case(samples, as_matrix([limit, y / (x - 7)])) == samples
-    for others in ([y], [limit / (x - 7)]):  # a value everywhere; left out in the case that is for it
+    # a value everywhere; left out in the case that is for it
+    for others in ([y], [limit / (x - 7)]):
         assert in_every_case(samples, as_matrix([limit, *others]))[len(samples)][x] == 7
 
 
@@ -56,7 +75,11 @@ def test_a_limit_in_one_entry_obliges_no_other(limit, as_matrix):
 def test_halving_several_times_in_one_call_is_halving(rows, turns):
     """Bit for bit, also where what is sought changes more than once."""
     chance = np.random.default_rng(rows)
-    first, last, phase = chance.uniform(0, 1, rows), chance.uniform(2, 9, rows), chance.uniform(0, 6, rows)
+    first, last, phase = (
+        chance.uniform(0, 1, rows),
+        chance.uniform(2, 9, rows),
+        chance.uniform(0, 6, rows),
+    )
 
     def like_first(places, which):
         return np.sin(3 * places + phase[which]) * np.sin(3 * first[which] + phase[which]) > 0

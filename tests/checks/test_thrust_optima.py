@@ -1,4 +1,5 @@
-"""The fastest transfers under a thrust of free direction, against what a search and a separating plane say."""
+"""The fastest transfers under a thrust of free direction, against what a search and a separating
+plane say."""
 
 import numpy as np
 import pytest
@@ -14,8 +15,12 @@ RANDOM = np.random.default_rng(2).integers(-300, 300, (12, 4)).tolist()
 
 
 def thrust(start, terminal, pull=0, size=1):
-    return Problem({x: v, y: w, v: size * sp.cos(u), w: size * sp.sin(u) - pull}, {u: None},
-                   dict(zip((x, y, v, w), map(sp.Rational, start))), terminal)
+    return Problem(
+        {x: v, y: w, v: size * sp.cos(u), w: size * sp.sin(u) - pull},
+        {u: None},
+        dict(zip((x, y, v, w), map(sp.Rational, start))),
+        terminal,
+    )
 
 
 def only(problem):
@@ -31,7 +36,7 @@ def test_to_a_place(start):
     times = best.duration * np.linspace(1e-3, 1, 2000)
     px, py, vx, vy = map(float, start)
     off = np.hypot(px + vx * times - 1, py + vy * times - times**2 / 6) - times**2
-    assert abs(off[-1]) < 1e-12 * (1 + times[-1]**2) and (off[:-1] > 0).all()
+    assert abs(off[-1]) < 1e-12 * (1 + times[-1] ** 2) and (off[:-1] > 0).all()
     np.testing.assert_allclose(best.states[:2, -1], [1, 0], atol=1e-10)
 
 
@@ -47,14 +52,22 @@ def test_to_rest(start):
     still = np.array([z[0] + T * z[2], z[1] + T * z[3], z[2], z[3]])
 
     def room(p):
-        return (p @ still + np.hypot(p[2] + p[0] * s, p[3] + p[1] * s) @ weights * T / 2) / np.linalg.norm(p)
+        return (
+            p @ still + np.hypot(p[2] + p[0] * s, p[3] + p[1] * s) @ weights * T / 2
+        ) / np.linalg.norm(p)
 
     assert min(minimize(room, p).fun for p in [-still, *np.eye(4), *-np.eye(4)]) < 0
 
 
-@pytest.mark.parametrize("start, time", [((3, 4, 0, 0), 2 * np.sqrt(5)), ((0, 0, 1, 0), 1 + np.sqrt(2)),
-                                         ((2, -1, -1, "1/2"), np.sqrt(2.5 + 4 * np.sqrt(5)) - np.sqrt(1.25)),
-                                         (("1/4", 0, -2, 0), 2 + np.sqrt(7))])
+@pytest.mark.parametrize(
+    "start, time",
+    [
+        ((3, 4, 0, 0), 2 * np.sqrt(5)),
+        ((0, 0, 1, 0), 1 + np.sqrt(2)),
+        ((2, -1, -1, "1/2"), np.sqrt(2.5 + 4 * np.sqrt(5)) - np.sqrt(1.25)),
+        (("1/4", 0, -2, 0), 2 + np.sqrt(7)),
+    ],
+)
 def test_along_a_line(start, time):
     best = only(thrust(start, [x, y, v, w]))
     assert best.duration == pytest.approx(time, rel=1e-14)

@@ -1,11 +1,19 @@
-"""Three significant digits mean the same in every check, and no number hides behind a larger one."""
+"""Three significant digits mean the same in every check, and no number hides behind a larger
+one."""
 
 import numpy as np
 import pytest
 import sympy as sp
 
 from workbook import checks
-from workbook.checks.contract.tolerance import EXACT, MOST_FOLLOWED, in_decimals, rounds_to, same, share
+from workbook.checks.contract.tolerance import (
+    EXACT,
+    MOST_FOLLOWED,
+    in_decimals,
+    rounds_to,
+    same,
+    share,
+)
 from workbook.checks.tools.values import uncertain_at
 from workbook.systems import Linear
 
@@ -13,20 +21,40 @@ k = sp.Symbol("k", positive=True)
 x, v, r, t = sp.symbols("x v r t", real=True)
 
 
-@pytest.mark.parametrize("answer, value, right", [
-    (0.385, 0.3849, True), (0.38, 0.3849, False), (3.49e-6, 3.4873e-6, True), (3.5e-6, 3.4873e-6, False),
-    (-0.385, 0.3849, False), (1.0, 1, True), (0, 0, True), (1e-9, 0, False), (123456, 123111, True),
-    (124000, 123111, False), (9.95, 9.99, False), (9.985, 9.99, True), (float("nan"), 1, False),
-])
+@pytest.mark.parametrize(
+    "answer, value, right",
+    [
+        (0.385, 0.3849, True),
+        (0.38, 0.3849, False),
+        (3.49e-6, 3.4873e-6, True),
+        (3.5e-6, 3.4873e-6, False),
+        (-0.385, 0.3849, False),
+        (1.0, 1, True),
+        (0, 0, True),
+        (1e-9, 0, False),
+        (123456, 123111, True),
+        (124000, 123111, False),
+        (9.95, 9.99, False),
+        (9.985, 9.99, True),
+        (float("nan"), 1, False),
+    ],
+)
 def test_three_significant_digits(answer, value, right):
     assert rounds_to(answer, value) is right
     assert same(answer, value, sp.Float(answer)) is right or value == 0 == answer
 
 
-@pytest.mark.parametrize("written, decimals", [
-    (sp.Float(0.5), True), ([k, 2.5 * k], True), (sp.Matrix([[1, 0.0]]), False), ([sp.Rational(1, 2), k], False),
-    (x > 2.5, True), (sp.true, False),
-])
+@pytest.mark.parametrize(
+    "written, decimals",
+    [
+        (sp.Float(0.5), True),
+        ([k, 2.5 * k], True),
+        (sp.Matrix([[1, 0.0]]), False),
+        ([sp.Rational(1, 2), k], False),
+        (x > 2.5, True),
+        (sp.true, False),
+    ],
+)
 def test_what_counts_as_decimals(written, decimals):
     assert in_decimals(written) is decimals
     assert (share(written) > EXACT) is decimals
@@ -43,7 +71,8 @@ def test_a_complex_number_has_the_digits_of_its_modulus():
 
 
 def test_rounded_coefficients_of_an_expression_cost_their_share():
-    # 1.11 k is 1.1149 k to three digits; at k = 8.9 the values, 9.879 and 9.923, differ by more than half a unit.
+    # 1.11 k is 1.1149 k to three digits; at k = 8.9 the values, 9.879 and 9.923, differ by more
+    # than half a unit.
     assert same(1.11 * 8.9, 1.1149 * 8.9, 1.11 * k)
     assert not same(9.879, 9.923, sp.Float(9.879))
 
@@ -54,7 +83,9 @@ def test_the_decimals_of_an_expression_leave_open_what_they_make_of_it():
     assert same(0.667 - 0.66, 0.0067, 0.667 - k, uncertain=uncertain_at(0.667 - k, {k: 0.66}))
     assert uncertain_at(x**0.5 + sp.Rational(1, 3) * x, {x: 4}) == 0  # nothing is rounded
     assert np.isnan(uncertain_at(sp.Float(0.33), {}))  # a number has digits of its own
-    assert np.isnan(uncertain_at(sum(sp.Float(n + 0.5) * x**n for n in range(MOST_FOLLOWED + 1)), {x: 1}))
+    assert np.isnan(
+        uncertain_at(sum(sp.Float(n + 0.5) * x**n for n in range(MOST_FOLLOWED + 1)), {x: 1})
+    )
 
 
 # The same numbers in checks of all kinds: 9.985 is 9.99 within half a unit, 9.95 is not.
@@ -64,10 +95,14 @@ NUMBERS = [
     lambda number: checks.lost_eigenvalues([number], Linear(A, H=H)),
     lambda number: checks.controllability_matrix([[1, number], [1, 1.0]], Linear(A, [1, 1])),
     lambda number: checks.stationary_value(number, x, [v, sp.Rational(999, 100) - x], [x, v], []),
-    lambda number: checks.stationary_linearisation([[0, 1], [-number, 0]], [v, -sp.Rational(999, 100) * x], [x, v], []),
+    lambda number: checks.stationary_linearisation(
+        [[0, 1], [-number, 0]], [v, -sp.Rational(999, 100) * x], [x, v], []
+    ),
     lambda number: checks.equilibria([[number]], [sp.Rational(999, 100) - x], [x]),
     lambda number: checks.rest_values([number], [v, sp.Rational(999, 100) - x], [x, v]),
-    lambda number: checks.canonical_coordinate([number, 0], Linear([[0, 1], [0, 0]], [0, sp.Rational(100, 999)])),
+    lambda number: checks.canonical_coordinate(
+        [number, 0], Linear([[0, 1], [0, 0]], [0, sp.Rational(100, 999)])
+    ),
 ]
 
 
@@ -77,10 +112,17 @@ def test_every_check_counts_the_same_digits(judge, number, status):
     assert judge(number).status == status, judge(number).message
 
 
-@pytest.mark.parametrize("judge", [
-    lambda one: checks.controllability_matrix([[one, one], [100.0, 200.0]], Linear(sp.diag(1, 2), [1, 100])),
-    lambda one: checks.canonical_coordinate([one, 100.0], Linear([[0, 1], [0, 0]], [-100, 1])),
-    lambda one: checks.canonical_change([[one, 100.0], [-2, -100]], Linear(sp.diag(1, 2), H=[[1, 100]])),
-])
+@pytest.mark.parametrize(
+    "judge",
+    [
+        lambda one: checks.controllability_matrix(
+            [[one, one], [100.0, 200.0]], Linear(sp.diag(1, 2), [1, 100])
+        ),
+        lambda one: checks.canonical_coordinate([one, 100.0], Linear([[0, 1], [0, 0]], [-100, 1])),
+        lambda one: checks.canonical_change(
+            [[one, 100.0], [-2, -100]], Linear(sp.diag(1, 2), H=[[1, 100]])
+        ),
+    ],
+)
 def test_no_entry_hides_behind_a_larger_one_of_its_row(judge):
     assert [judge(one).status for one in (1.0, 1.004, 1.4)] == ["right", "right", "wrong"]

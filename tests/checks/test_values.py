@@ -1,4 +1,5 @@
-"""Values are put in all at once where that gives a number, and one after the other where the order decides."""
+"""Values are put in all at once where that gives a number, and one after the other where the order
+decides."""
 
 import pytest
 import sympy as sp
@@ -10,18 +11,22 @@ from workbook.checks.tools.values import number_at, real_at
 x, y = sp.symbols("x y")
 ANGLE = sp.Symbol("psi", positive=True)
 CASES = {
-    "a factor that vanishes beside an infinite one": (x/(y - 1), {x: 0, y: 1}, 0),
-    "a later case has no value": (sp.Piecewise((2, x > 0), (1, sp.sqrt(x - 5) > 0), evaluate=False), {x: 1}, 2),
-    "a symbol that is bound": (sp.Integral(x*y, (x, 0, 1)), {x: 3, y: 2}, 1),
+    "a factor that vanishes beside an infinite one": (x / (y - 1), {x: 0, y: 1}, 0),
+    "a later case has no value": (
+        sp.Piecewise((2, x > 0), (1, sp.sqrt(x - 5) > 0), evaluate=False),
+        {x: 1},
+        2,
+    ),
+    "a symbol that is bound": (sp.Integral(x * y, (x, 0, 1)), {x: 3, y: 2}, 1),
     "a sum": (sp.Sum(x**y, (y, 0, 3)), {x: 2, y: 7}, 15),
-    "a sum of nothing": (1 + sp.Sum(x*y, (y, 1, x)), {x: 0}, 1),
+    "a sum of nothing": (1 + sp.Sum(x * y, (y, 1, x)), {x: 0}, 1),
     "a geometric series": (sp.Sum(x**y, (y, 0, sp.oo)), {x: sp.Rational(9, 10)}, 10),
-    "a slow series": (sp.Sum(y**-2, (y, 1, sp.oo)), {}, float(sp.pi**2/6)),
-    "floats": (sp.exp(-x)*sp.cos(y), {x: 0.5, y: -2.0}, float(sp.exp(-0.5)*sp.cos(2))),
+    "a slow series": (sp.Sum(y**-2, (y, 1, sp.oo)), {}, float(sp.pi**2 / 6)),
+    "floats": (sp.exp(-x) * sp.cos(y), {x: 0.5, y: -2.0}, float(sp.exp(-0.5) * sp.cos(2))),
     "the least, one of which is the greatest": (sp.Min(sp.Max(x, sp.sin(x), 1), 5), {x: 7}, 5),
-    "the greatest of two like ones": (sp.Max(sp.sqrt(x)**2, x), {x: 2}, 2),
-    "a root of a negative number": (sp.sqrt(x*y), {x: -2, y: 8}, 4j),
-    "a symbol of which more is assumed": (sp.sqrt(ANGLE**2*x), {ANGLE: 3, x: 4}, 6),
+    "the greatest of two like ones": (sp.Max(sp.sqrt(x) ** 2, x), {x: 2}, 2),
+    "a root of a negative number": (sp.sqrt(x * y), {x: -2, y: 8}, 4j),
+    "a symbol of which more is assumed": (sp.sqrt(ANGLE**2 * x), {ANGLE: 3, x: 4}, 6),
 }
 
 
@@ -33,7 +38,7 @@ def test_the_number_is_that_of_one_after_the_other(claim, places, number):
 
 def test_what_has_no_value_has_none():
     with pytest.raises(Wrong, match="undefined|infinite"):
-        number_at(1/(x - y), {x: 2, y: 2})
+        number_at(1 / (x - y), {x: 2, y: 2})
     assert real_at(sp.Piecewise((1, sp.sqrt(x) > 0)), {x: -1}) is None
 
 
@@ -43,7 +48,7 @@ def test_a_sum_that_cannot_be_written_out_is_refused(limits):
         number_at(sp.Sum(sp.sin(y**2), (y, *limits)), {})
 
 
-@pytest.mark.parametrize("term", [1/y, (-2)**y, 1 + 0*y, y])
+@pytest.mark.parametrize("term", [1 / y, (-2) ** y, 1 + 0 * y, y])
 def test_a_series_that_does_not_converge_has_no_sum(term):
     with pytest.raises(Invalid, match="converge"):
         number_at(sp.Sum(term, (y, 1, sp.oo)), {})
@@ -51,7 +56,7 @@ def test_a_series_that_does_not_converge_has_no_sum(term):
 
 def test_a_plain_expression_is_not_asked_for_one_after_the_other(monkeypatch):
     monkeypatch.setattr(sp.Basic, "subs", None)
-    assert values.number_at(x**2 + y/3, {x: sp.Rational(1, 2), y: 3}) == 1.25
+    assert values.number_at(x**2 + y / 3, {x: sp.Rational(1, 2), y: 3}) == 1.25
 
 
 def test_the_greatest_of_no_numbers_is_none():

@@ -17,12 +17,20 @@ ROOT = Path(__file__).resolve().parents[2]
 
 def workbook(*arguments, cwd=ROOT):
     environment = os.environ | {"COLUMNS": "200", "NO_COLOR": "1", "TERM": "dumb"}
-    return subprocess.run([sys.executable, "-m", "workbook.cli", *map(str, arguments)], cwd=cwd, env=environment,
-                          capture_output=True, text=True, timeout=120)
+    return subprocess.run(
+        [sys.executable, "-m", "workbook.cli", *map(str, arguments)],
+        cwd=cwd,
+        env=environment,
+        capture_output=True,
+        text=True,
+        timeout=120,
+    )
 
 
-@pytest.mark.parametrize("arguments", [["--help"], ["problems", "--help"], ["solve", "-h"], ["check", "-h"],
-                                       ["exercises", "-h"]])
+@pytest.mark.parametrize(
+    "arguments",
+    [["--help"], ["problems", "--help"], ["solve", "-h"], ["check", "-h"], ["exercises", "-h"]],
+)
 def test_help(arguments):
     done = workbook(*arguments)
     assert done.returncode == 0 and "Usage" in done.stdout
@@ -40,20 +48,27 @@ def test_solve():
     done = workbook("solve", "1.15", "--json")
     assert done.returncode == 0, done.stderr
     solved = json.loads(done.stdout)
-    assert solved["number"] == "1.15" and set(solved["answers"]["a_region"]) == {"type", "text", "encoded"}
+    assert solved["number"] == "1.15" and set(solved["answers"]["a_region"]) == {
+        "type",
+        "text",
+        "encoded",
+    }
     assert {v["verdict"] for v in solved["verdicts"].values()} == {"right"}
     assert "k1" in workbook("solve", "1.15").stdout
 
 
 def worked(tmp_path, answered):
-    """A student's notebook of 1.15 in which the named items are answered as in the worked solution."""
+    """A student's notebook of 1.15 in which the named items are answered as in the worked
+    solution."""
     exercise = exercises.find("1.15")
     notebook = json.loads(exercise.path.read_text(encoding="utf-8"))
     sources = read(ROOT / "solutions" / "ch1" / "p15.md").code("answer")
     stubs = [cell for cell in notebook["cells"] if cell["metadata"].get("tags") == ["answer"]]
     for k, cell in enumerate(stubs):
         if "abcde"[k] in answered:
-            first = "from trajlib.stability import hurwitz_minors\nfrom workbook.display import show\n"
+            first = (
+                "from trajlib.stability import hurwitz_minors\nfrom workbook.display import show\n"
+            )
             cell["source"] = (first if k else "") + sources[k]
     path = tmp_path / "mine.ipynb"
     path.write_text(json.dumps(notebook), encoding="utf-8")
@@ -66,32 +81,53 @@ def test_check(tmp_path):
     done = workbook("check", worked(tmp_path, "bd"))
     assert done.returncode == 1 and "2 of 5 right" in done.stdout
     verdicts = json.loads(workbook("check", worked(tmp_path, "bd"), "--json").stdout)["verdicts"]
-    assert [v["verdict"] for v in verdicts.values()] == ["missing", "right", "missing", "right", "missing"]
+    assert [v["verdict"] for v in verdicts.values()] == [
+        "missing",
+        "right",
+        "missing",
+        "right",
+        "missing",
+    ]
 
 
 def test_check_finds_answers_wherever_they_are_and_survives_a_failing_cell(tmp_path):
     path = worked(tmp_path, "")
     notebook = json.loads(path.read_text())
-    notebook["cells"] = [cell for cell in notebook["cells"] if cell["metadata"].get("tags") != ["check"]]
-    extra = ["%matplotlib inline\n1/0",
-             "b_region = sp.And(k2 > 0, k1 > k2)\nimport sys; print('noise', file=sys.stderr)",
-             "a_region = lambda k: True"]
-    notebook["cells"] += [{"cell_type": "code", "metadata": {}, "outputs": [], "execution_count": None, "source": s}
-                          for s in extra]
+    notebook["cells"] = [
+        cell for cell in notebook["cells"] if cell["metadata"].get("tags") != ["check"]
+    ]
+    extra = [
+        "%matplotlib inline\n1/0",
+        "b_region = sp.And(k2 > 0, k1 > k2)\nimport sys; print('noise', file=sys.stderr)",
+        "a_region = lambda k: True",
+    ]
+    notebook["cells"] += [
+        {"cell_type": "code", "metadata": {}, "outputs": [], "execution_count": None, "source": s}
+        for s in extra
+    ]
     path.write_text(json.dumps(notebook))
     found = json.loads(workbook("check", path, "--json").stdout)
-    assert found["verdicts"]["b_region"]["verdict"] == "right" and found["verdicts"]["a_region"]["verdict"] == "invalid"
+    assert (
+        found["verdicts"]["b_region"]["verdict"] == "right"
+        and found["verdicts"]["a_region"]["verdict"] == "invalid"
+    )
     assert len(found["errors"]) == 1 and "ZeroDivisionError" in found["errors"][0]
 
 
-@pytest.mark.parametrize("arguments, said", [
-    (["solve", "9.99"], "no problem 9.99"),
-    (["solve", "fifteen"], "no problem fifteen"),
-    (["check", "nowhere.ipynb"], "nowhere.ipynb is not a readable notebook: No such file or directory\n"),
-    (["check", "9.99"], "no problem 9.99"),
-    (["check", "book"], "book is not a readable notebook: Is a directory\n"),
-    (["check", "README.md"], "README.md is not a readable notebook"),
-])
+@pytest.mark.parametrize(
+    "arguments, said",
+    [
+        (["solve", "9.99"], "no problem 9.99"),
+        (["solve", "fifteen"], "no problem fifteen"),
+        (
+            ["check", "nowhere.ipynb"],
+            "nowhere.ipynb is not a readable notebook: No such file or directory\n",
+        ),
+        (["check", "9.99"], "no problem 9.99"),
+        (["check", "book"], "book is not a readable notebook: Is a directory\n"),
+        (["check", "README.md"], "README.md is not a readable notebook"),
+    ],
+)
 def test_bad_input_ends_in_one_line_and_code_2(arguments, said):
     done = workbook(*arguments)
     assert done.returncode == 2 and said in done.stderr
@@ -101,8 +137,15 @@ def test_bad_input_ends_in_one_line_and_code_2(arguments, said):
 def test_check_stops_an_endless_notebook(tmp_path):
     path = worked(tmp_path, "")
     notebook = json.loads(path.read_text())
-    notebook["cells"].append({"cell_type": "code", "metadata": {}, "outputs": [], "execution_count": None,
-                              "source": "while True: pass"})
+    notebook["cells"].append(
+        {
+            "cell_type": "code",
+            "metadata": {},
+            "outputs": [],
+            "execution_count": None,
+            "source": "while True: pass",
+        }
+    )
     path.write_text(json.dumps(notebook))
     done = workbook("check", path, "--timeout", "8")
     assert done.returncode == 2 and "still running after 8 s" in done.stderr
@@ -114,19 +157,35 @@ def test_exercises_are_written_anew(tmp_path):
 
 
 def test_importing_trajlib_loads_nothing_heavy():
-    code = ("import sys, trajlib; print([m for m in ('numpy', 'scipy', 'sympy', 'casadi', 'control', 'matplotlib') if "
-            "m in sys.modules])")
-    assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True,
-                          timeout=120).stdout.strip() == "[]"
+    code = (
+        "import sys, trajlib; print([m for m in ('numpy', 'scipy', 'sympy', 'casadi', 'control', "
+        "'matplotlib') if "
+        "m in sys.modules])"
+    )
+    assert (
+        subprocess.run(
+            [sys.executable, "-c", code], capture_output=True, text=True, timeout=120
+        ).stdout.strip()
+        == "[]"
+    )
 
 
 def test_notebooks_to_work_on(tmp_path):
-    """Also from a wheel, which holds them; a second call leaves what a student has written alone."""
+    """Also from a wheel, which holds them; a second call leaves what a student has written
+    alone."""
     done = workbook("exercises", "1.15", "2.5", "--to", "mine", cwd=tmp_path)
-    assert done.returncode == 0 and done.stdout.split() == ["mine/ch1/p15.ipynb", "mine/ch2/p05.ipynb"], done.stderr
-    assert (tmp_path / "mine/ch1/p15.ipynb").read_bytes() == exercises.find("1.15").path.read_bytes()
+    assert done.returncode == 0 and done.stdout.split() == [
+        "mine/ch1/p15.ipynb",
+        "mine/ch2/p05.ipynb",
+    ], done.stderr
+    assert (tmp_path / "mine/ch1/p15.ipynb").read_bytes() == exercises.find(
+        "1.15"
+    ).path.read_bytes()
     (tmp_path / "mine/ch1/p15.ipynb").write_text("my work")
-    assert "mine/ch2/p05.ipynb" not in workbook("exercises", "1.15", "2.5", "--to", "mine", cwd=tmp_path).stdout
+    assert (
+        "mine/ch2/p05.ipynb"
+        not in workbook("exercises", "1.15", "2.5", "--to", "mine", cwd=tmp_path).stdout
+    )
     assert (tmp_path / "mine/ch1/p15.ipynb").read_text() == "my work"
 
 

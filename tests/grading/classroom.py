@@ -1,4 +1,5 @@
-"""A small class for the tests: assignments, graded attempts without running anything, and notebooks to submit."""
+"""A small class for the tests: assignments, graded attempts without running anything, and notebooks
+to submit."""
 
 import hashlib
 import json
@@ -9,9 +10,13 @@ from workbook.grading import assignment as assignments
 from workbook.notebooks import exercises
 
 #: Right answers of problem 1.15, each in one line (the import is in the notebook's own data cell).
-RIGHT_1_15 = {"a_region": "(k1 > 0) & (k1*k2 > 1)", "b_region": "(k2 > 0) & (k1 > k2)",
-              "c_region": "(k1 > 0) & (k2 > 0) & (k1*k2 < 1)",
-              "d_region": "(k1 > 0) & (k2 > k1)", "e_region": "(k1 > 0) & (k2 > k1)"}
+RIGHT_1_15 = {
+    "a_region": "(k1 > 0) & (k1*k2 > 1)",
+    "b_region": "(k2 > 0) & (k1 > k2)",
+    "c_region": "(k1 > 0) & (k2 > 0) & (k1*k2 < 1)",
+    "d_region": "(k1 > 0) & (k2 > k1)",
+    "e_region": "(k1 > 0) & (k2 > k1)",
+}
 
 
 def write_assignment(folder, text, name="hw1"):
@@ -26,18 +31,33 @@ def an_assignment(folder, text, name="hw1"):
     return assignments.read(write_assignment(folder, text, name))
 
 
-def graded(store, student, problem, statuses, submitted=0.0, assignment="hw1", exercise="first", content=None,
-           texts=None):
-    """Record an attempt with its result; `statuses` maps answers to right, wrong, ...; returns its id."""
-    attempt = store.note_attempt(student, assignment, problem, content or f"{student}-{problem}-{submitted}", submitted)
+def graded(
+    store,
+    student,
+    problem,
+    statuses,
+    submitted=0.0,
+    assignment="hw1",
+    exercise="first",
+    content=None,
+    texts=None,
+):
+    """Record an attempt with its result; `statuses` maps answers to right, wrong, ...; returns its
+    id."""
+    attempt = store.note_attempt(
+        student, assignment, problem, content or f"{student}-{problem}-{submitted}", submitted
+    )
     verdicts = {name: Verdict(status, f"{name} is {status}") for name, status in statuses.items()}
-    hashes = {name: hashlib.sha256(text.encode()).hexdigest() for name, text in (texts or {}).items()}
+    hashes = {
+        name: hashlib.sha256(text.encode()).hexdigest() for name, text in (texts or {}).items()
+    }
     store.record(attempt, exercise, verdicts, texts or {}, [], hashes)
     return attempt
 
 
 def notebook(problem, answers):
-    """A student's notebook: the exercise as handed out, with the stubs of `answers` replaced by code."""
+    """A student's notebook: the exercise as handed out, with the stubs of `answers` replaced by
+    code."""
     pristine = json.loads(exercises.find(problem).path.read_text(encoding="utf-8"))
     for cell in pristine["cells"]:
         if cell["metadata"].get("tags") == ["answer"]:
@@ -52,9 +72,12 @@ def _answered(line, answers):
 
 
 def hand_in(folder, student, problem, answers, assignment="hw1", at=None, name=None):
-    """Put a notebook where students' work is collected: submitted/<student>/<assignment>/; returns its path."""
+    """Put a notebook where students' work is collected: submitted/<student>/<assignment>/; returns
+    its path."""
     chapter, number = problem.split(".")
-    path = folder / "submitted" / student / assignment / (name or f"ch{chapter}-p{number:0>2}.ipynb")
+    path = (
+        folder / "submitted" / student / assignment / (name or f"ch{chapter}-p{number:0>2}.ipynb")
+    )
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(json.dumps(notebook(problem, answers)), encoding="utf-8")
     if at is not None:

@@ -10,18 +10,29 @@ from contextlib import contextmanager
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent))
-from guide import steps  # noqa: E402
-from test_nothing_lost import descendants, outliving  # noqa: E402
+from guide import steps
+from test_nothing_lost import descendants, outliving
 
 GUIDE = Path(__file__).resolve().parents[2] / "book" / "guides" / "grading.md"
 #: (command, what it prints) of the guide's section.
-COMMANDS = [(command, shown) for section, command, shown in steps(GUIDE.read_text(encoding="utf-8"))
-            if section == "Larger than one machine"]
-CERTIFICATES = "--tls-ca-file ca.pem --tls-cert grader.pem --tls-key grader-key.pem".split()
+COMMANDS = [
+    (command, shown)
+    for section, command, shown in steps(GUIDE.read_text(encoding="utf-8"))
+    if section == "Larger than one machine"
+]
+CERTIFICATES = [
+    "--tls-ca-file",
+    "ca.pem",
+    "--tls-cert",
+    "grader.pem",
+    "--tls-key",
+    "grader-key.pem",
+]
 
 
 class LocalCluster:
-    """A scheduler, and workers that come and go. The folder `here` holds its certificates, if it has any."""
+    """A scheduler, and workers that come and go. The folder `here` holds its certificates, if it
+    has any."""
 
     def __init__(self, here, scheme="tls"):
         self.here, self.scheme, self._processes = here, scheme, []
@@ -39,22 +50,37 @@ class LocalCluster:
         """Start what does not end; returns the process."""
         log = open(self.here / f"log-{len(self._processes)}.txt", "wb")
         path = f"{Path(sys.executable).parent}:{os.environ['PATH']}"
-        process = subprocess.Popen([shutil.which("bash"), "-c", f"exec {self.as_here(command)}"], cwd=self.here,
-                                   stdout=log, stderr=log,
-                                   env=os.environ | {"PATH": path} | environment, start_new_session=True)
+        process = subprocess.Popen(
+            [shutil.which("bash"), "-c", f"exec {self.as_here(command)}"],
+            cwd=self.here,
+            stdout=log,
+            stderr=log,
+            env=os.environ | {"PATH": path} | environment,
+            start_new_session=True,
+        )
         log.close()
         self._processes.append(process)
         return process
 
     def add_worker(self, options="--nworkers 1 --nthreads 1", log=None, **environment):
-        known = "" if self.scheme == "tcp" else "--tls-ca-file ca.pem --tls-cert worker.pem --tls-key worker-key.pem"
-        return self.wait_for(self.start(f"dask worker {self.address} {options} --no-dashboard {known}", **environment))
+        known = (
+            ""
+            if self.scheme == "tcp"
+            else "--tls-ca-file ca.pem --tls-cert worker.pem --tls-key worker-key.pem"
+        )
+        return self.wait_for(
+            self.start(
+                f"dask worker {self.address} {options} --no-dashboard {known}", **environment
+            )
+        )
 
     def wait_for(self, worker, number=1):
         """The process, when its workers have found the scheduler."""
         log, give_up = self.here / f"log-{self._processes.index(worker)}.txt", time.monotonic() + 60
         while log.read_bytes().count(b"Registered to") < number:
-            assert time.monotonic() < give_up and worker.poll() is None, log.read_text(errors="replace")
+            assert time.monotonic() < give_up and worker.poll() is None, log.read_text(
+                errors="replace"
+            )
             time.sleep(0.05)
         return worker
 
@@ -64,13 +90,19 @@ class LocalCluster:
 
     def lanes(self):
         """Processes below the workers that grade, or run notebooks."""
-        below = set().union(*(descendants(process.pid) for process in self._processes if process.poll() is None))
+        below = set().union(
+            *(descendants(process.pid) for process in self._processes if process.poll() is None)
+        )
         return {one for one in below if b"workbook" in command_of(one[0])}
 
     def workers(self):
         """Numbers of the processes that do the workers' work, below their nannies."""
-        found = [number for process in self._processes for number, _ in descendants(process.pid)
-                 if b"spawn_main" in command_of(number)]
+        found = [
+            number
+            for process in self._processes
+            for number, _ in descendants(process.pid)
+            if b"spawn_main" in command_of(number)
+        ]
         return sorted(found)
 
     def close(self):

@@ -1,4 +1,5 @@
-"""What tests about verdicts and points share: a homework as its module describes it, and a store of results."""
+"""What tests about verdicts and points share: a homework as its module describes it, and a store of
+results."""
 
 import sys
 from pathlib import Path
@@ -6,13 +7,22 @@ from pathlib import Path
 import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
-from classroom import an_assignment  # noqa: E402
+from classroom import an_assignment
 
-from workbook.grading.store import Store  # noqa: E402
+from workbook.grading.store import Store
 
 #: Their tests wait: for sandboxes, lanes, whole commands, a browser, limits of time.
-WAITING = {"test_cluster", "test_commands", "test_fairness", "test_gradescope", "test_hostile", "test_judging",
-           "test_nothing_lost", "test_pages", "test_sandbox"}
+WAITING = {
+    "test_cluster",
+    "test_commands",
+    "test_fairness",
+    "test_gradescope",
+    "test_hostile",
+    "test_judging",
+    "test_nothing_lost",
+    "test_pages",
+    "test_sandbox",
+}
 HERE = Path(__file__).parent
 
 

@@ -22,7 +22,15 @@ def steps(text):
 def like(shown, printed):
     """Whether what was printed is what the page shows; `...` stands for anything."""
     words = [" ".join(line.split()) for line in shown if line.strip()]
-    pattern = "".join(".*" if line == "..." else re.escape(line).replace(r"\.\.\.", ".*") + "\n" for line in words)
-    text = "\n".join(" ".join(line.split()) for line in printed.replace("\ufeff", "").split("\n")
-                     if line.strip()) + "\n"
+    pattern = "".join(
+        ".*" if line == "..." else re.escape(line).replace(r"\.\.\.", ".*") + "\n" for line in words
+    )
+    text = (
+        "\n".join(
+            " ".join(line.split())
+            for line in printed.replace("\ufeff", "").split("\n")
+            if line.strip()
+        )
+        + "\n"
+    )
     return re.fullmatch(pattern, text, re.DOTALL) is not None

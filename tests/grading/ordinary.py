@@ -11,15 +11,22 @@ USER = 54321
 
 
 def run(code, folder, timeout=120):
-    """Run Python `code` in `folder`, which becomes that user's home; returns the finished process."""
+    """Run Python `code` in `folder`, which becomes that user's home; returns the finished
+    process."""
     environment = {"PATH": os.environ["PATH"], "HOME": str(folder), "LANG": "C.UTF-8"}
     if os.getuid() == 0:
         os.chown(folder, USER, USER)
         for above in Path(folder).parents[:3]:  # temporary folders of tests are private
             os.chmod(above, os.stat(above).st_mode | 0o055) if above != Path("/tmp") else None
-    return subprocess.run([sys.executable, "-c", code], cwd=folder, env=environment, capture_output=True, text=True,
-                          timeout=timeout,
-                          preexec_fn=_become_ordinary if os.getuid() == 0 else None)
+    return subprocess.run(
+        [sys.executable, "-c", code],
+        cwd=folder,
+        env=environment,
+        capture_output=True,
+        text=True,
+        timeout=timeout,
+        preexec_fn=_become_ordinary if os.getuid() == 0 else None,
+    )
 
 
 def _become_ordinary():

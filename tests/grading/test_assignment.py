@@ -9,12 +9,12 @@ from pathlib import Path
 import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
-from classroom import an_assignment, write_assignment  # noqa: E402
+from classroom import an_assignment, write_assignment
 
-from workbook.grading import assignment as assignments  # noqa: E402
-from workbook.grading import handing_out, submissions  # noqa: E402
-from workbook.grading.assignment import AssignmentError  # noqa: E402
-from workbook.notebooks import exercises  # noqa: E402
+from workbook.grading import assignment as assignments
+from workbook.grading import handing_out, submissions
+from workbook.grading.assignment import AssignmentError
+from workbook.notebooks import exercises
 
 FULL = """
 title = "Homework 1: stability"
@@ -34,31 +34,44 @@ def test_everything_it_can_say(tmp_path):
     homework = an_assignment(tmp_path, FULL)
     assert (homework.name, homework.title) == ("hw1", "Homework 1: stability")
     assert homework.problems == ("1.4", "1.15") and list(homework.points) == ["1.4", "1.15"]
-    assert homework.due == datetime.datetime(2026, 10, 1, 20, 59, tzinfo=datetime.timezone.utc)
+    assert homework.due == datetime.datetime(2026, 10, 1, 20, 59, tzinfo=datetime.UTC)
     assert (homework.attempt, homework.attempts) == ("last", 3)
 
 
 def test_what_it_need_not_say(tmp_path):
     homework = an_assignment(tmp_path, 'problems = ["1.15"]')
-    assert (homework.title, homework.due, homework.attempt, homework.attempts) == ("hw1", None, "best", None)
-    assert homework.points == {"1.15": dict.fromkeys(["a_region", "b_region", "c_region", "d_region", "e_region"], 1.0)}
+    assert (homework.title, homework.due, homework.attempt, homework.attempts) == (
+        "hw1",
+        None,
+        "best",
+        None,
+    )
+    assert homework.points == {
+        "1.15": dict.fromkeys(["a_region", "b_region", "c_region", "d_region", "e_region"], 1.0)
+    }
     assert homework.points == assignments.of_problems("hw1", ["1.15"]).points
 
 
 def test_points(tmp_path):
     homework = an_assignment(tmp_path, FULL)
-    assert set(homework.points["1.15"].values()) == {2.0}, "a problem's points are shared equally by its answers"
+    assert set(homework.points["1.15"].values()) == {2.0}, (
+        "a problem's points are shared equally by its answers"
+    )
     assert homework.points["1.4"]["a_matrix"] == 2 and homework.points["1.4"]["a_stable"] == 0
     assert homework.points["1.4"]["b_rate"] == 1, "an answer that is not named is worth 1"
     assert homework.max_points == 10 + 2 + 0 + 6
 
 
 def test_points_of_a_problem_with_some_answers_named_stay_those_of_the_problem(tmp_path):
-    homework = an_assignment(tmp_path, 'problems = ["1.15"]\n[points]\n"1.15" = 10\n"1.15.a_region" = 6')
+    homework = an_assignment(
+        tmp_path, 'problems = ["1.15"]\n[points]\n"1.15" = 10\n"1.15.a_region" = 6'
+    )
     assert homework.points["1.15"]["a_region"] == 6 and homework.points["1.15"]["e_region"] == 1
     assert homework.max_points == pytest.approx(10)
-    whole = an_assignment(tmp_path, 'problems = ["1.17"]\n[points]\n"1.17" = 5\n"1.17.a_region" = 2\n"1.17.b_region" '
-                                    '= 3')
+    whole = an_assignment(
+        tmp_path,
+        'problems = ["1.17"]\n[points]\n"1.17" = 5\n"1.17.a_region" = 2\n"1.17.b_region" = 3',
+    )
     assert whole.points["1.17"] == {"a_region": 2, "b_region": 3}
 
 
@@ -71,49 +84,62 @@ def test_the_name_is_that_of_the_folder_also_from_inside_it(tmp_path, monkeypatc
 ONE = 'problems = ["1.15"]\n'
 
 
-@pytest.mark.parametrize("text, said", [
-    ("", "problems is a list"),
-    ("problems = [1.15]", "problems is a list of numbers in quotes"),
-    ('problems = "1.15"', "problems is a list of numbers in quotes"),
-    ("problems = []", "problems is a list of numbers in quotes"),
-    ('problems = ["1.15", "1.15"]', "names a problem twice"),
-    ('problems = ["9.99"]', "no problem 9.99"),
-    ('problems = ["1.04"]', "it is written 1.4"),
-    ('problems = ["../ch1/p15"]', "there is no problem"),
-    (ONE + "titel = 'x'", "unknown field titel; there are attempt, attempts, due, points, problems, title"),
-    (ONE + "title = 3", "title is one line of text"),
-    (ONE + 'title = " "', "title is one line of text"),
-    (ONE + 'title = "two\\nlines"', "title is one line of text"),
-    (ONE + 'due = "tomorrow"', "due is a date with time and zone"),
-    (ONE + "due = 2026-10-01", "due is a date with time and zone"),
-    (ONE + "due = 2026-10-01T23:59:00", "due is a date with time and zone"),
-    (ONE + "due = 0001-01-01T00:00:00+03:00", "due is a date of our time"),
-    (ONE + 'attempt = "first"', 'attempt is "best" or "last"'),
-    (ONE + "attempt = [1]", 'attempt is "best" or "last"'),
-    (ONE + "attempts = 0", "attempts is a whole number from 1 up"),
-    (ONE + "attempts = true", "attempts is a whole number from 1 up"),
-    (ONE + "attempts = 1.5", "attempts is a whole number from 1 up"),
-    (ONE + "points = 5", "points is a table"),
-    (ONE + "[points]\n1.15 = 10", 'in points a problem stands in quotes'),
-    (ONE + '[points]\n"1.15" = -1', 'points."1.15" is a number from 0 up'),
-    (ONE + '[points]\n"1.15" = "ten"', 'points."1.15" is a number from 0 up'),
-    (ONE + '[points]\n"1.15" = nan', 'points."1.15" is a number from 0 up'),
-    (ONE + '[points]\n"1.15" = inf', 'points."1.15" is a number from 0 up'),
-    (ONE + '[points]\n"1.15" = true', 'points."1.15" is a number from 0 up'),
-    (ONE + '[points]\n"1.4" = 1', 'points."1.4" names neither a problem of the assignment'),
-    (ONE + '[points]\n"1.15.z_region" = 1', 'points."1.15.z_region" names neither'),
-    (ONE + '[points]\n"a_region" = 1', 'points."a_region" names neither'),
-    (ONE + '[points]\n"1.15" = 1\n"1.15.a_region" = 2', 'points."1.15" is 1, but its answers named below have 2'),
-    ('problems = ["1.17"]\n[points]\n"1.17" = 9\n"1.17.a_region" = 2\n"1.17.b_region" = 3',
-     "is 9, but its answers named below have 5"),
-    ("problems = [", "is not TOML in UTF-8"),
-    (ONE + ONE, "Cannot overwrite a value"),
-])
+@pytest.mark.parametrize(
+    "text, said",
+    [
+        ("", "problems is a list"),
+        ("problems = [1.15]", "problems is a list of numbers in quotes"),
+        ('problems = "1.15"', "problems is a list of numbers in quotes"),
+        ("problems = []", "problems is a list of numbers in quotes"),
+        ('problems = ["1.15", "1.15"]', "names a problem twice"),
+        ('problems = ["9.99"]', "no problem 9.99"),
+        ('problems = ["1.04"]', "it is written 1.4"),
+        ('problems = ["../ch1/p15"]', "there is no problem"),
+        (
+            ONE + "titel = 'x'",
+            "unknown field titel; there are attempt, attempts, due, points, problems, title",
+        ),
+        (ONE + "title = 3", "title is one line of text"),
+        (ONE + 'title = " "', "title is one line of text"),
+        (ONE + 'title = "two\\nlines"', "title is one line of text"),
+        (ONE + 'due = "tomorrow"', "due is a date with time and zone"),
+        (ONE + "due = 2026-10-01", "due is a date with time and zone"),
+        (ONE + "due = 2026-10-01T23:59:00", "due is a date with time and zone"),
+        (ONE + "due = 0001-01-01T00:00:00+03:00", "due is a date of our time"),
+        (ONE + 'attempt = "first"', 'attempt is "best" or "last"'),
+        (ONE + "attempt = [1]", 'attempt is "best" or "last"'),
+        (ONE + "attempts = 0", "attempts is a whole number from 1 up"),
+        (ONE + "attempts = true", "attempts is a whole number from 1 up"),
+        (ONE + "attempts = 1.5", "attempts is a whole number from 1 up"),
+        (ONE + "points = 5", "points is a table"),
+        (ONE + "[points]\n1.15 = 10", "in points a problem stands in quotes"),
+        (ONE + '[points]\n"1.15" = -1', 'points."1.15" is a number from 0 up'),
+        (ONE + '[points]\n"1.15" = "ten"', 'points."1.15" is a number from 0 up'),
+        (ONE + '[points]\n"1.15" = nan', 'points."1.15" is a number from 0 up'),
+        (ONE + '[points]\n"1.15" = inf', 'points."1.15" is a number from 0 up'),
+        (ONE + '[points]\n"1.15" = true', 'points."1.15" is a number from 0 up'),
+        (ONE + '[points]\n"1.4" = 1', 'points."1.4" names neither a problem of the assignment'),
+        (ONE + '[points]\n"1.15.z_region" = 1', 'points."1.15.z_region" names neither'),
+        (ONE + '[points]\n"a_region" = 1', 'points."a_region" names neither'),
+        (
+            ONE + '[points]\n"1.15" = 1\n"1.15.a_region" = 2',
+            'points."1.15" is 1, but its answers named below have 2',
+        ),
+        (
+            'problems = ["1.17"]\n[points]\n"1.17" = 9\n"1.17.a_region" = 2\n"1.17.b_region" = 3',
+            "is 9, but its answers named below have 5",
+        ),
+        ("problems = [", "is not TOML in UTF-8"),
+        (ONE + ONE, "Cannot overwrite a value"),
+    ],
+)
 def test_what_is_wrong_is_said_in_one_line(tmp_path, text, said):
     path = write_assignment(tmp_path, text)
     with pytest.raises(AssignmentError) as error:
         assignments.read(path)
-    assert said in str(error.value) and str(path) in str(error.value) and "\n" not in str(error.value)
+    assert (
+        said in str(error.value) and str(path) in str(error.value) and "\n" not in str(error.value)
+    )
 
 
 def test_a_file_that_cannot_be_read(tmp_path):
@@ -128,15 +154,30 @@ def test_a_file_that_cannot_be_read(tmp_path):
 
 
 def test_a_homework_to_hand_out(tmp_path):
-    due = datetime.datetime(2026, 10, 1, 23, 59, tzinfo=datetime.timezone(datetime.timedelta(hours=3)))
-    made = handing_out.make(tmp_path, "hw1", ["1.4", "1.15"], 'Week 1: "stability" \\ première', due)
+    due = datetime.datetime(
+        2026, 10, 1, 23, 59, tzinfo=datetime.timezone(datetime.timedelta(hours=3))
+    )
+    made = handing_out.make(
+        tmp_path, "hw1", ["1.4", "1.15"], 'Week 1: "stability" \\ première', due
+    )
     assert made == assignments.read(tmp_path / "hw1" / "assignment.toml")
-    assert made.title == 'Week 1: "stability" \\ première' and made.due == due and made.max_points == 13
-    assert sorted(path.name for path in (tmp_path / "hw1").iterdir()) == ["README.md", "assignment.toml",
-                                                                          "ch1-p04.ipynb", "ch1-p15.ipynb"]
+    assert (
+        made.title == 'Week 1: "stability" \\ première'
+        and made.due == due
+        and made.max_points == 13
+    )
+    assert sorted(path.name for path in (tmp_path / "hw1").iterdir()) == [
+        "README.md",
+        "assignment.toml",
+        "ch1-p04.ipynb",
+        "ch1-p15.ipynb",
+    ]
     readme = (tmp_path / "hw1" / "README.md").read_text(encoding="utf-8")
-    assert ("première" in readme and "2026-10-01 23:59 (UTC+03:00)" in readme
-            and "`ch1-p15.ipynb`: 5 points for 5 answers" in readme)
+    assert (
+        "première" in readme
+        and "2026-10-01 23:59 (UTC+03:00)" in readme
+        and "`ch1-p15.ipynb`: 5 points for 5 answers" in readme
+    )
 
 
 def test_what_is_handed_out_is_the_exercise_without_dead_links(tmp_path):
@@ -144,15 +185,23 @@ def test_what_is_handed_out_is_the_exercise_without_dead_links(tmp_path):
         pristine = json.loads(exercise.path.read_text(encoding="utf-8"))
         for site in ("", "https://example.org/course/"):
             released = json.loads(handing_out.release(exercise.number, site))
-            assert released["metadata"] == pristine["metadata"] and len(released["cells"]) == len(pristine["cells"])
+            assert released["metadata"] == pristine["metadata"] and len(released["cells"]) == len(
+                pristine["cells"]
+            )
             for ours, theirs in zip(released["cells"], pristine["cells"], strict=True):
                 assert ours == theirs or "places" in ours["metadata"]
             text = "".join(cell["source"] for cell in released["cells"])
             assert "_build/" not in text and not re.search(r"\]\(\.", text)
             if site:
-                assert f"[chapter {exercise.number.split('.')[0]}](https://example.org/course/book/ch" in text
+                assert (
+                    f"[chapter {exercise.number.split('.')[0]}](https://example.org/course/book/ch"
+                    in text
+                )
                 assert "/solutions/" not in text, "homework leads to pages without solutions"
-                assert '%pip install "trajlib[workbook] @ https://example.org/course/wheels/trajlib-' in text
+                assert (
+                    'wheel = "trajlib[workbook] @ https://example.org/course/wheels/trajlib-'
+                    in text
+                )
 
 
 def test_a_notebook_is_found_again_without_its_metadata(tmp_path):
@@ -162,8 +211,9 @@ def test_a_notebook_is_found_again_without_its_metadata(tmp_path):
         path = tmp_path / "ann" / "hw1" / handing_out.file_name(exercise.number)
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(json.dumps(notebook))
-    assert {found.problem for found in submissions.find(tmp_path)} == {exercise.number
-                                                                       for exercise in exercises.read_all()}
+    assert {found.problem for found in submissions.find(tmp_path)} == {
+        exercise.number for exercise in exercises.read_all()
+    }
 
 
 def test_a_homework_is_not_written_over(tmp_path):
@@ -174,10 +224,19 @@ def test_a_homework_is_not_written_over(tmp_path):
     assert (tmp_path / "hw1" / "assignment.toml").read_bytes() == before
 
 
-@pytest.mark.parametrize("name, numbers, said", [
-    ("hw1", ["9.99"], "no problem 9.99"), ("hw1", ["1.15", "1.15"], "named twice"), ("a/b", ["1.15"], "names a folder"),
-    ("..", ["1.15"], "names a folder"), ("", ["1.15"], "names a folder"), ("x" * 300, ["1.15"], "names a folder"),
-    ("grades.sqlite", ["1.15"], "names a folder"), ("hw1 ", ["1.15"], "names a folder")])
+@pytest.mark.parametrize(
+    "name, numbers, said",
+    [
+        ("hw1", ["9.99"], "no problem 9.99"),
+        ("hw1", ["1.15", "1.15"], "named twice"),
+        ("a/b", ["1.15"], "names a folder"),
+        ("..", ["1.15"], "names a folder"),
+        ("", ["1.15"], "names a folder"),
+        ("x" * 300, ["1.15"], "names a folder"),
+        ("grades.sqlite", ["1.15"], "names a folder"),
+        ("hw1 ", ["1.15"], "names a folder"),
+    ],
+)
 def test_a_homework_that_cannot_be_made_leaves_nothing_behind(tmp_path, name, numbers, said):
     with pytest.raises(AssignmentError, match=said):
         handing_out.make(tmp_path, name, numbers)
@@ -207,19 +266,38 @@ def test_a_full_disk_leaves_nothing_behind(tmp_path, monkeypatch):
 
 def test_due_dates_as_people_write_them():
     zone = datetime.timezone(datetime.timedelta(hours=3))
-    assert handing_out.due_date("2026-10-01T23:59:00+03:00") == datetime.datetime(2026, 10, 1, 23, 59, tzinfo=zone)
+    assert handing_out.due_date("2026-10-01T23:59:00+03:00") == datetime.datetime(
+        2026, 10, 1, 23, 59, tzinfo=zone
+    )
     local = handing_out.due_date("2026-10-01 12:30")
     assert local.tzinfo is not None and local == datetime.datetime(2026, 10, 1, 12, 30).astimezone()
-    assert handing_out.due_date("2026-10-01") == datetime.datetime(2026, 10, 1, 23, 59,
-                                                                   59).astimezone(), "the end of the day"
-    assert handing_out.due_date("2026-10-01T23:59:30Z") == datetime.datetime(2026, 10, 1, 23, 59, 30,
-                                                                             tzinfo=datetime.timezone.utc)
+    assert (
+        handing_out.due_date("2026-10-01")
+        == datetime.datetime(2026, 10, 1, 23, 59, 59).astimezone()
+    ), "the end of the day"
+    assert handing_out.due_date("2026-10-01T23:59:30Z") == datetime.datetime(
+        2026, 10, 1, 23, 59, 30, tzinfo=datetime.UTC
+    )
 
 
-@pytest.mark.parametrize("text", ["Friday", "2026-W40-4", "2026W404", "20261001", "2026-10-01 23", "2026-02-30",
-                                  "2026-10-01 23:59:00.5",
-                                  "0001-01-01", "9999-12-31", "0001-01-01T00:00+03:00", "2026-10-01 24:61",
-                                  "２026-10-01", " 2026-10-01"])
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Friday",
+        "2026-W40-4",
+        "2026W404",
+        "20261001",
+        "2026-10-01 23",
+        "2026-02-30",
+        "2026-10-01 23:59:00.5",
+        "0001-01-01",
+        "9999-12-31",
+        "0001-01-01T00:00+03:00",
+        "2026-10-01 24:61",
+        "２026-10-01",
+        " 2026-10-01",
+    ],
+)
 def test_no_due_dates(text):
     with pytest.raises(AssignmentError, match='is not a date; write "2026-10-01 23:59"'):
         handing_out.due_date(text)

@@ -1,5 +1,5 @@
-"""Grading on a Dask cluster of several processes: the same grades as on one machine, whatever ends in the midst, and
-nothing less safe."""
+"""Grading on a Dask cluster of several processes: the same grades as on one machine, whatever ends
+in the midst, and nothing less safe."""
 
 import concurrent.futures
 import json
@@ -21,17 +21,17 @@ import distributed
 import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
-from classroom import RIGHT_1_15, hand_in  # noqa: E402
-from clusters import CERTIFICATES, COMMANDS, a_cluster, command_of  # noqa: E402
-from guide import like  # noqa: E402
-from test_nothing_lost import count, grades, outliving, submit_a_course  # noqa: E402
+from classroom import RIGHT_1_15, hand_in
+from clusters import CERTIFICATES, COMMANDS, a_cluster, command_of
+from guide import like
+from test_nothing_lost import count, grades, outliving, submit_a_course
 
-from workbook.grading import bench, cluster, cluster_lanes, course  # noqa: E402
-from workbook.grading.isolation import NoIsolation  # noqa: E402
-from workbook.grading.judging import Bounds  # noqa: E402
-from workbook.grading.preloading import ALWAYS  # noqa: E402
-from workbook.grading.sandbox import Limits  # noqa: E402
-from workbook.notebooks import exercises  # noqa: E402
+from workbook.grading import bench, cluster, cluster_lanes, course
+from workbook.grading.isolation import NoIsolation
+from workbook.grading.judging import Bounds
+from workbook.grading.preloading import ALWAYS
+from workbook.grading.sandbox import Limits
+from workbook.notebooks import exercises
 
 ROOT = Path(__file__).resolve().parents[2]
 ALIKE = os.environ | {"COLUMNS": "200", "NO_COLOR": "1", "TERM": "dumb"}
@@ -43,7 +43,13 @@ def dask(tmp_path_factory):
     with a_cluster(tmp_path_factory.mktemp("cluster")) as made:
         for command, _ in COMMANDS:
             if command.startswith(("openssl", "for name")):
-                subprocess.run(["bash", "-ec", command], cwd=made.here, check=True, capture_output=True, timeout=60)
+                subprocess.run(
+                    ["bash", "-ec", command],
+                    cwd=made.here,
+                    check=True,
+                    capture_output=True,
+                    timeout=60,
+                )
             elif command.startswith("dask scheduler"):
                 made.start(command)
             elif command.startswith("dask worker"):
@@ -68,11 +74,28 @@ def expected(submitted, tmp_path_factory):
 def start(dask, out):
     heeding = partial(signal.signal, signal.SIGINT, signal.SIG_DFL)
     known = () if dask.scheme == "tcp" else CERTIFICATES
-    command = [sys.executable, "-m", "workbook.cli", "grade", "submitted", "--out", str(out), "--cluster", dask.address,
-               *known]
-    return subprocess.Popen(command, cwd=dask.here, env=ALIKE, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                            text=True,
-                            start_new_session=True, preexec_fn=heeding)
+    command = [
+        sys.executable,
+        "-m",
+        "workbook.cli",
+        "grade",
+        "submitted",
+        "--out",
+        str(out),
+        "--cluster",
+        dask.address,
+        *known,
+    ]
+    return subprocess.Popen(
+        command,
+        cwd=dask.here,
+        env=ALIKE,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
+        preexec_fn=heeding,
+    )
 
 
 def wait_for_results(process, out, number):
@@ -83,14 +106,24 @@ def wait_for_results(process, out, number):
 
 
 def our_cluster(dask, **options):
-    return cluster.Cluster(dask.address, *(dask.here / name for name in ("ca.pem", "grader.pem", "grader-key.pem")),
-                           **options)
+    return cluster.Cluster(
+        dask.address,
+        *(dask.here / name for name in ("ca.pem", "grader.pem", "grader-key.pem")),
+        **options,
+    )
 
 
 def a_unit(key, problem="1.15", answers=RIGHT_1_15):
     exercise = exercises.find(problem)
-    sources = [source for _, source in exercise.code("data")] + [f"{name} = {text}" for name, text in answers.items()]
-    return {"key": key, "problem": problem, "sources": sources, "names": list(exercise.about["answers"])}
+    sources = [source for _, source in exercise.code("data")] + [
+        f"{name} = {text}" for name, text in answers.items()
+    ]
+    return {
+        "key": key,
+        "problem": problem,
+        "sources": sources,
+        "names": list(exercise.about["answers"]),
+    }
 
 
 # As on one machine
@@ -98,11 +131,21 @@ def a_unit(key, problem="1.15", answers=RIGHT_1_15):
 
 def test_the_guide_grades_as_one_machine_does(dask, submitted, expected):
     (command, shown) = COMMANDS[-1]
-    assert command.startswith("workbook grade") and [known for known, _ in COMMANDS[:4]] and len(COMMANDS) == 5
+    assert (
+        command.startswith("workbook grade")
+        and [known for known, _ in COMMANDS[:4]]
+        and len(COMMANDS) == 5
+    )
     path = f"{Path(sys.executable).parent}:{os.environ['PATH']}"
-    done = subprocess.run(["bash", "-c", dask.as_here(command)], cwd=dask.here, env=ALIKE | {"PATH": path},
-                          stdout=subprocess.PIPE,
-                          stderr=subprocess.STDOUT, text=True, timeout=120)
+    done = subprocess.run(
+        ["bash", "-c", dask.as_here(command)],
+        cwd=dask.here,
+        env=ALIKE | {"PATH": path},
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        timeout=120,
+    )
     assert done.returncode == 0 and like(shown, done.stdout), done.stdout
     assert len(expected) == 12 and grades(dask.here / "graded") == expected
     assert not outliving(dask.lanes()), "lanes are left on the workers"
@@ -123,8 +166,10 @@ def test_whatever_ends_in_the_midst_costs_nothing(dask, expected, tmp_path):
     os.killpg(process.pid, signal.SIGINT)
     _, said = process.communicate(timeout=60)
     assert process.returncode == 130 and "Traceback" not in said, said
-    assert (said.strip().split("\n")[-1]
-            == "workbook: stopped; what is graded is stored, and the same command goes on from there")
+    assert (
+        said.strip().split("\n")[-1]
+        == "workbook: stopped; what is graded is stored, and the same command goes on from there"
+    )
     # and then a worker is killed.
     before, victim = count(tmp_path), dask.workers()[0]
     process = start(dask, tmp_path)
@@ -141,10 +186,15 @@ def test_nothing_runs_on_after_the_grader_has_stopped(dask):
 
     before = dask.lanes()  # a killed grader's lanes end by themselves, a little later
     endless = a_unit(1, answers={"a_region": "[None for _ in iter(int, 1)]"})
-    with closing(cluster.grade_all([a_unit(0), endless], bench.settings(Limits(), Bounds()),
-                                   our_cluster(dask))) as results:
+    with closing(
+        cluster.grade_all(
+            [a_unit(0), endless], bench.settings(Limits(), Bounds()), our_cluster(dask)
+        )
+    ) as results:
         key, result = next(results)
-        assert key == 0 and {verdict["status"] for verdict in result["verdicts"].values()} == {"right"}
+        assert key == 0 and {verdict["status"] for verdict in result["verdicts"].values()} == {
+            "right"
+        }
         assert begun()
     assert not outliving(dask.lanes() - before)
 
@@ -155,7 +205,9 @@ def test_nothing_runs_on_after_the_grader_has_stopped(dask):
 def copied_library(folder, path, old, new):
     """A copy of both packages and of the exercises with one text changed."""
     for package in ("trajlib", "workbook"):
-        shutil.copytree(ROOT / package, folder / package, ignore=shutil.ignore_patterns("__pycache__"))
+        shutil.copytree(
+            ROOT / package, folder / package, ignore=shutil.ignore_patterns("__pycache__")
+        )
     shutil.copytree(ROOT / "exercises" / "ch1", folder / "exercises" / "ch1")
     text = (folder / path).read_text(encoding="utf-8")
     assert old in text
@@ -164,19 +216,25 @@ def copied_library(folder, path, old, new):
 
 
 def test_another_library_on_a_worker_is_named_before_anything_is_graded(dask, submitted, tmp_path):
-    changed = copied_library(tmp_path / "changed", "exercises/ch1/p15.ipynb", "checks.stability_region",
-                             "checks. stability_region")
+    changed = copied_library(
+        tmp_path / "changed",
+        "exercises/ch1/p15.ipynb",
+        "checks.stability_region",
+        "checks. stability_region",
+    )
     worker = dask.add_worker(PYTHONPATH=changed)
     process = start(dask, tmp_path / "out")
     _, said = process.communicate(timeout=60)
     dask.remove(worker)
     assert process.returncode == 2, said
     last = said.strip().split("\n")[-1]
-    assert re.fullmatch(r"workbook: worker tls://127.0.0.1:\d+: its problem 1.15 is another one than here: .*",
-                        last), said
+    assert re.fullmatch(
+        r"workbook: worker tls://127.0.0.1:\d+: its problem 1.15 is another one than here: .*", last
+    ), said
     assert "Traceback" not in said
-    assert {row[0] for row in grades(tmp_path / "out")} == {"gil", "hal"}, ("whose files are no notebooks, for which "
-                                                                            "no worker is asked")
+    assert {row[0] for row in grades(tmp_path / "out")} == {"gil", "hal"}, (
+        "whose files are no notebooks, for which no worker is asked"
+    )
 
 
 def test_a_worker_without_a_sandbox_refuses(dask, tmp_path):
@@ -185,18 +243,23 @@ def test_a_worker_without_a_sandbox_refuses(dask, tmp_path):
     for name in ("dask", "python3"):
         (bare / name).symlink_to(Path(sys.executable).parent / name)
     worker = dask.add_worker(PATH=str(bare))
-    with pytest.raises(NoIsolation, match=r"worker tls://127.0.0.1:\d+: bubblewrap is not installed"):
+    with pytest.raises(
+        NoIsolation, match=r"worker tls://127.0.0.1:\d+: bubblewrap is not installed"
+    ):
         next(cluster.grade_all([a_unit(0)], bench.settings(Limits(), Bounds()), our_cluster(dask)))
     dask.remove(worker)
 
 
-@pytest.mark.parametrize("changes, said", [
-    ({"sympy": "1.12"}, r"it has sympy 1\.\d+(\.\d+)?, and this machine 1\.12"),
-    ({"casadi": None}, r"it has casadi 3\.\S+, and this machine \(none\)"),
-    ({"workbook": "0"}, "its workbook is another one than here"),
-    ({"problem 1.15": "0"}, "its problem 1.15 is another one than here"),
-    ({"problem 99.1": "0"}, "its problem 99.1 is another one than here"),
-])
+@pytest.mark.parametrize(
+    "changes, said",
+    [
+        ({"sympy": "1.12"}, r"it has sympy 1\.\d+(\.\d+)?, and this machine 1\.12"),
+        ({"casadi": None}, r"it has casadi 3\.\S+, and this machine \(none\)"),
+        ({"workbook": "0"}, "its workbook is another one than here"),
+        ({"problem 1.15": "0"}, "its problem 1.15 is another one than here"),
+        ({"problem 99.1": "0"}, "its problem 99.1 is another one than here"),
+    ],
+)
 def test_what_differs_is_said(changes, said, monkeypatch):
     known = cluster_lanes.library(["1.15"])
     monkeypatch.setattr(cluster_lanes, "_library_now", cluster_lanes.library)
@@ -210,13 +273,26 @@ def test_the_library_that_counts_is_all_that_grades():
     from workbook.notebooks.dependencies import module_closure
 
     closure = module_closure("import workbook.grading.cluster_lanes")
-    assert {f"workbook.{name}" for name in ("notebooks.cells", "notebooks.execution", "notebooks.exercises", "checks.contract.encoding",
-                                           "checks.contract.verdict",
-                                           "grading.cluster_lanes",
-                                           "grading.framing", "grading.isolation", "grading.judging", "grading.lanes",
-                                           "grading.sandbox",
-                                           "grading.system_calls", "grading.bench", "grading.watching",
-                                           "grading.worker")} <= closure.keys()
+    assert {
+        f"workbook.{name}"
+        for name in (
+            "notebooks.cells",
+            "notebooks.execution",
+            "notebooks.exercises",
+            "checks.contract.encoding",
+            "checks.contract.verdict",
+            "grading.cluster_lanes",
+            "grading.framing",
+            "grading.isolation",
+            "grading.judging",
+            "grading.lanes",
+            "grading.sandbox",
+            "grading.system_calls",
+            "grading.bench",
+            "grading.watching",
+            "grading.worker",
+        )
+    } <= closure.keys()
 
 
 # Hostile notebooks: the cluster's ports, its keys, its processes
@@ -252,22 +328,43 @@ for number in WORKERS:
 
 @pytest.mark.parametrize("trusting", [True, False], ids=["unguarded", "guarded"])
 def test_a_notebook_reaches_nothing_of_the_cluster(dask, tmp_path, trusting):
-    """With no sandbox it reaches the scheduler, the workers and their key, so that this tests something; in the sandbox
-    nothing."""
+    """With no sandbox it reaches the scheduler, the workers and their key, so that this tests
+    something; in the sandbox nothing."""
     ports = [dask.port, *(int(address.rpartition(":")[2]) for address in addresses(dask))]
     facts = f"PORTS, FILES, WORKERS = {ports}, {[str(dask.here / 'worker-key.pem')]}, {dask.workers()}\n"
-    path = hand_in(tmp_path, "mallory", "1.15",
-                   {"b_region": RIGHT_1_15["b_region"], "a_region": "' '.join(sorted(set(found)))"})
+    path = hand_in(
+        tmp_path,
+        "mallory",
+        "1.15",
+        {"b_region": RIGHT_1_15["b_region"], "a_region": "' '.join(sorted(set(found)))"},
+    )
     notebook = json.loads(path.read_text())
-    place = next(k for k, cell in enumerate(notebook["cells"]) if cell["metadata"].get("tags") == ["answer"])
-    notebook["cells"].insert(place, {"cell_type": "code", "metadata": {}, "source": facts + REACH, "outputs": [],
-                                     "execution_count": None})
+    place = next(
+        k for k, cell in enumerate(notebook["cells"]) if cell["metadata"].get("tags") == ["answer"]
+    )
+    notebook["cells"].insert(
+        place,
+        {
+            "cell_type": "code",
+            "metadata": {},
+            "source": facts + REACH,
+            "outputs": [],
+            "execution_count": None,
+        },
+    )
     path.write_text(json.dumps(notebook))
-    course.grade(tmp_path / "submitted", tmp_path / "out", cluster=our_cluster(dask), trusting=trusting)
+    course.grade(
+        tmp_path / "submitted", tmp_path / "out", cluster=our_cluster(dask), trusting=trusting
+    )
     with closing(sqlite3.connect(tmp_path / "out" / "grades.sqlite")) as database:
-        ((answers, verdicts, remarks),) = database.execute("SELECT answers, verdicts, remarks FROM result")
+        ((answers, verdicts, remarks),) = database.execute(
+            "SELECT answers, verdicts, remarks FROM result"
+        )
     reached = set(json.loads(answers)["a_region"].replace("'", "").split())
-    assert reached == ({"key", "port", "process", "signal"} if trusting else set()), (answers, remarks)
+    assert reached == ({"key", "port", "process", "signal"} if trusting else set()), (
+        answers,
+        remarks,
+    )
     assert json.loads(verdicts)["b_region"][0] == "right"
 
 
@@ -279,16 +376,25 @@ def test_a_key_that_notebooks_could_read_is_refused(monkeypatch, tmp_path):
             tls_worker_key, tls_worker_cert = "/usr/bin/env", None
 
     monkeypatch.setattr(distributed, "get_worker", Worker)
-    with pytest.raises(cluster_lanes.Unfit, match="it keeps /usr/bin/env in /usr, which every notebook can read"):
+    with pytest.raises(
+        cluster_lanes.Unfit, match="it keeps /usr/bin/env in /usr, which every notebook can read"
+    ):
         cluster_lanes._look_around()
     Worker.security.tls_worker_key = str(tmp_path / "key.pem")
     cluster_lanes._look_around()
 
 
 def addresses(dask):
-    security = distributed.Security(**{f"tls_{name}": str(dask.here / file) for name, file in
-                                       (("ca_file", "ca.pem"), ("client_cert", "grader.pem"),
-                                        ("client_key", "grader-key.pem"))})
+    security = distributed.Security(
+        **{
+            f"tls_{name}": str(dask.here / file)
+            for name, file in (
+                ("ca_file", "ca.pem"),
+                ("client_cert", "grader.pem"),
+                ("client_key", "grader-key.pem"),
+            )
+        }
+    )
     with distributed.Client(dask.address, security=security, set_as_default=False) as client:
         return list(client.nthreads())
 
@@ -303,18 +409,32 @@ def test_plain_tcp_is_said_and_works(tmp_path):
         hand_in(tmp_path, "ada", "1.15", RIGHT_1_15)
         process = start(plain, tmp_path / "out")
         _, said = process.communicate(timeout=60)
-        assert (process.returncode == 0
-                and f"{plain.address} is not encrypted: who can reach it can read and change grades" in said)
-        assert '"ada","5.00"' in (tmp_path / "out" / "hw1" / "grades.csv").read_text(encoding="utf-8")
+        assert (
+            process.returncode == 0
+            and f"{plain.address} is not encrypted: who can reach it can read and change grades"
+            in said
+        )
+        assert '"ada","5.00"' in (tmp_path / "out" / "hw1" / "grades.csv").read_text(
+            encoding="utf-8"
+        )
 
 
-@pytest.mark.parametrize("address, said", [
-    ("scheduler", "scheduler is not the address of a scheduler, which looks like tls://host:8786"),
-    ("http://host:8786", "is not the address of a scheduler"), ("tls://host", "is not the address of a scheduler"),
-    ("tls://:8786", "is not the address of a scheduler"), ("tls://host:87867", "is not the address of a scheduler"),
-    ("tls://host:8786/x", "is not the address of a scheduler"), ("", "is not the address of a scheduler"),
-    ("tls://host:8786", "needs certificates; --tls-ca-file names a file of them"),
-])
+@pytest.mark.parametrize(
+    "address, said",
+    [
+        (
+            "scheduler",
+            "scheduler is not the address of a scheduler, which looks like tls://host:8786",
+        ),
+        ("http://host:8786", "is not the address of a scheduler"),
+        ("tls://host", "is not the address of a scheduler"),
+        ("tls://:8786", "is not the address of a scheduler"),
+        ("tls://host:87867", "is not the address of a scheduler"),
+        ("tls://host:8786/x", "is not the address of a scheduler"),
+        ("", "is not the address of a scheduler"),
+        ("tls://host:8786", "needs certificates; --tls-ca-file names a file of them"),
+    ],
+)
 def test_an_address_that_cannot_be_is_refused(address, said):
     with pytest.raises(cluster.ClusterError, match=re.escape(said)):
         cluster.check(cluster.Cluster(address))
@@ -325,25 +445,61 @@ def test_certificates_that_cannot_be_used_are_refused(dask, tmp_path):
         return cluster.Cluster(dask.address, dask.here / ca, dask.here / cert, dask.here / key)
 
     cluster.check(files())
-    with pytest.raises(cluster.ClusterError, match="--tls-key .*nowhere.pem: there is no such file"):
+    with pytest.raises(
+        cluster.ClusterError, match="--tls-key .*nowhere.pem: there is no such file"
+    ):
         cluster.check(files(key="nowhere.pem"))
-    with pytest.raises(cluster.ClusterError, match="these certificates cannot be used: .*KEY_VALUES_MISMATCH"):
+    with pytest.raises(
+        cluster.ClusterError, match="these certificates cannot be used: .*KEY_VALUES_MISMATCH"
+    ):
         cluster.check(files(cert="worker.pem"))
-    subprocess.run(["openssl", "req", "-x509", "-newkey", "ed25519", "-nodes", "-subj", "/CN=x", "-keyout", "key.pem",
-                    "-out", "x.pem"],
-                   cwd=tmp_path, check=True, capture_output=True, timeout=60)
-    with pytest.raises(cluster.ClusterError,
-                       match="no scheduler can be reached at tls://127.0.0.1:.*signed by the same CA"):
-        next(cluster.grade_all([a_unit(0)], bench.settings(Limits(), Bounds()),
-                               files(cert=tmp_path / "x.pem", key=tmp_path / "key.pem")))
+    subprocess.run(
+        [
+            "openssl",
+            "req",
+            "-x509",
+            "-newkey",
+            "ed25519",
+            "-nodes",
+            "-subj",
+            "/CN=x",
+            "-keyout",
+            "key.pem",
+            "-out",
+            "x.pem",
+        ],
+        cwd=tmp_path,
+        check=True,
+        capture_output=True,
+        timeout=60,
+    )
+    with pytest.raises(
+        cluster.ClusterError,
+        match="no scheduler can be reached at tls://127.0.0.1:.*signed by the same CA",
+    ):
+        next(
+            cluster.grade_all(
+                [a_unit(0)],
+                bench.settings(Limits(), Bounds()),
+                files(cert=tmp_path / "x.pem", key=tmp_path / "key.pem"),
+            )
+        )
 
 
 @pytest.mark.parametrize("seconds", [0.2, 1.5])
 def test_nobody_at_the_address(monkeypatch, seconds):
     """However Dask's last try before the time is up ended."""
     monkeypatch.setattr(cluster, "TO_CONNECT", seconds)
-    with pytest.raises(cluster.ClusterError, match="no scheduler can be reached at tcp://127.0.0.1:1: .*refused"):
-        next(cluster.grade_all([a_unit(0)], bench.settings(Limits(), Bounds()), cluster.Cluster("tcp://127.0.0.1:1")))
+    with pytest.raises(
+        cluster.ClusterError, match="no scheduler can be reached at tcp://127.0.0.1:1: .*refused"
+    ):
+        next(
+            cluster.grade_all(
+                [a_unit(0)],
+                bench.settings(Limits(), Bounds()),
+                cluster.Cluster("tcp://127.0.0.1:1"),
+            )
+        )
 
 
 def test_somebody_else_at_the_address(tmp_path):
@@ -352,37 +508,71 @@ def test_somebody_else_at_the_address(tmp_path):
     shorter = "from workbook import cli\nfrom workbook.grading import cluster\ncluster.TO_CONNECT = 1\ncli.main()"
     with socket.create_server(("127.0.0.1", 0)) as silent:
         address = f"tcp://127.0.0.1:{silent.getsockname()[1]}"
-        done = subprocess.run([sys.executable, "-c", shorter, "grade", "submitted", "--out", "graded", "--cluster",
-                               address], cwd=tmp_path,
-                              env=ALIKE, capture_output=True, text=True, timeout=100)
-    assert (done.returncode == 2 and "something listens there, but gives no answer within 1 s" in done.stderr
-            and "Traceback" not in done.stderr)
+        done = subprocess.run(
+            [
+                sys.executable,
+                "-c",
+                shorter,
+                "grade",
+                "submitted",
+                "--out",
+                "graded",
+                "--cluster",
+                address,
+            ],
+            cwd=tmp_path,
+            env=ALIKE,
+            capture_output=True,
+            text=True,
+            timeout=100,
+        )
+    assert (
+        done.returncode == 2
+        and "something listens there, but gives no answer within 1 s" in done.stderr
+        and "Traceback" not in done.stderr
+    )
 
 
 def test_without_dask_one_line(monkeypatch):
     monkeypatch.setitem(sys.modules, "distributed", None)
-    with pytest.raises(cluster.ClusterError, match="needs Dask, which is not installed here: pip install distributed"):
+    with pytest.raises(
+        cluster.ClusterError,
+        match="needs Dask, which is not installed here: pip install distributed",
+    ):
         cluster.check(cluster.Cluster("tls://host:8786"))
 
 
-@pytest.mark.parametrize("options, said", [
-    (("--cluster", "nowhere"), "nowhere is not the address of a scheduler"),
-    (("--cluster", "tcp://127.0.0.1:1", "--processes", "2"), "--processes is for this machine"),
-    (("--tls-key", "x"), "--tls-ca-file, --tls-cert and --tls-key are for --cluster"),
-])
+@pytest.mark.parametrize(
+    "options, said",
+    [
+        (("--cluster", "nowhere"), "nowhere is not the address of a scheduler"),
+        (("--cluster", "tcp://127.0.0.1:1", "--processes", "2"), "--processes is for this machine"),
+        (("--tls-key", "x"), "--tls-ca-file, --tls-cert and --tls-key are for --cluster"),
+    ],
+)
 def test_bad_options_end_in_one_line_and_code_2(tmp_path, options, said):
     (tmp_path / "submitted").mkdir()
-    done = subprocess.run([sys.executable, "-m", "workbook.cli", "grade", "submitted", "--out", "graded", *options],
-                          cwd=tmp_path, env=ALIKE,
-                          capture_output=True, text=True, timeout=60)
-    assert done.returncode == 2 and said in done.stderr and len(done.stderr.strip().split("\n")) == 1, done.stderr
+    done = subprocess.run(
+        [sys.executable, "-m", "workbook.cli", "grade", "submitted", "--out", "graded", *options],
+        cwd=tmp_path,
+        env=ALIKE,
+        capture_output=True,
+        text=True,
+        timeout=60,
+    )
+    assert (
+        done.returncode == 2 and said in done.stderr and len(done.stderr.strip().split("\n")) == 1
+    ), done.stderr
     assert not (tmp_path / "graded").exists()
 
 
 def test_grading_on_one_machine_loads_nothing_of_dask():
-    code = ("import sys, workbook.cli, workbook.grading.commands, workbook.grading.lanes, workbook.grading.worker, "
-            "workbook.grading.cluster\n"
-            "print([name for name in sys.modules if name.split('.')[0] in ('dask', 'distributed')])")
+    code = (
+        "import sys, workbook.cli, workbook.grading.commands, workbook.grading.lanes, "
+        "workbook.grading.worker, "
+        "workbook.grading.cluster\n"
+        "print([name for name in sys.modules if name.split('.')[0] in ('dask', 'distributed')])"
+    )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
     assert done.stdout.strip() == "[]", done
 
@@ -391,12 +581,14 @@ def test_grading_on_one_machine_loads_nothing_of_dask():
 
 
 def test_a_lane_ends_with_its_thread_and_outlives_others(monkeypatch):
-    """The kernel's signal at a parent's death is one at the death of the thread that started the child."""
+    """The kernel's signal at a parent's death is one at the death of the thread that started the
+    child."""
     monkeypatch.setattr(cluster_lanes, "_compare", lambda expected: None)
     monkeypatch.setattr(cluster_lanes, "_look_around", lambda: None)
-    given = json.dumps(bench.settings(Limits(), Bounds())
-                       | {"run": "x", "library": {}, "lanes": 1,
-                          "modules": {"notebooks": ALWAYS, "checks": []}}).encode()
+    given = json.dumps(
+        bench.settings(Limits(), Bounds())
+        | {"run": "x", "library": {}, "lanes": 1, "modules": {"notebooks": ALWAYS, "checks": []}}
+    ).encode()
     with concurrent.futures.ThreadPoolExecutor(1) as lasting:
         assert lasting.submit(cluster_lanes.ready, given).result() == b"{}"
         (lane,) = cluster_lanes._all
@@ -408,11 +600,20 @@ def test_a_lane_ends_with_its_thread_and_outlives_others(monkeypatch):
         while other.alive() and time.monotonic() < give_up:
             time.sleep(0.01)
         assert lane.alive() and not other.alive()
-        # What comes in is bytes, and so is what goes out; the lane is the same one, and its limits are told.
-        told = json.loads(lasting.submit(cluster_lanes.grade, given, json.dumps(a_unit(0)).encode()).result())
-        assert told["result"]["final"] == "yes" and told["limits"]["memory_megabytes"] <= Limits().memory_megabytes
+        # What comes in is bytes, and so is what goes out; the lane is the same one, and its limits
+        # are told.
+        told = json.loads(
+            lasting.submit(cluster_lanes.grade, given, json.dumps(a_unit(0)).encode()).result()
+        )
+        assert (
+            told["result"]["final"] == "yes"
+            and told["limits"]["memory_megabytes"] <= Limits().memory_megabytes
+        )
         assert lane.alive() and cluster_lanes._all == {lane, other}
         cluster_lanes._end("x")
         assert not lane.alive() and not cluster_lanes._all
         # A worker that was slow to get ready hears of the end first.
-        assert b"the run has ended" in lasting.submit(cluster_lanes.ready, given).result() and not cluster_lanes._all
+        assert (
+            b"the run has ended" in lasting.submit(cluster_lanes.ready, given).result()
+            and not cluster_lanes._all
+        )

@@ -1,4 +1,5 @@
-"""Which worker of a cluster gets which notebook, and what becomes of it: with a Dask that does as the test says."""
+"""Which worker of a cluster gets which notebook, and what becomes of it: with a Dask that does as
+the test says."""
 
 import json
 from collections import Counter
@@ -14,15 +15,24 @@ class Dask:
     status = "running"
 
     def __init__(self, **threads):
-        self.threads, self.calls, self.cancelled = {f"tls://10.0.0.{k}:1": count
-                                                    for k, count in enumerate(threads.values(), 1)}, [], 0
+        self.threads, self.calls, self.cancelled = (
+            {f"tls://10.0.0.{k}:1": count for k, count in enumerate(threads.values(), 1)},
+            [],
+            0,
+        )
 
     def nthreads(self):
         return self.threads
 
-    def submit(self, function, settings, unit=b"null", workers=(), allow_other_workers=True, pure=True):
-        assert type(settings) is bytes and type(unit) is bytes and not allow_other_workers and not pure
-        call = Call(function.__name__, json.loads(settings), json.loads(unit), *workers, key=len(self.calls))
+    def submit(
+        self, function, settings, unit=b"null", workers=(), allow_other_workers=True, pure=True
+    ):
+        assert (
+            type(settings) is bytes and type(unit) is bytes and not allow_other_workers and not pure
+        )
+        call = Call(
+            function.__name__, json.loads(settings), json.loads(unit), *workers, key=len(self.calls)
+        )
         self.calls.append(call)
         return call
 
@@ -63,14 +73,28 @@ def quick(monkeypatch):
 
 
 def run_of(dask, number, told=None):
-    units_ = [{"key": key, "problem": "1.15", "sources": [str(key)], "names": ["a_region"], "student": "ada"}
-              for key in range(number)]
-    return cluster._Run(dask, units_, {"run": "x"},
-                        cluster.Cluster("tls://10.0.0.0:1", tell=(told if told is not None else []).append))
+    units_ = [
+        {
+            "key": key,
+            "problem": "1.15",
+            "sources": [str(key)],
+            "names": ["a_region"],
+            "student": "ada",
+        }
+        for key in range(number)
+    ]
+    return cluster._Run(
+        dask,
+        units_,
+        {"run": "x"},
+        cluster.Cluster("tls://10.0.0.0:1", tell=(told if told is not None else []).append),
+    )
 
 
 def following(dask, run, answers):
-    """All results of a run, while `answers(call)` answers each call of the workers; None for a worker that is gone."""
+    """All results of a run, while `answers(call)` answers each call of the workers; None for a
+    worker that is gone."""
+
     def land():
         for call in [call for call in dask.calls if call.open()]:
             if call.address in dask.threads and (answer := answers(call)) is not None:
@@ -82,7 +106,9 @@ def following(dask, run, answers):
 
 
 def graded(call):
-    return {} if call.name == "ready" else {"result": {"graded": call.unit["sources"]}, "limits": {}}
+    return (
+        {} if call.name == "ready" else {"result": {"graded": call.unit["sources"]}, "limits": {}}
+    )
 
 
 def test_only_so_many_are_on_their_way_and_nothing_else_of_the_students(quick):
@@ -90,27 +116,42 @@ def test_only_so_many_are_on_their_way_and_nothing_else_of_the_students(quick):
 
     def answers(call):
         for address in dask.threads:
-            most[address] = max(most[address], sum(one.open() and one.name == "grade" for one in dask.calls
-                                                   if one.address == address))
+            most[address] = max(
+                most[address],
+                sum(
+                    one.open() and one.name == "grade"
+                    for one in dask.calls
+                    if one.address == address
+                ),
+            )
         return graded(call)
 
     results = following(dask, run_of(dask, 50), answers)
-    assert (sorted(key for key, _ in results) == list(range(50))
-            and all(result["graded"] == [str(key)] for key, result in results))
+    assert sorted(key for key, _ in results) == list(range(50)) and all(
+        result["graded"] == [str(key)] for key, result in results
+    )
     assert most == {"tls://10.0.0.1:1": 2 + cluster.AHEAD, "tls://10.0.0.2:1": 1 + cluster.AHEAD}
-    assert {frozenset(call.unit) for call in dask.calls if call.unit} == {frozenset({"problem", "sources"})}
-    assert {call.address: call.settings["lanes"] for call in dask.calls} == {"tls://10.0.0.1:1": 2,
-                                                                             "tls://10.0.0.2:1": 1}
+    assert {frozenset(call.unit) for call in dask.calls if call.unit} == {
+        frozenset({"problem", "sources"})
+    }
+    assert {call.address: call.settings["lanes"] for call in dask.calls} == {
+        "tls://10.0.0.1:1": 2,
+        "tls://10.0.0.2:1": 1,
+    }
 
 
 def test_a_notebook_at_which_processes_end_is_given_up_after_three_workers(quick):
     dask = Dask(a=1, b=1, c=1, d=1)
-    results = following(dask, run_of(dask, 9), lambda call: {} if call.unit and call.unit["sources"] == ["4"]
-                        else graded(call))
+    results = following(
+        dask,
+        run_of(dask, 9),
+        lambda call: {} if call.unit and call.unit["sources"] == ["4"] else graded(call),
+    )
     given_up = [result for key, result in results if key == 4]
     assert sorted(key for key, _ in results) == list(range(9)) and len(given_up) == 1
-    assert (given_up[0]["final"] == "no" and given_up[0]["remarks"]
-            == ("grader: it failed on this notebook (one of its processes ended)",))
+    assert given_up[0]["final"] == "no" and given_up[0]["remarks"] == (
+        "grader: it failed on this notebook (one of its processes ended)",
+    )
     tried = [call.address for call in dask.calls if call.unit and call.unit["sources"] == ["4"]]
     assert len(tried) == len(set(tried)) == cluster.MOST_TRIES, "each time another one"
 
@@ -139,26 +180,46 @@ def test_who_comes_later_gets_notebooks_if_it_is_fit(quick):
     def answers(call):
         if call.name == "grade":
             dask.threads |= {"tls://10.0.0.8:1": 1, "tls://10.0.0.9:1": 1}
-        return ({"refused": "it has sympy 1.12", "sandbox": False} if call.address == "tls://10.0.0.9:1"
-                else graded(call))
+        return (
+            {"refused": "it has sympy 1.12", "sandbox": False}
+            if call.address == "tls://10.0.0.9:1"
+            else graded(call)
+        )
 
     results = following(dask, run_of(dask, 9), answers)
     assert sorted(key for key, _ in results) == list(range(9))
-    assert {call.address for call in dask.calls if call.unit} == {"tls://10.0.0.1:1", "tls://10.0.0.8:1"}
+    assert {call.address for call in dask.calls if call.unit} == {
+        "tls://10.0.0.1:1",
+        "tls://10.0.0.8:1",
+    }
     assert told == [] or told == ["worker tls://10.0.0.9:1 gets no notebooks: it has sympy 1.12"]
 
 
 def test_no_worker_and_no_scheduler_are_said(quick):
-    with pytest.raises(cluster.ClusterError, match="the scheduler at tls://10.0.0.0:1 has no workers"):
+    with pytest.raises(
+        cluster.ClusterError, match="the scheduler at tls://10.0.0.0:1 has no workers"
+    ):
         following(Dask(), run_of(Dask(), 1), graded)
     dask = Dask(a=1)
-    with pytest.raises(cluster.ClusterError, match="no worker of tls://10.0.0.0:1 was ready to grade within 0.2 s"):
+    with pytest.raises(
+        cluster.ClusterError, match="no worker of tls://10.0.0.0:1 was ready to grade within 0.2 s"
+    ):
         following(dask, run_of(dask, 1), lambda call: None)
     dask = Dask(a=1)
-    with pytest.raises(cluster.ClusterError, match="no worker is left at tls://10.0.0.0:1; what is graded is stored"):
-        following(dask, run_of(dask, 9), lambda call: dask.threads.clear() or graded(call) if call.unit
-                  else graded(call))
+    with pytest.raises(
+        cluster.ClusterError,
+        match="no worker is left at tls://10.0.0.0:1; what is graded is stored",
+    ):
+        following(
+            dask,
+            run_of(dask, 9),
+            lambda call: dask.threads.clear() or graded(call) if call.unit else graded(call),
+        )
     dask = Dask(a=1)
-    with pytest.raises(cluster.ClusterError,
-                       match="the scheduler at tls://10.0.0.0:1 has gone; what is graded is stored"):
-        following(dask, run_of(dask, 9), lambda call: setattr(dask, "status", "closed") or graded(call))
+    with pytest.raises(
+        cluster.ClusterError,
+        match="the scheduler at tls://10.0.0.0:1 has gone; what is graded is stored",
+    ):
+        following(
+            dask, run_of(dask, 9), lambda call: setattr(dask, "status", "closed") or graded(call)
+        )

@@ -1,4 +1,5 @@
-"""A download from Moodle or Canvas becomes folders that `workbook grade` reads, whatever names are in it."""
+"""A download from Moodle or Canvas becomes folders that `workbook grade` reads, whatever names are
+in it."""
 
 import json
 import re
@@ -10,25 +11,33 @@ from pathlib import Path
 import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
-from classroom import notebook  # noqa: E402
+from classroom import notebook
 
-from workbook.cli import app  # noqa: E402
-from workbook.grading.assignment import BadInput  # noqa: E402
-from workbook.grading.collecting import collect  # noqa: E402
-from workbook.grading.submissions import Aside, Submission, find  # noqa: E402
+from workbook.cli import app
+from workbook.grading.assignment import BadInput
+from workbook.grading.collecting import collect
+from workbook.grading.submissions import Aside, Submission, find
 
-MOODLE = {"Ann Able_101_assignsubmission_file/ch1-p15.ipynb": 1,
-          "Renée_O Neil_102_assignsubmission_file_/sub/ch1-p15.ipynb": 2,
-          "Bob_Bee_103_assignsubmission_file_ch1-p15.ipynb": 3, "Cid_104_assignsubmission_file/notes.pdf": 4}
-CANVAS = {"ableann_101_9001_ch1-p15.ipynb": 1, "beebob_LATE_102_9002_ch1-p15-1.ipynb": 2,
-          "ceecid_103_9003_my_ch1-p15.ipynb": 3,
-          "ceecid_103_9004_ch1-p17.ipynb": 4}
+MOODLE = {
+    "Ann Able_101_assignsubmission_file/ch1-p15.ipynb": 1,
+    "Renée_O Neil_102_assignsubmission_file_/sub/ch1-p15.ipynb": 2,
+    "Bob_Bee_103_assignsubmission_file_ch1-p15.ipynb": 3,
+    "Cid_104_assignsubmission_file/notes.pdf": 4,
+}
+CANVAS = {
+    "ableann_101_9001_ch1-p15.ipynb": 1,
+    "beebob_LATE_102_9002_ch1-p15-1.ipynb": 2,
+    "ceecid_103_9003_my_ch1-p15.ipynb": 3,
+    "ceecid_103_9004_ch1-p17.ipynb": 4,
+}
 WHEN = (2026, 9, 30, 12, 0, 0)
 
 
 def download(folder, files, archive):
     """The files, whose contents differ, in a folder or archive."""
-    contents = {name: json.dumps(notebook("1.15", {"a_region": f"k1 > {k}"})) for name, k in files.items()}
+    contents = {
+        name: json.dumps(notebook("1.15", {"a_region": f"k1 > {k}"})) for name, k in files.items()
+    }
     if archive:
         with zipfile.ZipFile(folder / "all.zip", "w") as into:
             for name, content in contents.items():
@@ -45,23 +54,46 @@ def handed_in(folder):
 
 
 @pytest.mark.parametrize("archive", [True, False])
-@pytest.mark.parametrize("files, expected", [
-    (MOODLE, {"Ann Able_101/hw1/ch1-p15.ipynb", "Renée_O Neil_102/hw1/ch1-p15.ipynb", "Bob_Bee_103/hw1/ch1-p15.ipynb",
-              "Cid_104/hw1/notes.pdf"}),
-    (CANVAS, {"101/hw1/ch1-p15.ipynb", "102/hw1/ch1-p15-1.ipynb", "103/hw1/my_ch1-p15.ipynb",
-              "103/hw1/ch1-p17.ipynb"})])
+@pytest.mark.parametrize(
+    "files, expected",
+    [
+        (
+            MOODLE,
+            {
+                "Ann Able_101/hw1/ch1-p15.ipynb",
+                "Renée_O Neil_102/hw1/ch1-p15.ipynb",
+                "Bob_Bee_103/hw1/ch1-p15.ipynb",
+                "Cid_104/hw1/notes.pdf",
+            },
+        ),
+        (
+            CANVAS,
+            {
+                "101/hw1/ch1-p15.ipynb",
+                "102/hw1/ch1-p15-1.ipynb",
+                "103/hw1/my_ch1-p15.ipynb",
+                "103/hw1/ch1-p17.ipynb",
+            },
+        ),
+    ],
+)
 def test_a_download(tmp_path, files, expected, archive):
     given = download(tmp_path, files, archive)
     into = tmp_path / "submitted"
     collected, aside = collect(given, "hw1", into)
     assert handed_in(into) == expected and aside == [] and sum(map(len, collected.values())) == 4
     if archive:
-        assert {path.stat().st_mtime for path in into.rglob("*") if path.is_file()} == {time.mktime((*WHEN, 0, 0, -1))}
+        assert {path.stat().st_mtime for path in into.rglob("*") if path.is_file()} == {
+            time.mktime((*WHEN, 0, 0, -1))
+        }
     collect(given, "hw1", into)
     assert handed_in(into) == expected, "once more is no more"
     assert sum(isinstance(one, Submission) and one.problem == "1.15" for one in find(into)) == len(
-        [name for name in expected if name.endswith(".ipynb")])
-    assert [one.student for one in find(into) if isinstance(one, Aside)] == ["Cid_104"] * (files is MOODLE)
+        [name for name in expected if name.endswith(".ipynb")]
+    )
+    assert [one.student for one in find(into) if isinstance(one, Aside)] == ["Cid_104"] * (
+        files is MOODLE
+    )
 
 
 def test_accents_in_an_archive_that_does_not_say_how_it_writes_them(tmp_path):
@@ -73,45 +105,89 @@ def test_accents_in_an_archive_that_does_not_say_how_it_writes_them(tmp_path):
     assert "Renée_O Neil_102" in collect(given, "hw1", tmp_path / "submitted")[0]
 
 
-@pytest.mark.parametrize("place", ["Ann Able_101_assignsubmission_onlinetext/onlinetext.html",
-                                   "Ann Able_101_assignsubmission_onlinetext_.html"])
+@pytest.mark.parametrize(
+    "place",
+    [
+        "Ann Able_101_assignsubmission_onlinetext/onlinetext.html",
+        "Ann Able_101_assignsubmission_onlinetext_.html",
+    ],
+)
 def test_text_typed_in_is_told_as_that(tmp_path, place):
     given = download(tmp_path, {place: 1, "Bob_102_assignsubmission_file_/ch1-p15.ipynb": 2}, True)
     collected, aside = collect(given, "hw1", tmp_path / "submitted")
-    assert list(collected) == ["Bob_102"] and [(path, "typed in at Moodle" in why) for path, why in aside] == [
-        (place, True)]
+    assert list(collected) == ["Bob_102"] and [
+        (path, "typed in at Moodle" in why) for path, why in aside
+    ] == [(place, True)]
 
 
 def test_a_later_download_keeps_what_was_there(tmp_path):
-    collect(download(tmp_path, {"ableann_101_9001_ch1-p15.ipynb": 1}, True), "hw1", tmp_path / "submitted")
-    collect(download(tmp_path, {"ableann_101_9009_ch1-p15.ipynb": 2}, True), "hw1", tmp_path / "submitted")
-    assert handed_in(tmp_path / "submitted") == {"101/hw1/ch1-p15.ipynb", "101/hw1/ch1-p15 (2).ipynb"}
+    collect(
+        download(tmp_path, {"ableann_101_9001_ch1-p15.ipynb": 1}, True),
+        "hw1",
+        tmp_path / "submitted",
+    )
+    collect(
+        download(tmp_path, {"ableann_101_9009_ch1-p15.ipynb": 2}, True),
+        "hw1",
+        tmp_path / "submitted",
+    )
+    assert handed_in(tmp_path / "submitted") == {
+        "101/hw1/ch1-p15.ipynb",
+        "101/hw1/ch1-p15 (2).ipynb",
+    }
     assert {one.problem for one in find(tmp_path / "submitted")} == {"1.15"}
 
 
 def test_addresses_from_the_worksheet(tmp_path):
     worksheet = tmp_path / "worksheet.csv"
-    worksheet.write_text("\ufeffIdentifier,Full name,Email address,Grade\nParticipant 101,Ann Able,ann@uni.example,\n"
-                         "Participant 103,Bob Bee,../../x@y,\n", encoding="utf-8")
+    worksheet.write_text(
+        "\ufeffIdentifier,Full name,Email address,Grade\nParticipant 101,Ann "
+        "Able,ann@uni.example,\n"
+        "Participant 103,Bob Bee,../../x@y,\n",
+        encoding="utf-8",
+    )
     collect(download(tmp_path, MOODLE, True), "hw1", tmp_path / "submitted", worksheet)
-    assert {path.name for path in (tmp_path / "submitted").iterdir()} == {"ann@uni.example", "Renée_O Neil_102",
-                                                                          "Bob_Bee_103", "Cid_104"}
+    assert {path.name for path in (tmp_path / "submitted").iterdir()} == {
+        "ann@uni.example",
+        "Renée_O Neil_102",
+        "Bob_Bee_103",
+        "Cid_104",
+    }
 
 
 @pytest.mark.parametrize("archive", [True, False])
 def test_names_that_lead_nowhere(tmp_path, archive):
-    """Nothing is written but below STUDENT/HOMEWORK, whatever an archive says; what is left aside is named."""
-    odd = {"ableann_101_9001_ch1-p15.ipynb": 1, "README.txt": 2, "x" * 200 + "_1_assignsubmission_file/" + "y" * 250: 3}
+    """Nothing is written but below STUDENT/HOMEWORK, whatever an archive says; what is left aside
+    is named."""
+    odd = {
+        "ableann_101_9001_ch1-p15.ipynb": 1,
+        "README.txt": 2,
+        "x" * 200 + "_1_assignsubmission_file/" + "y" * 250: 3,
+    }
     if archive:
-        odd |= {"../../a_1_2_../x.ipynb": 4, "a_1_assignsubmission_file/..": 5, "a_1_2_..": 6, "/etc/passwd": 7,
-                "a_1_assignsubmission_file/../../../ch1-p15.ipynb": 8}
-    collected, aside = collect(download(tmp_path, odd, archive), "hw1", tmp_path / "deep" / "submitted")
+        odd |= {
+            "../../a_1_2_../x.ipynb": 4,
+            "a_1_assignsubmission_file/..": 5,
+            "a_1_2_..": 6,
+            "/etc/passwd": 7,
+            "a_1_assignsubmission_file/../../../ch1-p15.ipynb": 8,
+        }
+    collected, aside = collect(
+        download(tmp_path, odd, archive), "hw1", tmp_path / "deep" / "submitted"
+    )
     written = handed_in(tmp_path / "deep")
-    assert all(len(Path(path).parts) == 4 and ".." not in path for path in written) and "101" in collected
-    assert {path for path, _ in aside} >= {"README.txt"} and len(aside) + sum(map(len, collected.values())) == len(odd)
+    assert (
+        all(len(Path(path).parts) == 4 and ".." not in path for path in written)
+        and "101" in collected
+    )
+    assert {path for path, _ in aside} >= {"README.txt"} and len(aside) + sum(
+        map(len, collected.values())
+    ) == len(odd)
 
 
-@pytest.mark.parametrize("content, said", [(b"no archive", "neither a folder nor a .zip"), (None, "No such file")])
+@pytest.mark.parametrize(
+    "content, said", [(b"no archive", "neither a folder nor a .zip"), (None, "No such file")]
+)
 def test_what_is_no_download(tmp_path, content, said):
     path = tmp_path / "all.zip"
     if content is not None:
@@ -129,4 +205,7 @@ def test_the_command(tmp_path, monkeypatch, capsys):
     given = download(tmp_path, CANVAS | {"README.txt": 9}, True)
     app(["collect", str(given), "hw1"], standalone_mode=False)
     said = capsys.readouterr().out
-    assert "submitted: 4 files of 3 students for hw1" in said and "left aside: README.txt: its name is not one" in said
+    assert (
+        "submitted: 4 files of 3 students for hw1" in said
+        and "left aside: README.txt: its name is not one" in said
+    )

@@ -1,4 +1,5 @@
-"""`workbook grade`, `workbook score`, `workbook assignment new`: what they write, say and refuse."""
+"""`workbook grade`, `workbook score`, `workbook assignment new`: what they write, say and
+refuse."""
 
 import csv
 import io
@@ -13,25 +14,31 @@ from unicodedata import normalize
 import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
-from classroom import RIGHT_1_15, hand_in, write_assignment  # noqa: E402
-from guide import like, steps  # noqa: E402
+from classroom import RIGHT_1_15, hand_in, write_assignment
+from guide import like, steps
 
-from workbook.checks.contract.encoding import decode, describe  # noqa: E402
-from workbook.grading import bench, commands, lanes  # noqa: E402
-from workbook.grading.assignment import BadInput  # noqa: E402
-from workbook.grading.judging import Judgement  # noqa: E402
-from workbook.notebooks import exercises  # noqa: E402
-from workbook.notebooks.execution import judge, run_notebook  # noqa: E402
+from workbook.checks.contract.encoding import decode, describe
+from workbook.grading import bench, commands, lanes
+from workbook.grading.assignment import BadInput
+from workbook.grading.judging import Judgement
+from workbook.notebooks import exercises
+from workbook.notebooks.execution import judge, run_notebook
 
 HOMEWORK = 'title = "Homework 1"\nproblems = ["1.15", "1.17"]\ndue = 2026-10-01T12:00:00Z\n[points]\n"1.15" = 10\n'
 DUE = 1790856000.0
-WRONG = {name: "(k1 > 5) & (k2 > 5)" for name in RIGHT_1_15}
+WRONG = dict.fromkeys(RIGHT_1_15, "(k1 > 5) & (k2 > 5)")
 
 
 def workbook(*arguments, cwd):
     environment = os.environ | {"COLUMNS": "200", "NO_COLOR": "1", "TERM": "dumb"}
-    return subprocess.run([sys.executable, "-m", "workbook.cli", *map(str, arguments)], cwd=cwd, env=environment,
-                          capture_output=True, text=True, timeout=300)
+    return subprocess.run(
+        [sys.executable, "-m", "workbook.cli", *map(str, arguments)],
+        cwd=cwd,
+        env=environment,
+        capture_output=True,
+        text=True,
+        timeout=300,
+    )
 
 
 def table(path):
@@ -40,12 +47,16 @@ def table(path):
 
 @pytest.fixture
 def here(monkeypatch):
-    """Notebooks of ours run without lanes and sandbox: these tests are about what is made of the verdicts."""
+    """Notebooks of ours run without lanes and sandbox: these tests are about what is made of the
+    verdicts."""
+
     def grade_all(waiting, count, settings, nursery=None):
         for unit in waiting:
             ran.append(unit["problem"])
             exercise = exercises.find(unit["problem"])
-            run = run_notebook([source for _, source in exercise.code("data")] + unit["sources"], unit["names"])
+            run = run_notebook(
+                [source for _, source in exercise.code("data")] + unit["sources"], unit["names"]
+            )
             verdicts = judge(exercise.code("data", "check"), run, unit["names"])
             texts = {name: describe(decode(data)) for name, data in run.encoded.items()}
             yield unit["key"], bench.as_plain(Judgement(verdicts, texts, ()))
@@ -56,75 +67,151 @@ def here(monkeypatch):
 
 
 def grade(folder, **options):
-    given = {"assignment_folder": folder / "assignments", "processes": 1, "timeout": 60, "trusting": True,
-             "quiet": True} | options
+    given = {
+        "assignment_folder": folder / "assignments",
+        "processes": 1,
+        "timeout": 60,
+        "trusting": True,
+        "quiet": True,
+    } | options
     return commands.grade_course(folder / "submitted", folder / "graded", **given)
 
 
 @pytest.fixture
 def course(tmp_path):
-    """Ann has all of 1.15, Bob two wrong answers and late, Cid handed in 1.17 without answers, Dan nothing."""
+    """Ann has all of 1.15, Bob two wrong answers and late, Cid handed in 1.17 without answers, Dan
+    nothing."""
     write_assignment(tmp_path, HOMEWORK)
     hand_in(tmp_path, "ann", "1.15", RIGHT_1_15, at=DUE - 60)
-    hand_in(tmp_path, "bob", "1.15", RIGHT_1_15 | {"a_region": "k1 > 0", "b_region": "k2 > k1"}, at=DUE + 60)
+    hand_in(
+        tmp_path,
+        "bob",
+        "1.15",
+        RIGHT_1_15 | {"a_region": "k1 > 0", "b_region": "k2 > k1"},
+        at=DUE + 60,
+    )
     hand_in(tmp_path, "cid", "1.17", {}, at=DUE - 60)
     (tmp_path / "submitted" / "dan").mkdir()
     return tmp_path
 
 
 def test_a_course_in_the_sandbox_from_the_command_line(course):
-    done = workbook("grade", "submitted", "--out", "graded", "--site", "https://example.org/course", cwd=course)
+    done = workbook(
+        "grade", "submitted", "--out", "graded", "--site", "https://example.org/course", cwd=course
+    )
     assert done.returncode == 0, done.stderr
-    assert "hw1: 12 points, due 2026-10-01 12:00 (UTC), by assignments/hw1/assignment.toml" in done.stderr
-    assert ("3 of 4 students handed something in, 1 late; tables and pages in graded/hw1" in done.stderr
-            and "3/3" in done.stderr)
+    assert (
+        "hw1: 12 points, due 2026-10-01 12:00 (UTC), by assignments/hw1/assignment.toml"
+        in done.stderr
+    )
+    assert (
+        "3 of 4 students handed something in, 1 late; tables and pages in graded/hw1" in done.stderr
+        and "3/3" in done.stderr
+    )
     assert table(course / "graded" / "hw1" / "grades.csv") == [
         ["student", "1.15", "1.17", "total", "max", "late", "needs review"],
-        ["ann", "10.00", "0.00", "10.00", "12.00", "", "no"], ["bob", "6.00", "0.00", "6.00", "12.00", "1.15", "no"],
-        ["cid", "0.00", "0.00", "0.00", "12.00", "", "no"], ["dan", "0.00", "0.00", "0.00", "12.00", "", "no"]]
+        ["ann", "10.00", "0.00", "10.00", "12.00", "", "no"],
+        ["bob", "6.00", "0.00", "6.00", "12.00", "1.15", "no"],
+        ["cid", "0.00", "0.00", "0.00", "12.00", "", "no"],
+        ["dan", "0.00", "0.00", "0.00", "12.00", "", "no"],
+    ]
     # Dan has no grade to hand on.
-    assert [row[0] for row in table(course / "graded" / "hw1" / "moodle.csv")] == ["ID number", "ann", "bob", "cid"]
-    assert [row[3] for row in table(course / "graded" / "hw1" / "nbgrader.csv")] == ["student_id", "ann", "bob",
-                                                                                     "cid", "dan"]
+    assert [row[0] for row in table(course / "graded" / "hw1" / "moodle.csv")] == [
+        "ID number",
+        "ann",
+        "bob",
+        "cid",
+    ]
+    assert [row[3] for row in table(course / "graded" / "hw1" / "nbgrader.csv")] == [
+        "student_id",
+        "ann",
+        "bob",
+        "cid",
+        "dan",
+    ]
     assert {path.name for path in (course / "graded" / "hw1").iterdir()} == {
-        "grades.csv", "changes.csv", "moodle.csv", "nbgrader.csv", "grades.json", "summary.html", "feedback"}
+        "grades.csv",
+        "changes.csv",
+        "moodle.csv",
+        "nbgrader.csv",
+        "grades.json",
+        "summary.html",
+        "feedback",
+    }
     bob = (course / "graded" / "hw1" / "feedback" / "bob.html").read_text(encoding="utf-8")
-    assert "Handed in after the due date" in bob and "<code>k1 &gt; 0</code>" in bob.replace("0 &lt; k1", "k1 &gt; 0")
+    assert "Handed in after the due date" in bob and "<code>k1 &gt; 0</code>" in bob.replace(
+        "0 &lt; k1", "k1 &gt; 0"
+    )
     assert "https://example.org/course/book/ch1.html" in bob
     again = workbook("grade", "submitted", "--out", "graded", "--json", cwd=course)
     summary = json.loads(again.stdout)
     assert again.stderr == "" and summary["graded"] == 0 and summary["already graded"] == 3
-    assert (summary["assignments"] == {"hw1": {"ann": 10, "bob": 6, "cid": 0, "dan": 0}}
-            and summary["late"] == {"hw1": {"bob": ["1.15"]}})
+    assert summary["assignments"] == {"hw1": {"ann": 10, "bob": 6, "cid": 0, "dan": 0}} and summary[
+        "late"
+    ] == {"hw1": {"bob": ["1.15"]}}
 
 
 def test_points_by_hand_from_the_command_line(course, here):
     grade(course)
-    done = workbook("score", "bob", "hw1", "1.15", "a_region", "1.5", "--comment", "the idea is right", cwd=course)
-    assert done.returncode == 0 and "bob, hw1, 1.15 a_region: 1.5 of 2 points by hand" in done.stdout
+    done = workbook(
+        "score",
+        "bob",
+        "hw1",
+        "1.15",
+        "a_region",
+        "1.5",
+        "--comment",
+        "the idea is right",
+        cwd=course,
+    )
+    assert (
+        done.returncode == 0 and "bob, hw1, 1.15 a_region: 1.5 of 2 points by hand" in done.stdout
+    )
     assert grade(course)["assignments"]["hw1"]["bob"] == 7.5
-    assert "the idea is right" in (course / "graded" / "hw1" / "feedback" / "bob.html").read_text(encoding="utf-8")
-    done = workbook("score", "bob", "hw1", "1.15", "a_region", "--remove", "--graded", course / "graded", cwd="/")
+    assert "the idea is right" in (course / "graded" / "hw1" / "feedback" / "bob.html").read_text(
+        encoding="utf-8"
+    )
+    done = workbook(
+        "score",
+        "bob",
+        "hw1",
+        "1.15",
+        "a_region",
+        "--remove",
+        "--graded",
+        course / "graded",
+        cwd="/",
+    )
     assert done.returncode == 0 and "the automatic points count again" in done.stdout
     assert grade(course)["assignments"]["hw1"]["bob"] == 6
-    assert [row[-1] for row in table(course / "graded" / "hw1" / "changes.csv")[1:]] == ["points given by hand",
-                                                                                         "points by hand taken back"]
+    assert [row[-1] for row in table(course / "graded" / "hw1" / "changes.csv")[1:]] == [
+        "points given by hand",
+        "points by hand taken back",
+    ]
 
 
-@pytest.mark.parametrize("arguments, said", [
-    (["bib", "hw1", "1.15", "a_region", "1"], "hw1 has no student bib"),
-    (["bob", "hw7", "1.15", "a_region", "1"], "there are no grades of hw7 in graded"),
-    (["bob", "hw1", "1.4", "a_region", "1"], "hw1 asks for no 1.4 a_region; there are 1.15 a_region"),
-    (["bob", "hw1", "1.15", "a_region", "2.5"], "is worth 2 points"),
-    (["bob", "hw1", "1.15", "a_region", "nan"], "is worth 2 points"),
-    (["bob", "hw1", "1.15", "a_region"], "give either POINTS or --remove"),
-    (["bob", "hw1", "1.15", "a_region", "1", "--remove"], "give either POINTS or --remove"),
-    (["bob", "hw1", "1.15", "a_region", "--remove"], "has no points by hand"),
-])
+@pytest.mark.parametrize(
+    "arguments, said",
+    [
+        (["bib", "hw1", "1.15", "a_region", "1"], "hw1 has no student bib"),
+        (["bob", "hw7", "1.15", "a_region", "1"], "there are no grades of hw7 in graded"),
+        (
+            ["bob", "hw1", "1.4", "a_region", "1"],
+            "hw1 asks for no 1.4 a_region; there are 1.15 a_region",
+        ),
+        (["bob", "hw1", "1.15", "a_region", "2.5"], "is worth 2 points"),
+        (["bob", "hw1", "1.15", "a_region", "nan"], "is worth 2 points"),
+        (["bob", "hw1", "1.15", "a_region"], "give either POINTS or --remove"),
+        (["bob", "hw1", "1.15", "a_region", "1", "--remove"], "give either POINTS or --remove"),
+        (["bob", "hw1", "1.15", "a_region", "--remove"], "has no points by hand"),
+    ],
+)
 def test_a_score_that_cannot_be_is_refused_in_one_line(course, here, arguments, said):
     grade(course)
     done = workbook("score", *arguments, cwd=course)
-    assert done.returncode == 2 and said in done.stderr and len(done.stderr.strip().split("\n")) == 1
+    assert (
+        done.returncode == 2 and said in done.stderr and len(done.stderr.strip().split("\n")) == 1
+    )
 
 
 # Regrading
@@ -132,7 +219,8 @@ def test_a_score_that_cannot_be_is_refused_in_one_line(course, here, arguments, 
 
 @pytest.fixture
 def changed_workbook(tmp_path, monkeypatch):
-    """The exercises in a copy whose check cells can be changed; `change(problem, old, new)` does."""
+    """The exercises in a copy whose check cells can be changed; `change(problem, old, new)`
+    does."""
     copy = tmp_path / "workbook"
     shutil.copytree(exercises.home(), copy)
     monkeypatch.setattr(exercises, "home", lambda: copy)
@@ -146,30 +234,55 @@ def changed_workbook(tmp_path, monkeypatch):
     return change
 
 
-def test_a_changed_problem_regrades_what_it_changed_and_says_so(course, here, changed_workbook, capsys):
+def test_a_changed_problem_regrades_what_it_changed_and_says_so(
+    course, here, changed_workbook, capsys
+):
     hand_in(course, "bob", "1.17", {}, at=DUE - 60)
     grade(course)
     commands.score_by_hand(course / "graded", "ann", "hw1", "1.15", "b_region", 1.0, "see me")
     grade(course)
     assert sorted(here) == ["1.15", "1.15", "1.17", "1.17"]
     here.clear()
-    # Item a is now judged by the equation of item b: what was right is wrong, and the other way round for nobody.
-    changed_workbook("1.15", "a_region=checks.stability_region(a_region, a_poly",
-                     "a_region=checks.stability_region(a_region, b_poly")
+    # Item a is now judged by the equation of item b: what was right is wrong, and the other way
+    # round for nobody.
+    changed_workbook(
+        "1.15",
+        "a_region=checks.stability_region(a_region, a_poly",
+        "a_region=checks.stability_region(a_region, b_poly",
+    )
     summary = grade(course, quiet=False)
     assert here == ["1.15", "1.15"], "1.17 is as it was"
-    assert summary["assignments"]["hw1"] == {"ann": 7, "bob": 6, "cid": 0,
-                                             "dan": 0}, "points by hand stay after a regrade"
+    assert summary["assignments"]["hw1"] == {"ann": 7, "bob": 6, "cid": 0, "dan": 0}, (
+        "points by hand stay after a regrade"
+    )
     (change,) = summary["changes"]["hw1"]
-    assert (change["student"], change["answer"], change["old_verdict"],
-            change["new_verdict"]) == ("ann", "a_region", "right", "wrong")
-    assert (change["old_points"], change["new_points"],
-            change["why"]) == (2.0, 0.0, "the problem or its checks changed")
+    assert (change["student"], change["answer"], change["old_verdict"], change["new_verdict"]) == (
+        "ann",
+        "a_region",
+        "right",
+        "wrong",
+    )
+    assert (change["old_points"], change["new_points"], change["why"]) == (
+        2.0,
+        0.0,
+        "the problem or its checks changed",
+    )
     said = capsys.readouterr().err
     assert "1 answer is not what it was:" in said
-    assert "ann 1.15 a_region: right -> wrong, 2 -> 0 points (the problem or its checks changed)" in said
+    assert (
+        "ann 1.15 a_region: right -> wrong, 2 -> 0 points (the problem or its checks changed)"
+        in said
+    )
     assert table(course / "graded" / "hw1" / "changes.csv")[-1][1:] == [
-        "ann", "1.15", "a_region", "right", "wrong", "2.00", "0.00", "the problem or its checks changed"]
+        "ann",
+        "1.15",
+        "a_region",
+        "right",
+        "wrong",
+        "2.00",
+        "0.00",
+        "the problem or its checks changed",
+    ]
     assert grade(course)["changes"]["hw1"] == [], "a change is told once"
     assert len(table(course / "graded" / "hw1" / "changes.csv")) == 1 + 2, "and stays in the table"
 
@@ -178,7 +291,10 @@ def test_a_change_of_a_problem_that_is_taken_back(course, here, changed_workbook
     """What counts is judged by the problem as it is, not by the version that judged last."""
     right = "a_region=checks.stability_region(a_region, a_poly"
     mistaken = "a_region=checks.stability_region(a_region, b_poly"
-    for old, new, points in ((right, mistaken, {"ann": 8, "bob": 6}), (mistaken, right, {"ann": 10, "bob": 6})):
+    for old, new, points in (
+        (right, mistaken, {"ann": 8, "bob": 6}),
+        (mistaken, right, {"ann": 10, "bob": 6}),
+    ):
         grade(course)
         changed_workbook("1.15", old, new)
         summary = grade(course)
@@ -186,16 +302,23 @@ def test_a_change_of_a_problem_that_is_taken_back(course, here, changed_workbook
     assert grade(course)["graded"] == 0
 
 
-def test_a_run_killed_before_it_told_its_changes_tells_them_next_time(course, here, changed_workbook, monkeypatch):
+def test_a_run_killed_before_it_told_its_changes_tells_them_next_time(
+    course, here, changed_workbook, monkeypatch
+):
     grade(course)
-    changed_workbook("1.15", "a_region=checks.stability_region(a_region, a_poly",
-                     "a_region=checks.stability_region(a_region, b_poly")
+    changed_workbook(
+        "1.15",
+        "a_region=checks.stability_region(a_region, a_poly",
+        "a_region=checks.stability_region(a_region, b_poly",
+    )
     with monkeypatch.context() as killed:
         killed.setattr(commands, "write", lambda *_, **__: (_ for _ in ()).throw(KeyboardInterrupt))
         with pytest.raises(KeyboardInterrupt):
             grade(course)
     summary = grade(course)
-    assert summary["graded"] == 0 and [change["student"] for change in summary["changes"]["hw1"]] == ["ann"]
+    assert summary["graded"] == 0 and [
+        change["student"] for change in summary["changes"]["hw1"]
+    ] == ["ann"]
 
 
 def test_resubmission(course, here):
@@ -203,16 +326,26 @@ def test_resubmission(course, here):
     hand_in(course, "bob", "1.15", RIGHT_1_15, at=DUE + 120)
     hand_in(course, "dan", "1.15", RIGHT_1_15, at=DUE + 120)
     summary = grade(course)
-    assert (summary["graded"] == 2 and summary["assignments"]["hw1"]["bob"] == 10
-            and summary["assignments"]["hw1"]["dan"] == 10)
-    assert {(change["student"], change["answer"], change["why"]) for change in summary["changes"]["hw1"]} == {
+    assert (
+        summary["graded"] == 2
+        and summary["assignments"]["hw1"]["bob"] == 10
+        and summary["assignments"]["hw1"]["dan"] == 10
+    )
+    assert {
+        (change["student"], change["answer"], change["why"]) for change in summary["changes"]["hw1"]
+    } == {
         ("bob", "a_region", "another attempt counts"),
-        ("bob", "b_region", "another attempt counts")}, "Dan's first one changes no grade"
+        ("bob", "b_region", "another attempt counts"),
+    }, "Dan's first one changes no grade"
     hand_in(course, "bob", "1.15", WRONG, at=DUE + 180)
     assert grade(course)["assignments"]["hw1"]["bob"] == 10, "the best counts"
     write_assignment(course, 'attempt = "last"\n' + HOMEWORK)
     summary = grade(course)
-    assert summary["graded"] == 0 and summary["assignments"]["hw1"]["bob"] == 0 and len(summary["changes"]["hw1"]) == 5
+    assert (
+        summary["graded"] == 0
+        and summary["assignments"]["hw1"]["bob"] == 0
+        and len(summary["changes"]["hw1"]) == 5
+    )
     page = (course / "graded" / "hw1" / "feedback" / "bob.html").read_text(encoding="utf-8")
     assert "You handed this in 3 times" in page
 
@@ -221,7 +354,9 @@ def test_changed_points_are_a_change(course, here):
     grade(course)
     write_assignment(course, HOMEWORK.replace("= 10", "= 5"))
     summary = grade(course)
-    assert {change["why"] for change in summary["changes"]["hw1"]} == {"the assignment's points changed"}
+    assert {change["why"] for change in summary["changes"]["hw1"]} == {
+        "the assignment's points changed"
+    }
     assert len(summary["changes"]["hw1"]) == 8 and summary["assignments"]["hw1"]["ann"] == 5
 
 
@@ -230,26 +365,46 @@ def test_changed_points_are_a_change(course, here):
 
 def test_roster(course, here, capsys):
     roster = course / "canvas.csv"
-    roster.write_text('Student,ID,SIS Login ID,Section\n    Points Possible,,,\n"Able, Ann",1,ann,A\n"Bee, '
-                      'Bob",2,bob,A\n', encoding="utf-8")
+    roster.write_text(
+        'Student,ID,SIS Login ID,Section\n    Points Possible,,,\n"Able, Ann",1,ann,A\n"Bee, '
+        'Bob",2,bob,A\n',
+        encoding="utf-8",
+    )
     summary = grade(course, roster=roster, quiet=False)
     assert table(course / "graded" / "hw1" / "canvas.csv") == [
-        ["Student", "ID", "SIS Login ID", "Section", "Homework 1"], ["    Points Possible", "", "", "", "12.00"],
-        ["Able, Ann", "1", "ann", "A", "10.00"], ["Bee, Bob", "2", "bob", "A", "6.00"]]
-    assert (summary["not in the roster"] == {"hw1": ["cid", "dan"]}
-            and "not in the roster: cid, dan" in capsys.readouterr().err)
+        ["Student", "ID", "SIS Login ID", "Section", "Homework 1"],
+        ["    Points Possible", "", "", "", "12.00"],
+        ["Able, Ann", "1", "ann", "A", "10.00"],
+        ["Bee, Bob", "2", "bob", "A", "6.00"],
+    ]
+    assert (
+        summary["not in the roster"] == {"hw1": ["cid", "dan"]}
+        and "not in the roster: cid, dan" in capsys.readouterr().err
+    )
 
 
 def test_other_points_possible_in_canvas_are_said(course, here, capsys):
     roster = course / "canvas.csv"
-    for possible, said in (("10", True), ("12", False), ("12.00", False), ("", False), ("(read only)", False)):
-        roster.write_text(f"Student,ID,SIS Login ID,Section,Homework 1 (5)\n    Points "
-                          f"Possible,,,,{possible}\nAnn,1,ann,A,\n",
-                          encoding="utf-8")
+    for possible, said in (
+        ("10", True),
+        ("12", False),
+        ("12.00", False),
+        ("", False),
+        ("(read only)", False),
+    ):
+        roster.write_text(
+            f"Student,ID,SIS Login ID,Section,Homework 1 (5)\n    Points "
+            f"Possible,,,,{possible}\nAnn,1,ann,A,\n",
+            encoding="utf-8",
+        )
         grade(course, roster=roster, quiet=False)
-        assert table(course / "graded" / "hw1" / "canvas.csv")[2][-1] == "10.00", ("the points of the homework, as "
-                                                                                   "they are")
-        assert ("Canvas has 10 points possible for Homework 1, the homework has 12" in capsys.readouterr().err) == said
+        assert table(course / "graded" / "hw1" / "canvas.csv")[2][-1] == "10.00", (
+            "the points of the homework, as they are"
+        )
+        assert (
+            "Canvas has 10 points possible for Homework 1, the homework has 12"
+            in capsys.readouterr().err
+        ) == said
 
 
 def test_a_bad_roster_is_said_before_anything_is_graded(course, here):
@@ -266,7 +421,10 @@ def test_without_a_file_every_answer_is_a_point(course, here, capsys):
     hand_in(course, "dan", "1.17", {})
     grade(course, assignment_folder=None, quiet=False)
     said = capsys.readouterr().err
-    assert "hw1: 7 points, no due date, one for each answer, since there is no assignment.toml for it" in said
+    assert (
+        "hw1: 7 points, no due date, one for each answer, since there is no assignment.toml for it"
+        in said
+    )
     assert "  problems: 1.15 (from 2 students), 1.17 (from 2 students)\n" in said
 
 
@@ -274,7 +432,10 @@ def test_without_a_file_a_stray_adds_to_nobodys_maximum(course, here, capsys):
     summary = grade(course, assignment_folder=None, quiet=False)
     said = capsys.readouterr().err
     assert "hw1: 5 points" in said and "1.15 (from 2 students)\n" in said
-    assert "submitted/cid/hw1/ch1-p17.ipynb: only cid handed in problem 1.17, while others share 1.15" in said
+    assert (
+        "submitted/cid/hw1/ch1-p17.ipynb: only cid handed in problem 1.17, while others share 1.15"
+        in said
+    )
     assert summary["to review"] == {"hw1": {"cid": []}}
 
 
@@ -284,9 +445,19 @@ def test_a_homework_of_another_name_is_no_silent_zero(course, here, capsys):
         hand_in(course, student, "1.15", RIGHT_1_15, assignment=name)
     summary = grade(course, quiet=False)
     said = capsys.readouterr().err
-    assert set(summary["assignments"]) == {"hw1"} and list(summary["to review"]["hw1"]) == ["dan", "fay", "hw1"]
-    assert "submitted/dan/HW1/ch1-p15.ipynb: there is no homework HW1; hw1 is another name: rename the folder" in said
-    assert "hw1 is a homework, so this has to lie in eva/hw1: first the student, then the homework" in said
+    assert set(summary["assignments"]) == {"hw1"} and list(summary["to review"]["hw1"]) == [
+        "dan",
+        "fay",
+        "hw1",
+    ]
+    assert (
+        "submitted/dan/HW1/ch1-p15.ipynb: there is no homework HW1; hw1 is another name: rename "
+        "the folder" in said
+    )
+    assert (
+        "hw1 is a homework, so this has to lie in eva/hw1: first the student, then the homework"
+        in said
+    )
     assert "there is no homework stuff: no assignment.toml stands in a folder of this name" in said
     (course / "submitted" / "dan" / "HW1").rename(course / "submitted" / "dan" / "hw1")
     assert grade(course)["assignments"]["hw1"]["dan"] == 10
@@ -294,21 +465,38 @@ def test_a_homework_of_another_name_is_no_silent_zero(course, here, capsys):
 
 def test_a_file_is_found_in_either_spelling(course, here):
     write_assignment(course, HOMEWORK, name=normalize("NFD", "été"))
-    hand_in(course, normalize("NFD", "renée"), "1.15", RIGHT_1_15, assignment=normalize("NFC", "été"))
+    hand_in(
+        course, normalize("NFD", "renée"), "1.15", RIGHT_1_15, assignment=normalize("NFC", "été")
+    )
     roster = course / "canvas.csv"
-    roster.write_text(normalize("NFD", "Student,ID,SIS Login ID,Section\nRenée,1,renée,A\n"), encoding="utf-8")
-    assert grade(course, roster=roster)["assignments"]["été"] == {name: 10 * (name == "renée")
-                                                                  for name in ("ann", "bob", "cid", "dan", "renée")}
+    roster.write_text(
+        normalize("NFD", "Student,ID,SIS Login ID,Section\nRenée,1,renée,A\n"), encoding="utf-8"
+    )
+    assert grade(course, roster=roster)["assignments"]["été"] == {
+        name: 10 * (name == "renée") for name in ("ann", "bob", "cid", "dan", "renée")
+    }
     assert table(course / "graded" / "été" / "canvas.csv")[2][-1] == "10.00"
-    commands.score_by_hand(course / "graded", normalize("NFD", "renée"), normalize("NFD", "été"), "1.15", "a_region",
-                           1.0)
+    commands.score_by_hand(
+        course / "graded",
+        normalize("NFD", "renée"),
+        normalize("NFD", "été"),
+        "1.15",
+        "a_region",
+        1.0,
+    )
 
 
 def test_versions_beyond_the_attempts_are_not_graded(course, here):
     write_assignment(course, "attempts = 1\n" + HOMEWORK)
     for k in range(5):
-        hand_in(course, "bob", "1.15", RIGHT_1_15 | {"a_region": f"k1 > {k}"}, at=DUE + 100 + k,
-                name=f"ch1-p15-{k}.ipynb")
+        hand_in(
+            course,
+            "bob",
+            "1.15",
+            RIGHT_1_15 | {"a_region": f"k1 > {k}"},
+            at=DUE + 100 + k,
+            name=f"ch1-p15-{k}.ipynb",
+        )
     assert grade(course)["graded"] == 3 and sorted(here) == ["1.15", "1.15", "1.17"]
     write_assignment(course, "attempts = 2\n" + HOMEWORK)
     assert grade(course)["graded"] == 1
@@ -323,17 +511,28 @@ def test_a_problem_taken_out_of_the_homework_is_a_change(course, here, capsys):
     grade(course)
     write_assignment(course, 'problems = ["1.17"]\n')
     changes = grade(course, quiet=False)["changes"]["hw1"]
-    assert len(changes) == 5 + 3 and {change["why"] for change in changes} == {"the homework asks for it no longer"}
-    assert ("ann 1.15 a_region: right -> not asked for, 2 -> 0 points (the homework asks for it no longer)"
-            in capsys.readouterr().err)
+    assert len(changes) == 5 + 3 and {change["why"] for change in changes} == {
+        "the homework asks for it no longer"
+    }
+    assert (
+        "ann 1.15 a_region: right -> not asked for, 2 -> 0 points (the homework asks for it no "
+        "longer)" in capsys.readouterr().err
+    )
     assert len(table(course / "graded" / "hw1" / "changes.csv")) == 1 + 8
     assert grade(course)["changes"]["hw1"] == []
     write_assignment(course, HOMEWORK)
     back = grade(course, quiet=False)["changes"]["hw1"]
-    assert len(back) == 5 + 3 and {change["why"] for change in back} == {"the homework asks for it again"}
-    assert ("ann 1.15 a_region: not asked for -> right, 0 -> 2 points (the homework asks for it again)"
-            in capsys.readouterr().err)
-    assert len(table(course / "graded" / "hw1" / "changes.csv")) == 1 + 8 + 8 and grade(course)["changes"]["hw1"] == []
+    assert len(back) == 5 + 3 and {change["why"] for change in back} == {
+        "the homework asks for it again"
+    }
+    assert (
+        "ann 1.15 a_region: not asked for -> right, 0 -> 2 points (the homework asks for it again)"
+        in capsys.readouterr().err
+    )
+    assert (
+        len(table(course / "graded" / "hw1" / "changes.csv")) == 1 + 8 + 8
+        and grade(course)["changes"]["hw1"] == []
+    )
 
 
 def test_points_by_hand_are_no_more_than_the_answer_is_worth(course, here, capsys):
@@ -343,11 +542,20 @@ def test_points_by_hand_are_no_more_than_the_answer_is_worth(course, here, capsy
     write_assignment(course, HOMEWORK.replace("= 10", "= 5"))
     summary = grade(course, quiet=False)
     assert summary["assignments"]["hw1"]["bob"] == 4
-    (change,) = [change for change in summary["changes"]["hw1"] if (change["student"], change["answer"])
-                 == ("bob", "a_region")]
-    assert (change["old_points"], change["new_points"], change["why"]) == (2, 1, "the assignment's points changed")
-    assert ("points by hand above what the answer is worth now count as that: bob 1.15 a_region (2, worth 1)"
-            in capsys.readouterr().err)
+    (change,) = [
+        change
+        for change in summary["changes"]["hw1"]
+        if (change["student"], change["answer"]) == ("bob", "a_region")
+    ]
+    assert (change["old_points"], change["new_points"], change["why"]) == (
+        2,
+        1,
+        "the assignment's points changed",
+    )
+    assert (
+        "points by hand above what the answer is worth now count as that: bob 1.15 a_region (2, "
+        "worth 1)" in capsys.readouterr().err
+    )
     write_assignment(course, HOMEWORK)
     assert grade(course)["assignments"]["hw1"]["bob"] == 8, "nothing that was entered is lost"
 
@@ -356,8 +564,12 @@ def test_points_by_hand_are_no_more_than_the_answer_is_worth(course, here, capsy
 
 
 def test_a_person_has_to_look_at_what_was_left_aside(course, here, capsys):
-    for student, place in (("dan", "hw1/inner/ch1-p15.ipynb"), ("eva", "ch1-p15.ipynb"), ("fay", "hw1/mine.ipynb"),
-                           ("ann", "ch1-p15.ipynb")):
+    for student, place in (
+        ("dan", "hw1/inner/ch1-p15.ipynb"),
+        ("eva", "ch1-p15.ipynb"),
+        ("fay", "hw1/mine.ipynb"),
+        ("ann", "ch1-p15.ipynb"),
+    ):
         path = course / "submitted" / student / place
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text('{"cells": []}')
@@ -365,19 +577,29 @@ def test_a_person_has_to_look_at_what_was_left_aside(course, here, capsys):
     (course / "submitted" / "gil" / "hw1" / "ch1-p15.pdf").touch()
     (course / "submitted" / "hal" / "hw1").mkdir(parents=True)
     summary = grade(course, quiet=False)
-    assert list(summary["to review"]["hw1"]) == ["dan", "eva", "fay",
-                                                 "gil"], "what lies in no homework is Ann's of another one"
+    assert list(summary["to review"]["hw1"]) == ["dan", "eva", "fay", "gil"], (
+        "what lies in no homework is Ann's of another one"
+    )
     rows = {row[0]: row[-1] for row in table(course / "graded" / "hw1" / "grades.csv")}
     assert rows["dan"] == rows["gil"] == "yes" and rows["hal"] == "no"
     assert "dan" not in [row[0] for row in table(course / "graded" / "hw1" / "moodle.csv")]
     assert "4 need your look" in capsys.readouterr().err
     for student in ("dan", "eva", "fay", "gil"):
-        page = (course / "graded" / "hw1" / "feedback" / f"{student}.html").read_text(encoding="utf-8")
-        assert "Nothing was submitted" not in page and "Something you handed in was left aside" in page
-    assert "Nothing was submitted" in (course / "graded" / "hw1" / "feedback" / "hal.html").read_text(encoding="utf-8")
+        page = (course / "graded" / "hw1" / "feedback" / f"{student}.html").read_text(
+            encoding="utf-8"
+        )
+        assert (
+            "Nothing was submitted" not in page and "Something you handed in was left aside" in page
+        )
+    assert "Nothing was submitted" in (
+        course / "graded" / "hw1" / "feedback" / "hal.html"
+    ).read_text(encoding="utf-8")
     summary = (course / "graded" / "hw1" / "summary.html").read_text(encoding="utf-8")
     summary = summary.split("<h2>Left aside</h2>")[1].split("<h2>")[0]
-    assert all(f"<bdi>{student}</bdi>" in summary for student in ("dan", "eva", "fay", "gil")) and "ann" not in summary
+    assert (
+        all(f"<bdi>{student}</bdi>" in summary for student in ("dan", "eva", "fay", "gil"))
+        and "ann" not in summary
+    )
 
 
 def test_a_notebook_for_another_problem_makes_only_those_wait_who_lack_something(course, here):
@@ -385,9 +607,13 @@ def test_a_notebook_for_another_problem_makes_only_those_wait_who_lack_something
         hand_in(course, student, number, {})
     assert grade(course)["to review"]["hw1"] == {"cid": []}
     for student, looks in (("ann", False), ("cid", True)):
-        page = (course / "graded" / "hw1" / "feedback" / f"{student}.html").read_text(encoding="utf-8")
-        assert ("it is for problem 1.4, which this homework does not ask for" in page
-                and ("your lecturer will look at it" in page) == looks)
+        page = (course / "graded" / "hw1" / "feedback" / f"{student}.html").read_text(
+            encoding="utf-8"
+        )
+        assert (
+            "it is for problem 1.4, which this homework does not ask for" in page
+            and ("your lecturer will look at it" in page) == looks
+        )
 
 
 def test_a_homework_of_which_everything_was_left_aside(course, here):
@@ -403,12 +629,17 @@ def test_the_lecturer_sees_what_could_not_be_read(course, here, capsys):
     assert "2 notebooks could not be read or run" in capsys.readouterr().err
     page = (course / "graded" / "hw1" / "summary.html").read_text(encoding="utf-8")
     section = page.split("<h2>Notebooks that could not be read or run</h2>")[1].split("<h2>")[0]
-    assert (section.count("<tr>") == 2 and "no JSON in UTF-8" in section
-            and "<bdi>dan</bdi> (1.15), <bdi>eva</bdi> (1.15)" in section)
+    assert (
+        section.count("<tr>") == 2
+        and "no JSON in UTF-8" in section
+        and "<bdi>dan</bdi> (1.15), <bdi>eva</bdi> (1.15)" in section
+    )
     hand_in(course, "dan", "1.15", RIGHT_1_15)
     hand_in(course, "eva", "1.15", RIGHT_1_15)
     grade(course)
-    assert "could not be read or run" not in (course / "graded" / "hw1" / "summary.html").read_text(encoding="utf-8")
+    assert "could not be read or run" not in (course / "graded" / "hw1" / "summary.html").read_text(
+        encoding="utf-8"
+    )
 
 
 # A disk that is full, and what is spoilt
@@ -420,22 +651,38 @@ def test_a_full_disk_is_said_in_one_line_and_tells_its_changes_next_time(course,
     before = (course / "graded" / "hw1" / "grades.csv").read_bytes()
     full = course / "graded" / "hw1" / ".grades.csv.writing"
     full.symlink_to("/dev/full")
-    with pytest.raises(BadInput, match="grades.csv cannot be written: No space left on device; nothing that was there "
-                                       "is lost"):
+    with pytest.raises(
+        BadInput,
+        match="grades.csv cannot be written: No space left on device; nothing that was there "
+        "is lost",
+    ):
         grade(course)
     assert (course / "graded" / "hw1" / "grades.csv").read_bytes() == before
     summary = grade(course)
-    assert summary["graded"] == 0 and {change["student"] for change in summary["changes"]["hw1"]} == {"bob"}
+    assert summary["graded"] == 0 and {
+        change["student"] for change in summary["changes"]["hw1"]
+    } == {"bob"}
 
 
-@pytest.mark.parametrize("spoilt", ["[]", "3", '{"students": []}', '{"students": {"ann": {}}, "changes": []}',
-                                    '{"students": {}, "changes": [1]}',
-                                    '{"students": {"ann": {"answers": [{"problem": 1}]}}, "changes": []}', "[" * 10**5])
+@pytest.mark.parametrize(
+    "spoilt",
+    [
+        "[]",
+        "3",
+        '{"students": []}',
+        '{"students": {"ann": {}}, "changes": []}',
+        '{"students": {}, "changes": [1]}',
+        '{"students": {"ann": {"answers": [{"problem": 1}]}}, "changes": []}',
+        "[" * 10**5,
+    ],
+)
 def test_a_record_of_another_form_is_said_in_one_line(course, here, spoilt):
     grade(course)
     (course / "graded" / "hw1" / "grades.json").write_text(spoilt)
-    for act in (lambda: grade(course), lambda: commands.score_by_hand(course / "graded", "ann", "hw1", "1.15",
-                                                                      "a_region", 1.0)):
+    for act in (
+        lambda: grade(course),
+        lambda: commands.score_by_hand(course / "graded", "ann", "hw1", "1.15", "a_region", 1.0),
+    ):
         with pytest.raises(BadInput, match="grades.json is not as workbook grade wrote it"):
             act()
 
@@ -450,24 +697,43 @@ def test_answers_to_be_looked_at(course, here, changed_workbook, capsys):
     # A check of ours that fails: it asks for a polynomial that is not there.
     changed_workbook("1.15", "stability_region(a_region, a_poly", "stability_region(a_region, None")
     summary = grade(course, quiet=False)
-    assert summary["to review"] == {"hw1": {"ann": [["1.15", "a_region"]], "bob": [["1.15", "a_region"]]}}
+    assert summary["to review"] == {
+        "hw1": {"ann": [["1.15", "a_region"]], "bob": [["1.15", "a_region"]]}
+    }
     assert "2 need your look" in capsys.readouterr().err
-    assert [row[0] for row in table(course / "graded" / "hw1" / "moodle.csv")] == ["ID number", "cid"]
+    assert [row[0] for row in table(course / "graded" / "hw1" / "moodle.csv")] == [
+        "ID number",
+        "cid",
+    ]
     commands.score_by_hand(course / "graded", "ann", "hw1", "1.15", "a_region", 2.0)
     summary = grade(course)
-    assert list(summary["to review"]["hw1"]) == ["bob"] and summary["assignments"]["hw1"]["ann"] == 10
+    assert (
+        list(summary["to review"]["hw1"]) == ["bob"] and summary["assignments"]["hw1"]["ann"] == 10
+    )
 
 
-@pytest.mark.parametrize("arguments, said", [
-    (["grade", "nowhere", "--out", "graded"], "nowhere is not a folder"),
-    (["grade", "submitted", "--out", "graded", "--assignments", "nowhere"], "nowhere is not a folder"),
-    (["grade", "submitted", "--out", "graded", "--processes", "-1"], "--processes is a number from 1 up"),
-    (["grade", "submitted", "--out", "graded", "--roster", "nowhere.csv"], "nowhere.csv: No such file or directory"),
-    (["assignment", "new", "hw1", "1.15"], "assignments/hw1 is already there"),
-    (["assignment", "new", "hw2", "9.99"], "there is no problem 9.99"),
-    (["assignment", "new", "hw2", "1.15", "--due", "Friday"], "'Friday' is not a date"),
-    (["assignment", "new", "hw2", "1.15", "--due", "0001-01-01"], "'0001-01-01' is not a date"),
-])
+@pytest.mark.parametrize(
+    "arguments, said",
+    [
+        (["grade", "nowhere", "--out", "graded"], "nowhere is not a folder"),
+        (
+            ["grade", "submitted", "--out", "graded", "--assignments", "nowhere"],
+            "nowhere is not a folder",
+        ),
+        (
+            ["grade", "submitted", "--out", "graded", "--processes", "-1"],
+            "--processes is a number from 1 up",
+        ),
+        (
+            ["grade", "submitted", "--out", "graded", "--roster", "nowhere.csv"],
+            "nowhere.csv: No such file or directory",
+        ),
+        (["assignment", "new", "hw1", "1.15"], "assignments/hw1 is already there"),
+        (["assignment", "new", "hw2", "9.99"], "there is no problem 9.99"),
+        (["assignment", "new", "hw2", "1.15", "--due", "Friday"], "'Friday' is not a date"),
+        (["assignment", "new", "hw2", "1.15", "--due", "0001-01-01"], "'0001-01-01' is not a date"),
+    ],
+)
 def test_bad_input_ends_in_one_line_and_code_2(course, arguments, said):
     done = workbook(*arguments, cwd=course)
     assert done.returncode == 2 and said in done.stderr, done.stderr
@@ -477,17 +743,37 @@ def test_bad_input_ends_in_one_line_and_code_2(course, arguments, said):
 def test_a_bad_assignment_file_ends_in_one_line_and_code_2(course):
     write_assignment(course, 'problems = ["1.15"]\n[points]\n"1.16" = 2')
     done = workbook("grade", "submitted", "--out", "graded", cwd=course)
-    assert done.returncode == 2 and 'assignments/hw1/assignment.toml: points."1.16" names neither' in done.stderr
+    assert (
+        done.returncode == 2
+        and 'assignments/hw1/assignment.toml: points."1.16" names neither' in done.stderr
+    )
     assert len(done.stderr.strip().split("\n")) == 1
 
 
 def test_a_homework_from_the_command_line(tmp_path):
-    done = workbook("assignment", "new", "hw1", "1.4", "1.15", "--title", "Stability", "--due", "2026-10-01T23:59+03:00",
-                   cwd=tmp_path)
-    assert (done.returncode == 0
-            and "assignments/hw1: 2 problems, 13 answers, 13 points, due 2026-10-01 23:59 (UTC+03:00)" in done.stdout)
+    done = workbook(
+        "assignment",
+        "new",
+        "hw1",
+        "1.4",
+        "1.15",
+        "--title",
+        "Stability",
+        "--due",
+        "2026-10-01T23:59+03:00",
+        cwd=tmp_path,
+    )
+    assert (
+        done.returncode == 0
+        and "assignments/hw1: 2 problems, 13 answers, 13 points, due 2026-10-01 23:59 (UTC+03:00)"
+        in done.stdout
+    )
     assert {path.name for path in (tmp_path / "assignments" / "hw1").iterdir()} == {
-        "assignment.toml", "README.md", "ch1-p04.ipynb", "ch1-p15.ipynb"}
+        "assignment.toml",
+        "README.md",
+        "ch1-p04.ipynb",
+        "ch1-p15.ipynb",
+    }
 
 
 def test_a_spoilt_record_is_said_in_one_line(course, here):
@@ -509,14 +795,23 @@ def test_names_of_pages():
 
 
 GUIDE = Path(__file__).resolve().parents[2] / "book" / "guides" / "lecturer.md"
-RIGHT_1_17 = {"a_region": "(omega2 > 0) & (epsilon > 0)", "b_region": "(epsilon >= 2) & (omega2 >= epsilon - 1)"}
+RIGHT_1_17 = {
+    "a_region": "(omega2 > 0) & (epsilon > 0)",
+    "b_region": "(epsilon >= 2) & (omega2 >= epsilon - 1)",
+}
 
 
 def the_class_hands_in(folder):
     on_time, late = DUE - 86400, DUE + 86400
     hand_in(folder, "ann", "1.15", RIGHT_1_15, at=on_time)
     hand_in(folder, "ann", "1.17", RIGHT_1_17, at=on_time)
-    hand_in(folder, "bob", "1.15", RIGHT_1_15 | {"a_region": "k1*k2 > 1", "b_region": "k2 > k1"}, at=late)
+    hand_in(
+        folder,
+        "bob",
+        "1.15",
+        RIGHT_1_15 | {"a_region": "k1*k2 > 1", "b_region": "k2 > k1"},
+        at=late,
+    )
     hand_in(folder, "cid", "1.15", RIGHT_1_15 | {"e_region": "k2 > 0"}, at=on_time)
     (folder / "submitted" / "dan").mkdir()
 
@@ -527,42 +822,75 @@ def cid_hands_in_again(folder):
 
 def canvas_exports_its_gradebook(folder):
     (folder / "canvas.csv").write_text(
-        "Student,ID,SIS User ID,SIS Login ID,Section,Homework 1: stability regions (4711),Final Score\n"
+        "Student,ID,SIS User ID,SIS Login ID,Section,Homework 1: stability regions (4711),Final "
+        "Score\n"
         "    Points Possible,,,,,7,(read only)\n"
-        '"Able, Ann",101,u101,ann,Group 1,,\n"Bee, Bob",102,u102,bob,Group 1,,\n"Cee, Cid",103,u103,cid,Group 2,,\n',
-        encoding="utf-8")
+        '"Able, Ann",101,u101,ann,Group 1,,\n"Bee, Bob",102,u102,bob,Group 1,,\n"Cee, '
+        'Cid",103,u103,cid,Group 2,,\n',
+        encoding="utf-8",
+    )
 
 
 #: What people do between the commands, at the beginning of a section.
-MEANWHILE = {"Collect": the_class_hands_in, "When something changes": cid_hands_in_again,
-             "Hand the grades on": canvas_exports_its_gradebook}
+MEANWHILE = {
+    "Collect": the_class_hands_in,
+    "When something changes": cid_hands_in_again,
+    "Hand the grades on": canvas_exports_its_gradebook,
+}
 
 
 def test_every_command_of_the_lecturers_guide(tmp_path):
-    environment = os.environ | {"COLUMNS": "120", "NO_COLOR": "1", "TERM": "dumb", "LC_ALL": "C.UTF-8",
-                                "PATH": f"{Path(sys.executable).parent}:{os.environ['PATH']}"}
+    environment = os.environ | {
+        "COLUMNS": "120",
+        "NO_COLOR": "1",
+        "TERM": "dumb",
+        "LC_ALL": "C.UTF-8",
+        "PATH": f"{Path(sys.executable).parent}:{os.environ['PATH']}",
+    }
     told, waiting = [], dict(MEANWHILE)
     for section, command, shown in steps(GUIDE.read_text(encoding="utf-8")):
         if section in waiting:
             waiting.pop(section)(tmp_path)
         if command.startswith("make "):
             # The tests of the site run these for real; here they are only looked up.
-            command, folder, shown = command.replace("make", "make -n", 1), GUIDE.parents[2], ["..."]
+            command, folder, shown = (
+                command.replace("make", "make -n", 1),
+                GUIDE.parents[2],
+                ["..."],
+            )
         elif command == "source .venv/bin/activate":
             # The environment of these tests, in a terminal that knows nothing of it.
             command = f"PATH=/usr/bin:/bin; source {sys.prefix}/bin/activate && command -v workbook"
             folder, shown = tmp_path, [f"{sys.prefix}/bin/workbook"]
         else:
             folder = tmp_path
-        done = subprocess.run(["bash", "-c", command], cwd=folder, env=environment, stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT,
-                              text=True, timeout=300)
-        assert done.returncode == (1 if command.startswith("workbook check") else 0), f"{command}: {done.stdout}"
-        assert (not shown or like(shown, done.stdout)), (f"{command} prints\n{done.stdout}\nand the page shows\n"
-                                                         + "\n".join(shown))
+        done = subprocess.run(
+            ["bash", "-c", command],
+            cwd=folder,
+            env=environment,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+            timeout=300,
+        )
+        assert done.returncode == (1 if command.startswith("workbook check") else 0), (
+            f"{command}: {done.stdout}"
+        )
+        assert not shown or like(shown, done.stdout), (
+            f"{command} prints\n{done.stdout}\nand the page shows\n" + "\n".join(shown)
+        )
         told.append(command)
     assert waiting == {} and len(told) > 15
-    for written in ("summary.html", "feedback/ann.html", "grades.csv", "changes.csv", "moodle.csv", "nbgrader.csv",
-                    "grades.json",
-                    "canvas.csv"):
-        assert (tmp_path / "graded" / "hw1" / written).exists() and written in GUIDE.read_text(encoding="utf-8")
+    for written in (
+        "summary.html",
+        "feedback/ann.html",
+        "grades.csv",
+        "changes.csv",
+        "moodle.csv",
+        "nbgrader.csv",
+        "grades.json",
+        "canvas.csv",
+    ):
+        assert (tmp_path / "graded" / "hw1" / written).exists() and written in GUIDE.read_text(
+            encoding="utf-8"
+        )

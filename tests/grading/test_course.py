@@ -9,16 +9,16 @@ from pathlib import Path
 import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
-from classroom import RIGHT_1_15, hand_in, write_assignment  # noqa: E402
+from classroom import RIGHT_1_15, hand_in, write_assignment
 
-from workbook.checks.contract.verdict import Verdict  # noqa: E402
-from workbook.grading import bench, commands, course, fingerprint, lanes, nursery, preloading  # noqa: E402
-from workbook.grading.assignment import BadInput  # noqa: E402
-from workbook.grading.judging import Judgement, failed  # noqa: E402
-from workbook.grading.sandbox import Limits  # noqa: E402
-from workbook.grading.scores import scores  # noqa: E402
-from workbook.grading.store import Store  # noqa: E402
-from workbook.notebooks import exercises  # noqa: E402
+from workbook.checks.contract.verdict import Verdict
+from workbook.grading import bench, commands, course, fingerprint, lanes, nursery, preloading
+from workbook.grading.assignment import BadInput
+from workbook.grading.judging import Judgement, failed
+from workbook.grading.sandbox import Limits
+from workbook.grading.scores import scores
+from workbook.grading.store import Store
+from workbook.notebooks import exercises
 
 
 def points(out, known):
@@ -34,8 +34,11 @@ def broken_lanes(monkeypatch):
     def grade_all(given, count, settings, nursery=None):
         for unit in given:
             broken = any(name in "".join(unit["sources"]) for name in unlucky)
-            judgement = failed(unit["names"], "it died") if broken else Judgement(
-                {name: Verdict("right", "yes") for name in unit["names"]}, {}, ())
+            judgement = (
+                failed(unit["names"], "it died")
+                if broken
+                else Judgement({name: Verdict("right", "yes") for name in unit["names"]}, {}, ())
+            )
             yield unit["key"], bench.as_plain(judgement)
 
     monkeypatch.setattr(lanes, "grade_all", grade_all)
@@ -47,18 +50,27 @@ def test_what_the_grader_failed_on_is_graded_again(tmp_path, broken_lanes):
     hand_in(tmp_path, "bela", "1.15", RIGHT_1_15)
     broken_lanes.add("ADA")
     known, plan, count = course.grade(tmp_path / "submitted", tmp_path)
-    assert (len(plan.pending), count) == (2, 1) and points(tmp_path, known) == {"ada": 0.0, "bela": 5.0}
+    assert (len(plan.pending), count) == (2, 1) and points(tmp_path, known) == {
+        "ada": 0.0,
+        "bela": 5.0,
+    }
     with Store(tmp_path / "grades.sqlite") as store:
         (ada, _) = store.attempts("hw1")
-        assert ({verdict.status for verdict in ada.verdicts.values()} == {"unchecked"}
-                and ada.remarks == ("grader: it failed on this notebook (it died)",))
+        assert {verdict.status for verdict in ada.verdicts.values()} == {
+            "unchecked"
+        } and ada.remarks == ("grader: it failed on this notebook (it died)",)
     broken_lanes.clear()
     known, plan, count = course.grade(tmp_path / "submitted", tmp_path)
-    assert (len(plan.pending), plan.known, count) == (1, 1, 0) and points(tmp_path, known) == {"ada": 5.0, "bela": 5.0}
+    assert (len(plan.pending), plan.known, count) == (1, 1, 0) and points(tmp_path, known) == {
+        "ada": 5.0,
+        "bela": 5.0,
+    }
     assert course.grade(tmp_path / "submitted", tmp_path)[1].pending == ()
 
 
-def test_a_first_run_imports_while_it_reads_and_a_later_one_only_what_is_needed(tmp_path, broken_lanes, monkeypatch):
+def test_a_first_run_imports_while_it_reads_and_a_later_one_only_what_is_needed(
+    tmp_path, broken_lanes, monkeypatch
+):
     started = []
 
     class Stub:
@@ -73,29 +85,53 @@ def test_a_first_run_imports_while_it_reads_and_a_later_one_only_what_is_needed(
 
 def test_a_lane_that_dies_is_replaced(tmp_path, monkeypatch):
     """For real: every lane ends itself at the first notebook of its life that says so."""
-    monkeypatch.setattr(nursery, "START", "import os\nfrom workbook.grading import bench\nreal = bench.Bench.grade\n"
-                        "bench.Bench.grade = lambda bench, unit: os._exit(1) if 'DIE' in ''.join(unit['sources']) "
-                        "else real(bench, unit)\n" + nursery.START)
-    for student, answers in (("ada", RIGHT_1_15), ("bela", {"a_region": "'DIE'"}), ("cyd", RIGHT_1_15)):
+    monkeypatch.setattr(
+        nursery,
+        "START",
+        "import os\nfrom workbook.grading import bench\nreal = bench.Bench.grade\n"
+        "bench.Bench.grade = lambda bench, unit: os._exit(1) if 'DIE' in ''.join(unit['sources']) "
+        "else real(bench, unit)\n" + nursery.START,
+    )
+    for student, answers in (
+        ("ada", RIGHT_1_15),
+        ("bela", {"a_region": "'DIE'"}),
+        ("cyd", RIGHT_1_15),
+    ):
         hand_in(tmp_path, student, "1.15", answers)
-    known, plan, count = course.grade(tmp_path / "submitted", tmp_path, count=1)
+    known, _plan, count = course.grade(tmp_path / "submitted", tmp_path, count=1)
     assert count == 1 and points(tmp_path, known) == {"ada": 5.0, "bela": 0.0, "cyd": 5.0}
 
 
 @pytest.mark.slow
 def test_other_limits_grade_again_what_met_the_former_ones(tmp_path):
     hand_in(tmp_path, "ada", "1.15", RIGHT_1_15)
-    hand_in(tmp_path, "bela", "1.15", RIGHT_1_15
-            | {"a_region": "[1 for _ in iter(lambda: __import__('time').process_time() < 2, False)]",
-                                                    "b_region": f"{RIGHT_1_15['b_region']}"})
-    known, plan, _ = course.grade(tmp_path / "submitted", tmp_path, limits=Limits(cpu_seconds=2, wall_seconds=60))
+    hand_in(
+        tmp_path,
+        "bela",
+        "1.15",
+        RIGHT_1_15
+        | {
+            "a_region": "[1 for _ in iter(lambda: __import__('time').process_time() < 2, False)]",
+            "b_region": f"{RIGHT_1_15['b_region']}",
+        },
+    )
+    known, plan, _ = course.grade(
+        tmp_path / "submitted", tmp_path, limits=Limits(cpu_seconds=2, wall_seconds=60)
+    )
     assert len(plan.pending) == 2 and points(tmp_path, known) == {"ada": 5.0, "bela": 4.0}
     with Store(tmp_path / "grades.sqlite") as store:
-        assert store.attempts("hw1")[1].remarks == ("limits: code cell 3 was stopped: it took half of the time that "
-                                                    "was left",)
-    assert course.grade(tmp_path / "submitted", tmp_path,
-                        limits=Limits(cpu_seconds=2, wall_seconds=60))[1].pending == ()
-    again = course.grade(tmp_path / "submitted", tmp_path, limits=Limits(cpu_seconds=30, wall_seconds=90))[1]
+        assert store.attempts("hw1")[1].remarks == (
+            "limits: code cell 3 was stopped: it took half of the time that was left",
+        )
+    assert (
+        course.grade(
+            tmp_path / "submitted", tmp_path, limits=Limits(cpu_seconds=2, wall_seconds=60)
+        )[1].pending
+        == ()
+    )
+    again = course.grade(
+        tmp_path / "submitted", tmp_path, limits=Limits(cpu_seconds=30, wall_seconds=90)
+    )[1]
     assert (len(again.pending), again.known) == (1, 1)
     with Store(tmp_path / "grades.sqlite") as store:
         assert store.attempts("hw1")[1].remarks == ()
@@ -115,11 +151,16 @@ DUE = 1577923200.0
 @pytest.fixture
 def by_content(monkeypatch):
     """Lanes that find right what says GOOD."""
+
     def grade_all(given, count, settings, nursery=None):
         for unit in given:
             status = "right" if "GOOD" in "".join(unit["sources"]) else "wrong"
-            yield unit["key"], bench.as_plain(Judgement({name: Verdict(status, "") for name in unit["names"]},
-                                                        {}, ()))
+            yield (
+                unit["key"],
+                bench.as_plain(
+                    Judgement({name: Verdict(status, "") for name in unit["names"]}, {}, ())
+                ),
+            )
 
     monkeypatch.setattr(lanes, "grade_all", grade_all)
 
@@ -145,8 +186,11 @@ def test_an_earlier_version_handed_in_again_is_the_last(tmp_path, by_content):
 @pytest.mark.parametrize("rule, points_, is_late", [("last", 5, True), ("best", 5, False)])
 def test_copies_side_by_side(tmp_path, by_content, rule, points_, is_late):
     write_assignment(tmp_path, LAST.replace("last", rule))
-    for name, answers, at in (("ch1-p15.ipynb", "GOOD", DUE - 9), ("ch1-p15 (1).ipynb", "BAD", DUE - 5),
-                              ("ch1-p15 (2).ipynb", "GOOD", DUE + 5)):
+    for name, answers, at in (
+        ("ch1-p15.ipynb", "GOOD", DUE - 9),
+        ("ch1-p15 (1).ipynb", "BAD", DUE - 5),
+        ("ch1-p15 (2).ipynb", "GOOD", DUE + 5),
+    ):
         hand_in(tmp_path, "ann", "1.15", {"a_region": f"'{answers}'"}, at=at, name=name)
     assert run(tmp_path) == (2, {"ann": points_}, {"ann": is_late})
     assert run(tmp_path) == (0, {"ann": points_}, {"ann": is_late})
@@ -160,19 +204,23 @@ def test_the_time_of_a_file_put_right_later(tmp_path, by_content):
     assert run(tmp_path) == (0, {"ann": 5}, {"ann": False})
     path.unlink()
     hand_in(tmp_path, "bob", "1.15", {}, at=DUE - 5)
-    assert run(tmp_path)[1:] == ({"ann": 5, "bob": 0},
-                                 {"ann": False, "bob": False}), "a result stays when its notebook is gone"
+    assert run(tmp_path)[1:] == ({"ann": 5, "bob": 0}, {"ann": False, "bob": False}), (
+        "a result stays when its notebook is gone"
+    )
 
 
-@pytest.mark.parametrize("name", [b"grades.sqlite", b"grades.sqlite-wal", b".grading", b"\x01" * 250])
+@pytest.mark.parametrize(
+    "name", [b"grades.sqlite", b"grades.sqlite-wal", b".grading", b"\x01" * 250]
+)
 def test_a_homework_folder_of_an_odd_name_stops_nothing(tmp_path, by_content, name):
     write_assignment(tmp_path, LAST)
     ours = hand_in(tmp_path, "ann", "1.15", {"a_region": "'GOOD'"}, at=DUE - 9)
     folder = os.fsencode(tmp_path / "submitted") + b"/eve/" + name
     os.makedirs(folder)
     Path(os.fsdecode(folder + b"/x.ipynb")).write_bytes(ours.read_bytes())
-    done = commands.grade_course(tmp_path / "submitted", tmp_path / "graded", tmp_path / "assignments", 1, 60,
-                                 True, True)
+    done = commands.grade_course(
+        tmp_path / "submitted", tmp_path / "graded", tmp_path / "assignments", 1, 60, True, True
+    )
     assert done["assignments"]["hw1"] == {"ann": 5, "eve": 0}
     assert len(done["left aside"]) == (name != b".grading")
 
@@ -230,9 +278,15 @@ def test_a_mended_judge_grades_again(tmp_path, broken_lanes, monkeypatch):
     course.grade(tmp_path / "submitted", tmp_path / "graded")
     assert course.grade(tmp_path / "submitted", tmp_path / "graded")[1].pending == ()
     closure = fingerprint.module_closure
-    monkeypatch.setattr(fingerprint, "module_closure", lambda source: closure(source)
-                        | {"workbook.checks.contract.encoding": "mended"}
-                        if "workbook.checks.contract.encoding" in closure(source) else closure(source))
+    monkeypatch.setattr(
+        fingerprint,
+        "module_closure",
+        lambda source: (
+            closure(source) | {"workbook.checks.contract.encoding": "mended"}
+            if "workbook.checks.contract.encoding" in closure(source)
+            else closure(source)
+        ),
+    )
     assert len(course.grade(tmp_path / "submitted", tmp_path / "graded")[1].pending) == 1
 
 
@@ -247,4 +301,7 @@ def test_an_exercise_is_read_again_when_its_file_has_changed(tmp_path, monkeypat
     assert exercises.find("1.15") is first
     place.write_text(text.replace("a_region", "a_place"), encoding="utf-8")
     os.utime(place, ns=(0, place.stat().st_mtime_ns + 1))
-    assert "a_place" in exercises.find("1.15").about["answers"] and "a_region" in first.about["answers"]
+    assert (
+        "a_place" in exercises.find("1.15").about["answers"]
+        and "a_region" in first.about["answers"]
+    )

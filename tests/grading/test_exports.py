@@ -4,30 +4,47 @@ import csv
 import io
 import json
 import sys
-from datetime import datetime, timezone
+from datetime import UTC, datetime
 from pathlib import Path
 
 import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
-from classroom import graded  # noqa: E402
+from classroom import graded
 
-from workbook.checks.contract.verdict import MISSING, RIGHT, UNCHECKED, WRONG  # noqa: E402
-from workbook.grading import canvas, exporting  # noqa: E402
-from workbook.grading.assignment import BadInput  # noqa: E402
-from workbook.grading.canvas import Roster  # noqa: E402
-from workbook.grading.record import Change  # noqa: E402
-from workbook.grading.scores import scores  # noqa: E402
+from workbook.checks.contract.verdict import MISSING, RIGHT, UNCHECKED, WRONG
+from workbook.grading import canvas, exporting
+from workbook.grading.assignment import BadInput
+from workbook.grading.canvas import Roster
+from workbook.grading.record import Change
+from workbook.grading.scores import scores
 
-HOMEWORK = ('title = "Homework 1, stability"\nproblems = ["1.17", "1.18"]\ndue = '
-            '2026-10-01T12:00:00+03:00\n[points]\n"1.17" = 5\n')
-BEFORE = datetime(2026, 10, 1, 8, 30, tzinfo=timezone.utc).timestamp()
-AFTER = datetime(2026, 10, 1, 9, 0, 1, tzinfo=timezone.utc).timestamp()
-#: A comma, a quote, formulas, accents, right to left, a line end; identifiers that begin with a sign or have leading
-#: zeros.
-AWKWARD = ["O'Neill, Zoë", 'Ann "the best"', "=cmd|'/C calc'!A0", "@SUM(1+1)", "-12345", "+380441234567", "-1+1",
-           "007", "Łukasz Ŝtérn",
-           "محمد", "עדה (ada)", "line\nend", "\tcalc", "semi;colon", "naïve@uni.example", "山田"]
+HOMEWORK = (
+    'title = "Homework 1, stability"\nproblems = ["1.17", "1.18"]\ndue = '
+    '2026-10-01T12:00:00+03:00\n[points]\n"1.17" = 5\n'
+)
+BEFORE = datetime(2026, 10, 1, 8, 30, tzinfo=UTC).timestamp()
+AFTER = datetime(2026, 10, 1, 9, 0, 1, tzinfo=UTC).timestamp()
+#: A comma, a quote, formulas, accents, right to left, a line end; identifiers that begin with a
+#: sign or have leading zeros.
+AWKWARD = [
+    "O'Neill, Zoë",
+    'Ann "the best"',
+    "=cmd|'/C calc'!A0",
+    "@SUM(1+1)",
+    "-12345",
+    "+380441234567",
+    "-1+1",
+    "007",
+    "Łukasz Ŝtérn",
+    "محمد",
+    "עדה (ada)",
+    "line\nend",
+    "\tcalc",
+    "semi;colon",
+    "naïve@uni.example",
+    "山田",
+]
 
 
 @pytest.fixture
@@ -48,7 +65,11 @@ def awkward(store, homework):
 
 
 def rows(text, delimiter=","):
-    return list(csv.reader(io.StringIO(text.removeprefix("\ufeff"), newline=""), delimiter=delimiter, strict=True))
+    return list(
+        csv.reader(
+            io.StringIO(text.removeprefix("\ufeff"), newline=""), delimiter=delimiter, strict=True
+        )
+    )
 
 
 def test_grades_csv(small, homework):
@@ -57,16 +78,20 @@ def test_grades_csv(small, homework):
         '"ann","5.00","2.00","7.00","7.00","","no"\r\n'
         '"bob","2.50","0.50","3.00","7.00","1.17","no"\r\n'
         '"cid","0.00","1.00","1.00","7.00","","yes"\r\n'
-        '"dan","0.00","0.00","0.00","7.00","","no"\r\n')
+        '"dan","0.00","0.00","0.00","7.00","","no"\r\n'
+    )
 
 
 def test_moodle_csv(small, homework):
     """Who has no grade yet has no row: a feedback without a grade would wipe one."""
     assert exporting.moodle_csv(homework, small) == (
         '"ID number","Homework 1, stability","Homework 1, stability (feedback)"\r\n'
-        '"ann","7.00","1.17 a_region: right; 1.17 b_region: right; 1.18 a_region: right; 1.18 b_region: right"\r\n'
-        '"bob","3.00","1.17 a_region: right; 1.17 b_region: wrong; 1.18 a_region: 0.50 by hand (on paper; ""almost""); '
-        '1.18 b_region: missing"\r\n')
+        '"ann","7.00","1.17 a_region: right; 1.17 b_region: right; 1.18 a_region: right; 1.18 '
+        'b_region: right"\r\n'
+        '"bob","3.00","1.17 a_region: right; 1.17 b_region: wrong; 1.18 a_region: 0.50 by hand (on '
+        'paper; ""almost""); '
+        '1.18 b_region: missing"\r\n'
+    )
 
 
 def test_moodle_knows_students_by_their_addresses(store, homework):
@@ -82,21 +107,27 @@ def test_nbgrader_csv(small, homework):
     assert text == (
         '"assignment","duedate","timestamp","student_id","last_name","first_name","email","raw_score","late_submission_penalty",'
         '"score","max_score"\r\n'
-        '"hw1","2026-10-01 09:00:00","2026-10-01 08:30:00","ann","","","","7.00","0.00","7.00","7.00"\r\n'
-        '"hw1","2026-10-01 09:00:00","2026-10-01 09:00:01","bob","","","","3.00","0.00","3.00","7.00"\r\n'
+        '"hw1","2026-10-01 09:00:00","2026-10-01 '
+        '08:30:00","ann","","","","7.00","0.00","7.00","7.00"\r\n'
+        '"hw1","2026-10-01 09:00:00","2026-10-01 '
+        '09:00:01","bob","","","","3.00","0.00","3.00","7.00"\r\n'
         '"hw1","2026-10-01 09:00:00","2026-10-01 08:30:00","cid","","","","","0.00","","7.00"\r\n'
-        '"hw1","2026-10-01 09:00:00","","dan","","","","0.00","0.00","0.00","7.00"\r\n')
+        '"hw1","2026-10-01 09:00:00","","dan","","","","0.00","0.00","0.00","7.00"\r\n'
+    )
     source = Path(export.__file__).read_text(encoding="utf-8")
     assert all(f'"{name}"' in source for name in rows(text)[0]), "the columns are nbgrader's own"
 
 
-ROSTER = ("Student,ID,SIS User ID,SIS Login ID,Section,Old (11),Homework 1\\, stability (22),Final Score\n"
-          "    Points Possible,,,,,10,7,(read only)\n"
-          '"Able, Ann",101,u1,ann,"Fall, A",9,,80\n'
-          '"Bee, Bob",102,u2,bob,"Fall, A",8,1.00,70\n'
-          '"Cee, Cid",103,u3,cid,B,7,EX,60\n'
-          '"Zee, Zoe",104,u4,zoe,B,7,2.00,60\n'
-          '"Student, Test",105,,f00d,B,,,\n').replace("Homework 1\\, stability (22)", '"Homework 1, stability (22)"')
+ROSTER = (
+    "Student,ID,SIS User ID,SIS Login ID,Section,Old (11),Homework 1\\, stability (22),Final "
+    "Score\n"
+    "    Points Possible,,,,,10,7,(read only)\n"
+    '"Able, Ann",101,u1,ann,"Fall, A",9,,80\n'
+    '"Bee, Bob",102,u2,bob,"Fall, A",8,1.00,70\n'
+    '"Cee, Cid",103,u3,cid,B,7,EX,60\n'
+    '"Zee, Zoe",104,u4,zoe,B,7,2.00,60\n'
+    '"Student, Test",105,,f00d,B,,,\n'
+).replace("Homework 1\\, stability (22)", '"Homework 1, stability (22)"')
 
 
 def test_canvas_csv_fills_its_own_column(small, homework):
@@ -108,21 +139,34 @@ def test_canvas_csv_fills_its_own_column(small, homework):
         '"Bee, Bob","102","u2","bob","Fall, A","3.00"\r\n'
         '"Cee, Cid","103","u3","cid","B","EX"\r\n'
         '"Zee, Zoe","104","u4","zoe","B","2.00"\r\n'
-        '"Student, Test","105","","f00d","B",""\r\n')
+        '"Student, Test","105","","f00d","B",""\r\n'
+    )
     assert strangers == ["dan"]
 
 
 def test_canvas_csv_makes_a_new_column(small, homework):
-    roster = ("\ufeff" + ROSTER.replace(" (22)", " (other)")).replace("\n    Points",
-                                                                      "\n,,,,,Manual Posting,,\n    Points")
+    roster = ("\ufeff" + ROSTER.replace(" (22)", " (other)")).replace(
+        "\n    Points", "\n,,,,,Manual Posting,,\n    Points"
+    )
     text, _ = canvas.canvas_csv(homework, small, Roster(roster))
-    assert [row[5] for row in rows(text)] == ["Homework 1, stability", "7.00", "7.00", "3.00", "", "", ""]
-    assert [row[1] for row in rows(text)] == ["ID", "", "101", "102", "103", "104",
-                                              "105"], "a line about columns is no student"
+    assert [row[5] for row in rows(text)] == [
+        "Homework 1, stability",
+        "7.00",
+        "7.00",
+        "3.00",
+        "",
+        "",
+        "",
+    ]
+    assert [row[1] for row in rows(text)] == ["ID", "", "101", "102", "103", "104", "105"], (
+        "a line about columns is no student"
+    )
 
 
-@pytest.mark.parametrize("column, names", [("ID", ["101", "102"]), ("SIS User ID", ["u1", "u2"]),
-                                           ("SIS Login ID", ["ann", "bob"])])
+@pytest.mark.parametrize(
+    "column, names",
+    [("ID", ["101", "102"]), ("SIS User ID", ["u1", "u2"]), ("SIS Login ID", ["ann", "bob"])],
+)
 def test_canvas_students_are_known_by_whichever_id_fits(store, homework, column, names):
     for name in names:
         graded(store, name, "1.17", {"a_region": RIGHT, "b_region": RIGHT})
@@ -131,16 +175,19 @@ def test_canvas_students_are_known_by_whichever_id_fits(store, homework, column,
 
 
 def test_an_id_of_one_kind_is_not_taken_for_another(store, homework):
-    """102 is Bob's number in Canvas and, in the university, Ann's: the whole class goes by one of the two."""
+    """102 is Bob's number in Canvas and, in the university, Ann's: the whole class goes by one of
+    the two."""
     roster = ROSTER.replace("101,u1", "101,102").replace("102,u2", "102,103")
     for name in ("102", "103"):
         graded(store, name, "1.17", {"a_region": RIGHT, "b_region": RIGHT})
-    text, _ = canvas.canvas_csv(homework, scores(store, homework), Roster(roster.replace("103,u3", "999,u3")))
+    text, _ = canvas.canvas_csv(
+        homework, scores(store, homework), Roster(roster.replace("103,u3", "999,u3"))
+    )
     assert [row[5] for row in rows(text)][2:5] == ["5.00", "5.00", "EX"]
 
 
 def test_canvas_roster_with_semicolons_stays_so(small, homework):
-    roster = "Student;ID;Section\n    Points Possible;;\n\"Able; Ann\";ann;A\n"
+    roster = 'Student;ID;Section\n    Points Possible;;\n"Able; Ann";ann;A\n'
     text, _ = canvas.canvas_csv(homework, small, Roster(roster))
     assert rows(text, ";")[2] == ["Able; Ann", "ann", "A", "7.00"]
 
@@ -164,73 +211,160 @@ def test_a_roster_that_cannot_be_read(tmp_path):
 
 def test_identifiers_go_back_to_other_systems_as_they_came(store, homework):
     found = awkward(store, homework)
-    assert sorted(row[0] for row in rows(exporting.moodle_csv(homework, found))[1:]) == sorted(AWKWARD)
-    assert sorted(row[3] for row in rows(exporting.nbgrader_csv(homework, found))[1:]) == sorted(AWKWARD)
+    assert sorted(row[0] for row in rows(exporting.moodle_csv(homework, found))[1:]) == sorted(
+        AWKWARD
+    )
+    assert sorted(row[3] for row in rows(exporting.nbgrader_csv(homework, found))[1:]) == sorted(
+        AWKWARD
+    )
     out = io.StringIO()
-    csv.writer(out).writerows([["Student", "ID", "SIS User ID", "Section"],
-                               *([name, name, name, "A"] for name in AWKWARD)])
+    csv.writer(out).writerows(
+        [
+            ["Student", "ID", "SIS User ID", "Section"],
+            *([name, name, name, "A"] for name in AWKWARD),
+        ]
+    )
     text, strangers = canvas.canvas_csv(homework, found, Roster(out.getvalue()))
-    assert [row[:4] for row in rows(text)[2:]] == [[name, name, name, "A"] for name in AWKWARD] and strangers == []
+    assert [row[:4] for row in rows(text)[2:]] == [
+        [name, name, name, "A"] for name in AWKWARD
+    ] and strangers == []
     assert {row[4] for row in rows(text)[2:]} == {"2.50"}
 
 
 def test_no_table_for_people_begins_a_cell_like_a_formula(store, homework):
     found = awkward(store, homework)
-    change = [Change("now", name, "1.17", "a_region", "wrong", "right", 0.0, 1.0, "graded again") for name in AWKWARD]
-    for text, column in ((exporting.grades_csv(homework, found), 0), (exporting.changes_csv(change), 1)):
+    change = [
+        Change("now", name, "1.17", "a_region", "wrong", "right", 0.0, 1.0, "graded again")
+        for name in AWKWARD
+    ]
+    for text, column in (
+        (exporting.grades_csv(homework, found), 0),
+        (exporting.changes_csv(change), 1),
+    ):
         shown = [row[column] for row in rows(text)[1:]]
-        assert len(shown) == len(AWKWARD) and all(len(row) == len(rows(text)[0]) for row in rows(text))
+        assert len(shown) == len(AWKWARD) and all(
+            len(row) == len(rows(text)[0]) for row in rows(text)
+        )
         for cell in shown:
             assert cell[0] not in "=@\t\r\n" and (cell[0] not in "+-" or cell[1:].isdigit()), cell
-        assert {"'=cmd|'/C calc'!A0", "'@SUM(1+1)", "'-1+1", "'\tcalc", "-12345", "+380441234567",
-                "O'Neill, Zoë"} <= set(shown)
+        assert {
+            "'=cmd|'/C calc'!A0",
+            "'@SUM(1+1)",
+            "'-1+1",
+            "'\tcalc",
+            "-12345",
+            "+380441234567",
+            "O'Neill, Zoë",
+        } <= set(shown)
 
 
 def test_changes_csv():
-    change = Change("2026-10-02T10:00:00+03:00", "ann", "1.17", "a_region", "wrong", "right", 0.0, 2.5,
-                    "the problem or its checks changed")
+    change = Change(
+        "2026-10-02T10:00:00+03:00",
+        "ann",
+        "1.17",
+        "a_region",
+        "wrong",
+        "right",
+        0.0,
+        2.5,
+        "the problem or its checks changed",
+    )
     assert exporting.changes_csv([change]) == (
-        '\ufeff"when","student","problem","answer","old verdict","new verdict","old points","new points","why"\r\n'
-        '"2026-10-02T10:00:00+03:00","ann","1.17","a_region","wrong","right","0.00","2.50","the problem or its checks '
-        'changed"\r\n')
+        '\ufeff"when","student","problem","answer","old verdict","new verdict","old points","new '
+        'points","why"\r\n'
+        '"2026-10-02T10:00:00+03:00","ann","1.17","a_region","wrong","right","0.00","2.50","the '
+        "problem or its checks "
+        'changed"\r\n'
+    )
 
 
 # Gradescope
 
 #: The fields of the specification, with their types; others are an error there or ignored.
-RESULT = {"score": (int, float), "execution_time": int, "output": str, "output_format": str, "visibility": str,
-          "stdout_visibility": str,
-          "tests": list}
-TEST = {"score": (int, float), "max_score": (int, float), "status": str, "name": str, "output": str,
-        "output_format": str,
-        "visibility": str}
+RESULT = {
+    "score": (int, float),
+    "execution_time": int,
+    "output": str,
+    "output_format": str,
+    "visibility": str,
+    "stdout_visibility": str,
+    "tests": list,
+}
+TEST = {
+    "score": (int, float),
+    "max_score": (int, float),
+    "status": str,
+    "name": str,
+    "output": str,
+    "output_format": str,
+    "visibility": str,
+}
 
 
 def test_gradescope_json(small):
-    ann, bob, cid, dan = small
+    _ann, bob, cid, dan = small
     hints = {("1.17", "b_region"): 2}
-    result = json.loads(exporting.gradescope_json(bob, hints, ["1.17: notebook: code cell 2: NameError"], 3.5, 12.4))
+    result = json.loads(
+        exporting.gradescope_json(bob, hints, ["1.17: notebook: code cell 2: NameError"], 3.5, 12.4)
+    )
     assert result == {
-        "score": 3.5, "output": "1.17: notebook: code cell 2: NameError", "output_format": "text",
+        "score": 3.5,
+        "output": "1.17: notebook: code cell 2: NameError",
+        "output_format": "text",
         "visibility": "visible",
-        "stdout_visibility": "hidden", "execution_time": 12,
-        "tests": [test | {"output_format": "text", "visibility": "visible"} for test in (
-            {"name": "1.17 a_region", "score": 2.5, "max_score": 2.5, "status": "passed",
-             "output": "right: a_region is right"},
-            {"name": "1.17 b_region", "score": 0.0, "max_score": 2.5, "status": "failed",
-             "output": "wrong: b_region is wrong\nThe notebook has 2 hints to this answer."},
-            {"name": "1.18 a_region", "score": 0.5, "max_score": 1.0, "status": "failed",
-             "output": "missing: nothing was submitted for this problem"},
-            {"name": "1.18 b_region", "score": 0.0, "max_score": 1.0, "status": "failed",
-             "output": "missing: nothing was submitted for this problem"})]}
+        "stdout_visibility": "hidden",
+        "execution_time": 12,
+        "tests": [
+            test | {"output_format": "text", "visibility": "visible"}
+            for test in (
+                {
+                    "name": "1.17 a_region",
+                    "score": 2.5,
+                    "max_score": 2.5,
+                    "status": "passed",
+                    "output": "right: a_region is right",
+                },
+                {
+                    "name": "1.17 b_region",
+                    "score": 0.0,
+                    "max_score": 2.5,
+                    "status": "failed",
+                    "output": "wrong: b_region is wrong\nThe notebook has 2 hints to this answer.",
+                },
+                {
+                    "name": "1.18 a_region",
+                    "score": 0.5,
+                    "max_score": 1.0,
+                    "status": "failed",
+                    "output": "missing: nothing was submitted for this problem",
+                },
+                {
+                    "name": "1.18 b_region",
+                    "score": 0.0,
+                    "max_score": 1.0,
+                    "status": "failed",
+                    "output": "missing: nothing was submitted for this problem",
+                },
+            )
+        ],
+    }
     for score in small:
         result = json.loads(exporting.gradescope_json(score, {}, [], score.points, 0.1))
         assert all(isinstance(result[key], RESULT[key]) for key in result)
-        assert all(isinstance(test[key], TEST[key]) and set(test) == set(TEST) for test in result["tests"]
-                   for key in test)
+        assert all(
+            isinstance(test[key], TEST[key]) and set(test) == set(TEST)
+            for test in result["tests"]
+            for key in test
+        )
         assert sum(test["score"] for test in result["tests"]) == pytest.approx(result["score"])
-    (unchecked,) = [test for test in json.loads(exporting.gradescope_json(cid, {}, [], 1.0, 0.1))["tests"]
-                    if "unchecked" in test["output"]]
+    (unchecked,) = [
+        test
+        for test in json.loads(exporting.gradescope_json(cid, {}, [], 1.0, 0.1))["tests"]
+        if "unchecked" in test["output"]
+    ]
     assert "It is not judged wrong" in unchecked["output"]
-    assert MISSING not in {test["status"] for test in json.loads(exporting.gradescope_json(dan, {}, [], 0.0,
-                                                                                           0.1))["tests"]}
+    assert MISSING not in {
+        test["status"]
+        for test in json.loads(exporting.gradescope_json(dan, {}, [], 0.0, 0.1))["tests"]
+    }

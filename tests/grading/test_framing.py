@@ -1,5 +1,6 @@
 """Messages over pipes: whole, or broken in a known way, and always in time."""
 
+import contextlib
 import os
 import resource
 import struct
@@ -16,10 +17,8 @@ def pipe():
     ends = os.pipe()
     yield ends
     for end in ends:
-        try:
+        with contextlib.suppress(OSError):
             os.close(end)
-        except OSError:
-            pass
 
 
 @pytest.mark.parametrize("message", [b"", b"x", bytes(range(256)) * 1000])
@@ -31,9 +30,16 @@ def test_whole(pipe, message):
     writer.join(timeout=30)
 
 
-@pytest.mark.parametrize("written, why", [(b"", "closed"), (b"\0\0", "closed"), (b"\0\0\0\5abc", "closed"),
-                                          (b"\xff\xff\xff\xff", "large"),
-                                          (struct.pack(">I", framing.LONGEST + 1), "large")])
+@pytest.mark.parametrize(
+    "written, why",
+    [
+        (b"", "closed"),
+        (b"\0\0", "closed"),
+        (b"\0\0\0\5abc", "closed"),
+        (b"\xff\xff\xff\xff", "large"),
+        (struct.pack(">I", framing.LONGEST + 1), "large"),
+    ],
+)
 def test_broken(pipe, written, why):
     out, into = pipe
     os.write(into, written)

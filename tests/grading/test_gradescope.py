@@ -1,7 +1,9 @@
-"""The Gradescope bundle, in a container like Gradescope's: its /autograder is a folder of the test's, root is root.
+"""The Gradescope bundle, in a container like Gradescope's: its /autograder is a folder of the
+test's, root is root.
 
-setup.sh runs there as it would at Gradescope, but that pip finds the libraries as wheels made of those installed here,
-not on the network, and that the system's own programs (apt-get, useradd) only write down what they are told.
+setup.sh runs there as it would at Gradescope, but that pip finds the libraries as wheels made of
+those installed here, not on the network, and that the system's own programs (apt-get, useradd) only
+write down what they are told.
 """
 
 import base64
@@ -24,18 +26,20 @@ from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
 sys.path.insert(0, str(Path(__file__).parent))
-from classroom import RIGHT_1_15, notebook, write_assignment  # noqa: E402
+from classroom import RIGHT_1_15, notebook, write_assignment
 
-from workbook.authoring import read, read_all  # noqa: E402
-from workbook.authoring.contract import master_file  # noqa: E402
-from workbook.authoring.mistakes import sentence  # noqa: E402
-from workbook.grading import assignment as assignments  # noqa: E402
-from workbook.grading.assignment import AssignmentError  # noqa: E402
-from workbook.grading.gradescope import autograder, bundle  # noqa: E402
-from workbook.notebooks import exercises  # noqa: E402
+from workbook.authoring import read, read_all
+from workbook.authoring.contract import master_file
+from workbook.authoring.mistakes import sentence
+from workbook.grading import assignment as assignments
+from workbook.grading.assignment import AssignmentError
+from workbook.grading.gradescope import autograder, bundle
+from workbook.notebooks import exercises
 
-HOMEWORK = ('title = "Homework 1"\nproblems = ["1.15", "1.17"]\ndue = 2020-01-01T00:00:00Z\nattempts = '
-            '3\n[points]\n"1.15" = 10\n')
+HOMEWORK = (
+    'title = "Homework 1"\nproblems = ["1.15", "1.17"]\ndue = 2020-01-01T00:00:00Z\nattempts = '
+    '3\n[points]\n"1.15" = 10\n'
+)
 HALF = RIGHT_1_15 | {"a_region": "k1 > 0"}
 #: A user that nobody on this machine is.
 STUDENT = 61234
@@ -56,34 +60,58 @@ def archive(tmp_path_factory):
 
 def test_what_the_bundle_holds(archive):
     with zipfile.ZipFile(archive) as bundled:
-        assert sorted(bundled.namelist()) == sorted(["setup.sh", "run_autograder", "assignment.toml", "constraints.txt",
-                                                     wheel_name(bundled)])
+        assert sorted(bundled.namelist()) == sorted(
+            [
+                "setup.sh",
+                "run_autograder",
+                "assignment.toml",
+                "constraints.txt",
+                wheel_name(bundled),
+            ]
+        )
         for name in ("setup.sh", "run_autograder"):
             assert stat.S_IMODE(bundled.getinfo(name).external_attr >> 16) == 0o755
             assert bundled.read(name).startswith(b"#!/usr/bin/env bash\n")
             subprocess.run(["bash", "-n"], input=bundled.read(name), check=True, timeout=30)
-        assert ("sympy==" in bundled.read("constraints.txt").decode()
-                and "trajlib" not in bundled.read("constraints.txt").decode())
+        assert (
+            "sympy==" in bundled.read("constraints.txt").decode()
+            and "trajlib" not in bundled.read("constraints.txt").decode()
+        )
         with zipfile.ZipFile(io.BytesIO(bundled.read(wheel_name(bundled)))) as wheel:
             names = wheel.namelist()
-            assert {f"workbook/_exercises/{e.path.parent.name}/{e.path.name}"
-                    for e in exercises.read_all()} <= set(names)
+            assert {
+                f"workbook/_exercises/{e.path.parent.name}/{e.path.name}"
+                for e in exercises.read_all()
+            } <= set(names)
             assert "workbook/grading/gradescope/autograder.py" in names
-            assert {name.replace(".ipynb", ".mistakes") for name in names if name.endswith(".ipynb")} <= set(names)
-            assert not any("solutions/" in name or name.endswith((".md", ".trials.py")) for name in names)
+            assert {
+                name.replace(".ipynb", ".mistakes") for name in names if name.endswith(".ipynb")
+            } <= set(names)
+            assert not any(
+                "solutions/" in name or name.endswith((".md", ".trials.py")) for name in names
+            )
             (record,) = [name for name in names if name.endswith("RECORD")]
-            listed = {row[0]: row[1] for row in csv.reader(io.StringIO(wheel.read(record).decode()))}
+            listed = {
+                row[0]: row[1] for row in csv.reader(io.StringIO(wheel.read(record).decode()))
+            }
             assert set(listed) == set(names)
             for name, said in listed.items():
-                digest = base64.urlsafe_b64encode(hashlib.sha256(wheel.read(name)).digest()).rstrip(b"=").decode()
+                digest = (
+                    base64.urlsafe_b64encode(hashlib.sha256(wheel.read(name)).digest())
+                    .rstrip(b"=")
+                    .decode()
+                )
                 assert name == record or said == f"sha256={digest}"
             text = "\n".join(wheel.read(name).decode() for name in names if name.endswith(".ipynb"))
             everything = b"\n".join(map(wheel.read, names)).decode(errors="replace")
     for number in ("1.15", "1.17"):
-        for source in read(Path(__file__).resolve().parents[2] / "solutions" / master_file(number)).code("answer"):
+        for source in read(
+            Path(__file__).resolve().parents[2] / "solutions" / master_file(number)
+        ).code("answer"):
             assert source not in text
     for master in read_all(Path(__file__).resolve().parents[2] / "solutions"):
-        for trial in master.trials["wrong"]:  # neither the value nor what is said of it can be read anywhere
+        # neither the value nor what is said of it can be read anywhere
+        for trial in master.trials["wrong"]:
             value = trial.source.rpartition("\n")[2].partition("=")[2].strip()
             said = sentence(master, trial) or trial.comment
             assert said.partition("\n")[0] not in everything
@@ -110,11 +138,29 @@ def wheel_name(bundled):
 # Which attempt counts
 
 
-@pytest.mark.parametrize("rule, earlier, now, points, said", [
-    ('attempt = "best"', [], 3.0, 3.0, ""), ('attempt = "best"', [5.0, 1.0], 3.0, 5.0, "An earlier attempt"),
-    ('attempt = "best"', [2.0], 3.0, 3.0, ""), ('attempt = "last"', [5.0], 3.0, 3.0, ""),
-    ('attempt = "best"\nattempts = 2', [1.0, 2.0], 5.0, 2.0, "This is attempt 3; the first 2 count"),
-    ('attempt = "last"\nattempts = 2', [4.0, 2.0], 5.0, 2.0, "This is attempt 3; the first 2 count")])
+@pytest.mark.parametrize(
+    "rule, earlier, now, points, said",
+    [
+        ('attempt = "best"', [], 3.0, 3.0, ""),
+        ('attempt = "best"', [5.0, 1.0], 3.0, 5.0, "An earlier attempt"),
+        ('attempt = "best"', [2.0], 3.0, 3.0, ""),
+        ('attempt = "last"', [5.0], 3.0, 3.0, ""),
+        (
+            'attempt = "best"\nattempts = 2',
+            [1.0, 2.0],
+            5.0,
+            2.0,
+            "This is attempt 3; the first 2 count",
+        ),
+        (
+            'attempt = "last"\nattempts = 2',
+            [4.0, 2.0],
+            5.0,
+            2.0,
+            "This is attempt 3; the first 2 count",
+        ),
+    ],
+)
 def test_which_attempt_counts(tmp_path, rule, earlier, now, points, said):
     homework = assignments.read(write_assignment(tmp_path, f'{rule}\nproblems = ["1.15"]'))
     counted, sentences = autograder._that_counts(homework, earlier, now)
@@ -124,11 +170,20 @@ def test_which_attempt_counts(tmp_path, rule, earlier, now, points, said):
 def test_earlier_submissions_are_those_that_were_graded(tmp_path):
     path = tmp_path / "submission_metadata.json"
     graded, failed = {"tests": [{"score": 1}]}, {"score": 0, "output": "The grader itself failed"}
-    previous = [{"score": "2.5", "results": graded}, {"score": 0, "results": failed},
-                {"score": None, "results": graded}]
+    previous = [
+        {"score": "2.5", "results": graded},
+        {"score": 0, "results": failed},
+        {"score": None, "results": graded},
+    ]
     path.write_text(json.dumps({"previous_submissions": previous}))
     assert autograder._earlier(path) == [2.5, 0.0]
-    for broken in ("", "[]", "{}", '{"previous_submissions": [1]}', '{"previous_submissions": null}'):
+    for broken in (
+        "",
+        "[]",
+        "{}",
+        '{"previous_submissions": [1]}',
+        '{"previous_submissions": null}',
+    ):
         path.write_text(broken)
         assert autograder._earlier(path) == []
     assert autograder._earlier(tmp_path / "nowhere") == []
@@ -137,7 +192,8 @@ def test_earlier_submissions_are_those_that_were_graded(tmp_path):
 def test_all_notebooks_together_are_done_before_gradescope_loses_patience():
     for count in (0, 1, 3, 10):
         limits, bounds = autograder._shares(count)
-        # Judging at most: the whole notebook three times its bound on the clock; answers alone are rare.
+        # Judging at most: the whole notebook three times its bound on the clock; answers alone are
+        # rare.
         assert max(count, 1) * (limits.wall_seconds + 3 * bounds.seconds) <= autograder.SECONDS + 1
 
 
@@ -148,16 +204,22 @@ def as_root():
     """What runs a command as root: nothing, or sudo that asks for no password."""
     if os.getuid() == 0:
         return []
-    if shutil.which("sudo") and subprocess.run(["sudo", "-n", "true"], capture_output=True, timeout=30).returncode == 0:
+    if (
+        shutil.which("sudo")
+        and subprocess.run(["sudo", "-n", "true"], capture_output=True, timeout=30).returncode == 0
+    ):
         return ["sudo", "-n"]
     return None
 
 
 @pytest.fixture(scope="module")
 def installed(archive, tmp_path_factory):
-    """/opt/workbook as setup.sh makes it, with the wheel of the bundle and the libraries of this environment."""
+    """/opt/workbook as setup.sh makes it, with the wheel of the bundle and the libraries of this
+    environment."""
     if shutil.which("bwrap") is None or as_root() is None:
-        (pytest.fail if os.environ.get("CI") == "true" else pytest.skip)("the mock container needs bubblewrap and root")
+        (pytest.fail if os.environ.get("CI") == "true" else pytest.skip)(
+            "the mock container needs bubblewrap and root"
+        )
     folder, outside = tmp_path_factory.mktemp("opt"), tmp_path_factory.mktemp("outside")
     wheels = tmp_path_factory.mktemp("wheels")
     folder.chmod(0o755)  # as a folder in /opt is
@@ -166,9 +228,16 @@ def installed(archive, tmp_path_factory):
     programs(outside, PYTHON)
     (outside / PYTHON).unlink()  # the real one is found behind it
     container = Container(outside / "autograder", folder, archive)
-    done = container.run("/autograder/source/setup.sh", writable=True, shown={outside, wheels},
-                         environment={"PATH": f"{outside}:{sys.base_prefix}/bin:/usr/bin:/bin", "PIP_NO_INDEX": "1",
-                                      "PIP_FIND_LINKS": str(wheels)})
+    done = container.run(
+        "/autograder/source/setup.sh",
+        writable=True,
+        shown={outside, wheels},
+        environment={
+            "PATH": f"{outside}:{sys.base_prefix}/bin:/usr/bin:/bin",
+            "PIP_NO_INDEX": "1",
+            "PIP_FIND_LINKS": str(wheels),
+        },
+    )
     assert done.returncode == 0, done.stdout + done.stderr
     assert (outside / "log").read_text().endswith(USER_ADDED)
     shutil.rmtree(wheels)
@@ -183,22 +252,31 @@ def stands_on(name):
         if name not in found:
             found.add(name)
             needed = map(Requirement, metadata.distribution(name).requires or ())
-            waiting += [one.name for one in needed if one.marker is None or one.marker.evaluate({"extra": ""})]
+            waiting += [
+                one.name
+                for one in needed
+                if one.marker is None or one.marker.evaluate({"extra": ""})
+            ]
     return found
 
 
 def put_into_wheel(distribution, folder):
-    """What is installed here as a wheel again, without its scripts, what lies beside the packages, and its own tests,
-    which it would take longest to compile."""
+    """What is installed here as a wheel again, without its scripts, what lies beside the packages,
+    and its own tests, which it would take longest to compile."""
     about = distribution.read_text("WHEEL")
     tags = [line.removeprefix("Tag: ") for line in about.split("\n") if line.startswith("Tag: ")]
     name = canonicalize_name(distribution.name).replace("-", "_")
     with zipfile.ZipFile(folder / f"{name}-{distribution.version}-{tags[-1]}.whl", "w") as wheel:
         for file in distribution.files:
-            if (not {"..", "tests"} & set(file.parts) and file.suffix != ".pyc"
-                    and file.name not in ("RECORD", "direct_url.json")):
+            if (
+                not {"..", "tests"} & set(file.parts)
+                and file.suffix != ".pyc"
+                and file.name not in ("RECORD", "direct_url.json")
+            ):
                 wheel.write(file.locate(), file.as_posix())
-        (place,) = {file.parts[0] for file in distribution.files if file.parts[0].endswith(".dist-info")}
+        (place,) = {
+            file.parts[0] for file in distribution.files if file.parts[0].endswith(".dist-info")
+        }
         wheel.writestr(f"{place}/RECORD", "".join(f"{file},,\n" for file in wheel.namelist()))
 
 
@@ -216,40 +294,112 @@ class Container:
             path.chmod(0o755)  # extracting by Python drops the bit that the archive has
         self.metadata([])
         passwd = root.parent / "passwd"
-        passwd.write_text(f"root:x:0:0::/root:/bin/sh\nworkbook-student:x:{STUDENT}:{STUDENT}::/:/usr/sbin/nologin\n")
+        passwd.write_text(
+            f"root:x:0:0::/root:/bin/sh\nworkbook-student:x:{STUDENT}:{STUDENT}::/:/usr/sbin/nologin\n"
+        )
 
     def metadata(self, previous):
-        about = {"id": 1, "users": [{"email": "secret@uni.example", "id": 1, "name": "Ann"}],
-                 "previous_submissions": previous}
+        about = {
+            "id": 1,
+            "users": [{"email": "secret@uni.example", "id": 1, "name": "Ann"}],
+            "previous_submissions": previous,
+        }
         (self.root / "submission_metadata.json").write_text(json.dumps(about))
 
     def submit(self, name, content):
         path = self.root / "submission" / name
         path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(content if isinstance(content, str) else json.dumps(content), encoding="utf-8")
+        path.write_text(
+            content if isinstance(content, str) else json.dumps(content), encoding="utf-8"
+        )
 
-    def run(self, *command, writable=False, shown=(), environment={"PATH": "/usr/bin:/bin:/usr/sbin"}):
-        """Run a command in the container; the finished process. While it is set up, its /opt/workbook is `writable`, and
-        more folders are `shown`, these to be written to as well."""
-        writing, shown = shown, {Path(sys.base_prefix), Path(os.path.realpath(sys.base_prefix)), *shown}
+    def run(
+        self, *command, writable=False, shown=(), environment={"PATH": "/usr/bin:/bin:/usr/sbin"}
+    ):
+        """Run a command in the container; the finished process. While it is set up, its
+        /opt/workbook is `writable`, and more folders are `shown`, these to be written to as
+        well."""
+        writing, shown = (
+            shown,
+            {Path(sys.base_prefix), Path(os.path.realpath(sys.base_prefix)), *shown},
+        )
         shown = sorted(path for path in shown if not path.is_relative_to("/usr"))
-        # Folders on the way are open to all there, as in any container with its interpreter in /usr.
-        ways = sorted({way for path in [*shown, Path("/opt/workbook")] for way in path.parents if way != Path("/")})
+        # Folders on the way are open to all there, as in any container with its interpreter in
+        # /usr.
+        ways = sorted(
+            {
+                way
+                for path in [*shown, Path("/opt/workbook")]
+                for way in path.parents
+                if way != Path("/")
+            }
+        )
         ways = [word for way in ways for word in ("--perms", "0755", "--dir", str(way))]
-        binds = [*ways, *(word for path in shown
-                          for word in ("--bind" if path in writing else "--ro-bind", str(path), str(path)))]
-        variables = [word for name, value in environment.items() for word in ("--setenv", name, value)]
+        binds = [
+            *ways,
+            *(
+                word
+                for path in shown
+                for word in ("--bind" if path in writing else "--ro-bind", str(path), str(path))
+            ),
+        ]
+        variables = [
+            word for name, value in environment.items() for word in ("--setenv", name, value)
+        ]
         return subprocess.run(
-            [*as_root(), "bwrap", "--unshare-pid", "--die-with-parent", "--cap-add", "ALL",
-             "--clearenv", *variables, "--ro-bind", "/usr", "/usr",
-             "--symlink", "usr/lib", "/lib", "--symlink", "usr/lib64", "/lib64", "--symlink", "usr/bin", "/bin",
-             "--ro-bind-try", "/etc/alternatives", "/etc/alternatives", "--ro-bind-try", "/etc/ld.so.cache",
-             "/etc/ld.so.cache",
-             "--ro-bind", str(self.root.parent / "passwd"), "/etc/passwd", "--proc", "/proc", "--dev", "/dev",
-             "--perms", "1777", "--tmpfs", "/tmp", *binds,
-             "--bind" if writable else "--ro-bind", str(self._installed), "/opt/workbook",
-             "--bind", str(self.root), "/autograder", "--chdir", "/", *command],
-            capture_output=True, text=True, timeout=300)
+            [
+                *as_root(),
+                "bwrap",
+                "--unshare-pid",
+                "--die-with-parent",
+                "--cap-add",
+                "ALL",
+                "--clearenv",
+                *variables,
+                "--ro-bind",
+                "/usr",
+                "/usr",
+                "--symlink",
+                "usr/lib",
+                "/lib",
+                "--symlink",
+                "usr/lib64",
+                "/lib64",
+                "--symlink",
+                "usr/bin",
+                "/bin",
+                "--ro-bind-try",
+                "/etc/alternatives",
+                "/etc/alternatives",
+                "--ro-bind-try",
+                "/etc/ld.so.cache",
+                "/etc/ld.so.cache",
+                "--ro-bind",
+                str(self.root.parent / "passwd"),
+                "/etc/passwd",
+                "--proc",
+                "/proc",
+                "--dev",
+                "/dev",
+                "--perms",
+                "1777",
+                "--tmpfs",
+                "/tmp",
+                *binds,
+                "--bind" if writable else "--ro-bind",
+                str(self._installed),
+                "/opt/workbook",
+                "--bind",
+                str(self.root),
+                "/autograder",
+                "--chdir",
+                "/",
+                *command,
+            ],
+            capture_output=True,
+            text=True,
+            timeout=300,
+        )
 
     def grade(self):
         """Run the autograder; its results and what it said."""
@@ -259,8 +409,12 @@ class Container:
 
     def results(self):
         # Read as root: the autograder has closed the folder to others.
-        done = subprocess.run([*as_root(), "cat", str(self.root / "results" / "results.json")], capture_output=True,
-                              check=True, timeout=60)
+        done = subprocess.run(
+            [*as_root(), "cat", str(self.root / "results" / "results.json")],
+            capture_output=True,
+            check=True,
+            timeout=60,
+        )
         return json.loads(done.stdout)
 
 
@@ -268,7 +422,9 @@ class Container:
 def container(tmp_path, installed, archive):
     yield Container(tmp_path / "autograder", installed, archive)
     if os.getuid() != 0:
-        subprocess.run([*as_root(), "chown", "-R", str(os.getuid()), str(tmp_path)], check=True, timeout=60)
+        subprocess.run(
+            [*as_root(), "chown", "-R", str(os.getuid()), str(tmp_path)], check=True, timeout=60
+        )
 
 
 def test_a_submission(container):
@@ -279,29 +435,49 @@ def test_a_submission(container):
     assert done.stderr == ""
     assert result["score"] == 8 and len(result["tests"]) == 7, result["output"]
     assert [test["name"] for test in result["tests"]][:2] == ["1.15 a_region", "1.15 b_region"]
-    assert [test["status"] for test in result["tests"]] == ["failed", *["passed"] * 4, "failed", "failed"]
+    assert [test["status"] for test in result["tests"]] == [
+        "failed",
+        *["passed"] * 4,
+        "failed",
+        "failed",
+    ]
     told = result["tests"][0]["output"]
-    assert told.startswith("wrong: ") and told.endswith("\nThe notebook has 2 hints to this answer.")
+    assert told.startswith("wrong: ") and told.endswith(
+        "\nThe notebook has 2 hints to this answer."
+    )
     assert result["tests"][5]["output"].startswith("missing: not answered yet")
     assert "left aside: notes.ipynb" in result["output"] and 0 < result["execution_time"] < 200
     assert result["visibility"] == "visible" and result["stdout_visibility"] == "hidden"
 
 
 def test_an_earlier_better_attempt_counts(container):
-    container.metadata([{"submission_time": "2026-01-01T00:00:00Z", "score": 9.5,
-                         "results": {"tests": [{"score": 9.5}]}}])
+    container.metadata(
+        [
+            {
+                "submission_time": "2026-01-01T00:00:00Z",
+                "score": 9.5,
+                "results": {"tests": [{"score": 9.5}]},
+            }
+        ]
+    )
     container.submit("folder/ch1-p15.ipynb", notebook("1.15", HALF))
     result, _ = container.grade()
-    assert (result["score"] == 9.5
-            and "An earlier attempt of yours was better and counts: 9.5 points." in result["output"])
+    assert (
+        result["score"] == 9.5
+        and "An earlier attempt of yours was better and counts: 9.5 points." in result["output"]
+    )
 
 
 def test_nothing_that_can_be_graded(container):
     container.submit("report.txt", "my report")
     container.submit("ch1-p15.ipynb", "no notebook")
-    (container.root / "submission" / "ch1-p17.ipynb").symlink_to("/autograder/source/assignment.toml")
+    (container.root / "submission" / "ch1-p17.ipynb").symlink_to(
+        "/autograder/source/assignment.toml"
+    )
     result, _ = container.grade()
-    assert result["score"] == 0 and {test["output"].split(":")[0] for test in result["tests"]} == {"missing"}
+    assert result["score"] == 0 and {test["output"].split(":")[0] for test in result["tests"]} == {
+        "missing"
+    }
     assert "the file is not a notebook" in result["output"] and "symbolic link" in result["output"]
     shutil.rmtree(container.root / "submission") if os.getuid() == 0 else None
     if os.getuid() == 0:
@@ -349,10 +525,20 @@ attempt("reads memory of others", lambda: [open(f"/proc/{p}/mem", "rb") for p in
 attempt("becomes root", lambda: os.setuid(0))
 attempt("many processes", lambda: [os.fork() or (signal.pause(), os._exit(0)) for k in range(200)][199])
 """
-NAMES = ["reads the homework", "reads who it is", "lists submissions", "reads results", "writes results",
-         "writes beside results",
-         "replaces the grader", "reaches the network", "signals others", "reads memory of others", "becomes root",
-         "many processes"]
+NAMES = [
+    "reads the homework",
+    "reads who it is",
+    "lists submissions",
+    "reads results",
+    "writes results",
+    "writes beside results",
+    "replaces the grader",
+    "reaches the network",
+    "signals others",
+    "reads memory of others",
+    "becomes root",
+    "many processes",
+]
 
 
 @pytest.fixture
@@ -364,71 +550,115 @@ def port():
 
 def with_cell(problem, answers, source):
     submitted = notebook(problem, answers)
-    submitted["cells"].append({"cell_type": "code", "metadata": {}, "outputs": [], "execution_count": None,
-                               "source": source})
+    submitted["cells"].append(
+        {
+            "cell_type": "code",
+            "metadata": {},
+            "outputs": [],
+            "execution_count": None,
+            "source": source,
+        }
+    )
     return submitted
 
 
 def test_what_a_notebook_cannot_do(container, port):
     cell = ATTEMPTS.replace("PORT", str(port))
     (container.root / "results" / "results.json").write_text("{}")
-    unguarded = container.run("/opt/workbook/bin/python", "-c", cell + "\nprint(done, flush=True)\nos._exit(0)")
-    assert unguarded.stdout.strip().split("\n")[-1] == repr(NAMES), ("run as root each attempt succeeds, else it "
-                                                                     "tests nothing")
-    container.submit("ch1-p15.ipynb", with_cell("1.15", HALF, cell + "\nraise RuntimeError('achieved: ' + repr(done))"))
-    result, done = container.grade()
-    assert result["score"] == 8 and "RuntimeError: achieved: []" in result["output"], result["output"]
+    unguarded = container.run(
+        "/opt/workbook/bin/python", "-c", cell + "\nprint(done, flush=True)\nos._exit(0)"
+    )
+    assert unguarded.stdout.strip().split("\n")[-1] == repr(NAMES), (
+        "run as root each attempt succeeds, else it tests nothing"
+    )
+    container.submit(
+        "ch1-p15.ipynb",
+        with_cell("1.15", HALF, cell + "\nraise RuntimeError('achieved: ' + repr(done))"),
+    )
+    result, _done = container.grade()
+    assert result["score"] == 8 and "RuntimeError: achieved: []" in result["output"], result[
+        "output"
+    ]
 
 
-@pytest.mark.parametrize("cell", [
-    "import os, signal\nos.kill(os.getpid(), signal.SIGKILL)", "import os\nos._exit(0)",
-    "import os, signal\nos.kill(-1, signal.SIGKILL)",
-    "big = bytearray(4 * 2**30)\nbig[::4096] = b'x' * len(big[::4096])", "import sys\nsys.exit()"])
+@pytest.mark.parametrize(
+    "cell",
+    [
+        "import os, signal\nos.kill(os.getpid(), signal.SIGKILL)",
+        "import os\nos._exit(0)",
+        "import os, signal\nos.kill(-1, signal.SIGKILL)",
+        "big = bytearray(4 * 2**30)\nbig[::4096] = b'x' * len(big[::4096])",
+        "import sys\nsys.exit()",
+    ],
+)
 def test_a_notebook_that_ends_itself_costs_only_itself(container, cell):
     container.submit("ch1-p15.ipynb", with_cell("1.15", RIGHT_1_15, cell))
     container.submit("ch1-p17.ipynb", notebook("1.17", {}))
     result, _ = container.grade()
     assert len(result["tests"]) == 7 and "unchecked" not in json.dumps(result)
     assert [test["output"].split(":")[0] for test in result["tests"]][5:] == ["missing", "missing"]
-    assert result["score"] == (0 if "getpid" in cell or "_exit" in cell
-                               else 10), "alone of its user, it cannot kill itself with all others"
+    assert result["score"] == (0 if "getpid" in cell or "_exit" in cell else 10), (
+        "alone of its user, it cannot kill itself with all others"
+    )
 
 
 def test_what_a_notebook_leaves_running_ends_with_it(container):
-    daemon = ("import os, time\nif os.fork() == 0:\n    os.setsid()\n    if os.fork() == 0:\n        "
-              "time.sleep(600)\n    os._exit(0)\n")
-    look = ("import os, time\ntime.sleep(1)\n"
-            "mine = [p for p in os.listdir('/proc') if p.isdigit() and os.stat('/proc/' + p).st_uid == os.getuid()]\n"
-            "raise RuntimeError(f'{len(mine)} process of mine')")
+    daemon = (
+        "import os, time\nif os.fork() == 0:\n    os.setsid()\n    if os.fork() == 0:\n        "
+        "time.sleep(600)\n    os._exit(0)\n"
+    )
+    look = (
+        "import os, time\ntime.sleep(1)\n"
+        "mine = [p for p in os.listdir('/proc') if p.isdigit() and os.stat('/proc/' + p).st_uid == "
+        "os.getuid()]\n"
+        "raise RuntimeError(f'{len(mine)} process of mine')"
+    )
     container.submit("ch1-p15.ipynb", with_cell("1.15", RIGHT_1_15, daemon))
     container.submit("ch1-p17.ipynb", with_cell("1.17", {}, look))
     result, _ = container.grade()
-    assert (result["score"] == 10
-            and "1.17: notebook: code cell 7: RuntimeError: 1 process of mine" in result["output"]), result["output"]
+    assert (
+        result["score"] == 10
+        and "1.17: notebook: code cell 7: RuntimeError: 1 process of mine" in result["output"]
+    ), result["output"]
 
 
 # setup.sh
 
 
-@pytest.mark.parametrize("has, said", [("3.12", "python3.12 -m venv /opt/workbook"),
-                                       ("3.11", "python3.11 -m venv /opt/workbook"),
-                                       ("", "choose Ubuntu 22.04")])
+@pytest.mark.parametrize(
+    "has, said",
+    [
+        ("3.12", "python3.12 -m venv /opt/workbook"),
+        ("3.11", "python3.11 -m venv /opt/workbook"),
+        ("", "choose Ubuntu 22.04"),
+    ],
+)
 def test_setup(tmp_path, archive, has, said):
     """What setup.sh asks of the system, and where that has no Python it can use."""
     log = programs(tmp_path, f"python{has}", "python3.12", "python3.11")
     with zipfile.ZipFile(archive) as bundled:
         script = bundled.read("setup.sh").decode().replace("/opt/workbook/bin/pip", "echo")
-    done = subprocess.run(["bash", "-c", script], env={"PATH": f"{tmp_path}:/usr/bin:/bin"}, capture_output=True,
-                          text=True, timeout=60)
-    assert said in (log.read_text() if has else done.stderr) and done.returncode == (0 if has else 1)
+    done = subprocess.run(
+        ["bash", "-c", script],
+        env={"PATH": f"{tmp_path}:/usr/bin:/bin"},
+        capture_output=True,
+        text=True,
+        timeout=60,
+    )
+    assert said in (log.read_text() if has else done.stderr) and done.returncode == (
+        0 if has else 1
+    )
     if has:
-        assert ("install --no-cache-dir --constraint /autograder/source/constraints.txt "
-                "/autograder/source/trajlib-*.whl" in done.stdout)
+        assert (
+            "install --no-cache-dir --constraint /autograder/source/constraints.txt "
+            "/autograder/source/trajlib-*.whl" in done.stdout
+        )
         assert log.read_text().endswith(USER_ADDED)
 
 
 def programs(folder, has, *others):
-    """The system's programs, which only write down what they are told; apt-get knows one Python, which it `has`."""
+    """The system's programs, which only write down what they are told; apt-get knows one Python,
+    which it `has`."""
     apt = f'[[ "$1" == update || "$*" == *"{has} "* ]] || exit 100\n'
     for name, body in {"apt-get": apt, "useradd": "", **dict.fromkeys((has, *others), "")}.items():
         (folder / name).write_text(f'#!/bin/bash\necho "${{0##*/}} $*" >> {folder}/log\n{body}')

@@ -14,18 +14,31 @@ from pathlib import Path
 import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
-from classroom import RIGHT_1_15, hand_in  # noqa: E402
+from classroom import RIGHT_1_15, hand_in
 
 KILLS = 15
 
 
 def submit_a_course(folder):
-    """Twelve submissions of all sorts: right, wrong, half done, failing, broken, not a notebook, handed in twice."""
+    """Twelve submissions of all sorts: right, wrong, half done, failing, broken, not a notebook,
+    handed in twice."""
     for k, student in enumerate(("ada", "bela", "cyd", "dora", "ellen")):
-        some = dict(list(RIGHT_1_15.items())[:k + 1])
-        hand_in(folder, student, "1.15", some | ({"e_region": "(k1 > 0) & (k2 > 0)"} if k % 2 else {}), at=1e9 + k)
+        some = dict(list(RIGHT_1_15.items())[: k + 1])
+        hand_in(
+            folder,
+            student,
+            "1.15",
+            some | ({"e_region": "(k1 > 0) & (k2 > 0)"} if k % 2 else {}),
+            at=1e9 + k,
+        )
     for student in ("ada", "bela", "cyd"):
-        hand_in(folder, student, "1.4", {"a_matrix": "sp.Matrix([[0, 1], [-1, epsilon]])", "b_rate": "1/0"}, at=1e9)
+        hand_in(
+            folder,
+            student,
+            "1.4",
+            {"a_matrix": "sp.Matrix([[0, 1], [-1, epsilon]])", "b_rate": "1/0"},
+            at=1e9,
+        )
     hand_in(folder, "ada", "1.15", RIGHT_1_15, at=1e9 + 9, name="ch1-p15-again.ipynb")
     hand_in(folder, "fay", "1.15", {"a_region": "__import__('os')._exit(1)"}, at=1e9)
     for student, content in (("gil", b"{"), ("hal", b"\xff\xfe")):
@@ -38,23 +51,44 @@ def start(folder, out):
     """`workbook grade` in a process group of its own."""
     # What a shell starts in the background ignores Ctrl-C, and so would all that these tests start.
     heeding = partial(signal.signal, signal.SIGINT, signal.SIG_DFL)
-    return subprocess.Popen([sys.executable, "-m", "workbook.cli", "grade", str(folder / "submitted"), "--out",
-                             str(out), "--processes", "2"],
-                            stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True, preexec_fn=heeding)
+    return subprocess.Popen(
+        [
+            sys.executable,
+            "-m",
+            "workbook.cli",
+            "grade",
+            str(folder / "submitted"),
+            "--out",
+            str(out),
+            "--processes",
+            "2",
+        ],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        start_new_session=True,
+        preexec_fn=heeding,
+    )
 
 
 def grades(out):
-    """Everything that was found, without when and by whom: each row of the store, to be compared whole."""
+    """Everything that was found, without when and by whom: each row of the store, to be compared
+    whole."""
     with closing(sqlite3.connect(out / "grades.sqlite")) as database:
-        return sorted(database.execute("SELECT student, assignment, problem, content, submitted, exercise, verdicts, "
-                                       "answers, remarks"
-                                       " FROM attempt JOIN result ON result.attempt = attempt.id"))
+        return sorted(
+            database.execute(
+                "SELECT student, assignment, problem, content, submitted, exercise, verdicts, "
+                "answers, remarks"
+                " FROM attempt JOIN result ON result.attempt = attempt.id"
+            )
+        )
 
 
 def count(out):
     """How many results are stored; a reader waits for nobody and disturbs nobody."""
     try:
-        with closing(sqlite3.connect(f"file:{out / 'grades.sqlite'}?mode=ro", uri=True, timeout=10)) as database:
+        with closing(
+            sqlite3.connect(f"file:{out / 'grades.sqlite'}?mode=ro", uri=True, timeout=10)
+        ) as database:
             return database.execute("SELECT count(*) FROM result").fetchone()[0]
     except sqlite3.OperationalError:
         return 0
@@ -71,7 +105,11 @@ def _stat(number):
 
 def descendants(ancestor):
     """{(number, start time)} of all processes below one."""
-    living = {int(path.name): found for path in Path("/proc").glob("[0-9]*") if (found := _stat(int(path.name)))}
+    living = {
+        int(path.name): found
+        for path in Path("/proc").glob("[0-9]*")
+        if (found := _stat(int(path.name)))
+    }
     below = {ancestor}
     while more := {number for number, (parent, _) in living.items() if parent in below} - below:
         below |= more
@@ -81,8 +119,9 @@ def descendants(ancestor):
 def outliving(processes, patience=5):
     """Those of `processes` that are still there after a moment."""
     give_up = time.monotonic() + patience
-    while (left := {one for one in processes if (found := _stat(one[0]))
-                    and found[1] == one[1]}) and time.monotonic() < give_up:
+    while (
+        left := {one for one in processes if (found := _stat(one[0])) and found[1] == one[1]}
+    ) and time.monotonic() < give_up:
         time.sleep(0.02)
     return left
 
@@ -97,8 +136,16 @@ def test_killed_and_started_again(tmp_path):
     assert process.returncode == 0, said
     lasted = time.monotonic() - began
     expected = grades(whole)
-    assert (len(expected) == 12 and {row[0] for row in expected} == {"ada", "bela", "cyd", "dora", "ellen", "fay",
-                                                                     "gil", "hal"})
+    assert len(expected) == 12 and {row[0] for row in expected} == {
+        "ada",
+        "bela",
+        "cyd",
+        "dora",
+        "ellen",
+        "fay",
+        "gil",
+        "hal",
+    }
 
     chance, kills = random.Random(1), 0
     while kills < KILLS:
@@ -138,15 +185,18 @@ def test_interrupted(tmp_path):
     out = tmp_path / "graded"
     process = start(tmp_path, out)
     give_up = time.monotonic() + 60
-    while count(out) < 3 and time.monotonic() < give_up:  # two are no notebooks, and stored before anything runs
+    # two are no notebooks, and stored before anything runs
+    while count(out) < 3 and time.monotonic() < give_up:
         time.sleep(0.01)
     below = descendants(process.pid)
     # As a terminal does it: to the whole group.
     os.killpg(process.pid, signal.SIGINT)
     _, said = process.communicate(timeout=60)
     assert process.returncode == 130 and below
-    assert (said.decode().strip().split("\n")[-1]
-            == "workbook: stopped; what is graded is stored, and the same command goes on from there")
+    assert (
+        said.decode().strip().split("\n")[-1]
+        == "workbook: stopped; what is graded is stored, and the same command goes on from there"
+    )
     assert b"Traceback" not in said
     assert not outliving(below)
     assert count(out) >= 3
@@ -159,8 +209,11 @@ def test_one_grader_at_a_time(tmp_path):
     with course._alone(tmp_path):
         done = start(tmp_path, tmp_path)
         _, said = done.communicate(timeout=60)
-        assert (done.returncode == 2 and said.decode().strip()
-                == f"workbook: another workbook grade is at work on {tmp_path}")
+        assert (
+            done.returncode == 2
+            and said.decode().strip()
+            == f"workbook: another workbook grade is at work on {tmp_path}"
+        )
     done = start(tmp_path, tmp_path)
     done.communicate(timeout=60)
     assert done.returncode == 0

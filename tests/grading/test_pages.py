@@ -1,4 +1,5 @@
-"""The pages that students and lecturers read: what stands on them, what never does, and how they look."""
+"""The pages that students and lecturers read: what stands on them, what never does, and how they
+look."""
 
 import json
 import os
@@ -12,24 +13,24 @@ import pytest
 import sympy as sp
 
 sys.path.insert(0, str(Path(__file__).parent))
-from classroom import an_assignment, graded  # noqa: E402
+from classroom import an_assignment, graded
 
-from trajlib.typesetting import plain  # noqa: E402
-from workbook.authoring import read  # noqa: E402
-from workbook.authoring.contract import master_file  # noqa: E402
-from workbook.authoring.mistakes import sentence  # noqa: E402
-from workbook.checks.contract.encoding import decode, describe, encode  # noqa: E402
-from workbook.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG, Verdict  # noqa: E402
-from workbook.grading import assignment as assignments  # noqa: E402
-from workbook.grading import judging  # noqa: E402
-from workbook.grading.bench import as_plain, from_plain  # noqa: E402
-from workbook.grading.feedback import feedback  # noqa: E402
-from workbook.grading.sandbox import Outcome  # noqa: E402
-from workbook.grading.scores import of_student, scores  # noqa: E402
-from workbook.grading.store import Attempt  # noqa: E402
-from workbook.grading.summary import summary  # noqa: E402
-from workbook.notebooks import exercises  # noqa: E402
-from workbook.notebooks.execution import judge, run_notebook  # noqa: E402
+from trajlib.typesetting import plain
+from workbook.authoring import read
+from workbook.authoring.contract import master_file
+from workbook.authoring.mistakes import sentence
+from workbook.checks.contract.encoding import decode, describe, encode
+from workbook.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG, Verdict
+from workbook.grading import assignment as assignments
+from workbook.grading import judging
+from workbook.grading.bench import as_plain, from_plain
+from workbook.grading.feedback import feedback
+from workbook.grading.sandbox import Outcome
+from workbook.grading.scores import of_student, scores
+from workbook.grading.store import Attempt
+from workbook.grading.summary import summary
+from workbook.notebooks import exercises
+from workbook.notebooks.execution import judge, run_notebook
 
 ROOT = Path(__file__).resolve().parents[2]
 HOMEWORK = 'title = "Homework <1>"\nproblems = ["1.15", "1.17"]\ndue = 2026-10-01T12:00:00Z\n'
@@ -37,7 +38,13 @@ DUE = 1790856000.0
 K1, K2 = sp.symbols("k1 k2")
 #: What a name or an answer may try in a page.
 HOSTILE = "</title><script>alert(1)</script><img src=x onerror=alert(2)>\"'&"
-FIVE = {"a_region": RIGHT, "b_region": WRONG, "c_region": MISSING, "d_region": INVALID, "e_region": UNCHECKED}
+FIVE = {
+    "a_region": RIGHT,
+    "b_region": WRONG,
+    "c_region": MISSING,
+    "d_region": INVALID,
+    "e_region": UNCHECKED,
+}
 
 
 def shown(page):
@@ -46,24 +53,34 @@ def shown(page):
 
 
 def section(page, answer):
-    return re.search(rf'(?s)<section class="answer \w+"><header><span><code>{answer}</code>.*?</section>', page)[0]
+    return re.search(
+        rf'(?s)<section class="answer \w+"><header><span><code>{answer}</code>.*?</section>', page
+    )[0]
 
 
 # Feedback
 
 
 def test_feedback_says_what_held_and_what_did_not(store, homework):
-    graded(store, "ann", "1.15", FIVE, texts={"a_region": "k1 > 0", "b_region": "k2 < 0", "e_region": "odd"})
+    graded(
+        store,
+        "ann",
+        "1.15",
+        FIVE,
+        texts={"a_region": "k1 > 0", "b_region": "k2 < 0", "e_region": "odd"},
+    )
     store.set_manual("ann", "hw1", "1.15", "b_region", 0.5, "the right <idea>")
     page = feedback(homework, scores(store, homework)[0])
     assert "1.5 of 7 points, and 1 answer still to be looked at by a lecturer." in shown(page)
     for name, status in FIVE.items():
         told = re.sub(r"\s+", " ", shown(section(page, name))).replace(f"{status} :", f"{status}:")
         assert f"{status}: {name} is {status}" in told
-    assert ("Your answer: k1 > 0" in re.sub(r"\s+", " ", shown(section(page, "a_region")))
-            and "1 / 1" in section(page, "a_region"))
-    assert ("Points given by your lecturer: the right &lt;idea&gt;" in section(page, "b_region")
-            and "0.5 / 1" in section(page, "b_region"))
+    assert "Your answer: k1 > 0" in re.sub(
+        r"\s+", " ", shown(section(page, "a_region"))
+    ) and "1 / 1" in section(page, "a_region")
+    assert "Points given by your lecturer: the right &lt;idea&gt;" in section(
+        page, "b_region"
+    ) and "0.5 / 1" in section(page, "b_region")
     assert "Nothing was submitted for this problem." in page.split("1.17")[1]
 
 
@@ -74,10 +91,15 @@ def test_hints_are_folded_to_what_is_not_right_yet_and_the_same_as_in_the_notebo
     page = section(feedback(homework, scores(store, homework)[0]), "a_region")
     notebook = exercises.find("1.15").path.read_text(encoding="utf-8")
     for number, hint in enumerate(hints, start=1):
-        assert f"<details><summary>Hint {number}</summary>" in page and hint in shown(page) and hint in notebook
+        assert (
+            f"<details><summary>Hint {number}</summary>" in page
+            and hint in shown(page)
+            and hint in notebook
+        )
     graded(store, "bob", "1.15", FIVE)
-    assert not any(hint in shown(feedback(homework, scores(store, homework)[1]))
-                   for hint in hints), "what is right needs no hint"
+    assert not any(
+        hint in shown(feedback(homework, scores(store, homework)[1])) for hint in hints
+    ), "what is right needs no hint"
     assert "<details>" not in feedback(homework, of_student("dan", homework, [], {}))
 
 
@@ -85,9 +107,14 @@ def test_feedback_links_to_the_theory_and_never_to_a_solution(store, homework):
     graded(store, "ann", "1.15", FIVE)
     (score,) = scores(store, homework)
     page = feedback(homework, score, 'https://example.org/course/"x/')
-    assert 'href="https://example.org/course/&quot;x/book/ch1.html"' in page and "/exercises/ch1/p15.html" in page
+    assert (
+        'href="https://example.org/course/&quot;x/book/ch1.html"' in page
+        and "/exercises/ch1/p15.html" in page
+    )
     assert "solutions" not in page
-    assert "href" not in feedback(homework, score) and "chapter 1 of the workbook" in feedback(homework, score)
+    assert "href" not in feedback(homework, score) and "chapter 1 of the workbook" in feedback(
+        homework, score
+    )
 
 
 def test_feedback_says_late_and_how_often(store, homework):
@@ -95,41 +122,89 @@ def test_feedback_says_late_and_how_often(store, homework):
     assert "Handed in after the due date." in shown(feedback(homework, scores(store, homework)[0]))
     graded(store, "ann", "1.15", FIVE, submitted=DUE - 1)
     page = shown(feedback(homework, scores(store, homework)[0]))
-    assert ("after the due date" not in page
-            and "You handed this in 2 times; what follows is the attempt that counts." in page)
+    assert (
+        "after the due date" not in page
+        and "You handed this in 2 times; what follows is the attempt that counts." in page
+    )
 
 
 def test_whose_fault_it_was_is_said(store, homework):
     attempt = store.note_attempt("ann", "hw1", "1.17", "x", 0.0)
     remark = "limits: the notebook was still running when its time was up"
-    store.record(attempt, "e", {"a_region": Verdict(MISSING, "no answer: its time was up")}, {}, [remark])
-    assert "limits: the notebook was still running" in shown(feedback(homework, scores(store, homework)[0]))
+    store.record(
+        attempt, "e", {"a_region": Verdict(MISSING, "no answer: its time was up")}, {}, [remark]
+    )
+    assert "limits: the notebook was still running" in shown(
+        feedback(homework, scores(store, homework)[0])
+    )
 
 
 def test_nothing_foreign_becomes_markup(store, homework):
     for name in (HOSTILE, HOSTILE + "2"):
         attempt = store.note_attempt(name, "hw1", "1.17", name, DUE + 9)
-        store.record(attempt, "e", {"a_region": Verdict(WRONG, HOSTILE), "b_region": Verdict(UNCHECKED, HOSTILE)},
-                     {"a_region": HOSTILE, "b_region": HOSTILE}, [HOSTILE])
+        store.record(
+            attempt,
+            "e",
+            {"a_region": Verdict(WRONG, HOSTILE), "b_region": Verdict(UNCHECKED, HOSTILE)},
+            {"a_region": HOSTILE, "b_region": HOSTILE},
+            [HOSTILE],
+        )
     store.set_manual(HOSTILE, "hw1", "1.15", "a_region", 1.0, HOSTILE)
     found = scores(store, homework)
-    for page in (*(feedback(homework, score, HOSTILE) for score in found), summary(homework, found)):
+    for page in (
+        *(feedback(homework, score, HOSTILE) for score in found),
+        summary(homework, found),
+    ):
         assert "<script" not in page and "<img" not in page and "Homework &lt;1&gt;" in page
         assert set(re.findall(r"</?([a-z0-9]+)[ >]", page)) <= ALLOWED
-        assert "http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'" in page
+        assert 'http-equiv="Content-Security-Policy" content="default-src \'none\'' in page
 
 
-ALLOWED = {"html", "head", "meta", "title", "style", "body", "h1", "h2", "p", "br", "span", "div", "section",
-           "header", "code", "em", "ul",
-           "li", "a", "bdi", "details", "summary", "table", "tr", "th", "td", "svg", "rect", "text", "line"}
+ALLOWED = {
+    "html",
+    "head",
+    "meta",
+    "title",
+    "style",
+    "body",
+    "h1",
+    "h2",
+    "p",
+    "br",
+    "span",
+    "div",
+    "section",
+    "header",
+    "code",
+    "em",
+    "ul",
+    "li",
+    "a",
+    "bdi",
+    "details",
+    "summary",
+    "table",
+    "tr",
+    "th",
+    "td",
+    "svg",
+    "rect",
+    "text",
+    "line",
+}
 
 
 # Never the solution
 
 
 def give_away(page, master):
-    """Lines of the master's answer cells that stand on a page, but for those that the student's notebook holds."""
-    own = {line.strip() for _, source in exercises.find(master.number).cells for line in source.split("\n")}
+    """Lines of the master's answer cells that stand on a page, but for those that the student's
+    notebook holds."""
+    own = {
+        line.strip()
+        for _, source in exercises.find(master.number).cells
+        for line in source.split("\n")
+    }
     lines = {line.strip() for source in master.code("answer") for line in source.split("\n")} - own
     text = re.sub(r"\s+", " ", shown(page))
     return [line for line in lines if len(line) > 7 and re.sub(r"\s+", " ", line) in text]
@@ -146,10 +221,15 @@ def page_of(number, verdicts, texts=None):
 def test_no_line_of_the_solution_stands_on_a_page_with_all_hints(number):
     master = read(ROOT / "solutions" / master_file(number))
     page = page_of(number, {name: Verdict(MISSING, "not answered yet") for name in master.answers})
-    assert all(plain(hint) in shown(page) for hints in exercises.find(number).about["hints"].values() for hint in hints)
+    assert all(
+        plain(hint) in shown(page)
+        for hints in exercises.find(number).about["hints"].values()
+        for hint in hints
+    )
     assert give_away(page, master) == []
-    assert ("<section" in page and give_away(page + "\n".join(master.code("answer")),
-                                             master)), "the test sees a solution that is there"
+    assert "<section" in page and give_away(page + "\n".join(master.code("answer")), master), (
+        "the test sees a solution that is there"
+    )
 
 
 def at_the_ends():
@@ -168,13 +248,21 @@ def test_what_the_checks_say_of_wrong_answers_gives_nothing_away(number):
     run = run_notebook([*master.code("data", "answer"), *wrong], master.answers)
     verdicts = judge(exercise.code("data", "check"), run, master.answers)
     assert WRONG in {verdict.status for verdict in verdicts.values()}
-    page = page_of(number, verdicts, {name: describe(decode(data)) for name, data in run.encoded.items()})
+    page = page_of(
+        number, verdicts, {name: describe(decode(data)) for name, data in run.encoded.items()}
+    )
     assert give_away(page, master) == []
-    answers = {name: describe(decode(data)) for name, data in reference.encoded.items() if verdicts[name].status
-               == WRONG}
+    answers = {
+        name: describe(decode(data))
+        for name, data in reference.encoded.items()
+        if verdicts[name].status == WRONG
+    }
     given = [describe(decode(data)) for data in run.encoded.values()]
-    assert [text for text in answers.values() if len(text) > 7 and text in shown(page)
-            and not any(text in other for other in given)] == []
+    assert [
+        text
+        for text in answers.values()
+        if len(text) > 7 and text in shown(page) and not any(text in other for other in given)
+    ] == []
 
 
 # The lecturer's summary
@@ -183,62 +271,117 @@ def test_what_the_checks_say_of_wrong_answers_gives_nothing_away(number):
 def test_summary(store, homework):
     failure = {"a_region": Verdict(WRONG, "at k1 = -0.5 a root has the real part 1.2e-05")}
     for k, student in enumerate(["ann", "bob", "cid"]):
-        graded(store, student, "1.15", FIVE, submitted=DUE + k, texts={"b_region": "k2 < 0", "e_region": f"odd {k}"})
+        graded(
+            store,
+            student,
+            "1.15",
+            FIVE,
+            submitted=DUE + k,
+            texts={"b_region": "k2 < 0", "e_region": f"odd {k}"},
+        )
         attempt = store.note_attempt(student, "hw1", "1.17", student, DUE - 1)
         message = failure["a_region"].message.replace("0.5", f"{k}.25").replace("1.2e-05", f"{k}")
-        store.record(attempt, "e", {"a_region": Verdict(WRONG, message), "b_region": Verdict(RIGHT, "")},
-                     {"a_region": f"k1 > {k}"}, [])
+        store.record(
+            attempt,
+            "e",
+            {"a_region": Verdict(WRONG, message), "b_region": Verdict(RIGHT, "")},
+            {"a_region": f"k1 > {k}"},
+            [],
+        )
     page = summary(homework, scores(store, homework, ["dan"]))
     text = re.sub(r"\s+", " ", shown(page))
-    assert ("3 of 4 students handed something in; 2 were late; 3 need a lecturer’s look; the middle one has 2 of 7 "
-            "points" in text)
+    assert (
+        "3 of 4 students handed something in; 2 were late; 3 need a lecturer’s look; the middle "
+        "one has 2 of 7 "
+        "points" in text
+    )
     looked_at = page.split("To be looked at")[1].split("<h2>")[0]
-    assert (looked_at.count("<code>e_region</code>") == 3 and "odd 2" in looked_at
-            and "workbook score STUDENT hw1" in looked_at)
+    assert (
+        looked_at.count("<code>e_region</code>") == 3
+        and "odd 2" in looked_at
+        and "workbook score STUDENT hw1" in looked_at
+    )
     hardest = page.split("hardest first")[1].split("<h2>")[0]
     assert hardest.index("b_region") < hardest.index("a_region"), "the hardest stands first"
     assert "3 right" in hardest and 'style="flex: 3" title="3 wrong"' in hardest
     failures = page.split("Common failures")[1].split("<h2>")[0]
-    assert len(re.findall('<td class="number">3</td>',
-                          failures)) == 4, "messages that differ only in numbers are one failure"
+    assert len(re.findall('<td class="number">3</td>', failures)) == 4, (
+        "messages that differ only in numbers are one failure"
+    )
     identical = page.split("Identical wrong answers")[1]
-    assert ("k2 &lt; 0" in identical and all(name in identical for name in ("ann", "bob", "cid"))
-            and "k1 &gt; 1" not in identical)
+    assert (
+        "k2 &lt; 0" in identical
+        and all(name in identical for name in ("ann", "bob", "cid"))
+        and "k1 &gt; 1" not in identical
+    )
 
 
 def test_named_mistakes_are_told_to_the_student_and_counted_for_the_lecturer(store, homework):
-    for student, answers in {"ann": {"a_region": [K2 > 0, K1 > 0]}, "bob": {"a_region": (K2 > 0) & (0 < K1)},
-                             "cid": {"a_region": K1 > 7}, "dan": {"d_region": (K1 > 0) & (K2 > 1)}}.items():
+    for student, answers in {
+        "ann": {"a_region": [K2 > 0, K1 > 0]},
+        "bob": {"a_region": (K2 > 0) & (0 < K1)},
+        "cid": {"a_region": K1 > 7},
+        "dan": {"d_region": (K1 > 0) & (K2 > 1)},
+    }.items():
         exercise = exercises.find("1.15")
-        outcome = {"encoded": {name: encode(value).decode() for name, value in answers.items()}, "unreadable": {},
-                   "errors": [], "stopped": []}
+        outcome = {
+            "encoded": {name: encode(value).decode() for name, value in answers.items()},
+            "unreadable": {},
+            "errors": [],
+            "stopped": [],
+        }
         judged = judging.judge(exercise, Outcome("done", json.dumps(outcome).encode()))
         attempt = store.note_attempt(student, "hw1", "1.15", student, DUE - 1)
-        store.record(attempt, "e", from_plain(json.loads(json.dumps(as_plain(judged)))).verdicts, judged.answers, [])
+        store.record(
+            attempt,
+            "e",
+            from_plain(json.loads(json.dumps(as_plain(judged)))).verdicts,
+            judged.answers,
+            [],
+        )
     master = read(ROOT / "solutions" / master_file("1.15"))
     few, divided = (sentence(master, master.trials["wrong"][k]) for k in (0, 5))
     all_scores = scores(store, homework)
     pages = {score.student: shown(feedback(homework, score)) for score in all_scores}
-    assert few.count("\n") == 1 and all(line in pages["ann"] and line in pages["bob"] for line in few.split("\n"))
-    assert few.split("\n")[0] not in pages["cid"] + pages["dan"] and divided.split("\n")[0] in pages["dan"]
-    talk = re.sub(r"\s+", " ", summary(homework, all_scores)).split("What to talk about")[1].split("<h2>")[0]
+    assert few.count("\n") == 1 and all(
+        line in pages["ann"] and line in pages["bob"] for line in few.split("\n")
+    )
+    assert (
+        few.split("\n")[0] not in pages["cid"] + pages["dan"]
+        and divided.split("\n")[0] in pages["dan"]
+    )
+    talk = (
+        re.sub(r"\s+", " ", summary(homework, all_scores))
+        .split("What to talk about")[1]
+        .split("<h2>")[0]
+    )
     (first, second) = re.findall(r"<tr><td.*?</tr>", talk)
     assert re.sub(r"\s+", " ", shown(first)).strip() == (
-        f"2 1.15 a_region {few.partition(chr(10))[0]} ann , bob")
+        f"2 1.15 a_region {few.partition(chr(10))[0]} ann , bob"
+    )
     assert divided.split("\n")[0] in shown(second) and "dan" in second
 
 
 def test_answers_that_only_look_alike_are_not_identical(store, homework):
-    """A text is cut, and leaves out the middle of an array: who was charged with copying must have given the very
-    same."""
+    """A text is cut, and leaves out the middle of an array: who was charged with copying must have
+    given the very same."""
     for k, student in enumerate(["ann", "bob", "cid"]):
         attempt = store.note_attempt(student, "hw1", "1.15", student, DUE - 1)
-        store.record(attempt, "e", {"a_region": Verdict(WRONG, "no"), "b_region": Verdict(WRONG, "no")},
-                     {"a_region": "[[1, ..., 9]]", "b_region": "[[2, ..., 9]]"}, [],
-                     {"a_region": str(k), "b_region": str(k // 2)})
+        store.record(
+            attempt,
+            "e",
+            {"a_region": Verdict(WRONG, "no"), "b_region": Verdict(WRONG, "no")},
+            {"a_region": "[[1, ..., 9]]", "b_region": "[[2, ..., 9]]"},
+            [],
+            {"a_region": str(k), "b_region": str(k // 2)},
+        )
     identical = summary(homework, scores(store, homework)).split("Identical wrong answers")[1]
-    assert ("[[1, ..., 9]]" not in identical and "[[2, ..., 9]]" in identical and "ann" in identical
-            and "cid" not in identical)
+    assert (
+        "[[1, ..., 9]]" not in identical
+        and "[[2, ..., 9]]" in identical
+        and "ann" in identical
+        and "cid" not in identical
+    )
 
 
 def test_the_distribution_has_everybody_in_it(store, tmp_path):
@@ -247,13 +390,16 @@ def test_the_distribution_has_everybody_in_it(store, tmp_path):
         graded(store, f"s{k}", "1.17", {"a_region": a, "b_region": b})
     page = summary(homework, scores(store, homework, ["dan"]))
     assert 'aria-label="Number of students by points: 1 from 0, 2 from 1, 1 from 1.8"' in page
-    assert re.findall(r'text-anchor="middle">(\d+)</text><rect|text-anchor="middle">(\d+)</text><line',
-                      page) == [("1", ""), ("2", ""), ("", "1")]
+    assert re.findall(
+        r'text-anchor="middle">(\d+)</text><rect|text-anchor="middle">(\d+)</text><line', page
+    ) == [("1", ""), ("2", ""), ("", "1")]
 
 
 def test_a_summary_of_nobody_and_of_nothing_worth_points(store, tmp_path):
     homework = an_assignment(tmp_path, 'problems = ["1.17"]\n[points]\n"1.17" = 0')
-    assert "0 of 1 student handed something in" in summary(homework, scores(store, homework, ["dan"]))
+    assert "0 of 1 student handed something in" in summary(
+        homework, scores(store, homework, ["dan"])
+    )
     graded(store, "ann", "1.17", {"a_region": RIGHT, "b_region": WRONG})
     assert "Nothing is worth a point." in summary(homework, scores(store, homework))
 
@@ -263,17 +409,28 @@ def test_a_summary_of_nobody_and_of_nothing_worth_points(store, tmp_path):
 
 @pytest.fixture(scope="module")
 def driver(tmp_path_factory):
-    chromium, program = shutil.which("chromium") or shutil.which("google-chrome"), shutil.which("chromedriver")
+    chromium, program = (
+        shutil.which("chromium") or shutil.which("google-chrome"),
+        shutil.which("chromedriver"),
+    )
     if not (chromium and program):
-        (pytest.fail if os.environ.get("CI") == "true"
-         else pytest.skip)("chromium and chromedriver are needed to look at pages")
+        (pytest.fail if os.environ.get("CI") == "true" else pytest.skip)(
+            "chromium and chromedriver are needed to look at pages"
+        )
     from selenium import webdriver
     from selenium.webdriver.chrome.service import Service
 
     options = webdriver.ChromeOptions()
     options.binary_location = chromium
-    for argument in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--no-first-run",
-                     f"--user-data-dir={tmp_path_factory.mktemp('profile')}", "--host-resolver-rules=MAP * ~NOTFOUND"):
+    for argument in (
+        "--headless=new",
+        "--no-sandbox",
+        "--disable-gpu",
+        "--disable-dev-shm-usage",
+        "--no-first-run",
+        f"--user-data-dir={tmp_path_factory.mktemp('profile')}",
+        "--host-resolver-rules=MAP * ~NOTFOUND",
+    ):
         options.add_argument(argument)
     driver = webdriver.Chrome(options=options, service=Service(program))
     yield driver
@@ -288,11 +445,17 @@ def test_pages_fit_and_can_be_read(driver, store, homework, tmp_path, width, the
         graded(store, student, "1.15", FIVE, submitted=DUE + 1, texts=dict.fromkeys(FIVE, long))
     found = scores(store, homework, ["dan"])
     named = {"summary": summary(homework, found)}
-    named |= {str(k): feedback(homework, score, "https://example.org") for k, score in enumerate(found)}
-    driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride",
-                           {"width": width, "height": 900, "deviceScaleFactor": 1, "mobile": width < 500})
-    driver.execute_cdp_cmd("Emulation.setEmulatedMedia",
-                           {"features": [{"name": "prefers-color-scheme", "value": theme}]})
+    named |= {
+        str(k): feedback(homework, score, "https://example.org") for k, score in enumerate(found)
+    }
+    driver.execute_cdp_cmd(
+        "Emulation.setDeviceMetricsOverride",
+        {"width": width, "height": 900, "deviceScaleFactor": 1, "mobile": width < 500},
+    )
+    driver.execute_cdp_cmd(
+        "Emulation.setEmulatedMedia",
+        {"features": [{"name": "prefers-color-scheme", "value": theme}]},
+    )
     for name, page in named.items():
         path = tmp_path / f"{name}.html"
         path.write_text(page, encoding="utf-8")
@@ -302,8 +465,10 @@ def test_pages_fit_and_can_be_read(driver, store, homework, tmp_path, width, the
         assert driver.execute_script(LEAST_CONTRAST) >= 4.5, name
         ground = driver.execute_script("return getComputedStyle(document.body).backgroundColor")
         assert (max(map(int, re.findall(r"\d+", ground)[:3])) < 64) == dark
-        assert driver.execute_script("return [...document.querySelectorAll('svg text')].every(t => "
-                                     "t.getBoundingClientRect().height > 9)")
+        assert driver.execute_script(
+            "return [...document.querySelectorAll('svg text')].every(t => "
+            "t.getBoundingClientRect().height > 9)"
+        )
 
 
 #: The least contrast of any text on the page to what lies behind it.

@@ -1,4 +1,5 @@
-"""What is imported once for all: what problems and notebooks of a homework use, and nothing a notebook names itself."""
+"""What is imported once for all: what problems and notebooks of a homework use, and nothing a
+notebook names itself."""
 
 import json
 import os
@@ -32,22 +33,36 @@ def libraries(problems, *sources):
 
 def test_no_library_that_nothing_of_the_homework_uses():
     assert libraries(["6.1"], "import sympy as sp", "b_ok = True") == libraries(["6.1"])
-    assert libraries(["1.15"], "import sympy as sp", "a_region = k1 > 0") == {"z3"}, "its checks decide conditions"
+    assert libraries(["1.15"], "import sympy as sp", "a_region = k1 > 0") == {"z3"}, (
+        "its checks decide conditions"
+    )
     assert libraries(["1.15"], "import matplotlib.pyplot as plt") == {"matplotlib.pyplot", "z3"}
-    assert libraries(["1.15"], "from scipy import optimize", "import casadi as ca") == {"scipy.optimize", "casadi",
-                                                                                       "z3"}
+    assert libraries(["1.15"], "from scipy import optimize", "import casadi as ca") == {
+        "scipy.optimize",
+        "casadi",
+        "z3",
+    }
 
 
 def test_functions_of_ours_that_a_notebook_names():
     cells = ["from trajlib import stability", "minors = stability.hurwitz_minors(p)[1:]"]
     more = set(needed(["1.15"], cells)["notebooks"]) - set(loaded(["1.15"], []))
-    assert more == {"trajlib.stability.hurwitz", "trajlib.stability.systems"}, "with what it imports itself"
-    assert not set(loaded(["1.15"], ["hurwitz_minors = 1"])) - set(loaded(["1.15"], [])), "no theme is named"
+    assert more == {"trajlib.stability.hurwitz", "trajlib.stability.systems"}, (
+        "with what it imports itself"
+    )
+    assert not set(loaded(["1.15"], ["hurwitz_minors = 1"])) - set(loaded(["1.15"], [])), (
+        "no theme is named"
+    )
 
 
 def test_functions_of_a_theme_that_is_a_single_module():
-    cells = ["from trajlib.reconstruction import reconstruct", "from trajlib import invariant\ninvariant.value(0)"]
-    assert {"trajlib.reconstruction", "trajlib.invariant"} <= set(needed(["6.2"], cells)["notebooks"])
+    cells = [
+        "from trajlib.reconstruction import reconstruct",
+        "from trajlib import invariant\ninvariant.value(0)",
+    ]
+    assert {"trajlib.reconstruction", "trajlib.invariant"} <= set(
+        needed(["6.2"], cells)["notebooks"]
+    )
 
 
 def test_sandboxes_have_what_notebooks_use_and_not_what_only_checks_do():
@@ -60,42 +75,63 @@ def test_sandboxes_have_what_notebooks_use_and_not_what_only_checks_do():
 
 
 def test_words_of_a_notebook_only_choose_among_ours():
-    foreign = ["import evil, casadi.evil\nfrom scipy.optimize.evil import x", "__import__('trajlib.evil')"]
+    foreign = [
+        "import evil, casadi.evil\nfrom scipy.optimize.evil import x",
+        "__import__('trajlib.evil')",
+    ]
     named = loaded(["1.15"], foreign)
     assert not [name for name in named if "evil" in name]
-    assert {name for name in named if not name.startswith(("trajlib.", "workbook."))} <= {*ALWAYS, *LIBRARIES}
+    assert {name for name in named if not name.startswith(("trajlib.", "workbook."))} <= {
+        *ALWAYS,
+        *LIBRARIES,
+    }
 
 
 def test_a_judge_finds_all_that_it_imports():
-    """Whatever modules of ours a check stands on are there before the first answer comes, and what decides
-    conditions."""
-    code = ("import importlib, json, sys\nfor name in json.loads(sys.argv[1]): importlib.import_module(name)\n"
-            "from workbook.notebooks import exercises\nfrom workbook.checks.contract.encoding import encode\n"
-            "from workbook.notebooks.execution import judge_cells\nk = sys.modules['sympy'].Symbol('k1')\n"
-            "before = set(sys.modules)\n"
-            "exercise = exercises.find('1.15')\nnames = list(exercise.about['answers'])\n"
-            "judge_cells(exercise.code('data', 'check'), {'a_region': encode(k > 0).decode()}, {}, names)\n"
-            "print([name for name in set(sys.modules) - before if name.split('.')[0] in "
-            "('trajlib', 'workbook', 'sympy', 'scipy', 'casadi', 'z3')])")
-    done = subprocess.run([sys.executable, "-c", code, json.dumps(loaded(["1.15"], []))], capture_output=True,
-                          text=True, timeout=120)
+    """Whatever modules of ours a check stands on are there before the first answer comes, and what
+    decides conditions."""
+    code = (
+        "import importlib, json, sys\nfor name in json.loads(sys.argv[1]): "
+        "importlib.import_module(name)\n"
+        "from workbook.notebooks import exercises\nfrom workbook.checks.contract.encoding import "
+        "encode\n"
+        "from workbook.notebooks.execution import judge_cells\nk = "
+        "sys.modules['sympy'].Symbol('k1')\n"
+        "before = set(sys.modules)\n"
+        "exercise = exercises.find('1.15')\nnames = list(exercise.about['answers'])\n"
+        "judge_cells(exercise.code('data', 'check'), {'a_region': encode(k > 0).decode()}, {}, "
+        "names)\n"
+        "print([name for name in set(sys.modules) - before if name.split('.')[0] in "
+        "('trajlib', 'workbook', 'sympy', 'scipy', 'casadi', 'z3')])"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code, json.dumps(loaded(["1.15"], []))],
+        capture_output=True,
+        text=True,
+        timeout=120,
+    )
     assert done.stdout == "[]\n", done.stdout + done.stderr
 
 
 def test_what_scipy_only_names_is_loaded_by_who_uses_it():
-    code = ("import sys\nfrom workbook.grading.preloading import NAMED_BY_SCIPY, preload\n"
-            "preload('numpy', 'scipy.integrate', 'scipy.linalg', 'scipy.optimize')\n"
-            "waiting = [name for name in NAMED_BY_SCIPY if type(sys.modules[name]).__name__ == '_LazyModule']\n"
-            "print('scipy.spatial._ckdtree' in sys.modules, 'numpy.f2py.rules' in sys.modules)\n"
-            "import numpy as np, scipy\nfrom scipy.spatial import ConvexHull\n"
-            "np.testing.assert_allclose(ConvexHull(np.array([[0., 0], [1, 0], [0, 1]])).volume, 0.5)\n"
-            "print(len(waiting), callable(np.f2py.get_include), scipy.spatial is sys.modules['scipy.spatial'])")
+    code = (
+        "import sys\nfrom workbook.grading.preloading import NAMED_BY_SCIPY, preload\n"
+        "preload('numpy', 'scipy.integrate', 'scipy.linalg', 'scipy.optimize')\n"
+        "waiting = [name for name in NAMED_BY_SCIPY if type(sys.modules[name]).__name__ == "
+        "'_LazyModule']\n"
+        "print('scipy.spatial._ckdtree' in sys.modules, 'numpy.f2py.rules' in sys.modules)\n"
+        "import numpy as np, scipy\nfrom scipy.spatial import ConvexHull\n"
+        "np.testing.assert_allclose(ConvexHull(np.array([[0., 0], [1, 0], [0, 1]])).volume, 0.5)\n"
+        "print(len(waiting), callable(np.f2py.get_include), scipy.spatial is "
+        "sys.modules['scipy.spatial'])"
+    )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120)
     assert done.stdout == "False False\n3 True True\n", done.stdout + done.stderr
 
 
 def test_a_nursery_has_nothing_of_the_grader(monkeypatch):
-    """Neither its environment nor what it has read: all of that would be in the memory of every notebook's process."""
+    """Neither its environment nor what it has read: all of that would be in the memory of every
+    notebook's process."""
     monkeypatch.setenv("COURSE_SECRET", "Tycho-1572")
     assert exercises.read_all(), "the grader has read things"
     nursery = Nursery.start(["json", "a_library_that_is_not_here"])
@@ -127,7 +163,8 @@ def _is_its(number):
 
 
 def test_a_nursery_that_ends_while_lanes_begin_is_started_again():
-    """Also where some lanes have begun and others have not; if it happens every time, that is told by an error."""
+    """Also where some lanes have begun and others have not; if it happens every time, that is told
+    by an error."""
     fork = Nursery.fork
 
     def killed(begun, times):

@@ -1,5 +1,5 @@
-"""The sandbox: what is seen in it, what it limits, how it ends, and where none can be had. As root and as an ordinary
-user."""
+"""The sandbox: what is seen in it, what it limits, how it ends, and where none can be had. As root
+and as an ordinary user."""
 
 import json
 import os
@@ -17,13 +17,13 @@ from textwrap import dedent
 import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
-import ordinary  # noqa: E402
-from hostile.reading import READING  # noqa: E402
+import ordinary
+from hostile.reading import READING
 
-from workbook.grading import framing, isolation, watching  # noqa: E402
-from workbook.grading import sandbox as sandbox_module  # noqa: E402
-from workbook.grading.preloading import ALWAYS  # noqa: E402
-from workbook.grading.sandbox import Limits, Outcome, Sandbox, Trusting  # noqa: E402
+from workbook.grading import framing, isolation, watching
+from workbook.grading import sandbox as sandbox_module
+from workbook.grading.preloading import ALWAYS
+from workbook.grading.sandbox import Limits, Outcome, Sandbox, Trusting
 
 ROOT = Path(__file__).resolve().parents[2]
 TIGHT = Limits(cpu_seconds=3, wall_seconds=6, memory_megabytes=300)
@@ -44,7 +44,9 @@ def sandbox(request):
 def answers(outcome):
     """The answers handed over, as Python values of plain types."""
     assert outcome.ended == "done", outcome
-    return {name: json.loads(text) for name, text in json.loads(outcome.handed_over)["encoded"].items()}
+    return {
+        name: json.loads(text) for name, text in json.loads(outcome.handed_over)["encoded"].items()
+    }
 
 
 def run(sandbox, *sources, names=("a",)):
@@ -72,30 +74,47 @@ b = [sorted(os.listdir("/")), sorted(os.environ), os.getcwd(), os.listdir("."), 
 def test_sees_both_packages_and_nothing_else_of_ours(once):
     with lean(PATIENT, once) as sandbox:  # looking through everything takes a while
         found = answers(run(sandbox, LOOK, names=("a", "b")))
-    assert (found["a"] and all(path.startswith((f"{isolation.PACKAGE}/", f"{isolation.LIBRARY}/")) and not path.endswith(".ipynb")
-                               for path in found["a"]))
+    assert found["a"] and all(
+        path.startswith((f"{isolation.PACKAGE}/", f"{isolation.LIBRARY}/"))
+        and not path.endswith(".ipynb")
+        for path in found["a"]
+    )
     top, variables, here, files, shared = found["b"]
     assert not {"home", "var", "opt", "srv", "mnt", "run", "boot", "sys"} & set(top)
     assert set(variables) - set(isolation.ENVIRONMENT) <= {"LC_CTYPE", "PWD", "COLUMNS", "LINES"}
-    # A checkout that lies below /tmp shows its folder there, with what may be seen of it and no more.
-    ours = {isolation.PACKAGE.relative_to("/tmp").parts[0]} if isolation.PACKAGE.is_relative_to("/tmp") else set()
-    assert here == "/tmp" and set(files) - ours <= {".ipython", ".cache", "matplotlib"} and shared == []
+    # A checkout that lies below /tmp shows its folder there, with what may be seen of it and no
+    # more.
+    ours = (
+        {isolation.PACKAGE.relative_to("/tmp").parts[0]}
+        if isolation.PACKAGE.is_relative_to("/tmp")
+        else set()
+    )
+    assert (
+        here == "/tmp"
+        and set(files) - ours <= {".ipython", ".cache", "matplotlib"}
+        and shared == []
+    )
 
 
 @pytest.mark.parametrize("layout", ["wheel", "checkout among packages"])
 def test_sees_no_exercise_whatever_the_installation(layout):
-    """From a wheel the exercises lie inside the package; a checkout may lie in a folder that is visible as a whole."""
+    """From a wheel the exercises lie inside the package; a checkout may lie in a folder that is
+    visible as a whole."""
     folder = Path(tempfile.mkdtemp(prefix="installed-"))
     try:
         packages = folder / "lib" / "site-packages"
         home = packages if layout == "wheel" else packages / "checkout"
         for package in ("trajlib", "workbook"):
-            shutil.copytree(ROOT / package, home / package, ignore=shutil.ignore_patterns("__pycache__"))
+            shutil.copytree(
+                ROOT / package, home / package, ignore=shutil.ignore_patterns("__pycache__")
+            )
         if layout == "wheel":
             shutil.copytree(ROOT / "exercises", home / "workbook" / "_exercises")
         else:
             for name in ("exercises", "solutions", "tests"):
-                shutil.copytree(ROOT / name, home / name, ignore=shutil.ignore_patterns("__pycache__"))
+                shutil.copytree(
+                    ROOT / name, home / name, ignore=shutil.ignore_patterns("__pycache__")
+                )
             shutil.copy(ROOT / "pyproject.toml", home)
         for path in [folder, *folder.rglob("*")]:
             path.chmod(path.stat().st_mode | (0o055 if path.is_dir() else 0o044))
@@ -110,8 +129,13 @@ def test_sees_no_exercise_whatever_the_installation(layout):
                 outcome = sandbox.run([{LOOK!r}], ["a"])
             print(json.loads(json.loads(outcome.handed_over)["encoded"]["a"]))
             """
-        done = subprocess.run([sys.executable, "-c", dedent(code)], cwd=folder, capture_output=True, text=True,
-                              timeout=120)
+        done = subprocess.run(
+            [sys.executable, "-c", dedent(code)],
+            cwd=folder,
+            capture_output=True,
+            text=True,
+            timeout=120,
+        )
         assert done.returncode == 0, done.stderr
         assert "workbook/grading/worker.py" in done.stdout
         for ours in ("exercises/ch", "solutions/ch", "/tests/", ".ipynb"):
@@ -126,14 +150,23 @@ def test_refuses_a_course_that_every_notebook_could_read(tmp_path):
     submitted = Path(sys.base_prefix).resolve() / "submitted"
     with pytest.raises(course.CourseError, match="every notebook can read"):
         course.grade(submitted, tmp_path)
-    assert isolation.shown_through(tmp_path) is None and isolation.shown_through("/usr/share") == Path("/usr")
-    assert isolation.shown_through(ROOT / "submitted") is None, "beside the package, which alone is visible"
+    assert isolation.shown_through(tmp_path) is None and isolation.shown_through(
+        "/usr/share"
+    ) == Path("/usr")
+    assert isolation.shown_through(ROOT / "submitted") is None, (
+        "beside the package, which alone is visible"
+    )
 
 
 def test_holds_nothing_of_other_notebooks(sandbox):
     run(sandbox, "a_region = sp.And(k1 > 0, k1*k2 > 1)")
     (search,) = [attack for attack in READING if "raw memory" in attack.name]
-    outcome = run(sandbox, "import sympy as sp\nk1, k2 = sp.symbols('k1 k2')", search.cells[0], names=("a_region",))
+    outcome = run(
+        sandbox,
+        "import sympy as sp\nk1, k2 = sp.symbols('k1 k2')",
+        search.cells[0],
+        names=("a_region",),
+    )
     assert "a_region" not in json.loads(outcome.handed_over)["encoded"]
 
 
@@ -148,8 +181,10 @@ def test_each_notebook_finds_an_untouched_machine(sandbox):
         os.chdir("/usr")
         sympy.Symbol("x").name
         """
-    look = ("import numpy, os\na = [numpy.pi == 3, 'X' in os.environ, os.path.exists('/tmp/left'), "
-            "os.listdir('/dev/shm'), os.getcwd()]")
+    look = (
+        "import numpy, os\na = [numpy.pi == 3, 'X' in os.environ, os.path.exists('/tmp/left'), "
+        "os.listdir('/dev/shm'), os.getcwd()]"
+    )
     run(sandbox, spoil)
     assert answers(run(sandbox, look))["a"] == [False, False, False, [], "/tmp"]
 
@@ -157,27 +192,58 @@ def test_each_notebook_finds_an_untouched_machine(sandbox):
 # Limits, and whose affair it is
 
 
-@pytest.mark.parametrize("source, ended, message", [
-    ("import os\nos._exit(3)", "died", b"exit 3"),
-    ("import ctypes\nctypes.string_at(0)", "died", b"signal 11"),
-    ("while True:\n    try:\n        while True: sum(range(1000))\n    except BaseException: pass", "time", b""),
-    ("import time\nwhile True:\n    try: time.sleep(100)\n    except BaseException: pass", "time", b""),
-    ("import os, time\nfor _ in range(5):\n    if os.fork() == 0: a = bytearray(90 * 2**20); "
-     "time.sleep(9)\ntime.sleep(3)", "memory", b""),
-    ("import os\nfor number in range(3, 9):\n    try: os.write(number, b'\\xff' * 4)\n    except OSError: pass\nwhile "
-     "True: pass", "large", b""),
-])
+@pytest.mark.parametrize(
+    "source, ended, message",
+    [
+        ("import os\nos._exit(3)", "died", b"exit 3"),
+        ("import ctypes\nctypes.string_at(0)", "died", b"signal 11"),
+        (
+            "while True:\n    try:\n        while True: sum(range(1000))\n    except "
+            "BaseException: pass",
+            "time",
+            b"",
+        ),
+        (
+            "import time\nwhile True:\n    try: time.sleep(100)\n    except BaseException: pass",
+            "time",
+            b"",
+        ),
+        (
+            "import os, time\nfor _ in range(5):\n    if os.fork() == 0: a = bytearray(90 * "
+            "2**20); "
+            "time.sleep(9)\ntime.sleep(3)",
+            "memory",
+            b"",
+        ),
+        (
+            "import os\nfor number in range(3, 9):\n    try: os.write(number, b'\\xff' * 4)\n    "
+            "except OSError: pass\nwhile "
+            "True: pass",
+            "large",
+            b"",
+        ),
+    ],
+)
 def test_how_it_ended_is_told(sandbox, source, ended, message):
     assert run(sandbox, source) == Outcome(ended, message)
 
 
 def test_what_one_cell_cannot_have_costs_the_others_nothing(sandbox):
-    outcome = run(sandbox, "a = 1", "b = bytearray(2**30)", "while True: pass",
-                  "open('/tmp/x', 'wb').write(bytes(70 * 2**20))", "c = 3", names=("a", "b", "c"))
+    outcome = run(
+        sandbox,
+        "a = 1",
+        "b = bytearray(2**30)",
+        "while True: pass",
+        "open('/tmp/x', 'wb').write(bytes(70 * 2**20))",
+        "c = 3",
+        names=("a", "b", "c"),
+    )
     assert answers(outcome) == {"a": 1, "c": 3}
     found = json.loads(outcome.handed_over)
-    assert [error.split(": ")[:2] for error in found["errors"]] == [["code cell 2", "MemoryError"],
-                                                                    ["code cell 4", "OSError"]]
+    assert [error.split(": ")[:2] for error in found["errors"]] == [
+        ["code cell 2", "MemoryError"],
+        ["code cell 4", "OSError"],
+    ]
     assert found["stopped"] == [3]
 
 
@@ -190,8 +256,12 @@ def test_a_sleeper_holds_its_place_no_longer_than_one_that_computes():
     with lean(Limits(cpu_seconds=4, wall_seconds=600)) as sandbox:
         start = time.monotonic()
         outcome = run(sandbox, "a = 1", "import time\ntime.sleep(500)", "b = 2", names=("a", "b"))
-        assert answers(outcome) == {"a": 1, "b": 2} and json.loads(outcome.handed_over)["stopped"] == [2]
-        defiant = "import time\nwhile True:\n    try: time.sleep(500)\n    except BaseException: pass"
+        assert answers(outcome) == {"a": 1, "b": 2} and json.loads(outcome.handed_over)[
+            "stopped"
+        ] == [2]
+        defiant = (
+            "import time\nwhile True:\n    try: time.sleep(500)\n    except BaseException: pass"
+        )
         assert run(sandbox, defiant) == Outcome("time", b"")
         assert time.monotonic() - start < 60
 
@@ -201,23 +271,41 @@ def test_who_seems_to_wait_for_a_disk_holds_its_place_little_longer():
     clone_as_vfork = "ctypes.CDLL(None).syscall(56, 0x4000 | signal.SIGCHLD, 0, 0, 0, 0)"
     with lean(Limits(cpu_seconds=4, wall_seconds=600)) as sandbox:
         start = time.monotonic()
-        assert run(sandbox, f"import ctypes, os, signal, time\nif {clone_as_vfork} == 0:\n    time.sleep(500)\n"
-                            "    os._exit(0)") == Outcome("time", b"")
+        assert run(
+            sandbox,
+            f"import ctypes, os, signal, time\nif {clone_as_vfork} == 0:\n    time.sleep(500)\n"
+            "    os._exit(0)",
+        ) == Outcome("time", b"")
         assert time.monotonic() - start < 60
 
 
-@pytest.mark.parametrize("source, wants", [
-    ("import threading, time\nwork = threading.Thread(target=lambda: [sum(range(10**6)) for _ in iter(int, 1)])\n"
-     "work.start()\nprint(flush=True)\nwork.join()", True),  # the first thread only waits for it
-    ("import threading, time\nthreading.Thread(target=time.sleep, args=[99]).start()\nprint(flush=True)\n"
-     "time.sleep(99)", False)])
+@pytest.mark.parametrize(
+    "source, wants",
+    [
+        (
+            "import threading, time\nwork = threading.Thread(target=lambda: [sum(range(10**6)) for "
+            "_ in iter(int, 1)])\n"
+            # the first thread only waits for it
+            "work.start()\nprint(flush=True)\nwork.join()",
+            True,
+        ),
+        (
+            "import threading, time\nthreading.Thread(target=time.sleep, "
+            "args=[99]).start()\nprint(flush=True)\n"
+            "time.sleep(99)",
+            False,
+        ),
+    ],
+)
 def test_who_wants_to_compute(source, wants):
     with subprocess.Popen([sys.executable, "-c", source], stdout=subprocess.PIPE) as process:
         try:
             process.stdout.readline()
             time.sleep(0.5)
             proc = os.open("/proc", os.O_RDONLY | os.O_DIRECTORY)
-            below = [one for one in watching._descendants(os.getpid(), proc) if one.number == process.pid]
+            below = [
+                one for one in watching._descendants(os.getpid(), proc) if one.number == process.pid
+            ]
             assert (b"R" in watching._states(below, proc)) == wants
         finally:
             os.close(proc)
@@ -245,28 +333,35 @@ def test_limits_on_all_processes_together(once):
         assert 20 < answers(run(sandbox, COUNT))["a"] < PATIENT.processes
         computing = "import os, time\nfor _ in range(3): os.fork()\nwhile time.process_time() < 3: pass\ntime.sleep(99)"
         assert run(sandbox, computing) == Outcome("time", b"")
-        filling = ("import os, time\nfor _ in range(5):\n    if os.fork() == 0: a = bytearray(200 * 2**20); "
-                   "time.sleep(99)\ntime.sleep(99)")
+        filling = (
+            "import os, time\nfor _ in range(5):\n    if os.fork() == 0: a = bytearray(200 * "
+            "2**20); "
+            "time.sleep(99)\ntime.sleep(99)"
+        )
         assert run(sandbox, filling) == Outcome("memory", b"")
 
 
 @pytest.mark.parametrize("once", [False, True])
 def test_the_same_for_an_ordinary_user(once):
-    """Limits on processes do not bind root, so root drops to another user; an ordinary user must be bound as he is."""
+    """Limits on processes do not bind root, so root drops to another user; an ordinary user must be
+    bound as he is."""
     folder = Path(tempfile.mkdtemp())
     try:
-        done = ordinary.run(dedent(f"""
+        done = ordinary.run(
+            dedent(f"""
             import os
             from workbook.grading.sandbox import Sandbox, Limits
             assert os.getuid() != 0
             with Sandbox(Limits(cpu_seconds=10, wall_seconds=100, memory_megabytes=600), once={once}) as sandbox:
                 print(sandbox._once)
-                for source in ({COUNT!r}, "import os; a = os.path.exists({str(ROOT / 'exercises')!r})",
+                for source in ({COUNT!r}, "import os; a = os.path.exists({str(ROOT / "exercises")!r})",
                                "import os, time\\nfor _ in range(5):\\n"
                                "    if os.fork() == 0: a = bytearray(200 * 2**20); time.sleep(9)\\ntime.sleep(9)"):
                     outcome = sandbox.run([source], ["a"])
                     print(outcome.ended, outcome.handed_over.decode())
-            """), folder)
+            """),
+            folder,
+        )
         lines = done.stdout.split("\n")
         assert done.returncode == 0 and lines[0] == str(once), done.stderr
         assert 20 < json.loads(json.loads(lines[1].removeprefix("done "))["encoded"]["a"]) < 32
@@ -278,13 +373,17 @@ def test_the_same_for_an_ordinary_user(once):
 
 def test_nothing_outlives_a_notebook(sandbox):
     token = str(time.time_ns())[-9:]
-    run(sandbox, f"import subprocess\nsubprocess.Popen(['/usr/bin/sleep', '{token}'], start_new_session=True)\na = 1")
+    run(
+        sandbox,
+        f"import subprocess\nsubprocess.Popen(['/usr/bin/sleep', '{token}'], "
+        "start_new_session=True)\na = 1",
+    )
     assert _ends(token)
 
 
 def _ends(token, seconds=5):
-    """Whether no process has the token in its command line, or none soon: a notebook's processes are put away while
-    its answers are judged already."""
+    """Whether no process has the token in its command line, or none soon: a notebook's processes
+    are put away while its answers are judged already."""
     late = time.monotonic() + seconds
     while [path for path in Path("/proc").glob("[0-9]*/cmdline") if token.encode() in _bytes(path)]:
         if time.monotonic() > late:
@@ -332,7 +431,10 @@ def one_busy_processor():
     """All that is started from here on has one processor, which two others use as well."""
     before = os.sched_getaffinity(0)
     os.sched_setaffinity(0, {min(before)})
-    endless = [subprocess.Popen([sys.executable, "-c", "while True: pass"], start_new_session=True) for _ in range(2)]
+    endless = [
+        subprocess.Popen([sys.executable, "-c", "while True: pass"], start_new_session=True)
+        for _ in range(2)
+    ]
     yield
     for process in endless:
         process.kill()
@@ -347,7 +449,9 @@ def test_what_a_busy_machine_withholds_is_no_time_of_the_notebook(one_busy_proce
     with kind(limits, modules=ALWAYS) as sandbox:
         start = time.monotonic()
         assert answers(run(sandbox, computing)) == {"a": 1}
-        assert time.monotonic() - start > limits.wall_seconds, "nothing was withheld, so this shows nothing"
+        assert time.monotonic() - start > limits.wall_seconds, (
+            "nothing was withheld, so this shows nothing"
+        )
 
 
 def test_on_the_clock_there_is_a_bound_all_the_same():
@@ -376,7 +480,8 @@ def _no_sandbox(*given):
 
 
 def test_a_killed_notebook_is_the_machines_affair():
-    """SIGKILL for the first process of a namespace comes from outside, as when the machine runs out of memory."""
+    """SIGKILL for the first process of a namespace comes from outside, as when the machine runs out
+    of memory."""
     outcome = lean(TIGHT)._told(b"died", b"signal 9")
     assert outcome.ended == "failed"
 
@@ -401,8 +506,10 @@ def open_folder():
 
 def test_one_sandbox_a_notebook_where_namespaces_cannot_be_nested(open_folder, monkeypatch):
     real = shutil.which("bwrap")
-    monkeypatch.setenv("PATH", bubblewrap_that(open_folder / "bin",
-                                               f'exec {real} --unshare-user --disable-userns "$@"'))
+    monkeypatch.setenv(
+        "PATH",
+        bubblewrap_that(open_folder / "bin", f'exec {real} --unshare-user --disable-userns "$@"'),
+    )
     with lean(TIGHT) as sandbox:
         assert sandbox._once
         assert answers(run(sandbox, "a = 1")) == {"a": 1}
@@ -410,26 +517,52 @@ def test_one_sandbox_a_notebook_where_namespaces_cannot_be_nested(open_folder, m
         assert answers(run(sandbox, "a = 2")) == {"a": 2}
 
 
-@pytest.mark.parametrize("does, says", [(None, "bubblewrap is not installed"),
-                                        ("echo 'bwrap: No permissions to create new namespace' >&2; exit 1",
-                                         "No permissions to create new namespace"),
-                                        ("exit 1", "without a word")])
+@pytest.mark.parametrize(
+    "does, says",
+    [
+        (None, "bubblewrap is not installed"),
+        (
+            "echo 'bwrap: No permissions to create new namespace' >&2; exit 1",
+            "No permissions to create new namespace",
+        ),
+        ("exit 1", "without a word"),
+    ],
+)
 def test_refused_in_one_line_where_there_is_no_sandbox(open_folder, does, says):
     submitted = open_folder / "submitted" / "ada" / "hw"
     submitted.mkdir(parents=True)
     shutil.copy(ROOT / "exercises/ch1/p15.ipynb", submitted)
     path = bubblewrap_that(open_folder / "bin", does) if does else str(open_folder / "nothing")
-    command = [sys.executable, "-m", "workbook.cli", "grade", str(open_folder / "submitted"), "--out",
-               str(open_folder / "graded")]
-    done = subprocess.run(command, env=os.environ | {"PATH": path, "TERM": "dumb"}, capture_output=True, text=True,
-                          timeout=120)
+    command = [
+        sys.executable,
+        "-m",
+        "workbook.cli",
+        "grade",
+        str(open_folder / "submitted"),
+        "--out",
+        str(open_folder / "graded"),
+    ]
+    done = subprocess.run(
+        command,
+        env=os.environ | {"PATH": path, "TERM": "dumb"},
+        capture_output=True,
+        text=True,
+        timeout=120,
+    )
     assert done.returncode == 2 and done.stdout == ""
     (line,) = [line for line in done.stderr.strip().split("\n") if not line.startswith("grading ")]
     assert line.startswith("workbook: ") and says in line and "--trust-students" in line
 
-    trusted = subprocess.run([*command, "--trust-students", "--json"], env=os.environ | {"PATH": path},
-                             capture_output=True, text=True, timeout=120)
-    assert trusted.returncode == 0 and json.loads(trusted.stdout)["assignments"] == {"hw": {"ada": 0.0}}, trusted.stderr
+    trusted = subprocess.run(
+        [*command, "--trust-students", "--json"],
+        env=os.environ | {"PATH": path},
+        capture_output=True,
+        text=True,
+        timeout=120,
+    )
+    assert trusted.returncode == 0 and json.loads(trusted.stdout)["assignments"] == {
+        "hw": {"ada": 0.0}
+    }, trusted.stderr
 
 
 # A child that is killed, or slow, while it starts
@@ -442,15 +575,20 @@ NOISE = "echo 'Fontconfig error: No writable cache directories' >&2; "
 def test_a_worker_that_is_killed_while_it_starts_is_started_again(open_folder, monkeypatch):
     real = shutil.which("bwrap")
     open_folder.chmod(0o777)
-    killed_once = f"{NOISE} mkdir {open_folder}/started 2>/dev/null && kill -9 $$; exec {real} \"$@\""
+    killed_once = f'{NOISE} mkdir {open_folder}/started 2>/dev/null && kill -9 $$; exec {real} "$@"'
     monkeypatch.setenv("PATH", bubblewrap_that(open_folder / "bin", killed_once))
     with lean(TIGHT) as sandbox:
         assert answers(run(sandbox, "a = 1")) == {"a": 1} and (open_folder / "started").is_dir()
 
 
-@pytest.mark.parametrize("does, says", [(f"{NOISE} kill -9 $$", "was killed (signal 9) while it started, 3 times"),
-                                        (f"{NOISE} exit 137", "was killed (signal 9) while it started, 3 times"),
-                                        (f"{NOISE} exec sleep 60", "was not ready within 0.5 s, 3 times")])
+@pytest.mark.parametrize(
+    "does, says",
+    [
+        (f"{NOISE} kill -9 $$", "was killed (signal 9) while it started, 3 times"),
+        (f"{NOISE} exit 137", "was killed (signal 9) while it started, 3 times"),
+        (f"{NOISE} exec sleep 60", "was not ready within 0.5 s, 3 times"),
+    ],
+)
 def test_one_that_always_is_says_what_happened(open_folder, monkeypatch, does, says):
     monkeypatch.setenv("PATH", f"{bubblewrap_that(open_folder / 'bin', does)}:/usr/bin:/bin")
     monkeypatch.setattr(sandbox_module, "STARTING", 0.5 if "sleep" in does else 60)
@@ -464,9 +602,21 @@ def test_nobody_is_led_to_drop_the_sandbox_for_it(open_folder):
     submitted.mkdir(parents=True)
     shutil.copy(ROOT / "exercises/ch1/p15.ipynb", submitted)
     path = bubblewrap_that(open_folder / "bin", "kill -9 $$")
-    done = subprocess.run([sys.executable, "-m", "workbook.cli", "grade", str(open_folder / "submitted"), "--out",
-                           str(open_folder / "graded")], env=os.environ | {"PATH": path, "TERM": "dumb"},
-                          capture_output=True, text=True, timeout=120)
+    done = subprocess.run(
+        [
+            sys.executable,
+            "-m",
+            "workbook.cli",
+            "grade",
+            str(open_folder / "submitted"),
+            "--out",
+            str(open_folder / "graded"),
+        ],
+        env=os.environ | {"PATH": path, "TERM": "dumb"},
+        capture_output=True,
+        text=True,
+        timeout=120,
+    )
     (line,) = [line for line in done.stderr.strip().split("\n") if not line.startswith("grading ")]
     assert done.returncode == 2 and "was killed (signal 9) while it started" in line, done.stderr
     assert "trust" not in line
@@ -481,14 +631,27 @@ def trusting():
         yield ready
 
 
-@pytest.mark.parametrize("source, ended, message", [
-    ("import os\nos._exit(3)", "died", b"exit 3"),
-    ("import os\nos.kill(os.getpid(), 9)", "died", b"signal 9"),
-    ("while True:\n    try:\n        while True: sum(range(1000))\n    except BaseException: pass", "time", b""),
-    ("import os, time\nfor _ in range(5):\n    if os.fork() == 0: a = bytearray(90 * 2**20); "
-     "time.sleep(9)\ntime.sleep(3)", "memory", b""),
-    ("import os, time\nfor _ in range(6): os.fork()\ntime.sleep(3)", "processes", b""),
-])
+@pytest.mark.parametrize(
+    "source, ended, message",
+    [
+        ("import os\nos._exit(3)", "died", b"exit 3"),
+        ("import os\nos.kill(os.getpid(), 9)", "died", b"signal 9"),
+        (
+            "while True:\n    try:\n        while True: sum(range(1000))\n    except "
+            "BaseException: pass",
+            "time",
+            b"",
+        ),
+        (
+            "import os, time\nfor _ in range(5):\n    if os.fork() == 0: a = bytearray(90 * "
+            "2**20); "
+            "time.sleep(9)\ntime.sleep(3)",
+            "memory",
+            b"",
+        ),
+        ("import os, time\nfor _ in range(6): os.fork()\ntime.sleep(3)", "processes", b""),
+    ],
+)
 def test_limits_without_a_sandbox(trusting, source, ended, message):
     assert run(trusting, source) == Outcome(ended, message)
 
@@ -520,7 +683,9 @@ def test_leaves_no_folder_behind():
 def test_shared_memory_is_counted_once():
     """Eight processes with the same two hundred megabytes use two hundred, not eighteen hundred."""
     with lean(PATIENT) as sandbox:
-        outcome = run(sandbox, """
+        outcome = run(
+            sandbox,
+            """
             import os, time
             block = bytearray(200 * 2**20)
             for _ in range(8):
@@ -529,6 +694,7 @@ def test_shared_memory_is_counted_once():
                     os._exit(0)
             time.sleep(0.8)
             a = 1
-            """)
+            """,
+        )
     assert answers(outcome) == {"a": 1}
     assert watching.INTERVAL < 0.5

@@ -6,10 +6,10 @@ from pathlib import Path
 import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
-from classroom import an_assignment, graded  # noqa: E402
+from classroom import an_assignment, graded
 
-from workbook.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG  # noqa: E402
-from workbook.grading.scores import scores  # noqa: E402
+from workbook.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG
+from workbook.grading.scores import scores
 
 TWO = ["a_region", "b_region"]  # the answers of problem 1.17
 HOMEWORK = 'problems = ["1.17"]\ndue = 2026-10-01T12:00:00Z\n[points]\n"1.17.a_region" = 3\n'
@@ -25,14 +25,16 @@ def only(store, homework):
     return score
 
 
-@pytest.mark.parametrize("a, b, points", [(RIGHT, RIGHT, 4), (RIGHT, WRONG, 3), (MISSING, RIGHT, 1),
-                                          (INVALID, WRONG, 0)])
+@pytest.mark.parametrize(
+    "a, b, points", [(RIGHT, RIGHT, 4), (RIGHT, WRONG, 3), (MISSING, RIGHT, 1), (INVALID, WRONG, 0)]
+)
 def test_partial_credit_by_answer(tmp_path, store, a, b, points):
     graded(store, "ann", "1.17", statuses(a, b), texts={"a_region": "k1 > 0"})
     score = only(store, an_assignment(tmp_path, HOMEWORK))
     assert score.points == points and score.max_points == 4 and not score.needs_review
-    assert ([answer.answer for answer in score.answers] == TWO and [answer.verdict.status for answer in score.answers]
-            == [a, b])
+    assert [answer.answer for answer in score.answers] == TWO and [
+        answer.verdict.status for answer in score.answers
+    ] == [a, b]
     assert score.answers[0].text == "k1 > 0" and score.handed_in
 
 
@@ -41,10 +43,16 @@ def test_not_submitted(tmp_path, store):
     homework = an_assignment(tmp_path, 'problems = ["1.17", "1.18"]')
     ann, bob = scores(store, homework, students=["bob"])
     assert (ann.student, ann.points, ann.max_points) == ("ann", 2, 4) and ann.handed_in
-    assert {answer.verdict.message for answer in ann.of_problem("1.18")} == {"nothing was submitted for this problem"}
+    assert {answer.verdict.message for answer in ann.of_problem("1.18")} == {
+        "nothing was submitted for this problem"
+    }
     assert ann.tried == {"1.17": 1, "1.18": 0} and list(ann.counted) == ["1.17"]
-    assert ((bob.student, bob.points, bob.max_points) == ("bob", 0, 4) and not bob.handed_in and not bob.late
-            and not bob.needs_review)
+    assert (
+        (bob.student, bob.points, bob.max_points) == ("bob", 0, 4)
+        and not bob.handed_in
+        and not bob.late
+        and not bob.needs_review
+    )
 
 
 @pytest.mark.parametrize("submitted, late", [(DUE - 1, ()), (DUE, ()), (DUE + 1, ("1.17",))])
@@ -57,14 +65,22 @@ def test_late(tmp_path, store, submitted, late):
 def test_late_is_the_attempt_that_counts(tmp_path, store):
     graded(store, "ann", "1.17", statuses(RIGHT, WRONG), submitted=DUE - 5)
     graded(store, "ann", "1.17", statuses(RIGHT, WRONG), submitted=DUE + 5)
-    assert only(store, an_assignment(tmp_path, HOMEWORK)).late == (), "of two equal attempts the earlier counts"
+    assert only(store, an_assignment(tmp_path, HOMEWORK)).late == (), (
+        "of two equal attempts the earlier counts"
+    )
     graded(store, "ann", "1.17", statuses(RIGHT, RIGHT), submitted=DUE + 9)
     assert only(store, an_assignment(tmp_path, HOMEWORK)).late == ("1.17",)
 
 
-@pytest.mark.parametrize("rule, points", [('attempt = "best"', 3), ('attempt = "last"', 1),
-                                          ('attempt = "best"\nattempts = 1', 0),
-                                          ('attempt = "last"\nattempts = 2', 3)])
+@pytest.mark.parametrize(
+    "rule, points",
+    [
+        ('attempt = "best"', 3),
+        ('attempt = "last"', 1),
+        ('attempt = "best"\nattempts = 1', 0),
+        ('attempt = "last"\nattempts = 2', 3),
+    ],
+)
 def test_which_attempt_counts(tmp_path, store, rule, points):
     for k, pair in enumerate([(WRONG, WRONG), (RIGHT, WRONG), (WRONG, RIGHT)]):
         graded(store, "ann", "1.17", statuses(*pair), submitted=float(k))
@@ -97,10 +113,19 @@ def test_manual_beats_automatic_until_it_is_taken_back(tmp_path, store):
     attempt = graded(store, "ann", "1.17", statuses(WRONG, RIGHT))
     store.set_manual("ann", "hw1", "1.17", "a_region", 1.5, "right idea")
     score = only(store, homework)
-    assert score.points == 2.5 and score.answers[0].manual == "right idea" and score.answers[0].verdict.status == WRONG
+    assert (
+        score.points == 2.5
+        and score.answers[0].manual == "right idea"
+        and score.answers[0].verdict.status == WRONG
+    )
     # A regrade by changed checks finds it right; the lecturer's points stay.
-    store.record(attempt, "second", {name: type(score.answers[0].verdict)(RIGHT, "") for name in TWO}, {}, [])
-    assert only(store, homework).points == 2.5 and only(store, homework).answers[0].verdict.status == RIGHT
+    store.record(
+        attempt, "second", {name: type(score.answers[0].verdict)(RIGHT, "") for name in TWO}, {}, []
+    )
+    assert (
+        only(store, homework).points == 2.5
+        and only(store, homework).answers[0].verdict.status == RIGHT
+    )
     # So they do after a resubmission.
     graded(store, "ann", "1.17", statuses(RIGHT, RIGHT), submitted=9.0)
     assert only(store, homework).points == 2.5
@@ -129,11 +154,16 @@ def test_unchecked_needs_a_look_and_is_neither_right_nor_wrong(tmp_path, store):
 def test_a_better_attempt_that_could_not_be_judged_is_not_lost(tmp_path, store):
     homework = an_assignment(tmp_path, HOMEWORK)
     graded(store, "ann", "1.17", statuses(WRONG, RIGHT), submitted=1.0)
-    graded(store, "ann", "1.17", statuses(UNCHECKED, WRONG), submitted=2.0, texts={"a_region": "odd"})
+    graded(
+        store, "ann", "1.17", statuses(UNCHECKED, WRONG), submitted=2.0, texts={"a_region": "odd"}
+    )
     score = only(store, homework)
-    assert score.points == 1 and score.counted["1.17"].submitted == 1.0, "what is sure counts so far"
+    assert score.points == 1 and score.counted["1.17"].submitted == 1.0, (
+        "what is sure counts so far"
+    )
     assert [(answer.answer, answer.text) for answer in score.to_review] == [("a_region", "odd")]
-    # Of two attempts with equal points the one that may still rise counts, so that the student sees it.
+    # Of two attempts with equal points the one that may still rise counts, so that the student sees
+    # it.
     graded(store, "ann", "1.17", statuses(UNCHECKED, RIGHT), submitted=3.0)
     assert only(store, homework).counted["1.17"].submitted == 3.0
 
@@ -151,5 +181,6 @@ def test_students_are_sorted_and_apart(tmp_path, store):
     graded(store, "ann", "1.17", statuses(RIGHT, RIGHT), assignment="hw2")
     store.set_manual("ann", "hw2", "1.17", "a_region", 0.0, "another homework")
     found = scores(store, an_assignment(tmp_path, HOMEWORK))
-    assert ([score.student for score in found] == sorted(["žofie", "ann", "Ben", "=cmd"])
-            and {score.points for score in found} == {3})
+    assert [score.student for score in found] == sorted(["žofie", "ann", "Ben", "=cmd"]) and {
+        score.points for score in found
+    } == {3}

@@ -3,18 +3,18 @@
 import json
 import os
 import sys
-from datetime import datetime, timezone
+from datetime import UTC, datetime
 from pathlib import Path
 from unicodedata import normalize
 
 import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
-from classroom import hand_in, notebook  # noqa: E402
+from classroom import hand_in, notebook
 
-from workbook.grading import submissions, submitted_file  # noqa: E402
-from workbook.grading.printable import printable, printable_name  # noqa: E402
-from workbook.grading.submissions import Aside, Submission, find, students  # noqa: E402
+from workbook.grading import submissions, submitted_file
+from workbook.grading.printable import printable, printable_name
+from workbook.grading.submissions import Aside, Submission, find, students
 
 
 def test_in_order_with_what_was_left_aside(tmp_path):
@@ -30,34 +30,58 @@ def test_in_order_with_what_was_left_aside(tmp_path):
     (root / ".git" / "hw1").mkdir(parents=True)
     (root / "README.txt").touch()
     found = list(find(root))
-    asides = {Path(one.path).relative_to(root).as_posix(): one.why for one in found if isinstance(one, Aside)}
-    assert asides == {"cyd": "this is a symbolic link", "dora/hw1": "there is no notebook in this folder",
-                      "ellen/hw1": "this is a symbolic link"}
+    asides = {
+        Path(one.path).relative_to(root).as_posix(): one.why
+        for one in found
+        if isinstance(one, Aside)
+    }
+    assert asides == {
+        "cyd": "this is a symbolic link",
+        "dora/hw1": "there is no notebook in this folder",
+        "ellen/hw1": "this is a symbolic link",
+    }
     read = [one for one in found if isinstance(one, Submission)]
-    assert [(one.student, one.problem, bool(one.trouble))
-            for one in read] == [("ada", "1.4", False), ("bela", "1.15", False), ("ellen", None, True)]
+    assert [(one.student, one.problem, bool(one.trouble)) for one in read] == [
+        ("ada", "1.4", False),
+        ("bela", "1.15", False),
+        ("ellen", None, True),
+    ]
     assert read[0].submitted == 5.0 and read[2].cells == ()
 
 
 def test_notebooks_in_the_wrong_place_are_named(tmp_path):
-    """A whole class handed in one folder too high or too low is not a class that handed in nothing."""
+    """A whole class handed in one folder too high or too low is not a class that handed in
+    nothing."""
     real = hand_in(tmp_path, "ada", "1.15", {})
     root = tmp_path / "submitted"
-    for place in ("ch1-p15.ipynb", "bela/ch1-p15.ipynb", "ada/hw1/inner/ch1-p15.ipynb", "ada/hw1/._ch1-p15.ipynb",
-                  "ada/hw1/.ipynb_checkpoints/ch1-p15.ipynb"):
+    for place in (
+        "ch1-p15.ipynb",
+        "bela/ch1-p15.ipynb",
+        "ada/hw1/inner/ch1-p15.ipynb",
+        "ada/hw1/._ch1-p15.ipynb",
+        "ada/hw1/.ipynb_checkpoints/ch1-p15.ipynb",
+    ):
         (root / place).parent.mkdir(exist_ok=True)
         (root / place).write_bytes(real.read_bytes())
     (root / "ada" / "hw1" / "pictures").mkdir()
     found = list(find(root))
-    asides = {Path(one.path).relative_to(root).as_posix() for one in found if isinstance(one, Aside)}
+    asides = {
+        Path(one.path).relative_to(root).as_posix() for one in found if isinstance(one, Aside)
+    }
     assert asides == {"ch1-p15.ipynb", "bela/ch1-p15.ipynb", "ada/hw1/inner/ch1-p15.ipynb"}
     whys = {one.why for one in found if isinstance(one, Aside)}
     assert whys == {"it does not lie in a folder STUDENT/HOMEWORK, where notebooks are read"}
     assert [one.path for one in found if isinstance(one, Submission)] == [str(real)]
 
 
-@pytest.mark.parametrize("trouble", [PermissionError(13, "Permission denied"), OSError(5, "Input/output error"),
-                                     OSError(24, "Too many open files")])
+@pytest.mark.parametrize(
+    "trouble",
+    [
+        PermissionError(13, "Permission denied"),
+        OSError(5, "Input/output error"),
+        OSError(24, "Too many open files"),
+    ],
+)
 @pytest.mark.parametrize("call", ["open", "fstat"])
 def test_a_file_that_we_cannot_read_is_no_attempt(tmp_path, monkeypatch, trouble, call):
     """It is not the student's fault, so it must not count as the one attempt that a student has."""
@@ -72,20 +96,42 @@ def test_a_file_that_we_cannot_read_is_no_attempt(tmp_path, monkeypatch, trouble
     with monkeypatch.context() as broken:
         broken.setattr(os, call, fail)
         (aside,) = find(tmp_path / "submitted")
-    assert isinstance(aside, Aside) and aside.why == f"this file cannot be read ({trouble.strerror})"
+    assert (
+        isinstance(aside, Aside) and aside.why == f"this file cannot be read ({trouble.strerror})"
+    )
     assert isinstance(next(find(tmp_path / "submitted")), Submission)
 
 
 def test_a_folder_that_cannot_be_opened(tmp_path, monkeypatch):
     hand_in(tmp_path, "ada", "1.15", {})
     hand_in(tmp_path, "bela", "1.15", {})
-    monkeypatch.setattr(os, "access", lambda path, mode: Path(path).name != "ada")  # root can open everything
+    # root can open everything
+    monkeypatch.setattr(os, "access", lambda path, mode: Path(path).name != "ada")
     found = list(find(tmp_path / "submitted"))
-    assert isinstance(found[0], Aside) and found[0].why == "this folder cannot be opened" and found[1].student == "bela"
+    assert (
+        isinstance(found[0], Aside)
+        and found[0].why == "this folder cannot be opened"
+        and found[1].student == "bela"
+    )
 
 
-@pytest.mark.parametrize("name", [b"ada", b"\xff\xfe", "Łódź".encode(), b"a\nb", b"'; rm x", b'"', b"-rf", b"a\\xff",
-                                  b"a\\", b"\xe2\x80\xaegnp", b"\x1b[2J", b"x" * 255])
+@pytest.mark.parametrize(
+    "name",
+    [
+        b"ada",
+        b"\xff\xfe",
+        "Łódź".encode(),
+        b"a\nb",
+        b"'; rm x",
+        b'"',
+        b"-rf",
+        b"a\\xff",
+        b"a\\",
+        b"\xe2\x80\xaegnp",
+        b"\x1b[2J",
+        b"x" * 255,
+    ],
+)
 def test_odd_names(tmp_path, name):
     folder = os.fsencode(tmp_path / "submitted") + b"/" + name + b"/hw1"
     os.makedirs(folder)
@@ -100,11 +146,18 @@ def test_odd_names(tmp_path, name):
 def test_accents_in_either_spelling_are_one_student(tmp_path):
     """A Mac writes é as e and an accent, other systems as one letter."""
     for k, spelling in enumerate(("NFC", "NFD")):
-        hand_in(tmp_path, normalize(spelling, "renée"), "1.15", {}, name=f"ch1-p15-{k}.ipynb",
-                assignment=normalize(spelling, "été"))
+        hand_in(
+            tmp_path,
+            normalize(spelling, "renée"),
+            "1.15",
+            {},
+            name=f"ch1-p15-{k}.ipynb",
+            assignment=normalize(spelling, "été"),
+        )
     found = list(find(tmp_path / "submitted"))
-    assert len(found) == 2 and {(one.student, one.assignment) for one in found} == {(normalize("NFC", "renée"),
-                                                                                     normalize("NFC", "été"))}
+    assert len(found) == 2 and {(one.student, one.assignment) for one in found} == {
+        (normalize("NFC", "renée"), normalize("NFC", "été"))
+    }
     assert students(tmp_path / "submitted") == [normalize("NFC", "renée")]
 
 
@@ -131,10 +184,23 @@ def test_what_is_renamed_meanwhile_is_named(tmp_path, monkeypatch, gone):
 
 
 def test_different_names_stay_different():
-    names = [b"\xff", b"\\xff", b"\\\\xff", "ÿ".encode(), b"a\n", b"a\\n", "\u202e".encode(), b"\\u202e", b"ada"]
+    names = [
+        b"\xff",
+        b"\\xff",
+        b"\\\\xff",
+        "ÿ".encode(),
+        b"a\n",
+        b"a\\n",
+        "\u202e".encode(),
+        b"\\u202e",
+        b"ada",
+    ]
     assert len({printable_name(name) for name in names}) == len(names)
-    assert (printable_name("ada") == "ada" and printable_name("Łódź") == "Łódź" and printable_name("محمد علی")
-            == "محمد علی")
+    assert (
+        printable_name("ada") == "ada"
+        and printable_name("Łódź") == "Łódź"
+        and printable_name("محمد علی") == "محمد علی"
+    )
 
 
 def test_printable():
@@ -142,11 +208,15 @@ def test_printable():
     assert printable("a\nb", keep="\n") == "a\nb"
 
 
-@pytest.mark.parametrize("name, said", [
-    (b"grades.sqlite", "the folder of results needs this name for itself"),
-    (b"grades.sqlite-wal", "needs this name for itself"),
-    (b"grades.sqlite-shm", "needs this name for itself"),
-    (b"\x01" * 250, "this name is too long for a folder of results")])
+@pytest.mark.parametrize(
+    "name, said",
+    [
+        (b"grades.sqlite", "the folder of results needs this name for itself"),
+        (b"grades.sqlite-wal", "needs this name for itself"),
+        (b"grades.sqlite-shm", "needs this name for itself"),
+        (b"\x01" * 250, "this name is too long for a folder of results"),
+    ],
+)
 def test_names_that_no_homework_can_have(tmp_path, name, said):
     folder = os.fsencode(tmp_path / "submitted") + b"/eve/" + name
     os.makedirs(folder)
@@ -154,13 +224,22 @@ def test_names_that_no_homework_can_have(tmp_path, name, said):
         json.dump(notebook("1.15", {}), file)
     hand_in(tmp_path, "ada", "1.15", {})
     ada, aside = find(tmp_path / "submitted")
-    assert ada.student == "ada" and said in aside.why and (aside.student, aside.assignment) == ("eve", "")
+    assert (
+        ada.student == "ada"
+        and said in aside.why
+        and (aside.student, aside.assignment) == ("eve", "")
+    )
 
 
 def test_folders_of_systems_are_nobodys(tmp_path):
     real = hand_in(tmp_path, "ada", "1.15", {})
-    for place in ("__MACOSX/ada/hw1/ch1-p15.ipynb", "ada/__MACOSX/ch1-p15.ipynb", "ada/hw1/__MACOSX/ch1-p15.ipynb",
-                  ".Trashes/hw1/ch1-p15.ipynb", "@eaDir/hw1/ch1-p15.ipynb"):
+    for place in (
+        "__MACOSX/ada/hw1/ch1-p15.ipynb",
+        "ada/__MACOSX/ch1-p15.ipynb",
+        "ada/hw1/__MACOSX/ch1-p15.ipynb",
+        ".Trashes/hw1/ch1-p15.ipynb",
+        "@eaDir/hw1/ch1-p15.ipynb",
+    ):
         (tmp_path / "submitted" / place).parent.mkdir(parents=True)
         (tmp_path / "submitted" / place).write_bytes(real.read_bytes())
     (tmp_path / "submitted" / ".DS_Store").touch()
@@ -174,15 +253,26 @@ def test_folders_of_systems_are_nobodys(tmp_path):
 @pytest.mark.parametrize("megabytes", [6, 25])
 def test_pictures_cost_nothing(tmp_path, megabytes):
     given = notebook("1.15", {"a_region": "k1 > 0"})
-    given["cells"][2]["outputs"] = [{"output_type": "display_data", "data": {"image/png": "A" * megabytes * 2**20},
-                                     "metadata": {}}]
+    given["cells"][2]["outputs"] = [
+        {
+            "output_type": "display_data",
+            "data": {"image/png": "A" * megabytes * 2**20},
+            "metadata": {},
+        }
+    ]
     hand_in(tmp_path, "ada", "1.15", {}).write_text(json.dumps(given))
     (found,) = find(tmp_path / "submitted")
-    assert found.trouble == "" and found.problem == "1.15" and any("a_region = k1 > 0" in cell for cell in found.cells)
+    assert (
+        found.trouble == ""
+        and found.problem == "1.15"
+        and any("a_region = k1 > 0" in cell for cell in found.cells)
+    )
 
 
-@pytest.mark.parametrize("content, said", [(b"[" + b"[]," * 2**21 + b"[]]", "not a notebook"),
-                                           (b"{" * 12 * 2**20, "no JSON in UTF-8")])
+@pytest.mark.parametrize(
+    "content, said",
+    [(b"[" + b"[]," * 2**21 + b"[]]", "not a notebook"), (b"{" * 12 * 2**20, "no JSON in UTF-8")],
+)
 def test_large_files_that_are_no_notebooks(tmp_path, content, said, monkeypatch):
     monkeypatch.setattr(submitted_file, "LARGE", 2**20)
     hand_in(tmp_path, "ada", "1.15", {}).write_bytes(content)
@@ -190,7 +280,9 @@ def test_large_files_that_are_no_notebooks(tmp_path, content, said, monkeypatch)
     assert said in found.trouble and found.submitted > 0
 
 
-@pytest.mark.parametrize("content, said", [(b"", "empty"), (b" \r\n", "empty"), (b"PK\x03\x04rest", ".zip archive")])
+@pytest.mark.parametrize(
+    "content, said", [(b"", "empty"), (b" \r\n", "empty"), (b"PK\x03\x04rest", ".zip archive")]
+)
 def test_files_that_came_in_a_wrong_wrapping(tmp_path, content, said):
     hand_in(tmp_path, "ada", "1.15", {}).write_bytes(content)
     (found,) = find(tmp_path / "submitted")
@@ -202,7 +294,9 @@ def test_reading_has_limits(tmp_path, monkeypatch):
     monkeypatch.setattr(submitted_file, "MEMORY", 100 * 2**20)
     hand_in(tmp_path, "ada", "1.15", {}).write_bytes(b'{"cells": [' + b"[]," * 7 * 2**20 + b"[]]}")
     (found,) = find(tmp_path / "submitted")
-    assert found.trouble == "the file has 21 MB, and reading it took more time or memory than allowed"
+    assert (
+        found.trouble == "the file has 21 MB, and reading it took more time or memory than allowed"
+    )
 
 
 def test_the_time_of_a_file_that_is_not_read(tmp_path, monkeypatch):
@@ -216,7 +310,7 @@ def test_no_calendar_has_such_a_time(tmp_path, monkeypatch):
     path = hand_in(tmp_path, "ada", "1.15", {})
     monkeypatch.setattr(Path, "lstat", lambda path: os.stat_result((0,) * 8 + (10**15, 0)))
     found = submissions._read("ada", "hw1", path)
-    assert datetime.fromtimestamp(found.submitted, timezone.utc).year == 9999
+    assert datetime.fromtimestamp(found.submitted, UTC).year == 9999
 
 
 def test_format_3(tmp_path):
@@ -225,12 +319,18 @@ def test_format_3(tmp_path):
     for cell in cells:
         if cell["cell_type"] == "code":
             cell["input"] = cell.pop("source")
-    old = {"nbformat": 3, "nbformat_minor": 0, "metadata": given["metadata"],
-           "worksheets": [{"cells": cells[:3]}, {"cells": cells[3:]}]}
+    old = {
+        "nbformat": 3,
+        "nbformat_minor": 0,
+        "metadata": given["metadata"],
+        "worksheets": [{"cells": cells[:3]}, {"cells": cells[3:]}],
+    }
     hand_in(tmp_path, "ada", "1.15", {}).write_text(json.dumps(old))
     (found,) = find(tmp_path / "submitted")
     assert found.problem == "1.15"
-    assert found.cells == tuple("".join(cell["source"]) for cell in given["cells"] if cell["cell_type"] == "code")
+    assert found.cells == tuple(
+        "".join(cell["source"]) for cell in given["cells"] if cell["cell_type"] == "code"
+    )
 
 
 def test_too_much_code(tmp_path):

@@ -1,4 +1,5 @@
-"""The filter of system calls: what it denies, in a process of its own, and that computing goes on as before."""
+"""The filter of system calls: what it denies, in a process of its own, and that computing goes on
+as before."""
 
 import ctypes
 import errno
@@ -32,7 +33,9 @@ def _denied():
 
 
 def test_denied():
-    assert in_child(_under_the_filter, _denied, timeout=60) == dict.fromkeys(system_calls.DENIED, [-1, errno.EPERM])
+    assert in_child(_under_the_filter, _denied, timeout=60) == dict.fromkeys(
+        system_calls.DENIED, [-1, errno.EPERM]
+    )
 
 
 def _settings():
@@ -41,10 +44,13 @@ def _settings():
     column = system_calls.ARCHITECTURES[platform.machine()][1]
     limit, action = ctypes.create_string_buffer(16), ctypes.create_string_buffer(152)
     found = []
-    for call, arguments in ((system_calls.PRLIMIT, (0, 0, None, limit)), (system_calls.PRLIMIT, (0, 0, limit, None)),
-                            (system_calls.SIGACTION, (17, None, action, 8)),
-                            (system_calls.SIGACTION, (17, action, None, 8)),
-                            (system_calls.SIGACTION, (10, action, None, 8))):
+    for call, arguments in (
+        (system_calls.PRLIMIT, (0, 0, None, limit)),
+        (system_calls.PRLIMIT, (0, 0, limit, None)),
+        (system_calls.SIGACTION, (17, None, action, 8)),
+        (system_calls.SIGACTION, (17, action, None, 8)),
+        (system_calls.SIGACTION, (10, action, None, 8)),
+    ):
         ctypes.set_errno(0)
         found.append([libc.syscall(call[column], *arguments), ctypes.get_errno()])
     return found
@@ -52,7 +58,13 @@ def _settings():
 
 def test_limits_and_the_end_of_children_can_be_asked_but_not_set():
     asked, denied = [0, 0], [-1, errno.EPERM]
-    assert in_child(_under_the_filter, _settings, timeout=60) == [asked, denied, asked, denied, asked]
+    assert in_child(_under_the_filter, _settings, timeout=60) == [
+        asked,
+        denied,
+        asked,
+        denied,
+        asked,
+    ]
 
 
 def _clones():
@@ -60,21 +72,35 @@ def _clones():
     column = system_calls.ARCHITECTURES[platform.machine()][1]
     found = []
     for flag in (0x20000, 0x2000000, 0x4000000, 0x8000000, 0x10000000, 0x20000000, 0x40000000):
-        found.append([libc.syscall(system_calls.CLONE[column], flag | 17, 0, 0, 0, 0), ctypes.get_errno()])
+        found.append(
+            [libc.syscall(system_calls.CLONE[column], flag | 17, 0, 0, 0, 0), ctypes.get_errno()]
+        )
     found.append([libc.syscall(system_calls.CLONE3[column], 0, 0), ctypes.get_errno()])
     return found
 
 
 def test_no_clone_with_a_new_namespace():
-    assert in_child(_under_the_filter, _clones, timeout=60) == [[-1, errno.EPERM]] * 7 + [[-1, errno.ENOSYS]]
+    assert in_child(_under_the_filter, _clones, timeout=60) == [[-1, errno.EPERM]] * 7 + [
+        [-1, errno.ENOSYS]
+    ]
 
 
 def _sockets():
     found = {}
-    for name, number in {"unix": 1, "inet": 2, "inet6": 10, "netlink": 16, "packet": 17, "bluetooth": 31, "alg": 38,
-                         "vsock": 40}.items():
+    for name, number in {
+        "unix": 1,
+        "inet": 2,
+        "inet6": 10,
+        "netlink": 16,
+        "packet": 17,
+        "bluetooth": 31,
+        "alg": 38,
+        "vsock": 40,
+    }.items():
         try:
-            socket.socket(number, socket.SOCK_RAW if name in ("netlink", "packet") else socket.SOCK_STREAM).close()
+            socket.socket(
+                number, socket.SOCK_RAW if name in ("netlink", "packet") else socket.SOCK_STREAM
+            ).close()
             found[name] = 0
         except OSError as error:
             found[name] = error.errno
@@ -104,7 +130,10 @@ def _ordinary_work():
     socket.socketpair()
     called = []
     ctypes.CFUNCTYPE(None)(lambda: called.append(1))()
-    return [subprocess.run(["/bin/echo", "fine"], capture_output=True, text=True, timeout=30).stdout, called]
+    return [
+        subprocess.run(["/bin/echo", "fine"], capture_output=True, text=True, timeout=30).stdout,
+        called,
+    ]
 
 
 def test_computing_goes_on():
@@ -114,7 +143,7 @@ def test_computing_goes_on():
 @pytest.mark.parametrize("machine", system_calls.ARCHITECTURES)
 def test_every_jump_of_the_program_stays_within(machine):
     program = system_calls._program(machine)
-    steps = [struct.unpack("HBBI", program[k:k + 8]) for k in range(0, len(program), 8)]
+    steps = [struct.unpack("HBBI", program[k : k + 8]) for k in range(0, len(program), 8)]
     assert len(steps) < 4096, "as long as the kernel takes"
     for k, (code, if_true, if_false, _) in enumerate(steps):
         if code & 7 == 5:

@@ -1,9 +1,11 @@
 """Pairs (A, H) whose unseen states are known by their construction, rotated and in bad units.
 
-`known_pair(rng)` gives (A, H, number of unseen states, words). Four kinds: blocks of Jordan with eigenvalues that come
-again, seen from the k-th state of the block on; a random seen part with random unseen states behind it; a chain of
-integrators seen from the k-th on; and two chains with one eigenvalue, of which one is seen.
+`known_pair(rng)` gives (A, H, number of unseen states, words). Four kinds: blocks of Jordan with
+eigenvalues that come again, seen from the k-th state of the block on; a random seen part with
+random unseen states behind it; a chain of integrators seen from the k-th on; and two chains with
+one eigenvalue, of which one is seen.
 """
+
 import numpy as np
 
 EIGENVALUES = (-3, -2, -1, -0.5, 0, 0.5, 1, 1.5, 2, 3)
@@ -18,20 +20,25 @@ def known_pair(rng, largest=60):
         Q = np.linalg.qr(rng.normal(size=(n, n)))[0]
         A, H = Q @ A @ Q.T, H @ Q.T
     if scaled:
-        units = 10.0**rng.uniform(-6, 6, size=n)
-        A = A*units/units[:, None]*10.0**rng.uniform(-6, 6)
-        H = H*units*10.0**rng.uniform(-6, 6, size=(m, 1))
-    words = f"{kind.__name__}, {n} states, {m} outputs" + ", rotated"*int(rotated) + ", scaled"*int(scaled)
+        units = 10.0 ** rng.uniform(-6, 6, size=n)
+        A = A * units / units[:, None] * 10.0 ** rng.uniform(-6, 6)
+        H = H * units * 10.0 ** rng.uniform(-6, 6, size=(m, 1))
+    words = (
+        f"{kind.__name__}, {n} states, {m} outputs"
+        + ", rotated" * int(rotated)
+        + ", scaled" * int(scaled)
+    )
     return A, H, unseen, words
 
 
 def _jordan_blocks(rng, n, m):
-    """Of the blocks of one eigenvalue the first states seen are seen in different directions, which decides."""
+    """Of the blocks of one eigenvalue the first states seen are seen in different directions, which
+    decides."""
     A, H, unseen, place, blocks = np.zeros((n, n)), np.zeros((m, n)), 0, 0, {}
     while place < n:
         size = min(int(rng.integers(1, 6)), n - place)
         value, inside = float(rng.choice(EIGENVALUES)), slice(place, place + size)
-        A[inside, inside] = value*np.eye(size) + np.diag(np.ones(size - 1), 1)
+        A[inside, inside] = value * np.eye(size) + np.diag(np.ones(size - 1), 1)
         blocks.setdefault(value, []).append((place, size))
         place += size
     for same in blocks.values():
@@ -42,26 +49,28 @@ def _jordan_blocks(rng, n, m):
             unseen += hidden
             if hidden < size:
                 H[:, place + hidden] = directions[:, k]
-                H[:, place + hidden + 1:place + size] = 0.5*rng.normal(size=(m, size - hidden - 1))
+                H[:, place + hidden + 1 : place + size] = 0.5 * rng.normal(
+                    size=(m, size - hidden - 1)
+                )
     return A, H, unseen
 
 
 def _hidden_part(rng, n, m):
-    k = int(rng.integers(0, max(1, n//2)))
-    A, H = rng.normal(size=(n, n))/np.sqrt(n), rng.normal(size=(m, n))
-    A[:n - k, n - k:], H[:, n - k:] = 0, 0
+    k = int(rng.integers(0, max(1, n // 2)))
+    A, H = rng.normal(size=(n, n)) / np.sqrt(n), rng.normal(size=(m, n))
+    A[: n - k, n - k :], H[:, n - k :] = 0, 0
     return A, H, k
 
 
 def _chain(rng, n, m):
-    k = int(rng.integers(0, n//2 + 1))
-    A, H = np.diag(np.ones(n - 1), 1)*rng.uniform(0.5, 2), np.zeros((m, n))
-    H[0, k], H[1:, k + 1:] = 1, rng.normal(size=(m - 1, n - k - 1))
+    k = int(rng.integers(0, n // 2 + 1))
+    A, H = np.diag(np.ones(n - 1), 1) * rng.uniform(0.5, 2), np.zeros((m, n))
+    H[0, k], H[1:, k + 1 :] = 1, rng.normal(size=(m - 1, n - k - 1))
     return A, H, k
 
 
 def _two_chains(rng, n, m):
-    k = max(1, n//3)
+    k = max(1, n // 3)
     seen = n - k
     A, H = np.eye(n) + np.diag(np.ones(n - 1), 1), np.zeros((m, n))
     A[seen - 1, seen] = 0

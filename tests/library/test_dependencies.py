@@ -1,4 +1,5 @@
-"""Which modules a piece of code stands on: exactly those that importing it loads, or more, never fewer."""
+"""Which modules a piece of code stands on: exactly those that importing it loads, or more, never
+fewer."""
 
 import ast
 import importlib
@@ -23,54 +24,94 @@ PIECES = [
 @pytest.mark.parametrize("code", PIECES)
 def test_the_closure_holds_all_that_is_loaded(code):
     show = "import sys; print(' '.join(m for m in sys.modules if m.startswith(('trajlib.', 'workbook.'))))"
-    loaded = subprocess.run([sys.executable, "-c", f"{code}\n{show}"], capture_output=True, text=True,
-                            check=True, timeout=120).stdout.split()
-    # Packages hold lazy names or a docstring: they and the helper behind them say nothing of what a notebook computes.
-    expected = {m for m in loaded if not hasattr(importlib.import_module(m), "__path__")} - {"trajlib._lazy"}
+    loaded = subprocess.run(
+        [sys.executable, "-c", f"{code}\n{show}"],
+        capture_output=True,
+        text=True,
+        check=True,
+        timeout=120,
+    ).stdout.split()
+    # Packages hold lazy names or a docstring: they and the helper behind them say nothing of what a
+    # notebook computes.
+    expected = {m for m in loaded if not hasattr(importlib.import_module(m), "__path__")} - {
+        "trajlib._lazy"
+    }
     assert expected and expected <= set(module_closure(code))
 
 
 def test_no_import_of_ours_is_missed_by_reading_quickly(monkeypatch):
     """Of each module as many as by its whole tree, or more: code in a text counts too."""
-    modules = {".".join(path.relative_to(dependencies.HOME).with_suffix("").parts): path for package in dependencies.OURS
-               for path in (dependencies.HOME / package).rglob("*.py") if path.name != "__init__.py"}
-    quickly = {name: dependencies._loaded_by.__wrapped__(name, path) for name, path in modules.items()}
+    modules = {
+        ".".join(path.relative_to(dependencies.HOME).with_suffix("").parts): path
+        for package in dependencies.OURS
+        for path in (dependencies.HOME / package).rglob("*.py")
+        if path.name != "__init__.py"
+    }
+    quickly = {
+        name: dependencies._loaded_by.__wrapped__(name, path) for name, path in modules.items()
+    }
     monkeypatch.setattr(dependencies, "_quick", ast.parse)
     dependencies._loaded_by.cache_clear()
-    whole = {name: dependencies._loaded_by.__wrapped__(name, path) for name, path in modules.items()}
+    whole = {
+        name: dependencies._loaded_by.__wrapped__(name, path) for name, path in modules.items()
+    }
     dependencies._loaded_by.cache_clear()
     assert not {name: missed for name in modules if (missed := whole[name] - quickly[name])}
     assert sum(quickly[name] != whole[name] for name in modules) < 5, "or it saves nothing"
 
 
-@pytest.mark.parametrize("source, expected", [
-    ("from workbook.notebooks.cells import (\n    prepare,\n    run_cells,\n)", {"workbook.notebooks.cells"}),
-    ("def f():\n    from workbook.notebooks.cells import prepare  # here", {"workbook.notebooks.cells"}),
-    ("import json, workbook.notebooks.cells", {"workbook.notebooks.cells"}),
-    ('"""Words that\nimport nothing at all.\n"""\nimport workbook.notebooks.cells', {"workbook.notebooks.cells"}),
-    ("from .cells import prepare", {"workbook.notebooks.cells"})])
+@pytest.mark.parametrize(
+    "source, expected",
+    [
+        (
+            "from workbook.notebooks.cells import (\n    prepare,\n    run_cells,\n)",
+            {"workbook.notebooks.cells"},
+        ),
+        (
+            "def f():\n    from workbook.notebooks.cells import prepare  # here",
+            {"workbook.notebooks.cells"},
+        ),
+        ("import json, workbook.notebooks.cells", {"workbook.notebooks.cells"}),
+        (
+            '"""Words that\nimport nothing at all.\n"""\nimport workbook.notebooks.cells',
+            {"workbook.notebooks.cells"},
+        ),
+        ("from .cells import prepare", {"workbook.notebooks.cells"}),
+    ],
+)
 def test_however_an_import_is_written(source, expected):
     assert dependencies._loaded(source, "workbook.notebooks") == expected
 
 
 def test_a_theme_that_is_not_used_does_not_count():
     closure = module_closure("from workbook import checks\nchecks.stability_region")
-    assert "workbook.checks.stability.cycles" not in closure and "trajlib.stability.hurwitz" not in closure
+    assert (
+        "workbook.checks.stability.cycles" not in closure
+        and "trajlib.stability.hurwitz" not in closure
+    )
 
 
 def test_the_hash_is_that_of_the_text():
     import hashlib
 
     import workbook.checks.stability.regions as regions
+
     text = open(regions.__file__, "rb").read()
-    assert (module_closure("from workbook import checks\nchecks.stability_region")["workbook.checks.stability.regions"]
-            == hashlib.sha256(text).hexdigest())
+    assert (
+        module_closure("from workbook import checks\nchecks.stability_region")[
+            "workbook.checks.stability.regions"
+        ]
+        == hashlib.sha256(text).hexdigest()
+    )
 
 
 def test_reading_what_checks_stand_on_loads_none_of_it():
     """Who grades reads this of every problem, before anything is computed."""
-    code = ("import sys\nfrom workbook.notebooks import exercises\nfrom workbook.grading.fingerprint import fingerprint\n"
-            "for exercise in exercises.read_all(): fingerprint(exercise)\n"
-            "print([name for name in ('sympy', 'numpy', 'z3') if name in sys.modules])")
+    code = (
+        "import sys\nfrom workbook.notebooks import exercises\nfrom workbook.grading.fingerprint "
+        "import fingerprint\n"
+        "for exercise in exercises.read_all(): fingerprint(exercise)\n"
+        "print([name for name in ('sympy', 'numpy', 'z3') if name in sys.modules])"
+    )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120)
     assert done.stdout == "[]\n", done.stdout + done.stderr

@@ -1,4 +1,5 @@
-"""The shapes of drawings: where they stand, which way they turn, and that nothing global changes."""
+"""The shapes of drawings: where they stand, which way they turn, and that nothing global
+changes."""
 
 import subprocess
 import sys
@@ -12,7 +13,8 @@ SHEET = (-2, 2), (-1, 1)
 
 
 def inked(drawing):
-    """Where the sheet is not white: an array of booleans with its rows from below, 100 points an inch."""
+    """Where the sheet is not white: an array of booleans with its rows from below, 100 points an
+    inch."""
     from io import BytesIO
 
     from matplotlib.image import imread
@@ -26,8 +28,8 @@ def at(picture, point):
 
 
 def near(picture, point, reach):
-    x, y = (round(100*(c - low)) for c, (low, _) in zip(point, SHEET))
-    return picture[y - reach:y + reach, x - reach:x + reach]
+    x, y = (round(100 * (c - low)) for c, (low, _) in zip(point, SHEET))
+    return picture[y - reach : y + reach, x - reach : x + reach]
 
 
 def drawn(name, *arguments, **options):
@@ -37,10 +39,13 @@ def drawn(name, *arguments, **options):
 
 
 def test_neither_pyplot_nor_the_settings_are_touched():
-    code = ("import sys; from workbook.display import Drawing; assert 'matplotlib' not in sys.modules; "
-            "import matplotlib; before = dict(matplotlib.rcParams); d = Drawing((0, 1), (0, 1)); "
-            "d.label((0.5, 0.5), '$x$'); d.png(); d._repr_svg_(); assert dict(matplotlib.rcParams) == before; "
-            "assert 'matplotlib.pyplot' not in sys.modules")
+    code = (
+        "import sys; from workbook.display import Drawing; assert 'matplotlib' not in sys.modules; "
+        "import matplotlib; before = dict(matplotlib.rcParams); d = Drawing((0, 1), (0, 1)); "
+        "d.label((0.5, 0.5), '$x$'); d.png(); d._repr_svg_(); assert dict(matplotlib.rcParams) == "
+        "before; "
+        "assert 'matplotlib.pyplot' not in sys.modules"
+    )
     subprocess.run([sys.executable, "-c", code], check=True, timeout=120)
 
 
@@ -63,24 +68,37 @@ def test_along_counts_from_the_x_axis_counterclockwise():
     assert np.allclose(along((0, 0), 2, -60), (1, -np.sqrt(3)))
 
 
-@pytest.mark.parametrize("name, arguments, ink, white", [
-    ("rod", [(-1, 0), (1, 0.5)], [(0, 0.25)], [(0, -0.25)]),
-    ("reference", [(-1, 0), (1, 0)], [(-0.98, 0)], [(0, 0.2)]),
-    ("mass", [(1, 0.5)], [(1, 0.5), (1.08, 0.5)], [(1.2, 0.5)]),
-    ("hinge", [(1, 0.5)], [(1.055, 0.5)], [(1.15, 0.5)]),
-    ("disc", [(0, 0), 0.5], [(0.5, 0), (0, 0)], [(0.6, 0)]),
-    ("box", [(0, 0), 2, 0.4], [(0.99, 0.19)], [(0.99, 0.3), (1.1, 0)]),
-    ("box", [(0, 0), 2, 0.4, 90], [(0.19, 0.97)], [(0.99, 0.19)]),
-    ("shape", [[(0, 0), (1, 0), (1, 0.2)], (-1, 0), 90, 0.5], [(-1, 0.25)], [(-0.6, 0)]),
-    ("cart", [0.5, -0.6], [(0.5, -0.2), (0.17, -0.48)], [(0.5, -0.55), (0.5, 0.1)]),
-    ("ground", [(-1, 0), (1, 0)], [(0, 0), (0.15, -0.05)], [(0, 0.1)]),
-    ("ground", [(-1, 0), (1, 0), True], [(0, 0)], [(0, -0.1), (0.15, -0.06)]),
-    ("spring", [(-1, 0), (1, 0)], [(-0.9, 0), (0.9, 0)], [(0, 0.2), (0, -0.2)]),
-    ("damper", [(-1, 0), (1, 0)], [(-0.9, 0), (0.9, 0), (-0.24, 0.1), (0.08, 0)], [(0.32, 0.07), (-0.1, 0)]),
-    ("arc", [(0, 0), 0.8, 0, 90], [along((0, 0), 0.8, 45)], [along((0, 0), 0.8, -45)]),
-    ("dimension", [(-1, 0), (1, 0), "", 90, 0.4], [(0.5, 0.4), (-1, 0.2)], [(0.5, -0.4), (0, 0)]),
-    ("dimension", [(-1, 0), (1, 0), "", 90, -0.4], [(0.5, -0.4), (1, -0.2)], [(0.5, 0.4)]),
-])
+@pytest.mark.parametrize(
+    "name, arguments, ink, white",
+    [
+        ("rod", [(-1, 0), (1, 0.5)], [(0, 0.25)], [(0, -0.25)]),
+        ("reference", [(-1, 0), (1, 0)], [(-0.98, 0)], [(0, 0.2)]),
+        ("mass", [(1, 0.5)], [(1, 0.5), (1.08, 0.5)], [(1.2, 0.5)]),
+        ("hinge", [(1, 0.5)], [(1.055, 0.5)], [(1.15, 0.5)]),
+        ("disc", [(0, 0), 0.5], [(0.5, 0), (0, 0)], [(0.6, 0)]),
+        ("box", [(0, 0), 2, 0.4], [(0.99, 0.19)], [(0.99, 0.3), (1.1, 0)]),
+        ("box", [(0, 0), 2, 0.4, 90], [(0.19, 0.97)], [(0.99, 0.19)]),
+        ("shape", [[(0, 0), (1, 0), (1, 0.2)], (-1, 0), 90, 0.5], [(-1, 0.25)], [(-0.6, 0)]),
+        ("cart", [0.5, -0.6], [(0.5, -0.2), (0.17, -0.48)], [(0.5, -0.55), (0.5, 0.1)]),
+        ("ground", [(-1, 0), (1, 0)], [(0, 0), (0.15, -0.05)], [(0, 0.1)]),
+        ("ground", [(-1, 0), (1, 0), True], [(0, 0)], [(0, -0.1), (0.15, -0.06)]),
+        ("spring", [(-1, 0), (1, 0)], [(-0.9, 0), (0.9, 0)], [(0, 0.2), (0, -0.2)]),
+        (
+            "damper",
+            [(-1, 0), (1, 0)],
+            [(-0.9, 0), (0.9, 0), (-0.24, 0.1), (0.08, 0)],
+            [(0.32, 0.07), (-0.1, 0)],
+        ),
+        ("arc", [(0, 0), 0.8, 0, 90], [along((0, 0), 0.8, 45)], [along((0, 0), 0.8, -45)]),
+        (
+            "dimension",
+            [(-1, 0), (1, 0), "", 90, 0.4],
+            [(0.5, 0.4), (-1, 0.2)],
+            [(0.5, -0.4), (0, 0)],
+        ),
+        ("dimension", [(-1, 0), (1, 0), "", 90, -0.4], [(0.5, -0.4), (1, -0.2)], [(0.5, 0.4)]),
+    ],
+)
 def test_ink_is_where_the_shape_is(name, arguments, ink, white):
     picture = drawn(name, *arguments)
     assert [point for point in ink if not at(picture, point)] == []
@@ -98,14 +116,19 @@ def test_an_arrow_has_its_head_at_its_end(name):
 @pytest.mark.parametrize("start, end", [(0, 90), (90, 0), (-90, -30), (-30, -90)])
 def test_the_arrow_of_an_angle_points_where_it_is_counted_to(start, end):
     picture = drawn("angle", (0, 0), start, end, 0.7, "")
-    inwards = np.sign(end - start)*5  # the middle of the head
-    head, tail = (near(picture, along((0, 0), 0.7, turn), 5).sum() for turn in (end - inwards, start + inwards))
-    assert head > 1.5*tail > 0
-    assert at(picture, along((0, 0), 0.7, (start + end)/2))
-    assert not at(picture, along((0, 0), 0.7, (start + end)/2 + 180))
+    inwards = np.sign(end - start) * 5  # the middle of the head
+    head, tail = (
+        near(picture, along((0, 0), 0.7, turn), 5).sum()
+        for turn in (end - inwards, start + inwards)
+    )
+    assert head > 1.5 * tail > 0
+    assert at(picture, along((0, 0), 0.7, (start + end) / 2))
+    assert not at(picture, along((0, 0), 0.7, (start + end) / 2 + 180))
 
 
-@pytest.mark.parametrize("side, x, y", [(0, 1, 0), (90, 0, 1), (180, -1, 0), (-90, 0, -1), (45, 1, 1)])
+@pytest.mark.parametrize(
+    "side, x, y", [(0, 1, 0), (90, 0, 1), (180, -1, 0), (-90, 0, -1), (45, 1, 1)]
+)
 def test_a_label_stands_on_its_side(side, x, y):
     rows, columns = np.nonzero(drawn("label", (0, 0), "$M$", side))
     middle = columns.mean() - 200, rows.mean() - 100

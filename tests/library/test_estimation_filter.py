@@ -1,4 +1,6 @@
-"""The discrete filter: against conditioning of the whole Gaussian vector at once, a plain loop, and statistics."""
+"""The discrete filter: against conditioning of the whole Gaussian vector at once, a plain loop, and
+statistics."""
+
 import numpy as np
 import pytest
 import scipy.linalg
@@ -12,14 +14,14 @@ from trajlib.estimation import KalmanFilter, Moments
 def model_of(seed, n=3, m=2, radius=0.95):
     rng = np.random.default_rng(seed)
     Phi = rng.normal(size=(n, n))
-    Phi *= radius/np.abs(np.linalg.eigvals(Phi)).max()
+    Phi *= radius / np.abs(np.linalg.eigvals(Phi)).max()
     B, C = rng.normal(size=(n, n)), rng.normal(size=(m, m))
-    return Phi, rng.normal(size=(m, n)), B @ B.T, C @ C.T + np.eye(m)/2
+    return Phi, rng.normal(size=(m, n)), B @ B.T, C @ C.T + np.eye(m) / 2
 
 
 def root(P):
     values, vectors = np.linalg.eigh(P)
-    return vectors*np.sqrt(np.maximum(values, 0)) @ vectors.T
+    return vectors * np.sqrt(np.maximum(values, 0)) @ vectors.T
 
 
 def drawn(Phi, H, Q, R, start, count, seed, series=1):
@@ -36,14 +38,15 @@ def drawn(Phi, H, Q, R, start, count, seed, series=1):
 
 
 def conditioned(Phis, Hs, Qs, Rs, start, z, missing, known):
-    """Means and covariances of x_k given z_0, ..., z_k, and the log-likelihood, from the joint distribution alone."""
+    """Means and covariances of x_k given z_0, ..., z_k, and the log-likelihood, from the joint
+    distribution alone."""
     count, n = len(z), len(start.mean)
     # x = M (x_0; q_0; q_1; ...) + shift
-    maps, shift, means = [np.hstack([np.eye(n), np.zeros((n, n*count))])], start.mean, []
+    maps, shift, means = [np.hstack([np.eye(n), np.zeros((n, n * count))])], start.mean, []
     for k in range(count):
         means.append(shift)
         after = Phis[k] @ maps[k]
-        after[:, n*(k + 1):n*(k + 2)] += np.eye(n)
+        after[:, n * (k + 1) : n * (k + 2)] += np.eye(n)
         maps.append(after)
         shift = Phis[k] @ shift + known[k]
     sources = scipy.linalg.block_diag(start.covariance, *Qs[:count])
@@ -53,21 +56,27 @@ def conditioned(Phis, Hs, Qs, Rs, start, z, missing, known):
     noise = scipy.linalg.block_diag(*Rs)
     mean = np.concatenate(means)
     for k in range(count):
-        rows = np.flatnonzero(there[:(k + 1)*z.shape[1]])
-        C, part = seen[rows], slice(k*n, (k + 1)*n)
+        rows = np.flatnonzero(there[: (k + 1) * z.shape[1]])
+        C, part = seen[rows], slice(k * n, (k + 1) * n)
         S = C @ P @ C.T + noise[np.ix_(rows, rows)]
         gain = np.linalg.solve(S, C @ P[:, part]).T
-        found.append((mean[part] + gain @ (data[rows] - C @ mean), P[part, part] - gain @ C @ P[:, part]))
+        found.append(
+            (mean[part] + gain @ (data[rows] - C @ mean), P[part, part] - gain @ C @ P[:, part])
+        )
     rows = np.flatnonzero(there)
     C = seen[rows]
-    log = scipy.stats.multivariate_normal(C @ mean, C @ P @ C.T + noise[np.ix_(rows, rows)]).logpdf(data[rows])
+    log = scipy.stats.multivariate_normal(C @ mean, C @ P @ C.T + noise[np.ix_(rows, rows)]).logpdf(
+        data[rows]
+    )
     return [np.array(part) for part in zip(*found)], log
 
 
-@pytest.mark.parametrize("seed, gaps, varying", [(1, False, False), (2, True, False), (3, True, True)])
+@pytest.mark.parametrize(
+    "seed, gaps, varying", [(1, False, False), (2, True, False), (3, True, True)]
+)
 def test_the_recursion_is_the_conditional_distribution(seed, gaps, varying):
     count, rng = 14, np.random.default_rng(seed)
-    models = [model_of(seed + 10*k*varying) for k in range(count)]
+    models = [model_of(seed + 10 * k * varying) for k in range(count)]
     stacks = [np.array(part) for part in zip(*models)]
     start, known = Moments(rng.normal(size=3), np.diag([2.0, 0, 1])), rng.normal(size=(count, 3))
     z = drawn(*models[0], start, count, seed)[1][0]
@@ -76,9 +85,14 @@ def test_the_recursion_is_the_conditional_distribution(seed, gaps, varying):
     z = np.where(missing, np.nan, z)
     run = KalmanFilter(*(stacks if varying else models[0])).run(z, start, missing, known)
     (means, covariances), likelihood = conditioned(*stacks, start, np.nan_to_num(z), missing, known)
-    assert np.allclose(run.estimates, means, atol=1e-11) and np.allclose(run.covariances, covariances, atol=1e-11)
+    assert np.allclose(run.estimates, means, atol=1e-11) and np.allclose(
+        run.covariances, covariances, atol=1e-11
+    )
     assert run.log_likelihood == pytest.approx(likelihood, rel=1e-11)
-    assert np.array_equal(np.isnan(run.innovations), missing) and run.measured.sum() == (~missing).sum()
+    assert (
+        np.array_equal(np.isnan(run.innovations), missing)
+        and run.measured.sum() == (~missing).sum()
+    )
 
 
 def plain_loop(Phi, H, Q, R, z, start, missing=None):
@@ -102,11 +116,13 @@ def test_a_kept_gain_gives_the_numbers_of_the_whole_recursion(radius):
     missing = np.zeros(700, dtype=bool)
     missing[[300, 301, 450]] = True
     run = KalmanFilter(*model).run(z, start, missing)
-    assert len(set(run.kinds)) < 400                                 # it was kept
+    assert len(set(run.kinds)) < 400  # it was kept
     peers = plain_loop(*model, z, start, missing)
-    for mine, peer in zip((run.predicted, run.predicted_covariances, run.estimates, run.covariances), peers):
+    for mine, peer in zip(
+        (run.predicted, run.predicted_covariances, run.estimates, run.covariances), peers
+    ):
         scale = np.abs(peer).max(axis=0)
-        assert np.abs((mine - peer)/scale).max() < 1e-12
+        assert np.abs((mine - peer) / scale).max() < 1e-12
 
 
 def test_a_gain_that_still_creeps_is_not_kept():
@@ -141,40 +157,42 @@ def test_innovations_and_errors_are_as_large_as_told():
     start = Moments(np.zeros(4), estimation.discrete_stationary_covariance(Phi, Q).covariance)
     states, z = drawn(*model, start, 250, 9, series=400)
     run = KalmanFilter(*model).run(z, start)
-    count = 400*250
+    count = 400 * 250
     squares = run.normalised_innovations
-    assert abs(squares.mean() - 2) < 3*np.sqrt(2*2/count)
+    assert abs(squares.mean() - 2) < 3 * np.sqrt(2 * 2 / count)
     assert 0.001 < scipy.stats.kstest(squares.ravel()[::7], "chi2", (2,)).pvalue
     errors = run.estimates - states
     ends = errors[:, -1]
     sure = np.linalg.inv(run.covariances[0, -1])
-    assert abs(np.einsum("si,ij,sj->s", ends, sure, ends).mean() - 4) < 3*np.sqrt(2*4/400)
+    assert abs(np.einsum("si,ij,sj->s", ends, sure, ends).mean() - 4) < 3 * np.sqrt(2 * 4 / 400)
     # successive innovations do not correlate: lagged by one step, white ones stay below the limit
-    roots, limit = np.linalg.cholesky(run.innovation_covariances[0, -1]), 4/np.sqrt(400*199)
+    roots, limit = np.linalg.cholesky(run.innovation_covariances[0, -1]), 4 / np.sqrt(400 * 199)
 
     def lagged(innovations):
         white = np.linalg.solve(roots, innovations.reshape(-1, 2).T).T.reshape(400, 200, 2)
-        return np.abs(np.einsum("ski,skj->ij", white[:, 1:], white[:, :-1])/(400*199)).max()
+        return np.abs(np.einsum("ski,skj->ij", white[:, 1:], white[:, :-1]) / (400 * 199)).max()
 
     assert lagged(run.innovations[:, 50:]) < limit
     for factor in (0.95, 1.05):
         x, seen = run.predicted[:, 50], []
         for k in range(50, 250):
             seen.append(z[:, k] - x @ H.T)
-            x = (x + seen[-1] @ (factor*run.gains[0, -1]).T) @ Phi.T
-        assert lagged(np.stack(seen, axis=1)) > 2*limit
-    off = KalmanFilter(Phi, H, Q, 1.2*R).run(z, start).normalised_innovations
-    assert abs(off.mean() - 2) > 10*np.sqrt(2*2/count)               # the test has the power to see it
+            x = (x + seen[-1] @ (factor * run.gains[0, -1]).T) @ Phi.T
+        assert lagged(np.stack(seen, axis=1)) > 2 * limit
+    off = KalmanFilter(Phi, H, Q, 1.2 * R).run(z, start).normalised_innovations
+    # the test has the power to see it
+    assert abs(off.mean() - 2) > 10 * np.sqrt(2 * 2 / count)
 
 
 def test_a_million_steps_leave_the_covariance_symmetric_and_definite():
-    """An almost exact measurement of a chain of integrators: the plain formula loses symmetry here."""
+    """An almost exact measurement of a chain of integrators: the plain formula loses symmetry
+    here."""
     Phi = np.eye(4) + np.diag(np.full(3, 1e-2), 1)
     model = KalmanFilter(Phi, np.eye(4)[:1], np.diag([0, 0, 0, 1e-8]), 1e-8)
-    run = model.run(np.zeros(1_000_000), Moments(np.zeros(4), 1e6*np.eye(4)))
+    run = model.run(np.zeros(1_000_000), Moments(np.zeros(4), 1e6 * np.eye(4)))
     last = run._steps[1][run.kinds[-1]]
     units = np.sqrt(np.diag(last))
-    assert np.array_equal(last, last.T) and np.linalg.eigvalsh(last/np.outer(units, units))[0] > 0
+    assert np.array_equal(last, last.T) and np.linalg.eigvalsh(last / np.outer(units, units))[0] > 0
     limit = scipy.linalg.solve_discrete_are(Phi.T, model.H.T, model.Q, model.R)
     assert np.allclose(run._steps[0][run.kinds[-1]], limit, rtol=1e-6)
 
@@ -183,12 +201,13 @@ def test_every_step_of_a_long_varying_run_stays_a_covariance():
     count, rng = 20_000, np.random.default_rng(1)
     Phi = np.eye(3) + np.diag([0.1, 0.1], 1)
     R = np.where(rng.random(count) < 0.5, 1e-10, 1e4).reshape(-1, 1, 1)
-    run = KalmanFilter(Phi, np.eye(3)[:1], np.diag([0, 0, 1e-6]), R).run(np.zeros(count), Moments(np.zeros(3),
-                                                                                                  1e8*np.eye(3)))
+    run = KalmanFilter(Phi, np.eye(3)[:1], np.diag([0, 0, 1e-6]), R).run(
+        np.zeros(count), Moments(np.zeros(3), 1e8 * np.eye(3))
+    )
     P = run.covariances
     assert np.array_equal(P, P.transpose(0, 2, 1)) and (np.einsum("kii->ki", P) > 0).all()
     units = np.sqrt(np.einsum("kii->ki", P))
-    assert np.linalg.eigvalsh(P/(units[:, :, None]*units[:, None, :])).min() > -1e-12
+    assert np.linalg.eigvalsh(P / (units[:, :, None] * units[:, None, :])).min() > -1e-12
 
 
 def test_measurements_at_one_time_together_or_one_after_the_other():
@@ -207,28 +226,53 @@ def test_measurements_at_one_time_together_or_one_after_the_other():
 
 def test_example_5_and_problem_4_43():
     T, Q, R, D = sp.symbols("T Q R D", positive=True)
-    P = estimation.continuous_moments([[0, 1], [0, 0]], sp.diag(0, Q), Moments([0, 0], sp.zeros(2)), T)
+    P = estimation.continuous_moments(
+        [[0, 1], [0, 0]], sp.diag(0, Q), Moments([0, 0], sp.zeros(2)), T
+    )
     after = estimation.corrected(P, 0, [[0, 1]], R).covariance
-    assert sp.simplify(after[0, 0] - (Q*T**3/3 - (Q*T**2/2)**2/(Q*T + R))) == 0
+    assert sp.simplify(after[0, 0] - (Q * T**3 / 3 - (Q * T**2 / 2) ** 2 / (Q * T + R))) == 0
     A = [[0, 1, 0], [0, 0, 1], [0, 0, 0]]
     P = estimation.continuous_moments(A, sp.zeros(3), Moments([0, 0, 0], sp.diag(0, 0, D)), T)
     after = estimation.corrected(P, 0, [[0, 1, 0]], R).covariance
-    assert P.correlation[0, 1] == 1 and sp.simplify(after[0, 0] - D*T**4/4*R/(D*T**2 + R)) == 0
+    assert (
+        P.correlation[0, 1] == 1
+        and sp.simplify(after[0, 0] - D * T**4 / 4 * R / (D * T**2 + R)) == 0
+    )
 
 
-@pytest.mark.parametrize("change, message", [
-    ({"z": [1.0, np.nan]}, r"\(1, 0\) is nan; mark it"), ({"z": [1.0, np.inf]}, "mark it"),
-    ({"z": np.zeros((2, 2))}, "expected the shape"), ({"R": 0}, "positive definite"), ({"R": -1}, "positive definite"),
-    ({"Q": [[1, 1], [0, 1]]}, "symmetric"), ({"Q": np.diag([1.0, -1.0])}, "semidefinite"),
-    ({"Phi": [[1, 0]]}, "square"), ({"H": [[1, 0, 0]]}, "any x 2"), ({"start": Moments([0], [[1]])}, "2 components"),
-    ({"missing": [True]}, "booleans"), ({"missing": [0, 1]}, "booleans"), ({"Q": np.zeros((3, 2, 2))}, "each step"),
-    ({"z": []}, "expected the shape")])
+@pytest.mark.parametrize(
+    "change, message",
+    [
+        ({"z": [1.0, np.nan]}, r"\(1, 0\) is nan; mark it"),
+        ({"z": [1.0, np.inf]}, "mark it"),
+        ({"z": np.zeros((2, 2))}, "expected the shape"),
+        ({"R": 0}, "positive definite"),
+        ({"R": -1}, "positive definite"),
+        ({"Q": [[1, 1], [0, 1]]}, "symmetric"),
+        ({"Q": np.diag([1.0, -1.0])}, "semidefinite"),
+        ({"Phi": [[1, 0]]}, "square"),
+        ({"H": [[1, 0, 0]]}, "any x 2"),
+        ({"start": Moments([0], [[1]])}, "2 components"),
+        ({"missing": [True]}, "booleans"),
+        ({"missing": [0, 1]}, "booleans"),
+        ({"Q": np.zeros((3, 2, 2))}, "each step"),
+        ({"z": []}, "expected the shape"),
+    ],
+)
 def test_bad_input_is_told(change, message):
-    given = {"Phi": np.eye(2), "H": [[1, 0]], "Q": np.eye(2), "R": 1, "z": [1.0, 2.0], "missing": None,
-             "start": Moments([0, 0], sp.eye(2))} | change
+    given = {
+        "Phi": np.eye(2),
+        "H": [[1, 0]],
+        "Q": np.eye(2),
+        "R": 1,
+        "z": [1.0, 2.0],
+        "missing": None,
+        "start": Moments([0, 0], sp.eye(2)),
+    } | change
     with pytest.raises(ValueError, match=message):
-        KalmanFilter(given["Phi"], given["H"], given["Q"], given["R"]).run(given["z"], given["start"],
-                                                                           given["missing"])
+        KalmanFilter(given["Phi"], given["H"], given["Q"], given["R"]).run(
+            given["z"], given["start"], given["missing"]
+        )
 
 
 def test_a_covariance_beyond_floats_is_told():

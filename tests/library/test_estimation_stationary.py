@@ -1,5 +1,7 @@
-"""Stationary filters and filters with a gain of one's own: against the equations, the limits, SciPy and python-control.
+"""Stationary filters and filters with a gain of one's own: against the equations, the limits, SciPy
+and python-control.
 """
+
 import control
 import numpy as np
 import pytest
@@ -11,25 +13,43 @@ from trajlib.estimation import KalmanFilter, Moments
 
 a, b, h = sp.symbols("a b h", real=True)
 c, Q, R = sp.symbols("c Q R", positive=True)
-PLACES = [{a: -2, b: 3, h: 1, c: 2, Q: 5, R: 7}, {a: sp.Rational(3, 2), b: -1, h: -2, c: 1, Q: 2, R: sp.Rational(1, 3)},
-          {a: sp.Rational(1, 3), b: sp.Rational(5, 2), h: 3, c: sp.Rational(1, 2), Q: 1, R: 4}]
+PLACES = [
+    {a: -2, b: 3, h: 1, c: 2, Q: 5, R: 7},
+    {a: sp.Rational(3, 2), b: -1, h: -2, c: 1, Q: 2, R: sp.Rational(1, 3)},
+    {a: sp.Rational(1, 3), b: sp.Rational(5, 2), h: 3, c: sp.Rational(1, 2), Q: 1, R: 4},
+]
 CONTINUOUS = [
-    ([[a]], [[1]], [[Q]], [[R]]), ([[a]], [[h]], [[Q]], [[R]]),                                   # example 4, 4.34
-    ([[0, 1], [-b, -a]], [[0, 1]], [[0, 0], [0, Q]], [[R]]), ([[0, 1], [-b, -a]], [[1, 0]], [[0, 0], [0, Q]], [[R]]),
-    ([[0, 1], [0, 0]], [[1, 0]], [[0, 0], [0, Q]], [[R]]),                                        # 4.35
-    ([[-1, 1], [0, 0]], [[1, 0]], [[0, 0], [0, sp.Rational(9, 4)]], [[1]]),                       # 4.36
-    ([[-1, 0], [0, 0]], [[1, 1]], [[5, 0], [0, 1]], [[1]]),                                       # 4.37
-    ([[0, 1], [a, 0]], [[0, 1]], [[0, 0], [0, Q]], [[1]]),                                        # 4.39
-    ([[0, 1], [1, 0]], [[1, 0]], [[0, 0], [0, 3]], [[1]]),                                        # 4.40
-    ([[0, 1], [0, -1]], [[1, 0]], [[0, 0], [0, 16]], [[1]]),                                      # 4.41
+    # example 4, 4.34
+    ([[a]], [[1]], [[Q]], [[R]]),
+    ([[a]], [[h]], [[Q]], [[R]]),
+    ([[0, 1], [-b, -a]], [[0, 1]], [[0, 0], [0, Q]], [[R]]),
+    ([[0, 1], [-b, -a]], [[1, 0]], [[0, 0], [0, Q]], [[R]]),
+    # 4.35
+    ([[0, 1], [0, 0]], [[1, 0]], [[0, 0], [0, Q]], [[R]]),
+    # 4.36
+    ([[-1, 1], [0, 0]], [[1, 0]], [[0, 0], [0, sp.Rational(9, 4)]], [[1]]),
+    # 4.37
+    ([[-1, 0], [0, 0]], [[1, 1]], [[5, 0], [0, 1]], [[1]]),
+    # 4.39
+    ([[0, 1], [a, 0]], [[0, 1]], [[0, 0], [0, Q]], [[1]]),
+    # 4.40
+    ([[0, 1], [1, 0]], [[1, 0]], [[0, 0], [0, 3]], [[1]]),
+    # 4.41
+    ([[0, 1], [0, -1]], [[1, 0]], [[0, 0], [0, 16]], [[1]]),
     ([[0, 1, 0], [0, 0, 1], [0, 0, 0]], [[1, 0, 0]], sp.diag(0, 0, 1), [[1]]),
     ([[1, 2], [3, 4]], [[1, 0], [0, 1]], [[2, 1], [1, 3]], [[1, 0], [0, 2]]),
-    ([[-1, 0], [0, a]], [[0, 1]], [[1, 0], [0, Q]], [[R]])]
+    ([[-1, 0], [0, a]], [[0, 1]], [[1, 0], [0, Q]], [[R]]),
+]
 DISCRETE = [
-    ([[0, 1], [0, 1]], [[0, 1]], [[0, 0], [0, Q]], [[R]]), ([[0, 1], [0, 1]], [[1, 0]], [[0, 0], [0, Q]], [[R]]),
-    ([[a]], [[h]], [[Q]], [[R]]), ([[0, 1], [0, 0]], [[0, 1]], [[0, 0], [0, Q]], [[R]]),          # 4.22 - 4.25
-    ([[1, 1], [0, 1]], [[1, 0]], [[0, 0], [0, Q]], [[R]]), ([[-1]], [[1]], [[1]], [[1]]),
-    ([[2, 0], [0, sp.Rational(1, 2)]], [[1, 0]], [[1, 0], [0, 1]], [[1]])]
+    ([[0, 1], [0, 1]], [[0, 1]], [[0, 0], [0, Q]], [[R]]),
+    ([[0, 1], [0, 1]], [[1, 0]], [[0, 0], [0, Q]], [[R]]),
+    # 4.22 - 4.25
+    ([[a]], [[h]], [[Q]], [[R]]),
+    ([[0, 1], [0, 0]], [[0, 1]], [[0, 0], [0, Q]], [[R]]),
+    ([[1, 1], [0, 1]], [[1, 0]], [[0, 0], [0, Q]], [[R]]),
+    ([[-1]], [[1]], [[1]], [[1]]),
+    ([[2, 0], [0, sp.Rational(1, 2)]], [[1, 0]], [[1, 0], [0, 1]], [[1]]),
+]
 
 
 def arrays(place, *matrices):
@@ -47,11 +67,18 @@ def test_exact_filters_are_the_stabilising_solutions(A, H, intensity, noise):
         matrices = arrays(place, A, H, intensity, noise)
         P, K, errors = arrays(place, found.covariance, found.gain, found.errors)
         peer = scipy.linalg.solve_continuous_are(matrices[0].T, matrices[1].T, *matrices[2:])
-        assert np.allclose(P, peer, rtol=1e-8, atol=1e-9) and np.linalg.eigvals(errors).real.max() < 0
-        assert np.allclose(K, P @ matrices[1].T @ np.linalg.inv(matrices[3])) and np.linalg.eigvalsh(P)[0] > -1e-12
+        assert (
+            np.allclose(P, peer, rtol=1e-8, atol=1e-9) and np.linalg.eigvals(errors).real.max() < 0
+        )
+        assert (
+            np.allclose(K, P @ matrices[1].T @ np.linalg.inv(matrices[3]))
+            and np.linalg.eigvalsh(P)[0] > -1e-12
+        )
         floats = estimation.stationary_filter(*matrices)
         assert np.allclose(floats.covariance, P, rtol=1e-8, atol=1e-9) and floats.where == sp.true
-        gain, _, _ = control.lqe(matrices[0], np.eye(len(P)), matrices[1], *matrices[2:], method="scipy")
+        gain, _, _ = control.lqe(
+            matrices[0], np.eye(len(P)), matrices[1], *matrices[2:], method="scipy"
+        )
         assert np.allclose(floats.gain, gain, rtol=1e-7, atol=1e-9)
     assert tried == len(PLACES)
 
@@ -66,17 +93,24 @@ def test_exact_discrete_filters_are_limits_of_the_recursion(Phi, H, variance, no
             continue
         tried += 1
         matrices = arrays(place, Phi, H, variance, noise)
-        P, after, K, errors = arrays(place, found.covariance, found.corrected, found.gain, found.errors)
+        P, after, K, errors = arrays(
+            place, found.covariance, found.corrected, found.gain, found.errors
+        )
         n = len(P)
-        run = KalmanFilter(*matrices).run(np.zeros((4000, len(matrices[1]))), Moments(np.zeros(n), 3*np.eye(n)))
+        run = KalmanFilter(*matrices).run(
+            np.zeros((4000, len(matrices[1]))), Moments(np.zeros(n), 3 * np.eye(n))
+        )
         assert np.allclose(run.predicted_covariances[-1], P, rtol=1e-9, atol=1e-12)
         assert np.allclose(run.covariances[-1], after, rtol=1e-9, atol=1e-12)
-        assert np.allclose(run.gains[-1], K, rtol=1e-9) and np.abs(np.linalg.eigvals(errors)).max() < 1
+        assert (
+            np.allclose(run.gains[-1], K, rtol=1e-9) and np.abs(np.linalg.eigvals(errors)).max() < 1
+        )
         floats = estimation.discrete_stationary_filter(*matrices)
         predictor, _, _ = control.dlqe(matrices[0], np.eye(n), *matrices[1:], method="scipy")
         assert np.allclose(predictor, matrices[0] @ K, rtol=1e-7, atol=1e-9)
-        for exact, array in zip((P, after, K, errors), (floats.covariance, floats.corrected, floats.gain,
-                                                        floats.errors)):
+        for exact, array in zip(
+            (P, after, K, errors), (floats.covariance, floats.corrected, floats.gain, floats.errors)
+        ):
             assert np.allclose(exact, array, rtol=1e-8, atol=1e-10)
     assert tried == len(PLACES)
 
@@ -85,12 +119,15 @@ def test_the_cases_of_problem_4_33():
     push = sp.diag(0, Q)
     general = estimation.stationary_filter([[0, 1], [-b, -a]], [[0, 1]], push, R)
     assert sp.Ne(b, 0) in general.where.args
-    stable = estimation.stationary_filter([[0, 1], [-c, -a]], [[0, 1]], push, R)          # b > 0
+    # b > 0
+    stable = estimation.stationary_filter([[0, 1], [-c, -a]], [[0, 1]], push, R)
     assert stable.covariance[0, 1] == 0 and stable.where == sp.true
-    assert sp.simplify(stable.covariance[1, 1] - (sp.sqrt(R**2*a**2 + Q*R) - R*a)) == 0
-    unstable = estimation.stationary_filter([[0, 1], [c, -a]], [[0, 1]], push, R)         # b < 0
-    assert sp.simplify(unstable.covariance[0, 1] - 2*R) == 0
-    none = estimation.stationary_filter([[0, 1], [0, -a]], [[0, 1]], push, R)             # b = 0
+    assert sp.simplify(stable.covariance[1, 1] - (sp.sqrt(R**2 * a**2 + Q * R) - R * a)) == 0
+    # b < 0
+    unstable = estimation.stationary_filter([[0, 1], [c, -a]], [[0, 1]], push, R)
+    assert sp.simplify(unstable.covariance[0, 1] - 2 * R) == 0
+    # b = 0
+    none = estimation.stationary_filter([[0, 1], [0, -a]], [[0, 1]], push, R)
     assert not none and "no stationary filter" in none._repr_markdown_()
 
 
@@ -98,38 +135,83 @@ def test_problems_4_38_and_4_41():
     d = sp.Symbol("d", positive=True)
     P = estimation.stationary_filter([[0, 1], [-c, -d]], [[0, 1]], sp.diag(0, Q), R).covariance
     free = estimation.stationary_covariance([[0, 1], [-c, -d]], sp.diag(0, Q)).covariance
-    assert (P.applyfunc(lambda e: sp.limit(e, R, sp.oo)) - free).applyfunc(sp.simplify) == sp.zeros(2)
-    assert estimation.stationary_filter([[0, 1], [0, -1]], [[1, 0]], sp.diag(0, 16), 1).covariance[0, 0] == 2
+    assert (P.applyfunc(lambda e: sp.limit(e, R, sp.oo)) - free).applyfunc(sp.simplify) == sp.zeros(
+        2
+    )
+    assert (
+        estimation.stationary_filter([[0, 1], [0, -1]], [[1, 0]], sp.diag(0, 16), 1).covariance[
+            0, 0
+        ]
+        == 2
+    )
 
 
 def test_more_is_detectable_than_observable():
     found = estimation.stationary_filter(sp.diag(1, -2), [[1, 0]], sp.eye(2), 1)
     assert found and "not observable" in found.reason
     assert not feedback.detectability(sp.diag(1, 2), sp.Matrix([[1, 0]]))
-    assert "not detectable" in estimation.stationary_filter(sp.diag(1, 2), [[1, 0]], sp.eye(2), 1).reason
-    quiet = estimation.stationary_filter(sp.diag(1, -2), [[1, 0]], sp.zeros(2), 1)        # an unstable mode, no noise
+    assert (
+        "not detectable"
+        in estimation.stationary_filter(sp.diag(1, 2), [[1, 0]], sp.eye(2), 1).reason
+    )
+    # an unstable mode, no noise
+    quiet = estimation.stationary_filter(sp.diag(1, -2), [[1, 0]], sp.zeros(2), 1)
     assert quiet.covariance == sp.diag(2, 0) and "may be singular" in quiet.reason
 
 
-@pytest.mark.parametrize("verdict, word", [
-    (lambda: estimation.stationary_filter([[0, 1], [0, 0]], [[0, 1]], sp.diag(0, 1), 1), "not detectable"),
-    (lambda: estimation.stationary_filter(np.diag([1.0, 2.0]), [[1, 0]], np.eye(2), 1), "not detectable"),
-    (lambda: estimation.stationary_filter([[0, 1], [-1, 0]], [[1, 0]], sp.zeros(2), 1), "free of noise"),
-    (lambda: estimation.stationary_filter(np.array([[0.0]]), 1, 0, 1), "free of noise"),
-    (lambda: estimation.discrete_stationary_filter(1, 1, 0, 1), "free of noise"),                    # 4.27
-    (lambda: estimation.discrete_stationary_filter(-1, 1, 0, 1), "free of noise"),
-    (lambda: estimation.discrete_stationary_filter(np.array([[1.0]]), 1, 0, 1), "free of noise"),
-    (lambda: estimation.discrete_stationary_filter(sp.diag(2, 3), [[1, 0]], sp.eye(2), 1), "not detectable"),
-    (lambda: estimation.stationary_filter(sp.diag(c, 2), [[1, 0]], sp.eye(2), 1), "general values")])
+@pytest.mark.parametrize(
+    "verdict, word",
+    [
+        (
+            lambda: estimation.stationary_filter([[0, 1], [0, 0]], [[0, 1]], sp.diag(0, 1), 1),
+            "not detectable",
+        ),
+        (
+            lambda: estimation.stationary_filter(np.diag([1.0, 2.0]), [[1, 0]], np.eye(2), 1),
+            "not detectable",
+        ),
+        (
+            lambda: estimation.stationary_filter([[0, 1], [-1, 0]], [[1, 0]], sp.zeros(2), 1),
+            "free of noise",
+        ),
+        (lambda: estimation.stationary_filter(np.array([[0.0]]), 1, 0, 1), "free of noise"),
+        # 4.27
+        (lambda: estimation.discrete_stationary_filter(1, 1, 0, 1), "free of noise"),
+        (lambda: estimation.discrete_stationary_filter(-1, 1, 0, 1), "free of noise"),
+        (
+            lambda: estimation.discrete_stationary_filter(np.array([[1.0]]), 1, 0, 1),
+            "free of noise",
+        ),
+        (
+            lambda: estimation.discrete_stationary_filter(sp.diag(2, 3), [[1, 0]], sp.eye(2), 1),
+            "not detectable",
+        ),
+        (
+            lambda: estimation.stationary_filter(sp.diag(c, 2), [[1, 0]], sp.eye(2), 1),
+            "general values",
+        ),
+    ],
+)
 def test_none_is_said_where_there_is_none(verdict, word):
     found = verdict()
-    assert not found and word in found.reason and found.gain is None and word in found._repr_markdown_()
+    assert (
+        not found
+        and word in found.reason
+        and found.gain is None
+        and word in found._repr_markdown_()
+    )
 
 
-@pytest.mark.parametrize("arguments, message", [
-    (([[0, 1]], [[1, 0]], 1, 1), "square"), (([[0]], [[1]], [[-1]], 1), "semidefinite"),
-    (([[0]], [[1]], 1, 0), "positive definite"), ((sp.eye(2), [[1]], sp.eye(2), 1), "any x 2"),
-    ((np.eye(2), [[1, 0]], [[1, 2], [0, 1]], 1), "symmetric")])
+@pytest.mark.parametrize(
+    "arguments, message",
+    [
+        (([[0, 1]], [[1, 0]], 1, 1), "square"),
+        (([[0]], [[1]], [[-1]], 1), "semidefinite"),
+        (([[0]], [[1]], 1, 0), "positive definite"),
+        ((sp.eye(2), [[1]], sp.eye(2), 1), "any x 2"),
+        ((np.eye(2), [[1, 0]], [[1, 2], [0, 1]], 1), "symmetric"),
+    ],
+)
 def test_bad_input_is_told(arguments, message):
     for function in (estimation.stationary_filter, estimation.discrete_stationary_filter):
         with pytest.raises(ValueError, match=message):
@@ -140,21 +222,27 @@ def test_spectra_beyond_square_roots_are_told():
     A = sp.Matrix([[0, 1, 0], [0, 0, 1], [1, 2, 1]])
     with pytest.raises(NotImplementedError, match="floats"):
         estimation.stationary_filter(A, [[1, 0, 0]], sp.diag(1, 0, 1), 1)
-    floats = estimation.stationary_filter(np.array(A, dtype=float), [[1, 0, 0]], sp.diag(1, 0, 1), 1)
+    floats = estimation.stationary_filter(
+        np.array(A, dtype=float), [[1, 0, 0]], sp.diag(1, 0, 1), 1
+    )
     assert floats and "P =" in floats._repr_markdown_()
 
 
 def test_any_gain_is_judged_and_the_least_is_that_of_kalman():
     K = sp.Symbol("K")
-    found = estimation.error_covariance(-1, 1, 2, 1, K)                                   # 4.42
+    found = estimation.error_covariance(-1, 1, 2, 1, K)  # 4.42
     least, filtered = estimation.least_gain(found, [K]), estimation.stationary_filter(-1, 1, 2, 1)
     assert least.values[K] == filtered.gain[0] == least.variance == sp.sqrt(3) - 1
     general = estimation.least_gain(estimation.error_covariance(a, 1, Q, R, K), [K])
-    assert sp.simplify(general.values[K] - (a + sp.sqrt(a**2 + Q/R))) == 0 and "min" in general._repr_latex_()
+    assert (
+        sp.simplify(general.values[K] - (a + sp.sqrt(a**2 + Q / R))) == 0
+        and "min" in general._repr_latex_()
+    )
     k1, k2 = sp.symbols("k1 k2")
     both = estimation.error_covariance([[0, 1], [0, 0]], [[1, 0]], sp.diag(0, 1), 1, [k1, k2])
     best = estimation.least_gain(both, [k1, k2], component=0)
-    assert best.values == {k1: sp.sqrt(2), k2: 1} and best.variance == sp.sqrt(2)         # 4.35 with Q = R = 1
+    # 4.35 with Q = R = 1
+    assert best.values == {k1: sp.sqrt(2), k2: 1} and best.variance == sp.sqrt(2)
 
 
 @pytest.mark.parametrize("seed", range(3))
@@ -166,9 +254,11 @@ def test_no_other_gain_of_floats_is_better(seed):
     same = estimation.error_covariance(A, H, intensity, noise, best.gain)
     assert np.allclose(same.covariance, best.covariance, rtol=1e-9)
     for _ in range(20):
-        other = estimation.error_covariance(A, H, intensity, noise, best.gain + 0.1*rng.normal(size=(3, 2)))
+        other = estimation.error_covariance(
+            A, H, intensity, noise, best.gain + 0.1 * rng.normal(size=(3, 2))
+        )
         assert not other or np.linalg.eigvalsh(other.covariance - best.covariance)[0] > -1e-10
-    Phi = scipy.linalg.expm(A/2)
+    Phi = scipy.linalg.expm(A / 2)
     best = estimation.discrete_stationary_filter(Phi, H, intensity, noise)
     same = estimation.discrete_error_covariance(Phi, H, intensity, noise, best.gain)
     assert np.allclose(same.covariance, best.covariance, rtol=1e-9)
@@ -176,21 +266,26 @@ def test_no_other_gain_of_floats_is_better(seed):
 
 def test_the_covariance_of_a_poor_gain_is_that_of_its_errors():
     """A simulated filter with a gain that is 40 % too large."""
-    Phi, H, variance, noise = np.array([[0.9, 0.1], [0, 0.8]]), np.array([[1.0, 0]]), np.diag([0.1, 0.3]), [[0.5]]
-    K = 1.4*estimation.discrete_stationary_filter(Phi, H, variance, noise).gain
+    Phi, H, variance, noise = (
+        np.array([[0.9, 0.1], [0, 0.8]]),
+        np.array([[1.0, 0]]),
+        np.diag([0.1, 0.3]),
+        [[0.5]],
+    )
+    K = 1.4 * estimation.discrete_stationary_filter(Phi, H, variance, noise).gain
     told = estimation.discrete_error_covariance(Phi, H, variance, noise, K).covariance
     rng = np.random.default_rng(3)
     error, sums, paths = np.zeros((4000, 2)), [], 4000
     for step in range(120):
-        measured = error - (error @ H.T + np.sqrt(0.5)*rng.normal(size=(paths, 1))) @ K.T
-        error = measured @ Phi.T + rng.normal(size=(paths, 2))*np.sqrt([0.1, 0.3])
+        measured = error - (error @ H.T + np.sqrt(0.5) * rng.normal(size=(paths, 1))) @ K.T
+        error = measured @ Phi.T + rng.normal(size=(paths, 2)) * np.sqrt([0.1, 0.3])
         if step > 60 and step % 10 == 0:
-            sums.append(error.T @ error/paths)
-    assert np.abs(np.mean(sums, axis=0)/told - 1).max() < 0.05
+            sums.append(error.T @ error / paths)
+    assert np.abs(np.mean(sums, axis=0) / told - 1).max() < 0.05
 
 
 def test_gains_that_cannot_be_judged_are_told():
-    K, w = sp.symbols("K w")
+    K, _w = sp.symbols("K w")
     assert not estimation.error_covariance(1, 1, 1, 1, 0)
     with pytest.raises(ValueError, match="no stationary covariance"):
         estimation.least_gain(estimation.error_covariance(1, 1, 1, 1, 0), [K])

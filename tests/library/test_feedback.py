@@ -1,4 +1,6 @@
-"""Gains, fixed modes, regions of gains, loops with an estimate: against the definitions, on random exact systems."""
+"""Gains, fixed modes, regions of gains, loops with an estimate: against the definitions, on random
+exact systems."""
+
 import random
 
 import numpy as np
@@ -17,40 +19,65 @@ def whole_matrix(rows, columns, seed):
 
 
 def with_hidden_part(seen, unseen, outputs, seed):
-    """A pair (A, H) of which exactly the first coordinates are seen, in mixed coordinates, and the hidden block."""
+    """A pair (A, H) of which exactly the first coordinates are seen, in mixed coordinates, and the
+    hidden block."""
     for trial in range(50):
-        A11, A21, A22 = (whole_matrix(*shape, seed + 100*trial + k)
-                         for k, shape in enumerate([(seen, seen), (unseen, seen), (unseen, unseen)]))
-        H1, T = whole_matrix(outputs, seen, seed + 7 + trial), whole_matrix(seen + unseen, seen + unseen, seed + trial)
+        A11, A21, A22 = (
+            whole_matrix(*shape, seed + 100 * trial + k)
+            for k, shape in enumerate([(seen, seen), (unseen, seen), (unseen, unseen)])
+        )
+        H1, T = (
+            whole_matrix(outputs, seen, seed + 7 + trial),
+            whole_matrix(seen + unseen, seen + unseen, seed + trial),
+        )
         if structure.observability(A11, H1) and T.det() != 0:
             A = A11.row_join(sp.zeros(seen, unseen)).col_join(A21.row_join(A22))
-            return T.inv()*A*T, H1.row_join(sp.zeros(outputs, unseen))*T, A22
+            return T.inv() * A * T, H1.row_join(sp.zeros(outputs, unseen)) * T, A22
     raise AssertionError("no such system was drawn")
 
 
-@pytest.mark.parametrize("seen, unseen, outputs, seed", [(3, 0, 1, 1), (4, 0, 1, 2), (2, 1, 1, 3), (2, 2, 1, 4),
-                                                         (1, 2, 1, 5), (3, 0, 2, 6), (3, 1, 2, 7), (4, 0, 3, 8)])
+@pytest.mark.parametrize(
+    "seen, unseen, outputs, seed",
+    [
+        (3, 0, 1, 1),
+        (4, 0, 1, 2),
+        (2, 1, 1, 3),
+        (2, 2, 1, 4),
+        (1, 2, 1, 5),
+        (3, 0, 2, 6),
+        (3, 1, 2, 7),
+        (4, 0, 3, 8),
+    ],
+)
 def test_every_gain_of_a_family_gives_the_polynomial(seen, unseen, outputs, seed):
     A, H, A22 = with_hidden_part(seen, unseen, outputs, seed)
     roots = [-1, -2, -2, -5][:seen]
     family = feedback.observer(A, H, eigenvalues=roots)
-    wanted = sp.expand(sp.prod([family.symbol - r for r in roots])*A22.charpoly(family.symbol).as_expr())
-    assert sp.expand((A - family.gain*H).charpoly(family.symbol).as_expr() - wanted) == 0
+    wanted = sp.expand(
+        sp.prod([family.symbol - r for r in roots]) * A22.charpoly(family.symbol).as_expr()
+    )
+    assert sp.expand((A - family.gain * H).charpoly(family.symbol).as_expr() - wanted) == 0
     assert sp.expand(family.polynomial - wanted) == 0
-    assert len(family.free) == unseen*outputs and family.gain.free_symbols == set(family.free)
+    assert len(family.free) == unseen * outputs and family.gain.free_symbols == set(family.free)
     dual = feedback.regulator(A.T, H.T, eigenvalues=roots)
-    assert sp.expand((A.T + H.T*dual.gain).charpoly(family.symbol).as_expr() - wanted) == 0
+    assert sp.expand((A.T + H.T * dual.gain).charpoly(family.symbol).as_expr() - wanted) == 0
     assert family.complete == (outputs == 1)
 
 
 @pytest.mark.parametrize("seen, unseen, seed", [(2, 1, 11), (2, 2, 12), (3, 1, 13)])
 def test_a_family_for_one_output_is_complete(seen, unseen, seed):
     """All solutions of the linear equations for the entries of L are members."""
-    A, H, A22 = with_hidden_part(seen, unseen, 1, seed)
-    family = feedback.observer(A, H, margin=1) if feedback.best_margin(A, H=H) >= 1 else feedback.observer(
-        A, H, (lam + 1)**seen, lam)
+    A, H, _A22 = with_hidden_part(seen, unseen, 1, seed)
+    family = (
+        feedback.observer(A, H, margin=1)
+        if feedback.best_margin(A, H=H) >= 1
+        else feedback.observer(A, H, (lam + 1) ** seen, lam)
+    )
     entries = sp.symbols(f"l1:{seen + unseen + 1}")
-    left = sp.Poly((A - sp.Matrix(entries)*H).charpoly(family.symbol).as_expr() - family.polynomial, family.symbol)
+    left = sp.Poly(
+        (A - sp.Matrix(entries) * H).charpoly(family.symbol).as_expr() - family.polynomial,
+        family.symbol,
+    )
     (solution,) = sp.linsolve(left.all_coeffs(), entries)
     assert len(set(solution).union(*(e.free_symbols for e in solution)) & set(entries)) == unseen
     difference = sp.Matrix(solution) - family.gain
@@ -61,16 +88,16 @@ def test_a_family_for_one_output_is_complete(seen, unseen, seed):
 def test_coefficients_may_be_symbols_and_so_may_the_system():
     a, b1, b2 = sp.symbols("a beta1 beta2")
     A, B = sp.Matrix([[0, 1], [a, 0]]), sp.Matrix([0, 1])
-    family = feedback.regulator(A, B, lam**2 + b1*lam + b2, lam)
+    family = feedback.regulator(A, B, lam**2 + b1 * lam + b2, lam)
     assert family.gain.expand() == sp.Matrix([[-a - b2, -b1]]) and family.free == ()
 
 
 def test_a_polynomial_of_full_degree_has_to_keep_the_fixed_factor():
     A, H = sp.Matrix([[0, 1], [1, 0]]), sp.Matrix([[1, 1]])
-    family = feedback.observer(A, H, (lam + 1)*(lam + 4), lam)
-    assert sp.expand(family.polynomial - (lam + 1)*(lam + 4)) == 0 and family.fixed == lam + 1
+    family = feedback.observer(A, H, (lam + 1) * (lam + 4), lam)
+    assert sp.expand(family.polynomial - (lam + 1) * (lam + 4)) == 0 and family.fixed == lam + 1
     with pytest.raises(ValueError, match=r"lambda \+ 1 is fixed"):
-        feedback.observer(A, H, (lam + 2)*(lam + 4), lam)
+        feedback.observer(A, H, (lam + 2) * (lam + 4), lam)
     with pytest.raises(ValueError, match="margin of at most 1"):
         feedback.observer(A, H, margin=2)
 
@@ -82,10 +109,16 @@ def test_an_unstable_fixed_mode_may_stay_but_no_margin_is_given():
         feedback.observer(A, H, margin=0)
 
 
-@pytest.mark.parametrize("arguments, message", [
-    ({}, "one of the three"), ({"margin": 1, "eigenvalues": [-1, -1]}, "one of the three"),
-    ({"eigenvalues": [-1]}, "degree 2"), ({"eigenvalues": [-1, sp.I]}, "conjugate"),
-    ({"polynomial": lam**2 + sp.Symbol("b")}, "say which symbol")])
+@pytest.mark.parametrize(
+    "arguments, message",
+    [
+        ({}, "one of the three"),
+        ({"margin": 1, "eigenvalues": [-1, -1]}, "one of the three"),
+        ({"eigenvalues": [-1]}, "degree 2"),
+        ({"eigenvalues": [-1, sp.I]}, "conjugate"),
+        ({"polynomial": lam**2 + sp.Symbol("b")}, "say which symbol"),
+    ],
+)
 def test_what_is_prescribed_badly_is_told(arguments, message):
     with pytest.raises(ValueError, match=message):
         feedback.regulator(sp.Matrix([[0, 1], [1, 0]]), sp.Matrix([0, 1]), **arguments)
@@ -96,22 +129,33 @@ def test_arrays_are_not_taken_for_exact():
         feedback.regulator(np.eye(2), np.array([[1.0], [2.0]]), margin=1)
 
 
-@pytest.mark.parametrize("A, B, margin", [
-    ([[0, 1], [0, -1]], [1, 0], 1),                                # example 5
-    ([[2, 1, 2, 0], [6, 2, 5, 1], [-4, -1, -4, 0], [1, 0, 1, -1]], [1, 0, -1, 0], 1),  # example 6
-    ([[1, 1], [0, 1]], [1, 0], -1), ([[0, 1], [0, 0]], [1, 0], 0), ([[0, 1], [1, 0]], [0, 1], sp.oo)])
+@pytest.mark.parametrize(
+    "A, B, margin",
+    [
+        ([[0, 1], [0, -1]], [1, 0], 1),  # example 5
+        # example 6
+        ([[2, 1, 2, 0], [6, 2, 5, 1], [-4, -1, -4, 0], [1, 0, 1, -1]], [1, 0, -1, 0], 1),
+        ([[1, 1], [0, 1]], [1, 0], -1),
+        ([[0, 1], [0, 0]], [1, 0], 0),
+        ([[0, 1], [1, 0]], [0, 1], sp.oo),
+    ],
+)
 def test_the_best_margin_is_that_of_the_slowest_fixed_mode(A, B, margin):
     A, B = sp.Matrix(A), sp.Matrix(B)
     found = feedback.stabilisability(A, B)
     assert found.margin == margin and bool(found) == (margin > 0)
     for mode in found.modes:
-        assert mode.vectors*A == mode.eigenvalue*mode.vectors and mode.vectors*B == sp.zeros(mode.vectors.rows, 1)
+        assert mode.vectors * A == mode.eigenvalue * mode.vectors and mode.vectors * B == sp.zeros(
+            mode.vectors.rows, 1
+        )
     floats = feedback.stabilisability(np.array(A, dtype=float), np.array(B, dtype=float))
-    assert floats.margin == pytest.approx(float(margin)) and (margin == 0 or bool(floats) == bool(found))
+    assert floats.margin == pytest.approx(float(margin)) and (
+        margin == 0 or bool(floats) == bool(found)
+    )
 
 
 def test_conjugate_fixed_modes_without_a_closed_form():
-    hidden = sp.Matrix([[0, 1, 0], [0, 0, 1], [-3, -1, -1]])       # l^3 + l^2 + l + 3
+    hidden = sp.Matrix([[0, 1, 0], [0, 0, 1], [-3, -1, -1]])  # l^3 + l^2 + l + 3
     found = feedback.stabilisability(sp.diag(2, hidden), sp.Matrix([1, 0, 0, 0]))
     assert not found and len(found.obstacles) == 1
     assert float(found.margin) == pytest.approx(-max(np.roots([1, 1, 1, 3]).real))
@@ -129,14 +173,16 @@ def test_signs_that_are_not_known_are_asked_for():
 def test_stabilising_gains_are_those_of_hurwitz():
     k1, k2, l1, l2 = sp.symbols("k1 k2 l1 l2")
     A, B, H = sp.Matrix([[0, 1], [-2, 3]]), sp.Matrix([0, 1]), sp.Matrix([[1, 1]])
-    assert feedback.stabilising_gains(A, B, [k1], H=H).region == (k1 < -3)        # example 7
+    assert feedback.stabilising_gains(A, B, [k1], H=H).region == (k1 < -3)  # example 7
     assert feedback.stabilising_gains(A, B, [k1], H=sp.Matrix([[1, 0]])).region == sp.false
     full = feedback.stabilising_gains(A, B, [k1, k2], margin=1)
     for point in ([-3, -6], [-30, -6], [-1, -6], [-3, -4]):
-        roots = np.linalg.eigvals(np.array(A + B*sp.Matrix([point]), dtype=float))
+        roots = np.linalg.eigvals(np.array(A + B * sp.Matrix([point]), dtype=float))
         assert full.contains(point) == (max(roots.real) < -1)
     errors = feedback.convergent_gains(A, H, [l1, l2])
-    assert errors.contains([0, 30]) == (max(np.linalg.eigvals(np.array([[0, 1], [-32, -27]])).real) < 0)
+    assert errors.contains([0, 30]) == (
+        max(np.linalg.eigvals(np.array([[0, 1], [-32, -27]])).real) < 0
+    )
     with pytest.raises(ValueError, match="expected shape"):
         feedback.stabilising_gains(A, B, [k1])
     with pytest.raises(ValueError, match="expected shape"):
@@ -147,7 +193,7 @@ def test_a_structured_gain_of_parameters():
     k, w, V = sp.symbols("k w V", positive=True)
     A = sp.Matrix([[0, V, 0], [0, 0, 1], [0, 0, -1]])
     found = feedback.stabilising_gains(A, sp.Matrix([0, 0, 1]), [[-k, 0, -w]], parameters=[k, w, V])
-    assert found.region == sp.false or found.empty                 # the angle is not fed back
+    assert found.region == sp.false or found.empty  # the angle is not fed back
 
 
 def test_the_spectrum_of_a_loop_with_an_estimate_separates():
@@ -155,12 +201,12 @@ def test_the_spectrum_of_a_loop_with_an_estimate_separates():
     K, L = feedback.regulator(A, B, margin=1).gain, feedback.observer(A, H, margin=2).gain
     loop = feedback.feedback_by_estimate(A, B, H, K, L)
     product = sp.expand(sp.prod(loop.polynomials(lam)))
-    assert product == sp.expand((lam + 1)**3*(lam + 2)**3)
+    assert product == sp.expand((lam + 1) ** 3 * (lam + 2) ** 3)
     for matrix in (loop.errors, loop.estimates):
         assert sp.expand(matrix.charpoly(lam).as_expr() - product) == 0
     # (x; e) and (x; d) are the same motion: e = x - d
     change = sp.Matrix(sp.BlockMatrix([[sp.eye(3), sp.zeros(3)], [sp.eye(3), -sp.eye(3)]]))
-    assert change*loop.errors*change.inv() == loop.estimates
+    assert change * loop.errors * change.inv() == loop.estimates
 
 
 def test_a_constant_error_of_the_measurement_is_estimated_too():
@@ -170,8 +216,16 @@ def test_a_constant_error_of_the_measurement_is_estimated_too():
     L = feedback.observer(*wide, margin=2).gain
     loop = feedback.feedback_by_estimate(A, B, sp.Matrix([[1, 0]]), K, L, S=[[0]], c=[1])
     assert loop.errors.shape == (5, 5) and loop.estimates.shape == (6, 6)
-    assert sp.expand(characteristic_polynomial(loop.errors, lam) - (lam + 1)**2*(lam + 2)**3) == 0
-    assert sp.expand(characteristic_polynomial(loop.estimates, lam) - lam*(lam + 1)**2*(lam + 2)**3) == 0
+    assert (
+        sp.expand(characteristic_polynomial(loop.errors, lam) - (lam + 1) ** 2 * (lam + 2) ** 3)
+        == 0
+    )
+    assert (
+        sp.expand(
+            characteristic_polynomial(loop.estimates, lam) - lam * (lam + 1) ** 2 * (lam + 2) ** 3
+        )
+        == 0
+    )
     with pytest.raises(ValueError, match="both or neither"):
         feedback.feedback_by_estimate(A, B, H, K, L, S=[[0]])
     with pytest.raises(ValueError, match="L: expected shape"):
@@ -184,14 +238,22 @@ def test_a_constant_error_of_the_measurement_is_estimated_too():
 def test_the_error_of_a_reduced_observer_has_the_spectrum(n, m, seed):
     A, B, H = whole_matrix(n, n, seed), whole_matrix(n, 1, seed + 1), whole_matrix(m, n, seed + 2)
     found = feedback.reduced_observer(A, B, H, margin=3)
-    assert sp.expand(found.matrix.charpoly(lam).as_expr() - (lam + 3)**(n - m)) == 0
+    assert sp.expand(found.matrix.charpoly(lam).as_expr() - (lam + 3) ** (n - m)) == 0
     # x - (estimate) obeys d' = M d for any x, p and u
-    x, p, u = sp.Matrix(sp.symbols(f"x1:{n + 1}")), sp.Matrix(sp.symbols(f"p1:{n - m + 1}")), sp.Symbol("u")
-    rate = found.matrix*p + found.by_output*H*x + found.by_control*u
-    error = found.coordinates*(x - found.state_by_p*p - found.state_by_output*H*x)
-    moved = found.coordinates*(A*x + B*u - found.state_by_p*rate - found.state_by_output*H*(A*x + B*u))
-    assert (moved - found.matrix*error).expand() == sp.zeros(n - m, 1)
-    assert (H*(x - found.state_by_p*p - found.state_by_output*H*x)).expand() == sp.zeros(m, 1)
+    x, p, u = (
+        sp.Matrix(sp.symbols(f"x1:{n + 1}")),
+        sp.Matrix(sp.symbols(f"p1:{n - m + 1}")),
+        sp.Symbol("u"),
+    )
+    rate = found.matrix * p + found.by_output * H * x + found.by_control * u
+    error = found.coordinates * (x - found.state_by_p * p - found.state_by_output * H * x)
+    moved = found.coordinates * (
+        A * x + B * u - found.state_by_p * rate - found.state_by_output * H * (A * x + B * u)
+    )
+    assert (moved - found.matrix * error).expand() == sp.zeros(n - m, 1)
+    assert (H * (x - found.state_by_p * p - found.state_by_output * H * x)).expand() == sp.zeros(
+        m, 1
+    )
 
 
 def test_a_reduced_observer_needs_something_to_estimate():
@@ -202,11 +264,24 @@ def test_a_reduced_observer_needs_something_to_estimate():
 def test_families_and_regions_show_themselves():
     family = feedback.observer(sp.Matrix([[0, 1], [1, 0]]), sp.Matrix([[1, 1]]), margin=1)
     assert "lambda" in family._repr_latex_() and family.simplest.free_symbols == set()
-    assert "fixed" in feedback.detectability(sp.Matrix([[0, 1], [1, 0]]), sp.Matrix([[1, 1]]))._repr_markdown_()
-    assert stability_conditions(sp.Matrix([[0, 1], [1, 0]]) - family.simplest*sp.Matrix([[1, 1]]), []).region == sp.true
+    assert (
+        "fixed"
+        in feedback.detectability(
+            sp.Matrix([[0, 1], [1, 0]]), sp.Matrix([[1, 1]])
+        )._repr_markdown_()
+    )
+    assert (
+        stability_conditions(
+            sp.Matrix([[0, 1], [1, 0]]) - family.simplest * sp.Matrix([[1, 1]]), []
+        ).region
+        == sp.true
+    )
 
 
 def test_several_fixed_eigenvalues_are_told_together():
     found = feedback.stabilisability(sp.diag(-1, -2, 3), sp.Matrix([0, 0, 1]))
     assert "lambda = -1, lambda = -2 are fixed" in found.reason and found.margin == 1
-    assert r"\mathrm{free}_{1}" in feedback.regulator(sp.diag(-1, 3), sp.Matrix([0, 1]), margin=1)._repr_latex_()
+    assert (
+        r"\mathrm{free}_{1}"
+        in feedback.regulator(sp.diag(-1, 3), sp.Matrix([0, 1]), margin=1)._repr_latex_()
+    )

@@ -1,4 +1,5 @@
-"""Gains of floats: known pairs, exact gains, repeated and complex eigenvalues, bad units, what is refused."""
+"""Gains of floats: known pairs, exact gains, repeated and complex eigenvalues, bad units, what is
+refused."""
 
 import control
 import numpy as np
@@ -23,27 +24,37 @@ def distance(A, B, gain, wanted):
 
 
 def random_pair(rng, n, s, spread=0.0):
-    A, B = rng.normal(size=(n, n))/np.sqrt(n), rng.normal(size=(n, s))
-    units = 10.0**rng.uniform(-spread, spread, size=n)
-    return A*units/units[:, None], B/units[:, None]*10.0**rng.uniform(-spread, spread, size=s)
+    A, B = rng.normal(size=(n, n)) / np.sqrt(n), rng.normal(size=(n, s))
+    units = 10.0 ** rng.uniform(-spread, spread, size=n)
+    return A * units / units[:, None], B / units[:, None] * 10.0 ** rng.uniform(
+        -spread, spread, size=s
+    )
 
 
 @pytest.mark.parametrize("n", [1, 2, 5, 12, 20, 40])
 def test_a_chain_gets_its_coefficients_to_the_last_digit(n):
-    found = place(*chain(n), [-1]*n)
-    exact = sp.Poly((sp.Symbol("s") + 1)**n).all_coeffs()
+    found = place(*chain(n), [-1] * n)
+    exact = sp.Poly((sp.Symbol("s") + 1) ** n).all_coeffs()
     assert found.gain[0].tolist() == [-float(c) for c in exact[:0:-1]]
     assert found.residual < 1e-14
 
 
 @pytest.mark.parametrize("spread", [0, 3, 8])
-@pytest.mark.parametrize("wanted", [[-1]*6, [-1, -2, -3, -4, -5, -6], [-1 + 2j, -1 - 2j, -1 + 2j, -1 - 2j, -3, 0]])
+@pytest.mark.parametrize(
+    "wanted", [[-1] * 6, [-1, -2, -3, -4, -5, -6], [-1 + 2j, -1 - 2j, -1 + 2j, -1 - 2j, -3, 0]]
+)
 def test_one_control_gives_the_exact_gain_rounded(wanted, spread):
     A, B = random_pair(np.random.default_rng(len(str(wanted))), 6, 1, spread)
     s = sp.Symbol("s")
     polynomial = sp.expand(sp.prod([s - sp.nsimplify(value) for value in wanted]))
-    exact = regulator(*(sp.Matrix(*part.shape, [sp.Rational(x) for x in part.ravel().tolist()]) for part in (A, B)),
-                      polynomial, s).gain
+    exact = regulator(
+        *(
+            sp.Matrix(*part.shape, [sp.Rational(x) for x in part.ravel().tolist()])
+            for part in (A, B)
+        ),
+        polynomial,
+        s,
+    ).gain
     found = place(A, B, wanted)
     assert found.gain[0].tolist() == [float(k) for k in exact]
 
@@ -53,31 +64,41 @@ def test_one_control_gives_the_exact_gain_rounded(wanted, spread):
 @pytest.mark.parametrize("spread", [0, 6])
 @pytest.mark.parametrize(("n", "s"), [(4, 1), (8, 1), (16, 1), (40, 1), (6, 2), (9, 3)])
 def test_no_peer_comes_nearer(n, s, spread):
-    """In the median, and up to a factor of two: which of two gains that differ in their last digits does better is
-    chance."""
-    rng, ratios = np.random.default_rng(100*n + s), {"place_poles": [], "acker": []}
+    """In the median, and up to a factor of two: which of two gains that differ in their last digits
+    does better is chance."""
+    rng, ratios = np.random.default_rng(100 * n + s), {"place_poles": [], "acker": []}
     wanted = -np.linspace(0.5, 2, n)
-    for _ in range(9 if n*s < 20 else 2):
+    for _ in range(9 if n * s < 20 else 2):
         A, B = random_pair(rng, n, s, spread)
         ours = distance(A, B, place(A, B, wanted).gain, wanted)
         gains = {"place_poles": scipy.signal.place_poles(A, B, wanted).gain_matrix}
         if s == 1 and np.linalg.matrix_rank(control.ctrb(A, B)) == n:  # else it refuses
             gains["acker"] = np.atleast_2d(control.acker(A, B, wanted))
         for name, gain in gains.items():
-            ratios[name].append(ours/max(distance(A, B, -gain, wanted), 1e-15))
+            ratios[name].append(ours / max(distance(A, B, -gain, wanted), 1e-15))
     assert all(np.median(found) <= 2 for found in ratios.values() if found), ratios
 
 
-@pytest.mark.parametrize(("n", "s", "wanted"), [
-    (4, 2, [-1]*4), (6, 2, [-1]*6), (7, 3, [-2]*7), (6, 2, [-1 + 1j, -1 - 1j]*3), (5, 2, [0]*5),
-    (8, 2, [-1]*4 + [-2]*4),
-])
+@pytest.mark.parametrize(
+    ("n", "s", "wanted"),
+    [
+        (4, 2, [-1] * 4),
+        (6, 2, [-1] * 6),
+        (7, 3, [-2] * 7),
+        (6, 2, [-1 + 1j, -1 - 1j] * 3),
+        (5, 2, [0] * 5),
+        (8, 2, [-1] * 4 + [-2] * 4),
+    ],
+)
 def test_several_controls_place_what_comes_more_often_than_they_are(n, s, wanted):
     A, B = random_pair(np.random.default_rng(n + s), n, s)
     found = place(A, B, wanted)
     assert found.gain.shape == (s, n) and found.residual < 1e-12
-    # As many chains as controls: no eigenvalue is spread more than a chain of that length spreads it.
-    assert found.distance < 20*(1e-14*np.linalg.norm(A + B @ found.gain))**(1/np.ceil(n/s))
+    # As many chains as controls: no eigenvalue is spread more than a chain of that length spreads
+    # it.
+    assert found.distance < 20 * (1e-14 * np.linalg.norm(A + B @ found.gain)) ** (
+        1 / np.ceil(n / s)
+    )
     assert found.condition > 1e6
 
 
@@ -92,7 +113,8 @@ def test_what_is_told_is_true():
     A, B = random_pair(np.random.default_rng(4), 5, 1)
     found = place(A, B, [-1, -2, -3, -4 + 1j, -4 - 1j])
     assert sorted(found.reached, key=lambda z: (z.real, z.imag)) == pytest.approx(
-        sorted(np.linalg.eigvals(A + B @ found.gain), key=lambda z: (z.real, z.imag)))
+        sorted(np.linalg.eigvals(A + B @ found.gain), key=lambda z: (z.real, z.imag))
+    )
     assert found.distance == pytest.approx(abs(found.reached - found.wanted).max())
     assert found.distance <= found.uncertainty < 1e-6
 
@@ -106,7 +128,9 @@ def test_the_end_of_floats_is_told(spread):
 
 def test_a_state_space_and_the_observer():
     A, B = chain(3)
-    assert place(control.ss(A, B, np.eye(3), 0), None, [-1, -1, -1]).gain == pytest.approx(np.array([[-1, -3, -3]]))
+    assert place(control.ss(A, B, np.eye(3), 0), None, [-1, -1, -1]).gain == pytest.approx(
+        np.array([[-1, -3, -3]])
+    )
     H = np.array([[1.0, 0, 0]])
     L = -place(A.T, H.T, [-1, -2, -3]).gain.T
     assert np.sort(np.linalg.eigvals(A - L @ H).real) == pytest.approx([-3, -2, -1])
@@ -116,6 +140,10 @@ def test_what_cannot_be_placed_is_named():
     with pytest.raises(ValueError, match=r"controllable.*2|2.*controllable"):
         place(np.diag([1.0, 2.0]), np.array([[1.0], [0.0]]), [-1, -2])
     A, B = chain(3)
-    for wanted, words in (([-1, -2], "expected 3"), ([-1, -2, np.inf], "finite"), ([-1, -2 + 1j, -2], "pairs")):
+    for wanted, words in (
+        ([-1, -2], "expected 3"),
+        ([-1, -2, np.inf], "finite"),
+        ([-1, -2 + 1j, -2], "pairs"),
+    ):
         with pytest.raises(ValueError, match=words):
             place(A, B, wanted)

@@ -1,4 +1,6 @@
-"""Regulators with a quadratic cost: against python-control, Kleinman's equation and direct integration."""
+"""Regulators with a quadratic cost: against python-control, Kleinman's equation and direct
+integration."""
+
 import control
 import numpy as np
 import pytest
@@ -23,14 +25,25 @@ def test_python_control_has_the_same_cost_and_the_other_sign():
     gain, cost, roots = control.lqr(*floats(A, B, G, N), method="scipy")
     np.testing.assert_allclose(ours.gain, -gain, atol=1e-10)
     np.testing.assert_allclose(ours.cost, cost, atol=1e-10)
-    np.testing.assert_allclose(sorted(np.linalg.eigvals(ours.loop), key=np.real), sorted(roots, key=np.real), atol=1e-8)
+    np.testing.assert_allclose(
+        sorted(np.linalg.eigvals(ours.loop), key=np.real), sorted(roots, key=np.real), atol=1e-8
+    )
 
 
-@pytest.mark.parametrize("matrix, weight", [([[0, 1], [1, 0]], sp.diag(0, 1)), ([[0, 1], [0, 1]], sp.eye(2)),
-                                            ([[0, 1], [-1, 0]], sp.diag(3, 0)), ([[1, 0], [1, 2]], sp.zeros(2))])
+@pytest.mark.parametrize(
+    "matrix, weight",
+    [
+        ([[0, 1], [1, 0]], sp.diag(0, 1)),
+        ([[0, 1], [0, 1]], sp.eye(2)),
+        ([[0, 1], [-1, 0]], sp.diag(3, 0)),
+        ([[1, 0], [1, 2]], sp.zeros(2)),
+    ],
+)
 def test_exact_and_floating_point_agree(matrix, weight):
     exact = feedback.lqr(matrix, [0, 1] if matrix[0][0] == 0 else [1, 0], weight, 1)
-    near = feedback.lqr(*floats(matrix, [[0], [1]] if matrix[0][0] == 0 else [[1], [0]], weight, [[1]]))
+    near = feedback.lqr(
+        *floats(matrix, [[0], [1]] if matrix[0][0] == 0 else [[1], [0]], weight, [[1]])
+    )
     for name in ("cost", "gain", "loop"):
         np.testing.assert_allclose(*floats(getattr(exact, name), getattr(near, name)), atol=1e-9)
 
@@ -39,7 +52,10 @@ def test_exact_and_floating_point_agree(matrix, weight):
 def test_an_unseen_mode_is_led_to_zero_or_left_alone(mode, attained):
     """x1' = mode x1 + u, x2' = -x2 + u, and only x2 is paid for."""
     for read in (lambda m: m, lambda m: np.array(m, dtype=float)):
-        system = [read(m) for m in (sp.diag(int(mode), -1), sp.Matrix([1, 1]), sp.diag(0, 1), sp.Matrix([[1]]))]
+        system = [
+            read(m)
+            for m in (sp.diag(int(mode), -1), sp.Matrix([1, 1]), sp.diag(0, 1), sp.Matrix([[1]]))
+        ]
         best, lazy = feedback.lqr(*system), feedback.lqr(*system, stable=False)
         assert bool(best) == attained and lazy
         assert abs(float(lazy.gain[0, 0])) < 1e-12 and abs(float(lazy.cost[0, 0])) < 1e-12
@@ -78,12 +94,18 @@ def test_a_given_end_exactly():
     left = sp.Symbol("left", positive=True)
     found = feedback.finite_lqr([[0, 1], [0, 0]], [0, 1], sp.zeros(2), 1, sp.eye(2), left)
     S = found.cost
-    rest = sp.Matrix([[0, 0], [1, 0]])*S + S*sp.Matrix([[0, 1], [0, 0]]) - S[:, 1]*S[1, :] - S.diff(left)
+    rest = (
+        sp.Matrix([[0, 0], [1, 0]]) * S
+        + S * sp.Matrix([[0, 1], [0, 0]])
+        - S[:, 1] * S[1, :]
+        - S.diff(left)
+    )
     assert rest.applyfunc(sp.simplify) == sp.zeros(2) and S.subs(left, 0) == sp.eye(2)
 
 
 def test_the_price_is_that_of_the_whole_loop():
-    """x and e together: their covariance from Lyapunov's equation, no separation used; no gains nearby are cheaper."""
+    """x and e together: their covariance from Lyapunov's equation, no separation used; no gains
+    nearby are cheaper."""
     a, b, g, n = floats(A, B, G, N)
     h, q, r = np.array([[1.0, 0, 0]]), np.diag([0.0, 2, 1]), np.array([[0.5]])
     found = feedback.lqg(a, b, h, g, n, q, r)
@@ -96,8 +118,13 @@ def test_the_price_is_that_of_the_whole_loop():
 
     K, L = found.regulator.gain, found.filter.gain
     least = price(K, L)
-    assert abs(found.price - least) < 1e-8*least
+    assert abs(found.price - least) < 1e-8 * least
     rng = np.random.default_rng(54)
     for _ in range(20):
-        assert price(K + 0.01*rng.normal(size=K.shape), L + 0.01*rng.normal(size=L.shape)) > least
-    assert np.trace(found.regulator.cost @ q) == pytest.approx(found.known) and found.known < found.price
+        assert (
+            price(K + 0.01 * rng.normal(size=K.shape), L + 0.01 * rng.normal(size=L.shape)) > least
+        )
+    assert (
+        np.trace(found.regulator.cost @ q) == pytest.approx(found.known)
+        and found.known < found.price
+    )

@@ -11,16 +11,20 @@ x, y = sp.symbols("x y")
 
 @pytest.mark.parametrize("order", [0, 1, 2, 3])
 def test_it_is_the_derivative_in_time_along_a_motion(order):
-    motion = {x: sp.exp(-t)*sp.cos(c*t), y: sp.exp(-t)*sp.sin(c*t)}  # of a spiral that is known
-    spiral = {x: -x - c*y, y: c*x - y}
-    function = x**2*y + c*sp.sin(y)
+    # of a spiral that is known
+    motion = {
+        x: sp.exp(-t) * sp.cos(c * t),
+        y: sp.exp(-t) * sp.sin(c * t),
+    }
+    spiral = {x: -x - c * y, y: c * x - y}
+    function = x**2 * y + c * sp.sin(y)
     along = lie_derivative(function, spiral, order).subs(motion, simultaneous=True)
     directly = sp.diff(function.subs(motion, simultaneous=True), t, order)
     assert abs((along - directly).subs({t: sp.Rational(7, 10), c: 2}).evalf(30)) < 1e-25
 
 
 def test_what_does_not_flow_is_constant():
-    assert lie_derivative(c**2, {x: c}) == 0 and lie_derivative(c*x, {x: y}) == c*y
+    assert lie_derivative(c**2, {x: c}) == 0 and lie_derivative(c * x, {x: y}) == c * y
 
 
 def test_refused():

@@ -16,6 +16,8 @@ print(len(names), *(name for name in sys.modules if name.split(".")[0] == "scipy
 
 
 def test_no_module_loads_scipy():
-    shown = subprocess.run([sys.executable, "-c", EVERYTHING], capture_output=True, text=True, check=True, timeout=120)
+    shown = subprocess.run(
+        [sys.executable, "-c", EVERYTHING], capture_output=True, text=True, check=True, timeout=120
+    )
     count, *loaded = shown.stdout.split()
     assert int(count) > 100 and loaded == []

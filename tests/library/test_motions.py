@@ -27,11 +27,14 @@ def test_the_page_holds_every_frame_and_shows_one():
     data = json.loads(box["data-motion"])
     assert data["times"] == [0, 0.5, 1, 1.5, 2] and data["still"] == 4
     assert [part["kind"] for part in data["parts"]] == ["trail", "dot", "rod"]
-    assert data["parts"][1]["points"][:2] == [SIZE, SIZE/2]  # (1, 0) of the square from -1 to 1
-    assert len(data["parts"][2]["points"]) == 4*len(T)
+    # (1, 0) of the square from -1 to 1
+    assert data["parts"][1]["points"][:2] == [SIZE, SIZE / 2]
+    assert len(data["parts"][2]["points"]) == 4 * len(T)
     svg = box.svg
     assert svg.parent["role"] == "img" and svg.parent["aria-label"] == "A <point> on a circle."
-    assert float(svg.circle["cx"]) == data["parts"][1]["points"][8] and len(svg.select(".moving")) == 3
+    assert (
+        float(svg.circle["cx"]) == data["parts"][1]["points"][8] and len(svg.select(".moving")) == 3
+    )
 
 
 def test_where_nothing_moves_the_still_frame_is_a_picture():
@@ -39,18 +42,23 @@ def test_where_nothing_moves_the_still_frame_is_a_picture():
     motion.panel((0, 1), (0, 1), "t")
     picture = ElementTree.fromstring(motion._repr_svg_())
     moving = BeautifulSoup(motion._repr_html_(), "html.parser").circle
-    assert [mark.attrib["cx"] for mark in picture.iter() if mark.tag.endswith("circle")] == [moving["cx"]]
+    assert [mark.attrib["cx"] for mark in picture.iter() if mark.tag.endswith("circle")] == [
+        moving["cx"]
+    ]
     assert len([part for part in picture if part.tag.endswith("g")]) == 2
 
 
-@pytest.mark.parametrize("make, said", [
-    (lambda: Animation([0, 0], "w"), "increasing"),
-    (lambda: Animation([0], "w"), "at least two"),
-    (lambda: Animation(T, "w", speed=0), "speed"),
-    (lambda: circle().panel((1, 1), (0, 1)), "low < high"),
-    (lambda: circle().panel((0, 1), (0, 1)).dot([1, 2], 0), "each of the 5 frames"),
-    (lambda: circle().panel((0, 1), (0, 1)).dot(np.nan, 0), "finite"),
-])
+@pytest.mark.parametrize(
+    "make, said",
+    [
+        (lambda: Animation([0, 0], "w"), "increasing"),
+        (lambda: Animation([0], "w"), "at least two"),
+        (lambda: Animation(T, "w", speed=0), "speed"),
+        (lambda: circle().panel((1, 1), (0, 1)), "low < high"),
+        (lambda: circle().panel((0, 1), (0, 1)).dot([1, 2], 0), "each of the 5 frames"),
+        (lambda: circle().panel((0, 1), (0, 1)).dot(np.nan, 0), "finite"),
+    ],
+)
 def test_what_is_no_motion_is_refused(make, said):
     with pytest.raises(ValueError, match=said):
         make()

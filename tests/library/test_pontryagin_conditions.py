@@ -1,4 +1,5 @@
 """The statement of a problem, and the conditions derived from it."""
+
 import time
 
 import pytest
@@ -38,31 +39,39 @@ def test_forms_of_the_arguments():
     assert Problem(PLANE, ONE, START, [x1], duration=(1, 2)).free_time
 
 
-@pytest.mark.parametrize("change, message", [
-    ({"dynamics": {}}, "dynamics: expected a dict"),
-    ({"dynamics": {x1: "x2", x2: u}}, "dynamics of x1: expected a SymPy expression"),
-    ({"controls": {u: (1, -1)}}, "expected lower < upper for u"),
-    ({"controls": {u: 1}}, r"expected \(lower, upper\) for u"),
-    ({"controls": {u: (-x1, 1)}}, "bounds of u depend on the state"),
-    ({"controls": {v: (-1, 1)}}, "v acts neither"),
-    ({"controls": {x1: (-1, 1)}}, "x1 is a state already"),
-    ({"initial": {x1: 1}}, "initial: no value for x2; write None"),
-    ({"initial": {x1: 1, x2: 0, x: 1}}, "initial: x is no state"),
-    ({"initial": {x1: x2, x2: 0}}, "expected numbers or parameters"),
-    ({"terminal": [u]}, "terminal: u contains a control"),
-    ({"terminal": [R - 1]}, "does not depend on the state"),
-    ({"terminal": [x1, x2, x1 - x2]}, "3 equations for 2 states"),
-    ({"terminal": 3}, "terminal: expected a list"),
-    ({"terminal": []}, "something must end the process"),
-    ({"running": 0}, "both are zero"),
-    ({"final": u}, "final: u contains a control"),
-    ({"duration": -1}, "duration: expected a positive number"),
-    ({"duration": (2, 1)}, "shortest < longest"),
-    ({"maximise": 1}, "maximise: expected True or False"),
-    ({"first_return": True}, "first_return: expected one terminal equation"),
-])
+@pytest.mark.parametrize(
+    "change, message",
+    [
+        ({"dynamics": {}}, "dynamics: expected a dict"),
+        ({"dynamics": {x1: "x2", x2: u}}, "dynamics of x1: expected a SymPy expression"),
+        ({"controls": {u: (1, -1)}}, "expected lower < upper for u"),
+        ({"controls": {u: 1}}, r"expected \(lower, upper\) for u"),
+        ({"controls": {u: (-x1, 1)}}, "bounds of u depend on the state"),
+        ({"controls": {v: (-1, 1)}}, "v acts neither"),
+        ({"controls": {x1: (-1, 1)}}, "x1 is a state already"),
+        ({"initial": {x1: 1}}, "initial: no value for x2; write None"),
+        ({"initial": {x1: 1, x2: 0, x: 1}}, "initial: x is no state"),
+        ({"initial": {x1: x2, x2: 0}}, "expected numbers or parameters"),
+        ({"terminal": [u]}, "terminal: u contains a control"),
+        ({"terminal": [R - 1]}, "does not depend on the state"),
+        ({"terminal": [x1, x2, x1 - x2]}, "3 equations for 2 states"),
+        ({"terminal": 3}, "terminal: expected a list"),
+        ({"terminal": []}, "something must end the process"),
+        ({"running": 0}, "both are zero"),
+        ({"final": u}, "final: u contains a control"),
+        ({"duration": -1}, "duration: expected a positive number"),
+        ({"duration": (2, 1)}, "shortest < longest"),
+        ({"maximise": 1}, "maximise: expected True or False"),
+        ({"first_return": True}, "first_return: expected one terminal equation"),
+    ],
+)
 def test_refused(change, message):
-    arguments = {"dynamics": PLANE, "controls": ONE, "initial": START, "terminal": [x1, x2]} | change
+    arguments = {
+        "dynamics": PLANE,
+        "controls": ONE,
+        "initial": START,
+        "terminal": [x1, x2],
+    } | change
     with pytest.raises((TypeError, ValueError), match=message):
         Problem(**arguments)
 
@@ -70,37 +79,52 @@ def test_refused(change, message):
 def test_conditions_of_example_1():
     """Without the additional states of the book: psi_0 = -lambda_0 there, H here is the rest."""
     derived = Problem(PLANE, ONE, {x1: 0, x2: 0}, [x2], running=x1, duration=1).conditions()
-    assert derived.hamiltonian == psi1*x2 + psi2*u - lambda0*x1
+    assert derived.hamiltonian == psi1 * x2 + psi2 * u - lambda0 * x1
     assert derived.adjoint == {psi1: lambda0, psi2: -psi1}
     assert derived.switching == {u: psi2}
     assert derived.maximising[u].subs(psi2, 3) == 1 and derived.maximising[u].subs(psi2, -3) == -1
-    assert derived.transversality == (psi1, psi2 + lambda1) and derived.reduced_transversality == (psi1,)
-    assert (derived.stationarity is None and derived.normal == psi1*x2 + psi2*u - x1 and derived.abnormal == psi1*x2
-            + psi2*u)
+    assert derived.transversality == (psi1, psi2 + lambda1) and derived.reduced_transversality == (
+        psi1,
+    )
+    assert (
+        derived.stationarity is None
+        and derived.normal == psi1 * x2 + psi2 * u - x1
+        and derived.abnormal == psi1 * x2 + psi2 * u
+    )
     arc = derived.singular[u]
     assert arc.excluded and arc.derivatives[:2] == (psi2, -psi1)
 
 
 def test_conditions_of_example_2():
     derived = Problem(PLANE, ONE, START, [x1**2 + x2**2 - R**2]).conditions()
-    assert derived.hamiltonian == psi1*x2 + psi2*u - lambda0 and derived.stationarity == sp.Eq(derived.hamiltonian, 0)
-    assert derived.transversality == (psi1 + 2*lambda1*x1, psi2 + 2*lambda1*x2)
+    assert derived.hamiltonian == psi1 * x2 + psi2 * u - lambda0 and derived.stationarity == sp.Eq(
+        derived.hamiltonian, 0
+    )
+    assert derived.transversality == (psi1 + 2 * lambda1 * x1, psi2 + 2 * lambda1 * x2)
     (tangent,) = derived.reduced_transversality
-    assert sp.expand(tangent**2 - (psi1*x2 - psi2*x1)**2) == 0
+    assert sp.expand(tangent**2 - (psi1 * x2 - psi2 * x1) ** 2) == 0
     text = derived._repr_markdown_()
-    for part in ("Pontryagin function", "Adjoint system", "Transversality", "No singular arc", "Abnormal case",
-                 r"\dot{\psi}_{1}"):
+    for part in (
+        "Pontryagin function",
+        "Adjoint system",
+        "Transversality",
+        "No singular arc",
+        "Abnormal case",
+        r"\dot{\psi}_{1}",
+    ):
         assert part in text
 
 
 def test_maximum_of_the_cost_changes_the_sign_of_its_part():
     derived = Problem(PLANE, ONE, START, [x2], final=x1, running=x2, maximise=True).conditions()
-    assert derived.hamiltonian == psi1*x2 + psi2*u + lambda0*x2
+    assert derived.hamiltonian == psi1 * x2 + psi2 * u + lambda0 * x2
     assert derived.transversality == (psi1 - lambda0, psi2 + lambda1)
 
 
 def test_free_start():
-    derived = Problem(PLANE, ONE, {x1: 0, x2: None}, [x1 - 1], running=u**2, duration=1).conditions()
+    derived = Problem(
+        PLANE, ONE, {x1: 0, x2: None}, [x1 - 1], running=u**2, duration=1
+    ).conditions()
     assert derived.initial_transversality == (psi2,)
 
 
@@ -110,42 +134,91 @@ def test_control_between_its_bounds():
     assert [law.subs({psi2: p, lambda0: 1, A: 2}) for p in (-5, 1, 9)] == [-1, sp.Rational(1, 2), 2]
     steering = Problem({x1: sp.cos(v), x2: sp.sin(v)}, {v: None}, START, [x1]).conditions()
     # Two stationary courses, a maximum and a minimum: left open.
-    assert steering.switching == {} and steering.maximising[v] is None and r"\arg\max" in steering._repr_markdown_()
+    assert (
+        steering.switching == {}
+        and steering.maximising[v] is None
+        and r"\arg\max" in steering._repr_markdown_()
+    )
 
 
-@pytest.mark.parametrize("problem, order, surface, control, kelley", [
-    (Problem({x: u}, ONE, {x: 1}, [x - 1], running=x**2, duration=2), 1, (x,), 0, -2*lambda0),
-    (Problem(PLANE, ONE, START, [x1, x2], running=x1**2), 2, (x1, x2), 0, -2*lambda0),
-    # Worked example 3 of the book: on x1 = x2 and x1 = -x2.
-    (Problem(PLANE, ONE, START, [x1, x2], running=(x1 - x2)**2), 1, ((x1 - x2)*(x1 + x2),), x1, -2*lambda0),
-    (Problem({x: u}, ONE, {x: 1}, [x - 1], running=-x**2, duration=2), 1, (x,), 0, 2*lambda0),
-    # 5.54: straight on, where the sine of the angle is zero.
-    (Problem({x1: 2 - sp.cos(x2), x2: sp.sin(x2)/x1 + u}, ONE, START, [x1 - 3], maximise=True), 1, (sp.sin(x2),), 0,
-     sp.Symbol("psi1", real=True)*sp.cos(x2)),
-])
+@pytest.mark.parametrize(
+    "problem, order, surface, control, kelley",
+    [
+        (Problem({x: u}, ONE, {x: 1}, [x - 1], running=x**2, duration=2), 1, (x,), 0, -2 * lambda0),
+        (Problem(PLANE, ONE, START, [x1, x2], running=x1**2), 2, (x1, x2), 0, -2 * lambda0),
+        # Worked example 3 of the book: on x1 = x2 and x1 = -x2.
+        (
+            Problem(PLANE, ONE, START, [x1, x2], running=(x1 - x2) ** 2),
+            1,
+            ((x1 - x2) * (x1 + x2),),
+            x1,
+            -2 * lambda0,
+        ),
+        (
+            Problem({x: u}, ONE, {x: 1}, [x - 1], running=-(x**2), duration=2),
+            1,
+            (x,),
+            0,
+            2 * lambda0,
+        ),
+        # 5.54: straight on, where the sine of the angle is zero.
+        (
+            Problem(
+                {x1: 2 - sp.cos(x2), x2: sp.sin(x2) / x1 + u}, ONE, START, [x1 - 3], maximise=True
+            ),
+            1,
+            (sp.sin(x2),),
+            0,
+            sp.Symbol("psi1", real=True) * sp.cos(x2),
+        ),
+    ],
+)
 def test_singular_arcs(problem, order, surface, control, kelley):
     arc = problem.conditions().singular[u]
-    assert (arc.order, arc.surface, arc.control, arc.kelley) == (order, surface, control, kelley) and not arc.excluded
+    assert (arc.order, arc.surface, arc.control, arc.kelley) == (
+        order,
+        surface,
+        control,
+        kelley,
+    ) and not arc.excluded
 
 
 def test_singular_arc_on_two_rays():
-    """Mixing of catalysts: on a singular arc r = x1/x2 is constant, r = 10 + sqrt(10) or 10 - sqrt(10); r' = 0 gives u.
+    """Mixing of catalysts: on a singular arc r = x1/x2 is constant, r = 10 + sqrt(10) or 10 -
+    sqrt(10); r' = 0 gives u.
 
-    The surface is of second degree in both states, so that none of them can be put in for the other one.
+    The surface is of second degree in both states, so that none of them can be put in for the other
+    one.
     """
-    arc = Problem({x1: u*(10*x2 - x1), x2: u*(x1 - 10*x2) - (1 - u)*x2}, {u: (0, 1)}, {x1: 1, x2: 0}, final=x1 + x2,
-                  duration=1).conditions().singular[u]
+    arc = (
+        Problem(
+            {x1: u * (10 * x2 - x1), x2: u * (x1 - 10 * x2) - (1 - u) * x2},
+            {u: (0, 1)},
+            {x1: 1, x2: 0},
+            final=x1 + x2,
+            duration=1,
+        )
+        .conditions()
+        .singular[u]
+    )
     assert arc.order == 1 and arc.kelley != 0
     for r in (10 + sp.sqrt(10), 10 - sp.sqrt(10)):
-        ray = {x1: r*x2}
+        ray = {x1: r * x2}
         assert [sp.simplify(e.subs(ray)) for e in arc.surface] == [0]
-        assert sp.simplify(arc.control.subs(ray) - 1/(r - 8 - 10/r)) == 0
+        assert sp.simplify(arc.control.subs(ray) - 1 / (r - 8 - 10 / r)) == 0
 
 
 def test_a_maximum_without_a_closed_form_is_left_open_at_once():
-    """Two reactions at a temperature between bounds; SymPy would look for the best one for minutes."""
-    rates = [4000*sp.exp(-2500/u)*x1**2, 620000*sp.exp(-5000/u)*x2]
-    reactor = Problem({x1: -rates[0], x2: rates[0] - rates[1]}, {u: (298, 398)}, {x1: 1, x2: 0}, final=-x2, duration=1)
+    """Two reactions at a temperature between bounds; SymPy would look for the best one for
+    minutes."""
+    rates = [4000 * sp.exp(-2500 / u) * x1**2, 620000 * sp.exp(-5000 / u) * x2]
+    reactor = Problem(
+        {x1: -rates[0], x2: rates[0] - rates[1]},
+        {u: (298, 398)},
+        {x1: 1, x2: 0},
+        final=-x2,
+        duration=1,
+    )
     start = time.process_time()
     assert r"\arg\max" in reactor.conditions()._repr_markdown_()
     assert time.process_time() - start < 3
@@ -154,40 +227,69 @@ def test_a_maximum_without_a_closed_form_is_left_open_at_once():
 @pytest.mark.slow
 def test_singular_arc_of_goddard():
     """Surface and feedback against the extremal that was found without them."""
-    drag = 310*w**2*sp.exp(-500*(h - 1))
-    problem = Problem({h: w, w: (sp.Rational(7, 2)*u - drag)/m - 1/h**2, m: -7*u}, {u: (0, 1)}, {h: 1, w: 0, m: 1},
-                      [m - sp.Rational(3, 5)], final=h, maximise=True)
+    drag = 310 * w**2 * sp.exp(-500 * (h - 1))
+    problem = Problem(
+        {h: w, w: (sp.Rational(7, 2) * u - drag) / m - 1 / h**2, m: -7 * u},
+        {u: (0, 1)},
+        {h: 1, w: 0, m: 1},
+        [m - sp.Rational(3, 5)],
+        final=h,
+        maximise=True,
+    )
     arc = problem.conditions().singular[u]
     assert arc.order == 1 and len(arc.surface) == 1
     extremal = problem.solve()
-    t = sum(extremal.switching_times)/2
+    t = sum(extremal.switching_times) / 2
     point = dict(zip((h, w, m), extremal.state(t)))
     scale = sum(abs(float(term.subs(point))) for term in arc.surface[0].args)
-    assert abs(float(arc.surface[0].subs(point))) < 1e-9*scale
+    assert abs(float(arc.surface[0].subs(point))) < 1e-9 * scale
     assert float(arc.control.subs(point)) == pytest.approx(extremal.control(t)[0], rel=1e-9)
-    assert float(arc.kelley.subs(point).subs(dict(zip((psi1, psi2, psi3), extremal.costate(t))))) < 0
+    assert (
+        float(arc.kelley.subs(point).subs(dict(zip((psi1, psi2, psi3), extremal.costate(t))))) < 0
+    )
 
 
 def test_names_of_the_multipliers_are_kept_free():
     with pytest.raises(ValueError, match="psi1 is the name of a costate"):
-        Problem({sp.Symbol("psi1"): u}, ONE, {sp.Symbol("psi1"): 1}, [sp.Symbol("psi1")]).conditions()
+        Problem(
+            {sp.Symbol("psi1"): u}, ONE, {sp.Symbol("psi1"): 1}, [sp.Symbol("psi1")]
+        ).conditions()
 
 
 def test_the_statement_is_shown():
-    text = Problem(PLANE, {u: (-1, 1), v: (0, None)}, {x1: 1, x2: None}, [x1], running=u**2 + v**2,
-                   duration=(1, 2))._repr_markdown_()
-    for part in (r"|u| \le 1", r"0 \le v", r"x_{2}(0)\ \text{free}", r"\int_0", r"1 \le t_k \le 2", r"\to \min"):
+    text = Problem(
+        PLANE,
+        {u: (-1, 1), v: (0, None)},
+        {x1: 1, x2: None},
+        [x1],
+        running=u**2 + v**2,
+        duration=(1, 2),
+    )._repr_markdown_()
+    for part in (
+        r"|u| \le 1",
+        r"0 \le v",
+        r"x_{2}(0)\ \text{free}",
+        r"\int_0",
+        r"1 \le t_k \le 2",
+        r"\to \min",
+    ):
         assert part in text
 
 
 def test_control_without_costates():
     x, y, v, u, k = sp.symbols("x y v theta k")
-    plane = {x: v*sp.cos(u), y: v*sp.sin(u), v: -k*v**2 - sp.sin(u)}
-    field = Problem(plane, {u: None}, {x: 0, y: 0, v: 1}, final=-x, duration=1).conditions().control_field
+    plane = {x: v * sp.cos(u), y: v * sp.sin(u), v: -k * v**2 - sp.sin(u)}
+    field = (
+        Problem(plane, {u: None}, {x: 0, y: 0, v: 1}, final=-x, duration=1)
+        .conditions()
+        .control_field
+    )
     assert list(field) == [u, v] and field[v] == plane[v]
-    assert sp.simplify(field[u] - sp.cos(u)*(1 + 3*k*v**2*sp.sin(u))/v) == 0
+    assert sp.simplify(field[u] - sp.cos(u) * (1 + 3 * k * v**2 * sp.sin(u)) / v) == 0
     with pytest.raises(ValueError, match="2 costates are not known"):
-        Problem(plane, {u: None}, {x: 0, y: 0, v: 1}, [y], final=-x, duration=1).conditions().control_field  # noqa: B018
+        Problem(
+            plane, {u: None}, {x: 0, y: 0, v: 1}, [y], final=-x, duration=1
+        ).conditions().control_field
 
 
 @pytest.mark.slow
@@ -195,10 +297,14 @@ def test_singular_arcs_are_not_looked_for_in_formulas_that_fill_pages():
     """The arm of a robot, problem 8 of COPS: three lengths and angles, each with its own motor."""
     length, base, angle, *rates = y = sp.symbols("y1:7")
     motors = sp.symbols("u1:4")
-    inertia = ((5 - length)**3 + length**3)/3
-    accelerations = [motors[0]/5, motors[1]/(inertia*sp.sin(angle)**2), motors[2]/inertia]
-    arm = Problem(dict(zip(y, [*rates, *accelerations])), dict.fromkeys(motors, (-1, 1)),
-                  dict(zip(y, [sp.Rational(9, 2), 0, sp.pi/4, 0, 0, 0])), [base - 2*sp.pi/3])
+    inertia = ((5 - length) ** 3 + length**3) / 3
+    accelerations = [motors[0] / 5, motors[1] / (inertia * sp.sin(angle) ** 2), motors[2] / inertia]
+    arm = Problem(
+        dict(zip(y, [*rates, *accelerations])),
+        dict.fromkeys(motors, (-1, 1)),
+        dict(zip(y, [sp.Rational(9, 2), 0, sp.pi / 4, 0, 0, 0])),
+        [base - 2 * sp.pi / 3],
+    )
     for arc in arm.conditions().singular.values():
         assert arc.order is None and arc.control is None and not arc.excluded
         assert "more than 100 terms" in arc.reason and "not looked for" in arc.reason

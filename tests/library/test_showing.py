@@ -1,4 +1,5 @@
-"""Results in a notebook and in a terminal: what is set, what is typed, and what is broken into lines."""
+"""Results in a notebook and in a terminal: what is set, what is typed, and what is broken into
+lines."""
 
 import re
 import sys
@@ -23,8 +24,11 @@ k1, x, psi2 = sp.symbols("k1 x psi2")
 def shown(monkeypatch):
     """What a notebook shows of values, or of a table: its Markdown and its plain text."""
     kept = []
-    monkeypatch.setitem(sys.modules, "IPython", SimpleNamespace(
-        get_ipython=lambda: SimpleNamespace(kernel=True), display=display))
+    monkeypatch.setitem(
+        sys.modules,
+        "IPython",
+        SimpleNamespace(get_ipython=lambda: SimpleNamespace(kernel=True), display=display),
+    )
     monkeypatch.setattr(display, "display", lambda data, raw: kept.append(data))
 
     def of(*values, by=show):
@@ -35,20 +39,33 @@ def shown(monkeypatch):
 
 
 def test_a_terminal_is_printed_to(capsys):
-    show("on $k_1 = 0$:", x**2/k1, [k1, 2], {k1: 1}, 0.5)
+    show("on $k_1 = 0$:", x**2 / k1, [k1, 2], {k1: 1}, 0.5)
     assert capsys.readouterr().out == "on k1 = 0: x**2/k1, [k1, 2], {k1: 1}, 0.5\n"
 
 
 def test_a_table_in_a_notebook(shown):
-    said = shown([r"$|\lambda|$", "kind", "of it"], [["0.50", "x1 | x2", k1/2], [f"{-1e-9:.1f}", "-", 2]], by=table)
+    said = shown(
+        [r"$|\lambda|$", "kind", "of it"],
+        [["0.50", "x1 | x2", k1 / 2], [f"{-1e-9:.1f}", "-", 2]],
+        by=table,
+    )
     assert said.set.splitlines() == [
-        r"| $\vert \lambda\vert $ | kind | of it |", "|---:|:---|:---|",
-        r"| 0.50 | <i>x</i><sub>1</sub> \| <i>x</i><sub>2</sub> | $\frac{k_{1}}{2}$ |", "| 0.0 | - | $2$ |"]
-    assert said.typed.splitlines() == ["|lambda|  kind     of it", "    0.50  x1 | x2  k1/2", "     0.0  -        2"]
+        r"| $\vert \lambda\vert $ | kind | of it |",
+        "|---:|:---|:---|",
+        r"| 0.50 | <i>x</i><sub>1</sub> \| <i>x</i><sub>2</sub> | $\frac{k_{1}}{2}$ |",
+        "| 0.0 | - | $2$ |",
+    ]
+    assert said.typed.splitlines() == [
+        "|lambda|  kind     of it",
+        "    0.50  x1 | x2  k1/2",
+        "     0.0  -        2",
+    ]
 
 
 def test_a_table_has_a_head_for_each_column():
-    with pytest.raises(ValueError, match="expected 1 values in each, as there are heads, got .1, 2."):
+    with pytest.raises(
+        ValueError, match="expected 1 values in each, as there are heads, got .1, 2."
+    ):
         table(["$k$"], [[1, 2]])
 
 
@@ -57,35 +74,43 @@ def test_no_zero_has_a_sign(shown):
     assert said.typed == "at T: 0.0000, -0.04, -1.0e-09, 1-0.0" and "−0.0000" not in said.set
 
 
-@pytest.mark.parametrize("value, said", [
-    (x**2/k1, r"$\frac{x^{2}}{k_{1}}$"),
-    ([k1, sp.Rational(1, 2)], r"$\left[ k_{1}, \  \frac{1}{2}\right]$"),
-    ({k1: 2, "type": x**2}, "$k_{1}$: $2$, type: $x^{2}$"),
-    (sp.And(x > 0, k1 < 1), r"$x > 0 \wedge k_{1} < 1$"),
-    (["stable focus", "u+"], "stable focus, <i>u</i>+"),
-    ([(k1 > 0, "stable node")], "(($k_{1} > 0$, stable node))"),
-    (0.5, "$0.5$"),
-    (2.5000000000000018, "$2.5$"),
-    (1.01668673480049e-11, r"$1.0166867 \cdot 10^{-11}$"),
-    ([sp.Float(2)/9*x], r"$\left[ 0.22222222 x\right]$"),
-    (sp.Rational(1, 3).evalf(4), "$0.3333$"),
-    ([-0.5 + 1.5130000001j, 2 - 1j], r"$\left[ -0.5 + 1.513 i, \  2 - i\right]$"),
-    (sp.symbols("phi epsilon_1"), r"$\left( \varphi, \  \varepsilon_{1}\right)$"),
-    (sp.asin(x) + sp.log(x), r"$\ln{\left(x \right)} + \arcsin{\left(x \right)}$"),
-    ((psi2,), r"$\psi_{2}$"),
-    ([(x, 1.0), (k1,)], r"$\left[ \left( x, \  1.0\right), \  k_{1}\right]$"),
-    ((("u+", 0.0, 0.24999999999999986),), "(<i>u</i>+, $0.0$, $0.25$)"),
-    (np.array([[1, -0.0], [1/3, 2]]), r"$\left[\begin{matrix}1.0 & 0.0\\0.33333333 & 2.0\end{matrix}\right]$"),
-    (np.array([1.5, 2]), r"$\left[ 1.5, \  2.0\right]$"),
-    ([[0, x], [1, 2]], r"$\left[\begin{matrix}0 & x\\1 & 2\end{matrix}\right]$"),
-    ([[0, 1], [2]], r"$\left[ \left[ 0, \  1\right], \  \left[ 2\right]\right]$"),
-    (np.bool_(True), "True"),
-    (True, "True"),
-    ("  at $k_1 = 0$, a_region [x](y) <b>", "\u2003at $k_1 = 0$, a\\_region \\[<i>x</i>\\](<i>y</i>) "
-                                            "&lt;<i>b</i>&gt;"),
-    ("x**()", r"<i>x</i>\*\*()"),
-    ("det = k1**2 - x/psi2", "det = <i>k</i><sub>1</sub><sup>2</sup> − <i>x</i>/ψ<sub>2</sub>"),
-])
+@pytest.mark.parametrize(
+    "value, said",
+    [
+        (x**2 / k1, r"$\frac{x^{2}}{k_{1}}$"),
+        ([k1, sp.Rational(1, 2)], r"$\left[ k_{1}, \  \frac{1}{2}\right]$"),
+        ({k1: 2, "type": x**2}, "$k_{1}$: $2$, type: $x^{2}$"),
+        (sp.And(x > 0, k1 < 1), r"$x > 0 \wedge k_{1} < 1$"),
+        (["stable focus", "u+"], "stable focus, <i>u</i>+"),
+        ([(k1 > 0, "stable node")], "(($k_{1} > 0$, stable node))"),
+        (0.5, "$0.5$"),
+        (2.5000000000000018, "$2.5$"),
+        (1.01668673480049e-11, r"$1.0166867 \cdot 10^{-11}$"),
+        ([sp.Float(2) / 9 * x], r"$\left[ 0.22222222 x\right]$"),
+        (sp.Rational(1, 3).evalf(4), "$0.3333$"),
+        ([-0.5 + 1.5130000001j, 2 - 1j], r"$\left[ -0.5 + 1.513 i, \  2 - i\right]$"),
+        (sp.symbols("phi epsilon_1"), r"$\left( \varphi, \  \varepsilon_{1}\right)$"),
+        (sp.asin(x) + sp.log(x), r"$\ln{\left(x \right)} + \arcsin{\left(x \right)}$"),
+        ((psi2,), r"$\psi_{2}$"),
+        ([(x, 1.0), (k1,)], r"$\left[ \left( x, \  1.0\right), \  k_{1}\right]$"),
+        ((("u+", 0.0, 0.24999999999999986),), "(<i>u</i>+, $0.0$, $0.25$)"),
+        (
+            np.array([[1, -0.0], [1 / 3, 2]]),
+            r"$\left[\begin{matrix}1.0 & 0.0\\0.33333333 & 2.0\end{matrix}\right]$",
+        ),
+        (np.array([1.5, 2]), r"$\left[ 1.5, \  2.0\right]$"),
+        ([[0, x], [1, 2]], r"$\left[\begin{matrix}0 & x\\1 & 2\end{matrix}\right]$"),
+        ([[0, 1], [2]], r"$\left[ \left[ 0, \  1\right], \  \left[ 2\right]\right]$"),
+        (np.bool_(True), "True"),
+        (True, "True"),
+        (
+            "  at $k_1 = 0$, a_region [x](y) <b>",
+            "\u2003at $k_1 = 0$, a\\_region \\[<i>x</i>\\](<i>y</i>) &lt;<i>b</i>&gt;",
+        ),
+        ("x**()", r"<i>x</i>\*\*()"),
+        ("det = k1**2 - x/psi2", "det = <i>k</i><sub>1</sub><sup>2</sup> − <i>x</i>/ψ<sub>2</sub>"),
+    ],
+)
 def test_a_notebook_sets_it(shown, value, said):
     assert shown(value).set == said
     assert "**" not in said
@@ -93,7 +118,7 @@ def test_a_notebook_sets_it(shown, value, said):
 
 def test_results_side_by_side_do_not_read_as_a_product(shown):
     assert shown("both:", x, k1, "and", 2, ";", k1).set == "both: $x$, $k_{1}$ and $2$; $k_{1}$"
-    wide = sp.expand((x + k1)**9)
+    wide = sp.expand((x + k1) ** 9)
     assert "$$\n\n $x$" in shown(wide, x).set and ",\n\n$$" not in shown(wide, x).set
 
 
@@ -103,17 +128,21 @@ def test_what_the_library_returns_shows_itself(shown):
 
 
 def test_a_long_sum_is_broken_between_its_terms(shown):
-    total = sp.expand((x + k1 + psi2)**6)
+    total = sp.expand((x + k1 + psi2) ** 6)
     text = shown(sp.Eq(x, total, evaluate=False)).set
-    lines = re.search(r"\$\$\n\\begin\{aligned\} (.*)\\end\{aligned\}\n\$\$", text, re.S)[1].split(r"\\")
+    lines = re.search(r"\$\$\n\\begin\{aligned\} (.*)\\end\{aligned\}\n\$\$", text, re.S)[1].split(
+        r"\\"
+    )
     assert len(lines) > 2 and max(map(results._letters, lines)) <= LINE + 8
     assert lines[0].startswith("x ={} & ")
-    terms = sum(len(re.findall(r"(?:^|[+-]) ?\S", line.partition("&")[2].strip())) for line in lines)
+    terms = sum(
+        len(re.findall(r"(?:^|[+-]) ?\S", line.partition("&")[2].strip())) for line in lines
+    )
     assert terms == len(total.args)
 
 
 def test_a_long_list_may_break_at_its_commas(shown):
-    assert shown([sp.expand((x + k1)**3)]*3).set.count("$, $") == 2
+    assert shown([sp.expand((x + k1) ** 3)] * 3).set.count("$, $") == 2
 
 
 @given(st.text(alphabet="ab1k_*^'\"<>&()-= \\$|[]`", max_size=40))
@@ -122,8 +151,18 @@ def test_nobodys_text_brings_tags_of_its_own(text):
     assert "<" not in without and ">" not in without
 
 
-@pytest.mark.parametrize("words", ["a motion of the equation", "non-zero, well-posed", "item a and items",
-                                   "the a_region", "Ackermann's rule", "a 3-vector",
-                                   '"k1" is a name', "sp.And(x.y)"])
+@pytest.mark.parametrize(
+    "words",
+    [
+        "a motion of the equation",
+        "non-zero, well-posed",
+        "item a and items",
+        "the a_region",
+        "Ackermann's rule",
+        "a 3-vector",
+        '"k1" is a name',
+        "sp.And(x.y)",
+    ],
+)
 def test_words_stay_words(words):
     assert typeset(words, escape=str) == words

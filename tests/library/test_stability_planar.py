@@ -1,4 +1,5 @@
 """Types of planar equilibria, and the test of Dulac: problems 1.4, 1.6, 1.8, 1.11."""
+
 import numpy as np
 import pytest
 import sympy as sp
@@ -13,21 +14,24 @@ e, k = sp.symbols("epsilon k", real=True)
 b, u, Om, p, q = sp.symbols("b u Omega p q", positive=True)
 
 
-@pytest.mark.parametrize("rows, kind", [
-    ([[-1, 0], [0, -3]], "stable node"),
-    ([[1, 0], [0, 3]], "unstable node"),
-    ([[0, 1], [-2, -1]], "stable focus"),
-    ([[0, 1], [-2, 1]], "unstable focus"),
-    ([[1, 0], [0, -1]], "saddle"),
-    ([[0, 1], [-1, 0]], "centre"),
-    ([[-1, 1], [0, -1]], "stable degenerate node"),
-    ([[2, 0], [0, 2]], "unstable star"),
-    ([[-1, 0], [0, 0]], "stable line of equilibria"),
-    ([[0, 1], [0, 1]], "unstable line of equilibria"),
-    ([[0, 1], [0, 0]], "line of equilibria with drift"),
-    ([[0, 0], [0, 0]], "plane of equilibria"),
-    ([[0, 2], [-sp.E, -sp.E]], "stable focus"),
-])
+@pytest.mark.parametrize(
+    "rows, kind",
+    [
+        ([[-1, 0], [0, -3]], "stable node"),
+        ([[1, 0], [0, 3]], "unstable node"),
+        ([[0, 1], [-2, -1]], "stable focus"),
+        ([[0, 1], [-2, 1]], "unstable focus"),
+        ([[1, 0], [0, -1]], "saddle"),
+        ([[0, 1], [-1, 0]], "centre"),
+        ([[-1, 1], [0, -1]], "stable degenerate node"),
+        ([[2, 0], [0, 2]], "unstable star"),
+        ([[-1, 0], [0, 0]], "stable line of equilibria"),
+        ([[0, 1], [0, 1]], "unstable line of equilibria"),
+        ([[0, 1], [0, 0]], "line of equilibria with drift"),
+        ([[0, 0], [0, 0]], "plane of equilibria"),
+        ([[0, 2], [-sp.E, -sp.E]], "stable focus"),
+    ],
+)
 def test_numbers(rows, kind):
     assert classify_planar(M(rows)) == kind
 
@@ -35,30 +39,49 @@ def test_numbers(rows, kind):
 def test_van_der_pol_1_4():
     rows = {kind: condition for condition, kind in classify_planar(M([[0, 1], [-1, e]]))}
     assert rows == {
-        "stable node": e < -2, "stable degenerate node": sp.Eq(e, -2), "stable focus": sp.And(e > -2, e < 0),
-        "centre": sp.Eq(e, 0), "unstable focus": sp.And(e > 0, e < 2), "unstable degenerate node": sp.Eq(e, 2),
-        "unstable node": e > 2}
+        "stable node": e < -2,
+        "stable degenerate node": sp.Eq(e, -2),
+        "stable focus": sp.And(e > -2, e < 0),
+        "centre": sp.Eq(e, 0),
+        "unstable focus": sp.And(e > 0, e < 2),
+        "unstable degenerate node": sp.Eq(e, 2),
+        "unstable node": e > 2,
+    }
 
 
 def test_pursuit_1_11():
     s = sp.sqrt(1 - b**2)
-    rows = {kind: condition for condition, kind in classify_planar(M([[0, -s], [u**2/s, b*u/s*u/u]]))}
-    border = 2*sp.sqrt(5)/5
-    assert rows == {"unstable focus": b < border, "unstable degenerate node": sp.Eq(b, border),
-                    "unstable node": sp.And(b > border, b < 1)}
+    rows = {
+        kind: condition
+        for condition, kind in classify_planar(M([[0, -s], [u**2 / s, b * u / s * u / u]]))
+    }
+    border = 2 * sp.sqrt(5) / 5
+    assert rows == {
+        "unstable focus": b < border,
+        "unstable degenerate node": sp.Eq(b, border),
+        "unstable node": sp.And(b > border, b < 1),
+    }
 
 
 def test_approach_1_6():
-    rows = {kind: condition
-            for condition, kind in classify_planar(M([[0, 1], [3*Om**2*sp.sqrt(1 - 16*k**2/9), -2*k*Om]]))}
+    rows = {
+        kind: condition
+        for condition, kind in classify_planar(
+            M([[0, 1], [3 * Om**2 * sp.sqrt(1 - 16 * k**2 / 9), -2 * k * Om]])
+        )
+    }
     three_quarters = sp.Rational(3, 4)
     assert rows["saddle"] == sp.And(k > -three_quarters, k < three_quarters)
     assert set(rows) == {"saddle", "stable line of equilibria", "unstable line of equilibria"}
 
 
 def test_worked_example_2():
-    rows = {kind: condition for condition, kind in classify_planar(M([[0, 1], [-2*b, -u]]))}
-    assert rows == {"stable node": 8*b < u**2, "stable focus": 8*b > u**2, "stable degenerate node": sp.Eq(8*b, u**2)}
+    rows = {kind: condition for condition, kind in classify_planar(M([[0, 1], [-2 * b, -u]]))}
+    assert rows == {
+        "stable node": 8 * b < u**2,
+        "stable focus": 8 * b > u**2,
+        "stable degenerate node": sp.Eq(8 * b, u**2),
+    }
 
 
 @pytest.mark.slow
@@ -81,7 +104,7 @@ def test_against_eigenvalues(entries):
     first, second = np.linalg.eigvals(A)
     kind = classify_planar(M(2, 2, entries))
     if min(abs(first.real), abs(second.real)) > 1e-6 and abs(first - second) > 1e-6:
-        if first.real*second.real < 0:
+        if first.real * second.real < 0:
             assert kind == "saddle"
         else:
             shape = "focus" if abs(first.imag) > 1e-9 else "node"
@@ -97,35 +120,41 @@ def test_floats_on_a_border_are_refused():
 
 def test_dulac_excludes_cycles_in_1_11():
     rho, beta = sp.Symbol("rho", positive=True), sp.Symbol("beta", real=True)
-    field = [b - sp.cos(beta), sp.sin(beta)/rho + u]
+    field = [b - sp.cos(beta), sp.sin(beta) / rho + u]
     test = dulac(field, [rho, beta], multiplier=rho)
     assert (test.divergence, test.sign, test.excludes_cycles) == (b, "positive", True)
     plain = dulac(field, [rho, beta])
-    assert sp.simplify(plain.divergence - sp.cos(beta)/rho) == 0 and plain.excludes_cycles is None
+    assert sp.simplify(plain.divergence - sp.cos(beta) / rho) == 0 and plain.excludes_cycles is None
 
 
-@pytest.mark.parametrize("field, region, sign, excludes", [
-    ([y, -x - y], None, "negative", True),
-    ([y, -x], None, "zero", None),
-    ([y, -x + (1 - x**2)*y], None, "changes", None),
-    ([y, -x + (1 - x**2)*y], sp.And(x < 1, x > -1), "nonnegative", True),
-    ([y, -x + (1 - x**2)*y], sp.And(x > 1), "nonpositive", True),
-    ([y, -x + e*(1 - x**2)*y], sp.And(x < 1, x > -1), "changes", None),
-    ([x - x**3, -y**3], None, "changes", None),
-    ([-x**3, -y**3 + x], None, "nonpositive", True),
-    ([sp.sin(x) + y, 0*x], None, None, None),
-])
+@pytest.mark.parametrize(
+    "field, region, sign, excludes",
+    [
+        ([y, -x - y], None, "negative", True),
+        ([y, -x], None, "zero", None),
+        ([y, -x + (1 - x**2) * y], None, "changes", None),
+        ([y, -x + (1 - x**2) * y], sp.And(x < 1, x > -1), "nonnegative", True),
+        ([y, -x + (1 - x**2) * y], sp.And(x > 1), "nonpositive", True),
+        ([y, -x + e * (1 - x**2) * y], sp.And(x < 1, x > -1), "changes", None),
+        ([x - x**3, -(y**3)], None, "changes", None),
+        ([-(x**3), -(y**3) + x], None, "nonpositive", True),
+        ([sp.sin(x) + y, 0 * x], None, None, None),
+    ],
+)
 def test_dulac_signs(field, region, sign, excludes):
     found = dulac(field, [x, y], region=region)
     assert (found.sign, found.excludes_cycles) == (sign, excludes)
 
 
-@pytest.mark.parametrize("call, named", [
-    (lambda: classify_planar(sp.eye(3)), "2 x 2"),
-    (lambda: classify_planar(np.eye(3)), "2 x 2"),
-    (lambda: dulac([x], [x]), "planar"),
-    (lambda: dulac([x, y], [x, y], region=sp.Eq(x, 1)), "region"),
-])
+@pytest.mark.parametrize(
+    "call, named",
+    [
+        (lambda: classify_planar(sp.eye(3)), "2 x 2"),
+        (lambda: classify_planar(np.eye(3)), "2 x 2"),
+        (lambda: dulac([x], [x]), "planar"),
+        (lambda: dulac([x, y], [x, y], region=sp.Eq(x, 1)), "region"),
+    ],
+)
 def test_errors_name_the_argument(call, named):
     with pytest.raises(ValueError, match=named):
         call()
@@ -133,7 +162,9 @@ def test_errors_name_the_argument(call, named):
 
 def test_roots_of_parameters_that_cannot_be_read_are_refused_with_what_to_do():
     g, k, P = sp.symbols("g k P", positive=True)
-    speed = sp.sqrt((P - g)/k)
-    with pytest.raises(ValueError, match="A: cannot decide where .* put a positive symbol in the place of the root"):
-        classify_planar(sp.diag(g/speed, -2*k*speed))
-    assert classify_planar(sp.diag(-sp.sqrt(2), -2*sp.sqrt(2))) == "stable node"
+    speed = sp.sqrt((P - g) / k)
+    with pytest.raises(
+        ValueError, match="A: cannot decide where .* put a positive symbol in the place of the root"
+    ):
+        classify_planar(sp.diag(g / speed, -2 * k * speed))
+    assert classify_planar(sp.diag(-sp.sqrt(2), -2 * sp.sqrt(2))) == "stable node"

@@ -1,4 +1,6 @@
-"""Regions of stability: the data of problems 1.14 - 1.18 and of worked examples 3 - 5, and random equations."""
+"""Regions of stability: the data of problems 1.14 - 1.18 and of worked examples 3 - 5, and random
+equations."""
+
 import numpy as np
 import pytest
 import sympy as sp
@@ -11,32 +13,40 @@ s, k, k1, k2, a, b, W, e = sp.symbols("s k k1 k2 a b W epsilon")
 M = sp.Matrix
 
 REGIONS = [
-    ("example 3", s**4 + a*s**3 + b*s**2 + s + 1, [a, b], 0, sp.And(a > 0, a*b > a**2 + 1)),
-    ("example 4", M([[k1, 1], [1, k2]]), [k1, k2], 2, sp.And(k1 + k2 < -4, k1*k2 + 2*k1 + 2*k2 > -3)),
+    ("example 3", s**4 + a * s**3 + b * s**2 + s + 1, [a, b], 0, sp.And(a > 0, a * b > a**2 + 1)),
+    (
+        "example 4",
+        M([[k1, 1], [1, k2]]),
+        [k1, k2],
+        2,
+        sp.And(k1 + k2 < -4, k1 * k2 + 2 * k1 + 2 * k2 > -3),
+    ),
     ("example 5", M([[k1, 1], [k2, 1]]), [k1, k2], 0, sp.And(k1 < -1, k1 > k2)),
     ("1.14a", s**2 + s + 1 + k, [k], 0, k > -1),
-    ("1.14b", s**2 + (1 + k)*s + 1, [k], 0, k > -1),
-    ("1.14c", (1 + k)*s**2 + s + 1, [k], 0, k > -1),
-    ("1.14d", k*s**2 + s + 1, [k], 0, k > 0),
-    ("1.15a", s**3 + k1*s**2 + k2*s + 1, [k1, k2], 0, sp.And(k1 > 0, k1*k2 > 1)),
-    ("1.15b", s**3 + s**2 + k1*s + k2, [k1, k2], 0, sp.And(k2 > 0, k1 > k2)),
-    ("1.15c", k1*s**3 + s**2 + s + k2, [k1, k2], 0, sp.And(k1 > 0, k2 > 0, k1*k2 < 1)),
-    ("1.15d", k1*s**3 + s**2 + k2*s + 1, [k1, k2], 0, sp.And(k1 > 0, k2 > k1)),
-    ("1.15e", k1*s**3 + k2*s**2 + s + 1, [k1, k2], 0, sp.And(k1 > 0, k2 > k1)),
-    ("1.16a", M([[k1, 1], [k2, 1]]), [k1, k2], 1, sp.And(k1 < -3, 2*k1 + 2 > k2)),
+    ("1.14b", s**2 + (1 + k) * s + 1, [k], 0, k > -1),
+    ("1.14c", (1 + k) * s**2 + s + 1, [k], 0, k > -1),
+    ("1.14d", k * s**2 + s + 1, [k], 0, k > 0),
+    ("1.15a", s**3 + k1 * s**2 + k2 * s + 1, [k1, k2], 0, sp.And(k1 > 0, k1 * k2 > 1)),
+    ("1.15b", s**3 + s**2 + k1 * s + k2, [k1, k2], 0, sp.And(k2 > 0, k1 > k2)),
+    ("1.15c", k1 * s**3 + s**2 + s + k2, [k1, k2], 0, sp.And(k1 > 0, k2 > 0, k1 * k2 < 1)),
+    ("1.15d", k1 * s**3 + s**2 + k2 * s + 1, [k1, k2], 0, sp.And(k1 > 0, k2 > k1)),
+    ("1.15e", k1 * s**3 + k2 * s**2 + s + 1, [k1, k2], 0, sp.And(k1 > 0, k2 > k1)),
+    ("1.16a", M([[k1, 1], [k2, 1]]), [k1, k2], 1, sp.And(k1 < -3, 2 * k1 + 2 > k2)),
     ("1.16b", M([[k1, k2], [1, 0]]), [k1, k2], 1, sp.And(k1 < -2, k1 + 1 > k2)),
-    ("1.16c", M([[-k1, 1], [1, -k2]]), [k1, k2], 1, sp.And(k1 + k2 > 2, k1*k2 > k1 + k2)),
+    ("1.16c", M([[-k1, 1], [1, -k2]]), [k1, k2], 1, sp.And(k1 + k2 > 2, k1 * k2 > k1 + k2)),
     ("1.16d", M([[0, k1], [1, k2]]), [k1, k2], 1, sp.And(k2 < -2, k2 + 1 > k1)),
     ("1.16e", M([[-k1, k2], [-1, -1]]), [k1, k2], 1, sp.And(k1 > 1, k2 > 0)),
     ("1.16f", M([[1, 2 + k2], [k1 - 3, -2]]), [k1, k2], 1, sp.false),
     ("1.17a", M([[0, 1], [-W, -e]]), [W, e], 0, sp.And(W > 0, e > 0)),
     ("1.17b", M([[0, 1], [-W, -e]]), [W, e], 1, sp.And(e > 2, W + 1 > e)),
-    ("1.18a", M([[-k1, 1, 0], [-k2, 0, 1], [-1, 0, 0]]), [k1, k2], 0, sp.And(k1 > 0, k1*k2 > 1)),
+    ("1.18a", M([[-k1, 1, 0], [-k2, 0, 1], [-1, 0, 0]]), [k1, k2], 0, sp.And(k1 > 0, k1 * k2 > 1)),
     ("1.18b", M([[-1, 1, 0], [-k1, 0, 1], [-k2, 0, 0]]), [k1, k2], 0, sp.And(k2 > 0, k1 > k2)),
 ]
 
 
-@pytest.mark.parametrize("equation, parameters, margin, region", [r[1:] for r in REGIONS], ids=[r[0] for r in REGIONS])
+@pytest.mark.parametrize(
+    "equation, parameters, margin, region", [r[1:] for r in REGIONS], ids=[r[0] for r in REGIONS]
+)
 def test_regions_of_the_problem_book(equation, parameters, margin, region):
     symbol = None if isinstance(equation, sp.MatrixBase) else s
     found = stability_conditions(equation, parameters, margin=margin, symbol=symbol)
@@ -51,17 +61,22 @@ def largest_real_part(equation, values):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("equation, parameters, margin", [r[1:4] for r in REGIONS], ids=[r[0] for r in REGIONS])
+@pytest.mark.parametrize(
+    "equation, parameters, margin", [r[1:4] for r in REGIONS], ids=[r[0] for r in REGIONS]
+)
 def test_regions_agree_with_the_spectrum(equation, parameters, margin):
-    found = stability_conditions(equation, parameters, margin, None if isinstance(equation, sp.MatrixBase) else s)
+    found = stability_conditions(
+        equation, parameters, margin, None if isinstance(equation, sp.MatrixBase) else s
+    )
     random = np.random.default_rng(1)
     points = list(random.uniform(-6, 6, size=(60, len(parameters))))
-    # Close to the boundary: halve a segment between a point inside and one outside, and look at its two ends.
+    # Close to the boundary: halve a segment between a point inside and one outside, and look at its
+    # two ends.
     inside = [p for p in points if found.contains(p)]
     outside = [p for p in points if not found.contains(p)]
     for first, second in zip(inside[:6], outside[:6]):
         for _ in range(12):
-            middle = (first + second)/2
+            middle = (first + second) / 2
             first, second = (middle, second) if found.contains(middle) else (first, middle)
         points += [first, second]
     for point in points:
@@ -71,41 +86,45 @@ def test_regions_agree_with_the_spectrum(equation, parameters, margin):
 
 
 def test_edges_where_the_order_drops():
-    edges = {edge.where: edge.region for edge in stability_conditions(k1*s**3 + k2*s**2 + s + 1, [k1, k2],
-                                                                      symbol=s).degenerate}
+    edges = {
+        edge.where: edge.region
+        for edge in stability_conditions(
+            k1 * s**3 + k2 * s**2 + s + 1, [k1, k2], symbol=s
+        ).degenerate
+    }
     assert edges == {sp.Eq(k1, 0): k2 > 0, sp.And(sp.Eq(k1, 0), sp.Eq(k2, 0)): sp.true}
-    (edge,) = stability_conditions((1 + k)*s**2 + s + 1, [k], symbol=s).degenerate
+    (edge,) = stability_conditions((1 + k) * s**2 + s + 1, [k], symbol=s).degenerate
     assert (edge.where, edge.polynomial, edge.region) == (sp.Eq(k, -1), s + 1, sp.true)
     # The margin is asked of the equation of lower order too: s + 1 has no margin 2.
-    (edge,) = stability_conditions(k*s**2 + s + 1, [k], margin=2, symbol=s).degenerate
+    (edge,) = stability_conditions(k * s**2 + s + 1, [k], margin=2, symbol=s).degenerate
     assert edge.region is sp.false
-    assert stability_conditions(s**2 + k*s + 1, [k], symbol=s).degenerate == ()
+    assert stability_conditions(s**2 + k * s + 1, [k], symbol=s).degenerate == ()
 
 
 def test_other_readings_of_problem_1_14():
     def region(poly):
         return stability_conditions(poly, [k], symbol=s).region
 
-    assert region(s**3 + s + 1 + k) is sp.false and region(s**3 + (1 + k)*s + 1) is sp.false
-    assert region(s**3 + k*s**2 + s + 1) == (k > 1)
+    assert region(s**3 + s + 1 + k) is sp.false and region(s**3 + (1 + k) * s + 1) is sp.false
+    assert region(s**3 + k * s**2 + s + 1) == (k > 1)
     assert region(s**3 + s**2 + s + 1 + k) == sp.And(k > -1, k < 0)
-    assert region(s**3 + s**2 + (1 + k)*s + 1) == (k > 0)
-    assert region(s**3 + (1 + k)*s**2 + s + 1) == (k > 0)
-    assert region(k*s**3 + s**2 + s + 1) == sp.And(k > 0, k < 1)
+    assert region(s**3 + s**2 + (1 + k) * s + 1) == (k > 0)
+    assert region(s**3 + (1 + k) * s**2 + s + 1) == (k > 0)
+    assert region(k * s**3 + s**2 + s + 1) == sp.And(k > 0, k < 1)
 
 
 def test_the_corrected_reading_of_problem_1_16f():
     region = stability_conditions(M([[1 + k1, 2], [-3, -2 + k2]]), [k1, k2], margin=1).region
-    assert region == sp.And(k1 + k2 < -1, k1*k2 + 2*k2 + 4 > k1)
+    assert region == sp.And(k1 + k2 < -1, k1 * k2 + 2 * k2 + 4 > k1)
 
 
 def test_leading_coefficient_of_either_sign():
-    region = stability_conditions(a*s**2 + b*s + a, [a, b], symbol=s).region
+    region = stability_conditions(a * s**2 + b * s + a, [a, b], symbol=s).region
     assert region == sp.Or(sp.And(a > 0, b > 0), sp.And(a < 0, b < 0))
 
 
 def test_contains():
-    found = stability_conditions(s**3 + k1*s**2 + k2*s + 1, [k1, k2], symbol=s)
+    found = stability_conditions(s**3 + k1 * s**2 + k2 * s + 1, [k1, k2], symbol=s)
     assert found.contains({k1: 2, k2: 1}) and found.contains([sp.Rational(1, 2), 3])
     assert not found.contains([1, 1])  # on the boundary
     assert found.contains([1, 1 + 2.0**-50])
@@ -119,8 +138,8 @@ def test_contains():
 
 def test_assumptions_are_used():
     p = sp.Symbol("p", positive=True)
-    assert stability_conditions(s**2 + p*s + a, [p, a], symbol=s).region == (a > 0)
-    assert stability_conditions(s**2 + p*s + p, [p], symbol=s).region is sp.true
+    assert stability_conditions(s**2 + p * s + a, [p, a], symbol=s).region == (a > 0)
+    assert stability_conditions(s**2 + p * s + p, [p], symbol=s).region is sp.true
 
 
 def test_margin_may_be_a_symbol():
@@ -134,14 +153,17 @@ def test_shows_itself():
     assert "k_{1} k_{2} > 1" in stability_conditions([1, k1, k2, 1], [k1, k2])._repr_latex_()
 
 
-@pytest.mark.parametrize("call, named", [
-    (lambda: stability_conditions(s**2 + a*s + b, [a], symbol=s), "parameters: .*b"),
-    (lambda: stability_conditions(s**2 + a*s + 1, [a], margin=-1, symbol=s), "margin"),
-    (lambda: stability_conditions(s**2 + a*s + 1, [a], margin=k, symbol=s), "parameters"),
-    (lambda: stability_conditions(sp.zeros(2, 3), []), "square"),
-    (lambda: stability_conditions(sp.sin(s), [], symbol=s), "polynomial"),
-    (lambda: stability_conditions([1, a, 1], [a]).plot((0, 1), (0, 1)), "two parameters"),
-])
+@pytest.mark.parametrize(
+    "call, named",
+    [
+        (lambda: stability_conditions(s**2 + a * s + b, [a], symbol=s), "parameters: .*b"),
+        (lambda: stability_conditions(s**2 + a * s + 1, [a], margin=-1, symbol=s), "margin"),
+        (lambda: stability_conditions(s**2 + a * s + 1, [a], margin=k, symbol=s), "parameters"),
+        (lambda: stability_conditions(sp.zeros(2, 3), []), "square"),
+        (lambda: stability_conditions(sp.sin(s), [], symbol=s), "polynomial"),
+        (lambda: stability_conditions([1, a, 1], [a]).plot((0, 1), (0, 1)), "two parameters"),
+    ],
+)
 def test_errors_name_the_argument(call, named):
     with pytest.raises(ValueError, match=named):
         call()
@@ -152,11 +174,13 @@ numbers = st.integers(-3, 3)
 
 @pytest.mark.slow
 @settings(max_examples=25, deadline=None)
-@given(st.lists(st.tuples(numbers, numbers, numbers), min_size=2, max_size=4),
-       st.lists(st.tuples(st.integers(-40, 40), st.integers(-40, 40)), min_size=15, max_size=15))
+@given(
+    st.lists(st.tuples(numbers, numbers, numbers), min_size=2, max_size=4),
+    st.lists(st.tuples(st.integers(-40, 40), st.integers(-40, 40)), min_size=15, max_size=15),
+)
 def test_random_regions_agree_with_the_spectrum(rows, points):
     """Equations of order 2 to 4 whose coefficients are affine in two parameters."""
-    coefficients = [1, *(c + i*k1 + j*k2 for c, i, j in rows)]
+    coefficients = [1, *(c + i * k1 + j * k2 for c, i, j in rows)]
     found = stability_conditions(coefficients, [k1, k2])
     for x, y in points:
         point = {k1: sp.Rational(x, 8), k2: sp.Rational(y, 8)}

@@ -1,4 +1,5 @@
-"""The distance to the nearest unobservable pair: its bracket against formulas, brute force and the pair it names."""
+"""The distance to the nearest unobservable pair: its bracket against formulas, brute force and the
+pair it names."""
 
 import control
 import numpy as np
@@ -19,7 +20,7 @@ def random_pair(rng, largest=6):
 
 
 def sigma(A, H, place):
-    return np.linalg.svd(np.vstack([A - complex(*place)*np.eye(len(A)), H]), compute_uv=False)[-1]
+    return np.linalg.svd(np.vstack([A - complex(*place) * np.eye(len(A)), H]), compute_uv=False)[-1]
 
 
 def by_brute_force(A, H):
@@ -27,14 +28,21 @@ def by_brute_force(A, H):
     reach = np.linalg.norm(A, 2)
     places = [(x, y) for x in np.linspace(-reach, reach, 61) for y in np.linspace(0, reach, 31)]
     best = sorted(places, key=lambda place: sigma(A, H, place))[:8]
-    return min(minimize(lambda place: sigma(A, H, place), place, method="Nelder-Mead",
-                        options={"xatol": 1e-9, "fatol": 1e-12}).fun for place in best)
+    return min(
+        minimize(
+            lambda place: sigma(A, H, place),
+            place,
+            method="Nelder-Mead",
+            options={"xatol": 1e-9, "fatol": 1e-12},
+        ).fun
+        for place in best
+    )
 
 
 @pytest.mark.parametrize("n", [2, 5, 12, 30])
 def test_chains_of_integrators(n):
     found = distance_to_unobservable(*chain(n))
-    assert found.lower <= np.sin(np.pi/(n + 1)) <= found.upper <= 1.0102*found.lower
+    assert found.lower <= np.sin(np.pi / (n + 1)) <= found.upper <= 1.0102 * found.lower
 
 
 def test_brute_force_on_small_pairs():
@@ -42,8 +50,8 @@ def test_brute_force_on_small_pairs():
     for _ in range(12):
         A, H = random_pair(rng)
         found, true = distance_to_unobservable(A, H), by_brute_force(A, H)
-        assert found.lower <= true*(1 + 1e-9) and true <= found.upper*(1 + 1e-6), (A, H)
-        assert found.upper <= 1.0102*found.lower
+        assert found.lower <= true * (1 + 1e-9) and true <= found.upper * (1 + 1e-6), (A, H)
+        assert found.upper <= 1.0102 * found.lower
 
 
 def test_the_named_number_is_lost_by_a_change_of_the_size_of_the_upper_bound():
@@ -51,24 +59,25 @@ def test_the_named_number_is_lost_by_a_change_of_the_size_of_the_upper_bound():
     for _ in range(12):
         A, H = random_pair(rng)
         found, n = distance_to_unobservable(A, H), len(A)
-        pencil = np.vstack([A - found.eigenvalue*np.eye(n), H])
+        pencil = np.vstack([A - found.eigenvalue * np.eye(n), H])
         left, values, right = np.linalg.svd(pencil)
-        change = -values[-1]*np.outer(left[:, n - 1], right[-1])
+        change = -values[-1] * np.outer(left[:, n - 1], right[-1])
         assert np.linalg.norm(change, 2) <= found.upper
         assert np.linalg.svd(pencil + change, compute_uv=False)[-1] < 1e-12
 
 
 def test_no_smaller_change_loses_observability():
-    """Also not one that aims at the least value: half the lower bound leaves half of it at every lambda tried."""
+    """Also not one that aims at the least value: half the lower bound leaves half of it at every
+    lambda tried."""
     rng = np.random.default_rng(3)
     for _ in range(8):
         A, H = random_pair(rng)
         n, lower = len(A), distance_to_unobservable(A, H).lower
         for _ in range(20):
             change = rng.normal(size=(n + len(H), n))
-            change *= lower/2/np.linalg.norm(change, 2)
+            change *= lower / 2 / np.linalg.norm(change, 2)
             near = distance_to_unobservable(A + change[:n], H + change[n:])
-            assert near.upper >= 0.5*lower
+            assert near.upper >= 0.5 * lower
 
 
 def test_rotations_change_nothing_and_units_scale_it():
@@ -79,8 +88,8 @@ def test_rotations_change_nothing_and_units_scale_it():
         turned = distance_to_unobservable(Q @ A @ Q.T, H @ Q.T)
         assert turned.lower <= found.upper and found.lower <= turned.upper
         assert turned.upper == pytest.approx(found.upper, rel=1e-2)
-        larger = distance_to_unobservable(1e6*A, 1e6*H)
-        assert (larger.lower, larger.upper) == pytest.approx((1e6*found.lower, 1e6*found.upper))
+        larger = distance_to_unobservable(1e6 * A, 1e6 * H)
+        assert (larger.lower, larger.upper) == pytest.approx((1e6 * found.lower, 1e6 * found.upper))
 
 
 def test_control_is_the_dual_and_a_state_space_will_do():
@@ -93,36 +102,46 @@ def test_control_is_the_dual_and_a_state_space_will_do():
 
 
 def test_what_is_not_observable_has_the_distance_zero():
-    for A, H in ((np.eye(2), np.ones((1, 2))), (np.diag([1.0, 2, 3]), np.array([[1.0, 0, 1]])),
-                 (np.zeros((3, 3)), np.zeros((1, 3)))):
+    for A, H in (
+        (np.eye(2), np.ones((1, 2))),
+        (np.diag([1.0, 2, 3]), np.array([[1.0, 0, 1]])),
+        (np.zeros((3, 3)), np.zeros((1, 3))),
+    ):
         found = distance_to_unobservable(A, H)
         assert found.lower == 0 and found.upper < 1e-10
 
 
 def test_where_the_squares_are_too_many_the_bracket_is_wide_and_true():
-    """A chain whose third link is weak: sigma is tiny on an area about its multiple eigenvalue 0."""
+    """A chain whose third link is weak: sigma is tiny on an area about its multiple eigenvalue
+    0."""
     A, H = chain(6)
     A[2, 3] = 1e-6
     found = distance_to_unobservable(A, H)
     assert 0 <= found.lower < found.upper <= 1e-6 + 1e-12
     A[2, 3] = 1e-2
     found = distance_to_unobservable(A, H)
-    assert found.lower <= by_brute_force(A, H) <= found.upper*(1 + 1e-6) and found.upper <= 1.0102*found.lower
+    assert (
+        found.lower <= by_brute_force(A, H) <= found.upper * (1 + 1e-6)
+        and found.upper <= 1.0102 * found.lower
+    )
 
 
 def test_a_narrower_bracket_lies_in_the_wider_one():
     A, H = random_pair(np.random.default_rng(6))
     wide, narrow = (distance_to_unobservable(A, H, within=within) for within in (0.2, 0.001))
-    assert narrow.upper <= 1.002*narrow.lower
-    assert wide.lower <= narrow.upper <= wide.upper*(1 + 1e-9)
+    assert narrow.upper <= 1.002 * narrow.lower
+    assert wide.lower <= narrow.upper <= wide.upper * (1 + 1e-9)
 
 
-@pytest.mark.parametrize("arguments, said", [
-    ((sp.Matrix([[sp.Symbol("a")]]), sp.Matrix([[1]])), "real numbers"),
-    ((np.eye(2), np.ones((1, 3))), "2 columns"),
-    ((np.eye(2), np.ones((1, 2)), 0), "within"),
-    ((np.eye(2), np.ones((1, 2)), 1.5), "within"),
-])
+@pytest.mark.parametrize(
+    "arguments, said",
+    [
+        ((sp.Matrix([[sp.Symbol("a")]]), sp.Matrix([[1]])), "real numbers"),
+        ((np.eye(2), np.ones((1, 3))), "2 columns"),
+        ((np.eye(2), np.ones((1, 2)), 0), "within"),
+        ((np.eye(2), np.ones((1, 2)), 1.5), "within"),
+    ],
+)
 def test_what_is_refused(arguments, said):
     with pytest.raises(ValueError, match=said):
         distance_to_unobservable(*arguments)

@@ -1,4 +1,6 @@
-"""Verdicts in floats: units, defective eigenvalues, distances, and hundreds of pairs whose structure is known."""
+"""Verdicts in floats: units, defective eigenvalues, distances, and hundreds of pairs whose
+structure is known."""
+
 import warnings
 
 import control
@@ -27,7 +29,9 @@ def test_known_pairs():
     """No wrong verdict and no wrong rank."""
     rng, wrong = np.random.default_rng(20261122), []
     for _ in range(500):
-        A, H, unseen, words = known_pair(rng, largest=int(rng.choice([8, 16, 24, 60], p=[0.4, 0.3, 0.2, 0.1])))
+        A, H, unseen, words = known_pair(
+            rng, largest=int(rng.choice([8, 16, 24, 60], p=[0.4, 0.3, 0.2, 0.1]))
+        )
         found = observability(A, H)
         if (found.holds, found.rank) != (unseen == 0, len(A) - unseen):
             wrong.append(f"{words}: {unseen} unseen, found {found.reason}")
@@ -56,27 +60,59 @@ def test_two_lost_states_of_a_rotated_chain(n):
 def motor():
     """The angle of a DC motor: textbook data in SI units."""
     J, b, K, R, L = 3.2284e-6, 3.5077e-6, 0.0274, 4, 2.75e-6
-    return np.array([[0, 1, 0], [0, -b/J, K/J], [0, -K/L, -R/L]]), np.array([[1.0, 0, 0]]), np.array([[0], [0], [1/L]])
+    return (
+        np.array([[0, 1, 0], [0, -b / J, K / J], [0, -K / L, -R / L]]),
+        np.array([[1.0, 0, 0]]),
+        np.array([[0], [0], [1 / L]]),
+    )
 
 
 def two_masses(k, m=1.0):
-    A = np.block([[np.zeros((2, 2)), np.eye(2)], [k/m*np.array([[-2, 1], [1, -2]]), np.zeros((2, 2))]])
-    return A, np.array([[1.0, 0, 0, 0]]), np.array([[0], [0], [0], [1/m]])
+    A = np.block(
+        [[np.zeros((2, 2)), np.eye(2)], [k / m * np.array([[-2, 1], [1, -2]]), np.zeros((2, 2))]]
+    )
+    return A, np.array([[1.0, 0, 0, 0]]), np.array([[0], [0], [0], [1 / m]])
 
 
-@pytest.mark.parametrize("A, H, B", [
-    pytest.param(*motor(), id="motor"),
-    *(pytest.param(*two_masses(k), id=f"masses {k:g}") for k in (1, 3e8, 1e12, 1e18)),
-    *(pytest.param(np.array([[0, 1], [-w**2, 0]]), np.array([[1.0, 0]]), np.array([[0], [1.0]]), id=f"oscillator {w:g}")
-      for w in (1, 3e4, 1e9, 1e-9)),
-    pytest.param(np.diag([1.0, 2.0, 3.0]), np.array([[1e-9, 1.0, 1e6]]), np.array([[1e3], [1.0], [1e-8]]), id="modes"),
-])
+@pytest.mark.parametrize(
+    "A, H, B",
+    [
+        pytest.param(*motor(), id="motor"),
+        *(pytest.param(*two_masses(k), id=f"masses {k:g}") for k in (1, 3e8, 1e12, 1e18)),
+        *(
+            pytest.param(
+                np.array([[0, 1], [-(w**2), 0]]),
+                np.array([[1.0, 0]]),
+                np.array([[0], [1.0]]),
+                id=f"oscillator {w:g}",
+            )
+            for w in (1, 3e4, 1e9, 1e-9)
+        ),
+        pytest.param(
+            np.diag([1.0, 2.0, 3.0]),
+            np.array([[1e-9, 1.0, 1e6]]),
+            np.array([[1e3], [1.0], [1e-8]]),
+            id="modes",
+        ),
+    ],
+)
 def test_units_are_no_reason_for_a_no(A, H, B):
     n = len(A)
-    for found in (observability(A, H), controllability(A, B), controllability(control.ss(A, B, H, 0))):
+    for found in (
+        observability(A, H),
+        controllability(A, B),
+        controllability(control.ss(A, B, H, 0)),
+    ):
         assert found.holds and found.margin > 1e-6 and "small" not in found.reason
-    assert controllable_subspace(A, B).shape == (n, n) and unobservable_subspace(A, H).shape == (n, 0)
-    assert controllability_decomposition(A, B).sizes == observability_decomposition(A, H).sizes == (n, 0)
+    assert controllable_subspace(A, B).shape == (n, n) and unobservable_subspace(A, H).shape == (
+        n,
+        0,
+    )
+    assert (
+        controllability_decomposition(A, B).sizes
+        == observability_decomposition(A, H).sizes
+        == (n, 0)
+    )
 
 
 def test_verdict_and_margin_do_not_depend_on_units():
@@ -84,8 +120,11 @@ def test_verdict_and_margin_do_not_depend_on_units():
     for _ in range(20):
         n, m = int(rng.integers(2, 9)), int(rng.integers(1, 3))
         A, H = rng.normal(size=(n, n)), rng.normal(size=(m, n))
-        units, time_unit = 2.0**rng.integers(-20, 20, size=n), 2.0**rng.integers(-20, 20)
-        here, there = observability(A, H), observability(A*units/units[:, None]*time_unit, H*units)
+        units, time_unit = 2.0 ** rng.integers(-20, 20, size=n), 2.0 ** rng.integers(-20, 20)
+        here, there = (
+            observability(A, H),
+            observability(A * units / units[:, None] * time_unit, H * units),
+        )
         # The exponents of the scaling are rounded to whole ones, here and there alike.
         assert here.holds and there.margin == pytest.approx(here.margin, rel=1e-6)
 
@@ -95,24 +134,27 @@ def test_decompositions_in_bad_units():
     A, H = rng.normal(size=(7, 7)), rng.normal(size=(2, 7))
     A[:4, 4:], H[:, 4:] = 0, 0
     A, H = rotated(A, H, 7)
-    units = 10.0**rng.uniform(-5, 5, size=7)
-    A, H = A*units/units[:, None], H*units
+    units = 10.0 ** rng.uniform(-5, 5, size=7)
+    A, H = A * units / units[:, None], H * units
     found = observability_decomposition(A, H)
     assert found.sizes == (4, 3)
-    assert np.abs(found.matrix[:4, 4:]).max() < 1e-10*np.abs(found.matrix).max()
-    assert np.abs(found.outputs[:, 4:]).max() < 1e-10*np.abs(found.outputs).max()
+    assert np.abs(found.matrix[:4, 4:]).max() < 1e-10 * np.abs(found.matrix).max()
+    assert np.abs(found.outputs[:, 4:]).max() < 1e-10 * np.abs(found.outputs).max()
     assert observability(*found.part).holds
     back = found.basis @ found.matrix @ found.transformation
-    assert np.abs((back - A)/(np.abs(A) + 1e-300)).max() < 1e-6
+    assert np.abs((back - A) / (np.abs(A) + 1e-300)).max() < 1e-6
     dual = controllability_decomposition(A.T, H.T)
-    assert dual.sizes == (4, 3) and np.abs(dual.matrix[4:, :4]).max() < 1e-10*np.abs(dual.matrix).max()
+    assert (
+        dual.sizes == (4, 3)
+        and np.abs(dual.matrix[4:, :4]).max() < 1e-10 * np.abs(dual.matrix).max()
+    )
 
 
 def test_margin_of_a_chain():
     """For a chain the least singular value depends on |lambda| alone: a line shows all of them."""
     A, H = np.diag(np.ones(29), 1), np.eye(30)[[0]]
     least = min(smallest(A, H, x)[0] for x in np.linspace(0, 2, 201))
-    assert least == pytest.approx(np.sin(np.pi/31), rel=1e-2)
+    assert least == pytest.approx(np.sin(np.pi / 31), rel=1e-2)
     assert observability(A, H).margin == pytest.approx(least, rel=1e-2)
     for seed in range(3):
         assert observability(*rotated(A, H, seed)).margin == pytest.approx(least, rel=0.1)
@@ -123,7 +165,9 @@ def test_an_entry_of_rounding_is_taken_as_zero_but_not_one_of_units():
     found = observability(A, H)
     assert not found.holds and "zero within rounding" in found.reason
     units = np.array([1e10, 1e-10])
-    assert observability(np.array([[1.0, 1.0], [1.0, 2.0]])*units/units[:, None], H*units).holds
+    assert observability(
+        np.array([[1.0, 1.0], [1.0, 2.0]]) * units / units[:, None], H * units
+    ).holds
 
 
 def test_what_is_split_off_doubtfully_is_told():
@@ -146,7 +190,7 @@ def test_lost_numbers_of_a_large_pair():
     found = observability(A, H)
     assert sorted(m.eigenvalue for m in found.lost) == pytest.approx(values[10:20])
     for mode in found.lost:
-        assert np.linalg.norm(A @ mode.vectors - mode.eigenvalue*mode.vectors) < 1e-10
+        assert np.linalg.norm(A @ mode.vectors - mode.eigenvalue * mode.vectors) < 1e-10
     spiral = np.kron(np.diag([1.0, 3.0]), np.array([[0, 1], [-1, 0]]))
     found = observability(*rotated(spiral, np.array([[1.0, 0, 0, 0]]), 2))
     assert sorted(m.eigenvalue.imag for m in found.lost) == pytest.approx([-3, 3])

@@ -1,4 +1,5 @@
-"""Decompositions with parameters say for which values they hold: there everything holds, elsewhere something fails."""
+"""Decompositions with parameters say for which values they hold: there everything holds, elsewhere
+something fails."""
 
 import itertools
 
@@ -22,12 +23,12 @@ M = sp.Matrix
 VALUES = [-1, 0, sp.Rational(1, 2), 1]
 PAIRS = [
     (M([[1, a], [0, 2]]), M([[1, b]])),
-    (M([[1/a, 1], [0, b]]), M([[1, 0]])),
+    (M([[1 / a, 1], [0, b]]), M([[1, 0]])),
     (M([[1, 0, 0], [0, 1, 0], [0, a, 2]]), M([[1, 1, b]])),
     (M([[a, 1, 0], [0, a, 0], [b, 0, 1]]), M([[1, 0, 0]])),
     (M([[0, 1, 0], [0, 0, a], [0, 0, b]]), M([[1, 0, 0], [0, a, 1]])),
     (M([[a, 0, 0], [0, b, 0], [0, 0, 1]]), M([[1, 1, 1]])),
-    (M([[a*b, 1], [0, a]]), M([[a - b, 1]])),
+    (M([[a * b, 1], [0, a]]), M([[a - b, 1]])),
 ]
 
 
@@ -39,7 +40,7 @@ def at(matrix, point):
 
 def holds(A, T, new):
     """Whether T takes A to `new`, T being invertible and all of them defined."""
-    return None not in (A, T, new) and T.det() != 0 and (T*A - new*T).is_zero_matrix
+    return None not in (A, T, new) and T.det() != 0 and (T * A - new * T).is_zero_matrix
 
 
 @pytest.mark.slow
@@ -58,48 +59,80 @@ def test_by_observation_and_by_control(A, H):
             told.add(right)
             if right and found is seen:
                 outputs = at(found.outputs, point)
-                assert outputs[:, k:].is_zero_matrix and at(found.matrix, point)[:k, k:].is_zero_matrix
-                assert observability_matrix(at(found.matrix, point)[:k, :k], outputs[:, :k]).rank() == k
+                assert (
+                    outputs[:, k:].is_zero_matrix and at(found.matrix, point)[:k, k:].is_zero_matrix
+                )
+                assert (
+                    observability_matrix(at(found.matrix, point)[:k, :k], outputs[:, :k]).rank()
+                    == k
+                )
                 assert observability_matrix(here, shown).rank() == k
             elif right:
                 inputs = at(found.inputs, point)
-                assert inputs[k:, :].is_zero_matrix and at(found.matrix, point)[k:, :k].is_zero_matrix
-                assert controllability_matrix(at(found.matrix, point)[:k, :k], inputs[:k, :]).rank() == k
+                assert (
+                    inputs[k:, :].is_zero_matrix and at(found.matrix, point)[k:, :k].is_zero_matrix
+                )
+                assert (
+                    controllability_matrix(at(found.matrix, point)[:k, :k], inputs[:k, :]).rank()
+                    == k
+                )
     for found in (seen, steered):
         assert (r"\neq" in found._repr_latex_()) == (found.where != sp.true)
     assert True in told and (False in told or seen.where == steered.where == sp.true)
 
 
-@pytest.mark.parametrize("A, H", [pair for pair in PAIRS if pair[1].rows == 1
-                                  and observability_matrix(*pair).rank() == pair[0].rows])
+@pytest.mark.parametrize(
+    "A, H",
+    [
+        pair
+        for pair in PAIRS
+        if pair[1].rows == 1 and observability_matrix(*pair).rank() == pair[0].rows
+    ],
+)
 def test_canonical_forms(A, H):
     """There is one exactly where the pair is observable (controllable)."""
-    for found, system in ((observer_canonical_form(A, H), A), (controller_canonical_form(A.T, H.T), A.T)):
+    for found, system in (
+        (observer_canonical_form(A, H), A),
+        (controller_canonical_form(A.T, H.T), A.T),
+    ):
         for values in itertools.product(VALUES, repeat=2):
             point = dict(zip((a, b), values))
             here, shown = at(A, point), at(H, point)
             right = here is not None and observability_matrix(here, shown).rank() == A.rows
             assert (found.where.subs(point) == sp.true) == right, (found.where, point)
             if right:
-                assert holds(at(system, point), at(found.transformation, point), at(found.matrix, point))
+                assert holds(
+                    at(system, point), at(found.transformation, point), at(found.matrix, point)
+                )
 
 
 @pytest.mark.parametrize("how", ["sequential", "parallel"])
-@pytest.mark.parametrize("A, H", [
-    (M([[1, a], [0, 2]]), M([[1, 0], [0, b]])),
-    (M([[1, 0, b], [0, 2, 0], [a, 0, 1]]), M([[1, 0, 0], [0, 1, 1]])),
-    (M([[0, 1, 0], [0, 0, a], [0, 0, b]]), M([[1, 0, 0], [0, a, 1]])),
-])
+@pytest.mark.parametrize(
+    "A, H",
+    [
+        (M([[1, a], [0, 2]]), M([[1, 0], [0, b]])),
+        (M([[1, 0, b], [0, 2, 0], [a, 0, 1]]), M([[1, 0, 0], [0, 1, 1]])),
+        (M([[0, 1, 0], [0, 0, a], [0, 0, b]]), M([[1, 0, 0], [0, a, 1]])),
+    ],
+)
 def test_by_components(A, H, how):
-    for found, system in ((decompose_by_outputs(A, H, how), A), (decompose_by_inputs(A.T, H.T, how), A.T)):
+    for found, system in (
+        (decompose_by_outputs(A, H, how), A),
+        (decompose_by_inputs(A.T, H.T, how), A.T),
+    ):
         for values in itertools.product(VALUES, repeat=2):
             point = dict(zip((a, b), values))
-            right = holds(at(system, point), at(found.transformation, point), at(found.matrix, point))
+            right = holds(
+                at(system, point), at(found.transformation, point), at(found.matrix, point)
+            )
             assert (found.where.subs(point) == sp.true) == right, (found.where, point)
 
 
 def test_without_symbols_there_is_nothing_to_say():
-    for A, H in ((M([[1, 1], [0, 2]]), M([[1, 0]])), (np.array([[1.0, 1], [0, 2]]), np.array([[1.0, 0]]))):
+    for A, H in (
+        (M([[1, 1], [0, 2]]), M([[1, 0]])),
+        (np.array([[1.0, 1], [0, 2]]), np.array([[1.0, 0]])),
+    ):
         for found in (observability_decomposition(A, H), observer_canonical_form(A, H)):
             assert found.where == sp.true and "neq" not in found._repr_latex_()
 

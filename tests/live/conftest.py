@@ -1,4 +1,5 @@
-"""Lectures as a lecturer opens them: `workbook live` in a process of its own, of which nothing may be left."""
+"""Lectures as a lecturer opens them: `workbook live` in a process of its own, of which nothing may
+be left."""
 
 import os
 import re
@@ -36,16 +37,22 @@ class Lecture:
 
 @pytest.fixture
 def lecture(tmp_path):
-    """A context manager that opens a lecture without a browser; whatever happens, no process of it stays."""
+    """A context manager that opens a lecture without a browser; whatever happens, no process of it
+    stays."""
     temporary = tmp_path / ("temporary" + 100 * "-")  # longer than the path of a socket may be
     temporary.mkdir()
 
     @contextmanager
     def opened(*arguments):
-        process = subprocess.Popen([sys.executable, "-m", "workbook.cli", "live", *arguments, "--no-browser"],
-                                   cwd=tmp_path, env=os.environ | {"TMPDIR": str(temporary), "NO_COLOR": "1"},
-                                   text=True, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                                   stderr=subprocess.STDOUT)
+        process = subprocess.Popen(
+            [sys.executable, "-m", "workbook.cli", "live", *arguments, "--no-browser"],
+            cwd=tmp_path,
+            env=os.environ | {"TMPDIR": str(temporary), "NO_COLOR": "1"},
+            text=True,
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+        )
         try:
             line = process.stdout.readline()
             address = re.search(r"http://127\.0\.0\.1:\S+", line)

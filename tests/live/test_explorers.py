@@ -1,4 +1,5 @@
-"""Explorers: that what moves is right, that a slider and a click change the picture, and what is said of bad input."""
+"""Explorers: that what moves is right, that a slider and a click change the picture, and what is
+said of bad input."""
 
 import numpy as np
 import pytest
@@ -34,15 +35,18 @@ def picture(explorer):
 def stroke(explorer, axes, points):
     """Pull the pointer over points of some axes, as the layer in the page tells it."""
     size = explorer.stage.figure.bbox.size
-    places = axes.transData.transform(points)/size
-    explorer._pointer.value = " ".join([str(explorer.frames), *(f"{number:.5f}" for number in places.ravel())])
+    places = axes.transData.transform(points) / size
+    explorer._pointer.value = " ".join(
+        [str(explorer.frames), *(f"{number:.5f}" for number in places.ravel())]
+    )
 
 
 def test_the_roots_follow_the_point_that_is_pulled():
     explorer = region_of_stability("1.15", "a")
     before, frames = picture(explorer), explorer.frames
     stroke(explorer, explorer.stage.axes[0], [(0, 0), (2.5, 1.5)])
-    assert explorer.frames == frames + 1 and picture(explorer) != before  # two sliders, one frame
+    # two sliders, one frame
+    assert explorer.frames == frames + 1 and picture(explorer) != before
     assert [round(control.value, 2) for control in explorer.controls.values()] == [2.5, 1.5]
     assert "3 of 3 roots lie left" in words(explorer)
     explorer.set(k1=0.5, k2=1)  # below the hyperbola
@@ -57,9 +61,9 @@ def test_every_portrait_of_chapter_1_follows_its_parameters(problem):
     for item, portrait in PORTRAITS[problem].items():
         explorer = phase_portrait(problem, item)
         for name, (low, high, _) in portrait.parameters.items():
-            explorer.set(**{name: (low + high)/2})
+            explorer.set(**{name: (low + high) / 2})
             middle = picture(explorer)
-            explorer.set(**{name: low + 0.9*(high - low)})
+            explorer.set(**{name: low + 0.9 * (high - low)})
             assert picture(explorer) != middle, f"{problem} {item} {name}"
         assert "no picture" not in words(explorer)
 
@@ -72,18 +76,29 @@ def test_every_problem_of_chapter_1_has_a_portrait_or_moves_in_no_plane():
 def test_rest_points_are_those_that_the_library_finds():
     data = Worked("1.6").data
     field = data["b_field"]
-    k, k1, Omega = (next(s for s in field[1].free_symbols if s.name == name) for name in ("k", "k1", "Omega"))
+    k, k1, Omega = (
+        next(s for s in field[1].free_symbols if s.name == name) for name in ("k", "k1", "Omega")
+    )
     explorer = phase_portrait("1.6", "b")
     for value, gain in ((-0.3, 0.5), (-0.6, 1.0), (-0.9, 0.5)):
         explorer.set(k=value, k1=gain)
         # sin 2 phi = 4 k/3, as the right-hand side says
-        double = np.arcsin(4*value/3) if value > -0.75 else np.nan
-        angles = [base + n*np.pi for n in (-1, 0, 1) for base in (double/2, np.pi/2 - double/2)]
-        matrices = [sp.Matrix(field).jacobian(data["state"]).subs({k: value, k1: gain, Omega: 1, data["phi"]: angle})
-                    for angle in angles if -0.8 <= angle <= 3.6]
+        double = np.arcsin(4 * value / 3) if value > -0.75 else np.nan
+        angles = [
+            base + n * np.pi for n in (-1, 0, 1) for base in (double / 2, np.pi / 2 - double / 2)
+        ]
+        matrices = [
+            sp.Matrix(field)
+            .jacobian(data["state"])
+            .subs({k: value, k1: gain, Omega: 1, data["phi"]: angle})
+            for angle in angles
+            if -0.8 <= angle <= 3.6
+        ]
         kinds = [str(stability.classify_planar(matrix)) for matrix in matrices]
         said = words(explorer)
-        saddles, stable = (sum(kind.startswith(word) for kind in kinds) for word in ("saddle", "stable"))
+        saddles, stable = (
+            sum(kind.startswith(word) for kind in kinds) for word in ("saddle", "stable")
+        )
         assert f"{saddles} saddle" in said if saddles else "saddle" not in said
         assert f"{stable} stable" in said if stable else "none" in said
 
@@ -97,15 +112,23 @@ def test_a_click_draws_the_motion_through_it():
     stroke(explorer, explorer.stage.axes[0], [(-1.8, 1.6)])
     for line in explorer.stage.axes[0].lines:
         x, y = line.get_data()
-        assert np.isfinite(x).all() and np.abs(x).max(initial=0) < 10 and np.abs(y).max(initial=0) < 10
+        assert (
+            np.isfinite(x).all() and np.abs(x).max(initial=0) < 10 and np.abs(y).max(initial=0) < 10
+        )
 
 
 def test_modes_are_lost_where_problem_2_27_says():
     explorer = losing_a_mode()
     explorer.set(alpha=0, beta=0)
-    assert "mode −2: control has no hold of it" in words(explorer) and words(explorer).count("no hold") == 1
+    assert (
+        "mode −2: control has no hold of it" in words(explorer)
+        and words(explorer).count("no hold") == 1
+    )
     explorer.set(alpha=-1.5, beta=1)
-    assert "mode −1: control has no hold of it" in words(explorer) and words(explorer).count("no hold") == 1
+    assert (
+        "mode −1: control has no hold of it" in words(explorer)
+        and words(explorer).count("no hold") == 1
+    )
     explorer.set(alpha=-1.02, beta=2)
     assert "no hold" not in words(explorer)
 
@@ -123,21 +146,27 @@ def test_the_distance_of_popov_vanishes_where_a_mode_is_lost():
 
 @pytest.mark.parametrize("R", [0.7, 1.6, 2.6])
 def test_the_circle_is_met_in_the_least_time_that_the_reachable_set_allows(R):
-    """The set reachable in the time T is convex: its support function says when it meets the disc, or leaves it."""
-    starts = np.array([0.2 + 0.1j, -0.3 - 0.35j, 0.5j*R, 0.8*R, 1.5*R + 0.5j, -2.5 - 2j, 4.1 + 0.3j])
-    paths, times = followed(starts, R)
-    angle = np.linspace(0, 2*np.pi, 361)
+    """The set reachable in the time T is convex: its support function says when it meets the disc,
+    or leaves it."""
+    starts = np.array(
+        [0.2 + 0.1j, -0.3 - 0.35j, 0.5j * R, 0.8 * R, 1.5 * R + 0.5j, -2.5 - 2j, 4.1 + 0.3j]
+    )
+    _paths, times = followed(starts, R)
+    angle = np.linspace(0, 2 * np.pi, 361)
     steps = np.linspace(0, 12, 2401)
     # psi at the end; before it the costate was turned on, and its second component drives
     drives = np.abs(np.sin(angle[None, :] + steps[:, None]))
-    spread = np.vstack([np.zeros(361), np.cumsum((drives[1:] + drives[:-1])/2, axis=0)*steps[1]])
+    spread = np.vstack(
+        [np.zeros(361), np.cumsum((drives[1:] + drives[:-1]) / 2, axis=0) * steps[1]]
+    )
     for start, time in zip(starts, times):
-        centre = np.real(start*np.exp(-1j*steps[:, None])*np.exp(-1j*angle[None, :]))
-        if abs(start) > R:
-            there = (centre - spread).max(axis=1) <= R
-        else:
-            there = (centre + spread).max(axis=1) >= R
-        assert abs(steps[np.argmax(there)] - time) < 2*STEP, start
+        centre = np.real(start * np.exp(-1j * steps[:, None]) * np.exp(-1j * angle[None, :]))
+        there = (
+            (centre - spread).max(axis=1) <= R
+            if abs(start) > R
+            else (centre + spread).max(axis=1) >= R
+        )
+        assert abs(steps[np.argmax(there)] - time) < 2 * STEP, start
 
 
 def test_whoever_draws_the_best_arcs_has_the_best_energy():
@@ -146,7 +175,8 @@ def test_whoever_draws_the_best_arcs_has_the_best_energy():
     best = 24.5  # half of (3 + 2*2)**2: each half turn adds 2 to the amplitude
     assert f"{best:.2f} is the best" in words(explorer)
     axes = explorer.stage.axes[0]
-    stroke(explorer, axes, [(0.01, -1.1), (3.13, -1.1), (3.15, 1.1), (6.28, 1.1)])  # beyond the bounds: held at them
+    # beyond the bounds: held at them
+    stroke(explorer, axes, [(0.01, -1.1), (3.13, -1.1), (3.15, 1.1), (6.28, 1.1)])
     by_hand = float(words(explorer).split("at the end: ")[1].split()[0])
     assert best - 0.15 < by_hand <= best
     stroke(explorer, axes, [(0.01, 0.2), (6.28, 0.2)])
@@ -158,8 +188,8 @@ def test_the_fastest_motion_ends_at_rest_and_switches_with_the_costate():
     for x, v in ((1, 0), (-1.2, 0.7), (0.4, -1.3)):
         motion = _extremal(found, np.array([x, v], dtype=float))
         times, (psi1, psi2, switching, control) = motion["times"], motion["over time"]
-        first = -1 if x + v*abs(v)/2 > 0 else 1
-        assert times[-1] == pytest.approx(2*np.sqrt(v*v/2 - first*x) - first*v, abs=1e-6)
+        first = -1 if x + v * abs(v) / 2 > 0 else 1
+        assert times[-1] == pytest.approx(2 * np.sqrt(v * v / 2 - first * x) - first * v, abs=1e-6)
         assert motion["state"][:, 0] == pytest.approx([x, v], abs=1e-6)
         assert motion["state"][:, -1] == pytest.approx([0, 0], abs=1e-9)
         away = np.abs(switching) > 1e-6
@@ -167,25 +197,32 @@ def test_the_fastest_motion_ends_at_rest_and_switches_with_the_costate():
         assert np.ptp(psi1) < 1e-9
 
 
-@pytest.mark.parametrize("said, message", [
-    ("regoin_of_stability", "there is no explorer regoin_of_stability; did you mean region_of_stability?"),
-    ("region_of_stability 1.4", "has no item a with a polynomial"),
-    ("region_of_stability 9.9", "no problem 9.9"),
-    ("region_of_stability 1.15 a k1=7", "k1 = 7: it goes from -2 to 4 here"),
-    ("region_of_stability 1.15 a k9=1", "there is no parameter k9; there is k1, k2"),
-    ("region_of_stability 1.15 a k1=much", "k1: expected a number, got much"),
-    ("phase_portrait 1.15", "moves in no plane"),
-    ("phase_portrait 1.4 b", "it has one only"),
-    ("phase_portrait 1.1 z", "there is a, b, c"),
-    ("losing_a_mode 2.27", "takes no problem"),
-    ("popov_distance 2.5 a", "2.5 has g, h, i, j"),
-    ("fastest_motion 5.3 b", "there is 5.3 a, 5.7 a"),
-])
+@pytest.mark.parametrize(
+    "said, message",
+    [
+        (
+            "regoin_of_stability",
+            "there is no explorer regoin_of_stability; did you mean region_of_stability?",
+        ),
+        ("region_of_stability 1.4", "has no item a with a polynomial"),
+        ("region_of_stability 9.9", "no problem 9.9"),
+        ("region_of_stability 1.15 a k1=7", "k1 = 7: it goes from -2 to 4 here"),
+        ("region_of_stability 1.15 a k9=1", "there is no parameter k9; there is k1, k2"),
+        ("region_of_stability 1.15 a k1=much", "k1: expected a number, got much"),
+        ("phase_portrait 1.15", "moves in no plane"),
+        ("phase_portrait 1.4 b", "it has one only"),
+        ("phase_portrait 1.1 z", "there is a, b, c"),
+        ("losing_a_mode 2.27", "takes no problem"),
+        ("popov_distance 2.5 a", "2.5 has g, h, i, j"),
+        ("fastest_motion 5.3 b", "there is 5.3 a, 5.7 a"),
+    ],
+)
 def test_what_is_not_understood_ends_in_one_line(said, message):
     with pytest.raises(LiveError) as told:
         explore(said)
     assert message in str(told.value) and "\n" not in str(told.value)
-    assert told.value._render_traceback_() == [str(told.value)]  # in a cell without a magic, too
+    # in a cell without a magic, too
+    assert told.value._render_traceback_() == [str(told.value)]
 
 
 def test_the_list_names_every_explorer():

@@ -1,4 +1,5 @@
-"""A lecture in JupyterLab as the class sees it, in a browser that reaches nothing but this machine."""
+"""A lecture in JupyterLab as the class sees it, in a browser that reaches nothing but this
+machine."""
 
 import time
 from pathlib import Path
@@ -30,17 +31,25 @@ class Lab:
 
     def ran(self):
         """The highest number of a cell that has been run."""
-        return self._browser.run(f"Math.max(0, ...{CELLS}.map(cell => parseInt(cell.querySelector('.jp-InputPrompt')"
-                                 ".innerText.match(/\\d+/)) || 0))")
+        return self._browser.run(
+            f"Math.max(0, ...{CELLS}.map(cell => parseInt(cell.querySelector('.jp-InputPrompt')"
+            ".innerText.match(/\\d+/)) || 0))"
+        )
 
     def go_on(self):
         """Run the chosen cell and go to the next one; what it shows."""
         before = self.ran()
         self.press(self._keys.SHIFT, self._keys.ENTER)
-        shown = (f"{CELLS}.find(cell => cell.querySelector('.jp-InputPrompt').innerText.includes('[{before + 1}]'))"
-                 "?.querySelector('.jp-OutputArea')?.innerText")
-        assert self._browser.wait_for(f"{CELLS}.some(cell => cell.querySelector('.jp-InputPrompt').innerText"
-                                      f".includes('[{before + 1}]'))", 60), "the cell did not run"
+        shown = (
+            f"{CELLS}.find(cell => "
+            f"cell.querySelector('.jp-InputPrompt').innerText.includes('[{before + 1}]'))"
+            "?.querySelector('.jp-OutputArea')?.innerText"
+        )
+        assert self._browser.wait_for(
+            f"{CELLS}.some(cell => cell.querySelector('.jp-InputPrompt').innerText"
+            f".includes('[{before + 1}]'))",
+            60,
+        ), "the cell did not run"
         time.sleep(0.3)  # what it puts below comes after what it shows
         return self._browser.run(shown) or ""
 
@@ -54,12 +63,17 @@ class Lab:
         self.press(self._keys.ESCAPE)
 
     def ran_all(self):
-        assert self._browser.wait_for("![...document.querySelectorAll('.jp-InputPrompt')].some("
-                                      "prompt => prompt.innerText.includes('*'))", 90), "a cell does not end"
+        assert self._browser.wait_for(
+            "![...document.querySelectorAll('.jp-InputPrompt')].some("
+            "prompt => prompt.innerText.includes('*'))",
+            90,
+        ), "a cell does not end"
         time.sleep(0.3)
 
     def chosen(self):
-        return self._browser.run("document.querySelector('.jp-Notebook .jp-Cell.jp-mod-active .cm-content').innerText")
+        return self._browser.run(
+            "document.querySelector('.jp-Notebook .jp-Cell.jp-mod-active .cm-content').innerText"
+        )
 
 
 def an_explorer_follows(browser):
@@ -72,17 +86,22 @@ def an_explorer_follows(browser):
     assert browser.wait_for(f"{image} !== {before!r}", 20), "the slider moves nothing"
     pulled = browser.run("document.querySelector('.workbook-explorer .widget-readout').innerText")
     click(browser, ".workbook-layer", 0.2, 0.5)
-    assert browser.wait_for("document.querySelector('.workbook-explorer .widget-readout').innerText !== "
-                            f"{pulled!r}", 20), "the pointer moves nothing"
+    assert browser.wait_for(
+        f"document.querySelector('.workbook-explorer .widget-readout').innerText !== {pulled!r}", 20
+    ), "the pointer moves nothing"
 
 
 def a_poll_is_answered(browser):
     """Hands are counted by a button; nothing is told before the reveal."""
     text = "document.querySelector('.workbook-poll').innerText"
-    assert browser.wait_for("document.querySelectorAll('.workbook-poll mjx-container').length >= 4", 30), "no formulas"
+    assert browser.wait_for(
+        "document.querySelectorAll('.workbook-poll mjx-container').length >= 4", 30
+    ), "no formulas"
     assert "right" not in browser.run(text)
     buttons = browser.driver.find_elements("css selector", ".workbook-poll button")
-    assert [button.get_attribute("textContent").strip() for button in buttons] == ["+1"]*4 + ["Reveal"]
+    assert [button.get_attribute("textContent").strip() for button in buttons] == ["+1"] * 4 + [
+        "Reveal"
+    ]
     for k in (1, 1, 2):
         browser.driver.execute_script("arguments[0].click()", buttons[k])
     assert browser.wait_for(f"{text}.includes('67%') && {text}.includes('33%')", 20)
@@ -98,8 +117,12 @@ def a_click_starts_an_optimal_path(browser, lab):
     assert browser.wait_for(f"{said}.includes('least time')", 60)
     before = browser.run(said)
     click(browser, ".workbook-layer", 0.15, 0.6, which=-1)
-    assert browser.wait_for(f"{said} !== {before!r} && {said}.includes('now t = 0.00')", 20), "no new path"
-    browser.driver.execute_script("[...document.querySelectorAll('.workbook-explorer .widget-play button')][0].click()")
+    assert browser.wait_for(f"{said} !== {before!r} && {said}.includes('now t = 0.00')", 20), (
+        "no new path"
+    )
+    browser.driver.execute_script(
+        "[...document.querySelectorAll('.workbook-explorer .widget-play button')][0].click()"
+    )
     assert browser.wait_for(f"!{said}.includes('now t = 0.00')", 20), "it does not move"
 
 
@@ -111,7 +134,8 @@ def click(browser, selector, across, down, which=0):
     browser.driver.execute_script("arguments[0].scrollIntoView({block: 'center'})", element)
     size = element.size
     ActionChains(browser.driver).move_to_element_with_offset(
-        element, (across - 0.5)*size["width"], (down - 0.5)*size["height"]).click().perform()
+        element, (across - 0.5) * size["width"], (down - 0.5) * size["height"]
+    ).click().perform()
 
 
 @pytest.mark.timeout(600)
@@ -120,10 +144,15 @@ def test_a_lecture_is_gone_through_with_one_key(lecture, browser):
     with lecture("1.15", "--discard") as live:
         browser.resize(1280, 900)
         browser.open(live.address)
-        assert browser.wait_for(f"{CELLS}.filter(cell => cell.querySelector('.cm-content')?.offsetParent).length > 3",
-                                90), "the notebook does not open"
+        assert browser.wait_for(
+            f"{CELLS}.filter(cell => cell.querySelector('.cm-content')?.offsetParent).length > 3",
+            90,
+        ), "the notebook does not open"
         assert browser.wait_for(IDLE, 60)
-        large = browser.run("parseFloat(getComputedStyle(document.querySelector('.jp-CodeCell .cm-content')).fontSize)")
+        large = browser.run(
+            "parseFloat(getComputedStyle(document.querySelector('.jp-CodeCell "
+            ".cm-content')).fontSize)"
+        )
         assert large >= 20
         lab = Lab(browser)
         browser.find(".jp-NotebookPanel .jp-CodeCell .cm-content").click()
@@ -144,15 +173,26 @@ def test_a_lecture_is_gone_through_with_one_key(lecture, browser):
         assert "Left: the region of item a" in lab.go_on()
         assert lab.chosen() == "%check a_region"
         assert "right" in lab.go_on()
-        for magic in ("%mistake a_region", "%hint a_region", "%explore region_of_stability", "%poll a_region",
-                      "%explore fastest_motion", "%explore nothing", "%catchup b_region"):
+        for magic in (
+            "%mistake a_region",
+            "%hint a_region",
+            "%explore region_of_stability",
+            "%poll a_region",
+            "%explore fastest_motion",
+            "%explore nothing",
+            "%catchup b_region",
+        ):
             lab.below(magic)
             lab.ran_all()
         an_explorer_follows(browser)
         a_poll_is_answered(browser)
         a_click_starts_an_optimal_path(browser, lab)
         shown = browser.run("document.querySelector('.jp-Notebook').innerText")
-        assert "there is no explorer nothing" in shown and "Traceback" not in shown and "cells run" in shown
+        assert (
+            "there is no explorer nothing" in shown
+            and "Traceback" not in shown
+            and "cells run" in shown
+        )
         lab.press(lab._keys.CONTROL, "s")
         assert browser.wait_for("!document.querySelector('.jp-mod-dirty')", 30)
         assert browser.foreign_requests() == []
@@ -166,10 +206,13 @@ def test_a_lecture_is_shown_as_slides_and_runs_from_top_to_bottom(lecture, brows
     with lecture("stability-regions", "--discard") as live:
         browser.resize(1280, 900)
         browser.open(live.address.replace("/doc/tree/", "/rise/"))
-        assert browser.wait_for("location.hash.startsWith('#/slide-0')", 90), "the slides do not open"
+        assert browser.wait_for("location.hash.startsWith('#/slide-0')", 90), (
+            "the slides do not open"
+        )
         lab = Lab(browser)
         there = "[...document.querySelectorAll('.present .jp-CodeCell .cm-content')].filter(e => e.offsetParent)"
-        for _ in range(20):  # the space bar goes on: title, question, and below it the first computation
+        # the space bar goes on: title, question, and below it the first computation
+        for _ in range(20):
             if browser.run("location.hash") == "#/slide-1-1":
                 break
             lab.press(" ")
@@ -179,10 +222,15 @@ def test_a_lecture_is_shown_as_slides_and_runs_from_top_to_bottom(lecture, brows
         lab.press(lab._keys.SHIFT, lab._keys.ENTER)
         ran = "[...document.querySelectorAll('.jp-InputPrompt')].some(prompt => prompt.innerText.includes('[1]'))"
         assert browser.wait_for(ran, 60), "the cell did not run"
-        poll = ("[...document.querySelectorAll('section')].find(slide => !slide.querySelector('section') && "
-                "slide.querySelector('.cm-content')?.innerText.startsWith('%poll'))")
+        poll = (
+            "[...document.querySelectorAll('section')].find(slide => "
+            "!slide.querySelector('section') && "
+            "slide.querySelector('.cm-content')?.innerText.startsWith('%poll'))"
+        )
         browser.run(f"location.hash = '#/' + {poll}.id")
-        assert browser.wait_for(f"{poll}.classList.contains('present')", 30), "the slide of the poll does not come"
+        assert browser.wait_for(f"{poll}.classList.contains('present')", 30), (
+            "the slide of the poll does not come"
+        )
         time.sleep(1)
         browser.run(f"{poll}.querySelector('.cm-content')").click()
         lab.press(lab._keys.SHIFT, lab._keys.ENTER)
@@ -191,16 +239,27 @@ def test_a_lecture_is_shown_as_slides_and_runs_from_top_to_bottom(lecture, brows
         assert browser.foreign_requests() == []
 
         browser.open(live.address)  # the same notebook, not as slides
-        assert browser.wait_for(f"{CELLS}.length > 8 && !!window.jupyterapp", 90), "the notebook does not open"
+        assert browser.wait_for(f"{CELLS}.length > 8 && !!window.jupyterapp", 90), (
+            "the notebook does not open"
+        )
         assert browser.wait_for(IDLE, 60)
         browser.run("void window.jupyterapp.commands.execute('notebook:run-all-cells')")
-        waiting = f"{CELLS}.filter(cell => !/\\d/.test(cell.querySelector('.jp-InputPrompt').innerText))"
+        waiting = (
+            f"{CELLS}.filter(cell => !/\\d/.test(cell.querySelector('.jp-InputPrompt').innerText))"
+        )
         written = f"{waiting}.filter(cell => cell.querySelector('.cm-content').innerText.trim())"
-        assert browser.wait_for(f"{IDLE} && {written}.every(cell => cell.innerText.includes('%'))", 120), \
-            browser.run(f"{written}.map(cell => cell.innerText)")
-        assert browser.run(f"{CELLS}.filter(cell => cell.querySelector('.jp-OutputArea img')).length") >= 3
+        assert browser.wait_for(
+            f"{IDLE} && {written}.every(cell => cell.innerText.includes('%'))", 120
+        ), browser.run(f"{written}.map(cell => cell.innerText)")
+        assert (
+            browser.run(f"{CELLS}.filter(cell => cell.querySelector('.jp-OutputArea img')).length")
+            >= 3
+        )
         failed = "[data-mime-type='application/vnd.jupyter.error'], [data-mime-type='application/vnd.jupyter.stderr']"
-        assert browser.run(f"[...document.querySelectorAll(\"{failed}\")].map(part => part.innerText)") == []
+        assert (
+            browser.run(f'[...document.querySelectorAll("{failed}")].map(part => part.innerText)')
+            == []
+        )
         assert browser.foreign_requests() == []
         browser.open("about:blank")
         live.end()

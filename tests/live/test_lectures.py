@@ -1,4 +1,5 @@
-"""The lectures of book/lectures/: what the notebook shows, and that each runs from top to bottom."""
+"""The lectures of book/lectures/: what the notebook shows, and that each runs from top to
+bottom."""
 
 import nbformat
 import pytest
@@ -24,7 +25,9 @@ def test_a_lecture_becomes_slides_whose_magics_name_what_there_is(slug):
     nbformat.validate(notebook)
     kinds = [cell.metadata.slideshow.slide_type for cell in notebook.cells]
     assert kinds[0] == "slide" and kinds.count("slide") >= 6
-    assert all(cell.source.startswith("#") for cell, kind in zip(notebook.cells, kinds) if kind == "slide")
+    assert all(
+        cell.source.startswith("#") for cell, kind in zip(notebook.cells, kinds) if kind == "slide"
+    )
     asked = [cell.source.split() for cell in notebook.cells if is_ours(cell.source)]
     assert {magic for magic, *_ in asked} >= {"%mistake", "%hint", "%answer"}
     for magic, first, *rest in asked:
@@ -39,14 +42,20 @@ def test_a_lecture_becomes_slides_whose_magics_name_what_there_is(slug):
 
 @pytest.mark.parametrize("slug", SLUGS)
 def test_a_lecture_runs_from_top_to_bottom(slug):
-    cells = [cell["source"] for cell in notebook_of(find(slug))["cells"] if cell["cell_type"] == "code"]
+    cells = [
+        cell["source"] for cell in notebook_of(find(slug))["cells"] if cell["cell_type"] == "code"
+    ]
     ran = in_child(run_cells, [cell for cell in cells if not is_ours(cell)], [], timeout=120)
     assert ran["errors"] == []
 
 
 def test_the_polls_of_lectures_have_answers_to_choose():
-    asked = {tuple(cell["source"].split()[1:3]) for slug in SLUGS for cell in notebook_of(find(slug))["cells"]
-             if cell["source"].startswith("%poll")}
+    asked = {
+        tuple(cell["source"].split()[1:3])
+        for slug in SLUGS
+        for cell in notebook_of(find(slug))["cells"]
+        if cell["source"].startswith("%poll")
+    }
     assert asked
     for number, name in asked:
         assert len(options(Worked(number), name)) >= 3, (number, name)

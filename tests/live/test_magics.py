@@ -38,10 +38,14 @@ class Kernel:
                 pictures += [form for form in content["data"] if form.startswith("image/")]
             elif kind == "error":
                 shown.append("\n".join(content["traceback"]))
-        while (reply := self._client.get_shell_msg(timeout=60))["parent_header"].get("msg_id") != asked:
+        while (reply := self._client.get_shell_msg(timeout=60))["parent_header"].get(
+            "msg_id"
+        ) != asked:
             pass
         reply = reply["content"]
-        below = [said["text"] for said in reply.get("payload", []) if said["source"] == "set_next_input"]
+        below = [
+            said["text"] for said in reply.get("payload", []) if said["source"] == "set_next_input"
+        ]
         return "\n".join(shown).strip(), (below or [""])[0], pictures
 
 
@@ -52,7 +56,10 @@ def running(tmp_path_factory):
     environment.pop("MPLBACKEND", None)
     manager, client = start_new_kernel(kernel_name="python3", env=environment, cwd=str(folder))
     kernel = Kernel(client)
-    assert "one step more" in kernel.run("print(get_ipython().find_line_magic('answer').__doc__)")[0]  # by itself
+    # by itself
+    assert (
+        "one step more" in kernel.run("print(get_ipython().find_line_magic('answer').__doc__)")[0]
+    )
     yield kernel
     client.stop_channels()
     manager.shutdown_kernel(now=True)
@@ -62,8 +69,10 @@ def running(tmp_path_factory):
 def kernel(running, request):
     """The kernel as a lecture begins it."""
     running.run("%reset -f")
-    running.run(f"import os; os.environ['TRAJLIB_LIVE'] = {getattr(request, 'param', '1.15')!r}\n"
-                "__import__('workbook.live').live.load_ipython_extension(get_ipython())\ndel os")
+    running.run(
+        f"import os; os.environ['TRAJLIB_LIVE'] = {getattr(request, 'param', '1.15')!r}\n"
+        "__import__('workbook.live').live.load_ipython_extension(get_ipython())\ndel os"
+    )
     return running
 
 
@@ -97,7 +106,10 @@ def test_check_judges_in_one_line(kernel):
     shown, below, _ = kernel.run("%check a_region = sp.And(k1 > 0, k1*k2 > 1)")
     assert shown.startswith("✓ a_region: right") and not below
     shown = kernel.run("%check a_region = sp.And(k1 > 0, k2 > 0)")[0]
-    assert shown.startswith("✗ a_region: wrong: the point k1 = 1, k2 = 1/2") and "Which minor was not" in shown
+    assert (
+        shown.startswith("✗ a_region: wrong: the point k1 = 1, k2 = 1/2")
+        and "Which minor was not" in shown
+    )
     assert kernel.run("%check b_region")[0] == "… b_region: missing: not answered yet"
     assert "cannot be computed: NameError" in kernel.run("%check a_region = And(k1 > 0)")[0]
     assert "write what is to be judged" in kernel.run("%check a_region =")[0]
@@ -112,25 +124,32 @@ def test_hints_come_one_by_one(kernel):
 
 def test_mistakes_have_a_counterexample(kernel):
     shown = [kernel.run("%mistake a_region") for _ in range(4)]
-    assert "a_region = sp.And(k1 > 0, k2 > 0)" in shown[0][0] and "the point k1 = 1, k2 = 1/2" in shown[0][0]
+    assert (
+        "a_region = sp.And(k1 > 0, k2 > 0)" in shown[0][0]
+        and "the point k1 = 1, k2 = 1/2" in shown[0][0]
+    )
     assert shown[0][2] == shown[1][2] == ["image/png"]
-    assert shown[2][2] == []  # it differs from the truth on a line alone, which is no place for a cross
+    # it differs from the truth on a line alone, which is no place for a cross
+    assert shown[2][2] == []
     assert shown[3] == shown[0]  # round again
     assert "leading minors:" not in shown[0][0]  # what the worked cells show is not shown
 
 
-@pytest.mark.parametrize("line, said", [
-    ("%answer a_regon", "there is no answer a_regon; there is a_region"),
-    ("%hint", "name an answer; there is a_region"),
-    ("%mistake 1.15 a_region b_region", "one answer at a time"),
-    ("%mistake a_region b_region", "there is no problem a_region"),
-    ("%check 9.99 a_region", "no problem 9.99"),
-    ("%poll a_regon", "there is no answer a_regon; there is a_region"),
-    ("%poll a_region 3 4", "there are 4 answers here"),
-    ("%poll", "name an answer; there is a_region"),
-    ("%explore nothing", "there is no explorer nothing"),
-    ("%explore region_of_stability 1.15 a k1=99", "k1 = 99: it goes from -2 to 4 here"),
-])
+@pytest.mark.parametrize(
+    "line, said",
+    [
+        ("%answer a_regon", "there is no answer a_regon; there is a_region"),
+        ("%hint", "name an answer; there is a_region"),
+        ("%mistake 1.15 a_region b_region", "one answer at a time"),
+        ("%mistake a_region b_region", "there is no problem a_region"),
+        ("%check 9.99 a_region", "no problem 9.99"),
+        ("%poll a_regon", "there is no answer a_regon; there is a_region"),
+        ("%poll a_region 3 4", "there are 4 answers here"),
+        ("%poll", "name an answer; there is a_region"),
+        ("%explore nothing", "there is no explorer nothing"),
+        ("%explore region_of_stability 1.15 a k1=99", "k1 = 99: it goes from -2 to 4 here"),
+    ],
+)
 def test_what_is_not_understood_ends_in_one_line(kernel, line, said):
     shown = kernel.run(line)[0]
     assert said in shown and len(shown.splitlines()) == 1
@@ -152,16 +171,30 @@ def test_catchup_with_a_name_works_up_to_it(kernel):
 
 
 def test_catchup_knows_the_cells_above_as_they_were_saved(tmp_path, monkeypatch):
-    cells = [("a", "code", "x = 1"), ("b", "markdown", "words"), ("c", "code", "%answer a_region"),
-             ("d", "code", "%catchup"), ("e", "code", "x = 2")]
-    notebook = {"cells": [{"id": name, "cell_type": kind, "source": [source]} for name, kind, source in cells]}
+    cells = [
+        ("a", "code", "x = 1"),
+        ("b", "markdown", "words"),
+        ("c", "code", "%answer a_region"),
+        ("d", "code", "%catchup"),
+        ("e", "code", "x = 2"),
+    ]
+    notebook = {
+        "cells": [
+            {"id": name, "cell_type": kind, "source": [source]} for name, kind, source in cells
+        ]
+    }
     (tmp_path / "lecture.ipynb").write_text(json.dumps(notebook), encoding="utf-8")
     monkeypatch.setenv("JPY_SESSION_NAME", str(tmp_path / "lecture.ipynb"))
 
     def shell(cell):
-        return SimpleNamespace(kernel=SimpleNamespace(get_parent=lambda: {"metadata": {"cellId": cell}}))
+        return SimpleNamespace(
+            kernel=SimpleNamespace(get_parent=lambda: {"metadata": {"cellId": cell}})
+        )
 
     above = cells_above(shell("d"))
-    assert above == ["x = 1", "%answer a_region"] and [is_ours(source) for source in above] == [False, True]
+    assert above == ["x = 1", "%answer a_region"] and [is_ours(source) for source in above] == [
+        False,
+        True,
+    ]
     with pytest.raises(LiveError, match="not saved yet"):
         cells_above(shell("new"))

@@ -1,4 +1,5 @@
-"""Polls: what is offered, that nothing tells the right answer before the reveal, and what is said then."""
+"""Polls: what is offered, that nothing tells the right answer before the reveal, and what is said
+then."""
 
 import pytest
 
@@ -15,15 +16,21 @@ def worked():
 def test_four_answers_one_of_them_right_in_an_order_that_stays(worked):
     offered = options(worked, "a_region")
     assert [option.right for option in offered].count(True) == 1 and len(offered) == 4
-    assert len({option.text for option in offered}) == 4 and all("$" in option.text for option in offered)
+    assert len({option.text for option in offered}) == 4 and all(
+        "$" in option.text for option in offered
+    )
     assert offered == options(Worked("1.15"), "a_region")
-    assert [option.said for option in offered if not option.right] == [option.said for option in offered if option.said]
+    assert [option.said for option in offered if not option.right] == [
+        option.said for option in offered if option.said
+    ]
     assert any("Which minor was not looked at?" in option.said for option in offered)
 
 
 def test_the_right_answer_is_not_always_at_one_place(worked):
-    places = {next(k for k, option in enumerate(options(worked, name)) if option.right)
-              for name in worked.exercise.about["answers"]}
+    places = {
+        next(k for k, option in enumerate(options(worked, name)) if option.right)
+        for name in worked.exercise.about["answers"]
+    }
     assert len(places) > 1
 
 
@@ -46,9 +53,9 @@ def test_words_and_truth_values_are_answers_too():
     assert offered == {"stable": False, "unstable": False, "semistable": True}
 
 
-@pytest.mark.parametrize("counts, said", [(["3", "4"], "there are 4 answers here"), (["many"], "whole numbers")])
+@pytest.mark.parametrize(
+    "counts, said", [(["3", "4"], "there are 4 answers here"), (["many"], "whole numbers")]
+)
 def test_counts_that_do_not_fit_end_in_one_line(worked, counts, said):
     with pytest.raises(LiveError, match=said):
         poll(worked, "a_region", counts)
-
-

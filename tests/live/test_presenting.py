@@ -1,4 +1,5 @@
-"""`workbook live` from the command to its end: the copy, the processes, and what is said where it cannot be."""
+"""`workbook live` from the command to its end: the copy, the processes, and what is said where it
+cannot be."""
 
 import json
 import os
@@ -21,8 +22,14 @@ ROOT = Path(__file__).resolve().parents[2]
 
 
 def workbook(*arguments, **environment):
-    return subprocess.run([sys.executable, "-m", "workbook.cli", *arguments], env=os.environ | environment,
-                          stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=120)
+    return subprocess.run(
+        [sys.executable, "-m", "workbook.cli", *arguments],
+        env=os.environ | environment,
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        text=True,
+        timeout=120,
+    )
 
 
 def one_line(done):
@@ -35,13 +42,19 @@ def test_the_list_names_lectures_and_problems():
     assert done.returncode == 0 and "1.15" in done.stdout and "Stability regions" in done.stdout
 
 
-@pytest.mark.parametrize("arguments, said", [
-    (["9.99"], "no problem 9.99"),
-    (["stabilty"], "there is no lecture stabilty"),
-    (["1.15", "--port", "99999", "--no-browser"], "port 99999"),
-    (["1.15", "--keep", "x", "--discard"], "either --keep or --discard"),
-    (["1.15", "--no-browser", "--keep", str(ROOT / "solutions" / "ch1" / "p15.md")], "the workbook's own files"),
-])
+@pytest.mark.parametrize(
+    "arguments, said",
+    [
+        (["9.99"], "no problem 9.99"),
+        (["stabilty"], "there is no lecture stabilty"),
+        (["1.15", "--port", "99999", "--no-browser"], "port 99999"),
+        (["1.15", "--keep", "x", "--discard"], "either --keep or --discard"),
+        (
+            ["1.15", "--no-browser", "--keep", str(ROOT / "solutions" / "ch1" / "p15.md")],
+            "the workbook's own files",
+        ),
+    ],
+)
 def test_bad_input_ends_in_one_line(arguments, said):
     assert said in one_line(workbook("live", *arguments))
 
@@ -51,7 +64,9 @@ def test_a_taken_port_ends_in_one_line():
         other.bind(("127.0.0.1", 0))
         other.listen()
         port = str(other.getsockname()[1])
-        assert f"port {port} cannot be had" in one_line(workbook("live", "1.15", "--no-browser", "--port", port))
+        assert f"port {port} cannot be had" in one_line(
+            workbook("live", "1.15", "--no-browser", "--port", port)
+        )
 
 
 def test_without_a_browser_one_line_says_what_to_do():
@@ -71,7 +86,12 @@ def test_the_copy_has_statement_and_data_and_no_solution():
     sources = [cell["source"] for cell in notebook["cells"] if cell["cell_type"] == "code"]
     assert "find the region where the zero solution" in text and "a_poly = s**3" in text
     assert sources[1:3] == ["%answer a_region", "%check a_region"]
-    assert "hurwitz_minors" not in text and "sp.And" not in text and "Hint 1" not in text and ":class:" not in text
+    assert (
+        "hurwitz_minors" not in text
+        and "sp.And" not in text
+        and "Hint 1" not in text
+        and ":class:" not in text
+    )
 
 
 def test_every_problem_has_a_copy_with_its_drawings():
@@ -80,8 +100,12 @@ def test_every_problem_has_a_copy_with_its_drawings():
     for exercise in exercises.read_all():
         notebook = nbformat.from_dict(notebook_of(find(exercise.number)))
         nbformat.validate(notebook)
-        asked = [cell.source.split()[-1] for cell in notebook.cells if cell.source.startswith("%check")]
-        assert asked == list(exercise.about["answers"]) or set(asked) == set(exercise.about["answers"])
+        asked = [
+            cell.source.split()[-1] for cell in notebook.cells if cell.source.startswith("%check")
+        ]
+        assert asked == list(exercise.about["answers"]) or set(asked) == set(
+            exercise.about["answers"]
+        )
         pictures = [cell for cell in notebook.cells if "attachment:" in cell.source]
         assert all(cell.attachments for cell in pictures)
 
@@ -89,9 +113,12 @@ def test_every_problem_has_a_copy_with_its_drawings():
 def call(address, path, body=None, method=None):
     parts = urlsplit(address)
     token = parse_qs(parts.query)["token"][0]
-    request = urllib.request.Request(f"http://{parts.netloc}{path}", json.dumps(body).encode() if body else None,
-                                     {"Authorization": f"token {token}", "Content-Type": "application/json"},
-                                     method=method)
+    request = urllib.request.Request(
+        f"http://{parts.netloc}{path}",
+        json.dumps(body).encode() if body else None,
+        {"Authorization": f"token {token}", "Content-Type": "application/json"},
+        method=method,
+    )
     with urllib.request.urlopen(request, timeout=60) as answer:
         return json.load(answer)
 
@@ -99,14 +126,20 @@ def call(address, path, body=None, method=None):
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGKILL])
 def test_no_process_is_left_however_it_ends(lecture, number):
     with lecture("1.15", "--discard") as live:
-        session = call(live.address, "/api/sessions", {"path": "1.15.ipynb", "name": "", "type": "notebook",
-                                                       "kernel": {"name": "python3"}}, "POST")
+        session = call(
+            live.address,
+            "/api/sessions",
+            {"path": "1.15.ipynb", "name": "", "type": "notebook", "kernel": {"name": "python3"}},
+            "POST",
+        )
         assert session["kernel"]["id"]
         live.end(number)
 
 
 def test_a_process_that_ended_before_it_read_is_put_away():
-    process = subprocess.Popen([sys.executable, "-c", ""], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+    process = subprocess.Popen(
+        [sys.executable, "-c", ""], stdin=subprocess.PIPE, stdout=subprocess.PIPE
+    )
     process.wait(60)
     process.stdin.write(b"unread")
     presenting._end(process)
@@ -116,19 +149,32 @@ def test_a_process_that_ended_before_it_read_is_put_away():
 def test_kernels_are_forked_however_long_the_path_is(lecture, tmp_path):
     with lecture("1.15", "--discard") as live:
         end = time.monotonic() + 30
-        while not (found := list(tmp_path.glob("temporary*/workbook-live-*/kernels"))) and time.monotonic() < end:
+        while (
+            not (found := list(tmp_path.glob("temporary*/workbook-live-*/kernels")))
+            and time.monotonic() < end
+        ):
             time.sleep(0.2)
         assert found and found[0].is_socket()
         live.end()
 
 
 def test_what_is_saved_goes_to_the_copy_and_is_kept_where_asked(lecture, tmp_path):
-    before = {path: path.read_bytes() for path in (ROOT / "solutions" / "ch1" / "p15.md",
-                                                   ROOT / "exercises" / "ch1" / "p15.ipynb")}
+    before = {
+        path: path.read_bytes()
+        for path in (
+            ROOT / "solutions" / "ch1" / "p15.md",
+            ROOT / "exercises" / "ch1" / "p15.ipynb",
+        )
+    }
     with lecture("1.15", "--keep", "monday") as live:
         notebook = call(live.address, "/api/contents/1.15.ipynb")["content"]
         notebook["cells"][1]["source"] = "spoilt = True"
-        call(live.address, "/api/contents/1.15.ipynb", {"type": "notebook", "content": notebook}, "PUT")
+        call(
+            live.address,
+            "/api/contents/1.15.ipynb",
+            {"type": "notebook", "content": notebook},
+            "PUT",
+        )
         assert "kept: monday.ipynb" in live.end()
     assert "spoilt" in (tmp_path / "monday.ipynb").read_text()
     assert {path: path.read_bytes() for path in before} == before

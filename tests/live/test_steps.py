@@ -21,7 +21,9 @@ def test_every_answer_begins_with_an_idea_and_every_cell_is_one_step(masters):
         steps = steps_of(master)
         assert set(steps) == set(master.answers), master.number
         together = [step for group in dict.fromkeys(steps.values()) for step in group]
-        assert sorted(step.text for step in together if step.kind != IDEA) == sorted(master.code("answer", "figure"))
+        assert sorted(step.text for step in together if step.kind != IDEA) == sorted(
+            master.code("answer", "figure")
+        )
         for name, group in steps.items():
             assert group[0].kind == IDEA, f"{master.number} {name}"
             assert CODE in {step.kind for step in group}
@@ -32,7 +34,9 @@ def test_no_formula_is_cut(masters):
         for group in steps_of(master).values():
             for step in group:
                 if step.kind == IDEA:
-                    assert step.text.count("$$") % 2 == 0 and step.text.count("```") % 2 == 0, step.text
+                    assert step.text.count("$$") % 2 == 0 and step.text.count("```") % 2 == 0, (
+                        step.text
+                    )
 
 
 def test_the_order_of_an_item(masters):

@@ -1,4 +1,5 @@
-"""A student's notebook in plain JupyterLab: answered wrongly, half and rightly, and what its reports then look like."""
+"""A student's notebook in plain JupyterLab: answered wrongly, half and rightly, and what its
+reports then look like."""
 
 import os
 import shutil
@@ -16,8 +17,10 @@ NOTEBOOK = Path(__file__).resolve().parents[2] / "exercises" / "ch1" / "p15.ipyn
 CELLS = "[...document.querySelectorAll('.jp-NotebookPanel .jp-Notebook .jp-CodeCell')]"
 WRONG_A, RIGHT_A = "a_region = sp.And(k1 > 0, k2 > 0)", "a_region = sp.And(k1 > 0, k1*k2 > 1)"
 RIGHT_B = "b_region = [k2 > 0, k1 > k2]"
-BOTH = "checks.report(a_region=checks.stability_region(a_region, a_poly, [k1, k2])," \
-       " b_region=checks.stability_region(b_region, b_poly, [k1, k2]))"
+BOTH = (
+    "checks.report(a_region=checks.stability_region(a_region, a_poly, [k1, k2]),"
+    " b_region=checks.stability_region(b_region, b_poly, [k1, k2]))"
+)
 
 
 class Desk:
@@ -30,9 +33,12 @@ class Desk:
         self._browser, self._keys, self._actions = browser, Keys, ActionChains
 
     def run(self, beginning, text=None):
-        """Run the first cell with a line that begins like this, rewritten if a text is given, and wait for it."""
-        at = (f"{CELLS}.findIndex(cell => ('\\n' + cell.querySelector('.cm-content').innerText)"
-              f".includes('\\n' + {beginning!r}))")
+        """Run the first cell with a line that begins like this, rewritten if a text is given, and
+        wait for it."""
+        at = (
+            f"{CELLS}.findIndex(cell => ('\\n' + cell.querySelector('.cm-content').innerText)"
+            f".includes('\\n' + {beginning!r}))"
+        )
         number = self._browser.wait_for(f"{at} + 1", 60) - 1
         assert number >= 0, f"no line begins with {beginning}"
         cell = f"{CELLS}[{number}]"
@@ -44,18 +50,25 @@ class Desk:
             self._actions(self._browser.driver).send_keys(text).perform()
         self._press(self._keys.CONTROL, self._keys.ENTER)
         ran = f"{cell}.querySelector('.jp-InputPrompt').innerText"
-        assert self._browser.wait_for(f"/\\d/.test({ran}) && {ran} !== {before!r}", 60), "the cell did not run"
+        assert self._browser.wait_for(f"/\\d/.test({ran}) && {ran} !== {before!r}", 60), (
+            "the cell did not run"
+        )
         return cell
 
     def report(self, beginning, text=None):
-        """A check cell is run: (mark, verdict, colour, text) of each line, and the error below them."""
+        """A check cell is run: (mark, verdict, colour, text) of each line, and the error below
+        them."""
         cell = self.run(beginning, text)
         lines = self._browser.run(
-            f"[...{cell}.querySelectorAll('.workbook-verdict')].map(line => [line.querySelector('.mark').innerText, "
-            "line.className.split(' ').at(-1), getComputedStyle(line).color, line.innerText])")
+            f"[...{cell}.querySelectorAll('.workbook-verdict')].map(line => "
+            "[line.querySelector('.mark').innerText, "
+            "line.className.split(' ').at(-1), getComputedStyle(line).color, line.innerText])"
+        )
         return lines, self._browser.run(
-            f"[...{cell}.querySelectorAll('[data-mime-type=\"application/vnd.jupyter.stderr\"], "
-            "[data-mime-type=\"application/vnd.jupyter.error\"]')].map(part => part.innerText).join('')")
+            f'[...{cell}.querySelectorAll(\'[data-mime-type="application/vnd.jupyter.stderr"], '
+            '[data-mime-type="application/vnd.jupyter.error"]\')].map(part => '
+            "part.innerText).join('')"
+        )
 
     def _press(self, held, key):
         self._actions(self._browser.driver).key_down(held).send_keys(key).key_up(held).perform()
@@ -69,15 +82,38 @@ def desk(browser, tmp_path_factory):
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
         port = free.getsockname()[1]
-    own = {name: str(folder / name.lower())
-           for name in ("JUPYTER_CONFIG_DIR", "JUPYTER_RUNTIME_DIR", "JUPYTER_DATA_DIR", "JUPYTERLAB_SETTINGS_DIR",
-                        "JUPYTERLAB_WORKSPACES_DIR", "IPYTHONDIR")}
+    own = {
+        name: str(folder / name.lower())
+        for name in (
+            "JUPYTER_CONFIG_DIR",
+            "JUPYTER_RUNTIME_DIR",
+            "JUPYTER_DATA_DIR",
+            "JUPYTERLAB_SETTINGS_DIR",
+            "JUPYTERLAB_WORKSPACES_DIR",
+            "IPYTHONDIR",
+        )
+    }
     server = subprocess.Popen(
-        [sys.executable, "-m", "jupyterlab", "--no-browser", "--allow-root", f"--ServerApp.root_dir={folder}",
-         "--ip=127.0.0.1", f"--port={port}", "--ServerApp.port_retries=0", "--IdentityProvider.token=",
-         "--LabApp.news_url=", "--LabApp.extension_manager=readonly"],
-        cwd=folder, env=os.environ | own, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
-        stderr=subprocess.DEVNULL)
+        [
+            sys.executable,
+            "-m",
+            "jupyterlab",
+            "--no-browser",
+            "--allow-root",
+            f"--ServerApp.root_dir={folder}",
+            "--ip=127.0.0.1",
+            f"--port={port}",
+            "--ServerApp.port_retries=0",
+            "--IdentityProvider.token=",
+            "--LabApp.news_url=",
+            "--LabApp.extension_manager=readonly",
+        ],
+        cwd=folder,
+        env=os.environ | own,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+    )
     try:
         for _ in range(300):
             with socket.socket() as knock:
@@ -87,7 +123,9 @@ def desk(browser, tmp_path_factory):
             browser.wait_for("false", 0.2)
         browser.resize(1280, 900)
         browser.open(f"http://127.0.0.1:{port}/lab/tree/{NOTEBOOK.name}")
-        assert browser.wait_for(f"{CELLS}.some(cell => cell.querySelector('.cm-content')?.offsetParent)", 90)
+        assert browser.wait_for(
+            f"{CELLS}.some(cell => cell.querySelector('.cm-content')?.offsetParent)", 90
+        )
         yield Desk(browser)
         browser.open("about:blank")
     finally:
@@ -101,12 +139,12 @@ def lines_of(report):
 
 def line(verdict):
     ink = COLOURS[verdict][0]
-    red, green, blue = (int(ink[k:k + 2], 16) for k in (1, 3, 5))
+    red, green, blue = (int(ink[k : k + 2], 16) for k in (1, 3, 5))
     return MARKS[verdict], verdict, f"rgb({red}, {green}, {blue})"
 
 
 def test_untouched_wrong_half_and_right(desk):
-    check = "checks.report(\"1.15\",\n              a_region"
+    check = 'checks.report("1.15",\n              a_region'
     report, error = desk.report(check)  # no cell has run yet
     assert report == [] and "run the data cell" in error
     desk.run("import sympy as sp")
@@ -116,7 +154,8 @@ def test_untouched_wrong_half_and_right(desk):
     desk.run("a_region =", WRONG_A)
     report, error = desk.report(check)
     assert lines_of(report) == [line("wrong")] and error.strip() == "Not yet: 0 of 1 right."
-    assert "wrong" in report[0][3] and "?" in report[0][3]  # it fails somewhere, and the mistake is asked about
+    # it fails somewhere, and the mistake is asked about
+    assert "wrong" in report[0][3] and "?" in report[0][3]
 
     desk.run("a_region =", RIGHT_A)
     report, error = desk.report(check)
@@ -124,8 +163,11 @@ def test_untouched_wrong_half_and_right(desk):
 
     # two lines of one report, each in its own colour: half of it is right
     desk.run("b_region =", "b_region = k1 > 0")
-    report, error = desk.report("checks.report(\"1.15\",\n              b_region", BOTH)
-    assert lines_of(report) == [line("right"), line("wrong")] and error.strip() == "Not yet: 1 of 2 right."
+    report, error = desk.report('checks.report("1.15",\n              b_region', BOTH)
+    assert (
+        lines_of(report) == [line("right"), line("wrong")]
+        and error.strip() == "Not yet: 1 of 2 right."
+    )
 
     desk.run("b_region =", RIGHT_B)
     report, error = desk.report("checks.report(a_region")

@@ -17,8 +17,15 @@ def solutions(tmp_path):
     return tmp_path / "solutions"
 
 
-@pytest.mark.parametrize("number, name, section", [("2.30", "ch2/p30.md", "§2.2"), ("2.4", "ch2/p04.md", "§2.1"),
-                                                   ("3.1", "ch3/p01.md", "§3.1"), ("2.32", "ch2/p32.md", "§2.5")])
+@pytest.mark.parametrize(
+    "number, name, section",
+    [
+        ("2.30", "ch2/p30.md", "§2.2"),
+        ("2.4", "ch2/p04.md", "§2.1"),
+        ("3.1", "ch3/p01.md", "§3.1"),
+        ("2.32", "ch2/p32.md", "§2.5"),
+    ],
+)
 def test_the_reader_finds_no_fault(solutions, number, name, section):
     page, trials = begin(solutions, number)
     master = read(page)

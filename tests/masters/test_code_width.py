@@ -1,4 +1,5 @@
-"""Code is read without scrolling: the site's column, a printed page and a notebook show 79 characters."""
+"""Code is read without scrolling: the site's column, a printed page and a notebook show 79
+characters."""
 
 import re
 from pathlib import Path
@@ -9,8 +10,11 @@ from workbook.authoring import master_paths
 
 ROOT = Path(__file__).resolve().parents[2]
 CELL = re.compile(r"^(`{3,})\{code-cell\}[^\n]*\n(.*?)^\1[ \t]*$", re.M | re.S)
-PAGES = [*master_paths(ROOT / "solutions"), *sorted((ROOT / "book").glob("ch*.md")),
-         *sorted((ROOT / "book" / "errata").glob("ch*.md"))]
+PAGES = [
+    *master_paths(ROOT / "solutions"),
+    *sorted((ROOT / "book").glob("ch*.md")),
+    *sorted((ROOT / "book" / "errata").glob("ch*.md")),
+]
 
 
 @pytest.mark.parametrize("path", PAGES, ids=lambda path: f"{path.parent.name}/{path.stem}")

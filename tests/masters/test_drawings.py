@@ -1,4 +1,5 @@
-"""The drawings of the statements: nothing is cut off or printed over, and every symbol is one of the text."""
+"""The drawings of the statements: nothing is cut off or printed over, and every symbol is one of
+the text."""
 
 import functools
 import re
@@ -11,8 +12,13 @@ from workbook.authoring import master_paths, read
 
 pytestmark = pytest.mark.slow
 ROOT = Path(__file__).resolve().parents[2]
-#: Seen in the text: to read all masters would take every process of the tests seconds before its first one.
-DRAWN = [path for path in master_paths(ROOT / "solutions") if "\n:tags: [drawing" in path.read_text(encoding="utf-8")]
+#: Seen in the text: to read all masters would take every process of the tests seconds before its
+#: first one.
+DRAWN = [
+    path
+    for path in master_paths(ROOT / "solutions")
+    if "\n:tags: [drawing" in path.read_text(encoding="utf-8")
+]
 once = functools.cache(read)
 
 
@@ -27,7 +33,11 @@ def labels(drawing):
     """The texts of a drawing with their boxes on the sheet, in points."""
     figure = drawing._figure
     figure.draw_without_rendering()
-    return [(text.get_text(), text.get_window_extent()) for text in figure.axes[0].texts if text.get_text()]
+    return [
+        (text.get_text(), text.get_window_extent())
+        for text in figure.axes[0].texts
+        if text.get_text()
+    ]
 
 
 @pytest.fixture(params=DRAWN, ids=lambda path: f"{path.parent.name[2:]}.{int(path.stem[1:])}")
@@ -40,7 +50,9 @@ def test_letters_are_on_the_sheet_and_apart(master):
         found, sheet = labels(drawing), drawing._figure.bbox
         assert found
         for text, box in found:
-            assert box.x0 >= 0 and box.y0 >= 0 and box.x1 <= sheet.x1 and box.y1 <= sheet.y1, f"{text} is cut off"
+            assert box.x0 >= 0 and box.y0 >= 0 and box.x1 <= sheet.x1 and box.y1 <= sheet.y1, (
+                f"{text} is cut off"
+            )
         for (text, box), (other, its_box) in combinations(found, 2):
             assert not box.overlaps(its_box), f"{text} is printed over {other}"
 
@@ -53,7 +65,7 @@ def test_a_phone_shows_it_with_letters_that_can_be_read(master):
 
 def test_every_symbol_stands_in_the_statement(master):
     statement = "\n".join(cell.source for cell in master.cells if not cell.role)
-    statement = squeezed(statement[:statement.index("{solution-start}")])
+    statement = squeezed(statement[: statement.index("{solution-start}")])
     for drawing in drawings(master):
         for text, _ in labels(drawing):
             for formula in re.findall(r"\$(.+?)\$", text):

@@ -15,7 +15,11 @@ def test_every_entry_is_of_its_chapter_and_complete(path):
     assert len(entries) > 1 and "\n### " not in entries[0]
     for label, entry in zip(entries[1::2], entries[2::2]):
         assert label.startswith(f"err-{path.stem[2:]}-")
-        assert re.findall(r"^(Printed|Right|Reason)$", entry, re.M) == ["Printed", "Right", "Reason"], label
+        assert re.findall(r"^(Printed|Right|Reason)$", entry, re.M) == [
+            "Printed",
+            "Right",
+            "Reason",
+        ], label
         assert "\n### " not in entry, label
 
 

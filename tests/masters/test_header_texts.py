@@ -1,4 +1,5 @@
-"""Formulas in answers, hints and the sentences on mistakes are set, between dollars, wherever a person reads them."""
+"""Formulas in answers, hints and the sentences on mistakes are set, between dollars, wherever a
+person reads them."""
 
 import ast
 import re
@@ -13,27 +14,39 @@ from workbook.authoring.mistakes import sentence
 
 pytestmark = pytest.mark.slow
 SOLUTIONS = Path(__file__).resolve().parents[2] / "solutions"
-#: What is set between dollars, code between backticks, a reference, an answer of no items; not mathematics as typed.
+#: What is set between dollars, code between backticks, a reference, an answer of no items; not
+#: mathematics as typed.
 SET = re.compile(r"\$[^$]*\$|`[^`]*`")
 GREEK = "alpha|beta|gamma|delta|epsilon|lambda|mu|nu|xi|eta|psi|varphi|phi|omega|Omega|rho|sigma|tau|theta|kappa|pi"
-TYPED = re.compile(rf"[\^*<>=$\\]|_\w|\b[A-Za-z]'(?!s\b)|\b[A-Za-z]\d|\b({GREEK})\b|\b(sqrt|exp|sin|cos|det)\(")
+TYPED = re.compile(
+    rf"[\^*<>=$\\]|_\w|\b[A-Za-z]'(?!s\b)|\b[A-Za-z]\d|\b({GREEK})\b|\b(sqrt|exp|sin|cos|det)\("
+)
 
-#: What an answer is to be written in: "in $t$, $x_0$ and $T$"; names of code behind it tell what is typed for them.
-WRITTEN_IN = re.compile(r"(?<!\$ )\bin ((?>(?:(?:\$[^$]+\$|`\w+`)(?:, (?:and )?| and )?)+))(?! ?\(`)")
+#: What an answer is to be written in: "in $t$, $x_0$ and $T$"; names of code behind it tell what is
+#: typed for them.
+WRITTEN_IN = re.compile(
+    r"(?<!\$ )\bin ((?>(?:(?:\$[^$]+\$|`\w+`)(?:, (?:and )?| and )?)+))(?! ?\(`)"
+)
 
 
 def texts(path):
     about, _ = read_front_matter(path, path.read_text(encoding="utf-8"))
-    return [text.partition(":")[2] for text in about["answers"].values()] + sum(about["hints"].values(), [])
+    return [text.partition(":")[2] for text in about["answers"].values()] + sum(
+        about["hints"].values(), []
+    )
 
 
-@pytest.mark.parametrize("path", master_paths(SOLUTIONS), ids=lambda path: f"{path.parent.name}/{path.stem}")
+@pytest.mark.parametrize(
+    "path", master_paths(SOLUTIONS), ids=lambda path: f"{path.parent.name}/{path.stem}"
+)
 def test_no_formula_is_left_as_typed(path):
     found = {text: typed[0] for text in texts(path) if (typed := TYPED.search(SET.sub("", text)))}
     assert not found, "put formulas between dollars, code between backticks"
 
 
-@pytest.mark.parametrize("path", master_paths(SOLUTIONS), ids=lambda path: f"{path.parent.name}/{path.stem}")
+@pytest.mark.parametrize(
+    "path", master_paths(SOLUTIONS), ids=lambda path: f"{path.parent.name}/{path.stem}"
+)
 def test_no_formula_of_a_mistake_is_left_as_typed(path):
     master = read(path)
     said = [trial.comment for trial in master.trials["wrong"] if sentence(master, trial)]
@@ -41,39 +54,69 @@ def test_no_formula_of_a_mistake_is_left_as_typed(path):
     assert not found, "put formulas between dollars, code between backticks"
 
 
-@pytest.mark.parametrize("path", master_paths(SOLUTIONS), ids=lambda path: f"{path.parent.name}/{path.stem}")
+@pytest.mark.parametrize(
+    "path", master_paths(SOLUTIONS), ids=lambda path: f"{path.parent.name}/{path.stem}"
+)
 def test_every_formula_can_be_read_where_nothing_is_set(path):
     for text in [*texts(path), *(trial.comment for trial in read(path).trials["wrong"])]:
-        assert not re.search(r"[$\\`]|\b([dt]?frac(?![a-z])\w*|[lr]vert|mathrm)\b", plain(text)), text
+        assert not re.search(r"[$\\`]|\b([dt]?frac(?![a-z])\w*|[lr]vert|mathrm)\b", plain(text)), (
+            text
+        )
 
 
-@pytest.mark.parametrize("path", master_paths(SOLUTIONS), ids=lambda path: f"{path.parent.name}/{path.stem}")
+@pytest.mark.parametrize(
+    "path", master_paths(SOLUTIONS), ids=lambda path: f"{path.parent.name}/{path.stem}"
+)
 def test_what_an_answer_is_written_in_has_that_name_in_code(path):
     """A stub that asks for an answer in x0 has a symbol x0, and not x_0."""
     master = read(path)
     nodes = [node for cell in master.code("data") for node in ast.walk(ast.parse(cell))]
     names = {node.id for node in nodes if isinstance(node, ast.Name)}
     about, _ = read_front_matter(path, path.read_text(encoding="utf-8"))
-    asked = {plain(word) for text in about["answers"].values() for listed in WRITTEN_IN.findall(text)
-             for word in re.findall(r"\$[^$]+\$|`\w+`", listed)}
+    asked = {
+        plain(word)
+        for text in about["answers"].values()
+        for listed in WRITTEN_IN.findall(text)
+        for word in re.findall(r"\$[^$]+\$|`\w+`", listed)
+    }
     assert {word for word in asked if word.isidentifier()} <= names.union(about["answers"])
 
 
-@pytest.mark.parametrize("typed, found", [
-    ("det(M s^2 + D s + K)", "^"), ("x1 and x2", "x1"), ("the rate x'", "x'"), ("2*k", "*"), ("psi_1", "_1"),
-    ("all real beta", "beta"), ("for b > 0", ">")])
+@pytest.mark.parametrize(
+    "typed, found",
+    [
+        ("det(M s^2 + D s + K)", "^"),
+        ("x1 and x2", "x1"),
+        ("the rate x'", "x'"),
+        ("2*k", "*"),
+        ("psi_1", "_1"),
+        ("all real beta", "beta"),
+        ("for b > 0", ">"),
+    ],
+)
 def test_what_is_taken_for_a_formula(typed, found):
     assert TYPED.search(typed)[0].strip() in (found, typed.split("(")[0] + "(")
 
 
-@pytest.mark.parametrize("formula, typed", [
-    (r"$\dot x_1 = -k_1 x_1$", "x1' = -k1 x1"), (r"$\ddot\psi$ and $\lambda^{-k}$", "psi'' and lambda^-k"),
-    (r"$\exp(-\lambda_0 t) \leq 1/\sqrt{2}$", "exp(-lambda0 t) <= 1/sqrt(2)"), (r"$x^\top G x$, $x^*$", "x^T G x, x*"),
-    (r"$u = \bar u$ for $\varepsilon \to \infty$", "u = ubar for epsilon -> oo"),
-    (r"$\frac12u^2 \leq \frac{\cos y}{1 - \cos y}$, $\frac{\beta}{2}$", "1/2u^2 <= (cos y)/(1 - cos y), beta/2"),
-    (r"$\lvert y\rvert \le 1$, $\psi \equiv 0$, $a = \pm1$, $\sin\beta/\rho$, $\dot\psi$",
-     "|y| <= 1, psi == 0, a = +-1, sin beta/rho, psi'"),
-    (r"in $\varrho_T$ and $\bar\omega$", "in rho_T and omegabar"),
-    ("the basis of `a_unseen`", "the basis of a_unseen")])
+@pytest.mark.parametrize(
+    "formula, typed",
+    [
+        (r"$\dot x_1 = -k_1 x_1$", "x1' = -k1 x1"),
+        (r"$\ddot\psi$ and $\lambda^{-k}$", "psi'' and lambda^-k"),
+        (r"$\exp(-\lambda_0 t) \leq 1/\sqrt{2}$", "exp(-lambda0 t) <= 1/sqrt(2)"),
+        (r"$x^\top G x$, $x^*$", "x^T G x, x*"),
+        (r"$u = \bar u$ for $\varepsilon \to \infty$", "u = ubar for epsilon -> oo"),
+        (
+            r"$\frac12u^2 \leq \frac{\cos y}{1 - \cos y}$, $\frac{\beta}{2}$",
+            "1/2u^2 <= (cos y)/(1 - cos y), beta/2",
+        ),
+        (
+            r"$\lvert y\rvert \le 1$, $\psi \equiv 0$, $a = \pm1$, $\sin\beta/\rho$, $\dot\psi$",
+            "|y| <= 1, psi == 0, a = +-1, sin beta/rho, psi'",
+        ),
+        (r"in $\varrho_T$ and $\bar\omega$", "in rho_T and omegabar"),
+        ("the basis of `a_unseen`", "the basis of a_unseen"),
+    ],
+)
 def test_a_formula_as_typed(formula, typed):
     assert plain(formula) == typed

@@ -8,14 +8,25 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 PAGES = sorted([*ROOT.glob("solutions/ch*/p*.md"), *ROOT.glob("book/**/*.md")])
 #: Code, formulas, roles, addresses, and names with initials.
-LEFT_OUT = [re.compile(pattern, re.M | re.S) for pattern in (
-    r"^(`{3,})(?:\{code-\w+\}|\{math\}|\{live\}|\w*$).*?^\1`*[ \t]*$", r"(`+).*?\1", r"\$\$.*?\$\$|\$[^$]*\$",
-    r"\]\([^)]*\)|<[^>]*>", r"\b[A-Z]\.\s(?:[A-Z][a-z]?\.\s)*(?=[A-ZŁ])")]
-#: A capital inside a sentence, also the one that is a word at its beginning; the last letters of the alphabet.
+LEFT_OUT = [
+    re.compile(pattern, re.M | re.S)
+    for pattern in (
+        r"^(`{3,})(?:\{code-\w+\}|\{math\}|\{live\}|\w*$).*?^\1`*[ \t]*$",
+        r"(`+).*?\1",
+        r"\$\$.*?\$\$|\$[^$]*\$",
+        r"\]\([^)]*\)|<[^>]*>",
+        r"\b[A-Z]\.\s(?:[A-Z][a-z]?\.\s)*(?=[A-ZŁ])",
+    )
+]
+#: A capital inside a sentence, also the one that is a word at its beginning; the last letters of
+#: the alphabet.
 LETTER = re.compile(r"(?<=[a-z] )[A-HJ-Z](?![\w'’&+/-])|(?<=[a-z] )[w-z](?![\w'’&/-])|\b[xyu]\d\b")
 #: Spectra in 4.17, a condition, keys of the keyboard, a choice that the class of a lecturer has.
-NAMES = {"solutions/ch4/p17.md": set("ABCDEF"), "book/ch5.md": {"C"},
-         "book/guides/lecturer.md": set("AB")}
+NAMES = {
+    "solutions/ch4/p17.md": set("ABCDEF"),
+    "book/ch5.md": {"C"},
+    "book/guides/lecturer.md": set("AB"),
+}
 
 
 def letters(text):
@@ -30,8 +41,15 @@ def test_a_letter_of_mathematics_is_set(page):
     assert set(letters(page.read_text(encoding="utf-8"))) <= named
 
 
-@pytest.mark.parametrize("text, found", [
-    ("the eigenvectors of A as rows", ["A"]), ("From x to y.", ["x", "y"]), ("the rate of x1", ["x1"]),
-    ("of $A$ and `K`, of A. V. Kirgetov", []), ("It moves. A body falls; a vector I know", [])])
+@pytest.mark.parametrize(
+    "text, found",
+    [
+        ("the eigenvectors of A as rows", ["A"]),
+        ("From x to y.", ["x", "y"]),
+        ("the rate of x1", ["x1"]),
+        ("of $A$ and `K`, of A. V. Kirgetov", []),
+        ("It moves. A body falls; a vector I know", []),
+    ],
+)
 def test_what_is_a_letter_of_mathematics(text, found):
     assert letters(text) == found

@@ -1,4 +1,5 @@
-"""Every problem stands in the section in which the problem book has it, and is referred to by one word."""
+"""Every problem stands in the section in which the problem book has it, and is referred to by one
+word."""
 
 import re
 from pathlib import Path
@@ -7,7 +8,13 @@ from workbook.authoring import master_paths, read
 
 SOLUTIONS = Path(__file__).resolve().parents[2] / "solutions"
 #: The first problem of each section, as the book counts them.
-FIRST = {1: (1, 14), 2: (1, 3, 8, 16, 18, 28), 3: (1, 9, 17), 4: (5, 10, 15, 22, 33), 5: (1, 14, 46, 63)}
+FIRST = {
+    1: (1, 14),
+    2: (1, 3, 8, 16, 18, 28),
+    3: (1, 9, 17),
+    4: (5, 10, 15, 22, 33),
+    5: (1, 14, 46, 63),
+}
 #: These stand in the text of the chapter, before its first section.
 IN_THE_TEXT = {"4.1", "4.2", "4.3", "4.4"}
 
@@ -26,14 +33,20 @@ def test_sections_are_those_of_the_book():
 def test_a_reference_says_only_once_that_it_leads_to_a_problem():
     """{problem}`5.57` is set as "problem 5.57"."""
     book = SOLUTIONS.parent / "book"
-    found = [f"{path.relative_to(book.parent)}: {line}" for root in (SOLUTIONS, book)
-             for path in sorted(root.rglob("*.md")) for line
-             in re.findall(r"[Pp]roblems? \{problem\}.*", path.read_text(encoding="utf-8"))]
+    found = [
+        f"{path.relative_to(book.parent)}: {line}"
+        for root in (SOLUTIONS, book)
+        for path in sorted(root.rglob("*.md"))
+        for line in re.findall(r"[Pp]roblems? \{problem\}.*", path.read_text(encoding="utf-8"))
+    ]
     assert found == []
 
 
 def test_equations_are_numbered_by_letters():
     """The label eq-5-34-meeting would be read as equation (5.34meeting)."""
-    labels = [label for path in SOLUTIONS.glob("ch*/p*.md") for label in
-              re.findall(r"\beq-\d+-\d+-(\w+)", path.read_text(encoding="utf-8"))]
+    labels = [
+        label
+        for path in SOLUTIONS.glob("ch*/p*.md")
+        for label in re.findall(r"\beq-\d+-\d+-(\w+)", path.read_text(encoding="utf-8"))
+    ]
     assert len(labels) > 100 and {label for label in labels if len(label) > 1} == set()

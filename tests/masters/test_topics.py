@@ -1,4 +1,5 @@
-"""Topics lead from one problem to its kin: one topic has one name, or its problems stand in two lists."""
+"""Topics lead from one problem to its kin: one topic has one name, or its problems stand in two
+lists."""
 
 import re
 from pathlib import Path
@@ -13,12 +14,17 @@ SMALL = {"a", "an", "by", "in", "of", "the", "with"}
 
 def stem(topic):
     """What a topic has in any number and order of its words."""
-    return frozenset(ENDINGS.sub("", word) for word in re.findall(r"[\w']+", topic.lower()) if word not in SMALL)
+    return frozenset(
+        ENDINGS.sub("", word) for word in re.findall(r"[\w']+", topic.lower()) if word not in SMALL
+    )
 
 
 def test_no_topic_stands_in_two_lists():
-    topics = {topic for path in master_paths(SOLUTIONS)
-              for topic in read_front_matter(path, path.read_text(encoding="utf-8"))[0]["topics"]}
+    topics = {
+        topic
+        for path in master_paths(SOLUTIONS)
+        for topic in read_front_matter(path, path.read_text(encoding="utf-8"))[0]["topics"]
+    }
     names = {}
     for topic in sorted(topics):
         names.setdefault(stem(topic), []).append(topic)
@@ -27,4 +33,6 @@ def test_no_topic_stands_in_two_lists():
 
 def test_what_is_the_same_topic():
     assert stem("equilibria") == stem("equilibrium") and stem("moving ends") == stem("moving end")
-    assert stem("Kelley's condition") == stem("Kelley condition") != stem("condition on a parameter")
+    assert (
+        stem("Kelley's condition") == stem("Kelley condition") != stem("condition on a parameter")
+    )

@@ -15,7 +15,9 @@ def trials(tmp_path, text):
 
 
 def test_comments_behind_and_above(tmp_path):
-    found = trials(tmp_path, """\
+    found = trials(
+        tmp_path,
+        """\
 # %% wrong
 a_region = k > 0  # one sign – of two
 # a point too many,
@@ -32,32 +34,47 @@ b_points = sorted(points)  # sorted
 b_points = {
     1: "# %% wrong"}  # as a dict
 a_region = k > 1  # the other one
-""".replace("points = [0, 1]  # counted\n\n", ""))
+""".replace("points = [0, 1]  # counted\n\n", ""),
+    )
     assert found == {
-        "wrong": [Trial("a_region", "a_region = k > 0", "one sign – of two"),
-                  Trial("b_points", "points = [[p, -p]\n          for p in (1, 2)]\nb_points = sorted(points)",
-                        "both of them")],
-        "right": [Trial("b_points", 'b_points = {\n    1: "# %% wrong"}', "as a dict"),
-                  Trial("a_region", "a_region = k > 1", "the other one")]}
+        "wrong": [
+            Trial("a_region", "a_region = k > 0", "one sign – of two"),
+            Trial(
+                "b_points",
+                "points = [[p, -p]\n          for p in (1, 2)]\nb_points = sorted(points)",
+                "both of them",
+            ),
+        ],
+        "right": [
+            Trial("b_points", 'b_points = {\n    1: "# %% wrong"}', "as a dict"),
+            Trial("a_region", "a_region = k > 1", "the other one"),
+        ],
+    }
 
 
 def test_several_lines_above_are_one_comment(tmp_path):
     found = trials(tmp_path, "# %% right\n# a line,\n# and another\na_region = True\n")
-    assert found["right"] == [Trial("a_region", "a_region = True", "a line, and another")] and found["wrong"] == []
+    assert (
+        found["right"] == [Trial("a_region", "a_region = True", "a line, and another")]
+        and found["wrong"] == []
+    )
 
 
-@pytest.mark.parametrize("text, line, said", [
-    ("a_region = k > 0  # why\n", 1, "stands under a line"),
-    ("# %% wrong\na_region = k > 0\n", 2, "under a comment"),
-    ("# %% wrong\n# far away\n\na_region = k > 0\n", 4, "under a comment"),
-    ("# %% wrnog\na_region = k > 0  # why\n", 1, "# %% wrong or # %% right"),
-    ("# %% wrong\nk = 1\n# %% right\na_region = k > 0  # why\n", 3, "before a trial"),
-    ("# %% wrong\na_region, b_points = 1, 2  # why\n", 2, "one answer"),
-    ("# %% wrong\na_region = 1; b_points = 2  # why\n", 2, "one answer"),
-    ("# %% wrong\na_region = 1  # why\nk = 2\n", 3, "assigns none"),
-    ("# %% wrong\na_regoin = 1  # why\na_region = 2  # why\n", 2, "a_regoin is no answer"),
-    ("# %% wrong\na_region = (1  # why\n", 2, "no Python"),
-])
+@pytest.mark.parametrize(
+    "text, line, said",
+    [
+        ("a_region = k > 0  # why\n", 1, "stands under a line"),
+        ("# %% wrong\na_region = k > 0\n", 2, "under a comment"),
+        ("# %% wrong\n# far away\n\na_region = k > 0\n", 4, "under a comment"),
+        ("# %% wrnog\na_region = k > 0  # why\n", 1, "# %% wrong or # %% right"),
+        ("# %% wrong\nk = 1\n# %% right\na_region = k > 0  # why\n", 3, "before a trial"),
+        ("# %% wrong\na_region, b_points = 1, 2  # why\n", 2, "one answer"),
+        ("# %% wrong\na_region = 1; b_points = 2  # why\n", 2, "one answer"),
+        ("# %% wrong\na_region = 1  # why\nk = 2\n", 3, "assigns none"),
+        ("# %% wrong\na_regoin = 1  # why\na_region = 2  # why\n", 2, "a_regoin is no answer"),
+        ("# %% wrong\na_region = (1  # why\n", 2, "no Python"),
+    ],
+)
 def test_what_is_no_trial(tmp_path, text, line, said):
     with pytest.raises(MasterError, match=rf"p15\.trials\.py:{line}: .*{said}"):
         trials(tmp_path, text)

@@ -1,4 +1,5 @@
-"""What answers are whatever their form: equal ones alike, others not, rounding and other kinds of answers included."""
+"""What answers are whatever their form: equal ones alike, others not, rounding and other kinds of
+answers included."""
 
 import numpy as np
 import pytest
@@ -11,15 +12,15 @@ m = sp.Symbol("m", positive=True)
 PLANE = {"x": "", "y": ""}
 
 ALIKE = [
-    ("expression", (x + y)**2, sp.expand((x + y)**2)),
-    ("expression", (x**2 - y**2)/(x - y), x + y),
-    ("expression", x/3, 0.3333333333333333*x),
-    ("expression", sp.sin(2*x), 2*sp.sin(x)*sp.cos(x)),
-    ("expression", sp.Symbol("x")*y, x*sp.Symbol("y", complex=True)),
+    ("expression", (x + y) ** 2, sp.expand((x + y) ** 2)),
+    ("expression", (x**2 - y**2) / (x - y), x + y),
+    ("expression", x / 3, 0.3333333333333333 * x),
+    ("expression", sp.sin(2 * x), 2 * sp.sin(x) * sp.cos(x)),
+    ("expression", sp.Symbol("x") * y, x * sp.Symbol("y", complex=True)),
     ("expression", sp.sqrt(x), x**0.5),
     ("law", -sp.sign(x), sp.Piecewise((-1, x > 0), (1, True))),
-    ("law", sp.Lambda((x,), 2*x), 2*x),
-    ("number", sp.pi/4, 0.785),
+    ("law", sp.Lambda((x,), 2 * x), 2 * x),
+    ("number", sp.pi / 4, 0.785),
     ("number", sp.Integer(3), 3.0),
     ("number", sp.sqrt(2) + sp.I, np.sqrt(2) + 1j),
     ("vector", [1, x], sp.Matrix([1, x])),
@@ -29,9 +30,9 @@ ALIKE = [
     ("set", [1, 2], sp.FiniteSet(2, 1)),
     ("list of vector", [[1, x], [0, 1]], [(0, 1), sp.Matrix([1, x])]),
     ("list of vector basis", [[1, 0, 1], [0, 1, 0]], sp.Matrix([[1, 2], [3, 1], [1, 2]])),
-    ("list of vector basis", [[x, 1]], [[-2*x**2, -2*x]]),
+    ("list of vector basis", [[x, 1]], [[-2 * x**2, -2 * x]]),
     ("dict basis", {-1: [[1, 2]]}, {-1.0: np.array([[2.0, 4.0]])}),
-    ("equation", sp.Eq(x, y), sp.Eq(2*y - 2*x, 0)),
+    ("equation", sp.Eq(x, y), sp.Eq(2 * y - 2 * x, 0)),
     ("condition", sp.And(x > 0, y > x), sp.Not(sp.Or(x <= 0, y <= x))),
     ("condition", sp.And(x > 0, y > x), [y - x > 0, x > 0]),
     ("condition", x >= sp.Rational(1, 5), sp.Symbol("x") >= 0.2),
@@ -41,7 +42,7 @@ ALIKE = [
     ("integer", 3, sp.Float(3.0)),
 ]
 UNLIKE = [
-    ("expression", x**2, x*sp.Abs(x)),
+    ("expression", x**2, x * sp.Abs(x)),
     ("expression", x + y, x - y),
     ("expression", x, x + sp.Rational(1, 1000)),
     ("expression", sp.Piecewise((-1, t < 1), (x, True)), [[-1, 2], [x, 3]]),
@@ -53,7 +54,7 @@ UNLIKE = [
     ("list of vector basis", [[1, 0]], [[0, 1]]),
     ("list of vector basis", [[0, 0]], []),
     ("equation", sp.Eq(x, y), sp.Eq(x, -y)),
-    ("condition", x*y > 1, x*y >= 1),
+    ("condition", x * y > 1, x * y >= 1),
     ("condition", sp.Ne(x, 1), sp.true),
     ("condition", sp.And(x > 0, y > 0), sp.Or(x > 0, y > 0)),
     ("condition", x > -sp.Rational(3, 4), x > -sp.Rational(37, 50)),
@@ -85,12 +86,20 @@ def test_a_list_without_rows_may_be_a_row_or_a_column():
 
 
 def test_arcs_are_like_the_cases_that_say_the_same():
-    for arcs, said in (([[-1, 1], [x, 2]], sp.Piecewise((-1, t < 1), (x, True))),
-                       (np.array([[-1, x], [1, 3]]), sp.sign(t - x)), ([[4, sp.pi/4]], 4)):
+    for arcs, said in (
+        ([[-1, 1], [x, 2]], sp.Piecewise((-1, t < 1), (x, True))),
+        (np.array([[-1, x], [1, 3]]), sp.sign(t - x)),
+        ([[4, sp.pi / 4]], 4),
+    ):
         assert of(said, "expression")[0] in of(arcs, "expression")
         (cases,) = in_cases(arcs, "expression")
         assert of(cases, "expression")[0] == of(said, "expression")[0] != of(arcs, "expression")[0]
-    assert in_cases([[1, 2], [3, 4]], "matrix") == in_cases(x, "expression") == in_cases(["a b"], "expression") == []
+    assert (
+        in_cases([[1, 2], [3, 4]], "matrix")
+        == in_cases(x, "expression")
+        == in_cases(["a b"], "expression")
+        == []
+    )
     assert not set(of([[x, 1], [1, 2]], "expression")) & set(of([[x, 2], [1, 2]], "expression"))
 
 
@@ -101,8 +110,8 @@ def test_three_digits_of_any_number_are_enough():
 
 def test_rounding_makes_no_other_answer():
     for number in np.linspace(1, 2, 2000):
-        moved = of(sp.Float(number)*(1 + sp.Float(1e-13))*x, "expression")
-        assert of(sp.Float(number)*x, "expression")[0] in moved, number
+        moved = of(sp.Float(number) * (1 + sp.Float(1e-13)) * x, "expression")
+        assert of(sp.Float(number) * x, "expression")[0] in moved, number
 
 
 def test_a_parameter_is_taken_positive_where_it_is():
@@ -110,10 +119,20 @@ def test_a_parameter_is_taken_positive_where_it_is():
     assert of(sp.Abs(x), "expression") != of(x, "expression")
 
 
-@pytest.mark.parametrize("kind, value", [
-    ("condition", x + y), ("condition", sp.Symbol("z") > 0), ("expression", [lambda: 1]),
-    ("number", None), ("expression", sp.Integral(sp.exp(-x**2), (x, 0, 1))), ("set", x), ("yes/no", 17),
-    ("matrix", 3), ("expression", [x]*LONGEST)])
+@pytest.mark.parametrize(
+    "kind, value",
+    [
+        ("condition", x + y),
+        ("condition", sp.Symbol("z") > 0),
+        ("expression", [lambda: 1]),
+        ("number", None),
+        ("expression", sp.Integral(sp.exp(-(x**2)), (x, 0, 1))),
+        ("set", x),
+        ("yes/no", 17),
+        ("matrix", 3),
+        ("expression", [x] * LONGEST),
+    ],
+)
 def test_what_has_no_values_is_unlike_everything(kind, value):
     with pytest.raises(Unlike):
         of(value, kind)

@@ -10,7 +10,9 @@ SENTENCE = "Is this what comes out if friction is forgotten?\nHint 1: Write the 
 def test_who_has_the_answer_can_open_the_sentence():
     sealed = dict([seal(SENTENCE, "1.15 a_region", b"mine")])
     assert find(sealed, "1.15 a_region", [b"other", b"mine"]) == SENTENCE
-    assert find(sealed, "1.15 a_region", [b"other"]) == find(sealed, "1.15 b_region", [b"mine"]) == ""
+    assert (
+        find(sealed, "1.15 a_region", [b"other"]) == find(sealed, "1.15 b_region", [b"mine"]) == ""
+    )
     assert find(sealed, "1.16 a_region", [b"mine"]) == ""
 
 
@@ -18,10 +20,17 @@ def test_neither_answer_nor_sentence_is_readable():
     ((name, text),) = sealed = [seal(SENTENCE, "1.15 a_region", b"mine")]
     for shown in (name.encode(), text.encode(), base64.b64decode(text)):
         assert not any(word in shown for word in (b"mine", b"friction", b"Hint", b"Is this"))
-    assert sealed[0] != seal(SENTENCE, "1.15 b_region", b"mine") != seal(SENTENCE, "1.16 b_region", b"mine")
+    assert (
+        sealed[0]
+        != seal(SENTENCE, "1.15 b_region", b"mine")
+        != seal(SENTENCE, "1.16 b_region", b"mine")
+    )
     assert seal(SENTENCE, "1.15 a_region", b"mine") == sealed[0]
 
 
 def test_sentences_that_begin_alike_are_not_sealed_alike():
-    (_, one), (_, other) = seal(SENTENCE, "1.15 a_region", b"mine"), seal(SENTENCE, "1.15 a_region", b"yours")
+    (_, one), (_, other) = (
+        seal(SENTENCE, "1.15 a_region", b"mine"),
+        seal(SENTENCE, "1.15 a_region", b"yours"),
+    )
     assert base64.b64decode(one)[:4] != base64.b64decode(other)[:4]

@@ -1,10 +1,11 @@
 """Notes which functions of some packages a computation calls, at the cost of these calls alone.
 
-A profiler sees every call, also the millions within SymPy, and with one a verdict takes half as long again. Here each
-function that matters has other code until it is noted, which does so and then what the function does: so it is also
-seen by whoever has imported the function before.
+A profiler sees every call, also the millions within SymPy, and with one a verdict takes half as
+long again. Here each function that matters has other code until it is noted, which does so and then
+what the function does: so it is also seen by whoever has imported the function before.
 
-Not seen are functions made inside others, methods that use `super()`, and what is imported only meanwhile.
+Not seen are functions made inside others, methods that use `super()`, and what is imported only
+meanwhile.
 """
 
 import functools
@@ -18,8 +19,9 @@ _NOW = [set(), None]
 
 @contextmanager
 def calls_noted(packages, heed):
-    """Within it, the set of (module, name) grows by each function called for which `heed(its module, the frame of its
-    caller)` is true; functions are those of modules whose names begin with one of `packages`."""
+    """Within it, the set of (module, name) grows by each function called for which `heed(its
+    module, the frame of its caller)` is true; functions are those of modules whose names begin with
+    one of `packages`."""
     codes = codes_that_note(packages)
     _NOW[:] = called, heed = set(), heed
     for function, _, noting in codes:
@@ -32,15 +34,22 @@ def calls_noted(packages, heed):
 
 
 def codes_that_note(packages):
-    """(function, its code, one that notes the call first) for each function; a process that is forked from one that has
-    asked for them finds them ready."""
-    return [found for name in list(sys.modules) if name.startswith(packages) for found in _codes_in(name)]
+    """(function, its code, one that notes the call first) for each function; a process that is
+    forked from one that has asked for them finds them ready."""
+    return [
+        found
+        for name in list(sys.modules)
+        if name.startswith(packages)
+        for found in _codes_in(name)
+    ]
 
 
 @functools.cache
 def _codes_in(module):
-    return [(function, function.__code__, _that_notes(function))
-            for function in _functions(vars(sys.modules[module]), module, set())]
+    return [
+        (function, function.__code__, _that_notes(function))
+        for function in _functions(vars(sys.modules[module]), module, set())
+    ]
 
 
 def _functions(names, module, seen):
@@ -52,7 +61,11 @@ def _functions(names, module, seen):
             value = value.func
         while isinstance(value, (staticmethod, classmethod, functools._lru_cache_wrapper)):
             value = value.__wrapped__
-        if not isinstance(value, (FunctionType, type)) or value.__module__ != module or id(value) in seen:
+        if (
+            not isinstance(value, (FunctionType, type))
+            or value.__module__ != module
+            or id(value) in seen
+        ):
             continue
         seen.add(id(value))
         if isinstance(value, type):
@@ -74,11 +87,14 @@ def _that_notes(function):
             called.add((module, name))
             function.__code__ = own
 
-    original = FunctionType(function.__code__, function.__globals__, function.__name__, function.__defaults__)
+    original = FunctionType(
+        function.__code__, function.__globals__, function.__name__, function.__defaults__
+    )
     original.__kwdefaults__ = function.__kwdefaults__
     put = {"NOTE": note, "FUNCTION": original}
-    return _noted.__code__.replace(co_consts=tuple(put.get(constant, constant)
-                                                   for constant in _noted.__code__.co_consts))
+    return _noted.__code__.replace(
+        co_consts=tuple(put.get(constant, constant) for constant in _noted.__code__.co_consts)
+    )
 
 
 def _noted(*args, **kwargs):

@@ -1,5 +1,5 @@
-"""What a process of a student's could hand over in the place of answers, though it is none: code, values that are no
-numbers, things of a wrong kind. Python's own audit sees what judging it does."""
+"""What a process of a student's could hand over in the place of answers, though it is none: code,
+values that are no numbers, things of a wrong kind. Python's own audit sees what judging it does."""
 
 import json
 import re
@@ -21,9 +21,22 @@ class Watch:
     """Notes what the process is asked to do, by Python's own audit."""
 
     #: Unpickling, starting programs, calling out, changing files.
-    FORBIDDEN = ("pickle.find_class", "os.system", "os.exec", "os.posix_spawn", "os.fork", "subprocess.Popen",
-                 "socket.connect", "ctypes.dlopen", "os.remove", "os.rename", "os.mkdir", "os.chmod", "shutil.rmtree",
-                 "os.putenv")
+    FORBIDDEN = (
+        "pickle.find_class",
+        "os.system",
+        "os.exec",
+        "os.posix_spawn",
+        "os.fork",
+        "subprocess.Popen",
+        "socket.connect",
+        "ctypes.dlopen",
+        "os.remove",
+        "os.rename",
+        "os.mkdir",
+        "os.chmod",
+        "shutil.rmtree",
+        "os.putenv",
+    )
 
     def __init__(self):
         self.events = []
@@ -33,10 +46,15 @@ class Watch:
         if event in self.FORBIDDEN:
             self.events.append(f"{event} {given!r:.200}")
         elif event == "compile" and given[0] is not None:
-            # Code is made of our own cells, and of expressions by lambdify, whose names have a narrow alphabet.
-            if not str(given[1]).startswith(("<data cell>", "<check cell>", "<lambdifygenerated-", "<string>")):
+            # Code is made of our own cells, and of expressions by lambdify, whose names have a
+            # narrow alphabet.
+            if not str(given[1]).startswith(
+                ("<data cell>", "<check cell>", "<lambdifygenerated-", "<string>")
+            ):
                 self.events.append(f"compile {given!r:.200}")
-            if "MARK" in (given[0].decode(errors="replace") if isinstance(given[0], bytes) else str(given[0])):
+            if "MARK" in (
+                given[0].decode(errors="replace") if isinstance(given[0], bytes) else str(given[0])
+            ):
                 self.events.append(f"compile of foreign text {given!r:.200}")
         elif event == "open" and isinstance(given[1], str) and set("wax+") & set(given[1]):
             self.events.append(f"open {given!r:.200}")
@@ -50,42 +68,85 @@ class Watch:
 
 
 PAYLOADS = [
-    "__import__('os').system('true MARK')", "MARK", "exec('MARK = 1')", "().__class__.__base__.__subclasses__()[MARK]",
+    "__import__('os').system('true MARK')",
+    "MARK",
+    "exec('MARK = 1')",
+    "().__class__.__base__.__subclasses__()[MARK]",
     "k1 > 0 if MARK else 1",
-    "lambda: MARK", "x=open('MARK', 'w')", "import MARK", "{MARK}", "%MARK", "Symbol('MARK')", "S('MARK')", "cos\nMARK",
-    "'\"MARK", "\\MARK",
+    "lambda: MARK",
+    "x=open('MARK', 'w')",
+    "import MARK",
+    "{MARK}",
+    "%MARK",
+    "Symbol('MARK')",
+    "S('MARK')",
+    "cos\nMARK",
+    "'\"MARK",
+    "\\MARK",
 ]
-#: By problem, what is right although it looks like nothing: there are no such angles in 1.6, and where a system is
-#: observable (or controllable) no state is unseen and no eigenvalue lost; no parameter makes that of 2.24 d
-#: controllable; where there is no observer there is no gain. Eigenvalues may come as a dictionary with their
-#: multiplicities.
-EMPTY_AND_RIGHT = {**dict.fromkeys(["2.3", "2.5", "2.14", "2.24", "3.1", "3.2", "3.16", "3.17", "3.18", "3.24", "5.67"],
-                                   [[], ()]),
-                   **dict.fromkeys(["1.6", "2.6", "2.7", "2.26", "2.32", "2.37"], [[], (), {}])}
-NOTHING = [float("nan"), float("inf"), -float("inf"), sp.nan, sp.zoo, sp.oo, -sp.oo, complex(float("nan"), 1),
-           10**1999, [], {}, (), "", "right", [sp.nan] * 2,
-           sp.Matrix([[sp.nan, sp.nan], [sp.nan, sp.nan]]), [[float("nan")] * 2] * 2,
-           sp.Eq(sp.Symbol("k1"), sp.nan, evaluate=False), {"right": "right"}]
+#: By problem, what is right although it looks like nothing: there are no such angles in 1.6, and
+#: where a system is observable (or controllable) no state is unseen and no eigenvalue lost; no
+#: parameter makes that of 2.24 d controllable; where there is no observer there is no gain.
+#: Eigenvalues may come as a dictionary with their multiplicities.
+EMPTY_AND_RIGHT = {
+    **dict.fromkeys(
+        ["2.3", "2.5", "2.14", "2.24", "3.1", "3.2", "3.16", "3.17", "3.18", "3.24", "5.67"],
+        [[], ()],
+    ),
+    **dict.fromkeys(["1.6", "2.6", "2.7", "2.26", "2.32", "2.37"], [[], (), {}]),
+}
+NOTHING = [
+    float("nan"),
+    float("inf"),
+    -float("inf"),
+    sp.nan,
+    sp.zoo,
+    sp.oo,
+    -sp.oo,
+    complex(float("nan"), 1),
+    10**1999,
+    [],
+    {},
+    (),
+    "",
+    "right",
+    [sp.nan] * 2,
+    sp.Matrix([[sp.nan, sp.nan], [sp.nan, sp.nan]]),
+    [[float("nan")] * 2] * 2,
+    sp.Eq(sp.Symbol("k1"), sp.nan, evaluate=False),
+    {"right": "right"},
+]
 
 
 def judged_under_watch(bench):
-    """{what was handed over: what happened that must not}, for text that is code, for no numbers, for odd answers.
+    """{what was handed over: what happened that must not}, for text that is code, for no numbers,
+    for odd answers.
 
     Comes last in its process: who watches it cannot be sent away.
     """
     bench.judge({})  # what the check cells import, they have imported
     watch = Watch()
-    nothing = [encode(value).decode() for value in NOTHING
-               if value not in EMPTY_AND_RIGHT.get(bench.master.number, ())]
-    return {"texts": _right(bench, texts()) + watch.seen(), "nothing": _right(bench, nothing) + watch.seen(),
-            "odd": _odd(bench) + watch.seen()}
+    nothing = [
+        encode(value).decode()
+        for value in NOTHING
+        if value not in EMPTY_AND_RIGHT.get(bench.master.number, ())
+    ]
+    return {
+        "texts": _right(bench, texts()) + watch.seen(),
+        "nothing": _right(bench, nothing) + watch.seen(),
+        "odd": _odd(bench) + watch.seen(),
+    }
 
 
 def _right(bench, encoded):
-    """The answers among encoded ones that are called right, each given for every answer of the problem."""
-    return [f"{name} = {text:.300} is right" for text in encoded
-            for name, verdict in _judged(bench, dict.fromkeys(bench.master.answers, text)).items()
-            if verdict.status == RIGHT]
+    """The answers among encoded ones that are called right, each given for every answer of the
+    problem."""
+    return [
+        f"{name} = {text:.300} is right"
+        for text in encoded
+        for name, verdict in _judged(bench, dict.fromkeys(bench.master.answers, text)).items()
+        if verdict.status == RIGHT
+    ]
 
 
 def _judged(bench, encoded):
@@ -100,30 +161,49 @@ def texts():
     for payload in PAYLOADS:
         symbol = {"kind": "Symbol", "name": payload, "assumptions": {}}
         written = json.loads(encode(sp.Symbol("q")))
-        for node in (payload, [payload], {"kind": payload}, symbol, written | {"name": payload},
-                     {"kind": "dict", "items": [[payload, payload]]},
-                     {"kind": "Integral",
-                      "args": [written, {"kind": "Tuple", "args": [written | {"name": payload}, 0, 1]}]},
-                     {"kind": "float", "value": payload},
-                     {"kind": "array", "dtype": payload, "shape": [1], "data": payload}):
+        for node in (
+            payload,
+            [payload],
+            {"kind": payload},
+            symbol,
+            written | {"name": payload},
+            {"kind": "dict", "items": [[payload, payload]]},
+            {
+                "kind": "Integral",
+                "args": [written, {"kind": "Tuple", "args": [written | {"name": payload}, 0, 1]}],
+            },
+            {"kind": "float", "value": payload},
+            {"kind": "array", "dtype": payload, "shape": [1], "data": payload},
+        ):
             yield json.dumps(node, ensure_ascii=False, sort_keys=True, separators=(",", ":"))
 
 
 def odd_answers(symbol):
-    """What can be written down and is the answer to nothing; in a symbol of the data, or else its name would tell."""
+    """What can be written down and is the answer to nothing; in a symbol of the data, or else its
+    name would tell."""
     x = sp.Symbol(symbol)
     function = sp.Lambda(x, x**2)
-    return {"text": "x", "none": {"none": "none"}, "number": 3, "not real": sp.sqrt(-1 - x**2) > 0,
-            "function": function,
-            "functions": [function, function], "images": sp.ImageSet(function, sp.S.Integers),
-            "delta": sp.DiracDelta(x),
-            "condition on delta": sp.DiracDelta(x) > 0, "gamma": sp.gamma(x) > 0,
-            "equal matrices": sp.Eq(sp.Matrix([x]), sp.Matrix([1]))}
+    return {
+        "text": "x",
+        "none": {"none": "none"},
+        "number": 3,
+        "not real": sp.sqrt(-1 - x**2) > 0,
+        "function": function,
+        "functions": [function, function],
+        "images": sp.ImageSet(function, sp.S.Integers),
+        "delta": sp.DiracDelta(x),
+        "condition on delta": sp.DiracDelta(x) > 0,
+        "gamma": sp.gamma(x) > 0,
+        "equal matrices": sp.Eq(sp.Matrix([x]), sp.Matrix([1])),
+    }
 
 
 def _odd(bench):
-    """What is said of odd answers that it must not: that our check failed, or an example that is right."""
-    symbol = next((value.name for value in bench.data.values() if isinstance(value, sp.Symbol)), "x")
+    """What is said of odd answers that it must not: that our check failed, or an example that is
+    right."""
+    symbol = next(
+        (value.name for value in bench.data.values() if isinstance(value, sp.Symbol)), "x"
+    )
     found, examples = [], {name: set() for name in bench.master.answers}
     for what, value in odd_answers(symbol).items():
         encoded = dict.fromkeys(bench.master.answers, encode(value).decode())

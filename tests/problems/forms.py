@@ -1,8 +1,10 @@
-"""Other forms of a right answer, which every answer of a type has: the same value as people and programs write it.
+"""Other forms of a right answer, which every answer of a type has: the same value as people and
+programs write it.
 
-`forms(value, kind, symbols)` gives them by name. A form changes what holds the parts of an answer (a tuple for a list,
-a column, an array, a set), or how the parts are written (symbols without assumptions, another order of operations,
-decimals where they count). Most do both, so that few verdicts try many.
+`forms(value, kind, symbols)` gives them by name. A form changes what holds the parts of an answer
+(a tuple for a list, a column, an array, a set), or how the parts are written (symbols without
+assumptions, another order of operations, decimals where they count). Most do both, so that few
+verdicts try many.
 """
 
 import fractions
@@ -18,7 +20,8 @@ from workbook.checks.contract.encoding import encode
 
 
 def forms(value, kind, symbols):
-    """{name: the answer in this form}: every way to hold it and every way to write its parts occurs in at least one.
+    """{name: the answer in this form}: every way to hold it and every way to write its parts occurs
+    in at least one.
 
     `symbols` are those of which a condition may be told as a set of values.
     """
@@ -26,14 +29,18 @@ def forms(value, kind, symbols):
 
 
 def each_form(value, kind, symbols):
-    """The pairs of `forms`, each when it is asked for: whoever needs three of them has not to wait for all."""
-    for pair in itertools.zip_longest(*(changing(value, kind, symbols, ways) for ways in (WRITERS, HOLDERS))):
+    """The pairs of `forms`, each when it is asked for: whoever needs three of them has not to wait
+    for all."""
+    for pair in itertools.zip_longest(
+        *(changing(value, kind, symbols, ways) for ways in (WRITERS, HOLDERS))
+    ):
         ways = list(filter(None, pair))
         yield ", ".join(ways), changed(value, kind, symbols, ways)
 
 
 def changing(value, kind, symbols, ways):
-    """The names of those `ways` that change the value, each to something that no other one gives."""
+    """The names of those `ways` that change the value, each to something that no other one
+    gives."""
     seen = {encode(value)}
     for name in ways:
         other = encode(changed(value, kind, symbols, [name]))
@@ -44,7 +51,11 @@ def changing(value, kind, symbols, ways):
 
 def changed(value, kind, symbols, names):
     for name in names:
-        value = HOLDERS[name](value, kind) if name in HOLDERS else _written(value, kind, WRITERS[name], symbols)
+        value = (
+            HOLDERS[name](value, kind)
+            if name in HOLDERS
+            else _written(value, kind, WRITERS[name], symbols)
+        )
     return value
 
 
@@ -53,7 +64,10 @@ def _written(value, kind, write, symbols):
     if isinstance(value, (list, tuple)):
         return type(value)(_written(part, _inner(kind), write, symbols) for part in value)
     if isinstance(value, dict):
-        return {write(key, "part", symbols): _written(part, "part", write, symbols) for key, part in value.items()}
+        return {
+            write(key, "part", symbols): _written(part, "part", write, symbols)
+            for key, part in value.items()
+        }
     if isinstance(value, sp.MatrixBase):
         parts = [write(part, "part", symbols) for part in value]
         return sp.Matrix(*value.shape, parts) if parts != list(value) else value
@@ -70,18 +84,22 @@ def _inner(kind):
 
 def _nested(make):
     """Every list, tuple and matrix as `make` of its parts."""
+
     def hold(value, kind):
         if isinstance(value, sp.MatrixBase) and 0 not in value.shape:
             value = value.tolist()
         if isinstance(value, dict):
             return {key: hold(part, kind) for key, part in value.items()}
-        return make(hold(part, kind) for part in value) if isinstance(value, (list, tuple)) else value
+        return (
+            make(hold(part, kind) for part in value) if isinstance(value, (list, tuple)) else value
+        )
 
     return hold
 
 
 def _each(hold_one):
     """The outer list of several stays; each of them is held by `hold_one`."""
+
     def hold(value, kind):
         if isinstance(value, (list, tuple)) and kind.startswith("list of "):
             return [hold(part, _inner(kind)) for part in value]
@@ -98,14 +116,23 @@ def _array(value, kind):
     if isinstance(value, sp.MatrixBase) and 0 not in value.shape:
         value = value.tolist()
     rows = [value] if _flat(value) else value
-    if not isinstance(rows, list) or not rows or not all(map(_flat, rows)) or len(set(map(len, rows))) > 1:
+    if (
+        not isinstance(rows, list)
+        or not rows
+        or not all(map(_flat, rows))
+        or len(set(map(len, rows))) > 1
+    ):
         return value
     numbers = all(type(part) in (int, float) for row in rows for part in row)
     return np.array(value, dtype=None if numbers else object)
 
 
 def _sympy_array(value, kind):
-    return sp.Array(value) if _flat(value) or isinstance(value, sp.MatrixBase) and 0 not in value.shape else value
+    return (
+        sp.Array(value)
+        if _flat(value) or (isinstance(value, sp.MatrixBase) and 0 not in value.shape)
+        else value
+    )
 
 
 def _column(value, kind):
@@ -122,6 +149,7 @@ def _sparse(value, kind):
 
 def _unordered(make):
     """A set holds what has no order."""
+
     def hold(value, kind):
         if not kind.startswith("set") or not isinstance(value, (list, tuple)):
             return value
@@ -135,8 +163,13 @@ def _several(value, kind):
 
 
 def _flat(value):
-    return isinstance(value, (list, tuple)) and len(value) > 0 and not any(
-        isinstance(part, (list, tuple, dict, str, sp.MatrixBase, np.ndarray)) for part in value)
+    return (
+        isinstance(value, (list, tuple))
+        and len(value) > 0
+        and not any(
+            isinstance(part, (list, tuple, dict, str, sp.MatrixBase, np.ndarray)) for part in value
+        )
+    )
 
 
 HOLDERS = {
@@ -158,11 +191,16 @@ HOLDERS = {
 
 
 def _plain(part, kind, symbols):
-    return part.xreplace({s: sp.Symbol(s.name) for s in part.free_symbols}) if isinstance(part, sp.Basic) else part
+    return (
+        part.xreplace({s: sp.Symbol(s.name) for s in part.free_symbols})
+        if isinstance(part, sp.Basic)
+        else part
+    )
 
 
 def _expression(rewrite):
-    rewritten = functools.cache(rewrite)  # to see whether it changes anything, beside other changes, of another answer
+    # to see whether it changes anything, beside other changes, of another answer
+    rewritten = functools.cache(rewrite)
 
     def write(part, kind, symbols):
         return rewritten(part) if isinstance(part, sp.Expr) and part.free_symbols else part
@@ -172,7 +210,9 @@ def _expression(rewrite):
 
 def _rational(rewrite):
     """What is only for rational functions."""
-    return _expression(lambda part: rewrite(part) if part.is_rational_function(*part.free_symbols) else part)
+    return _expression(
+        lambda part: rewrite(part) if part.is_rational_function(*part.free_symbols) else part
+    )
 
 
 def _float(part, kind, symbols):
@@ -188,14 +228,19 @@ def _float(part, kind, symbols):
 
 def _three_digits(part, kind, symbols):
     """A number as somebody writes it down."""
-    number = isinstance(part, float) or isinstance(part, sp.Expr) and part.is_number and part.is_real and part.is_finite
+    number = isinstance(part, float) or (
+        isinstance(part, sp.Expr) and part.is_number and part.is_real and part.is_finite
+    )
     return float(f"{float(part):.3g}") if number and kind == "number" else part
 
 
 def _relations(rewrite):
     """A condition with each of its relations rewritten."""
+
     def write(part, kind, symbols):
-        relations = part.atoms(Relational) if isinstance(part, Boolean) and kind == "condition" else ()
+        relations = (
+            part.atoms(Relational) if isinstance(part, Boolean) and kind == "condition" else ()
+        )
         return part.xreplace({r: rewrite(r) for r in relations}) if relations else part
 
     return write
@@ -203,7 +248,12 @@ def _relations(rewrite):
 
 def _values(part, kind, symbols):
     """The set of those values of the only symbol for which a condition holds."""
-    if not isinstance(part, Boolean) or kind != "condition" or len(symbols) != 1 or part.free_symbols != set(symbols):
+    if (
+        not isinstance(part, Boolean)
+        or kind != "condition"
+        or len(symbols) != 1
+        or part.free_symbols != set(symbols)
+    ):
         return part
     return _as_set(part)
 
@@ -219,12 +269,22 @@ def _as_set(condition):
 def _word(part, kind, symbols):
     if kind == "yes/no":
         return "Yes" if part in (True, sp.true, "yes") else "No"
-    return part.title().replace(" ", "-") if isinstance(part, str) and kind.startswith("choice") else part
+    return (
+        part.title().replace(" ", "-")
+        if isinstance(part, str) and kind.startswith("choice")
+        else part
+    )
 
 
 def _truth(part, kind, symbols):
     """Python's for SymPy's, and SymPy's for Python's."""
-    return bool(part) if isinstance(part, BooleanAtom) else sp.sympify(part) if isinstance(part, bool) else part
+    return (
+        bool(part)
+        if isinstance(part, BooleanAtom)
+        else sp.sympify(part)
+        if isinstance(part, bool)
+        else part
+    )
 
 
 def _of_numpy(part, kind, symbols):

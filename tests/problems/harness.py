@@ -26,14 +26,19 @@ codes_that_note(SOLVERS)  # each problem is solved and judged in processes forke
 class Workbench:
     """A master with its data in place: judges whatever is put in the place of its answers.
 
-    Its own answers come from another process (`solve`), so that here nothing is known yet of what checks compute.
+    Its own answers come from another process (`solve`), so that here nothing is known yet of what
+    checks compute.
     """
 
     def __init__(self, master, answers):
         self.master = master
         self.data = data_of(master)
         self.reference = {name: decode(text.encode()) for name, text in answers.items()}
-        self.calls = {name: call for source in master.code("check") for name, call in check_calls(source).items()}
+        self.calls = {
+            name: call
+            for source in master.code("check")
+            for name, call in check_calls(source).items()
+        }
         self._forms = {}
         self._alone = alone(master)
 
@@ -46,7 +51,8 @@ class Workbench:
         return verdicts
 
     def judge_among_right(self, names, answers):
-        """Verdicts on the answers `names`, with the reference in the place of all that are not among `answers`."""
+        """Verdicts on the answers `names`, with the reference in the place of all that are not
+        among `answers`."""
         with checks.collecting() as verdicts:
             for name in names:
                 exec(self._alone[name], self.data | self.reference | answers)
@@ -67,7 +73,10 @@ class Workbench:
     @functools.cache
     def given(self, role):
         """What the trials of a role give their answers, after the encoder."""
-        return [decode(encode(self.after(trial.source)[trial.name])) for trial in self.master.trials[role]]
+        return [
+            decode(encode(self.after(trial.source)[trial.name]))
+            for trial in self.master.trials[role]
+        ]
 
     def forms(self, name, value):
         """Other forms of a value of an answer by their names: those of the same value once."""
@@ -83,16 +92,28 @@ class Workbench:
     def check_arguments(self, name):
         """(function name, data arguments, options) of the check of an answer, evaluated."""
         call = self.calls[name]
-        return call.func.attr, [self._value(arg) for arg in call.args[1:]], {k.arg: self._value(k.value)
-                                                                             for k in call.keywords}
+        return (
+            call.func.attr,
+            [self._value(arg) for arg in call.args[1:]],
+            {k.arg: self._value(k.value) for k in call.keywords},
+        )
 
     def symbols(self, name):
-        """The list of symbols given to the check of an answer that holds those of the answer, if there is one alone."""
+        """The list of symbols given to the check of an answer that holds those of the answer, if
+        there is one alone."""
         _, arguments, options = self.check_arguments(name)
         own = getattr(self.reference[name], "free_symbols", set())
-        given = [one.state if isinstance(one, Controlled) else one for one in (*arguments, *options.values())]
-        lists = [part for part in given if isinstance(part, (list, tuple))
-                 and own and own <= {one for one in part if isinstance(one, sp.Symbol)}]
+        given = [
+            one.state if isinstance(one, Controlled) else one
+            for one in (*arguments, *options.values())
+        ]
+        lists = [
+            part
+            for part in given
+            if isinstance(part, (list, tuple))
+            and own
+            and own <= {one for one in part if isinstance(one, sp.Symbol)}
+        ]
         return lists[0] if len(lists) == 1 else ()
 
     def _value(self, node):
@@ -108,8 +129,11 @@ def data_of(master):
 
 def alone(master):
     """The check cell of each answer with its report reduced to this answer, compiled."""
-    return {name: compile(_only(source, name), "<check cell>", "exec")
-            for source in master.code("check") for name in reported_names(source)}
+    return {
+        name: compile(_only(source, name), "<check cell>", "exec")
+        for source in master.code("check")
+        for name in reported_names(source)
+    }
 
 
 def execute(source, role, namespace):
@@ -117,25 +141,30 @@ def execute(source, role, namespace):
 
 
 def check_calls(source):
-    """The call that judges each answer in a check cell, `checks.report(name=checks.f(name, ...))`, by answer."""
+    """The call that judges each answer in a check cell, `checks.report(name=checks.f(name, ...))`,
+    by answer."""
     report = ast.parse(source).body[-1].value
     return {keyword.arg: keyword.value for keyword in report.keywords}
 
 
 def solve(master):
-    """{"answers": what the answer cells give, encoded, "called": the functions called for it, "seconds": of the
-    processor}."""
+    """{"answers": what the answer cells give, encoded, "called": the functions called for it,
+    "seconds": of the processor}."""
     namespace = data_of(master)
     with calls_noted(SOLVERS, from_answers) as called:
         for source in master.code("answer"):
             execute(source, "answer", namespace)
-    return {"answers": {name: encode(namespace[name]).decode() for name in master.answers},
-            "called": sorted(called), "seconds": time.process_time()}
+    return {
+        "answers": {name: encode(namespace[name]).decode() for name in master.answers},
+        "called": sorted(called),
+        "seconds": time.process_time(),
+    }
 
 
 def first_verdicts(master, answers):
-    """{name: seconds of the processor} that the first verdicts on the answers take, one after the other, as it would on
-    a quiet machine: where others work beside, the same computation takes longer, and so does one that is known."""
+    """{name: seconds of the processor} that the first verdicts on the answers take, one after the
+    other, as it would on a quiet machine: where others work beside, the same computation takes
+    longer, and so does one that is known."""
     bench, seconds = Workbench(master, answers), {}
     bench.judge({})  # imports
     paces = [_pace() for _ in range(4)][1:]
@@ -157,7 +186,8 @@ def _pace():
 
 
 def each_part(master, answers, parts):
-    """{name: ["done", part(bench)] or ["error", its traceback]}, one after the other: what they share is computed once.
+    """{name: ["done", part(bench)] or ["error", its traceback]}, one after the other: what they
+    share is computed once.
 
     Under "seconds" stands the processor time they took together.
     """
@@ -177,8 +207,11 @@ def from_answers(module, caller):
 
 def from_checks(module, caller):
     """The same from a check cell or a check."""
-    return (module.startswith(OURS) or caller.f_code.co_filename == "<check cell>"
-            or caller.f_globals.get("__name__", "").startswith("workbook.checks"))
+    return (
+        module.startswith(OURS)
+        or caller.f_code.co_filename == "<check cell>"
+        or caller.f_globals.get("__name__", "").startswith("workbook.checks")
+    )
 
 
 def _only(source, name):

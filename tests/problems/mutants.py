@@ -1,17 +1,34 @@
-"""Small changes of a right answer, of the kind that slips make: signs, factors, neighbours, strictness, order."""
+"""Small changes of a right answer, of the kind that slips make: signs, factors, neighbours,
+strictness, order."""
 
+import itertools
 import random
 
 import numpy as np
 import sympy as sp
 from sympy.core.relational import Relational
 
-SWAPPED = {sp.StrictGreaterThan: sp.StrictLessThan, sp.StrictLessThan: sp.StrictGreaterThan,
-           sp.GreaterThan: sp.LessThan, sp.LessThan: sp.GreaterThan, sp.Equality: sp.Unequality,
-           sp.Unequality: sp.Equality}
-LOOSENED = {sp.StrictGreaterThan: sp.GreaterThan, sp.GreaterThan: sp.StrictGreaterThan,
-            sp.StrictLessThan: sp.LessThan, sp.LessThan: sp.StrictLessThan}
-EXCHANGED = {sp.sin: sp.cos, sp.cos: sp.sin, sp.sinh: sp.cosh, sp.cosh: sp.sinh, sp.exp: lambda x: sp.exp(-x)}
+SWAPPED = {
+    sp.StrictGreaterThan: sp.StrictLessThan,
+    sp.StrictLessThan: sp.StrictGreaterThan,
+    sp.GreaterThan: sp.LessThan,
+    sp.LessThan: sp.GreaterThan,
+    sp.Equality: sp.Unequality,
+    sp.Unequality: sp.Equality,
+}
+LOOSENED = {
+    sp.StrictGreaterThan: sp.GreaterThan,
+    sp.GreaterThan: sp.StrictGreaterThan,
+    sp.StrictLessThan: sp.LessThan,
+    sp.LessThan: sp.StrictLessThan,
+}
+EXCHANGED = {
+    sp.sin: sp.cos,
+    sp.cos: sp.sin,
+    sp.sinh: sp.cosh,
+    sp.cosh: sp.sinh,
+    sp.exp: lambda x: sp.exp(-x),
+}
 
 
 def mutants(value, kind="", most=24):
@@ -30,19 +47,26 @@ def _mutants(value, kind):
         if kind == "yes/no":
             yield {"yes": "no", "no": "yes"}[value]
     elif isinstance(value, (int, float, np.number)):
-        yield from (v for v in (-value, value + 1, 2 * value, value / 2, 1.05 * value) if v != value)
+        yield from (
+            v for v in (-value, value + 1, 2 * value, value / 2, 1.05 * value) if v != value
+        )
     elif isinstance(value, (list, tuple)):
         inner = kind.removeprefix("list of ")
         for k, part in enumerate(value):
-            yield [*value[:k], *value[k + 1:]]
+            yield [*value[:k], *value[k + 1 :]]
             for changed in list(_mutants(part, inner))[:6]:
-                yield [*value[:k], changed, *value[k + 1:]]
+                yield [*value[:k], changed, *value[k + 1 :]]
         for k in range(len(value) - 1):
-            yield [*value[:k], value[k + 1], value[k], *value[k + 2:]]
+            yield [*value[:k], value[k + 1], value[k], *value[k + 2 :]]
         if value:
-            nested = isinstance(value[0], (list, tuple)) and any(isinstance(x, (list, tuple)) for x in value[0])
-            (yield [*value, value[0]] if nested or not isinstance(value[0], (list, tuple, sp.MatrixBase))
-             else [*value, [x + 1 for x in value[0]]])
+            nested = isinstance(value[0], (list, tuple)) and any(
+                isinstance(x, (list, tuple)) for x in value[0]
+            )
+            (
+                yield [*value, value[0]]
+                if nested or not isinstance(value[0], (list, tuple, sp.MatrixBase))
+                else [*value, [x + 1 for x in value[0]]]
+            )
     elif isinstance(value, dict):
         for key, part in value.items():
             for changed in list(_mutants(part, kind))[:6]:
@@ -76,13 +100,17 @@ def _conditions(condition):
             yield LOOSENED[type(condition)](condition.lhs, condition.rhs)
         yield condition.func(condition.lhs, condition.rhs + 1)
         yield condition.func(-condition.lhs, condition.rhs)
-        yield condition.func(condition.lhs, condition.rhs + sp.Rational(1, 20) * (1 + abs(condition.rhs))
-                             if condition.rhs.is_number else 2 * condition.rhs)
+        yield condition.func(
+            condition.lhs,
+            condition.rhs + sp.Rational(1, 20) * (1 + abs(condition.rhs))
+            if condition.rhs.is_number
+            else 2 * condition.rhs,
+        )
         for changed in list(_expressions(condition.lhs))[:4]:
             yield condition.func(changed, condition.rhs)
         return
     for k, part in enumerate(condition.args):
-        others = condition.args[:k] + condition.args[k + 1:]
+        others = condition.args[:k] + condition.args[k + 1 :]
         yield condition.func(*others)
         for changed in _conditions(part):
             yield condition.func(*others, changed)
@@ -92,8 +120,12 @@ def _conditions(condition):
 
 def _expressions(expression):
     if expression.is_number:
-        yield from (-expression, expression + 1, 2 * expression, expression
-                    + sp.Rational(1, 20) * (1 + abs(expression)))
+        yield from (
+            -expression,
+            expression + 1,
+            2 * expression,
+            expression + sp.Rational(1, 20) * (1 + abs(expression)),
+        )
         return
     yield -expression
     yield 2 * expression
@@ -105,11 +137,16 @@ def _expressions(expression):
     for law in sorted(expression.atoms(sp.Piecewise), key=str)[:3]:
         for k, (part, condition) in enumerate(law.args):
             # A corner of the law: another value in one case, or a case with another border.
-            changes = [(-part, condition), *[(part, changed) for changed in list(_conditions(condition))[:4]]]
-            yield from (expression.xreplace({law: sp.Piecewise(*law.args[:k], change, *law.args[k + 1:])})
-                        for change in changes)
+            changes = [
+                (-part, condition),
+                *[(part, changed) for changed in list(_conditions(condition))[:4]],
+            ]
+            yield from (
+                expression.xreplace({law: sp.Piecewise(*law.args[:k], change, *law.args[k + 1 :])})
+                for change in changes
+            )
     symbols = sorted(expression.free_symbols, key=str)
-    for one, other in zip(symbols, symbols[1:]):
+    for one, other in itertools.pairwise(symbols):
         yield expression.xreplace({one: other, other: one})
     for power in sorted(expression.atoms(sp.Pow), key=str)[:4]:
         yield expression.xreplace({power: sp.Pow(power.base, power.exp + 1)})

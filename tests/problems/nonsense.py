@@ -1,7 +1,8 @@
 """Answers without a value: infinite, undefined, undefined in places. No check may call one right.
 
-A comparison such as `abs(said - true) > tolerance` is False where `said` is nan, so a check that only looks for a
-difference finds none. SymPy keeps such values unnoticed in an expression that was built with `evaluate=False`.
+A comparison such as `abs(said - true) > tolerance` is False where `said` is nan, so a check that
+only looks for a difference finds none. SymPy keeps such values unnoticed in an expression that was
+built with `evaluate=False`.
 """
 
 import itertools
@@ -23,8 +24,8 @@ CONSTANT = {
     "nan": sp.nan,
     "oo": sp.oo,
 }
-#: Problems, and where their answers are defined in the mutant: what is left out is not asked for there. By hand, each
-#: with its reason.
+#: Problems, and where their answers are defined in the mutant: what is left out is not asked for
+#: there. By hand, each with its reason.
 NOT_ASKED = {
     ("1.6", "k > -1"): "stationary angles exist for -3/4 <= k < 0 alone",
     ("1.9", "theta < 0"): "the curve dv/dt = 0 exists for sin(theta) < 0 alone",
@@ -50,12 +51,13 @@ NOT_ASKED = {
 
 
 def nonsense(value, data=()):
-    """Pairs (what it is, answer): all entries without a value, one entry without a value, all entries undefined in
-    places.
+    """Pairs (what it is, answer): all entries without a value, one entry without a value, all
+    entries undefined in places.
 
-    Every kind of `CONSTANT` comes for the whole answer; for single entries the kinds take turns, the last entry first,
-    and five entries at most: all of a 6 by 6 matrix would tell no more. `data` are the arguments of the check: where
-    they hold the interval of a symbol, the answer is left undefined in one half of it and then in the other.
+    Every kind of `CONSTANT` comes for the whole answer; for single entries the kinds take turns,
+    the last entry first, and five entries at most: all of a 6 by 6 matrix would tell no more.
+    `data` are the arguments of the check: where they hold the interval of a symbol, the answer is
+    left undefined in one half of it and then in the other.
     """
     if isinstance(value, LOGIC):
         yield from _conditions(value)
@@ -66,47 +68,92 @@ def nonsense(value, data=()):
     for name, bad in CONSTANT.items():
         yield f"{name} everywhere", _put(value, places, lambda entry, bad=bad: bad)
     if len(places) > 1:
-        # A cycle that begins with oo - oo in the last entry: there a loop that gives up early has not looked.
+        # A cycle that begins with oo - oo in the last entry: there a loop that gives up early has
+        # not looked.
         for place, (name, bad) in zip([places[-1], *places[:4]], itertools.cycle(CONSTANT.items())):
             yield f"{name} in {place}", _put(value, [place], lambda entry, bad=bad: bad)
-    symbols = sorted(set().union(*(sp.sympify(entry_at(value, place)).free_symbols for place in places)), key=str)
+    symbols = sorted(
+        set().union(*(sp.sympify(entry_at(value, place)).free_symbols for place in places)), key=str
+    )
     if symbols:
-        yield f"defined for {symbols[0]} > {NEVER} alone", _put(value, places, lambda entry: _only(entry, symbols[0],
-                                                                                                   symbols[0] > NEVER))
+        yield (
+            f"defined for {symbols[0]} > {NEVER} alone",
+            _put(value, places, lambda entry: _only(entry, symbols[0], symbols[0] > NEVER)),
+        )
     for symbol in symbols[:3]:
         border = _border(symbol, data)
         for condition in (symbol > border, symbol < border):
             if condition not in (sp.true, sp.false):
-                changed = _put(value, places, lambda entry, symbol=symbol, condition=condition:
-                               _only(entry, symbol, condition))
+                changed = _put(
+                    value,
+                    places,
+                    lambda entry, symbol=symbol, condition=condition: _only(
+                        entry, symbol, condition
+                    ),
+                )
                 yield f"defined for {condition} alone", changed
 
 
 def _only(entry, symbol, condition):
-    """The entry where a condition on a symbol holds, undefined elsewhere; entries without this symbol stay."""
-    return sp.Piecewise((entry, condition), evaluate=False) if symbol in sp.sympify(entry).free_symbols else entry
+    """The entry where a condition on a symbol holds, undefined elsewhere; entries without this
+    symbol stay."""
+    return (
+        sp.Piecewise((entry, condition), evaluate=False)
+        if symbol in sp.sympify(entry).free_symbols
+        else entry
+    )
 
 
 def _border(symbol, data):
-    """A place inside the values of a symbol: inside its interval where the data hold one, else where a condition of
-    theirs holds."""
-    data = [part for given in data for part in (given if isinstance(given, Controlled) else
-                                                [given.controls] if isinstance(given, Problem) else [given])]
+    """A place inside the values of a symbol: inside its interval where the data hold one, else
+    where a condition of theirs holds."""
+    data = [
+        part
+        for given in data
+        for part in (
+            given
+            if isinstance(given, Controlled)
+            else [given.controls]
+            if isinstance(given, Problem)
+            else [given]
+        )
+    ]
     for part in data:
-        interval = (part.get(symbol) if isinstance(part, dict) else
-                    part.as_set() if isinstance(part, LOGIC) and part.free_symbols == {symbol} else None)
-        if isinstance(interval, (tuple, list)) and all(sp.sympify(end).is_number and sp.sympify(end).is_finite
-                                                       for end in interval):
+        interval = (
+            part.get(symbol)
+            if isinstance(part, dict)
+            else part.as_set()
+            if isinstance(part, LOGIC) and part.free_symbols == {symbol}
+            else None
+        )
+        if isinstance(interval, (tuple, list)) and all(
+            sp.sympify(end).is_number and sp.sympify(end).is_finite for end in interval
+        ):
             return sp.Rational(sum(interval)) / 2
         if isinstance(interval, sp.FiniteSet):
             return sp.Add(*interval) / len(interval)
         if isinstance(interval, sp.Interval):
             low, high = ((end, end.is_finite is not False) for end in (interval.inf, interval.sup))
-            return ((low[0] + high[0]) / 2 if low[1] and high[1] else low[0] + 1 if low[1] else high[0] - 1 if high[1]
-                    else sp.S.One)
-    given = [one for part in data for one in (part if isinstance(part, (list, tuple)) else [part])
-             if isinstance(one, LOGIC)]
-    return -sp.S.One if symbol.is_negative or any(part.subs(symbol, 1) == sp.false for part in given) else sp.S.One
+            return (
+                (low[0] + high[0]) / 2
+                if low[1] and high[1]
+                else low[0] + 1
+                if low[1]
+                else high[0] - 1
+                if high[1]
+                else sp.S.One
+            )
+    given = [
+        one
+        for part in data
+        for one in (part if isinstance(part, (list, tuple)) else [part])
+        if isinstance(one, LOGIC)
+    ]
+    return (
+        -sp.S.One
+        if symbol.is_negative or any(part.subs(symbol, 1) == sp.false for part in given)
+        else sp.S.One
+    )
 
 
 def _conditions(condition):
@@ -114,8 +161,12 @@ def _conditions(condition):
     yield "an equation between conditions", sp.Eq(condition, sp.true, evaluate=False)
     relation = min(condition.atoms(Relational), key=str)
     for name in ("oo - oo", "1/0"):
-        yield f"{name} on one side", condition.xreplace({relation: relation.func(relation.lhs, CONSTANT[name],
-                                                                                 evaluate=False)})
+        yield (
+            f"{name} on one side",
+            condition.xreplace(
+                {relation: relation.func(relation.lhs, CONSTANT[name], evaluate=False)}
+            ),
+        )
 
 
 def entries(value, path=()):
@@ -128,7 +179,9 @@ def entries(value, path=()):
             yield from entries(part, (*path, key))
     elif isinstance(value, (sp.MatrixBase, np.ndarray)):
         yield from ((*path, k) for k in np.ndindex(value.shape))
-    elif isinstance(value, (sp.Expr, int, float, np.number)) and not isinstance(value, (bool, np.bool_)):
+    elif isinstance(value, (sp.Expr, int, float, np.number)) and not isinstance(
+        value, (bool, np.bool_)
+    ):
         yield path
 
 
@@ -153,7 +206,12 @@ def _with(value, path, change):
         value = sp.Matrix(value)
         if isinstance(first, tuple) and len(first) == 1:
             first = (first[0], 0)
-    copy = (value.as_mutable() if isinstance(value, sp.MatrixBase) else list(value) if isinstance(value, (list, tuple))
-            else dict(value))
+    copy = (
+        value.as_mutable()
+        if isinstance(value, sp.MatrixBase)
+        else list(value)
+        if isinstance(value, (list, tuple))
+        else dict(value)
+    )
     copy[first] = _with(value[first], rest, change)
     return type(value)(copy) if isinstance(value, tuple) else copy

@@ -1,6 +1,8 @@
-"""The worked answer with its awkward numbers in decimals: rounded, which is right, and one per cent off, which is not.
+"""The worked answer with its awkward numbers in decimals: rounded, which is right, and one per cent
+off, which is not.
 
-Awkward is a number that two digits do not say: a root, pi, a third. Whole numbers stay, and so do exponents.
+Awkward is a number that two digits do not say: a root, pi, a third. Whole numbers stay, and so do
+exponents.
 """
 
 import sympy as sp
@@ -10,10 +12,15 @@ MOST = 2
 
 
 def roundings(value):
-    """Pairs (what was done, answer, verdict that is due); none of an answer without awkward numbers."""
+    """Pairs (what was done, answer, verdict that is due); none of an answer without awkward
+    numbers."""
     found = list(dict.fromkeys(_numbers(value)))
     for digits in (3, 4, 6) if found else ():
-        yield f"{digits} digits", _put(value, {n: sp.Float(f"{float(n):.{digits - 1}e}") for n in found}), "right"
+        yield (
+            f"{digits} digits",
+            _put(value, {n: sp.Float(f"{float(n):.{digits - 1}e}") for n in found}),
+            "right",
+        )
     for number in found[:MOST]:
         off = sp.Float(f"{1.01 * float(number):.3e}")
         yield f"{number} one per cent larger", _put(value, {number: off}), "wrong"
@@ -37,8 +44,12 @@ def _numbers(value):
 
 
 def _awkward(number):
-    return bool(number.is_real and number.is_finite and not number.is_integer
-                and float(number) != float(f"{float(number):.1e}"))
+    return bool(
+        number.is_real
+        and number.is_finite
+        and not number.is_integer
+        and float(number) != float(f"{float(number):.1e}")
+    )
 
 
 def _put(value, decimals):
@@ -50,7 +61,7 @@ def _put(value, decimals):
         return value.applyfunc(lambda entry: _put(entry, decimals))
     if not isinstance(value, sp.Basic) or value in decimals:
         return decimals.get(value, value) if isinstance(value, sp.Basic) else value
-    if isinstance(value, sp.Expr) and value.is_number or not value.args:
+    if (isinstance(value, sp.Expr) and value.is_number) or not value.args:
         return value
     if isinstance(value, sp.Pow):
         return sp.Pow(_put(value.base, decimals), value.exp)

@@ -1,4 +1,5 @@
-"""What an answer and its check must not share is seen: functions of solvers, however they were imported."""
+"""What an answer and its check must not share is seen: functions of solvers, however they were
+imported."""
 
 import functools
 import sys
@@ -22,7 +23,10 @@ def test_calls_are_noted_and_do_what_they_did():
     with calls_noted(("scipy.linalg", "trajlib."), from_here) as called:
         assert expm([[0, 1], [0, 0]]).tolist() == [[1, 1], [0, 1]]
         assert controllability([[0, 1], [0, 0]], [[0], [1]]).holds
-    assert (expm.__module__, "expm") in called and ("trajlib.structure.rank_tests", "controllability") in called
+    assert (expm.__module__, "expm") in called and (
+        "trajlib.structure.rank_tests",
+        "controllability",
+    ) in called
     assert expm.__code__ is before
 
 

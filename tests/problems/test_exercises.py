@@ -1,5 +1,5 @@
-"""The students' notebooks: in step with their masters, free of solutions, judged rightly by `workbook` and by
-nbgrader."""
+"""The students' notebooks: in step with their masters, free of solutions, judged rightly by
+`workbook` and by nbgrader."""
 
 import base64
 import functools
@@ -30,6 +30,7 @@ def master(request):
 @pytest.fixture(scope="module")
 def links():
     from workbook.authoring.converting import baseurl
+
     return Links(ROOT, baseurl(ROOT))
 
 
@@ -41,7 +42,9 @@ def test_in_step_with_its_master(master, links):
     written = json.loads(master.exercise.read_text(encoding="utf-8"))
     assert written == student_notebook(master, links), "run `workbook exercises`"
     nbformat.validate(written)
-    assert [cell["metadata"] for cell in written["cells"] if not "".join(cell["source"]).strip()] == [], "empty cells"
+    assert [
+        cell["metadata"] for cell in written["cells"] if not "".join(cell["source"]).strip()
+    ] == [], "empty cells"
 
 
 def test_holds_no_solution(master):
@@ -53,7 +56,9 @@ def test_holds_no_solution(master):
         for line in (line.strip() for line in source.split("\n")):
             if len(line) > 30 and line not in "\n".join(master.code("data", "check")):
                 assert line not in "\n".join(cells), f"a line of the solution: {line}"
-    assert not re.search(r"```\{|:label:|\{ref\}|solution-start", "\n".join(cells)), "a directive was left"
+    assert not re.search(r"```\{|:label:|\{ref\}|solution-start", "\n".join(cells)), (
+        "a directive was left"
+    )
 
 
 def test_mistakes_are_in_step_and_sealed(master):
@@ -61,8 +66,11 @@ def test_mistakes_are_in_step_and_sealed(master):
     said = json.loads(text)
     assert said["of"] == origin(master), f"run `workbook exercises {master.number}`"
     assert set(said["answers"]) <= set(master.answers)
-    shown = text.encode() + b"".join(base64.b64decode(one) for asked in said["answers"].values()
-                                     for one in asked["told"].values())
+    shown = text.encode() + b"".join(
+        base64.b64decode(one)
+        for asked in said["answers"].values()
+        for one in asked["told"].values()
+    )
     for trial in master.trials["wrong"]:
         value = trial.source.rpartition("=")[2].strip()
         words = [part for part in re.split(r"(?<=[.?]) ", trial.comment) if len(part) > 10]

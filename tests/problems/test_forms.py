@@ -1,5 +1,5 @@
-"""A notebook's check and the grader say the same of an answer, word by word, whatever object it is: an answer is judged
-as it crosses."""
+"""A notebook's check and the grader say the same of an answer, word by word, whatever object it is:
+an answer is judged as it crosses."""
 
 import collections
 import decimal
@@ -35,6 +35,7 @@ class Word(str):
 
 def elementwise(change):
     """The change of an answer that changes each of its numbers and words."""
+
     def changed(value):
         if isinstance(value, (list, tuple)):
             return type(value)(map(changed, value))
@@ -51,8 +52,11 @@ def as_set(values):
 
 
 def as_decimal_number(make):
-    return lambda value: (make(str(sp.N(value, 30)))
-                          if isinstance(value, sp.Expr) and value.is_number and value.is_real else value)
+    return lambda value: (
+        make(str(sp.N(value, 30)))
+        if isinstance(value, sp.Expr) and value.is_number and value.is_real
+        else value
+    )
 
 
 #: Forms whose verdict may be any: decimals where an exact number is asked.
@@ -60,7 +64,9 @@ EITHER = {
     "mpmath": elementwise(as_decimal_number(mpmath.mpf)),
     "floats": elementwise(as_decimal_number(float)),
     "sets": lambda value: as_set(value) if isinstance(value, list) else value,
-    "tuples of SymPy": lambda value: sp.Tuple(*value) if isinstance(value, (list, tuple)) else value,
+    "tuples of SymPy": lambda value: (
+        sp.Tuple(*value) if isinstance(value, (list, tuple)) else value
+    ),
     "partly": lambda value: [..., *value[1:]] if isinstance(value, list) else value,
     "partly None": lambda value: [None, ..., *value[2:]] if isinstance(value, list) else value,
     "texts": str,
@@ -68,10 +74,14 @@ EITHER = {
 }
 #: What cannot cross is invalid, in the encoder's words.
 REFUSED = {
-    "named tuples": lambda value: collections.namedtuple("Pair", [f"x{i}" for i in range(len(value))])(*value)
-    if isinstance(value, list) else value,
-    "subclasses": lambda value: {list: Row, str: Word,
-                                 dict: collections.OrderedDict}.get(type(value), lambda same: same)(value),
+    "named tuples": lambda value: (
+        collections.namedtuple("Pair", [f"x{i}" for i in range(len(value))])(*value)
+        if isinstance(value, list)
+        else value
+    ),
+    "subclasses": lambda value: {list: Row, str: Word, dict: collections.OrderedDict}.get(
+        type(value), lambda same: same
+    )(value),
     "Decimals": as_decimal_number(decimal.Decimal),
     "functions": lambda value: lambda t: value,
     "None": lambda value: None,
@@ -94,26 +104,48 @@ def test_notebook_and_grade_agree(number):
 def _disagreements(exercise, master, answers):
     bench, found = Workbench(master, answers), []
     for form, answers, expected in _turns(bench):
-        here = {name: [verdict.status, verdict.message] for name, verdict in bench.judge(answers).items()}
-        graded = judge_cells(exercise.code("data", "check"), *_handed_over(answers), list(bench.reference))
+        here = {
+            name: [verdict.status, verdict.message]
+            for name, verdict in bench.judge(answers).items()
+        }
+        graded = judge_cells(
+            exercise.code("data", "check"), *_handed_over(answers), list(bench.reference)
+        )
         for name in answers:
-            kept = expected in (here[name][0], "any") and (expected != "invalid" or here[name][1].startswith("answer "))
+            kept = expected in (here[name][0], "any") and (
+                expected != "invalid" or here[name][1].startswith("answer ")
+            )
             if here[name] != graded[name][:2] or not kept:
                 found.append([form, name, here[name], graded[name]])
     return found
 
 
 def _turns(bench):
-    """(form, answers, verdict): all answers in one form after another, whatever the verdict on it is to be."""
-    accepted = {name: forms(value, bench.master.answers[name].kind, bench.symbols(name))
-                for name, value in bench.reference.items()}
+    """(form, answers, verdict): all answers in one form after another, whatever the verdict on it
+    is to be."""
+    accepted = {
+        name: forms(value, bench.master.answers[name].kind, bench.symbols(name))
+        for name, value in bench.reference.items()
+    }
     for turn in itertools.zip_longest(*(others.items() for others in accepted.values())):
         tried = {name: other for name, other in zip(accepted, turn) if other is not None}
-        yield [form for form, _ in tried.values()], {name: value for name, (_, value) in tried.items()}, "right"
+        yield (
+            [form for form, _ in tried.values()],
+            {name: value for name, (_, value) in tried.items()},
+            "right",
+        )
     for changes, expected in ((EITHER, "any"), (REFUSED, "invalid")):
         for form, change in changes.items():
             others = {name: change(value) for name, value in bench.reference.items()}
-            yield form, {name: other for name, other in others.items() if other is not bench.reference[name]}, expected
+            yield (
+                form,
+                {
+                    name: other
+                    for name, other in others.items()
+                    if other is not bench.reference[name]
+                },
+                expected,
+            )
 
 
 def _handed_over(answers):

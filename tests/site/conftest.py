@@ -1,4 +1,5 @@
-"""Builds both editions of the site once, and opens them in a browser that can reach nothing but this machine."""
+"""Builds both editions of the site once, and opens them in a browser that can reach nothing but
+this machine."""
 
 import fcntl
 import functools
@@ -30,7 +31,8 @@ def pytest_collection_modifyitems(items):
 
 @pytest.fixture(scope="session")
 def editions(testrun_uid, core_seconds):
-    """The folders of the two editions, as `make` builds them in this checkout; a warning ends the build."""
+    """The folders of the two editions, as `make` builds them in this checkout; a warning ends the
+    build."""
     (ROOT / "_build").mkdir(exist_ok=True)
     # Test processes run side by side: the first builds, the others wait and find the work done.
     with open(ROOT / "_build" / ".built-for-tests", "a+") as run:
@@ -41,23 +43,39 @@ def editions(testrun_uid, core_seconds):
                 _build()
             run.truncate(0)
             run.write(testrun_uid)
-    return SimpleNamespace(full=ROOT / "_build" / "html", student=ROOT / "_build" / "student" / "html")
+    return SimpleNamespace(
+        full=ROOT / "_build" / "html", student=ROOT / "_build" / "student" / "html"
+    )
 
 
 def _build():
     # As from a shell: the tests' own choice of a backend without pictures is not for the kernels.
-    settings = {key: value for key, value in os.environ.items() if not key.startswith(("MAKE", "MPLBACKEND"))}
+    settings = {
+        key: value
+        for key, value in os.environ.items()
+        if not key.startswith(("MAKE", "MPLBACKEND"))
+    }
     # The running environment is used as it is: nothing is installed.
-    built = subprocess.run(["make", "--jobs=2", "book", "book-student", f"VENV={sys.prefix}", "INSTALLED="], cwd=ROOT,
-                           env=settings, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=3000)
+    built = subprocess.run(
+        ["make", "--jobs=2", "book", "book-student", f"VENV={sys.prefix}", "INSTALLED="],
+        cwd=ROOT,
+        env=settings,
+        text=True,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        timeout=3000,
+    )
     assert built.returncode == 0, f"the site does not build:\n{built.stdout[-6000:]}"
 
 
 @pytest.fixture(scope="session")
 def pages_of():
     """The pages below a folder; _static holds templates of the theme, which are no pages."""
-    return functools.cache(lambda root: sorted(path for path in root.rglob("*.html")
-                                               if root / "_static" not in path.parents))
+    return functools.cache(
+        lambda root: sorted(
+            path for path in root.rglob("*.html") if root / "_static" not in path.parents
+        )
+    )
 
 
 @pytest.fixture(scope="session", params=["full", "student"])
@@ -65,15 +83,20 @@ def pages(request, editions, pages_of):
     """The folder of an edition, and path -> parsed page; all tests of an edition share them."""
     root = getattr(editions, request.param)
     with what_stays():
-        return root, {path: BeautifulSoup(path.read_text(encoding="utf-8"), "html.parser") for path in pages_of(root)}
+        return root, {
+            path: BeautifulSoup(path.read_text(encoding="utf-8"), "html.parser")
+            for path in pages_of(root)
+        }
 
 
 @pytest.fixture(scope="session")
 def problem(editions):
     """A problem to look at closely: its number, and its page in the edition with solutions."""
     page = min(editions.full.glob("solutions/ch*/p*.html"), key=lambda page: page.stem != "p15")
-    return SimpleNamespace(page=page.relative_to(editions.full).as_posix(),
-                           number=f"{page.parent.name[2:]}.{int(page.stem[1:])}")
+    return SimpleNamespace(
+        page=page.relative_to(editions.full).as_posix(),
+        number=f"{page.parent.name[2:]}.{int(page.stem[1:])}",
+    )
 
 
 class _Quiet(SimpleHTTPRequestHandler):
@@ -83,14 +106,19 @@ class _Quiet(SimpleHTTPRequestHandler):
 
 @pytest.fixture(scope="session")
 def addresses(editions):
-    """Where the sites are opened: the edition with solutions from the disk and from a web server, the other from
-    one."""
+    """Where the sites are opened: the edition with solutions from the disk and from a web server,
+    the other from one."""
     served = {"http": editions.full, "student": editions.student}
-    servers = {way: ThreadingHTTPServer(("127.0.0.1", 0), partial(_Quiet, directory=str(root)))
-               for way, root in served.items()}
+    servers = {
+        way: ThreadingHTTPServer(("127.0.0.1", 0), partial(_Quiet, directory=str(root)))
+        for way, root in served.items()
+    }
     for server in servers.values():
         threading.Thread(target=server.serve_forever, daemon=True).start()
-    yield {"file": editions.full.as_uri(), **{way: f"http://127.0.0.1:{s.server_port}" for way, s in servers.items()}}
+    yield {
+        "file": editions.full.as_uri(),
+        **{way: f"http://127.0.0.1:{s.server_port}" for way, s in servers.items()},
+    }
     for server in servers.values():
         server.shutdown()
         server.server_close()

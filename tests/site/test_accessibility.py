@@ -1,13 +1,31 @@
-"""Axe finds nothing against a page of each kind, with all folds open, by day and at night, on a desk and on a phone."""
+"""Axe finds nothing against a page of each kind, with all folds open, by day and at night, on a
+desk and on a phone."""
 
 import pytest
 from selenium_axe_python import Axe
 
-PAGES = ["book/index.html", "book/ch1.html", "book/problems.html", "book/topics.html", "book/glossary.html",
-         "book/errata/index.html", "book/errata/ch7.html", "book/bibliography.html", "book/guides/student.html",
-         "book/guides/grading.html", "book/library.html", "book/library/structure.html", "solutions/ch1/p15.html",
-         "solutions/ch2/p25.html", "solutions/ch4/p18.html", "solutions/ch5/p03.html", "genindex.html", "search.html"]
-#: Beyond what axe asks for by itself: words on a button are in its name. It does not see that MathML says something.
+PAGES = [
+    "book/index.html",
+    "book/ch1.html",
+    "book/problems.html",
+    "book/topics.html",
+    "book/glossary.html",
+    "book/errata/index.html",
+    "book/errata/ch7.html",
+    "book/bibliography.html",
+    "book/guides/student.html",
+    "book/guides/grading.html",
+    "book/library.html",
+    "book/library/structure.html",
+    "solutions/ch1/p15.html",
+    "solutions/ch2/p25.html",
+    "solutions/ch4/p18.html",
+    "solutions/ch5/p03.html",
+    "genindex.html",
+    "search.html",
+]
+#: Beyond what axe asks for by itself: words on a button are in its name. It does not see that
+#: MathML says something.
 OPTIONS = """{resultTypes: ['violations'],
     rules: {'label-content-name-mismatch': {enabled: true}, 'empty-table-header': {enabled: false}}}"""
 #: So these are asked here: a head of a column and a fold say what they are of.
@@ -29,11 +47,14 @@ def faults(browser):
     def of(address, before=lambda: None):
         browser.open(address)
         before()
-        browser.run("document.querySelectorAll('article details').forEach(fold => fold.open = true)")
+        browser.run(
+            "document.querySelectorAll('article details').forEach(fold => fold.open = true)"
+        )
         axe.inject()
         violations = axe.run("document", OPTIONS)["violations"]
-        return [(rule["id"], node["html"][:150]) for rule in violations for node in rule["nodes"]] + [
-            ("nameless", element[:150]) for element in browser.run(NAMELESS)]
+        return [
+            (rule["id"], node["html"][:150]) for rule in violations for node in rule["nodes"]
+        ] + [("nameless", element[:150]) for element in browser.run(NAMELESS)]
 
     yield of
     browser.forget()
@@ -60,19 +81,41 @@ LATE = """const listen = window.addEventListener;
 
 
 def test_icons_that_are_drawn_before_our_script_runs(browser, addresses, faults):
-    script = browser.driver.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", {"source": LATE})
+    script = browser.driver.execute_cdp_cmd(
+        "Page.addScriptToEvaluateOnNewDocument", {"source": LATE}
+    )
     try:
-        assert faults(f"{addresses['http']}/book/errata/index.html", lambda: browser.wait_for("window.wasLate")) == []
-        assert browser.run("window.wasLate && document.querySelectorAll('.theme-switch-button svg').length") == 3
+        assert (
+            faults(
+                f"{addresses['http']}/book/errata/index.html",
+                lambda: browser.wait_for("window.wasLate"),
+            )
+            == []
+        )
+        assert (
+            browser.run(
+                "window.wasLate && document.querySelectorAll('.theme-switch-button svg').length"
+            )
+            == 3
+        )
     finally:
         browser.driver.execute_cdp_cmd("Page.removeScriptToEvaluateOnNewDocument", script)
 
 
 @pytest.mark.parametrize("page", ["book/ch1.html", "solutions/ch1/p15.html"])
 def test_at_night(browser, addresses, faults, page):
-    assert faults(f"{addresses['http']}/{page}", lambda: browser.driver.execute_script(
-        "document.documentElement.dataset.theme = 'dark'")) == []
+    assert (
+        faults(
+            f"{addresses['http']}/{page}",
+            lambda: browser.driver.execute_script(
+                "document.documentElement.dataset.theme = 'dark'"
+            ),
+        )
+        == []
+    )
 
 
 def test_the_open_search_with_its_results(browser, addresses, faults, found_by_search):
-    assert faults(f"{addresses['http']}/book/index.html", lambda: found_by_search("criterion")) == []
+    assert (
+        faults(f"{addresses['http']}/book/index.html", lambda: found_by_search("criterion")) == []
+    )

@@ -30,8 +30,12 @@ def test_the_dark_switch_darkens_the_page(browser, addresses, problem):
             break
         browser.find(".theme-switch-button").click()
     assert browser.run("document.documentElement.dataset.theme") == "dark"
-    ground = browser.run("getComputedStyle(document.body).backgroundColor.match(/\\d+/g).map(Number)")
-    ink = browser.run("getComputedStyle(document.querySelector('article')).color.match(/\\d+/g).map(Number)")
+    ground = browser.run(
+        "getComputedStyle(document.body).backgroundColor.match(/\\d+/g).map(Number)"
+    )
+    ink = browser.run(
+        "getComputedStyle(document.querySelector('article')).color.match(/\\d+/g).map(Number)"
+    )
     assert max(ground[:3]) < 60 and min(ink[:3]) > 180
     browser.run("localStorage.clear()")
 
@@ -45,7 +49,13 @@ def test_a_solution_is_folded_and_opens(browser, addresses, problem, way):
     assert not content.is_displayed()
     browser.find("details.solution > summary").click()
     assert content.is_displayed()
-    assert browser.run("document.querySelector('details.solution mjx-container svg').getBoundingClientRect().width") > 5
+    assert (
+        browser.run(
+            "document.querySelector('details.solution mjx-container "
+            "svg').getBoundingClientRect().width"
+        )
+        > 5
+    )
 
 
 def test_a_link_to_a_solution_opens_it(browser, addresses, problem):
@@ -57,14 +67,25 @@ def test_a_link_to_a_solution_opens_it(browser, addresses, problem):
 
 
 @pytest.mark.parametrize("way", ["file", "http"])
-def test_a_number_typed_into_the_search_finds_the_problem_first(browser, addresses, found_by_search, problem, way):
+def test_a_number_typed_into_the_search_finds_the_problem_first(
+    browser, addresses, found_by_search, problem, way
+):
     browser.open(f"{addresses[way]}/book/index.html")
     assert problem.page in found_by_search(problem.number)[0]
     assert browser.errors() == []
 
 
-@pytest.mark.parametrize("name, page", [("van der Pol", "ch1/p04"), ("Duffing", "ch1/p03"), ("Riccati", "ch6/p03"),
-                                        ("Clohessy", "ch2/p14"), ("Zhukovsky", "ch1/p09"), ("Schuler", "ch7/p01")])
+@pytest.mark.parametrize(
+    "name, page",
+    [
+        ("van der Pol", "ch1/p04"),
+        ("Duffing", "ch1/p03"),
+        ("Riccati", "ch6/p03"),
+        ("Clohessy", "ch2/p14"),
+        ("Zhukovsky", "ch1/p09"),
+        ("Schuler", "ch7/p01"),
+    ],
+)
 def test_a_name_of_the_field_finds_the_problem(browser, addresses, found_by_search, name, page):
     """Before all pages that have the name somewhere come the problems that have it as a topic."""
     for edition, folder in (("http", "solutions"), ("student", "exercises")):
@@ -78,13 +99,17 @@ def test_the_students_notebook_is_served(browser, addresses, problem):
     with urlopen(browser.find(".problem-notebook a").get_attribute("href")) as answer:
         assert answer.status == 200
         notebook = json.load(answer)
-    assert notebook["nbformat"] == 4 and notebook["metadata"]["workbook"]["number"] == problem.number
+    assert (
+        notebook["nbformat"] == 4 and notebook["metadata"]["workbook"]["number"] == problem.number
+    )
 
 
 def test_the_wheel_is_served(browser, addresses):
     page = f"{addresses['http']}/book/guides/student.html"
     browser.open(page)
-    with urlopen(urljoin(page, browser.find("a.download[href$='.whl']").get_attribute("href"))) as answer:
+    with urlopen(
+        urljoin(page, browser.find("a.download[href$='.whl']").get_attribute("href"))
+    ) as answer:
         names = zipfile.ZipFile(io.BytesIO(answer.read())).namelist()
     assert {"trajlib/__init__.py", "workbook/__init__.py"} <= set(names)
     assert not [name for name in names if name.startswith(("solutions", "book"))]

@@ -1,6 +1,8 @@
-"""Every page as people see it, with scroll bars on: it fits a phone without errors, and at a desk nothing is cut off.
+"""Every page as people see it, with scroll bars on: it fits a phone without errors, and at a desk
+nothing is cut off.
 
-A page is opened once and asked all of it: what a visit costs is loading the page and setting its formulas.
+A page is opened once and asked all of it: what a visit costs is loading the page and setting its
+formulas.
 """
 
 import re
@@ -12,10 +14,13 @@ from workbook.authoring import master_paths
 
 SOLUTIONS = Path(__file__).resolve().parents[2] / "solutions"
 #: Number -> the page of a problem.
-PROBLEMS = {f"{path.parent.name[2:]}.{int(path.stem[1:])}": f"solutions/{path.parent.name}/{path.stem}.html"
-            for path in master_paths(SOLUTIONS)}
+PROBLEMS = {
+    f"{path.parent.name[2:]}.{int(path.stem[1:])}": f"solutions/{path.parent.name}/{path.stem}.html"
+    for path in master_paths(SOLUTIONS)
+}
 PHONE = 390
-#: Pages with many formulas, long code and long outputs: the problems, the chapters, the guides and the library.
+#: Pages with many formulas, long code and long outputs: the problems, the chapters, the guides and
+#: the library.
 WIDE = ("solutions/ch*/p*.html", "book/ch*.html", "book/guides/*.html", "book/library/*.html")
 
 
@@ -27,12 +32,15 @@ def at_a_desk_again(browser):
 
 # First what takes longest: no process waits for it at the end.
 @pytest.mark.parametrize("number", ["the other pages", *PROBLEMS])
-def test_every_page_fits_a_phone_and_a_desk_without_errors(browser, addresses, editions, pages_of, number,
-                                                           record_property):
+def test_every_page_fits_a_phone_and_a_desk_without_errors(
+    browser, addresses, editions, pages_of, number, record_property
+):
     began = browser.computed()
     pages = {path.relative_to(editions.full).as_posix() for path in pages_of(editions.full)}
     assert pages.issuperset(PROBLEMS.values())
-    for page in [PROBLEMS[number]] if number in PROBLEMS else sorted(pages.difference(PROBLEMS.values())):
+    for page in (
+        [PROBLEMS[number]] if number in PROBLEMS else sorted(pages.difference(PROBLEMS.values()))
+    ):
         assert _faults_on_a_phone(browser, f"{addresses['http']}/{page}") == []
         if any(PurePosixPath(page).match(pattern) for pattern in WIDE):
             assert _cut_off(browser, 1400) == {}, page
@@ -48,19 +56,30 @@ def test_what_is_cut_off_is_seen(browser, addresses):
     assert browser.run("innerWidth - document.documentElement.clientWidth") > 10
 
 
-def test_what_the_student_edition_alone_shows_fits_a_phone_without_errors(browser, addresses, editions, pages_of):
-    """Most of its pages show a part of what those of the other edition do, and that has been seen to fit."""
-    pages = {path.relative_to(editions.student).as_posix(): path for path in pages_of(editions.student)}
-    own = [page for page, path in pages.items()
-           if not _shown(path) <= _shown(editions.full / page.replace("exercises/", "solutions/"))]
+def test_what_the_student_edition_alone_shows_fits_a_phone_without_errors(
+    browser, addresses, editions, pages_of
+):
+    """Most of its pages show a part of what those of the other edition do, and that has been seen
+    to fit."""
+    pages = {
+        path.relative_to(editions.student).as_posix(): path for path in pages_of(editions.student)
+    }
+    own = [
+        page
+        for page, path in pages.items()
+        if not _shown(path) <= _shown(editions.full / page.replace("exercises/", "solutions/"))
+    ]
     assert "genindex.html" in own and len(own) < len(pages) / 5
     for page in {*own, "book/index.html", "exercises/ch1/p15.html"}:
         assert _faults_on_a_phone(browser, f"{addresses['student']}/{page}") == []
 
 
 #: What may be too wide or fail to be set. Code scrolls in its own box on every page.
-SHOWN = re.compile(r'<(span|div) class="math[ "][^>]*>.*?</\1>|<(table)\b.*?</table>|<(img|svg)\b[^>]*>', re.DOTALL)
-#: What may differ between the editions: addresses, and the letter of a figure where it is the only one of its page.
+SHOWN = re.compile(
+    r'<(span|div) class="math[ "][^>]*>.*?</\1>|<(table)\b.*?</table>|<(img|svg)\b[^>]*>', re.DOTALL
+)
+#: What may differ between the editions: addresses, and the letter of a figure where it is the only
+#: one of its page.
 EITHER_WAY = re.compile(r'(href|src|id|data-[a-z]+)="[^"]*"|(?<=\d)[a-z](?=:)')
 
 
@@ -78,12 +97,17 @@ def _faults_on_a_phone(browser, address):
     browser.open(address)
     browser.run("document.querySelectorAll('details').forEach(fold => fold.open = true)")
     width = browser.run("document.documentElement.scrollWidth")
-    broken = browser.run("[...document.querySelectorAll('mjx-merror, [data-mjx-error]')].map(e => "
-                         "e.dataset.mjxError || e.innerText)")
+    broken = browser.run(
+        "[...document.querySelectorAll('mjx-merror, [data-mjx-error]')].map(e => "
+        "e.dataset.mjxError || e.innerText)"
+    )
     unset = browser.run("""[...document.querySelectorAll('.math')].filter(
         e => !e.querySelector('mjx-container') && e.innerText.trim()).map(e => e.innerText.slice(0, 60))""")
     faults = [f"{width} px wide"] if width > PHONE else []
-    return [f"{address}: {what}" for what in faults + broken + unset + browser.errors() + browser.foreign_requests()]
+    return [
+        f"{address}: {what}"
+        for what in faults + broken + unset + browser.errors() + browser.foreign_requests()
+    ]
 
 
 def _cut_off(browser, width):

@@ -1,4 +1,5 @@
-"""book/execute.py in a small book of its own: what is executed, what is kept, and what a failure says."""
+"""book/execute.py in a small book of its own: what is executed, what is kept, and what a failure
+says."""
 
 import re
 import subprocess
@@ -10,8 +11,8 @@ from pathlib import Path
 import pytest
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "book"))
-import execute  # noqa: E402
-import kernel  # noqa: E402
+import execute
+import kernel
 
 execute_as_before = execute.read_myst_markdown_notebook
 CONFIG = "execute: {timeout: 20}\nparse: {myst_enable_extensions: [dollarmath]}\n"
@@ -45,9 +46,16 @@ def book(tmp_path, capsys):
         def outputs(self, name):
             """What the cells of a page show, as the site finds it."""
             cache = execute.get_cache(tmp_path / "_build" / ".jupyter_cache")
-            page, = execute.read_pages(tmp_path, execute.yaml.safe_load(CONFIG), [tmp_path / f"{name}.md"])
+            (page,) = execute.read_pages(
+                tmp_path, execute.yaml.safe_load(CONFIG), [tmp_path / f"{name}.md"]
+            )
             _, notebook = cache.merge_match_into_notebook(page.notebook)
-            return [output for cell in notebook.cells if cell.cell_type == "code" for output in cell.outputs]
+            return [
+                output
+                for cell in notebook.cells
+                if cell.cell_type == "code"
+                for output in cell.outputs
+            ]
 
     (tmp_path / "_config.yml").write_text(CONFIG)
     (tmp_path / "_toc.yml").write_text(TOC)
@@ -59,8 +67,13 @@ def book(tmp_path, capsys):
 def test_the_build_loads_no_grammars():
     """jsonschema would build them from Lark's, which takes longer than reading a page."""
     loads = "import build, execute, jupyter_book.sphinx, sys; print('jsonschema' in sys.modules, 'lark' in sys.modules)"
-    shown = subprocess.run([sys.executable, "-c", loads], cwd=Path(execute.__file__).parent, capture_output=True,
-                           text=True, timeout=120)
+    shown = subprocess.run(
+        [sys.executable, "-c", loads],
+        cwd=Path(execute.__file__).parent,
+        capture_output=True,
+        text=True,
+        timeout=120,
+    )
     assert shown.stdout.split() == ["True", "False"], shown.stderr
 
 
@@ -77,14 +90,21 @@ def test_only_what_changed_is_executed(book):
 
 
 def test_only_what_changed_is_read(book, monkeypatch):
-    """Reading takes a large book seconds; a page that was executed and is as it was needs none of them."""
+    """Reading takes a large book seconds; a page that was executed and is as it was needs none of
+    them."""
     for name in ("p1", "p2", "p3"):
         book.write(name, f"'{name}'")
     book.write("p4")
     book.run()
     read = []
-    monkeypatch.setattr(execute, "read_myst_markdown_notebook", lambda text, *given, path, **options: (
-        read.append(path.stem), execute_as_before(text, *given, path=path, **options))[1])
+    monkeypatch.setattr(
+        execute,
+        "read_myst_markdown_notebook",
+        lambda text, *given, path, **options: (
+            read.append(path.stem),
+            execute_as_before(text, *given, path=path, **options),
+        )[1],
+    )
     book.write("p2", "'another'")
     assert "1 of 3 pages" in book.run()[1] and read == ["p2"]
     assert [output.data["text/plain"] for output in book.outputs("p1")] == ["'p1'"]
@@ -116,7 +136,9 @@ def test_a_failed_page_is_read_again(book):
 
 def test_a_page_follows_the_modules_it_loads(book, monkeypatch):
     closure = {"trajlib.stability": "before"}
-    monkeypatch.setattr(execute, "module_closure", lambda source: closure if "stability" in source else {})
+    monkeypatch.setattr(
+        execute, "module_closure", lambda source: closure if "stability" in source else {}
+    )
     book.write("p1", "# stands for: from trajlib import stability")
     book.write("p2", "2 + 2")
     book.run()
@@ -152,27 +174,38 @@ def test_the_site_finds_the_outputs_in_the_cache(book):
 def test_a_picture_is_drawn_sharp_and_the_same_again(book):
     """As SVG, without the date and with names that do not change, in hundredths of a point."""
     for name in ("p1", "p2"):
-        book.write(name, """\
+        book.write(
+            name,
+            """\
             %matplotlib inline
             import matplotlib.pyplot as plt
             import numpy as np
             x = np.linspace(0, 6, 200)
             plt.close("all")  # those of the process that runs the tests
-            plt.plot(x, np.sin(x), marker="o");""", f"'{name}'")
+            plt.plot(x, np.sin(x), marker="o");""",
+            f"'{name}'",
+        )
     book.run()
-    (first,), (second,) = ([output.data for output in book.outputs(name) if output.output_type == "display_data"]
-                           for name in ("p1", "p2"))
+    (first,), (second,) = (
+        [output.data for output in book.outputs(name) if output.output_type == "display_data"]
+        for name in ("p1", "p2")
+    )
     assert first["image/svg+xml"] == second["image/svg+xml"] and "image/png" not in first
     curves = execute.CURVE.findall(first["image/svg+xml"])
-    assert max(map(len, curves)) > 1000 and not any(re.search(r"\.\d{3}", curve) for curve in curves)
+    assert max(map(len, curves)) > 1000 and not any(
+        re.search(r"\.\d{3}", curve) for curve in curves
+    )
 
 
 def test_a_picture_of_too_many_points_is_refused(book):
-    book.write("p1", """\
+    book.write(
+        "p1",
+        """\
         %matplotlib inline
         import matplotlib.pyplot as plt
         plt.close("all")
-        plt.plot(range(20000), ".");""")
+        plt.plot(range(20000), ".");""",
+    )
     code, _, error = book.run()
     assert code == 1 and "cell 2" in error and "rasterized=True" in error
 
@@ -182,18 +215,23 @@ def test_a_failing_cell_is_named_with_its_page_and_message(book):
     book.write("p2", "2 + 2")
     code, printed, error = book.run()
     assert code == 1
-    assert "p1.md, cell 3 (answer) at line" in error and "ZeroDivisionError: division by zero" in error
+    assert (
+        "p1.md, cell 3 (answer) at line" in error and "ZeroDivisionError: division by zero" in error
+    )
     assert "    x = 1 / y\n" in error and "Traceback" not in error
     assert "executed" in printed and "p2.md" in printed, "the other pages are executed all the same"
     assert "1 of 2 pages" in book.run()[1], "a failed page is tried again"
 
 
 def test_an_answer_that_is_not_right_ends_with_its_verdict(book):
-    book.write("p1", """\
+    book.write(
+        "p1",
+        """\
         :tags: [check]
         from workbook import checks
         from workbook.checks.contract.verdict import Verdict
-        checks.report(a=Verdict("wrong", "the trace is 3, not 2"))""")
+        checks.report(a=Verdict("wrong", "the trace is 3, not 2"))""",
+    )
     code, _, error = book.run()
     assert code == 1 and "cell 2 (check)" in error and "the trace is 3, not 2" in error
 
@@ -234,30 +272,40 @@ def test_a_kernel_that_cannot_start_is_told(book, monkeypatch):
 def test_pages_are_executed_side_by_side(book, monkeypatch):
     monkeypatch.setattr(execute, "CORES", 2)
     for mine, other in (("p1", "p2"), ("p2", "p1")):
-        book.write(mine, f"""\
+        book.write(
+            mine,
+            f"""\
             import pathlib, time
             pathlib.Path("{mine}").touch()
             while not pathlib.Path("{other}").exists():
-                time.sleep(0.05)""")
+                time.sleep(0.05)""",
+        )
     assert book.run()[0] == 0
 
 
 def test_kernels_are_strangers_to_each_other(book):
     """What the process that they are forked from has imported is all that they share."""
     for name in ("p1", "p2"):
-        book.write(name, f"""\
+        book.write(
+            name,
+            f"""\
             import random
             import numpy as np
             print(getattr(np, "page", "nobody"), random.random(), np.random.random())
-            np.page = '{name}'""")
+            np.page = '{name}'""",
+        )
     assert book.run()[0] == 0
     said = [book.outputs(name)[0].text.split() for name in ("p1", "p2")]
     assert said[0][0] == said[1][0] == "nobody"
-    assert said[0][1] != said[1][1] and said[0][2] != said[1][2], "random numbers that nobody seeded"
+    assert said[0][1] != said[1][1] and said[0][2] != said[1][2], (
+        "random numbers that nobody seeded"
+    )
 
 
 def test_a_kernel_that_dies_in_a_cell_is_told(book):
-    book.write("p1", "import pathlib; pathlib.Path('runs').open('a').write('x')", "import os; os._exit(1)")
+    book.write(
+        "p1", "import pathlib; pathlib.Path('runs').open('a').write('x')", "import os; os._exit(1)"
+    )
     ended, _, error = book.run()
     assert ended == 1 and "p1.md, Kernel died" in error and (book.root / "runs").read_text() == "x"
 

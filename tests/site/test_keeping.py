@@ -1,4 +1,5 @@
-"""What Sphinx keeps between builds: little of each page, and the same numbers and titles come out."""
+"""What Sphinx keeps between builds: little of each page, and the same numbers and titles come
+out."""
 
 import pickle
 import re
@@ -30,8 +31,9 @@ def setup(app):
         keeping.setup(app)
     app.connect("builder-inited", count_reading)
 """
-PAGES = {"index": "Start\n=====\n\n.. toctree::\n   :numbered:\n\n   one\n   two\n   three\n",
-         "one": """\
+PAGES = {
+    "index": "Start\n=====\n\n.. toctree::\n   :numbered:\n\n   one\n   two\n   three\n",
+    "one": """\
 One
 ===
 
@@ -69,7 +71,7 @@ Further
 
       Inside.
 """,
-         "two": """\
+    "two": """\
 Two
 ===
 
@@ -82,17 +84,25 @@ Two
 
    Another.
 """,
-         "three": "Three\n=====\n\n.. figure:: a.png\n\n   The third.\n"}
+    "three": "Three\n=====\n\n.. figure:: a.png\n\n   The third.\n",
+}
 
 
 def build(folder, kept):
     (folder / "conf.py").write_text(CONFIGURATION.replace("{kept}", str(kept)), encoding="utf-8")
     (folder / "_build" / "read").unlink(missing_ok=True)
-    done = subprocess.run([sys.executable, "-m", "sphinx", "-q", folder, folder / "_build"], capture_output=True,
-                          text=True, timeout=120)
+    done = subprocess.run(
+        [sys.executable, "-m", "sphinx", "-q", folder, folder / "_build"],
+        capture_output=True,
+        text=True,
+        timeout=120,
+    )
     assert done.returncode == 0, done.stderr
-    pages = {name: (folder / "_build" / f"{name}.html").read_text(encoding="utf-8") for name in PAGES}
-    pages = {name: re.sub(r"\?v=\w+", "", page) for name, page in pages.items()}  # of style sheets, once they are there
+    pages = {
+        name: (folder / "_build" / f"{name}.html").read_text(encoding="utf-8") for name in PAGES
+    }
+    # of style sheets, once they are there
+    pages = {name: re.sub(r"\?v=\w+", "", page) for name, page in pages.items()}
     data = (folder / "_build" / ".doctrees" / "environment.pickle").read_bytes()
     return pages, data, (folder / "_build" / "read").read_text(encoding="utf-8").split()
 
@@ -106,12 +116,18 @@ def book(folder):
 
 
 def test_numbers_and_titles_are_those_of_sphinx(tmp_path):
-    (pages, large, _), (same, small, _) = build(book(tmp_path / "a"), False), build(book(tmp_path / "b"), True)
+    (pages, large, _), (same, small, _) = (
+        build(book(tmp_path / "a"), False),
+        build(book(tmp_path / "b"), True),
+    )
     assert same == pages
     assert "Fig. 1.1" in pages["two"] and "Swing" in pages["two"]
     assert b"statement of a pendulum" in large and b"statement of a pendulum" not in small
     numbers = [pickle.loads(data).toc_fignumbers for data in (large, small)]
-    assert numbers[0] == numbers[1] and {"figure", "table", "code-block", "theorem"} <= numbers[0]["one"].keys()
+    assert (
+        numbers[0] == numbers[1]
+        and {"figure", "table", "code-block", "theorem"} <= numbers[0]["one"].keys()
+    )
 
 
 def test_a_changed_page_asks_for_no_other(tmp_path):
@@ -119,12 +135,16 @@ def test_a_changed_page_asks_for_no_other(tmp_path):
     build(folder, True)
     with open(folder / "three.rst", "a", encoding="utf-8") as file:
         file.write("\n.. figure:: a.png\n\n   One more.\n")
-    pages, data, read = build(folder, True)
+    _pages, data, read = build(folder, True)
     assert set(read) <= {"index", "three"}
     assert list(pickle.loads(data).toc_fignumbers["three"]["figure"].values()) == [(3, 1), (3, 2)]
     with open(folder / "two.rst", "a", encoding="utf-8") as file:
         file.write("\nOnce more: :ref:`swing`, :ref:`sol-swing`.\n")
     other = book(tmp_path / "b")
     for name in PAGES:
-        (other / f"{name}.rst").write_text((folder / f"{name}.rst").read_text(encoding="utf-8"), encoding="utf-8")
-    assert build(folder, True)[0] == build(other, False)[0], "as if built for the first time, and as Sphinx does"
+        (other / f"{name}.rst").write_text(
+            (folder / f"{name}.rst").read_text(encoding="utf-8"), encoding="utf-8"
+        )
+    assert build(folder, True)[0] == build(other, False)[0], (
+        "as if built for the first time, and as Sphinx does"
+    )

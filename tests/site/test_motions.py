@@ -1,4 +1,5 @@
-"""Motions on the static site: they play, pause and follow the slider, from the disk and without another host."""
+"""Motions on the static site: they play, pause and follow the slider, from the disk and without
+another host."""
 
 import time
 from pathlib import Path
@@ -9,9 +10,15 @@ import pytest
 from workbook.display import Animation
 
 STATIC = Path(__file__).resolve().parents[2] / "book" / "_static"
-PAGES = [*(f"book/ch{k}.html" for k in range(1, 6)), "solutions/ch1/p05.html", "solutions/ch1/p10.html",
-         *(f"book/lectures/{slug}.html" for slug in ("fastest-motion", "balanced-by-an-estimate",
-                                                     "what-a-filter-believes"))]
+PAGES = [
+    *(f"book/ch{k}.html" for k in range(1, 6)),
+    "solutions/ch1/p05.html",
+    "solutions/ch1/p10.html",
+    *(
+        f"book/lectures/{slug}.html"
+        for slug in ("fastest-motion", "balanced-by-an-estimate", "what-a-filter-believes")
+    ),
+]
 AT = "Number(document.querySelector('.motion-controls input').value)"
 
 
@@ -29,8 +36,11 @@ def page(tmp_path):
     plane.trail(np.cos(t), np.sin(t))
     plane.dot(np.cos(t), np.sin(t))
     (tmp_path / "page.html").write_text(
-        f'<!doctype html><html lang="en"><head><title>A motion</title><script src="{STATIC.as_uri()}/motions.js">'
-        f"</script></head><body>{motion._repr_html_()}</body></html>", encoding="utf-8")
+        '<!doctype html><html lang="en"><head><title>A motion</title><script '
+        f'src="{STATIC.as_uri()}/motions.js">'
+        f"</script></head><body>{motion._repr_html_()}</body></html>",
+        encoding="utf-8",
+    )
     return (tmp_path / "page.html").as_uri()
 
 
@@ -64,7 +74,9 @@ def test_it_plays_pauses_and_follows_the_slider(browser, page):
 
 def test_who_wants_less_motion_goes_on_by_steps(browser, page):
     emulate = "Emulation.setEmulatedMedia"
-    browser.driver.execute_cdp_cmd(emulate, {"features": [{"name": "prefers-reduced-motion", "value": "reduce"}]})
+    browser.driver.execute_cdp_cmd(
+        emulate, {"features": [{"name": "prefers-reduced-motion", "value": "reduce"}]}
+    )
     try:
         browser.open(page)
         button = browser.find(".motion button")
@@ -74,7 +86,7 @@ def test_who_wants_less_motion_goes_on_by_steps(browser, page):
         time.sleep(0.5)
         assert browser.run(AT) == first > 0
         button.click()
-        assert browser.run(AT) == 2*first
+        assert browser.run(AT) == 2 * first
     finally:
         browser.driver.execute_cdp_cmd(emulate, {"features": []})
 
@@ -84,11 +96,15 @@ def test_motions_of_the_site_move_and_are_small(browser, addresses, editions, na
     from selenium.webdriver.common.keys import Keys
 
     browser.open(f"{addresses['file']}/{name}")
-    sizes = browser.run("[...document.querySelectorAll('.motion')].map(box => box.outerHTML.length)")
+    sizes = browser.run(
+        "[...document.querySelectorAll('.motion')].map(box => box.outerHTML.length)"
+    )
     assert sizes and sum(sizes) + (STATIC / "motions.js").stat().st_size <= 60_000
     browser.run("document.querySelectorAll('details.dropdown').forEach(fold => fold.open = true)")
-    browser.find(".motion input").send_keys(Keys.HOME)  # its still may lie so near to its end that it is over soon
-    press = "document.querySelector('.motion button').click()"  # at once: a driver's click takes a while on a long page
+    # its still may lie so near to its end that it is over soon
+    browser.find(".motion input").send_keys(Keys.HOME)
+    # at once: a driver's click takes a while on a long page
+    press = "document.querySelector('.motion button').click()"
     browser.run(press)
     assert browser.wait_for(f"{AT} > 2")
     browser.run(press)

@@ -10,19 +10,32 @@ import pytest
 from workbook import authoring
 
 ROOT = Path(__file__).resolve().parents[2]
-LOADING = {"script": "src", "img": "src", "iframe": "src", "source": "src", "video": "src", "audio": "src",
-           "embed": "src", "object": "data", "link": "href"}
+LOADING = {
+    "script": "src",
+    "img": "src",
+    "iframe": "src",
+    "source": "src",
+    "video": "src",
+    "audio": "src",
+    "embed": "src",
+    "object": "data",
+    "link": "href",
+}
 CSS_LOADS = re.compile(r"""(?:url\(\s*|@import\s+)["']?(?:https?:)?//[^"')\s]+""")
-JS_LOADS = re.compile(r"""(?:\bsrc\s*=|\bimport\s*\(?|\bimportScripts\(|\bfetch\()\s*["'`](?:https?:)?//[^"'`]+""")
+JS_LOADS = re.compile(
+    r"""(?:\bsrc\s*=|\bimport\s*\(?|\bimportScripts\(|\bfetch\()\s*["'`](?:https?:)?//[^"'`]+"""
+)
 
 
 def test_every_internal_link_leads_somewhere(pages):
     root, parsed = pages
-    anchors = {path: {tag[key] for key in ("id", "name") for tag in page.find_all(attrs={key: True})}
-               for path, page in parsed.items()}
+    anchors = {
+        path: {tag[key] for key in ("id", "name") for tag in page.find_all(attrs={key: True})}
+        for path, page in parsed.items()
+    }
     dead = []
     for path, page in parsed.items():
-        for tag, address in _addresses(page):
+        for _tag, address in _addresses(page):
             if urlsplit(address).scheme or address.startswith("//"):
                 continue
             target, anchor = urldefrag(address)
@@ -38,18 +51,27 @@ def test_every_internal_link_leads_somewhere(pages):
 
 def test_nothing_is_loaded_from_another_host(pages):
     root, parsed = pages
-    foreign = [f"{path.relative_to(root)}: {address}" for path, page in parsed.items()
-               for name, key in LOADING.items() for tag in page.find_all(name, attrs={key: True})
-               if re.match(r"(?:https?:)?//", address := tag[key])]
+    foreign = [
+        f"{path.relative_to(root)}: {address}"
+        for path, page in parsed.items()
+        for name, key in LOADING.items()
+        for tag in page.find_all(name, attrs={key: True})
+        if re.match(r"(?:https?:)?//", address := tag[key])
+    ]
     for path, page in parsed.items():
         inline = "\n".join(tag.get_text() for tag in page.find_all(["script", "style"]))
-        foreign += [f"{path.relative_to(root)}: {load}" for load in JS_LOADS.findall(inline)
-                    + CSS_LOADS.findall(inline)]
+        foreign += [
+            f"{path.relative_to(root)}: {load}"
+            for load in JS_LOADS.findall(inline) + CSS_LOADS.findall(inline)
+        ]
         # The constant stands ready in every page of Jupyter Book, though nothing loads it.
         foreign += [f"{path.relative_to(root)}: thebe"] if "thebe" in inline else []
     for pattern, loads in (("*.css", CSS_LOADS), ("*.js", JS_LOADS)):
         for path in root.rglob(pattern):
-            foreign += [f"{path.relative_to(root)}: {load}" for load in loads.findall(path.read_text(encoding="utf-8"))]
+            foreign += [
+                f"{path.relative_to(root)}: {load}"
+                for load in loads.findall(path.read_text(encoding="utf-8"))
+            ]
     assert not foreign, "\n".join(foreign)
 
 
@@ -57,8 +79,9 @@ def test_an_id_occurs_once_in_a_page(pages):
     root, parsed = pages
     for path, page in parsed.items():
         ids = [tag["id"] for tag in page.find_all(id=True)]
-        assert len(ids) == len(set(ids)), (f"{path.relative_to(root)}: "
-                                           f"{sorted({name for name in ids if ids.count(name) > 1})}")
+        assert len(ids) == len(set(ids)), (
+            f"{path.relative_to(root)}: {sorted({name for name in ids if ids.count(name) > 1})}"
+        )
 
 
 def test_sources_are_not_served(pages):
@@ -69,13 +92,17 @@ def test_sources_are_not_served(pages):
     assert wheels
     for wheel in wheels:
         names = zipfile.ZipFile(wheel).namelist()
-        assert not [name for name in names if "solutions/" in name or name.endswith((".md", ".trials.py"))]
+        assert not [
+            name for name in names if "solutions/" in name or name.endswith((".md", ".trials.py"))
+        ]
 
 
 def test_every_problem_is_listed_under_its_number_and_topics(pages):
     root, parsed = pages
     for path, page in parsed.items():
-        if re.fullmatch(r"(solutions|exercises)/ch\d+/p\d+\.html", path.relative_to(root).as_posix()):
+        if re.fullmatch(
+            r"(solutions|exercises)/ch\d+/p\d+\.html", path.relative_to(root).as_posix()
+        ):
             number = f"{path.parent.name[2:]}.{int(path.stem[1:])}"
             listed = parsed[root / "book" / "problems.html"].find("a", string=number)
             assert (root / "book" / listed["href"]).resolve() == path
@@ -94,7 +121,9 @@ def test_the_student_edition_holds_no_solution(pages):
         page = parsed[copy.with_suffix(".html")]
         shown = page.get_text() + copy.read_text(encoding="utf-8")
         assert not page.select("details.solution")
-        for line in _lines([*master.code("answer", "figure"), *_trials(master)]) - _lines(master.code("data", "check")):
+        for line in _lines([*master.code("answer", "figure"), *_trials(master)]) - _lines(
+            master.code("data", "check")
+        ):
             assert line not in shown, f"{master.number}: {line}"
 
 
@@ -116,6 +145,11 @@ def _trials(master):
 
 
 def _lines(sources):
-    """The lines of cells that say something of their own; imports and one-word lines occur everywhere."""
+    """The lines of cells that say something of their own; imports and one-word lines occur
+    everywhere."""
     lines = (line.strip() for source in sources for line in source.splitlines())
-    return {line for line in lines if len(line) > 25 and not line.startswith(("import ", "from ", "with plotting"))}
+    return {
+        line
+        for line in lines
+        if len(line) > 25 and not line.startswith(("import ", "from ", "with plotting"))
+    }

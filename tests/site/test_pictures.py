@@ -1,5 +1,6 @@
 """The pictures of the built pages, read as the SVG they are."""
 
+import itertools
 import re
 from pathlib import Path
 from xml.etree import ElementTree
@@ -28,35 +29,63 @@ def lines(path):
             found.append([])
         found[-1].append(point)
     for corners in found:
-        for a, b in zip(corners, corners[1:]):
+        for a, b in itertools.pairwise(corners):
             count = max(int(np.linalg.norm(b - a)), 1)
-            yield a + (b - a)*((np.arange(count) + 0.5)/count)[:, None], np.linalg.norm(b - a)/count
+            yield (
+                a + (b - a) * ((np.arange(count) + 0.5) / count)[:, None],
+                np.linalg.norm(b - a) / count,
+            )
 
 
 def frame(group):
     """The box of the first patch of a group, (low, high), or None."""
-    patch = next((part for part in group.iter(f"{SVG}g") if part.get("id", "").startswith("patch_")), None)
-    points = [] if patch is None else [points for path in patch.iter(f"{SVG}path") for points, _ in lines(path)]
-    return (np.min(np.concatenate(points), axis=0), np.max(np.concatenate(points), axis=0)) if points else None
+    patch = next(
+        (part for part in group.iter(f"{SVG}g") if part.get("id", "").startswith("patch_")), None
+    )
+    points = (
+        []
+        if patch is None
+        else [points for path in patch.iter(f"{SVG}path") for points, _ in lines(path)]
+    )
+    return (
+        (np.min(np.concatenate(points), axis=0), np.max(np.concatenate(points), axis=0))
+        if points
+        else None
+    )
 
 
 def covered(svg):
     """For each framed legend: how much of the curves lies under it, in lengths of its diagonal."""
-    groups = [group for group in ElementTree.fromstring(svg).iter(f"{SVG}g")]
+    groups = list(ElementTree.fromstring(svg).iter(f"{SVG}g"))
     legends = [frame(group) for group in groups if group.get("id", "").startswith("legend_")]
     curves = []
     for axes in groups if any(legends) else ():
         if axes.get("id", "").startswith("axes_"):
             window = frame(axes)
             for drawn in axes:
-                if re.match("line2d_|LineCollection|QuadContourSet|PathCollection", drawn.get("id", "")):
-                    curves += [(points, step, window) for path in drawn.iter(f"{SVG}path")
-                               if "stroke:" in path.get("style", "") and "stroke: none" not in path.get("style")
-                               and not GREY.search(path.get("style")) for points, step in lines(path)]
+                if re.match(
+                    "line2d_|LineCollection|QuadContourSet|PathCollection", drawn.get("id", "")
+                ):
+                    curves += [
+                        (points, step, window)
+                        for path in drawn.iter(f"{SVG}path")
+                        if "stroke:" in path.get("style", "")
+                        and "stroke: none" not in path.get("style")
+                        and not GREY.search(path.get("style"))
+                        for points, step in lines(path)
+                    ]
     for low, high in filter(None, legends):
-        length = sum(step*np.sum(np.all((points > np.maximum(low, window[0])) & (points < np.minimum(high, window[1])),
-                                        axis=1)) for points, step, window in curves)
-        yield length/np.linalg.norm(high - low)
+        length = sum(
+            step
+            * np.sum(
+                np.all(
+                    (points > np.maximum(low, window[0])) & (points < np.minimum(high, window[1])),
+                    axis=1,
+                )
+            )
+            for points, step, window in curves
+        )
+        yield length / np.linalg.norm(high - low)
 
 
 def test_what_is_covered(tmp_path):
@@ -73,15 +102,22 @@ def test_what_is_covered(tmp_path):
             fig.savefig(tmp_path / "one.svg")
             plt.close(fig)
         [found[place]] = covered((tmp_path / "one.svg").read_text(encoding="utf-8"))
-    assert found["upper left"] == 0 and found["lower right"] > 2*COVERED
+    assert found["upper left"] == 0 and found["lower right"] > 2 * COVERED
 
 
 @pytest.fixture(scope="module")
 def pictures(editions):
     """Page and file -> the text of a picture."""
-    pages = [page for places in ("solutions/ch*/p*.html", "book/**/*.html") for page in editions.full.glob(places)]
-    return {f"{page.name}: {name}": Path(page.parent, name).read_text(encoding="utf-8") for page in sorted(pages)
-            for name in re.findall(r'<img [^>]*src="([^"]*\.svg)"', page.read_text(encoding="utf-8"))}
+    pages = [
+        page
+        for places in ("solutions/ch*/p*.html", "book/**/*.html")
+        for page in editions.full.glob(places)
+    ]
+    return {
+        f"{page.name}: {name}": Path(page.parent, name).read_text(encoding="utf-8")
+        for page in sorted(pages)
+        for name in re.findall(r'<img [^>]*src="([^"]*\.svg)"', page.read_text(encoding="utf-8"))
+    }
 
 
 def test_no_legend_lies_over_a_curve(pictures):
@@ -95,17 +131,23 @@ def test_no_legend_lies_over_a_curve(pictures):
 
 
 #: What of a style a printer without colours keeps.
-STYLE = re.compile(r"(stroke-dasharray|stroke-width|fill|stroke|opacity|fill-opacity|stroke-opacity): ([^;]+)")
+STYLE = re.compile(
+    r"(stroke-dasharray|stroke-width|fill|stroke|opacity|fill-opacity|stroke-opacity): ([^;]+)"
+)
 #: Two greys so far apart are told apart, of 255.
 APART = 60
 
 
 def looks(svg):
-    """For each legend how its entries look: [(what a printer without colours keeps, the colours)]."""
+    """For each legend how its entries look: [(what a printer without colours keeps, the
+    colours)]."""
     for group in ElementTree.fromstring(svg).iter(f"{SVG}g"):
         if group.get("id", "").startswith("legend_"):
-            entries = [part for part in group if re.match("line2d_|patch_|LineCollection|PathCollection",
-                                                          part.get("id", ""))]
+            entries = [
+                part
+                for part in group
+                if re.match("line2d_|patch_|LineCollection|PathCollection", part.get("id", ""))
+            ]
             yield [look(part) for part in entries[1:] or entries]
 
 
@@ -116,24 +158,38 @@ def look(entry):
             style = dict(STYLE.findall(part.get("style", "")))
             inks = [style.pop(name, "none") for name in ("stroke", "fill")]
             colours += [ink for ink in inks if ink.startswith("#")]
-            plain = [ink if ink in ("none", "#ffffff") or ink.startswith("url") else "ink" for ink in inks]
-            kept.append((sorted(style.items()), plain, part.get(f"{XLINK}href")))  # a marker is defined once
+            plain = [
+                ink if ink in ("none", "#ffffff") or ink.startswith("url") else "ink"
+                for ink in inks
+            ]
+            # a marker is defined once
+            kept.append((sorted(style.items()), plain, part.get(f"{XLINK}href")))
     return kept, colours
 
 
 def alike(entries):
     """Pairs of entries that differ in their colours alone, and not even in their brightness."""
-    return [(one, two) for j, (two, inks) in enumerate(entries) for one, others in entries[:j]
-            if one == two and inks != others and abs(brightness(inks) - brightness(others)) < APART]
+    return [
+        (one, two)
+        for j, (two, inks) in enumerate(entries)
+        for one, others in entries[:j]
+        if one == two and inks != others and abs(brightness(inks) - brightness(others)) < APART
+    ]
 
 
 def brightness(colours):
     shares = [0.3, 0.59, 0.11]
-    return np.mean([np.dot(shares, [int(ink[k:k + 2], 16) for k in (1, 3, 5)]) for ink in colours or ["#000000"]])
+    return np.mean(
+        [
+            np.dot(shares, [int(ink[k : k + 2], 16) for k in (1, 3, 5)])
+            for ink in colours or ["#000000"]
+        ]
+    )
 
 
 def test_without_colours_a_legend_still_tells_its_entries_apart(pictures):
-    """For a printer without colours, and for eyes that see few: dashes, widths, markers or hatchings say it too."""
+    """For a printer without colours, and for eyes that see few: dashes, widths, markers or
+    hatchings say it too."""
     legends = {name: list(looks(svg)) for name, svg in pictures.items()}
     assert sum(len(entries) for found in legends.values() for entries in found) > 500
     assert not {name: found for name, found in legends.items() if any(map(alike, found))}

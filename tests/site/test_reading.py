@@ -9,8 +9,16 @@ GROUNDS = """[...document.querySelectorAll('article :is(div.math, pre, .pst-scro
     e => getComputedStyle(e).backgroundAttachment)"""
 
 
-@pytest.mark.parametrize("page", ["solutions/ch1/p15.html", "solutions/ch4/p17.html", "book/errata/ch5.html",
-                                  "book/library/estimation.html", "book/guides/grading.html"])
+@pytest.mark.parametrize(
+    "page",
+    [
+        "solutions/ch1/p15.html",
+        "solutions/ch4/p17.html",
+        "book/errata/ch5.html",
+        "book/library/estimation.html",
+        "book/guides/grading.html",
+    ],
+)
 def test_what_has_to_scroll_on_a_phone_shows_a_shadow(browser, addresses, page):
     browser.resize(390, 844, phone=True)
     browser.open(f"{addresses['http']}/{page}")
@@ -26,8 +34,17 @@ PICTURES = """Promise.all([...document.querySelectorAll('article figure img')].m
     })))"""
 
 
-@pytest.mark.parametrize("page", ["solutions/ch1/p15.html", "solutions/ch3/p12.html", "solutions/ch4/p20.html",
-                                  "solutions/ch5/p19.html", "solutions/ch7/p03.html", "book/ch5.html"])
+@pytest.mark.parametrize(
+    "page",
+    [
+        "solutions/ch1/p15.html",
+        "solutions/ch3/p12.html",
+        "solutions/ch4/p20.html",
+        "solutions/ch5/p19.html",
+        "solutions/ch7/p03.html",
+        "book/ch5.html",
+    ],
+)
 def test_the_letters_of_a_picture_are_read_on_a_phone(browser, addresses, page):
     """Two panels side by side would be a third of their size."""
     browser.resize(390, 844, phone=True)
@@ -56,7 +73,8 @@ def test_nothing_is_set_too_thin_to_read(browser, addresses):
 
 
 def test_on_paper_every_fold_is_open(browser, addresses, problem):
-    """Chromium prints for real; what was open at that moment is noted by a listener that comes after ours."""
+    """Chromium prints for real; what was open at that moment is noted by a listener that comes
+    after ours."""
     browser.resize(1280, 900)
     browser.open(f"{addresses['http']}/{problem.page}")
     browser.driver.execute_script("""addEventListener('beforeprint', () => {
@@ -68,14 +86,17 @@ def test_on_paper_every_fold_is_open(browser, addresses, problem):
 
 
 def test_on_paper_a_drawing_stands_without_its_code(browser, addresses):
-    """What draws the body of a statement is no part of the statement; the code of a solution is printed."""
+    """What draws the body of a statement is no part of the statement; the code of a solution is
+    printed."""
     browser.open(f"{addresses['http']}/solutions/ch5/p40.html")
     browser.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
     browser.run("document.querySelectorAll('article details').forEach(fold => fold.open = true)")
     height = "e => e.getBoundingClientRect().height"
     drawn = browser.run(f"[...document.querySelectorAll('.tag_drawing .cell_input')].map({height})")
     pictures = browser.run(f"[...document.querySelectorAll('.tag_drawing img')].map({height})")
-    computed = browser.run(f"[...document.querySelectorAll('.tag_answer .cell_input')].map({height})")
+    computed = browser.run(
+        f"[...document.querySelectorAll('.tag_answer .cell_input')].map({height})"
+    )
     browser.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
     assert drawn and set(drawn) == {0} and min(pictures) > 50 and min(computed) > 20
 
@@ -107,12 +128,14 @@ def test_on_paper_a_fold_does_not_fade_in(browser, addresses, problem):
 
 
 def test_on_paper_formulas_are_as_thin_as_words_and_tables_go_on_overleaf(browser, addresses):
-    """A line round each letter that a screen does not show makes formulas bold in a document; a table that is kept
-    together leaves the first page of a guide nearly blank."""
+    """A line round each letter that a screen does not show makes formulas bold in a document; a
+    table that is kept together leaves the first page of a guide nearly blank."""
     browser.open(f"{addresses['http']}/solutions/ch2/p24.html")
     browser.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
     strokes = browser.run("""[...document.querySelectorAll('article mjx-container svg :is(path, use)')].map(
         e => getComputedStyle(e).stroke)""")
-    tables = browser.run("[...document.querySelectorAll('article table')].map(e => getComputedStyle(e).breakInside)")
+    tables = browser.run(
+        "[...document.querySelectorAll('article table')].map(e => getComputedStyle(e).breakInside)"
+    )
     browser.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
     assert set(strokes) == {"none"} and set(tables) == {"auto"}

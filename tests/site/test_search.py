@@ -17,8 +17,12 @@ def setup(app):
 
 
 def build(folder):
-    done = subprocess.run([sys.executable, "-m", "sphinx", "-q", "-W", folder, folder / "_build"], capture_output=True,
-                          text=True, timeout=120)
+    done = subprocess.run(
+        [sys.executable, "-m", "sphinx", "-q", "-W", folder, folder / "_build"],
+        capture_output=True,
+        text=True,
+        timeout=120,
+    )
     assert done.returncode == 0, done.stderr
     text = (folder / "_build" / "searchindex.js").read_text(encoding="utf-8")
     return json.loads(text.removeprefix("Search.setIndex(").removesuffix(")"))["indexentries"]
@@ -26,9 +30,13 @@ def build(folder):
 
 def test_entries_of_pages_that_are_not_written_again_are_kept(tmp_path):
     (tmp_path / "conf.py").write_text(CONFIGURATION, encoding="utf-8")
-    (tmp_path / "index.rst").write_text("Start\n=====\n\n.. toctree::\n\n   one\n   two\n", encoding="utf-8")
+    (tmp_path / "index.rst").write_text(
+        "Start\n=====\n\n.. toctree::\n\n   one\n   two\n", encoding="utf-8"
+    )
     for name, number in (("one", "1.15"), ("two", "1.16")):
-        (tmp_path / f"{name}.rst").write_text(f"{name}\n===\n\n.. index:: {number}\n\nText.\n", encoding="utf-8")
+        (tmp_path / f"{name}.rst").write_text(
+            f"{name}\n===\n\n.. index:: {number}\n\nText.\n", encoding="utf-8"
+        )
     first = build(tmp_path)
     assert {"1.15", "1.16"} <= first.keys()
     with open(tmp_path / "two.rst", "a", encoding="utf-8") as file:

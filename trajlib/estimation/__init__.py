@@ -1,8 +1,8 @@
 """Estimation in stochastic systems: chapter 4 of the problem book as functions.
 
-Exact input gives exact output, also with symbols; as soon as one of the arguments is a NumPy array, all is computed in
-floats. A scalar stands for a 1 x 1 matrix. Every name is loaded on first use, so that importing the package costs
-nothing.
+Exact input gives exact output, also with symbols; as soon as one of the arguments is a NumPy array,
+all is computed in floats. A scalar stands for a 1 x 1 matrix. Every name is loaded on first use, so
+that importing the package costs nothing.
 
 >>> from trajlib import estimation
 >>> "least_squares" in dir(estimation)
@@ -11,13 +11,21 @@ True
 
 from trajlib._lazy import lazy_names
 
-# No module is called like a name it exports: importing it would put the module in the place of the function.
+# No module is called like a name it exports: importing it would put the module in the place of the
+# function.
 _EXPORTS = {
     "covariances": ["Moments", "moments_of_values"],
     "linear_fit": ["LeastSquares", "least_squares"],
     "nonlinear_fit": ["GaussNewton", "gauss_newton"],
-    "fixes": ["BearingFix", "FixTest", "SatelliteFix", "bearing_fix", "bearing_observability", "satellite_fix",
-              "satellite_observability"],
+    "fixes": [
+        "BearingFix",
+        "FixTest",
+        "SatelliteFix",
+        "bearing_fix",
+        "bearing_observability",
+        "satellite_fix",
+        "satellite_observability",
+    ],
     "markov": ["DiscreteModel", "continuous_moments", "discrete_moments", "discretised"],
     "limits": ["StationaryCovariance", "discrete_stationary_covariance", "stationary_covariance"],
     "correction": ["Correction", "corrected"],
@@ -28,7 +36,14 @@ _EXPORTS = {
     "fixed_gain": ["LeastGain", "discrete_error_covariance", "error_covariance", "least_gain"],
     "shaping": ["ShapedProcess", "ShapingFilter", "shaping_filter", "with_shaping"],
     "interpolation": ["OptimalWeights", "optimal_weights"],
-    "simulation": ["Consistency", "Paths", "covariance_consistency", "error_consistency", "innovation_consistency",
-                   "simulate_continuous", "simulate_discrete"],
+    "simulation": [
+        "Consistency",
+        "Paths",
+        "covariance_consistency",
+        "error_consistency",
+        "innovation_consistency",
+        "simulate_continuous",
+        "simulate_discrete",
+    ],
 }
 __getattr__, __dir__, __all__ = lazy_names(__name__, _EXPORTS)

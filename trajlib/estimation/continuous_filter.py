@@ -1,11 +1,13 @@
-"""The Kalman filter for continuous measurements, Theorem 4.3: its covariance P(t), exactly and without integration.
+"""The Kalman filter for continuous measurements, Theorem 4.3: its covariance P(t), exactly and
+without integration.
 
     x~' = A x~ + K (z - H x~),    K = P H^T R^-1,    P' = A P + P A^T + Q - P S P,    S = H^T R^-1 H
 
-is made linear by P = Y X^-1 with X' = -A^T X + S Y, Y' = Q X + A Y, X(0) = E, Y(0) = P(0). In floats the transition of
-a short step is written as P -> Q~ + F P (E + G P)^-1 F^T and doubled: all three matrices stay bounded, where X and Y
-grow without limit and lose P in rounding.
+is made linear by P = Y X^-1 with X' = -A^T X + S Y, Y' = Q X + A Y, X(0) = E, Y(0) = P(0). In
+floats the transition of a short step is written as P -> Q~ + F P (E + G P)^-1 F^T and doubled: all
+three matrices stay bounded, where X and Y grow without limit and lose P in rounding.
 """
+
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -14,7 +16,13 @@ import sympy as sp
 
 from trajlib.estimation.covariances import Moments
 from trajlib.estimation.linear import solve, symmetric
-from trajlib.estimation.matrices import in_floats, read_covariance, read_matrix, read_square, read_vector
+from trajlib.estimation.matrices import (
+    in_floats,
+    read_covariance,
+    read_matrix,
+    read_square,
+    read_vector,
+)
 from trajlib.estimation.modes import Modes, continuous_basis, exact_spectrum
 from trajlib.estimation.simulation import Paths, equal_steps, simulate_continuous
 from trajlib.estimation.stationary_filters import stationary_filter
@@ -25,9 +33,9 @@ from trajlib.stability.systems import as_real, exact_decimals
 class ContinuousFilter:
     """The filter of x' = Ax + q, z = Hx + r with white noises (Kalman and Bucy).
 
-    `A`: n x n; `H`: m x n; `Q`: n x n, the intensity of q, positive semidefinite; `R`: m x m, that of r, positive
-    definite. Exact, also with symbols, or floats. Raises ValueError for shapes that do not fit and covariances that are
-    none. Source: Theorem 4.3, example 4, problems 4.33 - 4.42.
+    `A`: n x n; `H`: m x n; `Q`: n x n, the intensity of q, positive semidefinite; `R`: m x m, that
+    of r, positive definite. Exact, also with symbols, or floats. Raises ValueError for shapes that
+    do not fit and covariances that are none. Source: Theorem 4.3, example 4, problems 4.33 - 4.42.
 
     >>> import sympy as sp
     >>> t, p = sp.symbols("t p", positive=True)
@@ -55,7 +63,8 @@ class ContinuousFilter:
         return solve(self.R, self.H @ self._read(P)).T
 
     def rate(self, P):
-        """The right side of the Riccati equation, n x n, for a covariance or a symmetric matrix of symbols."""
+        """The right side of the Riccati equation, n x n, for a covariance or a symmetric matrix of
+        symbols."""
         P = self._read(P)
         S = self.H.T @ solve(self.R, self.H)
         return symmetric(self.A @ P + P @ self.A.T + self.Q - P @ S @ P)
@@ -63,24 +72,33 @@ class ContinuousFilter:
     def covariance(self, P, t):
         """P(t) from P(0) = `P`, n x n; `t`: a number >= 0 or, for exact matrices, a symbol.
 
-        Raises ValueError for a P that is no covariance and a time that is negative, NotImplementedError where the
-        eigenvalues of the Hamiltonian matrix need more than square roots.
+        Raises ValueError for a P that is no covariance and a time that is negative,
+        NotImplementedError where the eigenvalues of the Hamiltonian matrix need more than square
+        roots.
         """
         P = self._read(P)
         t = exact_decimals(sp.sympify(t))
         floats = isinstance(P, np.ndarray)
-        if t.is_negative or t.is_real is False or floats and not t.is_number:
-            raise ValueError(f"t: expected a time that is not negative{' or a symbol'*(not floats)}, got {t}")
+        if t.is_negative or t.is_real is False or (floats and not t.is_number):
+            raise ValueError(
+                f"t: expected a time that is not negative{' or a symbol' * (not floats)}, got {t}"
+            )
         S = self.H.T @ solve(self.R, self.H)
-        return _moved(P, *_flow(self.A, S, self.Q, float(t))) if floats else _closed_form(self.A, S, self.Q, P, t)
+        return (
+            _moved(P, *_flow(self.A, S, self.Q, float(t)))
+            if floats
+            else _closed_form(self.A, S, self.Q, P, t)
+        )
 
     def run(self, averages, times, start):
-        """Estimates from a record of z, or from several, given by averages over the steps between the times.
+        """Estimates from a record of z, or from several, given by averages over the steps between
+        the times.
 
-        `averages`: N x m (N for one output), the integral of z over each step divided by its length, or S x N x m for S
-        records; `times`: N + 1 rising numbers; `start`: `Moments` of x at the first. For arrays only. The covariances
-        are exact; within a step the gain is that of its middle, so that the estimates err by the square of the step.
-        Returns `ContinuousRun`. Raises ValueError for averages that are not finite and shapes that do not fit.
+        `averages`: N x m (N for one output), the integral of z over each step divided by its
+        length, or S x N x m for S records; `times`: N + 1 rising numbers; `start`: `Moments` of x
+        at the first. For arrays only. The covariances are exact; within a step the gain is that of
+        its middle, so that the estimates err by the square of the step. Returns `ContinuousRun`.
+        Raises ValueError for averages that are not finite and shapes that do not fit.
         """
         if not isinstance(self.A, np.ndarray):
             raise ValueError("A: expected arrays; a record is filtered in floats")
@@ -90,18 +108,24 @@ class ContinuousFilter:
         z = np.asarray(averages, dtype=float)
         z = z[:, None] if z.ndim == 1 and m == 1 else z
         if z.ndim not in (2, 3) or z.shape[-2:] != (len(steps), m) or not np.isfinite(z).all():
-            raise ValueError(f"averages: expected finite numbers, a row for each step, of the shape "
-                             f"{(len(steps), m)}, got the shape {z.shape}")
+            raise ValueError(
+                f"averages: expected finite numbers, a row for each step, of the shape "
+                f"{(len(steps), m)}, got the shape {z.shape}"
+            )
         if not (steps > 0).all():
             raise ValueError("times: expected rising numbers")
-        return _recorded(self, z, times, read_vector(start.mean, "mean", n, True), self._read(start.covariance))
+        return _recorded(
+            self, z, times, read_vector(start.mean, "mean", n, True), self._read(start.covariance)
+        )
 
     def simulate(self, start, times, paths, seed):
-        """States at the times and records of z between them, drawn together with their exact distribution.
+        """States at the times and records of z between them, drawn together with their exact
+        distribution.
 
-        `start`: `Moments` of x at the first time; `times`: N + 1 rising numbers; `paths`: S; `seed`: a whole number.
-        Returns `Paths` with the states, S x (N + 1) x n, and as measurements the averages of z over the steps, S x N x
-        m, as `run` takes them. For arrays only.
+        `start`: `Moments` of x at the first time; `times`: N + 1 rising numbers; `paths`: S;
+        `seed`: a whole number. Returns `Paths` with the states, S x (N + 1) x n, and as
+        measurements the averages of z over the steps, S x N x m, as `run` takes them. For arrays
+        only.
         """
         if not isinstance(self.A, np.ndarray):
             raise ValueError("A: expected arrays; paths are drawn in floats")
@@ -109,10 +133,14 @@ class ContinuousFilter:
         # the integral of z as further states, with the error of the measurement for their noise
         joint = np.block([[self.A, np.zeros((n, m))], [self.H, np.zeros((m, m))]])
         noise, covariance = np.zeros((2, n + m, n + m))
-        noise[:n, :n], noise[n:, n:], covariance[:n, :n] = self.Q, self.R, self._read(start.covariance)
+        noise[:n, :n], noise[n:, n:], covariance[:n, :n] = (
+            self.Q,
+            self.R,
+            self._read(start.covariance),
+        )
         mean = np.concatenate([read_vector(start.mean, "mean", n, True), np.zeros(m)])
         drawn = simulate_continuous(joint, noise, Moments(mean, covariance), times, paths, seed)
-        averages = np.diff(drawn.states[:, :, n:], axis=1)/np.diff(drawn.times)[:, None]
+        averages = np.diff(drawn.states[:, :, n:], axis=1) / np.diff(drawn.times)[:, None]
         return Paths(drawn.times, drawn.states[:, :, :n], averages)
 
     def stationary(self):
@@ -128,16 +156,18 @@ def _closed_form(A, S, Q, P, t):
     M = sp.Matrix(sp.BlockMatrix([[-A.T, S], [Q, A]]))
     there, back = as_real(M, P)
     M, P = M.xreplace(there), P.xreplace(there)
-    modes = Modes(lambda v: M*v, exact_spectrum(M), sp.eye(n).col_join(P))
+    modes = Modes(lambda v: M * v, exact_spectrum(M), sp.eye(n).col_join(P))
     both = modes.at(*continuous_basis(t))
     X, Y = both[:n, :], both[n:, :]
-    covariance = (Y*X.adjugate()/X.det()).applyfunc(lambda e: sp.factor(sp.together(e)) if n == 1 else sp.together(e))
+    covariance = (Y * X.adjugate() / X.det()).applyfunc(
+        lambda e: sp.factor(sp.together(e)) if n == 1 else sp.together(e)
+    )
     return covariance.xreplace(back)
 
 
 class ContinuousRun(NamedTuple):
-    """What a continuous filter made of a record: `times`: N + 1; `estimates`: (N + 1) x n, of S records S x (N + 1) x
-    n; `covariances`: of their errors, (N + 1) x n x n."""
+    """What a continuous filter made of a record: `times`: N + 1; `estimates`: (N + 1) x n, of S
+    records S x (N + 1) x n; `covariances`: of their errors, (N + 1) x n x n."""
 
     times: np.ndarray
     estimates: np.ndarray
@@ -149,7 +179,7 @@ def _recorded(filter, z, times, x, P):
 
     S, n = filter.H.T @ solve(filter.R, filter.H), len(x)
     steps = equal_steps(times)
-    halves = {step: _flow(filter.A, S, filter.Q, step/2) for step in np.unique(steps)}
+    halves = {step: _flow(filter.A, S, filter.Q, step / 2) for step in np.unique(steps)}
     x = np.broadcast_to(x, (*z.shape[:-2], n))
     estimates, covariances = [x], [P]
     for k, step in enumerate(steps):
@@ -157,7 +187,7 @@ def _recorded(filter, z, times, x, P):
         gain = filter.gain(middle)
         # x~' = (A - KH) x~ + K z with a constant z, as one exponential
         m = gain.shape[1]
-        both = expm(np.block([[filter.A - gain @ filter.H, gain], [np.zeros((m, n + m))]])*step)
+        both = expm(np.block([[filter.A - gain @ filter.H, gain], [np.zeros((m, n + m))]]) * step)
         x, P = x @ both[:n, :n].T + z[..., k, :] @ both[:n, n:].T, _moved(middle, *halves[step])
         estimates.append(x)
         covariances.append(P)
@@ -170,14 +200,17 @@ def _flow(A, S, Q, t):
 
     n, one = len(A), np.eye(len(A))
     M = np.block([[-A.T, S], [Q, A]])
-    doublings = max(0, int(np.ceil(np.log2(max(np.abs(M).sum(axis=1).max()*t, 1)))))
-    flow = scipy.linalg.expm(M*t/2**doublings)
+    doublings = max(0, int(np.ceil(np.log2(max(np.abs(M).sum(axis=1).max() * t, 1)))))
+    flow = scipy.linalg.expm(M * t / 2**doublings)
     inverse = np.linalg.inv(flow[:n, :n])
     F, G, noise = inverse.T, symmetric(inverse @ flow[:n, n:]), symmetric(flow[n:, :n] @ inverse)
     for _ in range(doublings):
         left = F @ np.linalg.inv(one + noise @ G)
-        F, G, noise = (left @ F, symmetric(G + F.T @ np.linalg.solve(one + G @ noise, G @ F)),
-                       symmetric(noise + left @ noise @ F.T))
+        F, G, noise = (
+            left @ F,
+            symmetric(G + F.T @ np.linalg.solve(one + G @ noise, G @ F)),
+            symmetric(noise + left @ noise @ F.T),
+        )
     return F, G, noise
 
 

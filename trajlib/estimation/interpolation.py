@@ -1,9 +1,11 @@
-"""Optimal interpolation, smoothing and prediction of a stationary process from its correlation function alone.
+"""Optimal interpolation, smoothing and prediction of a stationary process from its correlation
+function alone.
 
-The linear estimate of x(t) from z_i = x(t_i) + r_i of least variance has the weights w with (K + R) w = k(t), where
-K_ij = k(t_i - t_j) and k(t)_i = k(t - t_i); its error has the variance k(0) - k(t)^T w. Between the moments this
-interpolates (with R: smooths), after them it predicts.
+The linear estimate of x(t) from z_i = x(t_i) + r_i of least variance has the weights w with (K + R)
+w = k(t), where K_ij = k(t_i - t_j) and k(t)_i = k(t - t_i); its error has the variance k(0) -
+k(t)^T w. Between the moments this interpolates (with R: smooths), after them it predicts.
 """
+
 from dataclasses import dataclass
 
 import numpy as np
@@ -18,8 +20,8 @@ from trajlib.stability.systems import exact_decimals, read_expression, read_symb
 class OptimalWeights:
     """The estimate of x(t) is the sum of weights[i] z_i, for a process of mean zero.
 
-    `weights`: N of them (a column; for floats with T times T x N); `variance`: of the error (T). With a symbol for t
-    both are Piecewise, a formula between each two moments.
+    `weights`: N of them (a column; for floats with T times T x N); `variance`: of the error (T).
+    With a symbol for t both are Piecewise, a formula between each two moments.
     """
 
     weights: object
@@ -28,22 +30,26 @@ class OptimalWeights:
     def estimate(self, z, mean=0):
         """x~(t) from the N measurements, for a process with a known constant mean."""
         if isinstance(self.weights, np.ndarray):
-            return mean + self.weights @ (read_vector(np.asarray(z, float), "z", self.weights.shape[-1], True) - mean)
+            return mean + self.weights @ (
+                read_vector(np.asarray(z, float), "z", self.weights.shape[-1], True) - mean
+            )
         z = read_vector(z, "z", len(self.weights), False)
-        return mean + sum(w*(value - mean) for w, value in zip(self.weights, z))
+        return mean + sum(w * (value - mean) for w, value in zip(self.weights, z))
 
     def _repr_latex_(self):
         return rf"$\displaystyle w = {latex(self.weights)},\quad \sigma^2 = {latex(self.variance)}$"
 
 
 def optimal_weights(correlation, tau, times, t, noise=0):
-    """Weights of the best linear estimate of x(t) from measurements at `times` (simple kriging, Wiener).
+    """Weights of the best linear estimate of x(t) from measurements at `times` (simple kriging,
+    Wiener).
 
-    `correlation`: an expression in the symbol `tau` for tau >= 0, even in it; `times`: N numbers, distinct unless there
-    is noise; `t`: a number, a symbol (exact times only), or an array of T times for floats; `noise`: variance of the
-    errors of measurement, or their covariance, N x N. Returns `OptimalWeights`. Raises ValueError where the
-    correlation matrix of the moments is not positive definite: a moment given twice, or a function that is no
-    correlation. Source: problem 4.31.
+    `correlation`: an expression in the symbol `tau` for tau >= 0, even in it; `times`: N numbers,
+    distinct unless there is noise; `t`: a number, a symbol (exact times only), or an array of T
+    times for floats; `noise`: variance of the errors of measurement, or their covariance, N x N.
+    Returns `OptimalWeights`. Raises ValueError where the correlation matrix of the moments is not
+    positive definite: a moment given twice, or a function that is no correlation. Source: problem
+    4.31.
 
     >>> import sympy as sp
     >>> tau, t = sp.symbols("tau t", real=True)
@@ -59,18 +65,33 @@ def optimal_weights(correlation, tau, times, t, noise=0):
     if times.free_symbols:
         raise ValueError("times: expected numbers")
     t = exact_decimals(read_expression(t, "t"))
-    K = sp.Matrix(len(times), len(times), lambda i, j: correlation.subs(tau, abs(times[i] - times[j])))
-    K = read_covariance(K + _noise(noise, len(times), False), "correlation", len(times), False, definite=True)
+    K = sp.Matrix(
+        len(times), len(times), lambda i, j: correlation.subs(tau, abs(times[i] - times[j]))
+    )
+    K = read_covariance(
+        K + _noise(noise, len(times), False), "correlation", len(times), False, definite=True
+    )
     edges = sorted(times, key=float)
     if t.is_number:
         return _between(correlation, tau, times, K, t, t)
     pieces = []
     for low, high in zip([None, *edges], [*edges, None]):
-        middle = high - 1 if low is None else low + 1 if high is None else (low + high)/2
-        pieces.append((_between(correlation, tau, times, K, t, middle), sp.true if high is None else t <= high))
-    weights = sp.Matrix([sp.Piecewise(*((piece.weights[i], where) for piece, where in pieces))
-                         for i in range(len(times))])
-    return OptimalWeights(weights, sp.Piecewise(*((piece.variance, where) for piece, where in pieces)))
+        middle = high - 1 if low is None else low + 1 if high is None else (low + high) / 2
+        pieces.append(
+            (
+                _between(correlation, tau, times, K, t, middle),
+                sp.true if high is None else t <= high,
+            )
+        )
+    weights = sp.Matrix(
+        [
+            sp.Piecewise(*((piece.weights[i], where) for piece, where in pieces))
+            for i in range(len(times))
+        ]
+    )
+    return OptimalWeights(
+        weights, sp.Piecewise(*((piece.variance, where) for piece, where in pieces))
+    )
 
 
 def _between(correlation, tau, times, K, t, place):
@@ -86,7 +107,7 @@ def _short(entry):
 
 def _noise(noise, count, floats):
     if np.ndim(noise) == 0 and not isinstance(noise, sp.MatrixBase):
-        noise = np.eye(count)*float(noise) if floats else sp.eye(count)*noise
+        noise = np.eye(count) * float(noise) if floats else sp.eye(count) * noise
     return read_covariance(noise, "noise", count, floats)
 
 
@@ -98,8 +119,13 @@ def _floats(correlation, tau, times, t, noise):
     def at(gaps):
         return np.broadcast_to(function(np.abs(gaps)), gaps.shape).astype(float)
 
-    K = read_covariance(at(times[:, None] - times) + _noise(noise, len(times), True), "correlation", len(times), True,
-                        definite=True)
+    K = read_covariance(
+        at(times[:, None] - times) + _noise(noise, len(times), True),
+        "correlation",
+        len(times),
+        True,
+        definite=True,
+    )
     k = at(t[..., None] - times)
     weights = np.linalg.solve(K, k.reshape(-1, len(times)).T).T.reshape(k.shape)
-    return OptimalWeights(weights, float(function(0.0)) - (k*weights).sum(axis=-1))
+    return OptimalWeights(weights, float(function(0.0)) - (k * weights).sum(axis=-1))

@@ -1,7 +1,9 @@
-"""The few operations of linear algebra that exact matrices and arrays do not share by their operators.
+"""The few operations of linear algebra that exact matrices and arrays do not share by their
+operators.
 
 Products, sums and transposes are written once for both, with @ and .T.
 """
+
 import numpy as np
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
@@ -12,7 +14,8 @@ def solve(S, B):
     """S^-1 B for a square matrix; raises numpy's LinAlgError if it is singular."""
     if isinstance(S, np.ndarray):
         return np.linalg.solve(S, B)
-    # Over the field that the entries generate: exp(t) is one of its elements, and zero is known exactly.
+    # Over the field that the entries generate: exp(t) is one of its elements, and zero is known
+    # exactly.
     wide = DomainMatrix.from_Matrix(S.row_join(B), extension=True).to_field()
     n = S.rows
     try:
@@ -39,18 +42,24 @@ def tidy_entry(entry):
 
 
 def _with_one_root(entry, root):
-    """c + d root with rational c and d: SymPy's cancel does not know that the square of the root is no root."""
+    """c + d root with rational c and d: SymPy's cancel does not know that the square of the root is
+    no root."""
     y = sp.Dummy("y")
     square = y**2 - root.base
-    above, below = (sp.rem(part, square, y) for part in sp.fraction(sp.together(entry.subs(root, y))))
+    above, below = (
+        sp.rem(part, square, y) for part in sp.fraction(sp.together(entry.subs(root, y)))
+    )
     mirrored = below.subs(y, -y)
-    below, above = sp.rem(sp.expand(below*mirrored), square, y), sp.rem(sp.expand(above*mirrored), square, y)
-    return sum(sp.factor(sp.cancel(above.coeff(y, k)/below))*root**k for k in (0, 1))
+    below, above = (
+        sp.rem(sp.expand(below * mirrored), square, y),
+        sp.rem(sp.expand(above * mirrored), square, y),
+    )
+    return sum(sp.factor(sp.cancel(above.coeff(y, k) / below)) * root**k for k in (0, 1))
 
 
 def symmetric(matrix):
     """Covariances are symmetric exactly, not but for rounding."""
-    return (matrix + matrix.T)/2 if isinstance(matrix, np.ndarray) else tidy(matrix)
+    return (matrix + matrix.T) / 2 if isinstance(matrix, np.ndarray) else tidy(matrix)
 
 
 def identity_like(matrix):
@@ -59,7 +68,9 @@ def identity_like(matrix):
 
 
 def stack(*matrices):
-    return np.vstack(matrices) if isinstance(matrices[0], np.ndarray) else sp.Matrix.vstack(*matrices)
+    return (
+        np.vstack(matrices) if isinstance(matrices[0], np.ndarray) else sp.Matrix.vstack(*matrices)
+    )
 
 
 def latex(value):

@@ -2,10 +2,12 @@
 
     x~ = (H^T R^-1 H)^-1 H^T R^-1 z,    P = (H^T R^-1 H)^-1
 
-A later measurement corrects what is there, x~ + K (z - H x~) with K = P H^T (H P H^T + R)^-1, and gives the same
-numbers as all measurements at once. Floats go through the singular values of the whitened H, whose condition is the
-root of that of the normal equations; exact numbers through the normal equations.
+A later measurement corrects what is there, x~ + K (z - H x~) with K = P H^T (H P H^T + R)^-1, and
+gives the same numbers as all measurements at once. Floats go through the singular values of the
+whitened H, whose condition is the root of that of the normal equations; exact numbers through the
+normal equations.
 """
+
 from dataclasses import dataclass
 
 import numpy as np
@@ -22,12 +24,13 @@ from trajlib.structure import exact
 class LeastSquares:
     """An estimate by least squares.
 
-    - `estimate`: n components; `covariance`: n x n, that of its error if R is that of the measurements (with R left
-      out: in units of the common variance of the measurements);
+    - `estimate`: n components; `covariance`: n x n, that of its error if R is that of the
+      measurements (with R left out: in units of the common variance of the measurements);
     - `residuals`: z - H x~ of the measurements that came last;
-    - `misfit`: the weighted sum of squares (z - H x~)^T R^-1 (z - H x~) at the minimum, with the prior's share;
-    - `excess`: how many measurements there are beyond those that determine x. The misfit divided by it estimates the
-      common variance if R was left out, and is near 1 if R is right.
+    - `misfit`: the weighted sum of squares (z - H x~)^T R^-1 (z - H x~) at the minimum, with the
+      prior's share;
+    - `excess`: how many measurements there are beyond those that determine x. The misfit divided by
+      it estimates the common variance if R was left out, and is near 1 if R is right.
     """
 
     estimate: object
@@ -42,10 +45,11 @@ class LeastSquares:
         return Moments(self.estimate, self.covariance)
 
     def updated(self, H, z, R=None):
-        """The estimate with further measurements z = Hx + r, whose errors do not correlate with the earlier ones.
+        """The estimate with further measurements z = Hx + r, whose errors do not correlate with the
+        earlier ones.
 
-        `H`: k x n, `z`: k numbers, `R`: k x k positive definite (left out: the unit matrix). Returns `LeastSquares`,
-        the same as from all measurements at once.
+        `H`: k x n, `z`: k numbers, `R`: k x k positive definite (left out: the unit matrix).
+        Returns `LeastSquares`, the same as from all measurements at once.
         """
         return _corrected(self, H, z, R)
 
@@ -57,14 +61,14 @@ class LeastSquares:
 def least_squares(H, z, R=None, prior=None):
     """The unbiased linear estimate of least variance from z = Hx + r (MATLAB: lscov; H \\ z).
 
-    `H`: m x n, `z`: m numbers, `R`: m x m, the covariance of r, positive definite; left out, the measurements are
-    equally accurate and uncorrelated and R is the unit matrix. `prior`: `Moments` of x from before, whose errors do not
-    correlate with r; its covariance may be singular. Exact or floats; symbols may stand in z and, where they do not
-    spoil the rank, in H and R.
-    Returns `LeastSquares`. Raises ValueError if the columns of H are dependent (it names a combination that the
-    measurements do not show) and there is no prior, for shapes that do not fit, and if R is not a positive definite
-    covariance.
-    Source: (4.1), (4.2) and the formulas below; the book's M[rr^T] = R.
+    `H`: m x n, `z`: m numbers, `R`: m x m, the covariance of r, positive definite; left out, the
+    measurements are equally accurate and uncorrelated and R is the unit matrix. `prior`: `Moments`
+    of x from before, whose errors do not correlate with r; its covariance may be singular. Exact or
+    floats; symbols may stand in z and, where they do not spoil the rank, in H and R. Returns
+    `LeastSquares`. Raises ValueError if the columns of H are dependent (it names a combination that
+    the measurements do not show) and there is no prior, for shapes that do not fit, and if R is not
+    a positive definite covariance. Source: (4.1), (4.2) and the formulas below; the book's M[rr^T]
+    = R.
 
     >>> found = least_squares([[1, 1], [1, -1], [1, 2]], [2, 0, 4])    # problem 4.10
     >>> found.estimate.T, found.misfit
@@ -83,14 +87,16 @@ def least_squares(H, z, R=None, prior=None):
     else:
         estimate, covariance = _fit_exact(H, z, R)
     residuals = tidy(z - H @ estimate)
-    return LeastSquares(estimate, covariance, residuals, _weighted_square(residuals, R), H.shape[0] - H.shape[1])
+    return LeastSquares(
+        estimate, covariance, residuals, _weighted_square(residuals, R), H.shape[0] - H.shape[1]
+    )
 
 
 def _fit_exact(H, z, R):
     weighted = H if R == sp.eye(R.rows) else solve(R, H)
-    normal = (H.T*weighted).applyfunc(sp.expand)
+    normal = (H.T * weighted).applyfunc(sp.expand)
     try:
-        both = solve(normal, sp.eye(H.cols).row_join(weighted.T*z))
+        both = solve(normal, sp.eye(H.cols).row_join(weighted.T * z))
     except np.linalg.LinAlgError:
         unseen = exact.null_columns(H)
         raise ValueError(_not_determined(unseen[:, 0].tolist())) from None
@@ -103,30 +109,38 @@ def _fit_floats(H, z, R):
     # Columns of norm one: what is in small units is not taken for missing.
     lengths = np.linalg.norm(whitened[:, :-1], axis=0)
     scale = np.where(lengths > 0, lengths, 1)
-    U, s, Vt = np.linalg.svd(whitened[:, :-1]/scale, full_matrices=False)
+    U, s, Vt = np.linalg.svd(whitened[:, :-1] / scale, full_matrices=False)
     n = H.shape[1]
-    if len(s) < n or s[-1] <= max(H.shape)*np.finfo(float).eps*s[0]:
-        direction = np.linalg.svd(whitened[:, :-1]/scale)[2][-1]/scale
-        raise ValueError(_not_determined(np.round(direction/np.abs(direction).max(), 6).tolist()))
-    back = Vt.T/s/scale[:, None]
+    if len(s) < n or s[-1] <= max(H.shape) * np.finfo(float).eps * s[0]:
+        direction = np.linalg.svd(whitened[:, :-1] / scale)[2][-1] / scale
+        raise ValueError(_not_determined(np.round(direction / np.abs(direction).max(), 6).tolist()))
+    back = Vt.T / s / scale[:, None]
     return back @ (U.T @ whitened[:, -1]), symmetric(back @ back.T)
 
 
 def _not_determined(direction):
-    return ("H: its columns are dependent, so the measurements do not determine x: adding any multiple of "
-            f"{[entry[0] if isinstance(entry, list) else entry for entry in direction]} to it changes none of them")
+    return (
+        "H: its columns are dependent, so the measurements do not determine x: adding any multiple "
+        "of "
+        f"{[entry[0] if isinstance(entry, list) else entry for entry in direction]} to it changes "
+        "none of them"
+    )
 
 
 def _weighted_square(residuals, R):
     if isinstance(R, np.ndarray):
         return float(residuals @ np.linalg.solve(R, residuals))
-    return tidy(residuals.T*solve(R, residuals))[0, 0]
+    return tidy(residuals.T * solve(R, residuals))[0, 0]
 
 
 def _corrected(known, H, z, R):
     after = corrected(Moments(known.estimate, known.covariance), z, H, R)
     floats = isinstance(after.covariance, np.ndarray)
     H, z, _ = read_measurement(H, z, R, None, floats)
-    return LeastSquares(after.estimate, after.covariance, tidy(z - H @ after.estimate),
-                        known.misfit + _weighted_square(after.innovation, after.innovation_covariance),
-                        known.excess + H.shape[0])
+    return LeastSquares(
+        after.estimate,
+        after.covariance,
+        tidy(z - H @ after.estimate),
+        known.misfit + _weighted_square(after.innovation, after.innovation_covariance),
+        known.excess + H.shape[0],
+    )

@@ -3,9 +3,10 @@
     x_{i+1} = Phi x_i + q_i,   mu_{i+1} = Phi mu_i,   P_{i+1} = Phi P_i Phi^T + Q             (4.4), (4.5)
     x' = A x + q,              mu' = A mu,            P' = A P + P A^T + Q                    (4.6), (4.7)
 
-In discrete time Q is a covariance, in continuous time an intensity, M[q(t) q(s)^T] = Q delta(t - s). A process
-x' = Ax + Bq, with noise in some of its equations, has the intensity B Q B^T.
+In discrete time Q is a covariance, in continuous time an intensity, M[q(t) q(s)^T] = Q delta(t -
+s). A process x' = Ax + Bq, with noise in some of its equations, has the intensity B Q B^T.
 """
+
 from typing import NamedTuple
 
 import numpy as np
@@ -14,7 +15,14 @@ import sympy as sp
 from trajlib.estimation.covariances import trusted_moments
 from trajlib.estimation.linear import identity_like, symmetric
 from trajlib.estimation.matrices import in_floats, read_covariance, read_square, read_vector
-from trajlib.estimation.modes import Modes, continuous_basis, discrete_basis, exact_spectrum, products, sums
+from trajlib.estimation.modes import (
+    Modes,
+    continuous_basis,
+    discrete_basis,
+    exact_spectrum,
+    products,
+    sums,
+)
 from trajlib.stability.systems import as_real, exact_decimals
 
 
@@ -28,11 +36,12 @@ class DiscreteModel(NamedTuple):
 def discrete_moments(Phi, Q, start, steps):
     """Mean and covariance after some steps of x_{i+1} = Phi x_i + q_i.
 
-    `Phi`: n x n; `Q`: n x n, the covariance of q_i, positive semidefinite; `start`: `Moments` of x_0; `steps`: a whole
-    number >= 0, or a SymPy symbol k for the closed form in k (exact matrices only; it holds for k = 0, 1, 2, ..., where
-    `where` of the result holds; an eigenvalue zero gives terms KroneckerDelta(k, j)).
-    Returns `Moments`. Raises ValueError for shapes that do not fit and a Q that is no covariance, NotImplementedError
-    for a closed form whose eigenvalues need more than square roots. Source: (4.4), (4.5); problems 4.19, 4.20.
+    `Phi`: n x n; `Q`: n x n, the covariance of q_i, positive semidefinite; `start`: `Moments` of
+    x_0; `steps`: a whole number >= 0, or a SymPy symbol k for the closed form in k (exact matrices
+    only; it holds for k = 0, 1, 2, ..., where `where` of the result holds; an eigenvalue zero gives
+    terms KroneckerDelta(k, j)). Returns `Moments`. Raises ValueError for shapes that do not fit and
+    a Q that is no covariance, NotImplementedError for a closed form whose eigenvalues need more
+    than square roots. Source: (4.4), (4.5); problems 4.19, 4.20.
 
     >>> import sympy as sp
     >>> from trajlib.estimation import Moments
@@ -51,19 +60,24 @@ def discrete_moments(Phi, Q, start, steps):
         reach, noise = _repeated(Phi, Q, int(steps))
         return trusted_moments(reach @ mean, symmetric(reach @ P @ reach.T + noise))
     if floats or steps.is_number:
-        raise ValueError(f"steps: expected a whole number that is not negative{' or a symbol'*(not floats)}, "
-                         f"got {steps}")
-    return _closed_form(Phi, Q, mean, P, lambda X: Phi*X*Phi.T, 1, products, discrete_basis(steps))
+        raise ValueError(
+            f"steps: expected a whole number that is not negative{' or a symbol' * (not floats)}, "
+            f"got {steps}"
+        )
+    return _closed_form(
+        Phi, Q, mean, P, lambda X: Phi * X * Phi.T, 1, products, discrete_basis(steps)
+    )
 
 
 def continuous_moments(A, Q, start, t):
     """Mean and covariance of x' = Ax + q after the time t.
 
-    `A`: n x n; `Q`: n x n, the intensity of q, positive semidefinite; `start`: `Moments` at the beginning; `t`: the
-    time since then, a number >= 0 or, for exact matrices, a SymPy symbol: then P(t) in closed form, for zero and
-    repeated eigenvalues as well. With symbols in A it holds where `where` of the result does; at the exceptional values
-    substitute them into A and ask again. Returns `Moments`. Raises as `discrete_moments` does.
-    Source: (4.6), (4.7); problems 4.15 - 4.17, example 5.
+    `A`: n x n; `Q`: n x n, the intensity of q, positive semidefinite; `start`: `Moments` at the
+    beginning; `t`: the time since then, a number >= 0 or, for exact matrices, a SymPy symbol: then
+    P(t) in closed form, for zero and repeated eigenvalues as well. With symbols in A it holds where
+    `where` of the result does; at the exceptional values substitute them into A and ask again.
+    Returns `Moments`. Raises as `discrete_moments` does. Source: (4.6), (4.7); problems 4.15 -
+    4.17, example 5.
 
     >>> import sympy as sp
     >>> from trajlib.estimation import Moments
@@ -78,22 +92,25 @@ def continuous_moments(A, Q, start, t):
     """
     A, Q, mean, P, floats = _read(A, Q, start, "A")
     t = exact_decimals(sp.sympify(t))
-    if t.is_negative or t.is_real is False or t in (sp.oo, sp.nan) or floats and not t.is_number:
-        raise ValueError(f"t: expected a time that is not negative{' or a symbol'*(not floats)}, got {t}")
+    if t.is_negative or t.is_real is False or t in (sp.oo, sp.nan) or (floats and not t.is_number):
+        raise ValueError(
+            f"t: expected a time that is not negative{' or a symbol' * (not floats)}, got {t}"
+        )
     if floats:
         reach, noise = _discretised_floats(A, Q, float(t))
         return trusted_moments(reach @ mean, symmetric(reach @ P @ reach.T + noise))
-    return _closed_form(A, Q, mean, P, lambda X: A*X + X*A.T, 0, sums, continuous_basis(t))
+    return _closed_form(A, Q, mean, P, lambda X: A * X + X * A.T, 0, sums, continuous_basis(t))
 
 
 def discretised(A, Q, step):
-    """The discrete process that x' = Ax + q is at the times 0, step, 2 step, ...: exact, not for short steps only
-    (MATLAB: c2d, lqrd).
+    """The discrete process that x' = Ax + q is at the times 0, step, 2 step, ...: exact, not for
+    short steps only (MATLAB: c2d, lqrd).
 
-    `A`, `Q`: n x n; `step`: its length, a number >= 0 or, for exact matrices, a symbol. Returns `DiscreteModel`: Phi =
-    e^{A step} and Q the integral of e^{As} Q e^{A^T s} from 0 to step. Floats come from a step so short that the
-    series converges at once and doublings of it, so that Q stays positive semidefinite also for long steps of fast
-    decaying processes. Raises as `continuous_moments` does. Source: (4.6), (4.7), (4.4).
+    `A`, `Q`: n x n; `step`: its length, a number >= 0 or, for exact matrices, a symbol. Returns
+    `DiscreteModel`: Phi = e^{A step} and Q the integral of e^{As} Q e^{A^T s} from 0 to step.
+    Floats come from a step so short that the series converges at once and doublings of it, so that
+    Q stays positive semidefinite also for long steps of fast decaying processes. Raises as
+    `continuous_moments` does. Source: (4.6), (4.7), (4.4).
 
     >>> import sympy as sp
     >>> h = sp.Symbol("h")
@@ -118,54 +135,67 @@ def _read(A, Q, start, name):
     floats = in_floats(A, Q, start.mean, start.covariance)
     A = read_square(A, name, floats)
     n = A.shape[0]
-    return (A, read_covariance(Q, "Q", n, floats), read_vector(start.mean, "mean", n, floats),
-            read_covariance(start.covariance, "covariance", n, floats), floats)
+    return (
+        A,
+        read_covariance(Q, "Q", n, floats),
+        read_vector(start.mean, "mean", n, floats),
+        read_covariance(start.covariance, "covariance", n, floats),
+        floats,
+    )
 
 
 def _repeated(Phi, Q, steps):
     """Phi^steps and the covariance that the noise has given by then, by doubling."""
-    reach, noise = identity_like(Phi), 0*Q
+    reach, noise = identity_like(Phi), 0 * Q
     while steps:
         if steps % 2:
             reach, noise = Phi @ reach, symmetric(Phi @ noise @ Phi.T + Q)
-        Phi, Q, steps = Phi @ Phi, symmetric(Phi @ Q @ Phi.T + Q), steps//2
+        Phi, Q, steps = Phi @ Phi, symmetric(Phi @ Q @ Phi.T + Q), steps // 2
     return reach, noise
 
 
 def _closed_form(A, Q, mean, P, operator, kept, combined, basis):
-    """Mean and covariance as sums of modes; the constant `c` that drives P with cQ is one component more."""
+    """Mean and covariance as sums of modes; the constant `c` that drives P with cQ is one component
+    more."""
     n = A.rows
     there, back = as_real(sp.Matrix.hstack(A, Q, P, mean))
     A_, Q_, mean_, P_ = (matrix.xreplace(there) for matrix in (A, Q, mean, P))
 
     def driven(X):
         c = X[n, n]
-        return sp.diag(operator(X[:n, :n].xreplace(back)).xreplace(there) + c*Q_, kept*c)
+        return sp.diag(operator(X[:n, :n].xreplace(back)).xreplace(there) + c * Q_, kept * c)
 
     spectrum = exact_spectrum(A_)
-    means = Modes(lambda v: A_*v, spectrum, mean_)
+    means = Modes(lambda v: A_ * v, spectrum, mean_)
     covariances = Modes(driven, [sp.Integer(kept), *combined(spectrum)], sp.diag(P_, 1))
     mean = means.at(*basis) if means.terms else sp.zeros(n, 1)
     covariance = covariances.at(*basis)[:n, :n]
-    return trusted_moments(mean.xreplace(back), covariance.xreplace(back),
-                           sp.And(means.where, covariances.where).xreplace(back))
+    return trusted_moments(
+        mean.xreplace(back),
+        covariance.xreplace(back),
+        sp.And(means.where, covariances.where).xreplace(back),
+    )
 
 
 def _transition(A, t):
     """e^{At}, exact."""
     there, back = as_real(A)
     A = A.xreplace(there)
-    return Modes(lambda X: A*X, exact_spectrum(A), sp.eye(A.rows)).at(*continuous_basis(t)).xreplace(back)
+    return (
+        Modes(lambda X: A * X, exact_spectrum(A), sp.eye(A.rows))
+        .at(*continuous_basis(t))
+        .xreplace(back)
+    )
 
 
 def _discretised_floats(A, Q, step):
     import scipy.linalg
 
     n = len(A)
-    doublings = max(0, int(np.ceil(np.log2(max(np.abs(A).sum(axis=1).max()*step, 1)))))
-    short = step/2**doublings
+    doublings = max(0, int(np.ceil(np.log2(max(np.abs(A).sum(axis=1).max() * step, 1)))))
+    short = step / 2**doublings
     # Van Loan: both integrals from one exponential, without growth since the step is short.
-    both = scipy.linalg.expm(np.block([[-A, Q], [np.zeros((n, n)), A.T]])*short)
+    both = scipy.linalg.expm(np.block([[-A, Q], [np.zeros((n, n)), A.T]]) * short)
     Phi = both[n:, n:].T
     noise = Phi @ both[:n, n:]
-    return _repeated(Phi, (noise + noise.T)/2, 2**doublings)
+    return _repeated(Phi, (noise + noise.T) / 2, 2**doublings)

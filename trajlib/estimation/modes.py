@@ -1,12 +1,16 @@
-"""Linear motions in closed form, exactly, also where eigenvalues are zero, repeated or sums to zero.
+"""Linear motions in closed form, exactly, also where eigenvalues are zero, repeated or sums to
+zero.
 
-For a linear operator M with the eigenvalues l_1, ..., l_N (each as often as it counts) Putzer's resolvent is
+For a linear operator M with the eigenvalues l_1, ..., l_N (each as often as it counts) Putzer's
+resolvent is
 
     (sE - M)^-1 v = sum over k of (M - l_1 E)...(M - l_{k-1} E) v / ((s - l_1)...(s - l_k))
 
-and its partial fractions c/(s - l)^{j+1} are read as t^j e^{lt}/j! in continuous time and as C(k, j) l^{k-j} in
-discrete time (for l = 0: 1 at k = j, else 0). No eigenvector is needed, so nothing breaks where one is missing.
+and its partial fractions c/(s - l)^{j+1} are read as t^j e^{lt}/j! in continuous time and as C(k,
+j) l^{k-j} in discrete time (for l = 0: 1 at k = j, else 0). No eigenvector is needed, so nothing
+breaks where one is missing.
 """
+
 import sympy as sp
 
 from trajlib.estimation.linear import tidy, tidy_entry
@@ -15,8 +19,8 @@ from trajlib.stability.systems import vanishes
 
 
 def exact_spectrum(A):
-    """The eigenvalues of an exact matrix, each as often as it counts. Raises NotImplementedError if they cannot be
-    written with square roots."""
+    """The eigenvalues of an exact matrix, each as often as it counts. Raises NotImplementedError if
+    they cannot be written with square roots."""
     polynomial, found = A.charpoly(), []
     s = polynomial.gen
     for factor, times in sp.factor_list(polynomial.as_expr(), s)[1]:
@@ -24,36 +28,48 @@ def exact_spectrum(A):
         if factor.degree() == 0:
             continue
         if factor.degree() <= 2:
-            a, b, c = ([0, *factor.all_coeffs()][-3:])
+            a, b, c = [0, *factor.all_coeffs()][-3:]
             if factor.degree() == 1:
-                roots = [-c/b]
+                roots = [-c / b]
             else:
-                root = sp.sqrt(sp.factor(b**2 - 4*a*c))
-                roots = [(-b + root)/(2*a), (-b - root)/(2*a)]
+                root = sp.sqrt(sp.factor(b**2 - 4 * a * c))
+                roots = [(-b + root) / (2 * a), (-b - root) / (2 * a)]
         else:
             roots = sp.roots(factor, cubics=False, quartics=False, multiple=True)
             if len(roots) < factor.degree():
                 shown = factor.as_expr().subs(s, sp.Symbol("lambda"))
-                raise NotImplementedError(f"A: the roots of {shown} cannot be written with square roots; give the "
-                                          "matrices as arrays of floats")
-        found += [sp.radsimp(sp.expand(root)) for root in roots]*times
+                raise NotImplementedError(
+                    f"A: the roots of {shown} cannot be written with square roots; give the "
+                    "matrices as arrays of floats"
+                )
+        found += [sp.radsimp(sp.expand(root)) for root in roots] * times
     return found
 
 
 def sums(eigenvalues):
     """Those of X -> AX + XA^T on symmetric matrices."""
-    return [sp.radsimp(sp.expand(a + b)) for i, a in enumerate(eigenvalues) for b in eigenvalues[:i + 1]]
+    return [
+        sp.radsimp(sp.expand(a + b))
+        for i, a in enumerate(eigenvalues)
+        for b in eigenvalues[: i + 1]
+    ]
 
 
 def products(eigenvalues):
     """Those of X -> AXA^T on symmetric matrices."""
-    return [sp.radsimp(sp.expand(a*b)) for i, a in enumerate(eigenvalues) for b in eigenvalues[:i + 1]]
+    return [
+        sp.radsimp(sp.expand(a * b))
+        for i, a in enumerate(eigenvalues)
+        for b in eigenvalues[: i + 1]
+    ]
 
 
 class Modes:
-    """The partial fractions of (sE - M)^-1 start; `where`: the condition on symbols under which they hold.
+    """The partial fractions of (sE - M)^-1 start; `where`: the condition on symbols under which
+    they hold.
 
-    `apply`: X -> MX on matrices of the shape of `start`; `eigenvalues`: all of M, as often as they count.
+    `apply`: X -> MX on matrices of the shape of `start`; `eigenvalues`: all of M, as often as they
+    count.
     """
 
     def __init__(self, apply, eigenvalues, start):
@@ -63,11 +79,15 @@ class Modes:
         for i in order:
             fraction = self._divided(fraction, i)
             for key, coefficient in fraction.items():
-                self.terms[key] = self.terms.get(key, sp.zeros(*start.shape)) + coefficient*rest
-            rest = (apply(rest) - self.values[i]*rest).applyfunc(lambda e: sp.radsimp(sp.expand(e)))
+                self.terms[key] = self.terms.get(key, sp.zeros(*start.shape)) + coefficient * rest
+            rest = (apply(rest) - self.values[i] * rest).applyfunc(
+                lambda e: sp.radsimp(sp.expand(e))
+            )
             if rest.is_zero_matrix:
                 break
-        self.terms = {key: tidy(matrix) for key, matrix in self.terms.items() if not matrix.is_zero_matrix}
+        self.terms = {
+            key: tidy(matrix) for key, matrix in self.terms.items() if not matrix.is_zero_matrix
+        }
         self.where = _nonzero(self._below)
 
     def _divided(self, fraction, i):
@@ -82,12 +102,13 @@ class Modes:
             gap = sp.radsimp(sp.expand(self.values[i] - self.values[k]))
             self._below.add(gap)
             for power in range(j + 1):
-                _add(product, (k, power), -coefficient/gap**(j - power + 1))
-            _add(product, (i, 0), coefficient/gap**(j + 1))
+                _add(product, (k, power), -coefficient / gap ** (j - power + 1))
+            _add(product, (i, 0), coefficient / gap ** (j + 1))
         return {key: tidy_entry(c) for key, c in product.items()}
 
     def at(self, basis, complex_basis):
-        """The sum of all terms; `basis(l, j)`, and for a complex l its real and imaginary part `complex_basis(l, j)`.
+        """The sum of all terms; `basis(l, j)`, and for a complex l its real and imaginary part
+        `complex_basis(l, j)`.
 
         A pair of conjugate eigenvalues gives twice the real part of one of them.
         """
@@ -97,13 +118,20 @@ class Modes:
                 continue
             value = self.values[i]
             if value.has(sp.I) and not vanishes(sp.im(value)):
-                mirror = next(k for k, other in enumerate(self.values) if vanishes(other - sp.conjugate(value)))
+                mirror = next(
+                    k
+                    for k, other in enumerate(self.values)
+                    if vanishes(other - sp.conjugate(value))
+                )
                 done.add((mirror, j))
                 real, imaginary = complex_basis(value, j)
-                parts = [matrix.applyfunc(lambda e, k=k: sp.radsimp(sp.expand(e)).as_real_imag()[k]) for k in (0, 1)]
-                term = 2*(parts[0]*real - parts[1]*imaginary)
+                parts = [
+                    matrix.applyfunc(lambda e, k=k: sp.radsimp(sp.expand(e)).as_real_imag()[k])
+                    for k in (0, 1)
+                ]
+                term = 2 * (parts[0] * real - parts[1] * imaginary)
             else:
-                term = matrix*basis(value, j)
+                term = matrix * basis(value, j)
             total = term if total is None else total + term
         return total
 
@@ -138,27 +166,31 @@ def _nonzero(below):
 
 def continuous_basis(t):
     """t^j e^{lt}/j! and its real and imaginary part."""
+
     def plain(value, j):
-        return t**j*sp.exp(value*t)/sp.factorial(j)
+        return t**j * sp.exp(value * t) / sp.factorial(j)
 
     def split(value, j):
         a, b = value.as_real_imag()
-        size = t**j*sp.exp(a*t)/sp.factorial(j)
-        return size*sp.cos(b*t), size*sp.sin(b*t)
+        size = t**j * sp.exp(a * t) / sp.factorial(j)
+        return size * sp.cos(b * t), size * sp.sin(b * t)
 
     return plain, split
 
 
 def discrete_basis(k):
     """C(k, j) l^{k-j} and its real and imaginary part, for whole k >= 0."""
+
     def choose(j):
-        return sp.prod([k - i for i in range(j)])/sp.factorial(j)
+        return sp.prod([k - i for i in range(j)]) / sp.factorial(j)
 
     def plain(value, j):
-        return sp.KroneckerDelta(k, j) if value == 0 else choose(j)*value**(k - j)
+        return sp.KroneckerDelta(k, j) if value == 0 else choose(j) * value ** (k - j)
 
     def split(value, j):
-        angle, size = sp.arg(value), sp.sqrt(sp.expand(value*sp.conjugate(value)))
-        return tuple(choose(j)*size**(k - j)*wave(angle*(k - j)) for wave in (sp.cos, sp.sin))
+        angle, size = sp.arg(value), sp.sqrt(sp.expand(value * sp.conjugate(value)))
+        return tuple(
+            choose(j) * size ** (k - j) * wave(angle * (k - j)) for wave in (sp.cos, sp.sin)
+        )
 
     return plain, split

@@ -1,11 +1,14 @@
-"""Least squares for z = h(x) + r by the iteration of Gauss and Newton, with what it has reached said honestly.
+"""Least squares for z = h(x) + r by the iteration of Gauss and Newton, with what it has reached
+said honestly.
 
-Each step solves the linear problem z - h(x) = H dx + r, H the Jacobian at x. With S the sum of the whitened residuals
-times the second derivatives of h, the iteration contracts by the greatest modulus of an eigenvalue of (H^T H)^-1 S at
-the solution: as fast as Newton's only where the residuals vanish or h is linear, and not at all from 1 on. So steps are
-shortened where they would overshoot, and a point where they end is called a minimum only if H^T H - S is positive
-definite there.
+Each step solves the linear problem z - h(x) = H dx + r, H the Jacobian at x. With S the sum of the
+whitened residuals times the second derivatives of h, the iteration contracts by the greatest
+modulus of an eigenvalue of (H^T H)^-1 S at the solution: as fast as Newton's only where the
+residuals vanish or h is linear, and not at all from 1 on. So steps are shortened where they would
+overshoot, and a point where they end is called a minimum only if H^T H - S is positive definite
+there.
 """
+
 from dataclasses import dataclass
 
 import numpy as np
@@ -20,12 +23,14 @@ HALVINGS = 40
 
 @dataclass(frozen=True)
 class GaussNewton:
-    """Where the iteration ended; true in an `if` only if it converged to a local minimum of the misfit.
+    """Where the iteration ended; true in an `if` only if it converged to a local minimum of the
+    misfit.
 
-    - `estimate`: n floats; `covariance`: n x n, (H^T R^-1 H)^-1 there, that of the error to first order;
+    - `estimate`: n floats; `covariance`: n x n, (H^T R^-1 H)^-1 there, that of the error to first
+      order;
     - `residuals`: z - h(x); `misfit`: their weighted sum of squares;
-    - `steps`: the length of each step; `rate`: by what factor undamped steps shrink near the solution (from 1 on they
-      do not converge by themselves);
+    - `steps`: the length of each step; `rate`: by what factor undamped steps shrink near the
+      solution (from 1 on they do not converge by themselves);
     - `converged` and, in words, `reason`.
     """
 
@@ -48,13 +53,14 @@ class GaussNewton:
 def gauss_newton(h, z, variables, start, R=None, *, tolerance=1e-10, most_steps=100):
     """The minimum of (z - h(x))^T R^-1 (z - h(x)) near `start` (MATLAB: lsqnonlin, nlinfit).
 
-    `h`: m SymPy expressions in the n symbols `variables`, of which the Jacobian and the second derivatives are formed
-    exactly; `z`: m numbers; `start`: n numbers; `R`: m x m positive definite, left out the unit matrix. The iteration
-    ends with a step shorter than `tolerance` times the length of x (in units of `start`, at least 1), or after
-    `most_steps`. Returns `GaussNewton`, in floats; whether it converged has to be asked. Raises ValueError where the
-    columns of the Jacobian are dependent at `start`, where h is not finite there, and for shapes that do not fit.
-    Source: "Nonlinear least squares", section 4; its remark that the iteration is as fast as Newton's holds for
-    residuals that vanish.
+    `h`: m SymPy expressions in the n symbols `variables`, of which the Jacobian and the second
+    derivatives are formed exactly; `z`: m numbers; `start`: n numbers; `R`: m x m positive
+    definite, left out the unit matrix. The iteration ends with a step shorter than `tolerance`
+    times the length of x (in units of `start`, at least 1), or after `most_steps`. Returns
+    `GaussNewton`, in floats; whether it converged has to be asked. Raises ValueError where the
+    columns of the Jacobian are dependent at `start`, where h is not finite there, and for shapes
+    that do not fit. Source: "Nonlinear least squares", section 4; its remark that the iteration is
+    as fast as Newton's holds for residuals that vanish.
 
     >>> import sympy as sp
     >>> x, y = sp.symbols("x y")
@@ -66,24 +72,33 @@ def gauss_newton(h, z, variables, start, R=None, *, tolerance=1e-10, most_steps=
     h = sp.Matrix([exact_decimals(read_expression(e, "h")) for e in h])
     strangers = h.free_symbols - set(variables)
     if strangers:
-        raise ValueError(f"h: it also has {', '.join(sorted(map(str, strangers)))}; give these values")
+        raise ValueError(
+            f"h: it also has {', '.join(sorted(map(str, strangers)))}; give these values"
+        )
     m, n = h.rows, len(variables)
     z = read_vector(np.asarray(z, dtype=float), "z", m, True)
     x = read_vector(np.asarray(start, dtype=float), "start", n, True)
-    R = np.eye(m) if R is None else read_covariance(np.asarray(R, dtype=float), "R", m, True, definite=True)
+    R = (
+        np.eye(m)
+        if R is None
+        else read_covariance(np.asarray(R, dtype=float), "R", m, True, definite=True)
+    )
     return _iterate(_Whitened(h, z, variables, R), x, tolerance, most_steps)
 
 
 class _Whitened:
-    """Residuals, Jacobian and second derivatives, multiplied by the inverse of the Cholesky factor of R."""
+    """Residuals, Jacobian and second derivatives, multiplied by the inverse of the Cholesky factor
+    of R."""
 
     def __init__(self, h, z, variables, R):
         self.factor, self.z = np.linalg.cholesky(R), z
         n = len(variables)
         self.shape = (h.rows, n)
         second = [sp.hessian(entry, variables) for entry in h]
-        self.functions = [sp.lambdify([variables], list(part), "numpy", cse=True)
-                          for part in (h, h.jacobian(variables), sp.Matrix.vstack(*second))]
+        self.functions = [
+            sp.lambdify([variables], list(part), "numpy", cse=True)
+            for part in (h, h.jacobian(variables), sp.Matrix.vstack(*second))
+        ]
 
     def residuals(self, x):
         with np.errstate(all="ignore"):
@@ -96,7 +111,9 @@ class _Whitened:
     def curvature(self, x, residuals):
         """The sum of the residuals times the second derivatives, n x n."""
         second = self._at(2, x).reshape(len(residuals), -1)
-        return (np.linalg.solve(self.factor.T, residuals) @ second).reshape(self.shape[1], self.shape[1])
+        return (np.linalg.solve(self.factor.T, residuals) @ second).reshape(
+            self.shape[1], self.shape[1]
+        )
 
     def _at(self, k, x):
         return np.array(self.functions[k](x), dtype=float)
@@ -111,14 +128,19 @@ def _iterate(problem, x, tolerance, most_steps):
         H = problem.jacobian(x)
         if _dependent(H):
             if not steps:
-                raise ValueError(f"start: the columns of the Jacobian are dependent at {x.tolist()}, so there is no "
-                                 "step; start elsewhere, or measure more")
+                raise ValueError(
+                    f"start: the columns of the Jacobian are dependent at {x.tolist()}, so there "
+                    "is no "
+                    "step; start elsewhere, or measure more"
+                )
             reason = f"not converged: the columns of the Jacobian become dependent at {x.tolist()}"
             break
         step = np.linalg.lstsq(H, residuals, rcond=None)[0]
-        limit = tolerance*max(unit, np.linalg.norm(x))
-        share, x_next, residuals_next = _shortened(problem, x, residuals, step, np.linalg.norm(H @ step)**2)
-        steps.append(float(share*np.linalg.norm(step)))
+        limit = tolerance * max(unit, np.linalg.norm(x))
+        share, x_next, residuals_next = _shortened(
+            problem, x, residuals, step, np.linalg.norm(H @ step) ** 2
+        )
+        steps.append(float(share * np.linalg.norm(step)))
         if share:
             x, residuals = x_next, residuals_next
         if np.linalg.norm(step) <= limit:
@@ -131,20 +153,21 @@ def _iterate(problem, x, tolerance, most_steps):
 
 
 def _shortened(problem, x, residuals, step, descent):
-    """The share of a step that lowers the misfit without overshooting, and what is there; 0 if no share does.
+    """The share of a step that lowers the misfit without overshooting, and what is there; 0 if no
+    share does.
 
-    Near a minimum the misfit is flat to rounding, but its slope along the step is not: it begins at -descent, and a
-    share is too long if it comes to more than half of that with the other sign.
+    Near a minimum the misfit is flat to rounding, but its slope along the step is not: it begins at
+    -descent, and a share is too long if it comes to more than half of that with the other sign.
     """
     share, misfit = 1.0, residuals @ residuals
     for _ in range(HALVINGS):
-        place = x + share*step
+        place = x + share * step
         moved = problem.residuals(place)
-        if np.isfinite(moved).all() and moved @ moved <= misfit*(1 + 1e-13):
+        if np.isfinite(moved).all() and moved @ moved <= misfit * (1 + 1e-13):
             slope = -(moved @ (problem.jacobian(place) @ step))
-            if slope <= descent/2 + 1e-13*misfit:
+            if slope <= descent / 2 + 1e-13 * misfit:
                 return share, place, moved
-            share *= min(max(descent/(descent + slope), 0.1), 0.9)
+            share *= min(max(descent / (descent + slope), 0.1), 0.9)
         else:
             share /= 2
     return 0.0, x, residuals
@@ -154,8 +177,8 @@ def _dependent(H):
     lengths = np.linalg.norm(H, axis=0)
     if not np.isfinite(H).all() or not (lengths > 0).all() or H.shape[0] < H.shape[1]:
         return True
-    values = np.linalg.svd(H/lengths, compute_uv=False)
-    return values[-1] <= max(H.shape)*np.finfo(float).eps*values[0]
+    values = np.linalg.svd(H / lengths, compute_uv=False)
+    return values[-1] <= max(H.shape) * np.finfo(float).eps * values[0]
 
 
 def _result(problem, x, residuals, steps, reason):
@@ -167,9 +190,17 @@ def _result(problem, x, residuals, steps, reason):
         rate = float(np.abs(np.linalg.eigvalsh(half.T @ curvature @ half)).max())
     if reason == "converged":
         lengths = np.sqrt(np.diag(normal))
-        if np.linalg.eigvalsh((normal - curvature)/np.outer(lengths, lengths))[0] <= 0:
+        if np.linalg.eigvalsh((normal - curvature) / np.outer(lengths, lengths))[0] <= 0:
             reason = "not converged: the steps end at a stationary point that is no minimum of the misfit"
         else:
             reason = f"converged in {len(steps)} steps to a local minimum"
-    return GaussNewton(x, covariance, problem.factor @ residuals, float(residuals @ residuals), tuple(steps), rate,
-                       reason.startswith("converged"), reason)
+    return GaussNewton(
+        x,
+        covariance,
+        problem.factor @ residuals,
+        float(residuals @ residuals),
+        tuple(steps),
+        rate,
+        reason.startswith("converged"),
+        reason,
+    )

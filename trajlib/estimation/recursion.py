@@ -1,7 +1,10 @@
-"""x_{k+1} = F x_k + u_k for many k at once: blocks of steps by one matrix product, their ends by the same recursion."""
+"""x_{k+1} = F x_k + u_k for many k at once: blocks of steps by one matrix product, their ends by
+the same recursion."""
+
 import numpy as np
 
-#: Steps in a block: a product costs BLOCK n multiplications a step and component, a step alone costs a call.
+#: Steps in a block: a product costs BLOCK n multiplications a step and component, a step alone
+#: costs a call.
 BLOCK = 8
 
 
@@ -25,28 +28,33 @@ def recursion(F, u, start):
     for j in range(BLOCK):
         for i in range(j + 1):
             response[j, :, i] = powers[j - i]
-    blocks = -(-count//BLOCK)
-    padded = np.zeros((series, blocks*BLOCK, n))
+    blocks = -(-count // BLOCK)
+    padded = np.zeros((series, blocks * BLOCK, n))
     padded[:, :count] = u
     # Plain matrices: products of stacks are taken one by one.
-    within = padded.reshape(series*blocks, BLOCK*n) @ response.reshape(BLOCK*n, BLOCK*n).T
-    ends = recursion(powers[BLOCK], within.reshape(series, blocks, BLOCK*n)[:, :, -n:], start)
+    within = padded.reshape(series * blocks, BLOCK * n) @ response.reshape(BLOCK * n, BLOCK * n).T
+    ends = recursion(powers[BLOCK], within.reshape(series, blocks, BLOCK * n)[:, :, -n:], start)
     within += ends[:, :-1].reshape(-1, n) @ np.concatenate(powers[1:]).T
     states[:, 1:] = within.reshape(series, -1, n)[:, :count]
     return states
 
 
 def varying_recursion(F, u, start):
-    """The same with a matrix for each step, `F`: N x n x n: chunks beside each other, then their ends in turn."""
+    """The same with a matrix for each step, `F`: N x n x n: chunks beside each other, then their
+    ends in turn."""
     series, count, n = u.shape
     width = int(np.ceil(np.sqrt(count)))
-    chunks = -(-count//width)
-    matrices = np.broadcast_to(np.eye(n), (chunks*width, n, n)).copy()
+    chunks = -(-count // width)
+    matrices = np.broadcast_to(np.eye(n), (chunks * width, n, n)).copy()
     matrices[:count] = F
-    inputs = np.zeros((series, chunks*width, n))
+    inputs = np.zeros((series, chunks * width, n))
     inputs[:, :count] = u
-    matrices, inputs = matrices.reshape(chunks, width, n, n), inputs.reshape(series, chunks, width, n)
-    # What a chunk does to the state it begins with, and what its inputs add, after each of its steps.
+    matrices, inputs = (
+        matrices.reshape(chunks, width, n, n),
+        inputs.reshape(series, chunks, width, n),
+    )
+    # What a chunk does to the state it begins with, and what its inputs add, after each of its
+    # steps.
     reach, forced = np.empty_like(matrices), np.empty_like(inputs)
     product, state = np.broadcast_to(np.eye(n), (chunks, n, n)), np.zeros((series, chunks, n))
     for k in range(width):

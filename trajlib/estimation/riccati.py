@@ -1,15 +1,17 @@
 """Algebraic Riccati equations solved exactly: the stabilising branch from a spectral factor.
 
-The stabilising P spans, as (E; P), the invariant subspace of the Hamiltonian matrix that belongs to its eigenvalues in
-the left half-plane. Their polynomial p is a factor of the characteristic polynomial, which is even:
+The stabilising P spans, as (E; P), the invariant subspace of the Hamiltonian matrix that belongs to
+its eigenvalues in the left half-plane. Their polynomial p is a factor of the characteristic
+polynomial, which is even:
 
     s^2 - c               p = s + sqrt(c),                        c > 0
     s^4 + c1 s^2 + c0     p = s^2 + alpha s + beta,               beta = sqrt(c0), alpha = sqrt(2 beta - c1)
 
-and p(M) (E; P) = 0 is a linear equation for P. There is such a P only if no eigenvalue lies on the axis: c > 0, c0 > 0
-and 2 beta > c1. In discrete time the symplectic pencil L - zM becomes a Hamiltonian matrix by z = (1 + s)/(1 - s),
-also for a singular Phi.
+and p(M) (E; P) = 0 is a linear equation for P. There is such a P only if no eigenvalue lies on the
+axis: c > 0, c0 > 0 and 2 beta > c1. In discrete time the symplectic pencil L - zM becomes a
+Hamiltonian matrix by z = (1 + s)/(1 - s), also for a singular Phi.
 """
+
 import numpy as np
 import sympy as sp
 
@@ -20,13 +22,13 @@ from trajlib.stability.systems import as_real, vanishes
 
 
 def continuous_hamiltonian(A, H, Q, R):
-    S = H.T*solve(R, H)
+    S = H.T * solve(R, H)
     return sp.Matrix(sp.BlockMatrix([[A.T, -S], [-Q, -A]]))
 
 
 def discrete_hamiltonian(Phi, H, Q, R):
     """None if the pencil has the eigenvalue z = -1: then there is no stabilising solution."""
-    n, S = Phi.rows, H.T*solve(R, H)
+    n, S = Phi.rows, H.T * solve(R, H)
     left = sp.Matrix(sp.BlockMatrix([[Phi.T, sp.zeros(n)], [-Q, sp.eye(n)]]))
     right = sp.Matrix(sp.BlockMatrix([[sp.eye(n), S], [sp.zeros(n), Phi]]))
     try:
@@ -36,10 +38,11 @@ def discrete_hamiltonian(Phi, H, Q, R):
 
 
 class Stabilising:
-    """The stabilising solution for a Hamiltonian matrix: `P`, None if there is none, and `where` it holds.
+    """The stabilising solution for a Hamiltonian matrix: `P`, None if there is none, and `where` it
+    holds.
 
-    P stands in auxiliary symbols for the roots; `finished` puts a matrix of such entries in lowest terms and in the
-    symbols that were given.
+    P stands in auxiliary symbols for the roots; `finished` puts a matrix of such entries in lowest
+    terms and in the symbols that were given.
     """
 
     def __init__(self, hamiltonian):
@@ -57,8 +60,11 @@ class Stabilising:
         """Coefficients of p, highest power first; None if an eigenvalue lies on the axis."""
         polynomial = M.charpoly()
         s = polynomial.gen
-        parts = [(sp.Poly(f, s).monic(), times) for f, times in sp.factor_list(polynomial.as_expr(), s)[1]
-                 if sp.Poly(f, s).degree()]
+        parts = [
+            (sp.Poly(f, s).monic(), times)
+            for f, times in sp.factor_list(polynomial.as_expr(), s)[1]
+            if sp.Poly(f, s).degree()
+        ]
         product = sp.Poly(1, s)
         while parts:
             f, times = parts.pop()
@@ -69,8 +75,10 @@ class Stabilising:
                 piece = self._half(f)
             else:
                 parts = [(g, k) for g, k in parts if g != mirrored]
-                piece = self._half(f*mirrored) if f.degree() <= 2 else self._stable_one(f, mirrored)
-            product = product*piece**times
+                piece = (
+                    self._half(f * mirrored) if f.degree() <= 2 else self._stable_one(f, mirrored)
+                )
+            product = product * piece**times
         return product.all_coeffs()
 
     def _half(self, even):
@@ -80,20 +88,24 @@ class Stabilising:
             return sp.Poly(s + self._root(-even.nth(0)), s)
         if even.degree() == 4:
             beta = self._root(even.nth(0))
-            return sp.Poly(s**2 + self._root(2*beta - even.nth(2))*s + beta, s)
+            return sp.Poly(s**2 + self._root(2 * beta - even.nth(2)) * s + beta, s)
         y = sp.Dummy("y")
-        inner = sp.Poly(sum(c*y**(k//2) for (k,), c in even.terms()), y)
+        inner = sp.Poly(sum(c * y ** (k // 2) for (k,), c in even.terms()), y)
         roots = sp.roots(inner, cubics=False, quartics=False, multiple=True)
         if len(roots) < inner.degree() or inner.free_symbols_in_domain:
-            raise NotImplementedError(f"the stationary covariance needs the roots of {inner.as_expr()}, which square "
-                                      "roots do not express; give the matrices as arrays of floats")
+            raise NotImplementedError(
+                f"the stationary covariance needs the roots of {inner.as_expr()}, which square "
+                "roots do not express; give the matrices as arrays of floats"
+            )
         half = sp.Poly(1, s)
         for root in roots:
             if vanishes(sp.im(root)):
                 half *= sp.Poly(s + self._root(root), s)
             elif sp.im(root) > 0:
-                size = sp.sqrt(sp.expand(root*sp.conjugate(root)))
-                half *= sp.Poly(s**2 + self._root(2*size - 2*sp.re(root))*s + self._root(size**2), s)
+                size = sp.sqrt(sp.expand(root * sp.conjugate(root)))
+                half *= sp.Poly(
+                    s**2 + self._root(2 * size - 2 * sp.re(root)) * s + self._root(size**2), s
+                )
         return half
 
     def _stable_one(self, f, mirrored):
@@ -101,11 +113,14 @@ class Stabilising:
             for one in (f, mirrored):
                 if stability_conditions(one.as_expr(), [], symbol=f.gen).region == sp.true:
                     return one
-        raise NotImplementedError(f"the stationary covariance needs the roots of {f.as_expr()}; give the matrices as "
-                                  "arrays of floats")
+        raise NotImplementedError(
+            f"the stationary covariance needs the roots of {f.as_expr()}; give the matrices as "
+            "arrays of floats"
+        )
 
     def _root(self, square):
-        """The positive root; an auxiliary symbol if it is none of the field, and the condition that it is one."""
+        """The positive root; an auxiliary symbol if it is none of the field, and the condition that
+        it is one."""
         square = sp.factor(square)
         shown = square.xreplace(dict(self._roots_in_full()))
         if not shown.free_symbols:
@@ -126,37 +141,51 @@ class Stabilising:
         return full
 
     def _solve(self, M, factor):
-        n = M.rows//2
-        value = sp.zeros(2*n)
+        n = M.rows // 2
+        value = sp.zeros(2 * n)
         for coefficient in factor:
-            value = (value*M + coefficient*sp.eye(2*n)).applyfunc(self._reduced)
+            value = (value * M + coefficient * sp.eye(2 * n)).applyfunc(self._reduced)
         V, W = value[:, :n], value[:, n:]
         rows = self._independent(W)
         if rows is None:
             return
         W, V = W.extract(rows, list(range(n))), V.extract(rows, list(range(n)))
-        P = -(W.adjugate()*V/W.det()).applyfunc(self._reduced)
-        self.P = ((P + P.T)/2).applyfunc(self._reduced)
+        P = -(W.adjugate() * V / W.det()).applyfunc(self._reduced)
+        self.P = ((P + P.T) / 2).applyfunc(self._reduced)
         below = sp.lcm_list([sp.denom(sp.together(entry)) for entry in self.P])
-        apart = [sp.Not(equation(f)) for f, _ in sp.factor_list(below)[1] if f.free_symbols and not f.is_nonzero
-                 and not f.has(*(symbol for symbol, _ in self._roots))]
+        apart = [
+            sp.Not(equation(f))
+            for f, _ in sp.factor_list(below)[1]
+            if f.free_symbols
+            and not f.is_nonzero
+            and not f.has(*(symbol for symbol, _ in self._roots))
+        ]
         self.where = sp.And(*self._conditions, *apart).xreplace(self._back)
 
     def _independent(self, W):
-        """Numbers of n rows of W that are independent where the conditions hold; None if there are none."""
+        """Numbers of n rows of W that are independent where the conditions hold; None if there are
+        none."""
         symbols = sorted(W.free_symbols - {symbol for symbol, _ in self._roots}, key=str)
         full, rng = self._roots_in_full(), np.random.default_rng(1)
-        symbols = sorted(set(symbols).union(*(root.free_symbols for root in full.values())), key=str)
+        symbols = sorted(
+            set(symbols).union(*(root.free_symbols for root in full.values())), key=str
+        )
         for _ in range(60):
-            signs = [1 if s.is_positive else -1 if s.is_negative else rng.choice([-1, 1]) for s in symbols]
-            place = {s: sign*sp.Rational(int(rng.integers(1, 40)), 7) for s, sign in zip(symbols, signs)}
+            signs = [
+                1 if s.is_positive else -1 if s.is_negative else rng.choice([-1, 1])
+                for s in symbols
+            ]
+            place = {
+                s: sign * sp.Rational(int(rng.integers(1, 40)), 7)
+                for s, sign in zip(symbols, signs)
+            }
             if not all(c.subs(place) == sp.true for c in self._conditions):
                 continue
             values = {symbol: sp.N(root.subs(place), 30) for symbol, root in full.items()}
             there = np.array(W.subs(place).subs(values).evalf(20).tolist(), dtype=complex)
             rows, size = [], np.abs(there).max()
             for i in range(len(there)):
-                if np.linalg.svd(there[rows + [i]], compute_uv=False)[-1] > 1e-10*size:
+                if np.linalg.svd(there[[*rows, i]], compute_uv=False)[-1] > 1e-10 * size:
                     rows.append(i)
                 if len(rows) == W.cols:
                     return rows
@@ -169,10 +198,16 @@ class Stabilising:
             symbol, square = self._roots[k]
             if entry.has(symbol):
                 relation = symbol**2 - square
-                above, below = (sp.rem(part, relation, symbol) for part in sp.fraction(sp.together(entry)))
+                above, below = (
+                    sp.rem(part, relation, symbol) for part in sp.fraction(sp.together(entry))
+                )
                 mirrored = below.subs(symbol, -symbol)
-                above, below = (sp.rem(sp.expand(part*mirrored), relation, symbol) for part in (above, below))
-                return sum(self._reduced(above.coeff(symbol, i)/below)*symbol**i for i in (0, 1))
+                above, below = (
+                    sp.rem(sp.expand(part * mirrored), relation, symbol) for part in (above, below)
+                )
+                return sum(
+                    self._reduced(above.coeff(symbol, i) / below) * symbol**i for i in (0, 1)
+                )
         return sp.factor(sp.cancel(entry)) if entry.free_symbols else sp.radsimp(sp.expand(entry))
 
     def finished(self, matrix):
@@ -181,9 +216,8 @@ class Stabilising:
 
 def _positive(expression):
     """expression > 0, in lowest terms where it is a polynomial or a fraction of such."""
-    if expression.atoms(sp.Pow) and any(not p.exp.is_Integer for p in expression.atoms(sp.Pow)) or expression.has(
-            sp.Abs):
+    if (
+        expression.atoms(sp.Pow) and any(not p.exp.is_Integer for p in expression.atoms(sp.Pow))
+    ) or expression.has(sp.Abs):
         return sp.Gt(expression, 0)
     return positive(expression)
-
-

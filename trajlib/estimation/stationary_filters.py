@@ -1,12 +1,15 @@
-"""Stationary Kalman filters, Theorems 4.2 and 4.4: the gain to which the filter tends after a long time.
+"""Stationary Kalman filters, Theorems 4.2 and 4.4: the gain to which the filter tends after a long
+time.
 
     A P + P A^T + Q - P H^T R^-1 H P = 0,                                          K = P H^T R^-1
     P = Phi P Phi^T + Q - Phi P H^T (H P H^T + R)^-1 H P Phi^T,   K = P H^T (H P H^T + R)^-1,   P+ = (E - KH) P
 
-Of the solutions the one is taken that makes the errors of the filter asymptotically stable. It exists if and only if
-(A, H) is detectable and no mode on the border of stability is free of noise; observability and controllability by the
-noise, which the theorems ask for, are enough for it and make P positive definite.
+Of the solutions the one is taken that makes the errors of the filter asymptotically stable. It
+exists if and only if (A, H) is detectable and no mode on the border of stability is free of noise;
+observability and controllability by the noise, which the theorems ask for, are enough for it and
+make P positive definite.
 """
+
 from dataclasses import dataclass
 
 import numpy as np
@@ -19,7 +22,8 @@ from trajlib.stability.regions import latex_condition
 from trajlib.stability.systems import as_prose
 from trajlib.structure.rank_tests import controllability, observability
 
-#: Errors that decay by less than this share of the size of the matrix count as not decaying, in floats.
+#: Errors that decay by less than this share of the size of the matrix count as not decaying, in
+#: floats.
 BORDER = 1e-9
 
 
@@ -27,10 +31,12 @@ BORDER = 1e-9
 class StationaryFilter:
     """A stationary filter; false in an `if` if there is none.
 
-    - `covariance`: n x n, of the error of the estimate: P in continuous time; in discrete time P^-, before the
-      measurement, and `corrected` is P^+, after it (None in continuous time);
-    - `gain`: K, n x m; `errors`: n x n, the matrix of the errors, A - KH or Phi (E - KH), whose modes decay;
-    - `where`: the condition on symbols under which all this holds; `reason`: what there is, or why there is nothing.
+    - `covariance`: n x n, of the error of the estimate: P in continuous time; in discrete time P^-,
+      before the measurement, and `corrected` is P^+, after it (None in continuous time);
+    - `gain`: K, n x m; `errors`: n x n, the matrix of the errors, A - KH or Phi (E - KH), whose
+      modes decay;
+    - `where`: the condition on symbols under which all this holds; `reason`: what there is, or why
+      there is nothing.
     """
 
     covariance: object
@@ -47,7 +53,9 @@ class StationaryFilter:
         if not self:
             return as_prose(self.reason)
         parts = {"P": self.covariance, "P^+": self.corrected, "K": self.gain}
-        shown = r",\quad ".join(f"{name} = {latex(part)}" for name, part in parts.items() if part is not None)
+        shown = r",\quad ".join(
+            f"{name} = {latex(part)}" for name, part in parts.items() if part is not None
+        )
         where = "" if self.where == sp.true else rf",\quad {latex_condition(self.where)}"
         return rf"$\displaystyle {shown}{where}$"
 
@@ -55,12 +63,13 @@ class StationaryFilter:
 def stationary_filter(A, H, Q, R):
     """The stationary filter of x' = Ax + q, z = Hx + r (MATLAB: lqe, kalman; python-control: lqe).
 
-    `A`: n x n; `H`: m x n; `Q`: n x n, the intensity of q, positive semidefinite; `R`: m x m, that of r, positive
-    definite. Exact, also with symbols, or floats. Exact results are found for those spectra that square roots can
-    express, always for n <= 2. Returns `StationaryFilter`, for general values of the symbols, with the condition under
-    which it holds: at the values that `where` excludes substitute them and ask again. Raises ValueError for shapes and
-    covariances that are none, NotImplementedError for exact spectra beyond square roots. Source: Theorem 4.4, example
-    4, problems 4.33 - 4.41.
+    `A`: n x n; `H`: m x n; `Q`: n x n, the intensity of q, positive semidefinite; `R`: m x m, that
+    of r, positive definite. Exact, also with symbols, or floats. Exact results are found for those
+    spectra that square roots can express, always for n <= 2. Returns `StationaryFilter`, for
+    general values of the symbols, with the condition under which it holds: at the values that
+    `where` excludes substitute them and ask again. Raises ValueError for shapes and covariances
+    that are none, NotImplementedError for exact spectra beyond square roots. Source: Theorem 4.4,
+    example 4, problems 4.33 - 4.41.
 
     >>> import sympy as sp
     >>> a, Q, R = sp.symbols("a Q R", positive=True)
@@ -78,11 +87,12 @@ def stationary_filter(A, H, Q, R):
 
 
 def discrete_stationary_filter(Phi, H, Q, R):
-    """The stationary filter of x_{i+1} = Phi x_i + q_i, z_i = H x_i + r_i (MATLAB: dlqe; python-control: dlqe).
+    """The stationary filter of x_{i+1} = Phi x_i + q_i, z_i = H x_i + r_i (MATLAB: dlqe;
+    python-control: dlqe).
 
-    `Phi`: n x n, also singular; `H`: m x n; `Q`, `R`: covariances of q_i and r_i. The gain is that of the correction,
-    x~+ = x~- + K (z - H x~-); the gain of the one-step predictor is Phi K. Returns and raises as `stationary_filter`.
-    Source: Theorem 4.2, problems 4.22 - 4.25.
+    `Phi`: n x n, also singular; `H`: m x n; `Q`, `R`: covariances of q_i and r_i. The gain is that
+    of the correction, x~+ = x~- + K (z - H x~-); the gain of the one-step predictor is Phi K.
+    Returns and raises as `stationary_filter`. Source: Theorem 4.2, problems 4.22 - 4.25.
 
     >>> import sympy as sp
     >>> found = discrete_stationary_filter([[0, 1], [0, 1]], [[0, 1]], sp.diag(0, 2), 1)    # problem 4.22
@@ -121,37 +131,57 @@ def _floats(A, H, Q, R, time):
     except (np.linalg.LinAlgError, ValueError):
         return None
     parts = time.parts(A, H, R, P)
-    return (*parts, sp.true) if np.isfinite(P).all() and time.rate(parts[3]) < -BORDER*max(
-        1, np.linalg.norm(A, 2)) else None
+    return (
+        (*parts, sp.true)
+        if np.isfinite(P).all() and time.rate(parts[3]) < -BORDER * max(1, np.linalg.norm(A, 2))
+        else None
+    )
 
 
 def _which(A, H, Q, where):
     seen, driven = bool(observability(A, H)), bool(controllability(A, Q))
-    told = {(True, True): "observable and driven by noise in all modes: P is positive definite, and it is the limit "
-                          "from every beginning",
-            (False, True): "detectable, not observable; driven by noise in all modes",
-            (True, False): "observable; not all modes are driven by noise, so P may be singular",
-            (False, False): "detectable, not observable; not all modes are driven by noise, so P may be singular"}
+    told = {
+        (
+            True,
+            True,
+        ): "observable and driven by noise in all modes: P is positive definite, and it is the limit "
+        "from every beginning",
+        (False, True): "detectable, not observable; driven by noise in all modes",
+        (True, False): "observable; not all modes are driven by noise, so P may be singular",
+        (
+            False,
+            False,
+        ): "detectable, not observable; not all modes are driven by noise, so P may be singular",
+    }
     general = "" if where == sp.true else f"; where {where}"
     return f"a stationary filter: {told[seen, driven]}{general}"
 
 
 def _why_none(A, H, Q, time):
-    """Popov's criterion at the eigenvalues that do not decay, in floats; only the words depend on it."""
+    """Popov's criterion at the eigenvalues that do not decay, in floats; only the words depend on
+    it."""
     if not isinstance(A, np.ndarray):
         if (A.free_symbols | H.free_symbols | Q.free_symbols) or not A.is_Matrix:
-            return ("no stationary filter, for general values of the symbols: the pair is not detectable, or a mode "
-                    "on the border of stability is free of noise")
+            return (
+                "no stationary filter, for general values of the symbols: the pair is not "
+                "detectable, or a mode "
+                "on the border of stability is free of noise"
+            )
         A, H, Q = (np.array(matrix.evalf(30).tolist(), dtype=float) for matrix in (A, H, Q))
     size = max(1, np.linalg.norm(A, 2))
     for value in np.linalg.eigvals(A):
-        if time.rate(np.array([[value]])) < -1e-6*size:
+        if time.rate(np.array([[value]])) < -1e-6 * size:
             continue
-        pencil = A - value*np.eye(len(A))
-        if np.linalg.svd(np.vstack([pencil, H]), compute_uv=False)[-1] < 1e-6*size:
-            return "no stationary filter: not detectable, a mode that does not decay is not measured"
-    return ("no stationary filter: a mode on the border of stability is free of noise, so that its gain tends to zero "
-            "and its errors do not decay with it")
+        pencil = A - value * np.eye(len(A))
+        if np.linalg.svd(np.vstack([pencil, H]), compute_uv=False)[-1] < 1e-6 * size:
+            return (
+                "no stationary filter: not detectable, a mode that does not decay is not measured"
+            )
+    return (
+        "no stationary filter: a mode on the border of stability is free of noise, so that its "
+        "gain tends to zero "
+        "and its errors do not decay with it"
+    )
 
 
 class _Continuous:
@@ -160,6 +190,7 @@ class _Continuous:
     @staticmethod
     def solve_floats(A, H, Q, R):
         from scipy.linalg import solve_continuous_are
+
         return solve_continuous_are(A.T, H.T, Q, R)
 
     @staticmethod
@@ -178,6 +209,7 @@ class _Discrete:
     @staticmethod
     def solve_floats(A, H, Q, R):
         from scipy.linalg import solve_discrete_are
+
         return solve_discrete_are(A.T, H.T, Q, R)
 
     @staticmethod
@@ -187,9 +219,9 @@ class _Discrete:
             gain = solve(spread, H @ P).T
         else:
             # The entries stand in auxiliary symbols for roots, which no field knows: Cramer's rule.
-            gain = P*H.T*spread.adjugate()/spread.det()
+            gain = P * H.T * spread.adjugate() / spread.det()
         kept = identity_like(P) - gain @ H
-        after = kept @ P @ kept.T + gain @ R @ gain.T if isinstance(P, np.ndarray) else kept*P
+        after = kept @ P @ kept.T + gain @ R @ gain.T if isinstance(P, np.ndarray) else kept * P
         return P, symmetric(after) if isinstance(P, np.ndarray) else after, gain, A @ kept
 
     @staticmethod

@@ -1,8 +1,10 @@
-"""Observers and regulators of linear systems: chapter 3 and section 5.4 of the problem book as functions.
+"""Observers and regulators of linear systems: chapter 3 and section 5.4 of the problem book as
+functions.
 
-The system is x' = Ax + Bu, z = Hx, the feedback u = Kx (plus sign), the observer e' = Ae + Bu + L(z - He): closed loop
-A + BK, errors A - LH. Exact input gives exact output, also with symbols; NumPy arrays and python-control's StateSpace
-give floating-point numbers. Every name is loaded on first use, so that importing the package costs nothing.
+The system is x' = Ax + Bu, z = Hx, the feedback u = Kx (plus sign), the observer e' = Ae + Bu + L(z
+- He): closed loop A + BK, errors A - LH. Exact input gives exact output, also with symbols; NumPy
+arrays and python-control's StateSpace give floating-point numbers. Every name is loaded on first
+use, so that importing the package costs nothing.
 
 >>> from trajlib import feedback
 >>> "regulator" in dir(feedback)
@@ -11,7 +13,8 @@ True
 
 from trajlib._lazy import lazy_names
 
-# No module is called like a name it exports: importing it would put the module in the place of the function.
+# No module is called like a name it exports: importing it would put the module in the place of the
+# function.
 _EXPORTS = {
     "gains": ["GainFamily", "observer", "regulator"],
     "pole_placement": ["Placement", "place"],

@@ -5,10 +5,11 @@ With the error d = x - e the plant and the observer are
     x' = (A + BK) x - BK d
     d' = (A - LH) d
 
-so the characteristic polynomial of the whole is the product of the two, and K and L are chosen independently.
-A measurement with an error c w, w' = S w, adds w to what the observer estimates, while the control uses the estimate
-of x alone.
+so the characteristic polynomial of the whole is the product of the two, and K and L are chosen
+independently. A measurement with an error c w, w' = S w, adds w to what the observer estimates,
+while the control uses the estimate of x alone.
 """
+
 from dataclasses import dataclass
 
 import sympy as sp
@@ -23,9 +24,10 @@ from trajlib.structure.splitting import named_matrices
 class EstimateLoop:
     """A plant under feedback by an estimate.
 
-    - `errors`: the matrix of (x; d), block-triangular, d the error of the estimate (with that of w below it);
-    - `estimates`: for measurements without error the matrix of (x; e), plant and observer as they are built (3.8),
-      (3.9); with an error that of (x; w; e), which also has the eigenvalues of S;
+    - `errors`: the matrix of (x; d), block-triangular, d the error of the estimate (with that of w
+      below it);
+    - `estimates`: for measurements without error the matrix of (x; e), plant and observer as they
+      are built (3.8), (3.9); with an error that of (x; w; e), which also has the eigenvalues of S;
     - `regulator` and `observer`: the blocks A + BK and A - LH.
     """
 
@@ -35,19 +37,25 @@ class EstimateLoop:
     observer: sp.Matrix
 
     def polynomials(self, symbol):
-        """The characteristic polynomials of the regulator and of the observer; that of `errors` is their product."""
-        return characteristic_polynomial(self.regulator, symbol), characteristic_polynomial(self.observer, symbol)
+        """The characteristic polynomials of the regulator and of the observer; that of `errors` is
+        their product."""
+        return characteristic_polynomial(self.regulator, symbol), characteristic_polynomial(
+            self.observer, symbol
+        )
 
     def _repr_latex_(self):
-        return named_matrices({r"\begin{pmatrix} x\\ \Delta x\end{pmatrix}^{\!\cdot}:\;": self.errors})
+        return named_matrices(
+            {r"\begin{pmatrix} x\\ \Delta x\end{pmatrix}^{\!\cdot}:\;": self.errors}
+        )
 
 
 def feedback_by_estimate(A, B, H, K, L, S=None, c=None):
     """The loop of plant, observer and u = K e (MATLAB: reg(sys, -K, L) closed).
 
-    `A`: n x n, `B`: n x s, `H`: m x n, `K`: s x n, `L`: n x m, exact. With `S`: k x k and `c`: m x k the measurement
-    has the error c w, w' = S w (a constant: S = [[0]]), and `L` is (n + k) x m. Returns `EstimateLoop`. Raises
-    ValueError for shapes that do not fit. Source: equations (3.8) - (3.10), example 8 of the problem book.
+    `A`: n x n, `B`: n x s, `H`: m x n, `K`: s x n, `L`: n x m, exact. With `S`: k x k and `c`: m x
+    k the measurement has the error c w, w' = S w (a constant: S = [[0]]), and `L` is (n + k) x m.
+    Returns `EstimateLoop`. Raises ValueError for shapes that do not fit. Source: equations (3.8) -
+    (3.10), example 8 of the problem book.
 
     >>> import sympy as sp
     >>> s, k1, k2, l1, l2 = sp.symbols("s k1 k2 l1 l2")
@@ -71,13 +79,15 @@ def feedback_by_estimate(A, B, H, K, L, S=None, c=None):
         raise ValueError(f"K: expected shape {(B.cols, n)}, got {K.shape}")
     if L.shape != (n + extra, m):
         raise ValueError(f"L: expected shape {(n + extra, m)}, got {L.shape}")
-    push, wide = B*K, K.row_join(sp.zeros(B.cols, extra))
-    control = B.col_join(sp.zeros(extra, B.cols))*wide
-    regulated, observed = A + push, larger - L*output
+    push, wide = B * K, K.row_join(sp.zeros(B.cols, extra))
+    control = B.col_join(sp.zeros(extra, B.cols)) * wide
+    regulated, observed = A + push, larger - L * output
     return EstimateLoop(
-        errors=_blocks(regulated, -B*wide, sp.zeros(n + extra, n), observed),
-        estimates=_blocks(larger, control, L*output, observed + control),
-        regulator=regulated, observer=observed)
+        errors=_blocks(regulated, -B * wide, sp.zeros(n + extra, n), observed),
+        estimates=_blocks(larger, control, L * output, observed + control),
+        regulator=regulated,
+        observer=observed,
+    )
 
 
 def _blocks(first, second, third, fourth):

@@ -1,9 +1,12 @@
-"""Eigenvalues that no gain moves, and what they forbid: stabilisability, detectability, the best margin.
+"""Eigenvalues that no gain moves, and what they forbid: stabilisability, detectability, the best
+margin.
 
-A mode that the control does not reach keeps its eigenvalue under u = Kx, and one that the output does not show keeps
-it in the errors of every observer; the others can be put anywhere (Theorems 3.1 and 3.3 for the part that is left).
-So the best margin is that of the slowest fixed mode, and infinite if there is none.
+A mode that the control does not reach keeps its eigenvalue under u = Kx, and one that the output
+does not show keeps it in the errors of every observer; the others can be put anywhere (Theorems 3.1
+and 3.3 for the part that is left). So the best margin is that of the slowest fixed mode, and
+infinite if there is none.
 """
+
 from dataclasses import dataclass
 
 import numpy as np
@@ -17,11 +20,11 @@ from trajlib.structure.rank_tests import controllability, observability
 class FixedSpectrum:
     """What no gain changes; true in an `if` if the rest can be made asymptotically stable.
 
-    - `modes`: tuple of `LostMode`, the fixed eigenvalues, each with its vectors (rows w, no control changes w x, or
-      columns v, a motion exp(lambda t) v is not seen);
+    - `modes`: tuple of `LostMode`, the fixed eigenvalues, each with its vectors (rows w, no control
+      changes w x, or columns v, a motion exp(lambda t) v is not seen);
     - `obstacles`: those of them that do not decay, Re lambda >= 0;
-    - `margin`: the greatest margin that some gain gives (Definition 1.5: Re lambda <= -margin), `sp.oo` (for floats
-      `inf`) if nothing is fixed; zero or negative where there are obstacles;
+    - `margin`: the greatest margin that some gain gives (Definition 1.5: Re lambda <= -margin),
+      `sp.oo` (for floats `inf`) if nothing is fixed; zero or negative where there are obstacles;
     - `reason`: the verdict in words.
     """
 
@@ -38,11 +41,13 @@ class FixedSpectrum:
 
 
 def stabilisability(A, B=None):
-    """Can u = Kx stabilise x' = Ax + Bu, and how fast? (MATLAB: none; PBH test at the eigenvalues with Re >= 0.)
+    """Can u = Kx stabilise x' = Ax + Bu, and how fast? (MATLAB: none; PBH test at the eigenvalues
+    with Re >= 0.)
 
-    `A`: n x n, `B`: n x s, exact or floats. With symbols the verdict is for general values, and the real parts of fixed
-    eigenvalues must have a known sign. Returns `FixedSpectrum`. Raises ValueError for shapes that do not fit and for
-    signs that are not known. Source: Definition 3.1, Theorem 3.2 with its remark, examples 5 and 6.
+    `A`: n x n, `B`: n x s, exact or floats. With symbols the verdict is for general values, and the
+    real parts of fixed eigenvalues must have a known sign. Returns `FixedSpectrum`. Raises
+    ValueError for shapes that do not fit and for signs that are not known. Source: Definition 3.1,
+    Theorem 3.2 with its remark, examples 5 and 6.
 
     >>> import sympy as sp
     >>> found = stabilisability(sp.Matrix([[0, 1], [0, -1]]), sp.Matrix([1, 0]))
@@ -53,10 +58,12 @@ def stabilisability(A, B=None):
 
 
 def detectability(A, H=None):
-    """Is there an asymptotic observer of x' = Ax, z = Hx, and how fast can it be? (MATLAB: none; PBH test.)
+    """Is there an asymptotic observer of x' = Ax, z = Hx, and how fast can it be? (MATLAB: none;
+    PBH test.)
 
-    `A`: n x n, `H`: m x n, exact or floats, as in `stabilisability`. Returns `FixedSpectrum`. Raises ValueError for
-    shapes that do not fit and for signs that are not known. Source: Theorem 3.1 and example 3 of the problem book.
+    `A`: n x n, `H`: m x n, exact or floats, as in `stabilisability`. Returns `FixedSpectrum`.
+    Raises ValueError for shapes that do not fit and for signs that are not known. Source: Theorem
+    3.1 and example 3 of the problem book.
 
     >>> import sympy as sp
     >>> found = detectability(sp.Matrix([[1, 0], [0, -2]]), sp.Matrix([[0, 1]]))
@@ -67,10 +74,12 @@ def detectability(A, H=None):
 
 
 def best_margin(A, B=None, H=None):
-    """The greatest margin of u = Kx (given B), of an observer (given H), of a feedback by the estimate (given both).
+    """The greatest margin of u = Kx (given B), of an observer (given H), of a feedback by the
+    estimate (given both).
 
-    The margin is that of Definition 1.5, Re lambda <= -margin; `sp.oo` if every margin can be had. Arguments and errors
-    as in `stabilisability` and `detectability`. Source: examples 3, 6 and 9 of the problem book.
+    The margin is that of Definition 1.5, Re lambda <= -margin; `sp.oo` if every margin can be had.
+    Arguments and errors as in `stabilisability` and `detectability`. Source: examples 3, 6 and 9 of
+    the problem book.
 
     >>> import sympy as sp
     >>> A = sp.Matrix([[-1, 2, 1], [0, 3, 2], [-1, -2, -3]])
@@ -80,7 +89,11 @@ def best_margin(A, B=None, H=None):
     """
     if B is None and H is None:
         raise ValueError("B, H: expected the matrix of the control, that of the output, or both")
-    tests = [test(A, matrix) for test, matrix in ((stabilisability, B), (detectability, H)) if matrix is not None]
+    tests = [
+        test(A, matrix)
+        for test, matrix in ((stabilisability, B), (detectability, H))
+        if matrix is not None
+    ]
     return min((test.margin for test in tests), key=lambda margin: margin)
 
 
@@ -105,10 +118,16 @@ def _slowest(eigenvalue):
     """The real part of an eigenvalue; of several conjugate ones the greatest."""
     if isinstance(eigenvalue, sp.Poly):
         if eigenvalue.domain.is_Composite or eigenvalue.free_symbols_in_domain:
-            raise ValueError(f"A: the roots of {eigenvalue.as_expr()} are fixed, and their real parts depend on "
-                             "parameters; give these values")
+            raise ValueError(
+                f"A: the roots of {eigenvalue.as_expr()} are fixed, and their real parts depend on "
+                "parameters; give these values"
+            )
         return _greatest([sp.re(root) for root in eigenvalue.all_roots()])
-    return sp.simplify(sp.re(eigenvalue)) if isinstance(eigenvalue, sp.Basic) else float(np.real(eigenvalue))
+    return (
+        sp.simplify(sp.re(eigenvalue))
+        if isinstance(eigenvalue, sp.Basic)
+        else float(np.real(eigenvalue))
+    )
 
 
 def _greatest(rates):
@@ -120,8 +139,11 @@ def _greatest(rates):
 def _decays(rate, mode):
     decays = rate < 0
     if decays not in (True, False, sp.true, sp.false):
-        raise ValueError(f"A: whether the fixed mode with the eigenvalue {mode.eigenvalue} decays depends on its "
-                         "symbols; give them values or assumptions (positive=True)")
+        raise ValueError(
+            f"A: whether the fixed mode with the eigenvalue {mode.eigenvalue} decays depends on "
+            "its "
+            "symbols; give them values or assumptions (positive=True)"
+        )
     return bool(decays)
 
 

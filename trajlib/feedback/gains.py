@@ -1,15 +1,17 @@
-"""All gains of an observer or a regulator that give a prescribed characteristic polynomial, Theorems 3.1 and 3.3.
+"""All gains of an observer or a regulator that give a prescribed characteristic polynomial,
+Theorems 3.1 and 3.3.
 
 In the coordinates (xi; eta) of the decomposition by observation the errors of the observer obey
 
     A11 - L1 H1       0
     A21 - L2 H1      A22
 
-so L1 alone moves eigenvalues, those of the pair (A11, H1), which is observable; the polynomial of A22 is fixed and L2
-is free. For one output L1 is unique, L1 = phi(A11) N^-1 e (Ackermann, Bass and Gura). Several outputs are first joined
-to one by a chain of Heymann: it gives some of the gains, not all. Regulators are the same for the transposed system
-with K = -L^T.
+so L1 alone moves eigenvalues, those of the pair (A11, H1), which is observable; the polynomial of
+A22 is fixed and L2 is free. For one output L1 is unique, L1 = phi(A11) N^-1 e (Ackermann, Bass and
+Gura). Several outputs are first joined to one by a chain of Heymann: it gives some of the gains,
+not all. Regulators are the same for the transposed system with K = -L^T.
 """
+
 from dataclasses import dataclass
 
 import sympy as sp
@@ -25,10 +27,11 @@ from trajlib.structure.splitting import observability_decomposition
 
 @dataclass(frozen=True)
 class GainFamily:
-    """The gains with which the closed loop has the characteristic polynomial `polynomial` in `symbol`.
+    """The gains with which the closed loop has the characteristic polynomial `polynomial` in
+    `symbol`.
 
-    - `gain`: K, s x n, or L, n x m; it contains the symbols `free`, any values of which will do (none if no
-      eigenvalue is fixed);
+    - `gain`: K, s x n, or L, n x m; it contains the symbols `free`, any values of which will do
+      (none if no eigenvalue is fixed);
     - `fixed`: the factor of the polynomial that no gain changes, 1 if there is none;
     - `complete`: whether these are all such gains; with several controls (outputs) there are more.
     """
@@ -43,11 +46,13 @@ class GainFamily:
     @property
     def simplest(self):
         """The gain with zero for everything that is free."""
-        return self.gain.subs({symbol: 0 for symbol in self.free})
+        return self.gain.subs(dict.fromkeys(self.free, 0))
 
     def _repr_latex_(self):
         polynomial = sp.factor(self.polynomial)
-        upright = {symbol: sp.latex(symbol).replace("free", r"\mathrm{free}") for symbol in self.free}
+        upright = {
+            symbol: sp.latex(symbol).replace("free", r"\mathrm{free}") for symbol in self.free
+        }
         return rf"$\displaystyle {sp.latex(self.gain, symbol_names=upright)}:\quad {sp.latex(polynomial)}$"
 
 
@@ -56,13 +61,14 @@ def observer(A, H, polynomial=None, symbol=None, *, eigenvalues=None, margin=Non
 
     `A`: n x n, `H`: m x n, SymPy matrices, also with symbols (then generic). Prescribed is one of
 
-    - `polynomial` in `symbol`, of degree n or, without the fixed factor, of degree rank N; its coefficients may be
-      symbols;
+    - `polynomial` in `symbol`, of degree n or, without the fixed factor, of degree rank N; its
+      coefficients may be symbols;
     - `eigenvalues`: as many numbers, conjugate ones in pairs;
     - `margin` mu: what is not fixed goes to -mu.
 
-    Returns `GainFamily`. Raises ValueError if a fixed eigenvalue is not a root of the polynomial, or is slower than the
-    margin; it names the mode. Source: Theorem 3.1 and examples 1 - 3 of the problem book.
+    Returns `GainFamily`. Raises ValueError if a fixed eigenvalue is not a root of the polynomial,
+    or is slower than the margin; it names the mode. Source: Theorem 3.1 and examples 1 - 3 of the
+    problem book.
 
     >>> import sympy as sp
     >>> s, b1, b2 = sp.symbols("s beta1 beta2")
@@ -79,8 +85,9 @@ def observer(A, H, polynomial=None, symbol=None, *, eigenvalues=None, margin=Non
 def regulator(A, B, polynomial=None, symbol=None, *, eigenvalues=None, margin=None):
     """All K for which A + BK has a prescribed spectrum (MATLAB: -place(A, B, p), -acker).
 
-    `A`: n x n, `B`: n x s; the spectrum is prescribed as in `observer`. Note the sign, u = Kx. Returns `GainFamily`.
-    Raises ValueError as `observer` does. Source: Theorem 3.3 and examples 4 - 6 of the problem book.
+    `A`: n x n, `B`: n x s; the spectrum is prescribed as in `observer`. Note the sign, u = Kx.
+    Returns `GainFamily`. Raises ValueError as `observer` does. Source: Theorem 3.3 and examples 4 -
+    6 of the problem book.
 
     >>> import sympy as sp
     >>> s = sp.Symbol("s")
@@ -91,9 +98,13 @@ def regulator(A, B, polynomial=None, symbol=None, *, eigenvalues=None, margin=No
     (Matrix([[-3, free1]]), lambda**2 + 4*lambda + 3)
     """
     A, H = read_controlled(A, B)
-    family = _family(A, H, _Prescription(polynomial, symbol, eigenvalues, margin), _transposed_test, "W")
+    family = _family(
+        A, H, _Prescription(polynomial, symbol, eigenvalues, margin), _transposed_test, "W"
+    )
     gain = (-family.gain.T).subs({symbol: -symbol for symbol in family.free}, simultaneous=True)
-    return GainFamily(gain, family.free, family.polynomial, family.symbol, family.fixed, family.complete)
+    return GainFamily(
+        gain, family.free, family.polynomial, family.symbol, family.fixed, family.complete
+    )
 
 
 def _transposed_test(A, H):
@@ -109,21 +120,22 @@ def _family(A, H, wanted, test, kalman):
     symbol = wanted.symbol or visible_symbol(A, H)
     fixed = characteristic_polynomial(A22, symbol) if unseen else sp.Integer(1)
     movable = wanted.movable(symbol, seen, fixed, lambda: test(A, H), kalman)
-    # What has to hold is T L = L1 in the rows of xi: some entries of L stay free, the others follow.
+    # What has to hold is T L = L1 in the rows of xi: some entries of L stay free, the others
+    # follow.
     rows = parts.transformation[:seen, :]
     bound = list(exact.independent_rows(rows.T)) if seen else []
     unbound = [i for i in range(A.rows) if i not in bound]
     used = {s.name for s in A.free_symbols | H.free_symbols | movable.as_expr().free_symbols}
-    free = sp.Matrix(unseen, H.rows, sp.symbols(_names(unseen*H.rows, used)))
+    free = sp.Matrix(unseen, H.rows, sp.symbols(_names(unseen * H.rows, used)))
     gain = sp.zeros(A.rows, H.rows)
     for i, row in enumerate(unbound):
         gain[row, :] = free[i, :]
     if seen:
-        rest = _unique_gain(A11, H1, movable) - rows.extract(list(range(seen)), unbound)*free
+        rest = _unique_gain(A11, H1, movable) - rows.extract(list(range(seen)), unbound) * free
         found = exact.product(exact.inverse(rows.extract(list(range(seen)), bound)), rest)
         for i, row in enumerate(bound):
             gain[row, :] = found[i, :].applyfunc(_readable)
-    polynomial = sp.expand(movable.as_expr()*fixed)
+    polynomial = sp.expand(movable.as_expr() * fixed)
     return GainFamily(gain, tuple(free), polynomial, symbol, fixed, H.rows == 1)
 
 
@@ -138,13 +150,14 @@ def _names(count, used):
 
 
 def _unique_gain(A, H, polynomial):
-    """L with det(lambda E - A + LH) = polynomial for an observable pair; a choice if there are several outputs."""
+    """L with det(lambda E - A + LH) = polynomial for an observable pair; a choice if there are
+    several outputs."""
     if H.rows == 1:
         return _ackermann(A, H, polynomial)
     joined, weights = _heymann(A.T, H.T)
-    chain = A + joined.T*H
-    row = weights.T*H
-    return _ackermann(chain, row, polynomial)*weights.T - joined.T
+    chain = A + joined.T * H
+    row = weights.T * H
+    return _ackermann(chain, row, polynomial) * weights.T - joined.T
 
 
 def _ackermann(A, h, polynomial):
@@ -152,25 +165,28 @@ def _ackermann(A, h, polynomial):
     n = A.rows
     rows = [h]
     while len(rows) < n:
-        rows.append((rows[-1]*A).applyfunc(sp.expand))
+        rows.append((rows[-1] * A).applyfunc(sp.expand))
     last = exact.inverse(sp.Matrix.vstack(*rows))[:, n - 1]
     gain = sp.zeros(n, 1)
     for coefficient in polynomial.all_coeffs():
-        gain = (A*gain + coefficient*last).applyfunc(sp.expand)
+        gain = (A * gain + coefficient * last).applyfunc(sp.expand)
     return gain
 
 
 def _heymann(F, G):
-    """K and q for which (F + GK, Gq) is controllable by one control, for a controllable pair (F, G)."""
+    """K and q for which (F + GK, Gq) is controllable by one control, for a controllable pair (F,
+    G)."""
     n, s = G.shape
     first = next(j for j in range(s) if any(G[:, j]))
     states, inputs = G[:, first], []
     while states.cols < n:
-        ahead = F*states[:, -1]
+        ahead = F * states[:, -1]
         pushes = [sp.zeros(s, 1), *(sp.eye(s)[:, j] for j in range(s))]
-        push = next(u for u in pushes if exact.rank(states.row_join(ahead + G*u)) > states.cols)
-        states, inputs = states.row_join(exact.tidy(ahead + G*push)), [*inputs, push]
-    return exact.product(sp.Matrix.hstack(*inputs, sp.zeros(s, 1)), exact.inverse(states)), sp.eye(s)[:, first]
+        push = next(u for u in pushes if exact.rank(states.row_join(ahead + G * u)) > states.cols)
+        states, inputs = states.row_join(exact.tidy(ahead + G * push)), [*inputs, push]
+    return exact.product(sp.Matrix.hstack(*inputs, sp.zeros(s, 1)), exact.inverse(states)), sp.eye(
+        s
+    )[:, first]
 
 
 class _Prescription:
@@ -184,7 +200,11 @@ class _Prescription:
         self.margin = None if margin is None else exact_decimals(read_expression(margin, "margin"))
         if isinstance(polynomial, sp.Poly):
             self.symbol, polynomial = polynomial.gen, polynomial.as_expr()
-        self.polynomial = None if polynomial is None else exact_decimals(read_expression(polynomial, "polynomial"))
+        self.polynomial = (
+            None
+            if polynomial is None
+            else exact_decimals(read_expression(polynomial, "polynomial"))
+        )
         if self.polynomial is not None and self.symbol is None:
             if len(self.polynomial.free_symbols) != 1:
                 raise ValueError("symbol: say which symbol the polynomial is in")
@@ -196,24 +216,36 @@ class _Prescription:
             found = test()
             if found.modes and sp.sympify(found.margin < self.margin) is sp.true:
                 raise ValueError(f"margin: {self.margin} cannot be had; {found.reason}")
-            return sp.Poly((symbol + self.margin)**degree, symbol)
+            return sp.Poly((symbol + self.margin) ** degree, symbol)
         if self.eigenvalues is not None:
-            wanted = sp.Poly(sp.expand(sp.prod([symbol - exact_decimals(sp.sympify(e)) for e in self.eigenvalues])),
-                             symbol)
+            wanted = sp.Poly(
+                sp.expand(
+                    sp.prod([symbol - exact_decimals(sp.sympify(e)) for e in self.eigenvalues])
+                ),
+                symbol,
+            )
             if wanted.has(sp.I):
                 raise ValueError("eigenvalues: expected conjugate ones in pairs")
         else:
             wanted = sp.Poly(self.polynomial, symbol)
         order = degree + sp.degree(fixed, symbol)
         if wanted.degree() not in (degree, order):
-            raise ValueError(f"polynomial: expected the degree {order}"
-                             + (f", or {degree} (the rank of {kalman}) for what is not fixed" if degree < order else "")
-                             + f", got {wanted.degree()}")
+            raise ValueError(
+                f"polynomial: expected the degree {order}"
+                + (
+                    f", or {degree} (the rank of {kalman}) for what is not fixed"
+                    if degree < order
+                    else ""
+                )
+                + f", got {wanted.degree()}"
+            )
         wanted = wanted.monic()
         if wanted.degree() == degree:
             return wanted
         quotient, rest = sp.div(wanted, sp.Poly(fixed, symbol))
         if any(sp.simplify(c) != 0 for c in rest.all_coeffs()):
-            raise ValueError(f"polynomial: the factor {sp.factor(fixed)} is fixed and has to divide it; "
-                             f"{test().reason}")
+            raise ValueError(
+                f"polynomial: the factor {sp.factor(fixed)} is fixed and has to divide it; "
+                f"{test().reason}"
+            )
         return quotient

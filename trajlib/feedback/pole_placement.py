@@ -1,22 +1,28 @@
-"""Gains on arrays: eigenvalues of A + BK placed in floating point, and how far the numbers can be trusted.
+"""Gains on arrays: eigenvalues of A + BK placed in floating point, and how far the numbers can be
+trusted.
 
-With one control the gain is unique, K = -e^T W^-1 psi(A) (Ackermann), and only the arithmetic is in question. The
-formula loses as many digits as Kalman's matrix W has in its condition, thirty and more for n = 40. So it is computed
-with many digits, and again with twice as many, until both agree to all those of a float; bad units cost nothing, since
-these numbers have no bounds on their exponents. The rounding of K to floats is all the error that is left. It can be
-too much by itself: to move thirty eigenvalues of a general matrix by one control takes a gain so large that its last
-digit moves them by more than their size. Then there is no good gain of floats, and `Placement` says so.
+With one control the gain is unique, K = -e^T W^-1 psi(A) (Ackermann), and only the arithmetic is in
+question. The formula loses as many digits as Kalman's matrix W has in its condition, thirty and
+more for n = 40. So it is computed with many digits, and again with twice as many, until both agree
+to all those of a float; bad units cost nothing, since these numbers have no bounds on their
+exponents. The rounding of K to floats is all the error that is left. It can be too much by itself:
+to move thirty eigenvalues of a general matrix by one control takes a gain so large that its last
+digit moves them by more than their size. Then there is no good gain of floats, and `Placement` says
+so.
 
-With several controls the gain is chosen for well-conditioned eigenvectors, by `scipy.signal.place_poles` (A. L. Tits
-and Y. Yang, Globally convergent algorithms for robust pole assignment by state feedback, 1996). That refuses an
-eigenvalue which comes more often than there are controls, since eigenvectors are then missing. In this case chains of
-Jordan are prescribed: A X + B G = X J, K = G X^-1 (S. P. Bhattacharyya and E. de Souza, Pole assignment via Sylvester's
-equation, 1982), for several G. SciPy's eigenvectors are left a little off by its search; they are corrected once.
+With several controls the gain is chosen for well-conditioned eigenvectors, by
+`scipy.signal.place_poles` (A. L. Tits and Y. Yang, Globally convergent algorithms for robust pole
+assignment by state feedback, 1996). That refuses an eigenvalue which comes more often than there
+are controls, since eigenvectors are then missing. In this case chains of Jordan are prescribed: A X
++ B G = X J, K = G X^-1 (S. P. Bhattacharyya and E. de Souza, Pole assignment via Sylvester's
+equation, 1982), for several G. SciPy's eigenvectors are left a little off by its search; they are
+corrected once.
 
-Of the gains found, SciPy's in the given units among them, the one is returned whose loop comes closest; for one control
-the exact one, rounded, unless SciPy's is ten times closer: then the digits of floats have ended, and a smaller gain
-does less harm.
+Of the gains found, SciPy's in the given units among them, the one is returned whose loop comes
+closest; for one control the exact one, rounded, unless SciPy's is ten times closer: then the digits
+of floats have ended, and a smaller gain does less harm.
 """
+
 import warnings
 from collections import Counter
 from dataclasses import dataclass, replace
@@ -45,15 +51,16 @@ class Placement:
     """A gain of floats with what is known of its accuracy.
 
     - `gain`: K, s x n, of u = Kx;
-    - `wanted`: the eigenvalues asked for; `reached`: those of A + BK as NumPy computes them, in the same order;
+    - `wanted`: the eigenvalues asked for; `reached`: those of A + BK as NumPy computes them, in the
+      same order;
     - `distance`: the greatest one between the two;
-    - `residual`: the greatest share of its norm by which A + BK, in balanced units, has to be changed so that a number
-      asked for is an eigenvalue; of the size of rounding, 1e-16, at best;
-    - `condition`: that of the eigenvectors of A + BK, in the same units; infinite or huge if some are missing, as for
-      an eigenvalue that comes more often than there are controls;
-    - `uncertainty`: by how much the rounding of the entries of A + BK may move an eigenvalue (bound of Bauer and Fike),
-      for one control with the gain that would be exact. Where it is not small beside what was asked for, floats do not
-      hold a gain that does better.
+    - `residual`: the greatest share of its norm by which A + BK, in balanced units, has to be
+      changed so that a number asked for is an eigenvalue; of the size of rounding, 1e-16, at best;
+    - `condition`: that of the eigenvectors of A + BK, in the same units; infinite or huge if some
+      are missing, as for an eigenvalue that comes more often than there are controls;
+    - `uncertainty`: by how much the rounding of the entries of A + BK may move an eigenvalue (bound
+      of Bauer and Fike), for one control with the gain that would be exact. Where it is not small
+      beside what was asked for, floats do not hold a gain that does better.
     """
 
     gain: np.ndarray
@@ -66,12 +73,14 @@ class Placement:
 
 
 def place(A, B, eigenvalues):
-    """K with the eigenvalues of A + BK as asked for, repeated ones too (MATLAB: -place(A, B, p), -acker(A, B, p)).
+    """K with the eigenvalues of A + BK as asked for, repeated ones too (MATLAB: -place(A, B, p),
+    -acker(A, B, p)).
 
-    `A`: n x n, `B`: n x s arrays, or a python-control StateSpace and None; `eigenvalues`: n numbers, conjugate ones in
-    pairs. Note the sign, u = Kx. Returns `Placement`. For an observer L = -place(A.T, H.T, eigenvalues).gain.T.
-    Raises ValueError for a pair that is not controllable, with the mode that cannot be moved, and for eigenvalues that
-    are not n or not in pairs. Source: Theorem 3.3 of the problem book.
+    `A`: n x n, `B`: n x s arrays, or a python-control StateSpace and None; `eigenvalues`: n
+    numbers, conjugate ones in pairs. Note the sign, u = Kx. Returns `Placement`. For an observer L
+    = -place(A.T, H.T, eigenvalues).gain.T. Raises ValueError for a pair that is not controllable,
+    with the mode that cannot be moved, and for eigenvalues that are not n or not in pairs. Source:
+    Theorem 3.3 of the problem book.
 
     >>> import numpy as np
     >>> found = place(np.array([[0.0, 1.0], [1.0, 0.0]]), np.array([[0.0], [1.0]]), [-1, -1])
@@ -85,8 +94,10 @@ def place(A, B, eigenvalues):
     wanted = _read(eigenvalues, len(A))
     test = controllability(A, B)
     if not test:
-        raise ValueError(f"A, B: {test.reason}; only what is controllable can be placed "
-                         "(controllability_decomposition splits it off)")
+        raise ValueError(
+            f"A, B: {test.reason}; only what is controllable can be placed "
+            "(controllability_decomposition splits it off)"
+        )
     gains = [_scipy(A, B, wanted)]
     if B.shape[1] == 1:
         gains.insert(0, _single(A, B[:, 0], wanted)[None, :])
@@ -102,7 +113,11 @@ def place(A, B, eigenvalues):
     best = min(placed, key=lambda found: found.distance)
     if B.shape[1] > 1:
         return best
-    return placed[0] if placed[0].distance < LUCK*best.distance else replace(best, uncertainty=placed[0].uncertainty)
+    return (
+        placed[0]
+        if placed[0].distance < LUCK * best.distance
+        else replace(best, uncertainty=placed[0].uncertainty)
+    )
 
 
 def _read(eigenvalues, n):
@@ -120,10 +135,14 @@ def _single(A, b, wanted):
     while digits <= LAST:
         found = _ackermann(A, b, wanted, digits)
         if found is not None and last is not None:
-            small = [abs(new) <= 1e-10*abs(old) for new, old in zip(found, last)]  # zero, but for its rounding
-            if all(tiny or abs(new - old) <= AGREED*abs(new) for new, old, tiny in zip(found, last, small)):
+            # zero, but for its rounding
+            small = [abs(new) <= 1e-10 * abs(old) for new, old in zip(found, last)]
+            if all(
+                tiny or abs(new - old) <= AGREED * abs(new)
+                for new, old, tiny in zip(found, last, small)
+            ):
                 return np.array([0.0 if tiny else float(new) for new, tiny in zip(found, small)])
-        digits, last = 2*digits, found
+        digits, last = 2 * digits, found
     raise ValueError(f"A, B: {LAST} digits do not tell this pair from one that is not controllable")
 
 
@@ -138,7 +157,9 @@ def _ackermann(A, b, wanted, digits):
         while len(chain) < len(b):
             chain.append([mpmath.fdot(row, chain[-1]) for row in exact])
         try:  # the rows of W^T are the members of the chain
-            row = list(mpmath.lu_solve(mpmath.matrix(chain), mpmath.matrix([0]*(len(b) - 1) + [1])))
+            row = list(
+                mpmath.lu_solve(mpmath.matrix(chain), mpmath.matrix([0] * (len(b) - 1) + [1]))
+            )
         except ZeroDivisionError:
             return None
 
@@ -148,15 +169,16 @@ def _ackermann(A, b, wanted, digits):
         for value in wanted:
             if value.imag > 0:  # with its conjugate: A^2 - 2 Re A + |lambda|^2
                 real, imaginary = mpmath.mpf(value.real), mpmath.mpf(value.imag)
-                once = [x - real*y for x, y in zip(times(row), row)]
-                row = [x - real*y + imaginary**2*z for x, y, z in zip(times(once), once, row)]
+                once = [x - real * y for x, y in zip(times(row), row)]
+                row = [x - real * y + imaginary**2 * z for x, y, z in zip(times(once), once, row)]
             elif value.imag == 0:
-                row = [x - mpmath.mpf(value.real)*y for x, y in zip(times(row), row)]
+                row = [x - mpmath.mpf(value.real) * y for x, y in zip(times(row), row)]
         return [-x for x in row]
 
 
 def _scipy(A, B, wanted):
-    """SciPy's gain, or None where it refuses, as for an eigenvalue that comes more often than there are controls."""
+    """SciPy's gain, or None where it refuses, as for an eigenvalue that comes more often than there
+    are controls."""
     from scipy.signal import place_poles
 
     with warnings.catch_warnings():
@@ -169,16 +191,22 @@ def _scipy(A, B, wanted):
 
 
 def _again(A, B, gain, wanted):
-    """The gain from eigenvectors that belong to the eigenvalues exactly: SciPy's are left a little off by its search.
+    """The gain from eigenvectors that belong to the eigenvalues exactly: SciPy's are left a little
+    off by its search.
 
-    With g = K v for the vectors v of the loop, (lambda E - A) v' = B g gives vectors close to them, and K' v' = g.
+    With g = K v for the vectors v of the loop, (lambda E - A) v' = B g gives vectors close to them,
+    and K' v' = g.
     """
     values, vectors = np.linalg.eig(A + B @ gain)
     order = _matched(wanted, values)
     pushes = gain @ vectors[:, order]
     try:
-        ahead = np.column_stack([np.linalg.solve(value*np.eye(len(A)) - A, B @ push)
-                                 for value, push in zip(wanted, pushes.T)])
+        ahead = np.column_stack(
+            [
+                np.linalg.solve(value * np.eye(len(A)) - A, B @ push)
+                for value, push in zip(wanted, pushes.T)
+            ]
+        )
         found = np.linalg.solve(ahead.T, pushes.T).T.real
     except np.linalg.LinAlgError:
         return None
@@ -186,30 +214,31 @@ def _again(A, B, gain, wanted):
 
 
 def _uneven(A, B):
-    """Whether the units of the states or of the controls differ so much that others may do better."""
+    """Whether the units of the states or of the controls differ so much that others may do
+    better."""
     _, _, units, pushes, _ = _in_units(A, B)
-    return max(sizes.max()/sizes.min() for sizes in (units, pushes)) > UNEVEN
+    return max(sizes.max() / sizes.min() for sizes in (units, pushes)) > UNEVEN
 
 
 def _in_good_units(method, A, B, wanted):
     scaled, inputs, units, pushes, rate = _in_units(A, B)
-    gain = method(scaled, inputs, wanted/rate)
-    return None if gain is None else pushes[:, None]*gain/units
+    gain = method(scaled, inputs, wanted / rate)
+    return None if gain is None else pushes[:, None] * gain / units
 
 
 def _in_units(A, B):
     """(A, B) with x = D y, u = R v and time in the units of `balanced`; D, R and the rate."""
     found = balanced(A.T, B.T)  # of the dual pair: its states are measured in the inverse units
-    units = 1/found.units
-    scaled, inputs = A*units/units[:, None]/found.rate, B/units[:, None]/found.rate
+    units = 1 / found.units
+    scaled, inputs = A * units / units[:, None] / found.rate, B / units[:, None] / found.rate
     sizes = np.linalg.norm(inputs, axis=0)
-    pushes = 1/np.where(sizes > 0, sizes, 1)
-    return scaled, inputs*pushes, units, pushes, found.rate
+    pushes = 1 / np.where(sizes > 0, sizes, 1)
+    return scaled, inputs * pushes, units, pushes, found.rate
 
 
 def _by_chains(A, B, wanted):
-    """A gain under which the loop has chains of Jordan, as many for each eigenvalue as there are controls, or all that
-    are needed: the best conditioned of those tried, or None."""
+    """A gain under which the loop has chains of Jordan, as many for each eigenvalue as there are
+    controls, or all that are needed: the best conditioned of those tried, or None."""
     from scipy.linalg import solve_sylvester
 
     n, s = B.shape
@@ -230,20 +259,27 @@ def _by_chains(A, B, wanted):
 
 
 def _jordan(wanted, most):
-    """A real matrix with these eigenvalues, each in at most `most` chains of nearly equal lengths."""
+    """A real matrix with these eigenvalues, each in at most `most` chains of nearly equal
+    lengths."""
     blocks = []
     for value, times in Counter(value for value in wanted.tolist() if value.imag >= 0).items():
         chains = min(times, most)
-        lengths = [times//chains + (k < times % chains) for k in range(chains)]
-        small = (np.array([[value.real]]) if not value.imag else
-                 np.array([[value.real, value.imag], [-value.imag, value.real]]))
+        lengths = [times // chains + (k < times % chains) for k in range(chains)]
+        small = (
+            np.array([[value.real]])
+            if not value.imag
+            else np.array([[value.real, value.imag], [-value.imag, value.real]])
+        )
         # A link of the size of the eigenvalue keeps the chain well-conditioned.
-        blocks += [np.kron(np.eye(length), small) + abs(value or 1.0)*np.kron(np.eye(length, k=1), np.eye(len(small)))
-                   for length in lengths]
+        blocks += [
+            np.kron(np.eye(length), small)
+            + abs(value or 1.0) * np.kron(np.eye(length, k=1), np.eye(len(small)))
+            for length in lengths
+        ]
     n = sum(map(len, blocks))
     found, place_of = np.zeros((n, n)), 0
     for block in blocks:
-        found[place_of:place_of + len(block), place_of:place_of + len(block)] = block
+        found[place_of : place_of + len(block), place_of : place_of + len(block)] = block
         place_of += len(block)
     return found
 
@@ -253,14 +289,23 @@ def _judged(A, B, gain, wanted):
     # Units in which the loop is judged: they change no eigenvalue.
     found = balanced(loop, np.zeros((1, len(loop))))
     matrix, rate = found.A, found.rate
-    residual = max(np.linalg.svd(matrix - value/rate*np.eye(len(matrix)), compute_uv=False)[-1]
-                   for value in set(wanted.tolist()))
+    residual = max(
+        np.linalg.svd(matrix - value / rate * np.eye(len(matrix)), compute_uv=False)[-1]
+        for value in set(wanted.tolist())
+    )
     found, vectors = np.linalg.eigvals(loop), np.linalg.eig(matrix)[1]
     with np.errstate(all="ignore"):
         condition = float(np.linalg.cond(vectors))
     found = found[_matched(wanted, found)]
-    return Placement(gain, wanted, found, float(abs(wanted - found).max()), float(residual), condition,
-                     float(EPS*condition*rate*np.linalg.norm(matrix, 2)))
+    return Placement(
+        gain,
+        wanted,
+        found,
+        float(abs(wanted - found).max()),
+        float(residual),
+        condition,
+        float(EPS * condition * rate * np.linalg.norm(matrix, 2)),
+    )
 
 
 def _matched(wanted, found):

@@ -1,13 +1,17 @@
-"""Linear regulators with a quadratic cost: for all time (LQR), up to an end, and by a measurement with noise (LQG).
+"""Linear regulators with a quadratic cost: for all time (LQR), up to an end, and by a measurement
+with noise (LQG).
 
-For x' = Ax + Bu the cost is J = integral of (x^T G x + u^T N u) dt, with the end given plus x(T)^T F x(T). Its least
-value from x is x^T S x, the law u = Kx has K = -N^-1 B^T S, and S obeys the Riccati equation
+For x' = Ax + Bu the cost is J = integral of (x^T G x + u^T N u) dt, with the end given plus x(T)^T
+F x(T). Its least value from x is x^T S x, the law u = Kx has K = -N^-1 B^T S, and S obeys the
+Riccati equation
 
     -S' = A^T S + S A + G - S B N^-1 B^T S,    S(T) = F,
 
-without S' for all time. It is that of a filter's covariance for (A^T, B^T, G, N) with time turned round, and is solved
-there. A factor before the whole cost, as 1/2, changes neither S nor K: then J = x^T S x / 2.
+without S' for all time. It is that of a filter's covariance for (A^T, B^T, G, N) with time turned
+round, and is solved there. A factor before the whole cost, as 1/2, changes neither S nor K: then J
+= x^T S x / 2.
 """
+
 from dataclasses import dataclass
 
 import numpy as np
@@ -27,7 +31,8 @@ class QuadraticRegulator:
     """The best linear law u = Kx for a quadratic cost; false in an `if` if there is none.
 
     - `cost`: S, n x n, the least cost from x is x^T S x; `gain`: K, s x n; `loop`: A + BK;
-    - `where`: the condition on symbols under which all this holds; `reason`: what there is, or why there is nothing.
+    - `where`: the condition on symbols under which all this holds; `reason`: what there is, or why
+      there is nothing.
     """
 
     cost: object
@@ -48,15 +53,17 @@ class QuadraticRegulator:
 
 
 def lqr(A, B, G, N, stable=True):
-    """The law u = Kx of least cost for all time (MATLAB: -lqr(A, B, G, N); python-control: -lqr(A, B, G, N)[0]).
+    """The law u = Kx of least cost for all time (MATLAB: -lqr(A, B, G, N); python-control: -lqr(A,
+    B, G, N)[0]).
 
-    `A`: n x n; `B`: n x s; `G`: n x n, positive semidefinite; `N`: s x s, positive definite. Exact, also with symbols,
-    or floats. Note the sign, u = Kx. With `stable` the best of the laws that bring every state to zero, from the
-    stabilising solution of the Riccati equation; there is one if and only if (A, B) is stabilisable and the cost sees
-    every mode on the imaginary axis. With `stable=False` the best of all, whatever becomes of states that the cost does
-    not see: the least S >= 0 that solves the equation. Returns `QuadraticRegulator`, for general values of symbols.
-    Raises ValueError for shapes that do not fit and weights that are none, NotImplementedError for exact spectra beyond
-    square roots. Source: section 5.4 of the problem book.
+    `A`: n x n; `B`: n x s; `G`: n x n, positive semidefinite; `N`: s x s, positive definite. Exact,
+    also with symbols, or floats. Note the sign, u = Kx. With `stable` the best of the laws that
+    bring every state to zero, from the stabilising solution of the Riccati equation; there is one
+    if and only if (A, B) is stabilisable and the cost sees every mode on the imaginary axis. With
+    `stable=False` the best of all, whatever becomes of states that the cost does not see: the least
+    S >= 0 that solves the equation. Returns `QuadraticRegulator`, for general values of symbols.
+    Raises ValueError for shapes that do not fit and weights that are none, NotImplementedError for
+    exact spectra beyond square roots. Source: section 5.4 of the problem book.
 
     >>> lqr(1, 1, 1, 2).gain    # problem 5.63
     Matrix([[-sqrt(6)/2 - 1]])
@@ -70,20 +77,37 @@ def lqr(A, B, G, N, stable=True):
         return _without_the_unseen(A, B, G, N)
     filter = stationary_filter(A.T, B.T, G, N)
     if not filter:
-        controlled = bool(stationary_filter(A.T, B.T, _unit(A), N))  # with a cost that sees everything
-        return QuadraticRegulator(None, None, None, sp.false, "no stabilising law of least cost: " + (
-            "a mode on the imaginary axis is not seen by the cost" if controlled else
-            "not stabilisable, a mode that does not decay is not controlled"))
+        # with a cost that sees everything
+        controlled = bool(stationary_filter(A.T, B.T, _unit(A), N))
+        return QuadraticRegulator(
+            None,
+            None,
+            None,
+            sp.false,
+            "no stabilising law of least cost: "
+            + (
+                "a mode on the imaginary axis is not seen by the cost"
+                if controlled
+                else "not stabilisable, a mode that does not decay is not controlled"
+            ),
+        )
     general = "" if filter.where == sp.true else f"; where {filter.where}"
-    return QuadraticRegulator(filter.covariance, -filter.gain.T, filter.errors.T, filter.where,
-                              f"the stabilising law of least cost{general}")
+    return QuadraticRegulator(
+        filter.covariance,
+        -filter.gain.T,
+        filter.errors.T,
+        filter.where,
+        f"the stabilising law of least cost{general}",
+    )
 
 
 def finite_lqr(A, B, G, N, F, left):
-    """The law u = K(t) x of least cost up to an end T, where x^T F x is paid, at the time T - `left`.
+    """The law u = K(t) x of least cost up to an end T, where x^T F x is paid, at the time T -
+    `left`.
 
-    `F`: n x n, positive semidefinite; `left`: a number >= 0 or, for exact matrices, a symbol; the rest and the errors
-    as for `lqr`. Returns `QuadraticRegulator`. Source: section 5.4 of the problem book.
+    `F`: n x n, positive semidefinite; `left`: a number >= 0 or, for exact matrices, a symbol; the
+    rest and the errors as for `lqr`. Returns `QuadraticRegulator`. Source: section 5.4 of the
+    problem book.
 
     >>> left = sp.Symbol("left", positive=True)
     >>> finite_lqr(0, 1, 0, 1, 1, left).gain[0]
@@ -91,22 +115,32 @@ def finite_lqr(A, B, G, N, F, left):
     """
     A, B, G, N = _read(A, B, G, N)
     dual = ContinuousFilter(A.T, B.T, G, N)
-    F = read_covariance(F if not isinstance(A, np.ndarray) else np.asarray(F, dtype=float), "F", A.shape[0],
-                        isinstance(A, np.ndarray))
+    F = read_covariance(
+        F if not isinstance(A, np.ndarray) else np.asarray(F, dtype=float),
+        "F",
+        A.shape[0],
+        isinstance(A, np.ndarray),
+    )
     cost = dual.covariance(F, left)
-    gain = -(N.inv()*B.T*cost if isinstance(cost, sp.MatrixBase) else np.linalg.solve(N, B.T @ cost))
-    return QuadraticRegulator(cost, gain, A + B @ gain, sp.true, "the law of least cost up to the end")
+    gain = -(
+        N.inv() * B.T * cost if isinstance(cost, sp.MatrixBase) else np.linalg.solve(N, B.T @ cost)
+    )
+    return QuadraticRegulator(
+        cost, gain, A + B @ gain, sp.true, "the law of least cost up to the end"
+    )
 
 
 @dataclass(frozen=True)
 class StochasticRegulator:
-    """The best feedback by a measurement with noise, u = Ke, e' = (A + BK - LH) e + Lz; false in an `if` if none.
+    """The best feedback by a measurement with noise, u = Ke, e' = (A + BK - LH) e + Lz; false in an
+    `if` if none.
 
-    - `regulator`: `QuadraticRegulator`, as if the state were known; `filter`: `StationaryFilter`, with the gain L and
-      the covariance P of x - e, as if there were no control: the separation theorem;
+    - `regulator`: `QuadraticRegulator`, as if the state were known; `filter`: `StationaryFilter`,
+      with the gain L and the covariance P of x - e, as if there were no control: the separation
+      theorem;
     - `controller`: A + BK - LH, n x n;
-    - `price`: lim M[x^T G x + u^T N u] = tr(SQ) + tr(P K^T N K); `known`: the first term, what the noise costs if the
-      state is known.
+    - `price`: lim M[x^T G x + u^T N u] = tr(SQ) + tr(P K^T N K); `known`: the first term, what the
+      noise costs if the state is known.
     """
 
     regulator: QuadraticRegulator
@@ -120,10 +154,12 @@ class StochasticRegulator:
 
 
 def lqg(A, B, H, G, N, Q, R):
-    """The best feedback for x' = Ax + Bu + q, z = Hx + r and the cost lim M[x^T G x + u^T N u] (MATLAB: lqg).
+    """The best feedback for x' = Ax + Bu + q, z = Hx + r and the cost lim M[x^T G x + u^T N u]
+    (MATLAB: lqg).
 
-    `H`: m x n; `Q`: n x n, the intensity of q; `R`: m x m, that of r; the rest and the errors as for `lqr`. Returns
-    `StochasticRegulator`. Source: section 5.4 of the problem book, with Theorem 4.4.
+    `H`: m x n; `Q`: n x n, the intensity of q; `R`: m x m, that of r; the rest and the errors as
+    for `lqr`. Returns `StochasticRegulator`. Source: section 5.4 of the problem book, with Theorem
+    4.4.
 
     >>> found = lqg([[0, 1], [-1, 0]], [0, 1], [[0, 1]], sp.diag(0, 1), 1, sp.diag(0, 4), 1)    # problem 5.70
     >>> found.regulator.gain, found.filter.gain.T, found.price
@@ -135,10 +171,15 @@ def lqg(A, B, H, G, N, Q, R):
     if not (regulator and filter):
         return StochasticRegulator(regulator, filter, None, None, None)
     floats = isinstance(filter.covariance, np.ndarray) or isinstance(A, np.ndarray)
-    H, Q = read_matrix(H, "H", None, A.shape[0], floats), read_covariance(Q, "Q", A.shape[0], floats)
+    H, Q = (
+        read_matrix(H, "H", None, A.shape[0], floats),
+        read_covariance(Q, "Q", A.shape[0], floats),
+    )
     K, P = regulator.gain, filter.covariance
     known, unknown = (_trace(product) for product in (regulator.cost @ Q, P @ K.T @ N @ K))
-    return StochasticRegulator(regulator, filter, tidy(regulator.loop - filter.gain @ H), known + unknown, known)
+    return StochasticRegulator(
+        regulator, filter, tidy(regulator.loop - filter.gain @ H), known + unknown, known
+    )
 
 
 def _read(A, B, G, N):
@@ -148,16 +189,24 @@ def _read(A, B, G, N):
     flat = np.ndim(B if floats or isinstance(B, sp.MatrixBase) else np.array(B, dtype=object)) < 2
     B = read_matrix(B, "B", None, None, floats)
     B = read_matrix(B.T if flat and n > 1 else B, "B", n, None, floats)
-    return A, B, read_covariance(G, "G", n, floats), read_covariance(N, "N", B.shape[1], floats, definite=True)
+    return (
+        A,
+        B,
+        read_covariance(G, "G", n, floats),
+        read_covariance(N, "N", B.shape[1], floats, definite=True),
+    )
 
 
 def _without_the_unseen(A, B, G, N):
-    """What the cost does not see is left out: of the rest, y = Ty x, every mode is seen, and S is unique."""
+    """What the cost does not see is left out: of the rest, y = Ty x, every mode is seen, and S is
+    unique."""
     split = observability_decomposition(A, G)
     n, floats = split.sizes[0], isinstance(A, np.ndarray)
     if not n:
-        zero = B.T*0
-        return QuadraticRegulator(G*0, zero, A + B @ zero, sp.true, "the cost sees nothing: no control costs least")
+        zero = B.T * 0
+        return QuadraticRegulator(
+            G * 0, zero, A + B @ zero, sp.true, "the cost sees nothing: no control costs least"
+        )
     T = split.transformation
     back = np.linalg.inv(T) if floats else T.inv()
     seen, into = T[:n, :], back[:, :n]
@@ -165,7 +214,9 @@ def _without_the_unseen(A, B, G, N):
     if not part:
         return part
     cost, gain = symmetric(seen.T @ part.cost @ seen), tidy(part.gain @ seen)
-    return QuadraticRegulator(cost, gain, tidy(A + B @ gain), part.where, part.reason.replace("stabilising ", ""))
+    return QuadraticRegulator(
+        cost, gain, tidy(A + B @ gain), part.where, part.reason.replace("stabilising ", "")
+    )
 
 
 def _unit(A):
@@ -173,4 +224,6 @@ def _unit(A):
 
 
 def _trace(matrix):
-    return float(np.trace(matrix)) if isinstance(matrix, np.ndarray) else sp.simplify(matrix.trace())
+    return (
+        float(np.trace(matrix)) if isinstance(matrix, np.ndarray) else sp.simplify(matrix.trace())
+    )

@@ -1,4 +1,5 @@
 """Reading what callers give, with errors that name the cause."""
+
 import operator
 
 import numpy as np
@@ -53,13 +54,22 @@ def vectors(value, name, length=2):
 
 
 def arc(value, name):
-    """(low, width) of an arc of headings in radians; the full circle if None, one heading if a number."""
+    """(low, width) of an arc of headings in radians; the full circle if None, one heading if a
+    number."""
     if value is None:
-        return 0.0, 2*np.pi
+        return 0.0, 2 * np.pi
     ends = np.atleast_1d(_floats(value, name, "a heading or (low, high)"))
-    if ends.ndim != 1 or ends.size > 2 or not np.isfinite(ends).all() or not 0 <= ends[-1] - ends[0] <= 2*np.pi:
-        raise ValueError(f"{name}: expected a heading or (low, high), low <= high <= low + 2 pi, in radians, got "
-                         f"{value!r}")
+    if (
+        ends.ndim != 1
+        or ends.size > 2
+        or not np.isfinite(ends).all()
+        or not 0 <= ends[-1] - ends[0] <= 2 * np.pi
+    ):
+        raise ValueError(
+            f"{name}: expected a heading or (low, high), low <= high <= low + 2 pi, in radians, "
+            "got "
+            f"{value!r}"
+        )
     return float(ends[0]), float(ends[-1] - ends[0])
 
 

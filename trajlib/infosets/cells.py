@@ -1,99 +1,124 @@
-"""The guaranteed step: every node stands for a closed cell of headings and speeds, and nothing is rounded inwards.
+"""The guaranteed step: every node stands for a closed cell of headings and speeds, and nothing is
+rounded inwards.
 
-What holds before a step and after it: **each state (x, y, psi, V) that agrees with the measurements has a cell with
-(psi, V) in it whose section holds (x, y).** Let the cell be |psi - psi_j| <= a, |V - V_l| <= b, with a = dpsi/2, b =
-dV/2, and the step have the length D.
+What holds before a step and after it: **each state (x, y, psi, V) that agrees with the measurements
+has a cell with (psi, V) in it whose section holds (x, y).** Let the cell be |psi - psi_j| <= a, |V
+- V_l| <= b, with a = dpsi/2, b = dV/2, and the step have the length D.
 
-- *Speed.* At the time s of the step V(s) lies between V_l - b + mu1 s and V_l + b + mu2 s. The nodes move by
-  D (mu1 + mu2)/2, and dV = D (mu2 - mu1)/2, so that V(D) differs from the moved node by at most b + dV: it lies in the
-  cell, or in the next one below or above. All three get the section.
-- *Heading.* |psi(s) - psi_j| <= a + kappa s, kappa = k/V_min, with V_min the least speed of the step. So psi(D) lies in
-  one of the cells j - r, ..., j + r, r = ceil(kappa D/dpsi). All of them get the section.
+- *Speed.* At the time s of the step V(s) lies between V_l - b + mu1 s and V_l + b + mu2 s. The
+  nodes move by D (mu1 + mu2)/2, and dV = D (mu2 - mu1)/2, so that V(D) differs from the moved node
+  by at most b + dV: it lies in the cell, or in the next one below or above. All three get the
+  section.
+- *Heading.* |psi(s) - psi_j| <= a + kappa s, kappa = k/V_min, with V_min the least speed of the
+  step. So psi(D) lies in one of the cells j - r, ..., j + r, r = ceil(kappa D/dpsi). All of them
+  get the section.
 - *Place.* For each normal n = (sin phi, cos phi) and d = |psi_j - phi|
 
       n (displacement) = integral of V(s) cos(psi(s) - phi) <= integral of V(s) c(s) <= integral of Vmax c+ - Vmin c-,
 
-  where c(s) = cos(max(d - a - kappa s, 0)) = c+ - c-. The last integrals are known in closed form
-  (`trajlib.infosets.turning`) if Vmax and Vmin are replaced by their values at the end of each of a few parts of the
-  step. The support values of the section grow by this bound.
-- *Measurement.* The true place lies in its section and in the measured region, so in their intersection, which is never
-  made smaller by rounding. Only cells whose intersection is empty are dropped.
+where c(s) = cos(max(d - a - kappa s, 0)) = c+ - c-. The last integrals are known in closed form
+(`trajlib.infosets.turning`) if Vmax and Vmin are replaced by their values at the end of each of a
+few parts of the step. The support values of the section grow by this bound.
+- *Measurement.* The true place lies in its section and in the measured region, so in their
+  intersection, which is never made smaller by rounding. Only cells whose intersection is empty are
+  dropped.
 
-Nodes and r are computed with rounding: cells are taken wider by a millionth of their width on each side, and no step
-takes more than 2e-12 of it, so that 1e5 steps are covered. Support values are rounded upwards.
+Nodes and r are computed with rounding: cells are taken wider by a millionth of their width on each
+side, and no step takes more than 2e-12 of it, so that 1e5 steps are covered. Support values are
+rounded upwards.
 """
+
 import numpy as np
 
 from trajlib.infosets.polygons import EPS
 from trajlib.infosets.sections import FULL, arc_of
 from trajlib.infosets.turning import apart, cosine_parts
 
-#: Of a cell's half width, for the rounding of nodes and reaches; and what a reach may be below its bound, in nodes.
+#: Of a cell's half width, for the rounding of nodes and reaches; and what a reach may be below its
+#: bound, in nodes.
 WIDER, SHORT = 1 + 2e-6, 1e-12
 #: Parts of a step, in each of which the bounds on the speed are constant.
 PARTS = 4
-#: Roundings of a displacement, relative to the way: sines, their differences over kappa, PARTS sums.
+#: Roundings of a displacement, relative to the way: sines, their differences over kappa, PARTS
+#: sums.
 ROUNDED = 64
 
 
 class Cells:
-    """Sections over cells of headings and speeds. `speed_step` = 0 and `mu` = (0, 0): one row, the speed is known."""
+    """Sections over cells of headings and speeds. `speed_step` = 0 and `mu` = (0, 0): one row, the
+    speed is known."""
 
     def __init__(self, section, k, mu, speeds, dt, headings, arc, wrapped=True):
         self.k, self.mu, self.dt, self.m = k, mu, dt, len(section)
-        self.heading_step = FULL/headings
-        self.speed_step = dt*(mu[1] - mu[0])/2
+        self.heading_step = FULL / headings
+        self.speed_step = dt * (mu[1] - mu[0]) / 2
         self.circle, self.wrapped = headings, wrapped
         low, width = speeds[0], speeds[1] - speeds[0]
-        rows = max(int(np.ceil(width/self.speed_step*(1 - 1e-12))), 1) if self.speed_step else 1
-        # nodes are first + steps*drift + index*step: computed anew each time, so that rounding does not add up
-        self._first_speed, self._row, self._steps = low + self.speed_step/2, 0, 0
-        self._first_heading, self._column = arc[0] + self.heading_step/2, 0
-        columns = min(max(int(np.ceil(arc[1]/self.heading_step*(1 - 1e-12))), 1), headings)
+        rows = max(int(np.ceil(width / self.speed_step * (1 - 1e-12))), 1) if self.speed_step else 1
+        # nodes are first + steps*drift + index*step: computed anew each time, so that rounding does
+        # not add up
+        self._first_speed, self._row, self._steps = low + self.speed_step / 2, 0, 0
+        self._first_heading, self._column = arc[0] + self.heading_step / 2, 0
+        columns = min(max(int(np.ceil(arc[1] / self.heading_step * (1 - 1e-12))), 1), headings)
         self.values = np.tile(section, (rows, columns, 1))
         self._divisor = int(np.lcm(headings, self.m))
 
     @property
     def speeds(self):
         """Nodes V_l."""
-        drift = (self.mu[0] + self.mu[1])/2*self.dt
-        return self._first_speed + drift*self._steps + self.speed_step*(self._row + np.arange(len(self.values)))
+        drift = (self.mu[0] + self.mu[1]) / 2 * self.dt
+        return (
+            self._first_speed
+            + drift * self._steps
+            + self.speed_step * (self._row + np.arange(len(self.values)))
+        )
 
     @property
     def headings(self):
         """Nodes psi_j, not reduced to [0, 2 pi)."""
-        return self._first_heading + self.heading_step*(self._column + np.arange(self.values.shape[1]))
+        return self._first_heading + self.heading_step * (
+            self._column + np.arange(self.values.shape[1])
+        )
 
     def advance(self):
-        low = self.speeds - WIDER*self.speed_step/2
-        slowest = low + self.mu[0]*self.dt
+        low = self.speeds - WIDER * self.speed_step / 2
+        slowest = low + self.mu[0] * self.dt
         if slowest[0] <= 0:
-            raise ValueError(f"the least possible speed after the next step is {slowest[0]:.4g}, but the model needs "
-                             f"V > 0; measure earlier, or begin with higher speeds")
-        turn = self.k*self.dt/slowest
+            raise ValueError(
+                f"the least possible speed after the next step is {slowest[0]:.4g}, but the model "
+                "needs "
+                f"V > 0; measure earlier, or begin with higher speeds"
+            )
+        turn = self.k * self.dt / slowest
         if turn[0] >= np.pi:
-            raise ValueError(f"dt: a step may turn the slowest vehicle by {turn[0]:.3g} rad, more than half a circle; "
-                             f"take dt below {self.dt*np.pi/turn[0]:.3g}")
-        moved = self.values + self._displacements(low, turn/self.dt)
-        moved += EPS*(8*moved.max() + ROUNDED*self.speeds[-1]*self.dt*(1 + 1/turn[-1]))
-        moved = self._turned(moved, np.ceil(turn/self.heading_step - SHORT).astype(int))
+            raise ValueError(
+                f"dt: a step may turn the slowest vehicle by {turn[0]:.3g} rad, more than half a "
+                "circle; "
+                f"take dt below {self.dt * np.pi / turn[0]:.3g}"
+            )
+        moved = self.values + self._displacements(low, turn / self.dt)
+        moved += EPS * (8 * moved.max() + ROUNDED * self.speeds[-1] * self.dt * (1 + 1 / turn[-1]))
+        moved = self._turned(moved, np.ceil(turn / self.heading_step - SHORT).astype(int))
         self.values = self._accelerated(moved) if self.speed_step else moved
         self._steps += 1
 
     def _displacements(self, low, rate):
-        """Bounds on n (displacement) for all rows, columns and normals. The angles psi_j - phi_i are multiples of
-        2 pi/lcm(headings, normals) up to a constant: each is computed once."""
+        """Bounds on n (displacement) for all rows, columns and normals. The angles psi_j - phi_i
+        are multiples of 2 pi/lcm(headings, normals) up to a constant: each is computed once."""
         shared, (rows, columns, m) = self._divisor, self.values.shape
-        angle = apart(self.headings[0] + FULL*np.arange(shared)/shared) - WIDER*self.heading_step/2
-        high = low + WIDER*self.speed_step
+        angle = (
+            apart(self.headings[0] + FULL * np.arange(shared) / shared)
+            - WIDER * self.heading_step / 2
+        )
+        high = low + WIDER * self.speed_step
         total, plus, minus = np.zeros((rows, shared)), 0.0, 0.0
         parts = PARTS if self.speed_step else 1
-        for end in self.dt*np.arange(1, parts + 1)/parts:
+        for end in self.dt * np.arange(1, parts + 1) / parts:
             plus_before, minus_before = plus, minus
             plus, minus = cosine_parts(angle, rate[:, None], end)
-            total += (high + self.mu[1]*end)[:, None]*(plus - plus_before)
-            total -= (low + self.mu[0]*end)[:, None]*(minus - minus_before)
-        index = np.arange(columns)[:, None]*(shared//self.circle) - np.arange(m)*(shared//m)
+            total += (high + self.mu[1] * end)[:, None] * (plus - plus_before)
+            total -= (low + self.mu[0] * end)[:, None] * (minus - minus_before)
+        index = np.arange(columns)[:, None] * (shared // self.circle) - np.arange(m) * (shared // m)
         return total[:, index % shared]
 
     def _turned(self, values, reach):
@@ -102,15 +127,16 @@ class Cells:
         if self._closed:
             padded = np.concatenate([values[:, -most:], values, values[:, :most]], axis=1)
         else:
-            ends = np.full((len(values), 2*most, self.m), -np.inf)
+            ends = np.full((len(values), 2 * most, self.m), -np.inf)
             padded = np.concatenate([ends, values, ends], axis=1)
             self._column -= most
-        count = padded.shape[1] - 2*most
-        result = padded[:, most:most + count].copy()
+        count = padded.shape[1] - 2 * most
+        result = padded[:, most : most + count].copy()
         for offset in range(1, most + 1):
-            rows = slice(0, int(np.sum(reach >= offset)))                 # slow rows come first and turn furthest
+            # slow rows come first and turn furthest
+            rows = slice(0, int(np.sum(reach >= offset)))
             for start in (most - offset, most + offset):
-                np.maximum(result[rows], padded[rows, start:start + count], out=result[rows])
+                np.maximum(result[rows], padded[rows, start : start + count], out=result[rows])
         return self._folded(result) if self.wrapped else result
 
     @property
@@ -121,10 +147,10 @@ class Cells:
         """With columns of the same heading put together, where there are more than a circle has."""
         if values.shape[1] <= self.circle:
             return values
-        result = values[:, :self.circle].copy()
+        result = values[:, : self.circle].copy()
         for start in range(self.circle, values.shape[1], self.circle):
-            more = values[:, start:start + self.circle]
-            part = result[:, :more.shape[1]]
+            more = values[:, start : start + self.circle]
+            part = result[:, : more.shape[1]]
             np.maximum(part, more, out=part)
         return result
 
@@ -132,13 +158,14 @@ class Cells:
         """Hulls over the rows below and above, with a row more at either end."""
         result = np.full((len(values) + 2, *values.shape[1:]), -np.inf)
         for shift in range(3):
-            part = result[shift:shift + len(values)]
+            part = result[shift : shift + len(values)]
             np.maximum(part, values, out=part)
         self._row -= 1
         return result
 
     def settle(self):
-        """Drop rows and columns that are empty at the ends; a circle is opened in its widest gap."""
+        """Drop rows and columns that are empty at the ends; a circle is opened in its widest
+        gap."""
         there = ~np.isneginf(self.values[..., 0])
         rows, columns = np.flatnonzero(there.any(axis=1)), np.flatnonzero(there.any(axis=0))
         first, last = columns[0], columns[-1]
@@ -147,23 +174,30 @@ class Cells:
             widest = int(np.argmax(gaps))
             first, last = columns[widest] + gaps[widest], columns[widest] + self.circle
         kept = np.arange(first, last + 1) % self.values.shape[1]
-        self.values = self.values[rows[0]:rows[-1] + 1, kept]
+        self.values = self.values[rows[0] : rows[-1] + 1, kept]
         self._row, self._column = self._row + int(rows[0]), self._column + int(first)
 
     def sections_at(self, heading, speed=None):
         """The sections of all cells that hold a heading and a speed, shape (count, m)."""
-        rows = np.flatnonzero(np.abs(self.speeds - speed) <= WIDER*self.speed_step/2) if self.speed_step else [0]
-        columns = np.flatnonzero(apart(self.headings - heading) <= WIDER*self.heading_step/2)
+        rows = (
+            np.flatnonzero(np.abs(self.speeds - speed) <= WIDER * self.speed_step / 2)
+            if self.speed_step
+            else [0]
+        )
+        columns = np.flatnonzero(apart(self.headings - heading) <= WIDER * self.heading_step / 2)
         return self.values[np.ix_(rows, columns)].reshape(-1, self.m)
 
     def speed_bounds(self):
         rows = np.flatnonzero(~np.isneginf(self.values[..., 0]).all(axis=1))
-        return (float(self.speeds[rows[0]] - self.speed_step/2), float(self.speeds[rows[-1]] + self.speed_step/2))
+        return (
+            float(self.speeds[rows[0]] - self.speed_step / 2),
+            float(self.speeds[rows[-1]] + self.speed_step / 2),
+        )
 
     def heading_bounds(self):
         columns = ~np.isneginf(self.values[..., 0]).all(axis=0)
         if self._closed and columns.all():
             return 0.0, FULL
         low, high = arc_of(self.headings[columns] % FULL)
-        half = self.heading_step/2
-        return (low - half, high + half) if high - low + 2*half < FULL else (0.0, FULL)
+        half = self.heading_step / 2
+        return (low - half, high + half) if high - low + 2 * half < FULL else (0.0, FULL)

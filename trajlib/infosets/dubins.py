@@ -1,15 +1,18 @@
-"""The exact reachable set of a vehicle with constant speed (Dubins' car), from one point and one heading.
+"""The exact reachable set of a vehicle with constant speed (Dubins' car), from one point and one
+heading.
 
-In units of the turning radius R = V^2/k and of the time R/V all is measured by the angle T = t k/V. The set of the
-places that are reached at the time t exactly has the support function
+In units of the turning radius R = V^2/k and of the time R/V all is measured by the angle T = t k/V.
+The set of the places that are reached at the time t exactly has the support function
 
     h(phi) = V times the integral of cos(max(|psi_0 - phi| - k s/V, 0)) from 0 to t
 
-(`trajlib.infosets.turning`): turn towards phi, then go straight. The set itself is not convex. Every place in it is
-reached with at most two switches, turn-straight-turn or turn-turn-turn; for a given length a of the first turn the rest
-is known in closed form, so that one equation in one unknown decides. Its boundary is made of turn-straight motions
-outside and of turn-turn motions, the second turn not shorter than the first, inside.
+(`trajlib.infosets.turning`): turn towards phi, then go straight. The set itself is not convex.
+Every place in it is reached with at most two switches, turn-straight-turn or turn-turn-turn; for a
+given length a of the first turn the rest is known in closed form, so that one equation in one
+unknown decides. Its boundary is made of turn-straight motions outside and of turn-turn motions, the
+second turn not shorter than the first, inside.
 """
+
 from dataclasses import dataclass
 
 import numpy as np
@@ -27,7 +30,8 @@ BATCH = 400
 class DubinsReachable:
     """Places that a vehicle of constant speed reaches at one time; what `dubins_reachable` returns.
 
-    `t`: the time, `speed` and `k`: V and the greatest lateral acceleration, `heading` and `position`: of the start.
+    `t`: the time, `speed` and `k`: V and the greatest lateral acceleration, `heading` and
+    `position`: of the start.
     """
 
     t: float
@@ -39,44 +43,51 @@ class DubinsReachable:
     @property
     def radius(self):
         """R = V^2/k of the fastest turn."""
-        return self.speed**2/self.k
+        return self.speed**2 / self.k
 
     @property
     def turn(self):
         """The angle of the fastest turn in the whole time, radians."""
-        return self.t*self.k/self.speed
+        return self.t * self.k / self.speed
 
     def support(self, directions):
-        """The greatest n p over the set, for directions n = (sin phi, cos phi) given by their angles phi, any shape."""
+        """The greatest n p over the set, for directions n = (sin phi, cos phi) given by their
+        angles phi, any shape."""
         phi = np.asarray(directions, dtype=float)
-        plus, minus = cosine_parts(apart(phi - self.heading), self.k/self.speed, self.t)
+        plus, minus = cosine_parts(apart(phi - self.heading), self.k / self.speed, self.t)
         x, y = self.position
-        return x*np.sin(phi) + y*np.cos(phi) + self.speed*(plus - minus)
+        return x * np.sin(phi) + y * np.cos(phi) + self.speed * (plus - minus)
 
     def contains(self, points, tolerance=1e-6):
-        """Whether points of shape (..., 2) are reached at the time t. `tolerance`: how near to the boundary, in turning
-        radii, a place may be counted to either side."""
+        """Whether points of shape (..., 2) are reached at the time t. `tolerance`: how near to the
+        boundary, in turning radii, a place may be counted to either side."""
         points = vectors(points, "points")
         local = self._to_units(points.reshape(-1, 2))
-        found = [_reached(part, self.turn, positive(tolerance, "tolerance", "turning radii"))
-                 for part in np.split(local, range(BATCH, len(local), BATCH))]
+        found = [
+            _reached(part, self.turn, positive(tolerance, "tolerance", "turning radii"))
+            for part in np.split(local, range(BATCH, len(local), BATCH))
+        ]
         return np.concatenate(found).reshape(points.shape[:-1])
 
     def boundary(self, count=400):
-        """The boundary as a list of curves, arrays of shape (any, 2): those parts of the turn-straight and turn-turn
-        motions beside which one side is not reached. `count`: points tried on each family."""
+        """The boundary as a list of curves, arrays of shape (any, 2): those parts of the
+        turn-straight and turn-turn motions beside which one side is not reached. `count`: points
+        tried on each family."""
         T, curves = self.turn, []
-        for ends, longest in ((_turn_straight, T), (_turn_turn, T/2)):
+        for ends, longest in ((_turn_straight, T), (_turn_turn, T / 2)):
             first = np.linspace(0, longest, count)
             for side in (1, -1):
-                curve = ends(first, T)*[side, 1]
+                curve = ends(first, T) * [side, 1]
                 along = np.gradient(curve, axis=0)
                 size = np.linalg.norm(along, axis=1, keepdims=True)
-                across = 1e-3*along[:, ::-1]*[1, -1]/np.maximum(size, 1e-12)
+                across = 1e-3 * along[:, ::-1] * [1, -1] / np.maximum(size, 1e-12)
                 on = ~(_reached(curve + across, T, 1e-9) & _reached(curve - across, T, 1e-9))
                 breaks = np.flatnonzero(np.diff(on.astype(int))) + 1
-                curves += [self._from_units(part) for part, kept in zip(np.split(curve, breaks), np.split(on, breaks))
-                           if kept[0] and len(part) > 1]
+                curves += [
+                    self._from_units(part)
+                    for part, kept in zip(np.split(curve, breaks), np.split(on, breaks))
+                    if kept[0] and len(part) > 1
+                ]
         return curves
 
     def _turned(self):
@@ -84,18 +95,19 @@ class DubinsReachable:
         return np.array([[c, -s], [s, c]])
 
     def _to_units(self, points):
-        return (points - self.position)@self._turned().T/self.radius
+        return (points - self.position) @ self._turned().T / self.radius
 
     def _from_units(self, points):
-        return points*self.radius@self._turned() + self.position
+        return points * self.radius @ self._turned() + self.position
 
 
 def dubins_reachable(t, *, speed=1.0, k=1.0, heading=0.0, position=(0.0, 0.0)):
-    """The exact set of places that a vehicle of constant speed reaches at the time t (no MATLAB word; near:
-    dubinsConnection).
+    """The exact set of places that a vehicle of constant speed reaches at the time t (no MATLAB
+    word; near: dubinsConnection).
 
-    `speed`: V > 0; `k`: greatest lateral acceleration, so that |psi'| <= k/V; `heading`: at the start, from the y axis
-    clockwise. Source: section 6.3 of the paper; the boundary is due to Berdyshev.
+    `speed`: V > 0; `k`: greatest lateral acceleration, so that |psi'| <= k/V; `heading`: at the
+    start, from the y axis clockwise. Source: section 6.3 of the paper; the boundary is due to
+    Berdyshev.
 
     >>> import numpy as np
     >>> places = dubins_reachable(np.pi)
@@ -107,73 +119,96 @@ def dubins_reachable(t, *, speed=1.0, k=1.0, heading=0.0, position=(0.0, 0.0)):
     start = vectors(position, "position")
     if start.shape != (2,):
         raise ValueError(f"position: expected a point (x, y), got shape {start.shape}")
-    return DubinsReachable(positive(t, "t", "time"), positive(speed, "speed", "length/time"),
-                           positive(k, "k", "length/time^2"), number(heading, "heading"), tuple(start.tolist()))
+    return DubinsReachable(
+        positive(t, "t", "time"),
+        positive(speed, "speed", "length/time"),
+        positive(k, "k", "length/time^2"),
+        number(heading, "heading"),
+        tuple(start.tolist()),
+    )
 
 
 def _turn_straight(first, T):
-    """Ends of motions that turn right by `first` and then go straight; units of R, start upwards."""
+    """Ends of motions that turn right by `first` and then go straight; units of R, start
+    upwards."""
     rest = T - first
-    return np.stack([1 - np.cos(first) + rest*np.sin(first), np.sin(first) + rest*np.cos(first)], axis=-1)
+    return np.stack(
+        [1 - np.cos(first) + rest * np.sin(first), np.sin(first) + rest * np.cos(first)], axis=-1
+    )
 
 
 def _turn_turn(first, T):
     """Ends of motions that turn right by `first` and then left."""
-    last = 2*first - T
-    return np.stack([1 - 2*np.cos(first) + np.cos(last), 2*np.sin(first) - np.sin(last)], axis=-1)
+    last = 2 * first - T
+    return np.stack(
+        [1 - 2 * np.cos(first) + np.cos(last), 2 * np.sin(first) - np.sin(last)], axis=-1
+    )
 
 
 def _reached(points, T, tolerance):
-    """Whether points (count, 2), in units of R from a start upwards, are reached with the length T."""
-    both = np.concatenate([points, points*[-1, 1]])                       # the mirror image: the first turn is left
-    first = np.sort(np.column_stack([np.tile(np.linspace(0, T, TRIED), (len(both), 1)), _kinks(both, T)]), axis=1)
+    """Whether points (count, 2), in units of R from a start upwards, are reached with the length
+    T."""
+    # the mirror image: the first turn is left
+    both = np.concatenate([points, points * [-1, 1]])
+    first = np.sort(
+        np.column_stack([np.tile(np.linspace(0, T, TRIED), (len(both), 1)), _kinks(both, T)]),
+        axis=1,
+    )
     found = np.zeros(len(both), dtype=bool)
     # what is left to do after the first turn, seen from its end
     c, s = np.cos(first), np.sin(first)
     x, y = both[:, 0, None] - (1 - c), both[:, 1, None] - s
-    x, y = c*x - s*y, s*x + c*y
+    x, y = c * x - s * y, s * x + c * y
     rest = T - first
     # straight, then a turn by an angle c to either side: x = +-(1 - cos c), y = rest - c + sin c
     inside, turn = np.abs(x) <= 2, np.arccos(np.clip(1 - np.abs(x), -1, 1))
-    for loops in 2*np.pi*np.arange(int(T/(2*np.pi)) + 1):
-        gaps = [np.where(inside & (angle <= rest + tolerance), y - (rest - angle) - np.sin(angle), np.nan)
-                for angle in (loops + turn, loops + 2*np.pi - turn)]
+    for loops in 2 * np.pi * np.arange(int(T / (2 * np.pi)) + 1):
+        gaps = [
+            np.where(
+                inside & (angle <= rest + tolerance), y - (rest - angle) - np.sin(angle), np.nan
+            )
+            for angle in (loops + turn, loops + 2 * np.pi - turn)
+        ]
         found |= _vanishes(gaps, inside, tolerance)
-    # a left turn by b, then a right one by c: the end is (-1, 0) and (2 - cos c, sin c) turned back by b
-    far = (x + 1)**2 + y**2
-    inside, turn = np.abs(5 - far) <= 4, np.arccos(np.clip((5 - far)/4, -1, 1))
+    # a left turn by b, then a right one by c: the end is (-1, 0) and (2 - cos c, sin c) turned back
+    # by b
+    far = (x + 1) ** 2 + y**2
+    inside, turn = np.abs(5 - far) <= 4, np.arccos(np.clip((5 - far) / 4, -1, 1))
     gaps = []
-    for angle in (turn, 2*np.pi - turn):
+    for angle in (turn, 2 * np.pi - turn):
         middle = np.arctan2(y, x + 1) - np.arctan2(np.sin(angle), 2 - np.cos(angle))
-        excess = (middle + angle - rest + np.pi) % (2*np.pi) - np.pi
+        excess = (middle + angle - rest + np.pi) % (2 * np.pi) - np.pi
         gaps.append(np.where(inside & (angle <= rest + tolerance), excess, np.nan))
     found |= _vanishes(gaps, inside, tolerance)
-    return found[:len(points)] | found[len(points):]
+    return found[: len(points)] | found[len(points) :]
 
 
 def _kinks(points, T):
-    """First turns to the right after which the last turn has no length, shape (count, 6): the point lies straight
-    ahead, or on the circle of the turn to the left. There the gaps below have kinks, and at the boundary they vanish
-    there."""
+    """First turns to the right after which the last turn has no length, shape (count, 6): the point
+    lies straight ahead, or on the circle of the turn to the left. There the gaps below have kinks,
+    and at the boundary they vanish there."""
     far = np.hypot(points[:, 0] - 1, points[:, 1])
     bearing = np.arctan2(points[:, 0] - 1, points[:, 1])
     with np.errstate(invalid="ignore", divide="ignore"):
         ahead = bearing + np.arctan2(1, np.sqrt(far**2 - 1))
-        aside = np.arccos((far**2 + 3)/(4*far))
-    turns = np.stack([ahead, bearing + np.pi/2 + aside, bearing + np.pi/2 - aside], axis=-1) % (2*np.pi)
-    return np.clip(np.nan_to_num(np.concatenate([turns, turns + 2*np.pi], axis=-1)), 0, T)
+        aside = np.arccos((far**2 + 3) / (4 * far))
+    turns = np.stack([ahead, bearing + np.pi / 2 + aside, bearing + np.pi / 2 - aside], axis=-1) % (
+        2 * np.pi
+    )
+    return np.clip(np.nan_to_num(np.concatenate([turns, turns + 2 * np.pi], axis=-1)), 0, T)
 
 
 def _vanishes(gaps, inside, tolerance):
-    """Whether one of two branches, nan where they are not defined, has a zero along its last axis. Where the point
-    comes out of reach of the last turn, at the ends of `inside`, the branches meet. Jumps by 2 pi are no zeros."""
+    """Whether one of two branches, nan where they are not defined, has a zero along its last axis.
+    Where the point comes out of reach of the last turn, at the ends of `inside`, the branches meet.
+    Jumps by 2 pi are no zeros."""
     edge = np.zeros_like(inside)
     edge[:, 1:] |= inside[:, 1:] & ~inside[:, :-1]
     edge[:, :-1] |= inside[:, :-1] & ~inside[:, 1:]
     with np.errstate(invalid="ignore"):
-        found = (edge & (gaps[0]*gaps[1] <= 0) & (np.abs(gaps[0] - gaps[1]) < np.pi)).any(axis=1)
+        found = (edge & (gaps[0] * gaps[1] <= 0) & (np.abs(gaps[0] - gaps[1]) < np.pi)).any(axis=1)
         for gap in gaps:
             before, after = gap[:, :-1], gap[:, 1:]
-            found |= ((before*after <= 0) & (np.abs(before - after) < np.pi)).any(axis=1)
+            found |= ((before * after <= 0) & (np.abs(before - after) < np.pi)).any(axis=1)
             found |= (np.abs(gap) <= tolerance).any(axis=1)
     return found

@@ -1,10 +1,12 @@
 """The information set of a vehicle whose speed is known and constant: states (x, y, psi).
 
-As published, headings are not bound to a grid: a section of the heading psi is moved along the exact arcs of u = -1, 0,
-1 to psi + D k u/V, and sections of close headings are replaced by their hull at the mean heading. Three controls reach
-less than all, and a mean is not the heading that a state has: this is no enclosure. The guaranteed mode takes cells of
-headings, `trajlib.infosets.cells` with one row.
+As published, headings are not bound to a grid: a section of the heading psi is moved along the
+exact arcs of u = -1, 0, 1 to psi + D k u/V, and sections of close headings are replaced by their
+hull at the mean heading. Three controls reach less than all, and a mean is not the heading that a
+state has: this is no enclosure. The guaranteed mode takes cells of headings,
+`trajlib.infosets.cells` with one row.
 """
+
 import numpy as np
 
 from trajlib.infosets import arguments
@@ -16,12 +18,14 @@ from trajlib.infosets.turning import apart
 
 
 class ConstantSpeedInformationSet(Sections):
-    """All states (x, y, psi) that agree with what was measured, for a known constant speed (no MATLAB word).
+    """All states (x, y, psi) that agree with what was measured, for a known constant speed (no
+    MATLAB word).
 
-    `region`: where (x, y) is at the start; `speed`: V; `k`: greatest lateral acceleration; `heading_range`: (low, high)
-    in radians or one heading, all if None; `dt`: the step; `normals`: m. `headings`: nodes on the circle; as published,
-    sections are merged within 2 pi/headings. `wrapped=False`: headings that differ by full turns are kept apart, which
-    gives smaller sets. `mode`: "guaranteed" encloses all motions with |u| <= 1; "published" is section 6 of the paper
+    `region`: where (x, y) is at the start; `speed`: V; `k`: greatest lateral acceleration;
+    `heading_range`: (low, high) in radians or one heading, all if None; `dt`: the step; `normals`:
+    m. `headings`: nodes on the circle; as published, sections are merged within 2 pi/headings.
+    `wrapped=False`: headings that differ by full turns are kept apart, which gives smaller sets.
+    `mode`: "guaranteed" encloses all motions with |u| <= 1; "published" is section 6 of the paper
     and does not.
 
     >>> from trajlib.infosets import Region
@@ -32,22 +36,48 @@ class ConstantSpeedInformationSet(Sections):
 
     _state = 3
 
-    def __init__(self, region, *, speed, k, dt=1.0, headings=600, heading_range=None, normals=12, mode="guaranteed",
-                 wrapped=True):
+    def __init__(
+        self,
+        region,
+        *,
+        speed,
+        k,
+        dt=1.0,
+        headings=600,
+        heading_range=None,
+        normals=12,
+        mode="guaranteed",
+        wrapped=True,
+    ):
         self.mode, self.k = arguments.mode(mode), arguments.positive(k, "k", "length/time^2")
         self.dt = arguments.positive(dt, "dt", "time")
         self.speed = arguments.positive(speed, "speed", "length/time")
         headings = arguments.count(headings, "headings", 8)
         self.normals = arguments.count(normals, "normals", 3)
-        if self.k*self.dt/self.speed >= np.pi:
-            raise ValueError(f"dt: a step may turn the vehicle by {self.k*self.dt/self.speed:.3g} rad, more than half "
-                             f"a circle; take dt below {np.pi*self.speed/self.k:.3g}")
-        section, arc = read_region(region, self.normals).values, arguments.arc(heading_range, "heading_range")
+        if self.k * self.dt / self.speed >= np.pi:
+            raise ValueError(
+                f"dt: a step may turn the vehicle by {self.k * self.dt / self.speed:.3g} rad, more "
+                "than half "
+                f"a circle; take dt below {np.pi * self.speed / self.k:.3g}"
+            )
+        section, arc = (
+            read_region(region, self.normals).values,
+            arguments.arc(heading_range, "heading_range"),
+        )
         self._steps = 0
         if mode == "published":
             self._grid = Floating(section, self.speed, self.k, self.dt, headings, arc, wrapped)
         else:
-            self._grid = Cells(section, self.k, (0.0, 0.0), (self.speed, self.speed), self.dt, headings, arc, wrapped)
+            self._grid = Cells(
+                section,
+                self.k,
+                (0.0, 0.0),
+                (self.speed, self.speed),
+                self.dt,
+                headings,
+                arc,
+                wrapped,
+            )
 
     @property
     def heading_nodes(self):
@@ -68,7 +98,9 @@ class ConstantSpeedInformationSet(Sections):
 
     def __repr__(self):
         there = int(np.sum(~self.sections.empty))
-        return f"{self.mode} information set at t = {self.time:g}: {there} sections, {self.bounds()}"
+        return (
+            f"{self.mode} information set at t = {self.time:g}: {there} sections, {self.bounds()}"
+        )
 
 
 class Floating:
@@ -76,36 +108,46 @@ class Floating:
 
     def __init__(self, section, speed, k, dt, headings, arc, wrapped):
         self.speed, self.k, self.dt, self.wrapped, self.m = speed, k, dt, wrapped, len(section)
-        self.width = FULL/headings
-        count = max(int(np.rint(arc[1]/self.width)), 1)
-        self.headings = arc[0] + self.width*np.arange(count) if arc[1] else np.array([arc[0]])
+        self.width = FULL / headings
+        count = max(int(np.rint(arc[1] / self.width)), 1)
+        self.headings = arc[0] + self.width * np.arange(count) if arc[1] else np.array([arc[0]])
         self.values = np.tile(section, (count, 1))
 
     def advance(self):
-        turn, n = self.k*self.dt/self.speed, unit_normals(self.m)
+        turn, n = self.k * self.dt / self.speed, unit_normals(self.m)
         psi = self.headings
-        headings, values = [psi], [self.values + self.dt*self.speed*np.stack([np.sin(psi), np.cos(psi)], axis=-1)@n.T]
+        headings, values = (
+            [psi],
+            [
+                self.values
+                + self.dt * self.speed * np.stack([np.sin(psi), np.cos(psi)], axis=-1) @ n.T
+            ],
+        )
         for u in (-1, 1):
-            after = psi + u*turn
-            arc = self.speed**2/(self.k*u)*np.stack([np.cos(psi) - np.cos(after), np.sin(after) - np.sin(psi)], axis=-1)
+            after = psi + u * turn
+            arc = (
+                self.speed**2
+                / (self.k * u)
+                * np.stack([np.cos(psi) - np.cos(after), np.sin(after) - np.sin(psi)], axis=-1)
+            )
             headings.append(after)
-            values.append(self.values + arc@n.T)
+            values.append(self.values + arc @ n.T)
         self._merge(np.concatenate(headings), np.concatenate(values))
 
     def _merge(self, headings, values):
-        """One section for each group of headings whose neighbours are closer than half the width; no group is wider
-        than the width."""
+        """One section for each group of headings whose neighbours are closer than half the width;
+        no group is wider than the width."""
         if self.wrapped:
             headings = headings % FULL
         order = np.argsort(headings, kind="stable")
         headings, values = headings[order], values[order]
         starts, first = [0], headings[0]
         for k in range(1, len(headings)):
-            if headings[k] - headings[k - 1] > self.width/2 or headings[k] - first > self.width:
+            if headings[k] - headings[k - 1] > self.width / 2 or headings[k] - first > self.width:
                 starts.append(k)
                 first = headings[k]
         sizes = np.diff(np.append(starts, len(headings)))
-        self.headings = np.add.reduceat(headings, starts)/sizes
+        self.headings = np.add.reduceat(headings, starts) / sizes
         self.values = np.maximum.reduceat(values, starts, axis=0)
 
     def settle(self):
@@ -114,10 +156,11 @@ class Floating:
         self.headings, self.values = self.headings[there], self.values[there]
 
     def sections_at(self, heading):
-        """The section of the nearest heading, shape (1, m); none if it is further than the width."""
+        """The section of the nearest heading, shape (1, m); none if it is further than the
+        width."""
         distance = apart(self.headings - heading)
         nearest = int(np.argmin(distance))
-        return self.values[nearest:nearest + int(distance[nearest] <= self.width)]
+        return self.values[nearest : nearest + int(distance[nearest] <= self.width)]
 
     def heading_bounds(self):
         return arc_of(self.headings % FULL)

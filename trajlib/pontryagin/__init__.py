@@ -1,12 +1,13 @@
 """Pontryagin's maximum principle: chapter 5 of the problem book as functions.
 
-A problem is stated once, in SymPy (`Problem`). `conditions()` derives what a textbook would write down; `solve()` finds
-an extremal (direct transcription, arcs, multiple shooting) whose `certificate()` is computed from the trajectory alone;
-`synthesis` computes planar syntheses. `euler_equation`, `natural_conditions` and their neighbours are the
-calculus of variations. Every name is loaded on first use.
+A problem is stated once, in SymPy (`Problem`). `conditions()` derives what a textbook would write
+down; `solve()` finds an extremal (direct transcription, arcs, multiple shooting) whose
+`certificate()` is computed from the trajectory alone; `synthesis` computes planar syntheses.
+`euler_equation`, `natural_conditions` and their neighbours are the calculus of variations. Every
+name is loaded on first use.
 
-Conventions, those of the book: H = psi^T f - lambda_0 f_0 is maximised by the optimal control, psi' = -dH/dy,
-lambda_0 >= 0, and H = 0 along the extremal when the final time is free.
+Conventions, those of the book: H = psi^T f - lambda_0 f_0 is maximised by the optimal control, psi'
+= -dH/dy, lambda_0 >= 0, and H = 0 along the extremal when the final time is free.
 
 >>> from trajlib import pontryagin
 >>> "Problem" in dir(pontryagin)
@@ -15,19 +16,33 @@ True
 
 from trajlib._lazy import lazy_names
 
-# No module of this folder is called like a name it exports: importing it would put the module in the place of the
-# function.
+# No module of this folder is called like a name it exports: importing it would put the module in
+# the place of the function.
 _EXPORTS = {
     "statement": ["Problem"],
-    "functionals": ["control_problem", "end_conditions", "euler_equation", "functional_value", "momenta",
-                    "natural_conditions"],
+    "functionals": [
+        "control_problem",
+        "end_conditions",
+        "euler_equation",
+        "functional_value",
+        "momenta",
+        "natural_conditions",
+    ],
     "derivation": ["Conditions"],
     "extremal": ["Extremal"],
     "comparison": ["Comparison", "compare"],
     "certificate": ["Certificate", "certify"],
     "proof": ["Proof", "Enclosure"],
-    "errors": ["PontryaginError", "Infeasible", "Unbounded", "Chattering", "WrongStructure", "NotUnique",
-               "NotConverged", "StartOnTarget"],
+    "errors": [
+        "PontryaginError",
+        "Infeasible",
+        "Unbounded",
+        "Chattering",
+        "WrongStructure",
+        "NotUnique",
+        "NotConverged",
+        "StartOnTarget",
+    ],
     "elimination": ["ControlField"],
     "planar.synthesis": ["Synthesis", "synthesis"],
 }

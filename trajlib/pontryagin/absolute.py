@@ -1,8 +1,10 @@
 """Costs with |u|: the control is split inside, u = p - q with p, q >= 0, and |u| = p + q.
 
-Every admissible u is such a pair with p q = 0 and the same cost. So the best pair is the best control, provided that
-its p and q are never positive at once; where the cost rewards |u| this fails, and the problem is refused.
+Every admissible u is such a pair with p q = 0 and the same cost. So the best pair is the best
+control, provided that its p and q are never positive at once; where the cost rewards |u| this
+fails, and the problem is refused.
 """
+
 from dataclasses import dataclass, fields, replace
 
 import numpy as np
@@ -11,13 +13,17 @@ import sympy as sp
 from trajlib.pontryagin.errors import WrongStructure
 from trajlib.pontryagin.extremal import Extremal, solve
 
-REWARDED = ("the cost rewards the absolute value of a control: p and q with u = p - q are positive at once, so that "
-            "p + q is not |u|. State the problem without Abs.")
+REWARDED = (
+    "the cost rewards the absolute value of a control: p and q with u = p - q are positive at "
+    "once, so that "
+    "p + q is not |u|. State the problem without Abs."
+)
 
 
 @dataclass(frozen=True)
 class Split:
-    """`problem`: with pairs of controls; `parts`: for each control of the statement the columns of its parts."""
+    """`problem`: with pairs of controls; `parts`: for each control of the statement the columns of
+    its parts."""
 
     problem: object
     parts: tuple
@@ -30,7 +36,9 @@ class Split:
         split = []
         for one, columns in zip(kinds, self.parts):
             if len(columns) == 2 and one not in pairs:
-                raise ValueError(f"structure: with |u| in the cost expected u-, zero or u+ for u, got {one!r}")
+                raise ValueError(
+                    f"structure: with |u| in the cost expected u-, zero or u+ for u, got {one!r}"
+                )
             split += pairs[one] if len(columns) == 2 else [one]
         return tuple(split)
 
@@ -63,7 +71,8 @@ class Split:
 
 
 def split(problem):
-    """`Split` of a problem whose running cost holds |u| of controls u alone; None for any other problem."""
+    """`Split` of a problem whose running cost holds |u| of controls u alone; None for any other
+    problem."""
     kinks = {e.args[0] for e in problem.running.atoms(sp.Abs)} & set(problem.control)
     if not kinks:
         return None
@@ -75,28 +84,44 @@ def split(problem):
             controls[u] = low, high
             values[sp.Abs(u)] = sp.Abs(u) if u not in kinks else u if low >= zero else -u
         else:
-            if (sign*sp.expand(problem.running).coeff(sp.Abs(u))).is_negative:
+            if (sign * sp.expand(problem.running).coeff(sp.Abs(u))).is_negative:
                 raise WrongStructure(REWARDED)
             pairs[u] = p, q = sp.symbols(f"{u}_+ {u}_-", cls=sp.Dummy)
             controls |= {p: (zero, high), q: (zero, -low)}
             values |= {sp.Abs(u): p + q, u: p - q}
         parts.append(tuple(range(first, len(controls))))
-    return Split(replace(problem, running=problem.running.subs(values), controls=controls,
-                         dynamics={y: f.subs(values) for y, f in problem.dynamics.items()}), tuple(parts), pairs)
+    return Split(
+        replace(
+            problem,
+            running=problem.running.subs(values),
+            controls=controls,
+            dynamics={y: f.subs(values) for y, f in problem.dynamics.items()},
+        ),
+        tuple(parts),
+        pairs,
+    )
 
 
 def solve_split(problem, split, structure, guess):
     """The extremal of a problem with |u| in its cost: `SplitExtremal`."""
-    arcs = structure if structure is None or isinstance(structure, str) else [split.arc(kind) for kind in structure]
+    arcs = (
+        structure
+        if structure is None or isinstance(structure, str)
+        else [split.arc(kind) for kind in structure]
+    )
     inner = solve(split.problem, arcs, split.guess(guess))
     values = {f.name: getattr(inner, f.name) for f in fields(Extremal)}
-    values |= {"problem": problem, "arcs": tuple((split.joined(kind), begin, end) for kind, begin, end in inner.arcs)}
+    values |= {
+        "problem": problem,
+        "arcs": tuple((split.joined(kind), begin, end) for kind, begin, end in inner.arcs),
+    }
     return SplitExtremal(**values, inner=inner, split=split)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class SplitExtremal(Extremal):
-    """An extremal of a problem with |u| in its cost; on an arc "zero" u = 0. `inner`: the extremal of the pairs."""
+    """An extremal of a problem with |u| in its cost; on an arc "zero" u = 0. `inner`: the extremal
+    of the pairs."""
 
     inner: Extremal = None
     split: Split = None
@@ -105,8 +130,9 @@ class SplitExtremal(Extremal):
         return self._joined(self.inner.control(t), lambda p, q: p - q)
 
     def switching(self, t):
-        """Half the difference of the slopes for p and q: the switching function without the term of |u|."""
-        return self._joined(self.inner.switching(t), lambda p, q: (p - q)/2)
+        """Half the difference of the slopes for p and q: the switching function without the term of
+        |u|."""
+        return self._joined(self.inner.switching(t), lambda p, q: (p - q) / 2)
 
     def certificate(self, points=None, proved=False):
         return self.inner.certificate(points, proved)
@@ -116,11 +142,15 @@ class SplitExtremal(Extremal):
         return self.inner.optimality
 
     def _joined(self, values, join):
-        return np.array([join(*values[list(columns)]) if len(columns) == 2 else values[columns[0]]
-                         for columns in self.split.parts])
+        return np.array(
+            [
+                join(*values[list(columns)]) if len(columns) == 2 else values[columns[0]]
+                for columns in self.split.parts
+            ]
+        )
 
 
 def _positive(value, sign):
     if callable(value):
-        return lambda t: max(sign*float(value(t)), 0.0)
-    return np.maximum(sign*np.asarray(value, dtype=float), 0.0)
+        return lambda t: max(sign * float(value(t)), 0.0)
+    return np.maximum(sign * np.asarray(value, dtype=float), 0.0)

@@ -1,4 +1,5 @@
 """The arguments of `Problem`, each read into one form or refused with one clear error."""
+
 from collections.abc import Iterable, Mapping
 
 import sympy as sp
@@ -21,8 +22,10 @@ def read_bounds(controls):
         pair = (None, None) if controls[u] is None else controls[u]
         if isinstance(pair, str) or not isinstance(pair, Iterable) or len(pair := tuple(pair)) != 2:
             raise TypeError(f"controls: expected (lower, upper) for {u}, got {controls[u]!r}")
-        low, high = (default if b is None else exact_decimals(read_expression(b, f"bound of {u}"))
-                     for b, default in zip(pair, (-sp.oo, sp.oo)))
+        low, high = (
+            default if b is None else exact_decimals(read_expression(b, f"bound of {u}"))
+            for b, default in zip(pair, (-sp.oo, sp.oo))
+        )
         if (high - low).is_positive is False and low != -sp.oo and high != sp.oo:
             raise ValueError(f"controls: expected lower < upper for {u}, got ({low}, {high})")
         if low == sp.oo or high == -sp.oo:
@@ -33,9 +36,13 @@ def read_bounds(controls):
 
 def read_initial(initial):
     if not isinstance(initial, Mapping):
-        raise TypeError(f"initial: expected a dict from states to their values at t = 0, got {initial!r}")
-    return {s: None if v is None else exact_decimals(read_expression(v, f"initial value of {s}"))
-            for s, v in initial.items()}
+        raise TypeError(
+            f"initial: expected a dict from states to their values at t = 0, got {initial!r}"
+        )
+    return {
+        s: None if v is None else exact_decimals(read_expression(v, f"initial value of {s}"))
+        for s, v in initial.items()
+    }
 
 
 def read_terminal(terminal):
@@ -44,7 +51,9 @@ def read_terminal(terminal):
     elif isinstance(terminal, (sp.Expr, sp.Equality)):
         terminal = [terminal]
     if isinstance(terminal, str) or not isinstance(terminal, Iterable):
-        raise TypeError(f"terminal: expected a list of expressions that vanish at the end, got {terminal!r}")
+        raise TypeError(
+            f"terminal: expected a list of expressions that vanish at the end, got {terminal!r}"
+        )
     sides = (g.lhs - g.rhs if isinstance(g, sp.Equality) else g for g in terminal)
     return tuple(exact_decimals(read_expression(g, "terminal")) for g in sides)
 

@@ -1,4 +1,5 @@
 """Several extremals of one problem: the maximum principle is necessary, the cost decides."""
+
 from dataclasses import dataclass
 
 from trajlib.pontryagin.errors import PontryaginError
@@ -7,8 +8,8 @@ from trajlib.pontryagin.extremal import kind_latex, solve
 
 @dataclass(frozen=True)
 class Comparison:
-    """Several extremals of one problem, the best first. `refused`: [(structure or guess, reason)] for what led to
-    none.
+    """Several extremals of one problem, the best first. `refused`: [(structure or guess, reason)]
+    for what led to none.
     """
 
     extremals: tuple
@@ -19,19 +20,26 @@ class Comparison:
         return self.extremals[0]
 
     def _repr_markdown_(self):
-        rows = "".join(f"| {', '.join(kind_latex(kind) for kind, _, _ in e.arcs)} | {e.cost:.9g} | {e.duration:.9g} | "
-                       f"{', '.join(f'{t:.6g}' for t in e.switching_times)} |\n" for e in self.extremals)
-        rows += "".join(f"| {', '.join(map(kind_latex, structure))} | none | | {reason} |\n"
-                        for structure, reason in self.refused)
+        rows = "".join(
+            f"| {', '.join(kind_latex(kind) for kind, _, _ in e.arcs)} | {e.cost:.9g} | "
+            f"{e.duration:.9g} | "
+            f"{', '.join(f'{t:.6g}' for t in e.switching_times)} |\n"
+            for e in self.extremals
+        )
+        rows += "".join(
+            f"| {', '.join(map(kind_latex, structure))} | none | | {reason} |\n"
+            for structure, reason in self.refused
+        )
         return f"| arcs | $J$ | $t_k$ | switchings |\n|---|---|---|---|\n{rows}"
 
 
 def compare(problem, structures=(), guess=None, guesses=()):
-    """The extremals with the structures given and those near the guesses, the best first: `Comparison`.
+    """The extremals with the structures given and those near the guesses, the best first:
+    `Comparison`.
 
-    `structures`: lists of arcs, each started from `guess`; `guesses`: as for `solve`, the arcs being found. Structures
-    and guesses that lead to no extremal are listed with the reason. Raises ValueError if there is nothing to compare,
-    `PontryaginError` if nothing leads to an extremal.
+    `structures`: lists of arcs, each started from `guess`; `guesses`: as for `solve`, the arcs
+    being found. Structures and guesses that lead to no extremal are listed with the reason. Raises
+    ValueError if there is nothing to compare, `PontryaginError` if nothing leads to an extremal.
 
     >>> import sympy as sp
     >>> from trajlib.pontryagin import Problem
@@ -51,8 +59,15 @@ def compare(problem, structures=(), guess=None, guesses=()):
         try:
             extremals.append(solve(problem, structure, start))
         except PontryaginError as error:
-            refused.append((tuple(structure) if structure is not None else (f"guess {start}",), str(error)))
+            refused.append(
+                (tuple(structure) if structure is not None else (f"guess {start}",), str(error))
+            )
     if not extremals:
-        raise PontryaginError("compare: none of the structures and guesses leads to an extremal: " +
-                              "; ".join(reason for _, reason in refused))
-    return Comparison(tuple(sorted(extremals, key=lambda e: -e.cost if problem.maximise else e.cost)), tuple(refused))
+        raise PontryaginError(
+            "compare: none of the structures and guesses leads to an extremal: "
+            + "; ".join(reason for _, reason in refused)
+        )
+    return Comparison(
+        tuple(sorted(extremals, key=lambda e: -e.cost if problem.maximise else e.cost)),
+        tuple(refused),
+    )

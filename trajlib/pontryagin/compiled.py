@@ -1,21 +1,45 @@
 """SymPy expressions as CasADi functions, for speed and exact derivatives."""
+
 from functools import reduce
 
 import casadi as ca
 import sympy as sp
 
 _UNARY = {
-    sp.exp: ca.exp, sp.log: ca.log, sp.sin: ca.sin, sp.cos: ca.cos, sp.tan: ca.tan, sp.asin: ca.asin, sp.acos: ca.acos,
-    sp.atan: ca.atan, sp.sinh: ca.sinh, sp.cosh: ca.cosh, sp.tanh: ca.tanh, sp.asinh: ca.asinh, sp.acosh: ca.acosh,
-    sp.atanh: ca.atanh, sp.Abs: ca.fabs, sp.sign: ca.sign, sp.erf: ca.erf, sp.floor: ca.floor, sp.ceiling: ca.ceil,
+    sp.exp: ca.exp,
+    sp.log: ca.log,
+    sp.sin: ca.sin,
+    sp.cos: ca.cos,
+    sp.tan: ca.tan,
+    sp.asin: ca.asin,
+    sp.acos: ca.acos,
+    sp.atan: ca.atan,
+    sp.sinh: ca.sinh,
+    sp.cosh: ca.cosh,
+    sp.tanh: ca.tanh,
+    sp.asinh: ca.asinh,
+    sp.acosh: ca.acosh,
+    sp.atanh: ca.atanh,
+    sp.Abs: ca.fabs,
+    sp.sign: ca.sign,
+    sp.erf: ca.erf,
+    sp.floor: ca.floor,
+    sp.ceiling: ca.ceil,
 }
-_RELATIONS = {sp.StrictLessThan: ca.lt, sp.LessThan: ca.le, sp.Equality: ca.eq, sp.Unequality: ca.ne}
+_RELATIONS = {
+    sp.StrictLessThan: ca.lt,
+    sp.LessThan: ca.le,
+    sp.Equality: ca.eq,
+    sp.Unequality: ca.ne,
+}
 
 
 def to_casadi(expressions, table):
-    """Translate SymPy expressions by `table`, {SymPy symbol: CasADi expression}; a list of CasADi expressions.
+    """Translate SymPy expressions by `table`, {SymPy symbol: CasADi expression}; a list of CasADi
+    expressions.
 
-    Equal subexpressions become one node. Raises ValueError for a function that CasADi does not have.
+    Equal subexpressions become one node. Raises ValueError for a function that CasADi does not
+    have.
     """
     memory = dict(table)
 
@@ -34,10 +58,12 @@ def _node(e, walk):
         return reduce(lambda a, b: a + b, map(walk, e.args))
     if e.is_Mul:
         # Divisions as divisions: a*b**(-1) would round twice.
-        numerator, denominator = e.as_numer_denom() if any(_is_inverse(a) for a in e.args) else (e, sp.S.One)
+        numerator, denominator = (
+            e.as_numer_denom() if any(_is_inverse(a) for a in e.args) else (e, sp.S.One)
+        )
         if denominator != 1 and numerator != e:
-            return walk(numerator)/walk(denominator)
-        return reduce(lambda a, b: a*b, map(walk, e.args))
+            return walk(numerator) / walk(denominator)
+        return reduce(lambda a, b: a * b, map(walk, e.args))
     if e.is_Pow:
         return _power(walk(e.base), e.exp, walk)
     if isinstance(e, (sp.Max, sp.Min)):
@@ -66,8 +92,8 @@ def _power(base, exponent, walk):
     if exponent == sp.Rational(1, 2):
         return ca.sqrt(base)
     if exponent.is_Integer and exponent < 0:
-        return 1/(base if exponent == -1 else base**int(-exponent))
-    return base**int(exponent) if exponent.is_Integer else base**walk(exponent)
+        return 1 / (base if exponent == -1 else base ** int(-exponent))
+    return base ** int(exponent) if exponent.is_Integer else base ** walk(exponent)
 
 
 def _condition(cond, walk):

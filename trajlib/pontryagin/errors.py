@@ -9,7 +9,8 @@ class PontryaginError(ValueError):
 
 
 class Infeasible(PontryaginError):
-    """No admissible control leads to the target (in the time given), by a proof that the message names."""
+    """No admissible control leads to the target (in the time given), by a proof that the message
+    names."""
 
 
 class Unbounded(PontryaginError):
@@ -19,8 +20,8 @@ class Unbounded(PontryaginError):
 class Chattering(PontryaginError):
     """Switchings accumulate: the extremal has infinitely many arcs.
 
-    `numbers`: the optimal cost and the ratio of the arcs with their errors, `accumulation.Accumulation`; None where
-    there are none.
+    `numbers`: the optimal cost and the ratio of the arcs with their errors,
+    `accumulation.Accumulation`; None where there are none.
     """
 
     def __init__(self, message, numbers=None):
@@ -33,7 +34,8 @@ class WrongStructure(PontryaginError):
 
 
 class NotUnique(WrongStructure):
-    """The maximum principle leaves a control open on an arc: several controls may be equally good."""
+    """The maximum principle leaves a control open on an arc: several controls may be equally
+    good."""
 
 
 class NotConverged(PontryaginError):

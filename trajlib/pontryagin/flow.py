@@ -1,17 +1,20 @@
-"""Motion of states and costates along an arc of one kind, to rounding error, with its exact derivatives.
+"""Motion of states and costates along an arc of one kind, to rounding error, with its exact
+derivatives.
 
-The kinds, one for each control: "u-" and "u+" (at a bound), "interior" (dH/du = 0 between the bounds; the direction of
-a thrust that is off has the limit of those of weak thrusts) and "singular" (H linear in u, dH/du = 0 on the arc). On an
-interior arc the control w is carried along as a component of the motion,
+The kinds, one for each control: "u-" and "u+" (at a bound), "interior" (dH/du = 0 between the
+bounds; the direction of a thrust that is off has the limit of those of weak thrusts) and "singular"
+(H linear in u, dH/du = 0 on the arc). On an interior arc the control w is carried along as a
+component of the motion,
 
     w' = -(d2H/du2)^-1 d/dt(dH/du with u held),
 
-so that no equation has to be solved on the way and no root be chosen. An angle whose part of H vanishes at one moment
-jumps there by half a turn: where it is constant before and after, the arcs are "ahead" (u = w) and "back"
-(u = w + pi) with w' = 0 (a motion along a line under a thrust that only turns round). The integrator is the
-extrapolated explicit midpoint rule (Gragg) with 2, 4, 6 and 8 substeps, of order 8; it needs no table of
-coefficients.
+so that no equation has to be solved on the way and no root be chosen. An angle whose part of H
+vanishes at one moment jumps there by half a turn: where it is constant before and after, the arcs
+are "ahead" (u = w) and "back" (u = w + pi) with w' = 0 (a motion along a line under a thrust that
+only turns round). The integrator is the extrapolated explicit midpoint rule (Gragg) with 2, 4, 6
+and 8 substeps, of order 8; it needs no table of coefficients.
 """
+
 from functools import cached_property
 
 import casadi as ca
@@ -20,7 +23,8 @@ import numpy as np
 from trajlib.pontryagin.errors import NotUnique, WrongStructure
 
 KINDS = ("u-", "u+", "interior", "singular")
-# Arcs of a constant angle, with the angle that is added to the common one. To the user they are interior.
+# Arcs of a constant angle, with the angle that is added to the common one. To the user they are
+# interior.
 STEADY = {"ahead": 0.0, "back": np.pi}
 _SUBSTEPS = (2, 4, 6, 8)
 
@@ -28,8 +32,9 @@ _SUBSTEPS = (2, 4, 6, 8)
 class ArcFlow:
     """The motion y = (x, psi, w) along arcs of the kinds given (a tuple, one for each control).
 
-    `control`: the controls as a CasADi expression in `y` and `multiplier`; `entry`: what vanishes where an arc begins
-    (dH/du for interior controls, the switching function and its derivatives for singular ones).
+    `control`: the controls as a CasADi expression in `y` and `multiplier`; `entry`: what vanishes
+    where an arc begins (dH/du for interior controls, the switching function and its derivatives for
+    singular ones).
     """
 
     def __init__(self, numeric, kinds):
@@ -38,20 +43,22 @@ class ArcFlow:
         self.singular = [i for i, kind in enumerate(kinds) if kind == "singular"]
         self.w = ca.SX.sym("w", len(self.interior))
         self.y = ca.vertcat(numeric.x, numeric.psi, self.w)
-        self.size = 2*numeric.n + len(self.interior)
+        self.size = 2 * numeric.n + len(self.interior)
         self.orders = {}
         control = ca.SX(numeric.k, 1)
         for i, kind in enumerate(kinds):
             bound = {"u-": numeric.lower[i], "u+": numeric.upper[i]}.get(kind, 0.0)
             if not np.isfinite(bound):
-                raise WrongStructure(f"an arc {kind} of {numeric.problem.control[i]}, which has no such bound")
+                raise WrongStructure(
+                    f"an arc {kind} of {numeric.problem.control[i]}, which has no such bound"
+                )
             control[i] = bound
         for component, i in enumerate(self.interior):
             control[i] = self.w[component] + STEADY.get(kinds[i], 0.0)
         conditions = []
         for i in self.singular:
             derivatives, value = singular_control(numeric, i, control, kinds)
-            self.orders[i] = len(derivatives)//2
+            self.orders[i] = len(derivatives) // 2
             conditions += derivatives
             control[i] = value
         self.control = control
@@ -64,12 +71,17 @@ class ArcFlow:
         return ca.substitute(expression, self.numeric.u, self.control)
 
     def _stationary(self, i):
-        """What vanishes for an interior control: dH/du_i; where it does so whatever u_i, since another control is zero
-        (the direction of a thrust that is off), its derivative with respect to that control.
+        """What vanishes for an interior control: dH/du_i; where it does so whatever u_i, since
+        another control is zero (the direction of a thrust that is off), its derivative with respect
+        to that control.
         """
         numeric, slope = self.numeric, self.numeric.slopes[i]
         for j, kind in enumerate(self.kinds):
-            off = kind in ("u-", "u+") and numeric.affine[j] and ca.which_depends(slope, numeric.u[j])[0]
+            off = (
+                kind in ("u-", "u+")
+                and numeric.affine[j]
+                and ca.which_depends(slope, numeric.u[j])[0]
+            )
             if off and _vanishes(numeric, ca.substitute(slope, numeric.u[j], self.control[j])):
                 return ca.jacobian(slope, numeric.u[j])
         return slope
@@ -90,15 +102,17 @@ class ArcFlow:
 
     @cached_property
     def functions(self):
-        """{name: CasADi function of (y, lambda_0)}: control, hamiltonian, slopes (dH/du), entry with its
-        derivatives."""
+        """{name: CasADi function of (y, lambda_0)}: control, hamiltonian, slopes (dH/du), entry
+        with its derivatives."""
         numeric, arguments = self.numeric, [self.y, self.numeric.multiplier]
         hamiltonian = self._with_control(numeric.hamiltonian)
         both = ca.vertcat(self.y, numeric.multiplier)
         slopes = self._with_control(numeric.slopes)
         return {
             "control": ca.Function("control", arguments, [self.control]),
-            "hamiltonian": ca.Function("hamiltonian", arguments, [hamiltonian, ca.jacobian(hamiltonian, both)]),
+            "hamiltonian": ca.Function(
+                "hamiltonian", arguments, [hamiltonian, ca.jacobian(hamiltonian, both)]
+            ),
             "slopes": ca.Function("slopes", arguments, [slopes, ca.jacobian(slopes, both)]),
             "entry": ca.Function("entry", arguments, [self.entry, ca.jacobian(self.entry, both)]),
         }
@@ -107,15 +121,21 @@ class ArcFlow:
     def step(self):
         """(y with the cost, lambda_0, h) -> the same after time h."""
         cost, h = ca.SX.sym("cost"), ca.SX.sym("h")
-        rate = ca.Function("rate", [self.y, self.numeric.multiplier],
-                           [ca.vertcat(self.rate, self._with_control(self.numeric.density))])
+        rate = ca.Function(
+            "rate",
+            [self.y, self.numeric.multiplier],
+            [ca.vertcat(self.rate, self._with_control(self.numeric.density))],
+        )
         full = ca.vertcat(self.y, cost)
-        after = extrapolated_midpoint(lambda z: rate(z[:self.size], self.numeric.multiplier), full, h)
+        after = extrapolated_midpoint(
+            lambda z: rate(z[: self.size], self.numeric.multiplier), full, h
+        )
         return ca.Function("step", [full, self.numeric.multiplier, h], [after])
 
     @cached_property
     def variational_step(self):
-        """(y, its derivatives with respect to the start and lambda_0; lambda_0, h) -> the same after time h."""
+        """(y, its derivatives with respect to the start and lambda_0; lambda_0, h) -> the same
+        after time h."""
         size, h = self.size, ca.SX.sym("h")
         Phi = ca.SX.sym("Phi", size, size + 1)
         both = ca.vertcat(self.y, self.numeric.multiplier)
@@ -123,7 +143,9 @@ class ArcFlow:
         # d/dt dy/d(start, lambda_0) = f_y dy/d(start, lambda_0) + (0, f_lambda)
         growth = ca.mtimes(linear[:, :size], Phi) + ca.horzcat(ca.SX(size, size), linear[:, size])
         joined = ca.vertcat(self.y, ca.vec(Phi))
-        rate = ca.Function("rate", [joined, self.numeric.multiplier], [ca.vertcat(self.rate, ca.vec(growth))])
+        rate = ca.Function(
+            "rate", [joined, self.numeric.multiplier], [ca.vertcat(self.rate, ca.vec(growth))]
+        )
         after = extrapolated_midpoint(lambda z: rate(z, self.numeric.multiplier), joined, h)
         return ca.Function("step", [joined, self.numeric.multiplier, h], [after])
 
@@ -132,7 +154,11 @@ class ArcFlow:
 
         The steps are equal, or end at the given `fractions` of the length, (steps,).
         """
-        widths = length/steps if fractions is None else ca.DM(length*np.diff(fractions, prepend=0.0)).T
+        widths = (
+            length / steps
+            if fractions is None
+            else ca.DM(length * np.diff(fractions, prepend=0.0)).T
+        )
         after = self._accumulated("step", steps)(start, multiplier, widths).full()
         return np.vstack([start, after.T])
 
@@ -142,11 +168,15 @@ class ArcFlow:
         return (value[0] if isinstance(value, (tuple, list)) else value).full()
 
     def transition(self, start, multiplier, length, steps):
-        """End of the arc and its derivatives: (size,), (size, size) by the start, (size,) by lambda_0, (size,) by the
-        length."""
+        """End of the arc and its derivatives: (size,), (size, size) by the start, (size,) by
+        lambda_0, (size,) by the length."""
         size = self.size
         joined = np.concatenate([start, np.eye(size, size + 1).ravel(order="F")])
-        after = self._accumulated("variational_step", steps)(joined, multiplier, length/steps)[:, -1].full().ravel()
+        after = (
+            self._accumulated("variational_step", steps)(joined, multiplier, length / steps)[:, -1]
+            .full()
+            .ravel()
+        )
         end, Phi = after[:size], after[size:].reshape(size, size + 1, order="F")
         return end, Phi[:, :size], Phi[:, size], self._rate_function(end, multiplier).full().ravel()
 
@@ -162,53 +192,67 @@ class ArcFlow:
 
 
 def extrapolated_midpoint(rate, start, h):
-    """One step of length h of y' = rate(y): explicit midpoint rule with 2, 4, 6, 8 substeps, extrapolated to h -> 0."""
+    """One step of length h of y' = rate(y): explicit midpoint rule with 2, 4, 6, 8 substeps,
+    extrapolated to h -> 0."""
     slope, result = rate(start), start
     for m in _SUBSTEPS:
-        # Increments instead of values: the weights add up to one, and rounding errors stay those of the increments.
-        previous, current = 0*start, h/m*slope
+        # Increments instead of values: the weights add up to one, and rounding errors stay those of
+        # the increments.
+        previous, current = 0 * start, h / m * slope
         for _ in range(m - 1):
-            previous, current = current, previous + 2*h/m*rate(start + current)
-        weight = np.prod([m**2/(m**2 - o**2) for o in _SUBSTEPS if o != m])
-        result = result + weight*current
+            previous, current = current, previous + 2 * h / m * rate(start + current)
+        weight = np.prod([m**2 / (m**2 - o**2) for o in _SUBSTEPS if o != m])
+        result = result + weight * current
     return result
 
 
 def singular_control(numeric, i, control, kinds):
-    """The switching function of control i with its derivatives of orders 0 to 2q-1, and the control -a/b.
+    """The switching function of control i with its derivatives of orders 0 to 2q-1, and the control
+    -a/b.
 
-    Expressions in x, psi, lambda_0; controls at their bounds have the values in `control`. Raises `NotUnique` if no
-    derivative contains the control, `WrongStructure` if another control that is not at a bound acts on them.
+    Expressions in x, psi, lambda_0; controls at their bounds have the values in `control`. Raises
+    `NotUnique` if no derivative contains the control, `WrongStructure` if another control that is
+    not at a bound acts on them.
     """
     if not numeric.affine[i]:
-        raise WrongStructure(f"a singular arc of {numeric.problem.control[i]}, in which H is not linear")
+        raise WrongStructure(
+            f"a singular arc of {numeric.problem.control[i]}, in which H is not linear"
+        )
     motion = ca.vertcat(numeric.field, numeric.adjoint)
-    # numeric.u[i] stays; bounds are constants of the arc. A control that moves along the arc must not act here.
+    # numeric.u[i] stays; bounds are constants of the arc. A control that moves along the arc must
+    # not act here.
     bound = [j for j in range(numeric.k) if j != i and kinds[j] in ("u-", "u+")]
     moving = [numeric.u[j] for j in range(numeric.k) if j != i and j not in bound]
     fixed = ca.vertcat(*(numeric.u[j] for j in bound)), ca.vertcat(*(control[j] for j in bound))
     motion, slope = (ca.substitute(e, *fixed) if bound else e for e in (motion, numeric.slopes[i]))
     u, point = numeric.u[i], ca.vertcat(numeric.x, numeric.psi)
     derivatives = [slope]
-    for order in range(1, 2*numeric.n + 1):
+    for order in range(1, 2 * numeric.n + 1):
         following = ca.jtimes(derivatives[-1], point, motion)
         if any(not _vanishes(numeric, ca.jacobian(following, other)) for other in moving):
-            raise WrongStructure(f"a singular arc of {numeric.problem.control[i]} while another control moves between "
-                                 f"its bounds acts on "
-                                 "it: such arcs are not provided for")
+            raise WrongStructure(
+                f"a singular arc of {numeric.problem.control[i]} while another control moves "
+                "between "
+                f"its bounds acts on "
+                "it: such arcs are not provided for"
+            )
         factor = ca.jacobian(following, u)
         if order % 2 == 0 and not _vanishes(numeric, factor):
-            return derivatives, -_without(following, u, moving)/_without(factor, u, moving)
+            return derivatives, -_without(following, u, moving) / _without(factor, u, moving)
         derivatives.append(_without(following, u, moving))
-    raise NotUnique(f"the maximum condition leaves {numeric.problem.control[i]} open on an arc: its switching function "
-                    "vanishes there whatever it does")
+    raise NotUnique(
+        f"the maximum condition leaves {numeric.problem.control[i]} open on an arc: its switching "
+        "function "
+        "vanishes there whatever it does"
+    )
 
 
 def steady_slopes(numeric, i):
-    """dH/du of an angle and its time derivatives while it does not turn: all of them vanish on its arc."""
+    """dH/du of an angle and its time derivatives while it does not turn: all of them vanish on its
+    arc."""
     motion, point = ca.vertcat(numeric.field, numeric.adjoint), ca.vertcat(numeric.x, numeric.psi)
     derivatives = [numeric.slopes[i]]
-    for _ in range(2*numeric.n - 1):
+    for _ in range(2 * numeric.n - 1):
         following = ca.jtimes(derivatives[-1], point, motion)
         if _vanishes(numeric, following):
             break
@@ -223,15 +267,25 @@ def _without(expression, u, moving):
 
 
 def _vanishes(numeric, factor):
-    """Whether an expression is zero identically, by its values in fixed points (Lie brackets cancel only after
-    simplification)."""
+    """Whether an expression is zero identically, by its values in fixed points (Lie brackets cancel
+    only after simplification)."""
     if factor.nnz() == 0:
         return True
     arguments = [numeric.x, numeric.psi, numeric.u, numeric.multiplier]
     value = ca.Function("factor", arguments, [factor])
     random = np.random.default_rng(0)
     around = np.nan_to_num(numeric.start)
-    values = [abs(float(value(around + 0.1*random.standard_normal(numeric.n)*(1 + np.abs(around)),
-                              random.standard_normal(numeric.n),
-                              numeric.middle(), 1.0))) for _ in range(4)]
+    values = [
+        abs(
+            float(
+                value(
+                    around + 0.1 * random.standard_normal(numeric.n) * (1 + np.abs(around)),
+                    random.standard_normal(numeric.n),
+                    numeric.middle(),
+                    1.0,
+                )
+            )
+        )
+        for _ in range(4)
+    ]
     return max(values) < 1e-9

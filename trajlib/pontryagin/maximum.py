@@ -1,15 +1,20 @@
-"""The control that makes the Pontryagin function largest, in closed form where there is one (equation (5.5)).
+"""The control that makes the Pontryagin function largest, in closed form where there is one
+(equation (5.5)).
 
-Linear in u: a bound, by the sign of the switching function. Strictly concave in u: the stationary point, cut off at the
-bounds. Otherwise the largest of the stationary points and the bounds, which is left to numbers.
+Linear in u: a bound, by the sign of the switching function. Strictly concave in u: the stationary
+point, cut off at the bounds. Otherwise the largest of the stationary points and the bounds, which
+is left to numbers.
 """
+
 import sympy as sp
 
 
 def maximising_control(derived):
-    """{control: expression}: a Piecewise, the stationary point, or None where no closed form was found.
+    """{control: expression}: a Piecewise, the stationary point, or None where no closed form was
+    found.
 
-    On the zeros of a switching function, where the maximum principle says nothing, the Piecewise is nan.
+    On the zeros of a switching function, where the maximum principle says nothing, the Piecewise is
+    nan.
     """
     curved = [u for u in derived.problem.control if u not in derived.switching]
     result = {u: _bang(derived, u) for u in derived.switching}
@@ -31,9 +36,11 @@ def stationary_controls(derived, controls):
 
 
 def _solvable(equation, controls):
-    """Whether an equation is algebraic in the controls, or of low degree in one function of one of them.
+    """Whether an equation is algebraic in the controls, or of low degree in one function of one of
+    them.
 
-    Elsewhere (rates exp(-2500/u) and exp(-5000/u) of two reactions) SymPy may look for a closed form for minutes.
+    Elsewhere (rates exp(-2500/u) and exp(-5000/u) of two reactions) SymPy may look for a closed
+    form for minutes.
     """
     if equation.is_algebraic_expr(*controls):
         return True
@@ -61,7 +68,9 @@ def _cut_off(derived, u, point):
     """The stationary point within the bounds: right where H is strictly concave in u alone."""
     if point is None:
         return None
-    curvature = sp.diff(derived.hamiltonian, u, 2).subs(derived.multiplier, sp.Symbol("lambda0", positive=True))
+    curvature = sp.diff(derived.hamiltonian, u, 2).subs(
+        derived.multiplier, sp.Symbol("lambda0", positive=True)
+    )
     if not curvature.is_negative:
         return None
     low, high = derived.problem.controls[u]

@@ -1,4 +1,6 @@
-"""A problem with numbers for everything, as CasADi expressions: what transcription and shooting both start from."""
+"""A problem with numbers for everything, as CasADi expressions: what transcription and shooting
+both start from."""
+
 from functools import cached_property
 
 import casadi as ca
@@ -15,14 +17,14 @@ GRID = 41
 class NumericProblem:
     """CasADi expressions (SX) of a problem without parameters.
 
-    `x`, `psi`, `u`: vectors of length n, n, k; `multiplier`: lambda_0. `field`, `density`, `final`, `target`: f, f_0,
-    phi_0 and phi_1, ..., phi_m, the signs of f_0 and phi_0 being those of a minimum. `lower`, `upper`: bounds of the
-    controls (k,); `start`: initial values, nan for a free one (n,); `duration`: a number or None; `shortest`,
-    `longest`.
+    `x`, `psi`, `u`: vectors of length n, n, k; `multiplier`: lambda_0. `field`, `density`, `final`,
+    `target`: f, f_0, phi_0 and phi_1, ..., phi_m, the signs of f_0 and phi_0 being those of a
+    minimum. `lower`, `upper`: bounds of the controls (k,); `start`: initial values, nan for a free
+    one (n,); `duration`: a number or None; `shortest`, `longest`.
     """
 
-    # A free final time is bounded by default: from below since it would shrink to zero or beyond, from above since a
-    # problem without a minimum would run away. In the user's units of time.
+    # A free final time is bounded by default: from below since it would shrink to zero or beyond,
+    # from above since a problem without a minimum would run away. In the user's units of time.
     SHORTEST, LONGEST = 1e-6, 1e3
 
     def __init__(self, problem):
@@ -39,22 +41,34 @@ class NumericProblem:
         self.n, self.k, self.m = len(problem.state), len(problem.control), len(problem.terminal)
         self.x, self.psi = ca.SX.sym("x", self.n), ca.SX.sym("psi", self.n)
         self.u, self.multiplier = ca.SX.sym("u", self.k), ca.SX.sym("lambda0")
-        table = ({s: self.x[i] for i, s in enumerate(problem.state)}
-                 | {s: self.u[i] for i, s in enumerate(problem.control)})
+        table = {s: self.x[i] for i, s in enumerate(problem.state)} | {
+            s: self.u[i] for i, s in enumerate(problem.control)
+        }
         sign = -1 if problem.maximise else 1
-        translated = to_casadi([*problem.field, sign*problem.running, sign*problem.final, *problem.terminal], table)
-        self.field = ca.vertcat(*translated[:self.n])
+        translated = to_casadi(
+            [*problem.field, sign * problem.running, sign * problem.final, *problem.terminal], table
+        )
+        self.field = ca.vertcat(*translated[: self.n])
         self.density, self.final = translated[self.n], translated[self.n + 1]
-        self.target = ca.vertcat(*translated[self.n + 2:])
-        self.lower, self.upper = (np.array([_number(b[i]) for b in problem.controls.values()]) for i in (0, 1))
-        self.start = np.array([np.nan if v is None else _number(v) for v in problem.initial.values()])
+        self.target = ca.vertcat(*translated[self.n + 2 :])
+        self.lower, self.upper = (
+            np.array([_number(b[i]) for b in problem.controls.values()]) for i in (0, 1)
+        )
+        self.start = np.array(
+            [np.nan if v is None else _number(v) for v in problem.initial.values()]
+        )
         self.duration = None if problem.free_time else _number(problem.duration)
-        low, high = problem.duration if isinstance(problem.duration, tuple) else (self.SHORTEST, self.LONGEST)
+        low, high = (
+            problem.duration
+            if isinstance(problem.duration, tuple)
+            else (self.SHORTEST, self.LONGEST)
+        )
         self.shortest, self.longest = max(_number(low), self.SHORTEST), min(_number(high), 1e6)
         self.time_bounds_given = isinstance(problem.duration, tuple)
 
     def made(self, what, make):
-        """What `make()` returns, kept under the name `what`: a CasADi function is made once for a problem."""
+        """What `make()` returns, kept under the name `what`: a CasADi function is made once for a
+        problem."""
         made = self.__dict__.setdefault("_made", {})
         if what not in made:
             made[what] = make()
@@ -62,7 +76,7 @@ class NumericProblem:
 
     @cached_property
     def hamiltonian(self):
-        return ca.dot(self.psi, self.field) - self.multiplier*self.density
+        return ca.dot(self.psi, self.field) - self.multiplier * self.density
 
     @cached_property
     def slopes(self):
@@ -87,25 +101,39 @@ class NumericProblem:
         return ca.Function("final", [self.x], [self.final])
 
     def concave(self, i, states, costates, controls):
-        """Whether H is strictly concave in control i, at its bounds and where it is, in N points (rows)."""
+        """Whether H is strictly concave in control i, at its bounds and where it is, in N points
+        (rows)."""
         if self.affine[i]:
             return False
         tried = [controls.copy() for _ in range(3)]
         tried[0][:, i], tried[1][:, i] = self.lower[i], self.upper[i]
-        return all(self.curvature(i, *point) < 0 for one in tried for point in zip(states, costates, one))
+        return all(
+            self.curvature(i, *point) < 0 for one in tried for point in zip(states, costates, one)
+        )
 
     def curvature(self, i, state, costate, controls, multiplier=1.0):
         """d2H/du_i2 in a point."""
-        value = self.made(f"curvature {i}", lambda: ca.Function(
-            "curvature", [self.x, self.psi, self.u, self.multiplier], [ca.jacobian(self.slopes[i], self.u[i])]))
+        value = self.made(
+            f"curvature {i}",
+            lambda: ca.Function(
+                "curvature",
+                [self.x, self.psi, self.u, self.multiplier],
+                [ca.jacobian(self.slopes[i], self.u[i])],
+            ),
+        )
         return float(value(state, costate, controls, multiplier))
 
     def best_controls(self, states, costates, controls):
-        """The controls in N points (rows) with those between two bounds in which H is not linear changed, one after the
-        other, to what makes H with lambda_0 = 1 largest on a grid; and by how much H grows, (N,).
+        """The controls in N points (rows) with those between two bounds in which H is not linear
+        changed, one after the other, to what makes H with lambda_0 = 1 largest on a grid; and by
+        how much H grows, (N,).
         """
-        value = self.made("hamiltonian", lambda: ca.Function(
-            "hamiltonian", [self.x, self.psi, self.u, self.multiplier], [self.hamiltonian]))
+        value = self.made(
+            "hamiltonian",
+            lambda: ca.Function(
+                "hamiltonian", [self.x, self.psi, self.u, self.multiplier], [self.hamiltonian]
+            ),
+        )
 
         def values(u, times):
             points = (np.tile(part, (times, 1)).T for part in (states, costates))
@@ -123,19 +151,32 @@ class NumericProblem:
 
     def middle(self):
         """A control inside the bounds, (k,)."""
-        low = np.where(np.isfinite(self.lower), self.lower, np.where(np.isfinite(self.upper), self.upper - 1, 0.0))
-        high = np.where(np.isfinite(self.upper), self.upper, np.where(np.isfinite(self.lower), self.lower + 1, 0.0))
-        return (low + high)/2
+        low = np.where(
+            np.isfinite(self.lower),
+            self.lower,
+            np.where(np.isfinite(self.upper), self.upper - 1, 0.0),
+        )
+        high = np.where(
+            np.isfinite(self.upper),
+            self.upper,
+            np.where(np.isfinite(self.lower), self.lower + 1, 0.0),
+        )
+        return (low + high) / 2
 
 
 def _refuse_kinks(problem):
-    """H has to be smooth in the controls: ValueError if Abs, sign, Max, Min or Piecewise holds one."""
+    """H has to be smooth in the controls: ValueError if Abs, sign, Max, Min or Piecewise holds
+    one."""
     for e in (*problem.field, problem.running):
         for kink in e.atoms(sp.Abs, sp.sign, sp.Max, sp.Min, sp.Piecewise, sp.Heaviside):
             if kink.free_symbols & set(problem.control):
-                raise ValueError(f"solve: {kink} is not smooth in the control. Only Abs(u) of a single control in the "
-                                 "running cost is split here; otherwise split the control likewise: u = p - q with "
-                                 "the controls p, q >= 0, and p + q in place of Abs(u).")
+                raise ValueError(
+                    f"solve: {kink} is not smooth in the control. Only Abs(u) of a single control "
+                    "in the "
+                    "running cost is split here; otherwise split the control likewise: u = p - q "
+                    "with "
+                    "the controls p, q >= 0, and p + q in place of Abs(u)."
+                )
 
 
 def _number(value):

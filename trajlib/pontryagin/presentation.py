@@ -1,4 +1,6 @@
-"""Problems and their conditions as a reader would write them on the blackboard (Markdown with LaTeX)."""
+"""Problems and their conditions as a reader would write them on the blackboard (Markdown with
+LaTeX)."""
+
 import sympy as sp
 
 
@@ -6,45 +8,71 @@ def problem_markdown(problem):
     """A problem as a block of formulas."""
     lines = [rf"{_dot(y)} = {sp.latex(f)}" for y, f in problem.dynamics.items()]
     lines += [_bounds(u, *bounds) for u, bounds in problem.controls.items()]
-    starts = [f"{sp.latex(y)}(0) = {sp.latex(v)}" for y, v in problem.initial.items() if v is not None]
+    starts = [
+        f"{sp.latex(y)}(0) = {sp.latex(v)}" for y, v in problem.initial.items() if v is not None
+    ]
     free = [rf"{sp.latex(y)}(0)\ \text{{free}}" for y, v in problem.initial.items() if v is None]
     lines.append(r",\quad ".join(starts + free))
     if problem.terminal:
-        lines.append(r",\quad ".join(f"{sp.latex(g)} = 0" for g in problem.terminal)
-                     + rf"\quad\text{{at}}\ t = {_end(problem)}")
+        lines.append(
+            r",\quad ".join(f"{sp.latex(g)} = 0" for g in problem.terminal)
+            + rf"\quad\text{{at}}\ t = {_end(problem)}"
+        )
     lines.append(rf"J = {_cost(problem)} \to \{'max' if problem.maximise else 'min'}")
     if isinstance(problem.duration, tuple):
-        lines.append(rf"{sp.latex(problem.duration[0])} \le t_k \le {sp.latex(problem.duration[1])}")
+        lines.append(
+            rf"{sp.latex(problem.duration[0])} \le t_k \le {sp.latex(problem.duration[1])}"
+        )
     return _block(lines)
 
 
 def conditions_markdown(derived):
     """The conditions one after another, each under its name."""
     problem = derived.problem
-    parts = ["**Pontryagin function**", _block([rf"H = {sp.latex(derived.hamiltonian)}"]),
-             "**Adjoint system**",
-             _block([rf"{_dot(psi)} = {sp.latex(rate)}" for psi, rate in derived.adjoint.items()]),
-             "**Maximum of H over the admissible controls**", _block(_maximum(derived))]
+    parts = [
+        "**Pontryagin function**",
+        _block([rf"H = {sp.latex(derived.hamiltonian)}"]),
+        "**Adjoint system**",
+        _block([rf"{_dot(psi)} = {sp.latex(rate)}" for psi, rate in derived.adjoint.items()]),
+        "**Maximum of H over the admissible controls**",
+        _block(_maximum(derived)),
+    ]
     for u, slope in derived.switching.items():
         arc = derived.singular[u]
         parts.append(f"**Switching function of** ${sp.latex(u)}$ **and its derivatives**")
         ticks = [rf"\frac{{\partial H}}{{\partial {sp.latex(u)}}} = {sp.latex(slope)}"]
-        ticks += [rf"\frac{{d{_power(k)}}}{{dt{_power(k)}}}\frac{{\partial H}}{{\partial {sp.latex(u)}}} = "
-                  rf"{sp.latex(d)}"
-                  for k, d in enumerate(arc.derivatives[1:], 1)]
+        ticks += [
+            rf"\frac{{d{_power(k)}}}{{dt{_power(k)}}}\frac{{\partial H}}{{\partial {sp.latex(u)}}} "
+            r"= "
+            rf"{sp.latex(d)}"
+            for k, d in enumerate(arc.derivatives[1:], 1)
+        ]
         parts += [_block(ticks), _singular(arc)]
     parts.append(r"**Transversality** at $t_k$")
     parts.append(_block([f"{sp.latex(e)} = 0" for e in derived.transversality]))
     if derived.terminal_multipliers and derived.reduced_transversality:
-        parts.append("that is,\n" + _block([f"{sp.latex(e)} = 0" for e in derived.reduced_transversality]))
+        parts.append(
+            "that is,\n" + _block([f"{sp.latex(e)} = 0" for e in derived.reduced_transversality])
+        )
     if derived.initial_transversality:
-        parts.append("and at the start " + ", ".join(f"${sp.latex(psi)}(0) = 0$"
-                                                     for psi in derived.initial_transversality))
-    parts.append("**Hamiltonian** " + ("$H = 0$ along the trajectory, since the final time is free."
-                                       if problem.duration is None
-                                       else "constant along the trajectory."))
-    parts.append(r"**Normal case** $\lambda_0 = 1$: " + f"$H = {sp.latex(derived.normal)}$. " +
-                 r"**Abnormal case** $\lambda_0 = 0$, $\psi \ne 0$: " + f"$H = {sp.latex(derived.abnormal)}$.")
+        parts.append(
+            "and at the start "
+            + ", ".join(f"${sp.latex(psi)}(0) = 0$" for psi in derived.initial_transversality)
+        )
+    parts.append(
+        "**Hamiltonian** "
+        + (
+            "$H = 0$ along the trajectory, since the final time is free."
+            if problem.duration is None
+            else "constant along the trajectory."
+        )
+    )
+    parts.append(
+        r"**Normal case** $\lambda_0 = 1$: "
+        + f"$H = {sp.latex(derived.normal)}$. "
+        + r"**Abnormal case** $\lambda_0 = 0$, $\psi \ne 0$: "
+        + f"$H = {sp.latex(derived.abnormal)}$."
+    )
     return "\n\n".join(parts)
 
 
@@ -53,12 +81,20 @@ def _maximum(derived):
     for u in derived.problem.control:
         best = derived.maximising[u]
         if best is None:
-            lines.append(rf"{sp.latex(u)} = \arg\max H,\quad "
-                         rf"\frac{{\partial H}}{{\partial {sp.latex(u)}}} = "
-                         rf"{sp.latex(sp.diff(derived.hamiltonian, u))}")
+            lines.append(
+                rf"{sp.latex(u)} = \arg\max H,\quad "
+                rf"\frac{{\partial H}}{{\partial {sp.latex(u)}}} = "
+                rf"{sp.latex(sp.diff(derived.hamiltonian, u))}"
+            )
         elif u in derived.switching:
-            pieces = [rf"{sp.latex(value)}, & {sp.latex(where)}" for value, where in best.args if value is not sp.nan]
-            lines.append(rf"{sp.latex(u)} = \begin{{cases}} " + r" \\ ".join(pieces) + r" \end{cases}")
+            pieces = [
+                rf"{sp.latex(value)}, & {sp.latex(where)}"
+                for value, where in best.args
+                if value is not sp.nan
+            ]
+            lines.append(
+                rf"{sp.latex(u)} = \begin{{cases}} " + r" \\ ".join(pieces) + r" \end{cases}"
+            )
         else:
             lines.append(rf"{sp.latex(u)} = {sp.latex(best)}")
     return lines
@@ -76,12 +112,23 @@ def _singular(arc):
     if arc.control is not None:
         parts.append(rf"have the control ${u} = {sp.latex(arc.control)}$")
     if arc.kelley == 0:
-        return ", ".join(parts) + ", where the factor of the control vanishes: this derivative does not determine it."
+        return (
+            ", ".join(parts)
+            + ", where the factor of the control vanishes: this derivative does not determine it."
+        )
     kelley = sp.latex(arc.kelley)
     verdict = r"\le 0" if arc.kelley.is_nonpositive else r"> 0" if arc.kelley.is_positive else ""
-    return ", ".join(parts) + rf". Kelley: $(-1)^q b = {kelley} {verdict}$" + (
-        ", as a minimum needs." if arc.kelley.is_nonpositive else
-        ", which excludes a minimum." if arc.kelley.is_positive else r"; a minimum needs $\le 0$.")
+    return (
+        ", ".join(parts)
+        + rf". Kelley: $(-1)^q b = {kelley} {verdict}$"
+        + (
+            ", as a minimum needs."
+            if arc.kelley.is_nonpositive
+            else ", which excludes a minimum."
+            if arc.kelley.is_positive
+            else r"; a minimum needs $\le 0$."
+        )
+    )
 
 
 def _bounds(u, low, high):
@@ -101,7 +148,9 @@ def _end(problem):
 def _cost(problem):
     if problem.time_optimal:
         return "t_k"
-    parts = [] if problem.final == 0 else [sp.latex(problem.final) + rf"\Big|_{{t = {_end(problem)}}}"]
+    parts = (
+        [] if problem.final == 0 else [sp.latex(problem.final) + rf"\Big|_{{t = {_end(problem)}}}"]
+    )
     if problem.running != 0:
         density = sp.latex(problem.running)
         density = rf"\left({density}\right)" if problem.running.is_Add else density
@@ -119,4 +168,8 @@ def _power(k):
 
 
 def _block(lines):
-    return "$$\n\\begin{aligned}\n" + " \\\\\n".join(f"& {line}" for line in lines) + "\n\\end{aligned}\n$$"
+    return (
+        "$$\n\\begin{aligned}\n"
+        + " \\\\\n".join(f"& {line}" for line in lines)
+        + "\n\\end{aligned}\n$$"
+    )

@@ -1,4 +1,5 @@
 """From a statement to discrete pictures of extremals, or to the reason why there is none."""
+
 from dataclasses import dataclass
 from itertools import zip_longest
 
@@ -13,14 +14,17 @@ from trajlib.pontryagin.structure import name
 from trajlib.pontryagin.transcription import Picture, Transcription, target_multipliers
 
 INTERVALS = 80
-# Where several starts are compared, they are on fewer intervals; those within this share of the best cost are refined.
+# Where several starts are compared, they are on fewer intervals; those within this share of the
+# best cost are refined.
 COARSE, CLOSE = 30, 0.05
-# Iterations on few intervals, and from there on many, at most; how many starts of several kinds have to lead to one
-# process to be enough.
+# Iterations on few intervals, and from there on many, at most; how many starts of several kinds
+# have to lead to one process to be enough.
 PATIENCE, REFINING, AGREEING = 100, 80, 3
-# What a cost has to fall by, as a share of it, when the duration is doubled: more than a discrete picture is wrong by.
+# What a cost has to fall by, as a share of it, when the duration is doubled: more than a discrete
+# picture is wrong by.
 FALLS = 1e-3
-# A free duration that changes by a smaller share from few intervals to many is one of the problem, not of its steps.
+# A free duration that changes by a smaller share from few intervals to many is one of the problem,
+# not of its steps.
 SETTLED = 0.05
 # How often swings are tried anew in the duration of the best process found.
 SWINGS = 4
@@ -30,8 +34,8 @@ NEEDLES = 1e-3
 
 @dataclass(frozen=True)
 class Search:
-    """Discrete pictures, each with its side of the target, the best first; from how many starts, and how many differ;
-    the durations that these had on few intervals.
+    """Discrete pictures, each with its side of the target, the best first; from how many starts,
+    and how many differ; the durations that these had on few intervals.
     """
 
     pictures: list
@@ -41,10 +45,12 @@ class Search:
 
 
 def search(numeric, guess=None, structure=None):
-    """`Search`: the pictures over the sides of the target. Raises what `explain` finds if there is none.
+    """`Search`: the pictures over the sides of the target. Raises what `explain` finds if there is
+    none.
 
-    Where a theorem makes every extremal optimal one picture is enough, and so with a guess or given arcs. Otherwise
-    motions of several kinds are started from, on few intervals, and the best pictures are refined.
+    Where a theorem makes every extremal optimal one picture is enough, and so with a guess or given
+    arcs. Otherwise motions of several kinds are started from, on few intervals, and the best
+    pictures are refined.
     """
     refuse_start_on_target(numeric)
     refuse_infeasible(numeric)
@@ -113,36 +119,45 @@ class _Attempts:
         if point and len(rough) > 1:
             rough = self._swung(coarse, rough)
         self.found += len(rough)
-        pictures, refined = [], Transcription(numeric, INTERVALS, None, side, patience=REFINING, near=True)
+        pictures, refined = (
+            [],
+            Transcription(numeric, INTERVALS, None, side, patience=REFINING, near=True),
+        )
         for picture in rough:
-            if len(pictures) == 3 or pictures and picture.cost > pictures[0].cost + CLOSE*abs(pictures[0].cost):
+            if len(pictures) == 3 or (
+                pictures and picture.cost > pictures[0].cost + CLOSE * abs(pictures[0].cost)
+            ):
                 break
             # Where IPOPT does not come to an end on many intervals, the picture on few has to do.
             if len(picture.controls) == INTERVALS:
                 pictures.append(picture)
                 continue
             finer = self.solved(refined, (picture.duration, picture.states, picture.controls))
-            self.coarse_durations += [picture.duration]*len(finer)
+            self.coarse_durations += [picture.duration] * len(finer)
             pictures += finer or [picture]
         return [(picture, side) for picture in _different(pictures)]
 
     def _spread(self, side, ladder=False):
-        """Starts of several kinds in turn: motions under constant controls, straight lines, controls that swing.
+        """Starts of several kinds in turn: motions under constant controls, straight lines,
+        controls that swing.
 
-        `ladder`: a way to the target as the last one, which is looked for only if the others are not enough.
+        `ladder`: a way to the target as the last one, which is looked for only if the others are
+        not enough.
         """
         starts = list(guesses(self.numeric, COARSE, side))
         swings = waves(self.numeric, COARSE, starts[0][0])
-        yield from (start for pair in zip_longest(starts, swings) for start in pair if start is not None)
+        yield from (
+            start for pair in zip_longest(starts, swings) for start in pair if start is not None
+        )
         for way in self.reaching(side) if ladder else []:
             yield way
             # The others may have failed for want of time.
             for share in (0.7, 0.5, 0.35):
-                yield from waves(self.numeric, COARSE, share*way[0])
+                yield from waves(self.numeric, COARSE, share * way[0])
 
     def _compared(self, programme, starts):
-        """The different pictures that the starts lead to, the best first; enough where AGREEING in a row are the
-        same.
+        """The different pictures that the starts lead to, the best first; enough where AGREEING in
+        a row are the same.
         """
         pictures, row = [], 0
         for start in starts:
@@ -154,27 +169,35 @@ class _Attempts:
         return pictures
 
     def _swung(self, programme, pictures):
-        """The pictures, and those that the best one's duration leads to from swings, as long as a better one is found.
+        """The pictures, and those that the best one's duration leads to from swings, as long as a
+        better one is found.
 
         Where different processes reach a point, how long the first starts took was chance.
         """
         for _ in range(SWINGS):
             best = pictures[0]
-            starts = [start for sign in (1, -1) for start in waves(self.numeric, COARSE, best.duration, sign)]
+            starts = [
+                start
+                for sign in (1, -1)
+                for start in waves(self.numeric, COARSE, best.duration, sign)
+            ]
             found = [picture for start in starts for picture in self.solved(programme, start)]
             pictures = _different([*pictures, *found])
-            if pictures[0].cost >= best.cost - FALLS*abs(best.cost):
+            if pictures[0].cost >= best.cost - FALLS * abs(best.cost):
                 break
         return pictures
 
     def reaching(self, side):
-        """A process that ends on the target, in a list; empty if none was found, the least distance being noted.
+        """A process that ends on the target, in a list; empty if none was found, the least distance
+        being noted.
 
-        A free duration is fixed at one trial value after another, up and down a ladder: with it the search is convex
-        for a linear system, and finds a way if there is one.
+        A free duration is fixed at one trial value after another, up and down a ladder: with it the
+        search is convex for a linear system, and finds a way if there is one.
         """
         numeric = self.numeric
-        programme = Transcription(numeric, INTERVALS//3, self.structure, side, distance_only=True, patience=PATIENCE)
+        programme = Transcription(
+            numeric, INTERVALS // 3, self.structure, side, distance_only=True, patience=PATIENCE
+        )
         _, states, controls = next(iter(guesses(numeric, INTERVALS, side)))
         ways = []
 
@@ -183,7 +206,7 @@ class _Attempts:
                 return False
             # Zero control is stationary where the plant has no drift: begin with a motion as well.
             start = (duration, states, controls)
-            for guess in [start, *waves(numeric, INTERVALS//3, duration)[:1]]:
+            for guess in [start, *waves(numeric, INTERVALS // 3, duration)[:1]]:
                 result = programme.solve(guess, duration)
                 if isinstance(result, Picture):
                     distance = float(np.sqrt(max(result.cost, 0.0)))
@@ -204,18 +227,21 @@ class _Attempts:
                     break
         else:
             ladder = (2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 0.25, 128.0, 256.0, 512.0)
-            # The longest time allowed is the one in which a point that can be held is reached, if it is reached at all.
-            ladder += (numeric.longest,)*numeric.time_bounds_given
+            # The longest time allowed is the one in which a point that can be held is reached, if
+            # it is reached at all.
+            ladder += (numeric.longest,) * numeric.time_bounds_given
             duration = next((d for d in ladder if reached(d)), None)
             if duration is not None and duration > 2:
-                reached(duration/np.sqrt(2))
+                reached(duration / np.sqrt(2))
         return ways
 
     def runs_away(self):
         """The failure in which the cost fell without bound, if there is one."""
         for failure in self.failures:
             large = failure.cost < -1e8 or failure.largest_state > 1e12
-            if failure.status == "Diverging_Iterates" or (large and failure.status == "Maximum_Iterations_Exceeded"):
+            if failure.status == "Diverging_Iterates" or (
+                large and failure.status == "Maximum_Iterations_Exceeded"
+            ):
                 return failure
         return None
 
@@ -223,55 +249,80 @@ class _Attempts:
         """Raise the reason why no picture was found."""
         numeric, failure = self.numeric, self.runs_away()
         if failure:
-            raise Unbounded(f"the cost falls without bound (it passed {_cost(numeric, failure.cost):.3g}): there is no "
-                            "optimal process. Check the sign of the cost, bound the controls, or fix the duration.")
+            raise Unbounded(
+                f"the cost falls without bound (it passed {_cost(numeric, failure.cost):.3g}): "
+                "there is no "
+                "optimal process. Check the sign of the cost, bound the controls, or fix the "
+                "duration."
+            )
         what = f" with the arcs {', '.join(map(name, self.structure))}" if self.structure else ""
-        missed = (f"the terminal equations are missed by {self.closest:.3g} at least (least distance found, by "
-                  "local search)" if 1e-4 < self.closest < np.inf else "")
+        missed = (
+            f"the terminal equations are missed by {self.closest:.3g} at least (least distance "
+            "found, by "
+            "local search)"
+            if 1e-4 < self.closest < np.inf
+            else ""
+        )
         if missed and not what:
             self._refuse_separated(missed)
         status = f", last status: {self.failures[-1].status}" if self.failures else ""
-        longest = (f" that lasts {numeric.longest:g} at most" if numeric.duration is None and not
-                   numeric.time_bounds_given else "")
-        raise NotConverged(f"no process{what}{longest} that ends on the target was found from {self.starts} starts"
-                           f"{'; ' + missed if missed else ''} (IPOPT{status}). Nothing is proved by that: give a "
-                           "guess for the duration and the states, or look whether the problem has a solution at all.")
+        longest = (
+            f" that lasts {numeric.longest:g} at most"
+            if numeric.duration is None and not numeric.time_bounds_given
+            else ""
+        )
+        raise NotConverged(
+            f"no process{what}{longest} that ends on the target was found from {self.starts} starts"
+            f"{'; ' + missed if missed else ''} (IPOPT{status}). Nothing is proved by that: give a "
+            "guess for the duration and the states, or look whether the problem has a solution at "
+            "all."
+        )
 
     def _refuse_separated(self, missed):
-        """Raise `Infeasible` if the target is separated from what can be reached in the time given, or in less."""
+        """Raise `Infeasible` if the target is separated from what can be reached in the time given,
+        or in less."""
         numeric, (duration, end) = self.numeric, self.nearest
         longest = numeric.duration if numeric.duration is not None else numeric.longest
         if duration != longest or (numeric.duration is None and not held(numeric.problem)):
             return
         if not separated(numeric, duration, end):
             return
-        text = (f"no admissible control leads to the target in the time {duration:.6g}: a costate separates it from "
-                f"all states that can be reached; {missed}")
+        text = (
+            f"no admissible control leads to the target in the time {duration:.6g}: a costate "
+            "separates it from "
+            f"all states that can be reached; {missed}"
+        )
         shortest = _least_time(numeric) if numeric.duration is not None else None
         if shortest is not None and shortest > numeric.duration:
-            raise Infeasible(f"the duration {duration:.6g} is too short: the least time in which the target is "
-                             f"reached is {shortest:.6g}. {text[0].upper() + text[1:]}.")
+            raise Infeasible(
+                f"the duration {duration:.6g} is too short: the least time in which the target is "
+                f"reached is {shortest:.6g}. {text[0].upper() + text[1:]}."
+            )
         raise Infeasible(text + ". Try another duration, or a free one.")
 
 
 def _different(pictures):
     """The pictures without those that show the same process as another one, the best first.
 
-    Of the same ones the smoothest is kept: an angle may jump by a whole turn from one interval to the next.
+    Of the same ones the smoothest is kept: an angle may jump by a whole turn from one interval to
+    the next.
     """
     kept = []
     for picture in sorted(pictures, key=lambda p: np.sum(np.abs(np.diff(p.controls, axis=0)))):
-        if not any(abs(picture.cost - other.cost) < 1e-4*(1e-3 + abs(other.cost))
-                   and abs(picture.duration - other.duration) < 1e-3*other.duration
-                   and np.max(np.abs(picture.states - other.states)) < 1e-2*(1 + np.max(np.abs(other.states)))
-                   for other in kept):
+        if not any(
+            abs(picture.cost - other.cost) < 1e-4 * (1e-3 + abs(other.cost))
+            and abs(picture.duration - other.duration) < 1e-3 * other.duration
+            and np.max(np.abs(picture.states - other.states))
+            < 1e-2 * (1 + np.max(np.abs(other.states)))
+            for other in kept
+        ):
             kept.append(picture)
     return sorted(kept, key=lambda picture: picture.cost)
 
 
 def _descended(numeric, picture, side, attempts):
-    """The picture, or a better one to which the cost falls from it: along the controls that make H largest, and from a
-    saddle along its steepest direction.
+    """The picture, or a better one to which the cost falls from it: along the controls that make H
+    largest, and from a saddle along its steepest direction.
 
     Where a theorem makes every extremal optimal there are no saddles.
     """
@@ -282,7 +333,9 @@ def _descended(numeric, picture, side, attempts):
         if better is not None:
             picture = better
             continue
-        variation = second_variation(numeric, of_picture(numeric, picture, target_multipliers(numeric, picture)))
+        variation = second_variation(
+            numeric, of_picture(numeric, picture, target_multipliers(numeric, picture))
+        )
         if variation.sign >= 0:
             return picture
         better = escaped(numeric, picture, variation, side)
@@ -293,133 +346,181 @@ def _descended(numeric, picture, side, attempts):
 
 
 def _with_needles(numeric, picture, side):
-    """A picture of less cost, found from the controls that make H largest in each interval; None if there is none.
+    """A picture of less cost, found from the controls that make H largest in each interval; None if
+    there is none.
 
-    Stationary controls need not make H largest where it is not concave, and the integral of what is missing is by how
-    much short changes of the control (needles) lower the cost to first order.
+    Stationary controls need not make H largest where it is not concave, and the integral of what is
+    missing is by how much short changes of the control (needles) lower the cost to first order.
     """
-    if not any(curved and bounded for curved, bounded in zip(~np.array(numeric.affine), np.isfinite(
-            numeric.upper - numeric.lower))):
+    if not any(
+        curved and bounded
+        for curved, bounded in zip(
+            ~np.array(numeric.affine), np.isfinite(numeric.upper - numeric.lower)
+        )
+    ):
         return None
-    middles = (picture.states[1:] + picture.states[:-1])/2
+    middles = (picture.states[1:] + picture.states[:-1]) / 2
     best, excess = numeric.best_controls(middles, picture.costates[1:], picture.controls)
-    if not excess @ np.diff(picture.times) > NEEDLES*(NEEDLES + abs(picture.cost)):
+    if not excess @ np.diff(picture.times) > NEEDLES * (NEEDLES + abs(picture.cost)):
         return None
     result = with_controls(numeric, picture, side, best)
-    return result if result and result.cost < picture.cost - 1e-9*(1 + abs(picture.cost)) else None
+    return (
+        result if result and result.cost < picture.cost - 1e-9 * (1 + abs(picture.cost)) else None
+    )
 
 
 def with_controls(numeric, picture, side, controls):
     """The picture to which other controls lead, or None."""
-    result = Transcription(numeric, len(controls), None, side).solve((picture.duration, picture.states, controls))
+    result = Transcription(numeric, len(controls), None, side).solve(
+        (picture.duration, picture.states, controls)
+    )
     return result if isinstance(result, Picture) else None
 
 
 def escaped(numeric, picture, variation, side):
-    """A picture of less cost, found along the least direction of the second variation; None if there is none."""
+    """A picture of less cost, found along the least direction of the second variation; None if
+    there is none."""
     programme, best = Transcription(numeric, len(picture.controls), None, side), None
-    width = np.where(np.isfinite(numeric.upper - numeric.lower), (numeric.upper - numeric.lower)/2, 1.0)
-    length = np.max(np.abs(variation.controls)/width,
-                    initial=np.max(np.abs(variation.widths))/np.min(np.diff(picture.times)))
-    for size in (0.3/length, -0.3/length):
-        duration = picture.duration + size*float(variation.widths.sum())
-        result = programme.solve((max(duration, 0.1*picture.duration), picture.states + size*variation.states,
-                                  picture.controls + size*variation.controls))
-        if isinstance(result, Picture) and result.cost < (best or picture).cost - 1e-9*(1 + abs(picture.cost)):
+    width = np.where(
+        np.isfinite(numeric.upper - numeric.lower), (numeric.upper - numeric.lower) / 2, 1.0
+    )
+    length = np.max(
+        np.abs(variation.controls) / width,
+        initial=np.max(np.abs(variation.widths)) / np.min(np.diff(picture.times)),
+    )
+    for size in (0.3 / length, -0.3 / length):
+        duration = picture.duration + size * float(variation.widths.sum())
+        result = programme.solve(
+            (
+                max(duration, 0.1 * picture.duration),
+                picture.states + size * variation.states,
+                picture.controls + size * variation.controls,
+            )
+        )
+        if isinstance(result, Picture) and result.cost < (best or picture).cost - 1e-9 * (
+            1 + abs(picture.cost)
+        ):
             best = result
     return best
 
 
 def finer_picture(numeric, picture, side, factor):
     """The picture on a grid that is finer by a factor, or None."""
-    programme = Transcription(numeric, factor*INTERVALS, side=side)
+    programme = Transcription(numeric, factor * INTERVALS, side=side)
     result = programme.solve((picture.duration, picture.states, picture.controls))
     return result if isinstance(result, Picture) else None
 
 
 def settled_duration(numeric, picture):
-    """The duration if it is given, or if the best one lies at the user's bound; None if it is free inside.
+    """The duration if it is given, or if the best one lies at the user's bound; None if it is free
+    inside.
 
     Raises `Unbounded` where a free duration ran into the bounds that it has by default.
     """
     if numeric.duration is not None:
         return numeric.duration
     T, low, high = picture.duration, numeric.shortest, numeric.longest
-    if T <= 1.5*low and not numeric.time_bounds_given:
-        raise Unbounded(f"the best duration tends to zero (it ran into {low:g}): the infimum "
-                        f"{_cost(numeric, picture.cost)} is approached "
-                        "by ever shorter processes and not attained. Bound the controls, or give a duration; if "
-                        "processes as short as that are meant, choose a smaller unit of time.")
-    if T >= high*(1 - 1e-6) and not numeric.time_bounds_given:
-        raise Unbounded(f"the best duration grows beyond every bound (it ran into {high:g}): there is no best "
-                        f"process. Give a duration, or "
-                        "bounds for it; for a process that ends when it first meets the target, state it with "
-                        "first_return=True.")
+    if T <= 1.5 * low and not numeric.time_bounds_given:
+        raise Unbounded(
+            f"the best duration tends to zero (it ran into {low:g}): the infimum "
+            f"{_cost(numeric, picture.cost)} is approached "
+            "by ever shorter processes and not attained. Bound the controls, or give a duration; "
+            "if "
+            "processes as short as that are meant, choose a smaller unit of time."
+        )
+    if T >= high * (1 - 1e-6) and not numeric.time_bounds_given:
+        raise Unbounded(
+            f"the best duration grows beyond every bound (it ran into {high:g}): there is no best "
+            f"process. Give a duration, or "
+            "bounds for it; for a process that ends when it first meets the target, state it with "
+            "first_return=True."
+        )
     if numeric.time_bounds_given:
         for bound in (low, high):
-            if abs(T - bound) <= 1e-6*(1 + bound):
+            if abs(T - bound) <= 1e-6 * (1 + bound):
                 return bound
     return None
 
 
 def refuse_falling(numeric, found):
-    """Raise `Unbounded` before any arcs are joined, if twice as much time costs less, and four times as much even less.
+    """Raise `Unbounded` before any arcs are joined, if twice as much time costs less, and four
+    times as much even less.
 
-    At such a picture nothing is stationary but the errors of its steps, and to join its arcs takes minutes and fails.
-    With longer steps it has another duration: where it keeps its own, nothing has to be tried.
+    At such a picture nothing is stationary but the errors of its steps, and to join its arcs takes
+    minutes and fails. With longer steps it has another duration: where it keeps its own, nothing
+    has to be tried.
     """
     problem, (picture, side) = numeric.problem, found.pictures[0]
-    if problem.time_optimal or problem.first_return or settled_duration(numeric, picture) is not None:
+    if (
+        problem.time_optimal
+        or problem.first_return
+        or settled_duration(numeric, picture) is not None
+    ):
         return
-    if any(abs(duration - picture.duration) < SETTLED*picture.duration for duration in found.coarse_durations):
+    if any(
+        abs(duration - picture.duration) < SETTLED * picture.duration
+        for duration in found.coarse_durations
+    ):
         return
     costs = [picture.cost]
     for factor in (2, 4):
         result = _with_duration(numeric, picture, side, factor, PATIENCE)
-        if not isinstance(result, Picture) or not result.cost < costs[-1] - FALLS*abs(costs[-1]):
+        if not isinstance(result, Picture) or not result.cost < costs[-1] - FALLS * abs(costs[-1]):
             return
         costs.append(result.cost)
     refuse_endless(numeric, picture, side)
 
 
 def _with_duration(numeric, picture, side, factor, patience=400):
-    """The picture, or the failure, for another duration, with steps as long as those of the picture."""
+    """The picture, or the failure, for another duration, with steps as long as those of the
+    picture."""
     from dataclasses import replace
 
     from trajlib.pontryagin.numeric import NumericProblem
 
-    duration = factor*picture.duration
+    duration = factor * picture.duration
     fixed = NumericProblem(replace(numeric.problem, duration=duration))
-    programme = Transcription(fixed, int(np.ceil(factor*len(picture.controls))), side=side, patience=patience)
+    programme = Transcription(
+        fixed, int(np.ceil(factor * len(picture.controls))), side=side, patience=patience
+    )
     return programme.solve((duration, picture.states, picture.controls))
 
 
 def refuse_endless(numeric, picture, side):
-    """Raise `Unbounded` if more time never costs more: the infimum is approached as the duration grows; `NotUnique`
-    if more time costs the same.
+    """Raise `Unbounded` if more time never costs more: the infimum is approached as the duration
+    grows; `NotUnique` if more time costs the same.
     """
     durations, costs = [], []
-    for factor in (2, 1, 1/2, 1/4, 1/8):
-        duration = factor*picture.duration
+    for factor in (2, 1, 1 / 2, 1 / 4, 1 / 8):
+        duration = factor * picture.duration
         result = _with_duration(numeric, picture, side, factor)
-        if not isinstance(result, Picture) or (costs and result.cost < costs[-1] - 1e-6*abs(costs[-1])):
+        if not isinstance(result, Picture) or (
+            costs and result.cost < costs[-1] - 1e-6 * abs(costs[-1])
+        ):
             break
         durations.append(duration)
         costs.append(result.cost)
     if len(costs) < 2:
         return
-    if costs[-1] - costs[0] <= 1e-6*abs(costs[0]):
+    if costs[-1] - costs[0] <= 1e-6 * abs(costs[0]):
         times = " and ".join(f"{duration:.3g}" for duration in durations[:2][::-1])
-        raise NotUnique(f"the best duration is left open: processes that last {times} cost the same, about "
-                        f"{_cost(numeric, costs[0]):.7g}, so that many may be equally good. Give a duration, or the "
-                        "time a small cost.")
-    values = ", ".join(f"{_cost(numeric, cost):.7g} for {duration:.3g}"
-                       for duration, cost in zip(durations[::-1], costs[::-1]))
-    raise Unbounded(f"no best duration was found: the cost keeps "
-                    f"{'rising' if numeric.problem.maximise else 'falling'} with the duration "
-                    f"({values}), towards about {_cost(numeric, costs[0]):.7g}. It seems that this value is "
-                    f"approached as the duration "
-                    "grows, and not attained. Give a duration.")
+        raise NotUnique(
+            f"the best duration is left open: processes that last {times} cost the same, about "
+            f"{_cost(numeric, costs[0]):.7g}, so that many may be equally good. Give a duration, "
+            "or the "
+            "time a small cost."
+        )
+    values = ", ".join(
+        f"{_cost(numeric, cost):.7g} for {duration:.3g}"
+        for duration, cost in zip(durations[::-1], costs[::-1])
+    )
+    raise Unbounded(
+        f"no best duration was found: the cost keeps "
+        f"{'rising' if numeric.problem.maximise else 'falling'} with the duration "
+        f"({values}), towards about {_cost(numeric, costs[0]):.7g}. It seems that this value is "
+        f"approached as the duration "
+        "grows, and not attained. Give a duration."
+    )
 
 
 def _least_time(numeric):
@@ -428,7 +529,9 @@ def _least_time(numeric):
 
     from trajlib.pontryagin.numeric import NumericProblem
 
-    fastest = NumericProblem(replace(numeric.problem, running=1, final=0, duration=None, maximise=False))
+    fastest = NumericProblem(
+        replace(numeric.problem, running=1, final=0, duration=None, maximise=False)
+    )
     programme = Transcription(fastest, INTERVALS)
     results = (programme.solve(start) for start in guesses(fastest, INTERVALS))
     return next((result.duration for result in results if isinstance(result, Picture)), None)

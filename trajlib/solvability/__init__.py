@@ -1,13 +1,15 @@
-"""Solvability of inverse trajectory problems: can a motion be found from these measurements, and how well?
+"""Solvability of inverse trajectory problems: can a motion be found from these measurements, and
+how well?
 
-The motion is linearised about a reference, x' = A x, z = H x + r, and all measurements are stacked into one system of
-linear equations for the state at a reference time t_s,
+The motion is linearised about a reference, x' = A x, z = H x + r, and all measurements are stacked
+into one system of linear equations for the state at a reference time t_s,
 
     Z = Htilde x_s + e,        Htilde = [H_1 Phi(t_1, t_s); ...; H_n Phi(t_n, t_s)],        W = E[e e^T].
 
-The singular values of W^{-1/2} Htilde D^{-1}, with D the norms of the columns, say what is determined; constants of the
-rounding errors of orthogonal reflections and the error of Htilde itself say which of these values are to be trusted.
-Source: Kryzhko and Glushakova (2006), with the corrections listed in chapter 7 of the book.
+The singular values of W^{-1/2} Htilde D^{-1}, with D the norms of the columns, say what is
+determined; constants of the rounding errors of orthogonal reflections and the error of Htilde
+itself say which of these values are to be trusted. Source: Kryzhko and Glushakova (2006), with the
+corrections listed in chapter 7 of the book.
 
 >>> from trajlib import solvability
 >>> "analyse" in dir(solvability)
@@ -16,7 +18,8 @@ True
 
 from trajlib._lazy import lazy_names
 
-# No module is called like a name it exports: importing it would put the module in the place of the function.
+# No module is called like a name it exports: importing it would put the module in the place of the
+# function.
 _EXPORTS = {
     "variational": ["Linearisation", "linearise"],
     "transitions": ["clohessy_wiltshire", "stack", "transition"],

@@ -1,4 +1,5 @@
 """Reading what callers give, with errors that name the cause."""
+
 import numpy as np
 
 
@@ -13,10 +14,16 @@ def read_times(times):
     if (steps <= 0).any():
         k = int(np.flatnonzero(steps <= 0)[0])
         if steps[k] == 0:
-            raise ValueError(f"times: {times[k]:g} is repeated; put the measurements of one moment into one function "
-                             f"or matrix H")
-        raise ValueError(f"times: they must increase, but {times[k]:g} is followed by {times[k + 1]:g}; sort them, "
-                         f"with their measurements")
+            raise ValueError(
+                f"times: {times[k]:g} is repeated; put the measurements of one moment into one "
+                "function "
+                f"or matrix H"
+            )
+        raise ValueError(
+            f"times: they must increase, but {times[k]:g} is followed by {times[k + 1]:g}; sort "
+            "them, "
+            f"with their measurements"
+        )
     return times
 
 
@@ -26,8 +33,11 @@ def read_matrix(matrix, name, dtype=float):
     try:
         matrix = matrix.astype(dtype)
     except (TypeError, ValueError):
-        raise TypeError(f"{name}: expected a matrix of numbers, got entries such as {matrix.flat[0]!r}; substitute "
-                        f"numbers first") from None
+        raise TypeError(
+            f"{name}: expected a matrix of numbers, got entries such as {matrix.flat[0]!r}; "
+            "substitute "
+            f"numbers first"
+        ) from None
     if matrix.ndim != 2:
         raise ValueError(f"{name}: expected a matrix, got shape {matrix.shape}")
     if not np.isfinite(matrix).all():
@@ -39,7 +49,7 @@ def read_matrix(matrix, name, dtype=float):
 def read_names(names, m, what="names"):
     """m words; x0, x1, ... if None."""
     if names is None:
-        return tuple(f"x{j}" for j in range(m)) if what == "names" else ("",)*m
+        return tuple(f"x{j}" for j in range(m)) if what == "names" else ("",) * m
     names = tuple(str(name) for name in ([names] if isinstance(names, str) else names))
     if len(names) != m:
         raise ValueError(f"{what}: expected {m}, one for each unknown, got {len(names)}")

@@ -1,9 +1,12 @@
-"""Interval arithmetic on NumPy arrays, rounded outwards: what is computed contains every true value.
+"""Interval arithmetic on NumPy arrays, rounded outwards: what is computed contains every true
+value.
 
-Sums, products, quotients and square roots of machine numbers are correctly rounded, so one step to the neighbouring
-number is enough. NumPy's sin, cos, exp, log and powers are right to four units in the last place, so six steps are
-taken. Where an expression may not be defined the ends become infinite or nan, so that nothing is concluded from it.
+Sums, products, quotients and square roots of machine numbers are correctly rounded, so one step to
+the neighbouring number is enough. NumPy's sin, cos, exp, log and powers are right to four units in
+the last place, so six steps are taken. Where an expression may not be defined the ends become
+infinite or nan, so that nothing is concluded from it.
 """
+
 import numpy as np
 
 #: Steps outwards after a function that is not correctly rounded.
@@ -36,8 +39,14 @@ class Interval:
 
     def __mul__(self, other):
         other = _interval(other)
-        products = np.array(np.broadcast_arrays(self.low*other.low, self.low*other.high, self.high*other.low,
-                                                self.high*other.high))
+        products = np.array(
+            np.broadcast_arrays(
+                self.low * other.low,
+                self.low * other.high,
+                self.high * other.low,
+                self.high * other.high,
+            )
+        )
         return _outward(products.min(axis=0), products.max(axis=0))
 
     __radd__, __rmul__ = __add__, __mul__
@@ -45,12 +54,14 @@ class Interval:
     def __truediv__(self, other):
         other = _interval(other)
         with np.errstate(divide="ignore"):
-            inverse = _outward(1/other.high, 1/other.low)
+            inverse = _outward(1 / other.high, 1 / other.low)
         vanishes = (other.low <= 0) & (other.high >= 0)
-        return self*Interval(np.where(vanishes, -np.inf, inverse.low), np.where(vanishes, np.inf, inverse.high))
+        return self * Interval(
+            np.where(vanishes, -np.inf, inverse.low), np.where(vanishes, np.inf, inverse.high)
+        )
 
     def __rtruediv__(self, other):
-        return _interval(other)/self
+        return _interval(other) / self
 
     def __pow__(self, power):
         if power == 0.5:
@@ -59,7 +70,7 @@ class Interval:
             raise TypeError(f"power {power}: whole powers and square roots only")
         power = int(power)
         if power < 0:
-            return 1/self**-power
+            return 1 / self**-power
         low, high = self.low, self.high
         if power % 2 == 0:
             least = np.where((low <= 0) & (high >= 0), 0, np.minimum(np.abs(low), np.abs(high)))
@@ -81,15 +92,18 @@ class Interval:
             return _outward(np.log(self.low), np.log(self.high), FAR)
 
     def cos(self):
-        # the extrema +1 and -1 lie at even and odd multiples of pi; a margin decides for them when in doubt
-        low, high = self.low/np.pi, self.high/np.pi
-        margin = 1e-12*(1 + np.maximum(np.abs(low), np.abs(high)))
-        tops = np.floor((high + margin)/2) >= np.ceil((low - margin)/2)
-        bottoms = np.floor((high + margin - 1)/2) >= np.ceil((low - margin - 1)/2)
+        # the extrema +1 and -1 lie at even and odd multiples of pi; a margin decides for them when
+        # in doubt
+        low, high = self.low / np.pi, self.high / np.pi
+        margin = 1e-12 * (1 + np.maximum(np.abs(low), np.abs(high)))
+        tops = np.floor((high + margin) / 2) >= np.ceil((low - margin) / 2)
+        bottoms = np.floor((high + margin - 1) / 2) >= np.ceil((low - margin - 1) / 2)
         ends = np.cos(self.low), np.cos(self.high)
         result = _outward(np.minimum(*ends), np.maximum(*ends), FAR)
-        return Interval(np.where(bottoms, -1, np.maximum(result.low, -1)),
-                        np.where(tops, 1, np.minimum(result.high, 1)))
+        return Interval(
+            np.where(bottoms, -1, np.maximum(result.low, -1)),
+            np.where(tops, 1, np.minimum(result.high, 1)),
+        )
 
     def sin(self):
         return (self - HALF_PI).cos()
@@ -105,4 +119,4 @@ def _outward(low, high, steps=1):
     return Interval(low, high)
 
 
-HALF_PI = _outward(np.pi/2, np.pi/2)
+HALF_PI = _outward(np.pi / 2, np.pi / 2)

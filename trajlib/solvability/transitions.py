@@ -1,4 +1,5 @@
 """Transition matrices that are known exactly, and the stacked matrix of all measurements."""
+
 import numpy as np
 
 from trajlib.solvability.arguments import read_matrix, read_times
@@ -19,14 +20,15 @@ def transition(A, times, reference=None):
         raise ValueError(f"A: expected a square matrix, got shape {A.shape}")
     times = read_times(times)
     since = times - (times[0] if reference is None else float(reference))
-    return expm(A*since[:, None, None])
+    return expm(A * since[:, None, None])
 
 
 def clohessy_wiltshire(rate, times, reference=None):
-    """Exact transition matrices of the motion near a circular orbit, in axes that turn with it at the angular `rate`.
+    """Exact transition matrices of the motion near a circular orbit, in axes that turn with it at
+    the angular `rate`.
 
-    Unknowns: x outwards, y forwards, z along the axis of the orbit, then their velocities. The equations are
-    x'' = 3 w^2 x + 2 w y', y'' = -2 w x', z'' = -w^2 z. Shape (k, 6, 6).
+    Unknowns: x outwards, y forwards, z along the axis of the orbit, then their velocities. The
+    equations are x'' = 3 w^2 x + 2 w y', y'' = -2 w x', z'' = -w^2 z. Shape (k, 6, 6).
 
     >>> phi = clohessy_wiltshire(0.5, [0.0, 4*np.pi])[1]       # after a revolution only y has moved
     >>> [(i, j, round(float(value)/np.pi, 9)) for (i, j), value in np.ndenumerate(phi - np.eye(6)) if abs(value) > 1e-9]
@@ -36,32 +38,40 @@ def clohessy_wiltshire(rate, times, reference=None):
     if not (np.isfinite(w) and w > 0):
         raise ValueError(f"rate: expected a positive angular velocity, got {rate}")
     times = read_times(times)
-    a = w*(times - (times[0] if reference is None else float(reference)))
+    a = w * (times - (times[0] if reference is None else float(reference)))
     s, c, one, o = np.sin(a), np.cos(a), np.ones_like(a), np.zeros_like(a)
     # written so, 1 - cos a and sin a - a keep their digits for small angles
-    half, drift = 2*np.sin(a/2)**2, _sine_without_its_angle(a)
-    return np.moveaxis(np.array([
-        [1 + 3*half, o, o, s/w, 2*half/w, o],
-        [6*drift, one, o, -2*half/w, (4*s - 3*a)/w, o],
-        [o, o, c, o, o, s/w],
-        [3*w*s, o, o, c, 2*s, o],
-        [-6*w*half, o, o, -2*s, 1 - 4*half, o],
-        [o, o, -w*s, o, o, c]]), -1, 0)
+    half, drift = 2 * np.sin(a / 2) ** 2, _sine_without_its_angle(a)
+    return np.moveaxis(
+        np.array(
+            [
+                [1 + 3 * half, o, o, s / w, 2 * half / w, o],
+                [6 * drift, one, o, -2 * half / w, (4 * s - 3 * a) / w, o],
+                [o, o, c, o, o, s / w],
+                [3 * w * s, o, o, c, 2 * s, o],
+                [-6 * w * half, o, o, -2 * s, 1 - 4 * half, o],
+                [o, o, -w * s, o, o, c],
+            ]
+        ),
+        -1,
+        0,
+    )
 
 
 def _sine_without_its_angle(a):
-    square = a*a
+    square = a * a
     series = 1.0
     for k in (15, 13, 11, 9, 7, 5):
-        series = 1 - square/(k*(k - 1))*series
-    return np.where(np.abs(a) < 0.5, -a*square/6*series, np.sin(a) - a)
+        series = 1 - square / (k * (k - 1)) * series
+    return np.where(np.abs(a) < 0.5, -a * square / 6 * series, np.sin(a) - a)
 
 
 def stack(H, Phi, times=None, reference=None):
     """The stacked matrix Htilde = [H_1 Phi_1; ...; H_k Phi_k], shape (k r, m).
 
-    `H`: shape (k, r, m), or (r, m) for the same measurement each time, or a function H(t). `Phi`: shape (k, m, m), or a
-    function Phi(t, t_s). `times`, `reference`: needed for functions only. Source: (3), (4) of the paper.
+    `H`: shape (k, r, m), or (r, m) for the same measurement each time, or a function H(t). `Phi`:
+    shape (k, m, m), or a function Phi(t, t_s). `times`, `reference`: needed for functions only.
+    Source: (3), (4) of the paper.
 
     >>> stack([[1, 0]], transition([[0, 1], [0, 0]], [0, 1, 2])).tolist()
     [[1.0, 0.0], [1.0, 1.0], [1.0, 2.0]]
@@ -80,6 +90,9 @@ def stack(H, Phi, times=None, reference=None):
     if H.ndim == 2:
         H = np.broadcast_to(H, (k, *H.shape))
     if H.ndim != 3 or H.shape[0] != k or H.shape[2] != m:
-        raise ValueError(f"H: expected shape (r, {m}) or ({k}, r, {m}) to go with Phi of shape {Phi.shape}, got shape "
-                         f"{H.shape}")
-    return (H@Phi).reshape(-1, m)
+        raise ValueError(
+            f"H: expected shape (r, {m}) or ({k}, r, {m}) to go with Phi of shape {Phi.shape}, got "
+            "shape "
+            f"{H.shape}"
+        )
+    return (H @ Phi).reshape(-1, m)

@@ -1,10 +1,12 @@
-"""Weights of the measurements: multiplication by L^{-1}, where W = L L^T (as good as W^{-1/2}, from which it differs by
-a rotation)."""
+"""Weights of the measurements: multiplication by L^{-1}, where W = L L^T (as good as W^{-1/2}, from
+which it differs by a rotation)."""
+
 import numpy as np
 
 
 class Weights:
-    """W as n variances, as a full matrix, as k blocks (k, r, r) of its diagonal, or None for unit variances."""
+    """W as n variances, as a full matrix, as k blocks (k, r, r) of its diagonal, or None for unit
+    variances."""
 
     def __init__(self, W, n):
         self.n = n
@@ -18,34 +20,48 @@ class Weights:
             self._sized(W.size, W.shape)
             if (W <= 0).any():
                 k = int(np.flatnonzero(W <= 0)[0])
-                raise ValueError(f"W: the variance of measurement {k} is {W[k]:g}; it must be positive (a measurement "
-                                 f"without error has no "
-                                 "weight)")
+                raise ValueError(
+                    f"W: the variance of measurement {k} is {W[k]:g}; it must be positive (a "
+                    "measurement "
+                    f"without error has no "
+                    "weight)"
+                )
             self.factor = np.sqrt(W)
             return
         if W.ndim == 2:
             W = W[None]
         if W.ndim != 3 or W.shape[1] != W.shape[2]:
-            raise ValueError(f"W: expected {n} variances, a matrix ({n}, {n}) or square blocks (k, r, r), got shape "
-                             f"{W.shape}")
-        self._sized(W.shape[0]*W.shape[1], W.shape)
-        if np.abs(W - W.transpose(0, 2, 1)).max() > 1e-10*np.abs(W).max():
+            raise ValueError(
+                f"W: expected {n} variances, a matrix ({n}, {n}) or square blocks (k, r, r), got "
+                "shape "
+                f"{W.shape}"
+            )
+        self._sized(W.shape[0] * W.shape[1], W.shape)
+        if np.abs(W - W.transpose(0, 2, 1)).max() > 1e-10 * np.abs(W).max():
             raise ValueError("W: a covariance matrix is symmetric, this one is not")
         lowest = np.linalg.eigvalsh(W)
-        if (lowest[:, 0] <= 1e-15*W.shape[1]*np.abs(lowest).max(axis=1)).any():
+        if (lowest[:, 0] <= 1e-15 * W.shape[1] * np.abs(lowest).max(axis=1)).any():
             k = int(np.argmin(lowest[:, 0]))
             where = f"block {k} of W" if W.shape[0] > 1 else "W"
             if not W[k].any():
-                raise ValueError(f"{where} is zero: without errors of the measurements there is nothing to weigh; "
-                                 f"leave W out")
-            raise ValueError(f"{where} is not positive definite: its smallest eigenvalue is {lowest[k, 0]:.3g}. Some "
-                             f"combination of the "
-                             "measurements would have no error or a negative variance")
+                raise ValueError(
+                    f"{where} is zero: without errors of the measurements there is nothing to "
+                    "weigh; "
+                    f"leave W out"
+                )
+            raise ValueError(
+                f"{where} is not positive definite: its smallest eigenvalue is {lowest[k, 0]:.3g}. "
+                "Some "
+                f"combination of the "
+                "measurements would have no error or a negative variance"
+            )
         self.factor = np.linalg.cholesky(W)
 
     def _sized(self, size, shape):
         if size != self.n:
-            raise ValueError(f"W: of shape {shape} it is for {size} scalar measurements, but there are {self.n}")
+            raise ValueError(
+                f"W: of shape {shape} it is for {size} scalar measurements, but there are {self.n}"
+            )
 
     def apply(self, rows):
         """L^{-1} times a vector or matrix with n rows."""
@@ -60,13 +76,13 @@ class Weights:
         if self.factor is None or self.factor.ndim == 1:
             return self.apply(rows)
         k, r, _ = self.factor.shape
-        return (np.abs(np.linalg.inv(self.factor))@rows.reshape(k, r, -1)).reshape(rows.shape)
+        return (np.abs(np.linalg.inv(self.factor)) @ rows.reshape(k, r, -1)).reshape(rows.shape)
 
     def _solved(self, rows, transposed):
         if self.factor is None:
             return rows
         if self.factor.ndim == 1:
-            return rows/(self.factor if rows.ndim == 1 else self.factor[:, None])
+            return rows / (self.factor if rows.ndim == 1 else self.factor[:, None])
         k, r, _ = self.factor.shape
         factor = self.factor.transpose(0, 2, 1) if transposed else self.factor
         return np.linalg.solve(factor, rows.reshape(k, r, -1)).reshape(rows.shape)

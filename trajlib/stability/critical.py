@@ -1,16 +1,20 @@
-"""Stability of x' = Ax in all cases, the critical ones included, where roots lie on the imaginary axis.
+"""Stability of x' = Ax in all cases, the critical ones included, where roots lie on the imaginary
+axis.
 
-Theorem 1.1 of the problem book settles the cases without roots on the axis. With such roots (and none to the right)
-the solution x = 0 is stable if and only if each of them is semisimple: its Jordan blocks have order one, that is, it
-has as many independent eigenvectors as its multiplicity. The characteristic polynomial is factored exactly. An
-irreducible factor f(s) with a root on the axis has the opposite number as a root too, so it is even, or f = s.
+Theorem 1.1 of the problem book settles the cases without roots on the axis. With such roots (and
+none to the right) the solution x = 0 is stable if and only if each of them is semisimple: its
+Jordan blocks have order one, that is, it has as many independent eigenvectors as its multiplicity.
+The characteristic polynomial is factored exactly. An irreducible factor f(s) with a root on the
+axis has the opposite number as a root too, so it is even, or f = s.
 
-- If f is even, all its roots lie on the axis, and are simple, exactly when f + f' satisfies the criterion of Hurwitz
-  (Hermite and Biehler); otherwise it has a root to the right.
+- If f is even, all its roots lie on the axis, and are simple, exactly when f + f' satisfies the
+  criterion of Hurwitz (Hermite and Biehler); otherwise it has a root to the right.
 - If it is not, the criterion of Hurwitz decides.
 
-Its roots are semisimple exactly when the rank of f(A) is n minus the degree of f times its multiplicity.
+Its roots are semisimple exactly when the rank of f(A) is n minus the degree of f times its
+multiplicity.
 """
+
 from dataclasses import dataclass, replace
 from itertools import combinations
 
@@ -33,9 +37,10 @@ from trajlib.stability.systems import as_prose, as_real, with_names
 class Mode:
     """An eigenvalue, or the roots of one irreducible factor of the characteristic polynomial.
 
-    `factor`: that polynomial in lambda; `eigenvalues`: its roots where they have a closed form, else empty;
-    `multiplicity` and `eigenvectors`: the algebraic and the geometric multiplicity of each; `side`: "left", "axis",
-    "right" or "unknown"; `semisimple`: None where it was not needed or not decided.
+    `factor`: that polynomial in lambda; `eigenvalues`: its roots where they have a closed form,
+    else empty; `multiplicity` and `eigenvectors`: the algebraic and the geometric multiplicity of
+    each; `side`: "left", "axis", "right" or "unknown"; `semisimple`: None where it was not needed
+    or not decided.
     """
 
     factor: sp.Expr
@@ -48,10 +53,11 @@ class Mode:
 
 @dataclass(frozen=True)
 class LinearStability:
-    """The verdict on x' = Ax: "asymptotically stable", "stable" (not asymptotically), "unstable" or "undecided".
+    """The verdict on x' = Ax: "asymptotically stable", "stable" (not asymptotically), "unstable" or
+    "undecided".
 
-    `responsible`: the modes that decide it (tuple of `Mode`); `reason` in words; `margin`: for floats the computed
-    -max Re lambda, for exact matrices None.
+    `responsible`: the modes that decide it (tuple of `Mode`); `reason` in words; `margin`: for
+    floats the computed -max Re lambda, for exact matrices None.
     """
 
     verdict: str
@@ -64,13 +70,15 @@ class LinearStability:
 
 
 def linear_stability(A):
-    """Stability of the solution x = 0 of x' = Ax, with the eigenvalues that decide it (MATLAB: eig, jordan).
+    """Stability of the solution x = 0 of x' = Ax, with the eigenvalues that decide it (MATLAB: eig,
+    jordan).
 
-    `A`: n x n, a SymPy matrix or list of rows (decided exactly; symbols by their assumptions, "undecided" where these
-    do not suffice) or a NumPy array of floats (decided by the spectrum, "undecided" where a perturbation of rounding
-    size can move an eigenvalue to the imaginary axis; then give the matrix exactly). Returns `LinearStability`.
-    Raises ValueError for a matrix that is not square or not real.
-    Source: Theorem 1.1 of the problem book, completed by the critical cases.
+    `A`: n x n, a SymPy matrix or list of rows (decided exactly; symbols by their assumptions,
+    "undecided" where these do not suffice) or a NumPy array of floats (decided by the spectrum,
+    "undecided" where a perturbation of rounding size can move an eigenvalue to the imaginary axis;
+    then give the matrix exactly). Returns `LinearStability`. Raises ValueError for a matrix that is
+    not square or not real. Source: Theorem 1.1 of the problem book, completed by the critical
+    cases.
 
     >>> import sympy as sp
     >>> double_integrator = sp.Matrix([[0, 1], [0, 0]])
@@ -85,27 +93,50 @@ def linear_stability(A):
     there, back = as_real(A)
     modes = _modes(A.xreplace(there), sp.Symbol("lambda"))
     verdict, responsible, reason = _verdict(modes)
-    return LinearStability(verdict, tuple(_restored(m, back) for m in responsible), with_names(reason, back))
+    return LinearStability(
+        verdict, tuple(_restored(m, back) for m in responsible), with_names(reason, back)
+    )
 
 
 def _verdict(modes):
     """(verdict, responsible modes, reason): the first of these cases that is present decides."""
+
     def those(side, semisimple=(True, False, None)):
         return [m for m in modes if m.side == side and m.semisimple in semisimple]
 
     if right := those("right"):
         return "unstable", right, f"{_named(right)}: there is a root with positive real part"
     if defective := those("axis", (False,)):
-        return "unstable", defective, "; ".join(
-            f"the eigenvalue {_named([m])} of multiplicity {m.multiplicity} has {m.eigenvectors} "
-            f"eigenvector{'s'*(m.eigenvectors > 1)}, so it is not semisimple and solutions grow" for m in defective)
+        return (
+            "unstable",
+            defective,
+            "; ".join(
+                f"the eigenvalue {_named([m])} of multiplicity {m.multiplicity} has {m.eigenvectors} "
+                f"eigenvector{'s' * (m.eigenvectors > 1)}, so it is not semisimple and solutions grow"
+                for m in defective
+            ),
+        )
     if unknown := those("unknown"):
-        return "undecided", unknown, (f"the real part of {_named(unknown)} depends on the parameters; "
-                                      "declare their signs or ask stability_conditions")
+        return (
+            "undecided",
+            unknown,
+            (
+                f"the real part of {_named(unknown)} depends on the parameters; "
+                "declare their signs or ask stability_conditions"
+            ),
+        )
     if doubtful := those("axis", (None,)):
-        return "undecided", doubtful, f"whether {_named(doubtful)} is semisimple depends on the parameters"
+        return (
+            "undecided",
+            doubtful,
+            f"whether {_named(doubtful)} is semisimple depends on the parameters",
+        )
     if axis := those("axis"):
-        return "stable", axis, f"on the imaginary axis stand only semisimple eigenvalues: {_named(axis)}"
+        return (
+            "stable",
+            axis,
+            f"on the imaginary axis stand only semisimple eigenvalues: {_named(axis)}",
+        )
     return "asymptotically stable", modes, "all eigenvalues have negative real parts"
 
 
@@ -131,12 +162,15 @@ def _modes(A, s):
             eigenvectors, semisimple = _eigenvectors(A, f, multiplicity)
             if semisimple and not distinct:
                 semisimple = None
-        modes.append(Mode(f.as_expr(), _eigenvalues(f, side), multiplicity, eigenvectors, side, semisimple))
+        modes.append(
+            Mode(f.as_expr(), _eigenvalues(f, side), multiplicity, eigenvectors, side, semisimple)
+        )
     return modes
 
 
 def _side(f, parametric):
-    """Where the roots of an irreducible monic polynomial lie; "right" says that at least one lies there."""
+    """Where the roots of an irreducible monic polynomial lie; "right" says that at least one lies
+    there."""
     s = f.gen
     if f.degree() == 1:
         return {1: "right", 0: "axis", -1: "left", None: "unknown"}[sign_of(-f.nth(0))]
@@ -144,31 +178,37 @@ def _side(f, parametric):
     signs = [sign_of(minor) for minor in hurwitz_minors(f + f.diff() if even else f)]
     if all(sign == 1 for sign in signs):
         return "axis" if even else "left"
-    # Minors and coefficients are not negative while no root is to the right; a zero minor alone may be due to roots on
-    # the axis, which an irreducible factor with numeric coefficients cannot have unless it is even.
+    # Minors and coefficients are not negative while no root is to the right; a zero minor alone may
+    # be due to roots on the axis, which an irreducible factor with numeric coefficients cannot have
+    # unless it is even.
     if -1 in (*signs, *map(sign_of, f.all_coeffs())) or (0 in signs and not parametric):
         return "right"
     return "unknown"
 
 
 def _eigenvectors(A, f, multiplicity):
-    """Number of eigenvectors of each root of f, and whether the roots are semisimple (None: depends on parameters)."""
+    """Number of eigenvectors of each root of f, and whether the roots are semisimple (None: depends
+    on parameters)."""
     value = sp.zeros(*A.shape)
     for coefficient in f.all_coeffs():
-        value = (value*A + coefficient*sp.eye(A.rows)).applyfunc(sp.expand)
+        value = (value * A + coefficient * sp.eye(A.rows)).applyfunc(sp.expand)
     rank = DomainMatrix.from_Matrix(value).to_field().rank()
-    eigenvectors = (A.rows - rank)//f.degree()
+    eigenvectors = (A.rows - rank) // f.degree()
     if eigenvectors == multiplicity:
         return eigenvectors, True
-    # For special values of parameters the rank may drop; a minor of this order that cannot vanish excludes that.
+    # For special values of parameters the rank may drop; a minor of this order that cannot vanish
+    # excludes that.
     certain = not value.free_symbols or any(
         sign_of(value.extract(list(rows), list(columns)).det())
-        for rows in combinations(range(A.rows), rank) for columns in combinations(range(A.rows), rank))
+        for rows in combinations(range(A.rows), rank)
+        for columns in combinations(range(A.rows), rank)
+    )
     return eigenvectors, False if certain else None
 
 
 def _eigenvalues(f, side):
-    """The roots of f in closed form; of a longer polynomial with numbers those that lie on the side in question."""
+    """The roots of f in closed form; of a longer polynomial with numbers those that lie on the side
+    in question."""
     if f.degree() <= 2 or (f.degree() == 4 and f.nth(3) == f.nth(1) == 0):
         return tuple(sp.roots(f))
     if not (f.domain.is_ZZ or f.domain.is_QQ):
@@ -178,30 +218,52 @@ def _eigenvalues(f, side):
 
 
 def _restored(mode, back):
-    return replace(mode, factor=mode.factor.xreplace(back),
-                   eigenvalues=tuple(e.xreplace(back) for e in mode.eigenvalues))
+    return replace(
+        mode,
+        factor=mode.factor.xreplace(back),
+        eigenvalues=tuple(e.xreplace(back) for e in mode.eigenvalues),
+    )
 
 
 def _from_floats(A):
-    """The spectrum decides unless a matrix within rounding of A has an eigenvalue on the imaginary axis."""
+    """The spectrum decides unless a matrix within rounding of A has an eigenvalue on the imaginary
+    axis."""
     eigenvalues = np.linalg.eigvals(A)
     margin = float(-eigenvalues.real.max())
     scale = np.linalg.norm(A, 2)
-    rounding = 10*len(A)*np.finfo(float).eps*scale
-    # The smallest singular value of A - i w E is the distance to the matrices that have the eigenvalue i w.
-    distance = min(np.linalg.svd(A - 1j*w*np.eye(len(A)), compute_uv=False)[-1] for w in {*eigenvalues.imag, 0.0})
+    rounding = 10 * len(A) * np.finfo(float).eps * scale
+    # The smallest singular value of A - i w E is the distance to the matrices that have the
+    # eigenvalue i w.
+    distance = min(
+        np.linalg.svd(A - 1j * w * np.eye(len(A)), compute_uv=False)[-1]
+        for w in {*eigenvalues.imag, 0.0}
+    )
     s = sp.Symbol("lambda")
 
     def modes(chosen, side):
-        return tuple(Mode(s - complex(e), (complex(e),), 1, None, side, None) for e in eigenvalues[chosen])
+        return tuple(
+            Mode(s - complex(e), (complex(e),), 1, None, side, None) for e in eigenvalues[chosen]
+        )
 
     if distance <= rounding:
-        near = np.abs(eigenvalues.real) <= np.sqrt(np.finfo(float).eps)*scale
-        return LinearStability("undecided", modes(near, "unknown"),
-                               f"a change of A by {distance:.1e}, within rounding, brings an eigenvalue to the "
-                               "imaginary axis; give the matrix exactly (SymPy)", margin)
+        near = np.abs(eigenvalues.real) <= np.sqrt(np.finfo(float).eps) * scale
+        return LinearStability(
+            "undecided",
+            modes(near, "unknown"),
+            f"a change of A by {distance:.1e}, within rounding, brings an eigenvalue to the "
+            "imaginary axis; give the matrix exactly (SymPy)",
+            margin,
+        )
     if margin > 0:
-        return LinearStability("asymptotically stable", modes(eigenvalues.real == -margin, "left"),
-                               f"all real parts are at most {-margin:.6g}", margin)
-    return LinearStability("unstable", modes(eigenvalues.real > 0, "right"),
-                           f"the largest real part is {-margin:.6g}", margin)
+        return LinearStability(
+            "asymptotically stable",
+            modes(eigenvalues.real == -margin, "left"),
+            f"all real parts are at most {-margin:.6g}",
+            margin,
+        )
+    return LinearStability(
+        "unstable",
+        modes(eigenvalues.real > 0, "right"),
+        f"the largest real part is {-margin:.6g}",
+        margin,
+    )

@@ -1,8 +1,10 @@
 """Equilibria of x' = f(x), all of them where that can be said, exactly.
 
-The pendulum x1' = x2, x2' = -d x2 - w^2 sin x1 has the two families (2 pi n, 0) and (2 pi n + pi, 0); they are returned
-as points that contain an integer symbol n, one point for each class of points on which the linearisation is the same.
+The pendulum x1' = x2, x2' = -d x2 - w^2 sin x1 has the two families (2 pi n, 0) and (2 pi n + pi,
+0); they are returned as points that contain an integer symbol n, one point for each class of points
+on which the linearisation is the same.
 """
+
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
@@ -17,11 +19,13 @@ from trajlib.stability.systems import as_real, exact_decimals, read_field, read_
 class Equilibria(Sequence):
     """A sequence of exact points (tuples in the order of `state`).
 
-    - `conditions[i]`: the condition on the parameters under which point i exists (`sp.true` if it always does).
+    - `conditions[i]`: the condition on the parameters under which point i exists (`sp.true` if it
+      always does).
     - `integers`: the integer symbols in the points of periodic families.
     - `complete`: whether these are all equilibria, with `reason` in words.
 
-    A state variable that stands in its own place in a point is free: every value of it belongs to an equilibrium.
+    A state variable that stands in its own place in a point is free: every value of it belongs to
+    an equilibrium.
     """
 
     state: tuple
@@ -42,22 +46,29 @@ class Equilibria(Sequence):
             return rf"$\text{{no equilibria ({self.reason})}}$"
         lines = []
         for point, condition in zip(self.points, self.conditions):
-            coordinates = r",\; ".join(f"{sp.latex(x)} = {sp.latex(v)}" for x, v in zip(self.state, point))
-            lines.append(coordinates + ("" if condition is sp.true else rf"\quad\text{{if }} {sp.latex(condition)}"))
+            coordinates = r",\; ".join(
+                f"{sp.latex(x)} = {sp.latex(v)}" for x, v in zip(self.state, point)
+            )
+            lines.append(
+                coordinates
+                + ("" if condition is sp.true else rf"\quad\text{{if }} {sp.latex(condition)}")
+            )
         if self.integers:
             lines.append(", ".join(map(sp.latex, self.integers)) + r" \in \mathbb{Z}")
         return r"$\displaystyle \begin{array}{l} " + r" \\ ".join(lines) + r" \end{array}$"
 
 
 def equilibria(field, state, parameters=(), domain=None):
-    """All real equilibria of x' = f(x), exactly, with the conditions on parameters under which they exist.
+    """All real equilibria of x' = f(x), exactly, with the conditions on parameters under which they
+    exist.
 
-    `field`: n expressions; `state`: n symbols; `parameters`: the other symbols of the field, real, generic (one that
-    stands as a factor of a right-hand side is taken to be nonzero, which `reason` then says); their assumptions and
-    those of the state (positive=True) are used. `domain`: a dict state symbol -> SymPy Interval that keeps only the
-    equilibria inside; it turns a periodic family into the finitely many points of a window.
-    Returns `Equilibria`. Points at which the field is not defined are left out.
-    Raises ValueError for a symbol that is neither in `state` nor in `parameters`.
+    `field`: n expressions; `state`: n symbols; `parameters`: the other symbols of the field, real,
+    generic (one that stands as a factor of a right-hand side is taken to be nonzero, which `reason`
+    then says); their assumptions and those of the state (positive=True) are used. `domain`: a dict
+    state symbol -> SymPy Interval that keeps only the equilibria inside; it turns a periodic family
+    into the finitely many points of a window. Returns `Equilibria`. Points at which the field is
+    not defined are left out. Raises ValueError for a symbol that is neither in `state` nor in
+    `parameters`.
 
     >>> import sympy as sp
     >>> x, v, a, b = sp.symbols("x v a b")
@@ -71,8 +82,10 @@ def equilibria(field, state, parameters=(), domain=None):
     parameters = read_symbols(parameters, "parameters")
     strangers = set().union(*(f.free_symbols for f in field)) - set(state) - set(parameters)
     if strangers:
-        raise ValueError(f"parameters: the field also has {', '.join(sorted(map(str, strangers)))}; "
-                         "name every symbol that is not a state variable")
+        raise ValueError(
+            f"parameters: the field also has {', '.join(sorted(map(str, strangers)))}; "
+            "name every symbol that is not a state variable"
+        )
     field = [exact_decimals(f) for f in field]
     there, back = as_real(*field, *state)
     unknowns = [there.get(x, x) for x in state]
@@ -87,18 +100,29 @@ def equilibria(field, state, parameters=(), domain=None):
             if joined is not sp.false:
                 points.append(tuple(_shortest(v).xreplace(back) for v in inside))
                 conditions.append(joined.xreplace(back))
-    order = sorted(range(len(points)), key=lambda i: (conditions[i] is not sp.true, _position(points[i])))
+    order = sorted(
+        range(len(points)), key=lambda i: (conditions[i] is not sp.true, _position(points[i]))
+    )
     integers = tuple(n for n in found.integers if any(v.has(n) for p in points for v in p))
-    return Equilibria(state, tuple(points[i] for i in order), tuple(conditions[i] for i in order), integers,
-                      not found.unsolved, _reason(found, back))
+    return Equilibria(
+        state,
+        tuple(points[i] for i in order),
+        tuple(conditions[i] for i in order),
+        integers,
+        not found.unsolved,
+        _reason(found, back),
+    )
 
 
 def _reason(found, back):
     if found.unsolved:
         equations = (f"{e.xreplace(back)} = 0 for {x.xreplace(back)}" for e, x in found.unsolved)
-        return "not all were found; no closed form is known here for the real roots of " + ", ".join(equations)
+        return (
+            "not all were found; no closed form is known here for the real roots of "
+            + ", ".join(equations)
+        )
     exceptions = sorted(f"{e.xreplace(back)} != 0" for e in found.nonzero)
-    exceptions += ["parameters in general position"]*found.generic
+    exceptions += ["parameters in general position"] * found.generic
     if exceptions:
         return "every equation was solved exactly, for " + ", ".join(exceptions)
     return "every equation was solved exactly"
@@ -110,18 +134,28 @@ def _shortest(value):
 
 def _position(point):
     """The origin first, then by size, so that the order does not depend on chance."""
-    return (any(v != 0 for v in point), [v.count_ops() for v in point], [sp.default_sort_key(v) for v in point])
+    return (
+        any(v != 0 for v in point),
+        [v.count_ops() for v in point],
+        [sp.default_sort_key(v) for v in point],
+    )
 
 
 def _read_domain(domain, state):
     if domain is None:
         return {}
-    if not isinstance(domain, Mapping) or not all(isinstance(s, sp.Interval) for s in domain.values()):
-        raise TypeError("domain: expected a dict from state symbols to SymPy Interval, "
-                        f"such as {{{state[0]}: Interval(0, 1)}}; got {domain!r}")
+    if not isinstance(domain, Mapping) or not all(
+        isinstance(s, sp.Interval) for s in domain.values()
+    ):
+        raise TypeError(
+            "domain: expected a dict from state symbols to SymPy Interval, "
+            f"such as {{{state[0]}: Interval(0, 1)}}; got {domain!r}"
+        )
     strangers = set(domain) - set(state)
     if strangers:
-        raise ValueError(f"domain: {', '.join(sorted(map(str, strangers)))} is not a state variable")
+        raise ValueError(
+            f"domain: {', '.join(sorted(map(str, strangers)))} is not a state variable"
+        )
     return {state.index(x): interval for x, interval in domain.items()}
 
 
@@ -131,32 +165,45 @@ def _within(point, windows, integers):
     for index, window in windows.items():
         candidates = [member for p in candidates for member in _members(p, index, window, integers)]
     for member in candidates:
-        yield member, sp.And(*(_contains(window, member[index]) for index, window in windows.items()))
+        yield (
+            member,
+            sp.And(*(_contains(window, member[index]) for index, window in windows.items())),
+        )
 
 
 def _members(point, index, window, integers):
-    """Replace the integer of a family by those values that can bring coordinate `index` into the window."""
+    """Replace the integer of a family by those values that can bring coordinate `index` into the
+    window."""
     coordinate = sp.expand(point[index])
     n = next((n for n in integers if coordinate.has(n)), None)
     if n is None or not (window.start.is_finite and window.end.is_finite):
         return [point]
     step = coordinate.coeff(n)
     low, high = _range_of(coordinate.subs(n, 0))
-    first, last = sorted(((window.start - high)/step, (window.end - low)/step)) if step > 0 else \
-        sorted(((window.end - low)/step, (window.start - high)/step))
-    return [tuple(v.subs(n, k) for v in point) for k in range(sp.ceiling(first), sp.floor(last) + 1)]
+    first, last = (
+        sorted(((window.start - high) / step, (window.end - low) / step))
+        if step > 0
+        else sorted(((window.end - low) / step, (window.start - high) / step))
+    )
+    return [
+        tuple(v.subs(n, k) for v in point) for k in range(sp.ceiling(first), sp.floor(last) + 1)
+    ]
 
 
 def _range_of(angle):
     """Bounds of an angle such as pi - asin(k)/2, from the ranges of the inverse functions."""
-    ranges = {sp.asin: (-sp.pi/2, sp.pi/2), sp.acos: (0, sp.pi), sp.atan: (-sp.pi/2, sp.pi/2)}
+    ranges = {
+        sp.asin: (-sp.pi / 2, sp.pi / 2),
+        sp.acos: (0, sp.pi),
+        sp.atan: (-sp.pi / 2, sp.pi / 2),
+    }
     low = high = sp.Integer(0)
     for term in sp.Add.make_args(angle):
         inverse = next(iter(term.atoms(*ranges)), sp.Integer(1))
-        coefficient = term/inverse
+        coefficient = term / inverse
         if not coefficient.is_number:
             raise ValueError(f"domain: cannot tell which members of the family {angle} lie inside")
-        ends = sorted(coefficient*end for end in ranges.get(type(inverse), (1, 1)))
+        ends = sorted(coefficient * end for end in ranges.get(type(inverse), (1, 1)))
         low, high = low + ends[0], high + ends[1]
     return low, high
 
@@ -173,6 +220,14 @@ def _contains(window, value):
             return sp.false
     else:
         certain_low, certain_high = window.start == -sp.oo, window.end == sp.oo
-    above = sp.true if certain_low else (positive if window.left_open else nonnegative)(value - window.start)
-    below = sp.true if certain_high else (positive if window.right_open else nonnegative)(window.end - value)
+    above = (
+        sp.true
+        if certain_low
+        else (positive if window.left_open else nonnegative)(value - window.start)
+    )
+    below = (
+        sp.true
+        if certain_high
+        else (positive if window.right_open else nonnegative)(window.end - value)
+    )
     return sp.And(above, below)

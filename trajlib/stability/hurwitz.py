@@ -1,16 +1,18 @@
-"""The characteristic polynomial and the criterion of Hurwitz (Theorems 1.1 - 1.3 of the problem book).
+"""The characteristic polynomial and the criterion of Hurwitz (Theorems 1.1 - 1.3 of the problem
+book).
 
-For a_0 l^n + a_1 l^(n-1) + ... + a_n with a_0 > 0 all roots have negative real parts if and only if the leading
-principal minors Delta_1, ..., Delta_n of
+For a_0 l^n + a_1 l^(n-1) + ... + a_n with a_0 > 0 all roots have negative real parts if and only if
+the leading principal minors Delta_1, ..., Delta_n of
 
     a_1  a_3  a_5  ...
     a_0  a_2  a_4  ...
      0   a_1  a_3  ...
      0   a_0  a_2  ...
 
-are positive. The minors come from one fraction-free elimination (Bareiss), whose pivots they are: every division in it
-is exact, so that nothing has to be simplified on the way.
+are positive. The minors come from one fraction-free elimination (Bareiss), whose pivots they are:
+every division in it is exact, so that nothing has to be simplified on the way.
 """
+
 from collections.abc import Sequence
 from fractions import Fraction
 
@@ -24,10 +26,10 @@ from trajlib.stability.systems import exact_decimals, read_expression, read_symb
 def characteristic_polynomial(A, symbol):
     """Characteristic polynomial det(lambda E - A), monic (MATLAB: charpoly, poly).
 
-    Parameters: `A`, n x n, a SymPy matrix or a list of rows (exact) or a NumPy array of floats; `symbol`, the lambda of
-    the result. Returns an expanded SymPy expression in `symbol`, with decimal coefficients for a float array.
-    Raises ValueError if A is not square, is empty, is not real, or contains `symbol`.
-    Source: Theorem 1.1 of the problem book.
+    Parameters: `A`, n x n, a SymPy matrix or a list of rows (exact) or a NumPy array of floats;
+    `symbol`, the lambda of the result. Returns an expanded SymPy expression in `symbol`, with
+    decimal coefficients for a float array. Raises ValueError if A is not square, is empty, is not
+    real, or contains `symbol`. Source: Theorem 1.1 of the problem book.
 
     >>> import sympy as sp
     >>> k, s = sp.symbols("k s")
@@ -37,24 +39,27 @@ def characteristic_polynomial(A, symbol):
     (symbol,) = read_symbols(symbol, "symbol")
     if is_float_array(A):
         A = read_float_matrix(A)
-        return sum((float(c) * symbol**(len(A) - i) for i, c in enumerate(np.poly(A))), sp.Integer(0))
+        return sum(
+            (float(c) * symbol ** (len(A) - i) for i, c in enumerate(np.poly(A))), sp.Integer(0)
+        )
     A = read_exact_matrix(A)
     if symbol in A.free_symbols:
         raise ValueError(f"symbol: {symbol} stands in the matrix itself; choose another name")
     domain_matrix = DomainMatrix.from_Matrix(A)
     domain = domain_matrix.domain
     coefficients = [domain.to_sympy(c) for c in domain_matrix.charpoly()]
-    return sp.expand(sum(sp.expand(c) * symbol**(A.rows - i) for i, c in enumerate(coefficients)))
+    return sp.expand(sum(sp.expand(c) * symbol ** (A.rows - i) for i, c in enumerate(coefficients)))
 
 
 def hurwitz_matrix(poly, symbol=None):
     """Hurwitz matrix of a polynomial, n x n, with the odd coefficients in its first row.
 
-    `poly` is an expression with its `symbol` (which may be left out when it is the only one), a SymPy `Poly`, or the
-    list of coefficients, highest power first. Exact coefficients give a SymPy matrix, floats a NumPy array. A leading
-    coefficient known to be negative is made positive by changing all signs; one of unknown sign stands as it is.
-    Raises ValueError for a polynomial that is zero, constant or not real, and for an expression that is no polynomial.
-    Source: Theorem 1.2 of the problem book, Gamma, with a_0 instead of 1.
+    `poly` is an expression with its `symbol` (which may be left out when it is the only one), a
+    SymPy `Poly`, or the list of coefficients, highest power first. Exact coefficients give a SymPy
+    matrix, floats a NumPy array. A leading coefficient known to be negative is made positive by
+    changing all signs; one of unknown sign stands as it is. Raises ValueError for a polynomial that
+    is zero, constant or not real, and for an expression that is no polynomial. Source: Theorem 1.2
+    of the problem book, Gamma, with a_0 instead of 1.
 
     >>> import sympy as sp
     >>> a, b, s = sp.symbols("a b s")
@@ -67,16 +72,20 @@ def hurwitz_matrix(poly, symbol=None):
     """
     coefficients = with_positive_lead(read_coefficients(poly, symbol))
     n = len(coefficients) - 1
-    rows = [[coefficients[k] if 0 <= (k := 2*j - i + 1) <= n else 0 for j in range(n)] for i in range(n)]
+    rows = [
+        [coefficients[k] if 0 <= (k := 2 * j - i + 1) <= n else 0 for j in range(n)]
+        for i in range(n)
+    ]
     return np.array(rows, dtype=float) if isinstance(coefficients[0], Fraction) else sp.Matrix(rows)
 
 
 def hurwitz_minors(poly, symbol=None):
     """Leading principal minors Delta_1, ..., Delta_n of the Hurwitz matrix, as a list.
 
-    Takes what `hurwitz_matrix` takes and treats a negative leading coefficient in the same way. Exact coefficients
-    give expanded expressions; floats are taken as the rational numbers they are, so that the signs returned are those
-    of the exact minors. Source: Theorem 1.2 of the problem book.
+    Takes what `hurwitz_matrix` takes and treats a negative leading coefficient in the same way.
+    Exact coefficients give expanded expressions; floats are taken as the rational numbers they are,
+    so that the signs returned are those of the exact minors. Source: Theorem 1.2 of the problem
+    book.
 
     >>> import sympy as sp
     >>> a, b, s = sp.symbols("a b s")
@@ -90,13 +99,17 @@ def hurwitz_minors(poly, symbol=None):
     n = len(coefficients) - 1
     exact = [sp.Rational(c.numerator, c.denominator) if floats else c for c in coefficients]
     domain, elements = sp.construct_domain(exact)
-    rows = [[elements[k] if 0 <= (k := 2*j - i + 1) <= n else domain.zero for j in range(n)] for i in range(n)]
+    rows = [
+        [elements[k] if 0 <= (k := 2 * j - i + 1) <= n else domain.zero for j in range(n)]
+        for i in range(n)
+    ]
     minors = [domain.to_sympy(minor) for minor in leading_minors(rows, domain)]
     return [float(m) for m in minors] if floats else [sp.expand(m) for m in minors]
 
 
 def leading_minors(rows, domain):
-    """Leading principal minors of a square matrix over `domain` by the fraction-free elimination of Bareiss."""
+    """Leading principal minors of a square matrix over `domain` by the fraction-free elimination of
+    Bareiss."""
     n = len(rows)
     work = [list(row) for row in rows]
     minors, previous = [], domain.one
@@ -104,20 +117,26 @@ def leading_minors(rows, domain):
         pivot = work[k][k]
         minors.append(pivot)
         if not pivot:
-            # A zero pivot stops the elimination; the larger minors then need determinants of their own.
-            return minors + [DomainMatrix([row[:m] for row in rows[:m]], (m, m), domain).det()
-                             for m in range(k + 2, n + 1)]
+            # A zero pivot stops the elimination; the larger minors then need determinants of their
+            # own.
+            return minors + [
+                DomainMatrix([row[:m] for row in rows[:m]], (m, m), domain).det()
+                for m in range(k + 2, n + 1)
+            ]
         for i in range(k + 1, n):
             for j in range(k + 1, n):
-                work[i][j] = domain.exquo(work[i][j]*pivot - work[i][k]*work[k][j], previous)
+                work[i][j] = domain.exquo(work[i][j] * pivot - work[i][k] * work[k][j], previous)
         previous = pivot
     return minors
 
 
 def read_coefficients(poly, symbol=None):
-    """Coefficients of `poly`, highest power first: SymPy expressions, or Fractions when floats were given."""
+    """Coefficients of `poly`, highest power first: SymPy expressions, or Fractions when floats were
+    given."""
     if isinstance(poly, np.ndarray) and poly.ndim != 1:
-        raise ValueError(f"poly: expected a list of coefficients, got an array of shape {poly.shape}")
+        raise ValueError(
+            f"poly: expected a list of coefficients, got an array of shape {poly.shape}"
+        )
     if isinstance(poly, (Sequence, np.ndarray)) and not isinstance(poly, str):
         coefficients = _from_list(poly)
     else:
@@ -127,14 +146,19 @@ def read_coefficients(poly, symbol=None):
     if not coefficients:
         raise ValueError("poly: expected a polynomial that is not identically zero")
     if len(coefficients) == 1:
-        raise ValueError(f"poly: expected a polynomial of degree 1 or more, got the constant {coefficients[0]}")
+        raise ValueError(
+            f"poly: expected a polynomial of degree 1 or more, got the constant {coefficients[0]}"
+        )
     return coefficients
 
 
 def _from_list(values):
     if any(isinstance(v, (float, np.floating)) for v in values):
         if not all(isinstance(v, (int, float, np.integer, np.floating)) for v in values):
-            raise TypeError("poly: floats and other kinds of coefficients stand in one list; write the floats exactly")
+            raise TypeError(
+                "poly: floats and other kinds of coefficients stand in one list; write the floats "
+                "exactly"
+            )
         if not np.all(np.isfinite(np.asarray(values, dtype=float))):
             raise ValueError("poly: expected finite coefficients")
         return [Fraction(float(v)) for v in values]
@@ -169,7 +193,8 @@ def _real_coefficient(coefficient):
 
 
 def with_positive_lead(coefficients):
-    """Change all signs if the leading coefficient is known to be negative: the roots stay the same."""
+    """Change all signs if the leading coefficient is known to be negative: the roots stay the
+    same."""
     lead = coefficients[0]
     negative = lead < 0 if isinstance(lead, Fraction) else lead.is_negative
     return [-c for c in coefficients] if negative else list(coefficients)
@@ -190,7 +215,8 @@ def read_float_matrix(A):
 
 
 def read_exact_matrix(A):
-    """Return A (SymPy matrix, list of rows or array of objects) as a square real SymPy matrix with exact entries."""
+    """Return A (SymPy matrix, list of rows or array of objects) as a square real SymPy matrix with
+    exact entries."""
     try:
         A = sp.Matrix(A)
     except (TypeError, ValueError, sp.SympifyError):

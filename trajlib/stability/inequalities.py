@@ -1,15 +1,19 @@
 """Strict inequalities, written as short as they can be shown to be.
 
-`positive(e)` is the condition e > 0 with everything of known sign divided out; `conjunction` joins such conditions and
-leaves out those that follow from the others.
+`positive(e)` is the condition e > 0 with everything of known sign divided out; `conjunction` joins
+such conditions and leaves out those that follow from the others.
 """
+
+import itertools
+
 import sympy as sp
 
 from trajlib.stability.strict_inequalities import TooLarge, solution_point
 
 
 def sign_of(expression):
-    """1, 0 or -1 where the assumptions on the symbols decide the sign of `expression`, else None."""
+    """1, 0 or -1 where the assumptions on the symbols decide the sign of `expression`, else
+    None."""
     for form in (expression, sp.factor(expression)):
         if form.is_zero:
             return 0
@@ -21,10 +25,11 @@ def sign_of(expression):
 
 
 def sign_factors(expression):
-    """Split `expression` into (constant sign, odd factors, even factors): its sign is that of their product.
+    """Split `expression` into (constant sign, odd factors, even factors): its sign is that of their
+    product.
 
-    An odd factor is an irreducible polynomial of odd multiplicity (above or below the line), an even one can only
-    turn the expression to zero. Factors of known sign are taken out.
+    An odd factor is an irreducible polynomial of odd multiplicity (above or below the line), an
+    even one can only turn the expression to zero. Factors of known sign are taken out.
     """
     sign, odd, even = 1, {}, []
     todo = [expression]
@@ -53,8 +58,12 @@ def sign_factors(expression):
 
 def _same_sign(factor):
     """sqrt(e), asin(e) and atan(e) have the sign of e wherever they are defined."""
-    while isinstance(factor, (sp.asin, sp.atan)) or (isinstance(factor, sp.Pow) and factor.exp.is_positive is True
-                                                     and factor.exp.is_Rational and factor.exp.q % 2 == 0):
+    while isinstance(factor, (sp.asin, sp.atan)) or (
+        isinstance(factor, sp.Pow)
+        and factor.exp.is_positive is True
+        and factor.exp.is_Rational
+        and factor.exp.q % 2 == 0
+    ):
         factor = factor.args[0]
     return factor
 
@@ -69,7 +78,7 @@ def positive(expression):
     nonzero = [sp.Ne(f, 0) for f in even]
     if not odd:
         return sp.And(*nonzero) if sign > 0 else sp.false
-    product = sign*sp.Mul(*odd)
+    product = sign * sp.Mul(*odd)
     symbols = product.free_symbols
     if len(symbols) == 1 and not nonzero:
         (symbol,) = symbols
@@ -94,8 +103,14 @@ def nonnegative(expression):
     zero = [sp.Eq(f, 0) for f in (*odd, *even)]
     if isinstance(above, (sp.Gt, sp.Lt)) and sign_of(denominator):
         return sp.Ge(*above.args) if isinstance(above, sp.Gt) else sp.Le(*above.args)
-    if isinstance(above, sp.And) and sign_of(denominator) and all(isinstance(c, (sp.Gt, sp.Lt)) for c in above.args):
-        return sp.And(*(sp.Ge(*c.args) if isinstance(c, sp.Gt) else sp.Le(*c.args) for c in above.args))
+    if (
+        isinstance(above, sp.And)
+        and sign_of(denominator)
+        and all(isinstance(c, (sp.Gt, sp.Lt)) for c in above.args)
+    ):
+        return sp.And(
+            *(sp.Ge(*c.args) if isinstance(c, sp.Gt) else sp.Le(*c.args) for c in above.args)
+        )
     if above is sp.false and not any(f.free_symbols for f in (*odd, *even)):
         return sp.false
     return sp.Or(above, sp.And(sp.Or(*zero), sp.Ne(denominator, 0)))
@@ -111,10 +126,19 @@ def without_implied(condition):
     """Drop f != 0 from a conjunction that also has f > 0 or f < 0."""
     if not isinstance(condition, sp.And):
         return condition
-    strict = {sp.expand(sign*(c.lhs - c.rhs)) for c in condition.args if isinstance(c, (sp.Gt, sp.Lt))
-              for sign in (1, -1)}
-    return sp.And(*(c for c in condition.args
-                    if not (isinstance(c, sp.Ne) and sp.expand(c.lhs - c.rhs) in strict)))
+    strict = {
+        sp.expand(sign * (c.lhs - c.rhs))
+        for c in condition.args
+        if isinstance(c, (sp.Gt, sp.Lt))
+        for sign in (1, -1)
+    }
+    return sp.And(
+        *(
+            c
+            for c in condition.args
+            if not (isinstance(c, sp.Ne) and sp.expand(c.lhs - c.rhs) in strict)
+        )
+    )
 
 
 def tidied(condition):
@@ -141,28 +165,46 @@ def _in_one_symbol(condition, symbol):
         if isinstance(piece, sp.FiniteSet):
             pieces += [sp.Eq(symbol, v) for v in piece]
         elif isinstance(piece, sp.Interval):
-            pieces.append(_between(symbol, piece.start, piece.end, piece.left_open, piece.right_open))
+            pieces.append(
+                _between(symbol, piece.start, piece.end, piece.left_open, piece.right_open)
+            )
         elif piece is not sp.S.EmptySet:
             return condition
     return sp.Or(*pieces)
 
 
 def intervals(polys, symbol):
-    """The condition on `symbol` under which all polynomials in it (rational coefficients) are positive."""
+    """The condition on `symbol` under which all polynomials in it (rational coefficients) are
+    positive."""
     roots = sorted({r for p in polys for r in p.real_roots()}, key=lambda r: r.evalf(30))
     ends = [-sp.oo, *roots, sp.oo]
-    return sp.Or(*(_between(symbol, low, high, True, True) for low, high in zip(ends, ends[1:])
-                   if all(p(_inside(low, high)) > 0 for p in polys)))
+    return sp.Or(
+        *(
+            _between(symbol, low, high, True, True)
+            for low, high in itertools.pairwise(ends)
+            if all(p(_inside(low, high)) > 0 for p in polys)
+        )
+    )
 
 
 def _between(symbol, low, high, left_open, right_open):
     """low < symbol < high without what the assumptions on the symbol say anyway."""
     if (high <= 0 and symbol.is_positive) or (low >= 0 and symbol.is_negative):
         return sp.false
-    above = sp.true if low == -sp.oo or (low <= 0 and symbol.is_positive) else \
-        symbol > low if left_open else symbol >= low
-    below = sp.true if high == sp.oo or (high >= 0 and symbol.is_negative) else \
-        symbol < high if right_open else symbol <= high
+    above = (
+        sp.true
+        if low == -sp.oo or (low <= 0 and symbol.is_positive)
+        else symbol > low
+        if left_open
+        else symbol >= low
+    )
+    below = (
+        sp.true
+        if high == sp.oo or (high >= 0 and symbol.is_negative)
+        else symbol < high
+        if right_open
+        else symbol <= high
+    )
     return sp.And(above, below)
 
 
@@ -174,14 +216,15 @@ def _inside(low, high):
         return sp.ceiling(low) + 1
     digits = 15
     while True:
-        middle = sp.Rational(str(((low + high)/2).evalf(digits)))
+        middle = sp.Rational(str(((low + high) / 2).evalf(digits)))
         if low < middle < high:
             return middle
         digits *= 2
 
 
 def written(polynomial):
-    """polynomial > 0 with the negative terms moved to the other side: k1*k2 > 1 rather than k1*k2 - 1 > 0."""
+    """polynomial > 0 with the negative terms moved to the other side: k1*k2 > 1 rather than k1*k2 -
+    1 > 0."""
     left, right = _sides(polynomial)
     return _divided(left, right, sp.Gt) if left.free_symbols else _divided(right, left, sp.Lt)
 
@@ -193,7 +236,8 @@ def equation(polynomial):
 
 
 def _sides(polynomial):
-    """The positive and the negative terms; a constant joins the side that would otherwise be empty."""
+    """The positive and the negative terms; a constant joins the side that would otherwise be
+    empty."""
     _, polynomial = sp.expand(polynomial).as_content_primitive()
     constant, rest = polynomial.as_independent(*polynomial.free_symbols, as_Add=True)
     terms = sp.Add.make_args(rest)
@@ -209,11 +253,16 @@ def _sides(polynomial):
 def _divided(varying, other, relation):
     """2*k > 3 is written k > 3/2."""
     content, varying = varying.as_content_primitive()
-    return relation(varying, other/content) if not other.free_symbols else relation(content*varying, other)
+    return (
+        relation(varying, other / content)
+        if not other.free_symbols
+        else relation(content * varying, other)
+    )
 
 
 def conjunction(expressions, symbols):
-    """The set where all `expressions` are positive, as a reduced condition: sp.false if it can be shown to be empty.
+    """The set where all `expressions` are positive, as a reduced condition: sp.false if it can be
+    shown to be empty.
 
     Returns (condition, decided); `decided` is False where emptiness could not be decided.
     """
@@ -224,11 +273,13 @@ def conjunction(expressions, symbols):
     products = _divide_by_known([(sign, frozenset(odd)) for sign, odd, _ in factored if odd])
     if products is None:
         return sp.false, True
-    polys = [sign*sp.Mul(*odd) for sign, odd in products]
+    polys = [sign * sp.Mul(*odd) for sign, odd in products]
     if not polys:
         return sp.And(*nonzero), not nonzero
     free = set().union(*(p.free_symbols for p in polys))
-    if len(free) == 1 and all(p.is_polynomial() and sp.Poly(p).domain in (sp.ZZ, sp.QQ) for p in polys):
+    if len(free) == 1 and all(
+        p.is_polynomial() and sp.Poly(p).domain in (sp.ZZ, sp.QQ) for p in polys
+    ):
         (symbol,) = free
         return sp.And(intervals([sp.Poly(p, symbol) for p in polys], symbol), *nonzero), not nonzero
     decided = True
@@ -257,7 +308,7 @@ def _divide_by_known(products):
                 return None
             for i, (other_sign, others) in enumerate(products):
                 if factor in others and len(others) > 1:
-                    products[i] = (other_sign*sign, others - factors)
+                    products[i] = (other_sign * sign, others - factors)
                     changed = True
         products = list(dict.fromkeys(products))
     return products
@@ -268,9 +319,14 @@ def _without_redundant(polys, symbols):
     kept = list(polys)
     for p in sorted(polys, key=lambda q: -q.count_ops()):
         others = [q for q in kept if q is not p]
-        # Where the others hold p is nowhere negative; it may still touch zero, but only where its gradient vanishes.
+        # Where the others hold p is nowhere negative; it may still touch zero, but only where its
+        # gradient vanishes.
         try:
-            if others and not _has_singular_zero(p) and solution_point([*others, -p], symbols) is None:
+            if (
+                others
+                and not _has_singular_zero(p)
+                and solution_point([*others, -p], symbols) is None
+            ):
                 kept = others
         except TooLarge:
             continue

@@ -1,8 +1,10 @@
 """Equations in deviations of the first approximation, (1.2) and (1.3) of the problem book.
 
-For y' = f(y, u, t) and a programme motion y*(t), u*(t) the deviations x = y - y*, w = u - u* satisfy, to first order,
-x' = A x + B w with A = df/dy and B = df/du taken along the programme motion.
+For y' = f(y, u, t) and a programme motion y*(t), u*(t) the deviations x = y - y*, w = u - u*
+satisfy, to first order, x' = A x + B w with A = df/dy and B = df/du taken along the programme
+motion.
 """
+
 import numpy as np
 import sympy as sp
 
@@ -12,10 +14,10 @@ from trajlib.stability.systems import read_field, read_symbols, read_vector, van
 def linearise(field, state, at, inputs=(), inputs_at=()):
     """Linearise x' = f(x, u) about an equilibrium (MATLAB: linearize, jacobian).
 
-    `field`: n expressions; `state`: n symbols; `at`: the n values of the equilibrium; `inputs`, `inputs_at`: the
-    control symbols and their constant values there. Returns A (n x n), or the pair (A, B) when there are inputs;
-    SymPy matrices, or NumPy arrays of floats if `at` is a NumPy array of numbers.
-    Raises ValueError, with the residual, if the field does not vanish at the point.
+    `field`: n expressions; `state`: n symbols; `at`: the n values of the equilibrium; `inputs`,
+    `inputs_at`: the control symbols and their constant values there. Returns A (n x n), or the pair
+    (A, B) when there are inputs; SymPy matrices, or NumPy arrays of floats if `at` is a NumPy array
+    of numbers. Raises ValueError, with the residual, if the field does not vanish at the point.
     Source: equation (1.3) of the problem book.
 
     >>> import sympy as sp
@@ -31,24 +33,34 @@ def linearise(field, state, at, inputs=(), inputs_at=()):
     point = dict(zip(state + inputs, values))
     floats = isinstance(at, np.ndarray) and at.dtype.kind in "fiu"
     residual = sp.Matrix([_at(f, point, "field") for f in field])
-    if not (_vanishes_numerically(residual, field, point) if floats else all(map(vanishes, residual))):
-        raise ValueError(f"at: {tuple(values)} is not an equilibrium; the field there is {list(residual)}")
-    A, B = (matrix.applyfunc(lambda e: _at(e, point, "the derivative of the field"))
-            for matrix in _jacobians(field, state, inputs))
+    if not (
+        _vanishes_numerically(residual, field, point) if floats else all(map(vanishes, residual))
+    ):
+        raise ValueError(
+            f"at: {tuple(values)} is not an equilibrium; the field there is {list(residual)}"
+        )
+    A, B = (
+        matrix.applyfunc(lambda e: _at(e, point, "the derivative of the field"))
+        for matrix in _jacobians(field, state, inputs)
+    )
     if floats:
         if A.free_symbols | B.free_symbols:
-            raise ValueError("at: floats need a field without further symbols; substitute numbers for "
-                             f"{', '.join(sorted(map(str, A.free_symbols | B.free_symbols)))} first")
+            raise ValueError(
+                "at: floats need a field without further symbols; substitute numbers for "
+                f"{', '.join(sorted(map(str, A.free_symbols | B.free_symbols)))} first"
+            )
         A, B = (np.array(M.tolist(), dtype=float).reshape(M.shape) for M in (A, B))
     return (A, B) if inputs else A
 
 
 def linearise_along(field, state, motion, time, inputs=(), inputs_along=()):
-    """Linearise y' = f(y, u, t) along a programme motion; returns the pair A(t) (n x n), B(t) (n x r).
+    """Linearise y' = f(y, u, t) along a programme motion; returns the pair A(t) (n x n), B(t) (n x
+    r).
 
-    `motion`: n expressions in the symbol `time`, the programme motion; `inputs_along`: the programme control that
-    belongs to it. Raises ValueError, with the residual dy*/dt - f(y*, u*, t), if the motion does not satisfy the
-    equation. Source: equations (1.2), (1.3) of the problem book.
+    `motion`: n expressions in the symbol `time`, the programme motion; `inputs_along`: the
+    programme control that belongs to it. Raises ValueError, with the residual dy*/dt - f(y*, u*,
+    t), if the motion does not satisfy the equation. Source: equations (1.2), (1.3) of the problem
+    book.
 
     >>> import sympy as sp
     >>> x, y, u, t, V0 = sp.symbols("x y u t V0")
@@ -66,13 +78,19 @@ def linearise_along(field, state, motion, time, inputs=(), inputs_along=()):
     if time in state or time in inputs:
         raise ValueError(f"time: {time} is also a state variable or an input")
     motion = read_vector(motion, len(state), "motion")
-    point = dict(zip(state + inputs, motion + read_vector(inputs_along, len(inputs), "inputs_along")))
+    point = dict(
+        zip(state + inputs, motion + read_vector(inputs_along, len(inputs), "inputs_along"))
+    )
     residual = sp.Matrix([sp.diff(y, time) - _at(f, point, "field") for y, f in zip(motion, field)])
     if not all(map(vanishes, residual)):
-        raise ValueError("motion: it does not satisfy the equation; dy/dt - f is "
-                         f"{list(residual.applyfunc(sp.simplify))}")
+        raise ValueError(
+            "motion: it does not satisfy the equation; dy/dt - f is "
+            f"{list(residual.applyfunc(sp.simplify))}"
+        )
     A, B = _jacobians(field, state, inputs)
-    return tuple(M.applyfunc(lambda e: _at(e, point, "the derivative of the field")) for M in (A, B))
+    return tuple(
+        M.applyfunc(lambda e: _at(e, point, "the derivative of the field")) for M in (A, B)
+    )
 
 
 def _jacobians(field, state, inputs):
@@ -91,7 +109,10 @@ def _at(expression, point, what):
 def _vanishes_numerically(residual, field, point):
     """A residual of rounding size, measured by the sum of the sizes of the terms that cancel."""
     for value, f in zip(residual, field):
-        size = sum(abs(complex(term.subs(point, simultaneous=True))) for term in sp.Add.make_args(sp.expand(f)))
-        if abs(complex(value)) > 1e-9*max(size, 1):
+        size = sum(
+            abs(complex(term.subs(point, simultaneous=True)))
+            for term in sp.Add.make_args(sp.expand(f))
+        )
+        if abs(complex(value)) > 1e-9 * max(size, 1):
             return False
     return True

@@ -1,7 +1,10 @@
-"""Lyapunov functions: their derivative along a system, their definiteness, and the set where the derivative vanishes.
+"""Lyapunov functions: their derivative along a system, their definiteness, and the set where the
+derivative vanishes.
 
-Definitions 1.3, 1.4 and Theorem 1.5 (Barbashin, Krasovskii) of the problem book, for x' = g(x) with g(0) = 0.
+Definitions 1.3, 1.4 and Theorem 1.5 (Barbashin, Krasovskii) of the problem book, for x' = g(x) with
+g(0) = 0.
 """
+
 from dataclasses import dataclass
 
 import sympy as sp
@@ -22,9 +25,11 @@ from trajlib.stability.systems import (
 
 
 def lyapunov_derivative(V, field, state):
-    """The full derivative of V along the system, grad V . f, in its shorter form, expanded or factored.
+    """The full derivative of V along the system, grad V . f, in its shorter form, expanded or
+    factored.
 
-    `V`: an expression; `field`: n expressions; `state`: n symbols. Source: Definition 1.4 of the problem book.
+    `V`: an expression; `field`: n expressions; `state`: n symbols. Source: Definition 1.4 of the
+    problem book.
 
     >>> import sympy as sp
     >>> x1, x2, a, b = sp.symbols("x1 x2 a b")
@@ -41,8 +46,9 @@ def lyapunov_derivative(V, field, state):
 class Definiteness:
     """Whether a function is positive definite near the origin.
 
-    `condition` is `sp.true`, `sp.false`, a condition on parameters, or None where it could not be decided; `reason`
-    says why. In an `if` only a decided answer counts; anything else raises TypeError.
+    `condition` is `sp.true`, `sp.false`, a condition on parameters, or None where it could not be
+    decided; `reason` says why. In an `if` only a decided answer counts; anything else raises
+    TypeError.
     """
 
     condition: sp.Basic | None
@@ -68,12 +74,14 @@ class Definiteness:
 
 
 def is_positive_definite(V, state):
-    """Whether V is positive definite in a neighbourhood of the origin (in the whole space if V is a form).
+    """Whether V is positive definite in a neighbourhood of the origin (in the whole space if V is a
+    form).
 
-    `V`: an expression that is smooth at 0; `state`: its variables; other symbols are parameters. Variables that do
-    not occur together in a term are judged separately: in one variable by the first derivative that does not vanish,
-    in several by Sylvester's criterion on the second derivatives, in two by the real roots of the lowest form.
-    Returns `Definiteness`. Source: Definition 1.3 of the problem book.
+    `V`: an expression that is smooth at 0; `state`: its variables; other symbols are parameters.
+    Variables that do not occur together in a term are judged separately: in one variable by the
+    first derivative that does not vanish, in several by Sylvester's criterion on the second
+    derivatives, in two by the real roots of the lowest form. Returns `Definiteness`. Source:
+    Definition 1.3 of the problem book.
 
     >>> import sympy as sp
     >>> x1, x2, b = sp.symbols("x1 x2 b")
@@ -91,7 +99,9 @@ def is_positive_definite(V, state):
         return Definiteness(sp.false, f"V(0) = {at_zero.xreplace(back)} is not zero")
     missing = [x for x, real in zip(state, real_state) if not V.has(real)]
     if missing:
-        return Definiteness(sp.false, f"V does not depend on {missing[0]}, so it vanishes along that axis")
+        return Definiteness(
+            sp.false, f"V does not depend on {missing[0]}, so it vanishes along that axis"
+        )
     conditions = []
     for part, variables in separate_parts(V, real_state):
         condition, reason = _definite_part(part, variables)
@@ -99,12 +109,17 @@ def is_positive_definite(V, state):
             return Definiteness(condition, with_names(reason, back))
         conditions.append(condition)
     condition = tidied(sp.And(*conditions)).xreplace(back)
-    return Definiteness(condition, "the lowest terms are positive definite" if condition is sp.true
-                        else f"the lowest terms are positive definite if {condition}")
+    return Definiteness(
+        condition,
+        "the lowest terms are positive definite"
+        if condition is sp.true
+        else f"the lowest terms are positive definite if {condition}",
+    )
 
 
 def separate_parts(V, state):
-    """Split V - V(0) into a sum of parts without common variables, each zero at 0: pairs (part, its variables)."""
+    """Split V - V(0) into a sum of parts without common variables, each zero at 0: pairs (part, its
+    variables)."""
     groups = []
     for term in sp.Add.make_args(sp.expand(V)):
         mine, variables = [term], [x for x in state if term.has(x)]
@@ -112,14 +127,18 @@ def separate_parts(V, state):
             continue
         for group in [g for g in groups if set(g[1]) & set(variables)]:
             groups.remove(group)
-            mine, variables = group[0] + mine, [x for x in state if x in set(group[1]) | set(variables)]
+            mine, variables = (
+                group[0] + mine,
+                [x for x in state if x in set(group[1]) | set(variables)],
+            )
         groups.append((mine, variables))
     parts = [(sp.Add(*terms), variables) for terms, variables in groups]
     return [(part - part.subs(dict.fromkeys(variables, 0)), variables) for part, variables in parts]
 
 
 def _definite_part(part, variables):
-    """(condition, reason) for one part of a sum; the condition None means that it was not decided."""
+    """(condition, reason) for one part of a sum; the condition None means that it was not
+    decided."""
     if len(variables) == 1:
         return _definite_in_one(part, variables[0])
     origin = dict.fromkeys(variables, 0)
@@ -136,12 +155,17 @@ def _definite_part(part, variables):
         return None, "the quadratic terms are only semidefinite, and V is not a polynomial"
     poly = sp.Poly(part, *variables)
     lowest = min(sum(m) for m in poly.monoms())
-    form = sum(c*sp.prod(x**k for x, k in zip(variables, m)) for m, c in poly.terms() if sum(m) == lowest)
+    form = sum(
+        c * sp.prod(x**k for x, k in zip(variables, m)) for m, c in poly.terms() if sum(m) == lowest
+    )
     if lowest % 2:
         return sp.false, f"the terms of lowest degree {lowest} change sign"
     if lowest == 2:
-        return (sp.false, "the quadratic form vanishes along a line") if sp.expand(form - part) == 0 else \
-            (None, "the quadratic terms are only semidefinite")
+        return (
+            (sp.false, "the quadratic form vanishes along a line")
+            if sp.expand(form - part) == 0
+            else (None, "the quadratic terms are only semidefinite")
+        )
     if len(variables) == 2 and not form.free_symbols - set(variables):
         x, y = variables
         profile = sp.Poly(form.subs(y, 1), x)
@@ -153,7 +177,9 @@ def _definite_part(part, variables):
 
 
 def _definite_in_one(part, x):
-    """The first derivative at 0 that does not vanish decides: it must be of even order and positive."""
+    """The first derivative at 0 that does not vanish decides: it must be of even order and
+    positive."""
+
     def from_order(order):
         if order > 12:
             return None
@@ -179,10 +205,10 @@ class ZeroDerivativeSet:
     """The set M where the derivative of V vanishes, and the whole trajectories in it.
 
     - `derivative`: V' along the system; `zero_set`: M as a condition on the state.
-    - `others`: what M holds besides the origin, as pairs (what, condition): an equilibrium (tuple) or an invariant
-      curve (equation), and the condition on the parameters under which it is there.
-    - `only_origin`: `sp.true`, `sp.false` or a condition on the parameters: M holds no whole trajectory but the origin;
-      None where that was not decided; `reason` in words.
+    - `others`: what M holds besides the origin, as pairs (what, condition): an equilibrium (tuple)
+      or an invariant curve (equation), and the condition on the parameters under which it is there.
+    - `only_origin`: `sp.true`, `sp.false` or a condition on the parameters: M holds no whole
+      trajectory but the origin; None where that was not decided; `reason` in words.
     """
 
     derivative: sp.Expr
@@ -196,11 +222,13 @@ class ZeroDerivativeSet:
 
 
 def barbashin_krasovskii(V, field, state):
-    """The set M of Theorem 1.5 where V' = 0, and whether it holds whole trajectories besides the origin.
+    """The set M of Theorem 1.5 where V' = 0, and whether it holds whole trajectories besides the
+    origin.
 
-    A trajectory that stays in {g = 0} satisfies g = 0, g' = 0, g'' = 0, ... with derivatives taken along the system;
-    the common zeros of these are found exactly. Parameters that stand as factors of V' are taken to be nonzero.
-    Returns `ZeroDerivativeSet`. Source: Theorem 1.5 of the problem book.
+    A trajectory that stays in {g = 0} satisfies g = 0, g' = 0, g'' = 0, ... with derivatives taken
+    along the system; the common zeros of these are found exactly. Parameters that stand as factors
+    of V' are taken to be nonzero. Returns `ZeroDerivativeSet`. Source: Theorem 1.5 of the problem
+    book.
 
     >>> import sympy as sp
     >>> x1, x2, a, b = sp.symbols("x1 x2 a b")
@@ -214,26 +242,40 @@ def barbashin_krasovskii(V, field, state):
     there, back = as_real(rate, *field, *state)
     real_field, real_state = [f.xreplace(there) for f in field], [there.get(x, x) for x in state]
     if rate == 0:
-        return ZeroDerivativeSet(rate, sp.true, (), sp.false, "V' vanishes identically: every trajectory lies in M")
+        return ZeroDerivativeSet(
+            rate, sp.true, (), sp.false, "V' vanishes identically: every trajectory lies in M"
+        )
 
     equations, others, doubts, assumed = [], [], [], set()
     for g, _, kind in derivative_factors(rate.xreplace(there), real_state):
         if kind == "parameter":
             assumed.add(g)
             continue
-        equations.append(sp.And(*(sp.Eq(x, 0) for x in real_state)) if kind == "definite" else sp.Eq(g, 0))
+        equations.append(
+            sp.And(*(sp.Eq(x, 0) for x in real_state)) if kind == "definite" else sp.Eq(g, 0)
+        )
         if kind == "definite":
             continue
         found, doubt = _trajectories_within(g, real_field, real_state)
         others += found
         doubts += [doubt] if doubt else []
-    others = tuple((what.xreplace(back) if isinstance(what, sp.Basic) else tuple(v.xreplace(back) for v in what),
-                    condition.xreplace(back)) for what, condition in dict(others).items())
+    others = tuple(
+        (
+            what.xreplace(back)
+            if isinstance(what, sp.Basic)
+            else tuple(v.xreplace(back) for v in what),
+            condition.xreplace(back),
+        )
+        for what, condition in dict(others).items()
+    )
     zero_set = sp.Or(*equations).xreplace(back)
     present = sp.Or(*(condition for _, condition in others))
     only_origin = sp.false if present is sp.true else None if doubts else sp.Not(present)
-    reason = "; ".join(doubts) or ("M holds no whole trajectory but the origin" if present is sp.false
-                                   else f"M also holds {', '.join(str(what) for what, _ in others)}")
+    reason = "; ".join(doubts) or (
+        "M holds no whole trajectory but the origin"
+        if present is sp.false
+        else f"M also holds {', '.join(str(what) for what, _ in others)}"
+    )
     if assumed:
         reason += ", for " + ", ".join(sorted(f"{g.xreplace(back)} != 0" for g in assumed))
     return ZeroDerivativeSet(rate, zero_set, others, only_origin, reason)
@@ -242,8 +284,8 @@ def barbashin_krasovskii(V, field, state):
 def derivative_factors(rate, state):
     """Factors of V' as triples (g, multiplicity, kind).
 
-    Kinds: "parameter" (no state variable in it, sign not known), "definite" (a form that vanishes at the origin alone)
-    and "curve". Factors of known sign are left out.
+    Kinds: "parameter" (no state variable in it, sign not known), "definite" (a form that vanishes
+    at the origin alone) and "curve". Factors of known sign are left out.
     """
     for g, multiplicity in sp.factor_list(sp.numer(sp.together(rate)))[1]:
         if sign_of(g):
@@ -257,12 +299,16 @@ def derivative_factors(rate, state):
 
 
 def _is_definite_form(g, state):
-    return (g.is_polynomial(*state) and sp.Poly(g, *state).is_homogeneous
-            and is_positive_definite(g, state).condition is sp.true)
+    return (
+        g.is_polynomial(*state)
+        and sp.Poly(g, *state).is_homogeneous
+        and is_positive_definite(g, state).condition is sp.true
+    )
 
 
 def _trajectories_within(g, field, state):
-    """Whole trajectories in {g = 0} besides the origin: pairs (what, condition), and a doubt in words or None."""
+    """Whole trajectories in {g = 0} besides the origin: pairs (what, condition), and a doubt in
+    words or None."""
     rate = sp.expand(lie_derivative(g, dict(zip(state, field))))
     if g.is_polynomial(*state) and rate.is_polynomial(*state) and sp.rem(rate, g, *state) == 0:
         return [(sp.Eq(g, 0), sp.true)], None

@@ -1,9 +1,11 @@
-"""Planar systems: the type of an equilibrium, and the absence of closed trajectories (Bendixson, Dulac).
+"""Planar systems: the type of an equilibrium, and the absence of closed trajectories (Bendixson,
+Dulac).
 
-The type follows from the trace, the determinant and the discriminant tr^2 - 4 det of the matrix of the first
-approximation. For a nonlinear field the types of a hyperbolic point carry over; "centre" and the lines of equilibria do
-not: there the first approximation leaves the question open.
+The type follows from the trace, the determinant and the discriminant tr^2 - 4 det of the matrix of
+the first approximation. For a nonlinear field the types of a hyperbolic point carry over; "centre"
+and the lines of equilibria do not: there the first approximation leaves the question open.
 """
+
 from dataclasses import dataclass
 
 import numpy as np
@@ -21,8 +23,8 @@ from trajlib.stability.systems import as_real, exact_decimals, read_expression, 
 class PlanarTypes:
     """The type of the equilibrium x = 0 of x' = Ax over the space of parameters.
 
-    `rows`: pairs (condition, type) that exclude one another and together cover all values for which A is real.
-    Iterating gives the rows.
+    `rows`: pairs (condition, type) that exclude one another and together cover all values for which
+    A is real. Iterating gives the rows.
     """
 
     matrix: sp.Matrix
@@ -35,23 +37,26 @@ class PlanarTypes:
         return len(self.rows)
 
     def _repr_latex_(self):
-        lines = (rf"{latex_condition(condition)} & \text{{{kind}}}" for condition, kind in self.rows)
+        lines = (
+            rf"{latex_condition(condition)} & \text{{{kind}}}" for condition, kind in self.rows
+        )
         return r"$\displaystyle \begin{array}{ll} " + r" \\ ".join(lines) + r" \end{array}$"
 
 
 def classify_planar(A):
     """The type of the equilibrium of x' = Ax in the plane.
 
-    `A`: 2 x 2. Numbers give the name of the type: "stable node", "stable focus", "stable degenerate node" (one
-    eigenvector), "stable star" (every vector is one), the same with "unstable", "saddle", "centre", "stable line of
-    equilibria", "unstable line of equilibria", "line of equilibria with drift" (A^2 = 0), "plane of equilibria".
-    Symbols give `PlanarTypes`, a table of (condition, type); the assumptions on them (positive=True) are used.
-    Raises ValueError if A is not 2 x 2 or not real, if a root of parameters stands where no polynomial can be read, and
-    for a NumPy array of floats in which the trace, the determinant or the discriminant that decides is zero within
-    rounding.
+    `A`: 2 x 2. Numbers give the name of the type: "stable node", "stable focus", "stable degenerate
+    node" (one eigenvector), "stable star" (every vector is one), the same with "unstable",
+    "saddle", "centre", "stable line of equilibria", "unstable line of equilibria", "line of
+    equilibria with drift" (A^2 = 0), "plane of equilibria". Symbols give `PlanarTypes`, a table of
+    (condition, type); the assumptions on them (positive=True) are used. Raises ValueError if A is
+    not 2 x 2 or not real, if a root of parameters stands where no polynomial can be read, and for a
+    NumPy array of floats in which the trace, the determinant or the discriminant that decides is
+    zero within rounding.
 
-    A "centre" of the first approximation is undecided for a nonlinear system: it may be a focus of either kind.
-    Source: Theorems 1.1 and 1.4 of the problem book.
+    A "centre" of the first approximation is undecided for a nonlinear system: it may be a focus of
+    either kind. Source: Theorems 1.1 and 1.4 of the problem book.
 
     >>> import sympy as sp
     >>> classify_planar(sp.Matrix([[0, 1], [-2, -1]]))
@@ -81,7 +86,7 @@ def classify_planar(A):
 def _table(A):
     trace, det = sp.factor(A.trace()), sp.factor(A.det())
     half_difference, off, back = A[0, 0] - A[1, 1], A[0, 1], A[1, 0]
-    discriminant = sp.factor(trace**2 - 4*det)
+    discriminant = sp.factor(trace**2 - 4 * det)
     scalar = sp.And(*(_zero(e) for e in (half_difference, off, back)))
     above, below, on_parabola = positive(discriminant), positive(-discriminant), _zero(discriminant)
     yield positive(-det), "saddle"
@@ -106,27 +111,37 @@ def _zero(expression):
     try:
         factors = sp.factor_list(numerator)[1]
     except sp.PolynomialError:
-        raise ValueError(f"A: cannot decide where {numerator} vanishes; put a positive symbol in the place "
-                         "of the root") from None
+        raise ValueError(
+            f"A: cannot decide where {numerator} vanishes; put a positive symbol in the place "
+            "of the root"
+        ) from None
     for f, _ in factors:
         if sign_of(f):
             continue
         values = sp.solveset(f, *f.free_symbols, sp.Reals) if len(f.free_symbols) == 1 else None
         if isinstance(values, sp.FiniteSet):
             (x,) = f.free_symbols
-            equations += [sp.Eq(x, v) for v in values if not (x.is_positive and v <= 0 or x.is_negative and v >= 0)]
+            equations += [
+                sp.Eq(x, v)
+                for v in values
+                if not ((x.is_positive and v <= 0) or (x.is_negative and v >= 0))
+            ]
         elif values is not sp.S.EmptySet:
             equations.append(equation(f))
     return sp.Or(*equations)
 
 
 def _is_empty(condition):
-    """Whether a condition with strict inequalities alone holds nowhere; equations are not looked into."""
+    """Whether a condition with strict inequalities alone holds nowhere; equations are not looked
+    into."""
     parts = sp.And.make_args(condition)
     if not all(isinstance(c, (sp.Gt, sp.Lt)) for c in parts):
         return False
     try:
-        return solution_point([c.gts - c.lts for c in parts], sorted(condition.free_symbols, key=str)) is None
+        return (
+            solution_point([c.gts - c.lts for c in parts], sorted(condition.free_symbols, key=str))
+            is None
+        )
     except TooLarge:
         return False
 
@@ -135,15 +150,24 @@ def _classify_floats(A):
     if A.shape != (2, 2) or not np.all(np.isfinite(A)):
         raise ValueError(f"A: expected a 2 x 2 matrix of finite numbers, got shape {A.shape}")
     size = np.abs(A).max()
-    scaled = A/size if size else A
+    scaled = A / size if size else A
     trace, det = np.trace(scaled), np.linalg.det(scaled)
-    discriminant = (scaled[0, 0] - scaled[1, 1])**2 + 4*scaled[0, 1]*scaled[1, 0]
-    rounding = 64*np.finfo(float).eps
-    close = [name for name, value in (("determinant", det), ("discriminant", discriminant if det > 0 else 1),
-                                      ("trace", trace if det > 0 else 1)) if abs(value) <= rounding]
+    discriminant = (scaled[0, 0] - scaled[1, 1]) ** 2 + 4 * scaled[0, 1] * scaled[1, 0]
+    rounding = 64 * np.finfo(float).eps
+    close = [
+        name
+        for name, value in (
+            ("determinant", det),
+            ("discriminant", discriminant if det > 0 else 1),
+            ("trace", trace if det > 0 else 1),
+        )
+        if abs(value) <= rounding
+    ]
     if close:
-        raise ValueError(f"A: the {close[0]} is zero within rounding, so floats cannot tell the type; "
-                         "give the matrix exactly (SymPy)")
+        raise ValueError(
+            f"A: the {close[0]} is zero within rounding, so floats cannot tell the type; "
+            "give the matrix exactly (SymPy)"
+        )
     if det < 0:
         return "saddle"
     return f"{'stable' if trace < 0 else 'unstable'} {'node' if discriminant > 0 else 'focus'}"
@@ -151,9 +175,10 @@ def _classify_floats(A):
 
 @dataclass(frozen=True)
 class DulacTest:
-    """`divergence` of B f, its `sign` on the region ("positive", "negative", "nonnegative", "nonpositive", "zero",
-    "changes", or None if not decided), and `excludes_cycles`: True if there are no closed trajectories in the region
-    (which must be simply connected), None if the test says nothing.
+    """`divergence` of B f, its `sign` on the region ("positive", "negative", "nonnegative",
+    "nonpositive", "zero", "changes", or None if not decided), and `excludes_cycles`: True if there
+    are no closed trajectories in the region (which must be simply connected), None if the test says
+    nothing.
     """
 
     divergence: sp.Expr
@@ -168,10 +193,11 @@ class DulacTest:
 def dulac(field, state, multiplier=1, region=None):
     """The test of Bendixson and Dulac: if div(B f) keeps one sign there are no closed trajectories.
 
-    `field`: two expressions; `state`: two symbols; `multiplier`: the function B; `region`: inequalities that describe
-    a simply connected region (that it is simply connected is for the user to see); without it the test is for the
-    plane, as restricted by the assumptions on the state (positive=True). Parameters are used with theirs.
-    Returns `DulacTest`; the sign is decided exactly.
+    `field`: two expressions; `state`: two symbols; `multiplier`: the function B; `region`:
+    inequalities that describe a simply connected region (that it is simply connected is for the
+    user to see); without it the test is for the plane, as restricted by the assumptions on the
+    state (positive=True). Parameters are used with theirs. Returns `DulacTest`; the sign is decided
+    exactly.
 
     >>> import sympy as sp
     >>> rho, b, u = sp.symbols("rho b u", positive=True)
@@ -184,8 +210,8 @@ def dulac(field, state, multiplier=1, region=None):
     if len(state) != 2:
         raise ValueError(f"state: expected a planar system, got {len(state)} variables")
     B = exact_decimals(read_expression(multiplier, "multiplier"))
-    divergence = sp.simplify(sum(sp.diff(B*exact_decimals(f), x) for f, x in zip(field, state)))
-    there, back = as_real(divergence, *state, *([] if region is None else [sp.sympify(region)]))
+    divergence = sp.simplify(sum(sp.diff(B * exact_decimals(f), x) for f, x in zip(field, state)))
+    there, _back = as_real(divergence, *state, *([] if region is None else [sp.sympify(region)]))
     known = []
     for relation in () if region is None else sp.And.make_args(sp.sympify(region)):
         if not isinstance(relation, (sp.Gt, sp.Ge, sp.Lt, sp.Le)):
@@ -201,7 +227,7 @@ def _sign_on(expression, known):
     if (sign := sign_of(expression)) is not None:
         return "positive" if sign > 0 else "negative"
     numerator, denominator = sp.fraction(sp.together(expression))
-    product = sp.expand(numerator*denominator)
+    product = sp.expand(numerator * denominator)
     symbols = sorted(set(product.free_symbols).union(*(k.free_symbols for k in known)), key=str)
     try:
         above = solution_point([*known, product], symbols) is not None

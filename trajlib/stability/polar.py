@@ -1,9 +1,11 @@
-"""Planar systems in polar coordinates and their limit cycles: problems 1.12 and 1.13 of the problem book.
+"""Planar systems in polar coordinates and their limit cycles: problems 1.12 and 1.13 of the problem
+book.
 
-With x1 = r cos phi, x2 = r sin phi the system x' = f(x) turns into r' = (x1 f1 + x2 f2)/r, phi' = (x1 f2 - x2 f1)/r^2.
-If r' depends on r alone, the circles on which it vanishes are the closed trajectories, and its sign on both sides tells
-their stability.
+With x1 = r cos phi, x2 = r sin phi the system x' = f(x) turns into r' = (x1 f1 + x2 f2)/r, phi' =
+(x1 f2 - x2 f1)/r^2. If r' depends on r alone, the circles on which it vanishes are the closed
+trajectories, and its sign on both sides tells their stability.
 """
+
 from dataclasses import dataclass
 
 import sympy as sp
@@ -11,14 +13,21 @@ import sympy as sp
 from trajlib.stability.inequalities import sign_factors
 from trajlib.stability.real_solutions import solve_real
 from trajlib.stability.strict_inequalities import TooLarge, solution_point
-from trajlib.stability.systems import as_real, exact_decimals, read_expression, read_field, read_symbols, with_names
+from trajlib.stability.systems import (
+    as_real,
+    exact_decimals,
+    read_expression,
+    read_field,
+    read_symbols,
+    with_names,
+)
 
 
 def polar_form(field, state, r, phi):
     """The right-hand sides (r', phi') of a planar system in polar coordinates, simplified.
 
-    `field`: two expressions; `state`: (x1, x2) with x1 = r cos phi, x2 = r sin phi; `r`, `phi`: symbols. phi is the
-    two-argument angle atan2(x2, x1). Source: problem 1.13 of the problem book.
+    `field`: two expressions; `state`: (x1, x2) with x1 = r cos phi, x2 = r sin phi; `r`, `phi`:
+    symbols. phi is the two-argument angle atan2(x2, x1). Source: problem 1.13 of the problem book.
 
     >>> import sympy as sp
     >>> x1, x2, r, phi = sp.symbols("x1 x2 r phi")
@@ -33,21 +42,24 @@ def polar_form(field, state, r, phi):
     if {r, phi} & set().union(set(state), *(f.free_symbols for f in field)):
         raise ValueError(f"r, phi: {r} and {phi} must not stand in the system itself")
     radius, angle = sp.Dummy("r", positive=True), sp.Dummy("phi", real=True)
-    x1, x2 = radius*sp.cos(angle), radius*sp.sin(angle)
+    x1, x2 = radius * sp.cos(angle), radius * sp.sin(angle)
     f1, f2 = (exact_decimals(f).subs(dict(zip(state, (x1, x2))), simultaneous=True) for f in field)
-    rates = (x1*f1 + x2*f2)/radius, (x1*f2 - x2*f1)/radius**2
+    rates = (x1 * f1 + x2 * f2) / radius, (x1 * f2 - x2 * f1) / radius**2
     back = {radius: r, angle: phi}
     return tuple(_simplified(rate, angle).xreplace(back) for rate in rates)
 
 
 def _simplified(rate, angle):
-    """Expanded, with cos^2 = 1 - sin^2 wherever that shortens it: for polynomials this is a normal form."""
+    """Expanded, with cos^2 = 1 - sin^2 wherever that shortens it: for polynomials this is a normal
+    form."""
     rate = sp.expand(rate)
     s, c = sp.symbols("s c")
     inner = rate.xreplace({sp.sin(angle): s, sp.cos(angle): c})
     normal = []
     if inner.is_polynomial(s, c):
-        rest = sp.expand(sp.rem(inner, s**2 + c**2 - 1, c, s)).xreplace({s: sp.sin(angle), c: sp.cos(angle)})
+        rest = sp.expand(sp.rem(inner, s**2 + c**2 - 1, c, s)).xreplace(
+            {s: sp.sin(angle), c: sp.cos(angle)}
+        )
         if not rest.has(angle):
             return rest  # no form of it is shorter, and trigsimp takes a hundred times as long
         normal = [rest]
@@ -56,10 +68,11 @@ def _simplified(rate, angle):
 
 @dataclass(frozen=True)
 class LimitCycle:
-    """A circular limit cycle: `radius`, `period` (None without an angular rate), `stability` and `condition`.
+    """A circular limit cycle: `radius`, `period` (None without an angular rate), `stability` and
+    `condition`.
 
-    `stability` is "stable", "unstable" or "semistable"; `condition` is the condition on the parameters under which the
-    cycle exists.
+    `stability` is "stable", "unstable" or "semistable"; `condition` is the condition on the
+    parameters under which the cycle exists.
     """
 
     radius: sp.Expr
@@ -79,11 +92,12 @@ class LimitCycle:
 def limit_cycles(radial_rate, r, angular_rate=None):
     """The limit cycles of r' = radial_rate(r), phi' = angular_rate(r), as a list of `LimitCycle`.
 
-    `radial_rate`, `angular_rate`: expressions in the symbol `r` and in parameters. A cycle is stable if r' is positive
-    just inside and negative just outside, unstable in the opposite case, semistable if the signs are equal (also where
-    the derivative of r' vanishes). The period is 2 pi/abs(phi'). A circle on which phi' = 0 consists of equilibria and
-    is left out. Raises ValueError if r' is identically zero (then all circles are closed) or cannot be solved.
-    Source: problems 1.12 and 1.13 of the problem book.
+    `radial_rate`, `angular_rate`: expressions in the symbol `r` and in parameters. A cycle is
+    stable if r' is positive just inside and negative just outside, unstable in the opposite case,
+    semistable if the signs are equal (also where the derivative of r' vanishes). The period is 2
+    pi/abs(phi'). A circle on which phi' = 0 consists of equilibria and is left out. Raises
+    ValueError if r' is identically zero (then all circles are closed) or cannot be solved. Source:
+    problems 1.12 and 1.13 of the problem book.
 
     >>> import sympy as sp
     >>> r, u = sp.symbols("r u")
@@ -95,8 +109,15 @@ def limit_cycles(radial_rate, r, angular_rate=None):
     radial = exact_decimals(read_expression(radial_rate, "radial_rate"))
     (r,) = read_symbols(r, "r")
     if radial == 0 or sp.expand(radial) == 0:
-        raise ValueError("radial_rate: it is identically zero, so every circle is closed and none is a limit cycle")
-    angular = None if angular_rate is None else exact_decimals(read_expression(angular_rate, "angular_rate"))
+        raise ValueError(
+            "radial_rate: it is identically zero, so every circle is closed and none is a limit "
+            "cycle"
+        )
+    angular = (
+        None
+        if angular_rate is None
+        else exact_decimals(read_expression(angular_rate, "angular_rate"))
+    )
     radius = sp.Dummy("r", positive=True)
     there, back = as_real(radial, *([] if angular is None else [angular]))
     there[r], back[radius] = radius, r
@@ -105,14 +126,26 @@ def limit_cycles(radial_rate, r, angular_rate=None):
 
     found = solve_real([radial], [radius])
     if found.unsolved or found.integers:
-        raise ValueError(f"radial_rate: the zeros of {radial_rate} could not all be found; substitute numbers")
+        raise ValueError(
+            f"radial_rate: the zeros of {radial_rate} could not all be found; substitute numbers"
+        )
     try:
-        cycles = [cycle for values, condition in found.branches
-                  if (cycle := _cycle(radial, angular, radius, values[radius], condition))]
+        cycles = [
+            cycle
+            for values, condition in found.branches
+            if (cycle := _cycle(radial, angular, radius, values[radius], condition))
+        ]
     except ValueError as error:
         raise ValueError(with_names(str(error), back)) from None
-    cycles = [LimitCycle(c.radius.xreplace(back), c.period and c.period.xreplace(back), c.stability,
-                         c.condition.xreplace(back)) for c in cycles]
+    cycles = [
+        LimitCycle(
+            c.radius.xreplace(back),
+            c.period and c.period.xreplace(back),
+            c.stability,
+            c.condition.xreplace(back),
+        )
+        for c in cycles
+    ]
     return sorted(cycles, key=lambda c: sp.default_sort_key(c.radius))
 
 
@@ -123,7 +156,7 @@ def _cycle(radial, angular, radius, size, condition):
         speed = sp.simplify(angular.subs(radius, size))
         if speed == 0:
             return None
-        period = 2*sp.pi/(speed*_sign_under(speed, condition, "angular_rate"))
+        period = 2 * sp.pi / (speed * _sign_under(speed, condition, "angular_rate"))
     return LimitCycle(size, period, _stability(radial, radius, size, condition), condition)
 
 
@@ -139,14 +172,21 @@ def _stability(radial, radius, size, condition):
 
 
 def _sign_under(expression, condition, name):
-    """The sign of an expression wherever the condition on the parameters holds; ValueError if it is not one sign."""
+    """The sign of an expression wherever the condition on the parameters holds; ValueError if it is
+    not one sign."""
     # A square root that is real and not zero is positive.
-    roots = {p for p in expression.atoms(sp.Pow) if p.exp.is_Rational and p.exp.q % 2 == 0 and p.exp.is_positive}
-    sign, odd, _ = sign_factors(expression.xreplace({p: sp.Dummy("root", positive=True) for p in roots}))
+    roots = {
+        p
+        for p in expression.atoms(sp.Pow)
+        if p.exp.is_Rational and p.exp.q % 2 == 0 and p.exp.is_positive
+    }
+    sign, odd, _ = sign_factors(
+        expression.xreplace({p: sp.Dummy("root", positive=True) for p in roots})
+    )
     if not odd:
         return sign
     sign, odd, _ = sign_factors(expression)
-    product = sign*sp.Mul(*odd)
+    product = sign * sp.Mul(*odd)
     known = [c.gts - c.lts for c in sp.And.make_args(condition) if isinstance(c, (sp.Gt, sp.Lt))]
     symbols = sorted(product.free_symbols | condition.free_symbols, key=str)
     try:
@@ -156,5 +196,8 @@ def _sign_under(expression, condition, name):
             return 1
     except TooLarge:
         pass
-    raise ValueError(f"{name}: the answer depends on the sign of {product}; declare its symbols positive or negative, "
-                     "or substitute numbers")
+    raise ValueError(
+        f"{name}: the answer depends on the sign of {product}; declare its symbols positive or "
+        "negative, "
+        "or substitute numbers"
+    )

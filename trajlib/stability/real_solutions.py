@@ -1,11 +1,14 @@
-"""All real solutions of a system of equations, exactly, with the conditions on the parameters they exist under.
+"""All real solutions of a system of equations, exactly, with the conditions on the parameters they
+exist under.
 
-The system is solved branch by branch: an equation falls apart into its factors; an equation in one unknown is solved,
-another unknown is eliminated where an equation gives it; polynomial systems go through a Groebner basis. Whatever
-cannot be solved in closed form is reported, never dropped in silence. All symbols must be real (see `systems.as_real`).
-Parameters are generic: a parameter that stands as a factor of an equation, or before the highest power of an unknown,
-is taken to be nonzero, and this is reported.
+The system is solved branch by branch: an equation falls apart into its factors; an equation in one
+unknown is solved, another unknown is eliminated where an equation gives it; polynomial systems go
+through a Groebner basis. Whatever cannot be solved in closed form is reported, never dropped in
+silence. All symbols must be real (see `systems.as_real`). Parameters are generic: a parameter that
+stands as a factor of an equation, or before the highest power of an unknown, is taken to be
+nonzero, and this is reported.
 """
+
 from dataclasses import dataclass, field
 
 import sympy as sp
@@ -22,9 +25,9 @@ class Unsolved(Exception):
 class RealSolutions:
     """`branches`: pairs (unknown -> value, condition); unknowns without a value are free.
 
-    `unsolved`: pairs (equation, unknown) that were given up; `nonzero`: expressions in the parameters taken to be
-    nonzero; `generic`: whether further special values of the parameters may be excepted; `integers`: the symbols n of
-    periodic families; `taken`: names these must not have.
+    `unsolved`: pairs (equation, unknown) that were given up; `nonzero`: expressions in the
+    parameters taken to be nonzero; `generic`: whether further special values of the parameters may
+    be excepted; `integers`: the symbols n of periodic families; `taken`: names these must not have.
     """
 
     taken: set
@@ -43,7 +46,9 @@ class RealSolutions:
         return self.integers[-1]
 
     def suppose_nonzero(self, expressions):
-        self.nonzero |= {-e if e.could_extract_minus_sign() else e for e in expressions if not e.is_nonzero}
+        self.nonzero |= {
+            -e if e.could_extract_minus_sign() else e for e in expressions if not e.is_nonzero
+        }
 
 
 def solve_real(equations, unknowns):
@@ -55,11 +60,17 @@ def solve_real(equations, unknowns):
     for values, requirements in result.branches:
         values = {x: _settled(v, values) for x, v in values.items()}
         left = [e.subs(values) for e in equations]
-        if any(v.has(sp.I) for v in values.values()) or not all(e.free_symbols or vanishes(e) for e in left):
+        if any(v.has(sp.I) for v in values.values()) or not all(
+            e.free_symbols or vanishes(e) for e in left
+        ):
             continue
-        condition = tidied(sp.And(*(r.reduced(values) for r in (*requirements, *defined)), *_assumed(values)))
+        condition = tidied(
+            sp.And(*(r.reduced(values) for r in (*requirements, *defined)), *_assumed(values))
+        )
         if condition is not sp.false:
-            kept.setdefault(tuple(sorted(values.items(), key=lambda kv: kv[0].name)), (values, condition))
+            kept.setdefault(
+                tuple(sorted(values.items(), key=lambda kv: kv[0].name)), (values, condition)
+            )
     result.branches = list(kept.values())
     return result
 
@@ -101,7 +112,8 @@ class Requirement:
 
 
 def definedness(expression):
-    """What must hold for a formula to be defined: logarithms, even roots, denominators, asin and acos."""
+    """What must hold for a formula to be defined: logarithms, even roots, denominators, asin and
+    acos."""
     for part in sp.preorder_traversal(expression):
         if isinstance(part, sp.log):
             yield Requirement(part.args[0], ">")
@@ -112,7 +124,7 @@ def definedness(expression):
             elif part.exp.is_negative:
                 yield Requirement(part.base, "!=")
         elif isinstance(part, (sp.asin, sp.acos)):
-            yield Requirement(1 - part.args[0]**2, ">=")
+            yield Requirement(1 - part.args[0] ** 2, ">=")
 
 
 def _solve(equations, unknowns, values, requirements, result):
@@ -132,7 +144,9 @@ def _solve(equations, unknowns, values, requirements, result):
     for equation in left:
         if not equation.free_symbols & set(open_unknowns):
             if vanishes(equation):
-                return _solve([e for e in left if e is not equation], unknowns, values, requirements, result)
+                return _solve(
+                    [e for e in left if e is not equation], unknowns, values, requirements, result
+                )
             result.suppose_nonzero([equation] if equation.free_symbols else [])
             return None
 
@@ -140,7 +154,7 @@ def _solve(equations, unknowns, values, requirements, result):
     for index, equation in enumerate(left):
         factors = _factors(equation, open_unknowns, result)
         if len(factors) > 1 or factors[0] != equation:
-            rest = left[:index] + left[index + 1:]
+            rest = left[:index] + left[index + 1 :]
             for factor in factors:
                 _solve([factor, *rest], unknowns, values, requirements, result)
             return None
@@ -165,8 +179,14 @@ def _one_logarithm(equation):
 
 def _eliminate(left, open_unknowns, unknowns, values, requirements, result):
     """Choose the equation and the unknown that are cheapest to solve and go on with every root."""
-    choices = sorted(((_cost(e, x, open_unknowns), i, j) for i, e in enumerate(left)
-                      for j, x in enumerate(open_unknowns) if x in e.free_symbols))
+    choices = sorted(
+        (
+            (_cost(e, x, open_unknowns), i, j)
+            for i, e in enumerate(left)
+            for j, x in enumerate(open_unknowns)
+            if x in e.free_symbols
+        )
+    )
     cost, i, j = choices[0]
     if cost[0] > 1 and all(e.is_polynomial(*open_unknowns) for e in left) and len(left) > 1:
         basis = list(sp.groebner(left, *open_unknowns, order="lex").exprs)
@@ -186,7 +206,7 @@ def _eliminate(left, open_unknowns, unknowns, values, requirements, result):
             problem = problem or error
     else:
         raise problem
-    rest = left[:i] + left[i + 1:]
+    rest = left[:i] + left[i + 1 :]
     for root, needed in roots:
         narrowed = {x: v.subs(unknown, root) for x, v in values.items()} | {unknown: root}
         if all(r.reduced(narrowed) is not sp.false for r in needed):
@@ -226,10 +246,12 @@ def _roots_of_factor(factor, x, result):
         z = sp.Dummy("z", real=True)
         inner = factor.subs(g, z)
         if x not in inner.free_symbols:
-            return [(root, needed + more + still_more)
-                    for value, needed in real_roots(inner, z, result)
-                    for argument, target, more in _inverted(g, value, result)
-                    for root, still_more in real_roots(argument - target, x, result)]
+            return [
+                (root, needed + more + still_more)
+                for value, needed in real_roots(inner, z, result)
+                for argument, target, more in _inverted(g, value, result)
+                for root, still_more in real_roots(argument - target, x, result)
+            ]
     if all(isinstance(g, (sp.sin, sp.cos)) for g in generators):
         return _trigonometric_roots(factor, x, generators, result)
     raise Unsolved(factor, x)
@@ -251,21 +273,30 @@ def _polynomial_roots(poly, shown):
     if step > 1:
         z = sp.Dummy("z", real=True)
         found = []
-        for value, needed in _polynomial_roots(sp.Poly({(m//step,): c for (m,), c in poly.terms()}, z), shown):
+        for value, needed in _polynomial_roots(
+            sp.Poly({(m // step,): c for (m,), c in poly.terms()}, z), shown
+        ):
             if step % 2:
                 found.append((sp.real_root(value, step), needed))
             else:
                 root = sp.root(_short(value), step)
-                found += [(r, (*needed, Requirement(value, ">="))) for r in dict.fromkeys((root, -root))]
+                found += [
+                    (r, (*needed, Requirement(value, ">="))) for r in dict.fromkeys((root, -root))
+                ]
         return found
     if poly.degree() == 1:
         slope, constant = poly.all_coeffs()
-        return [(_short(-constant/slope), ())]
+        return [(_short(-constant / slope), ())]
     if poly.degree() == 2:
         a, b, c = poly.all_coeffs()
-        discriminant = sp.factor(b**2 - 4*a*c)
-        return [(_short((-b + sign*sp.sqrt(discriminant))/(2*a)), (Requirement(discriminant, ">="),))
-                for sign in (-1, 1)]
+        discriminant = sp.factor(b**2 - 4 * a * c)
+        return [
+            (
+                _short((-b + sign * sp.sqrt(discriminant)) / (2 * a)),
+                (Requirement(discriminant, ">="),),
+            )
+            for sign in (-1, 1)
+        ]
     raise Unsolved(shown, x)
 
 
@@ -288,9 +319,12 @@ def _inverted(g, value, result):
             angles = (sp.atan(value), sp.atan(value) + sp.pi)
         else:
             needed = (Requirement(1 - value**2, ">="),)
-            angles = ((sp.asin(value), sp.pi - sp.asin(value)) if isinstance(g, sp.sin)
-                      else (sp.acos(value), -sp.acos(value)))
-        turns = 2*sp.pi*result.fresh_integer()
+            angles = (
+                (sp.asin(value), sp.pi - sp.asin(value))
+                if isinstance(g, sp.sin)
+                else (sp.acos(value), -sp.acos(value))
+            )
+        turns = 2 * sp.pi * result.fresh_integer()
         # -pi and pi are the same angle.
         angles = dict.fromkeys(sp.pi if angle == -sp.pi else angle for angle in angles)
         return [(u, angle + turns, needed) for angle in angles]
@@ -309,15 +343,23 @@ def _trigonometric_roots(factor, x, generators, result):
     s, c, t = (sp.Dummy(name, real=True) for name in "sct")
     inner = factor.subs({sp.sin(u): s, sp.cos(u): c})
     if sp.Poly(inner, s, c).is_homogeneous:
-        angles = [(sp.atan(value) + half, needed) for half in (0, sp.pi)
-                  for value, needed in real_roots(inner.subs({s: t, c: 1}), t, result)]
-        upright, special = inner.subs({s: 1, c: 0}), (sp.pi/2, -sp.pi/2)
+        angles = [
+            (sp.atan(value) + half, needed)
+            for half in (0, sp.pi)
+            for value, needed in real_roots(inner.subs({s: t, c: 1}), t, result)
+        ]
+        upright, special = inner.subs({s: 1, c: 0}), (sp.pi / 2, -sp.pi / 2)
     else:
-        half_angle = inner.subs({s: 2*t/(1 + t**2), c: (1 - t**2)/(1 + t**2)})
-        angles = [(2*sp.atan(value), needed) for value, needed in real_roots(half_angle, t, result)]
+        half_angle = inner.subs({s: 2 * t / (1 + t**2), c: (1 - t**2) / (1 + t**2)})
+        angles = [
+            (2 * sp.atan(value), needed) for value, needed in real_roots(half_angle, t, result)
+        ]
         upright, special = inner.subs({s: 0, c: -1}), (sp.pi,)
     if upright == 0:
         angles += [(angle, ()) for angle in special]
-    turns = 2*sp.pi*result.fresh_integer()
-    return [(root, needed + more) for angle, needed in angles
-            for root, more in real_roots(u - angle - turns, x, result)]
+    turns = 2 * sp.pi * result.fresh_integer()
+    return [
+        (root, needed + more)
+        for angle, needed in angles
+        for root, more in real_roots(u - angle - turns, x, result)
+    ]

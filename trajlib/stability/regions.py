@@ -1,9 +1,10 @@
 """Regions of asymptotic stability in the space of parameters, with a margin where one is asked for.
 
-The criterion of Hurwitz is used in the form of Lienard and Chipart: with positive coefficients of one parity only every
-second Hurwitz minor need be tested (F. R. Gantmacher, The Theory of Matrices, vol. 2, XV.13). What remains is
-reduced, and conditions that follow from the others are left out.
+The criterion of Hurwitz is used in the form of Lienard and Chipart: with positive coefficients of
+one parity only every second Hurwitz minor need be tested (F. R. Gantmacher, The Theory of Matrices,
+vol. 2, XV.13). What remains is reduced, and conditions that follow from the others are left out.
 """
+
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
@@ -19,15 +20,22 @@ from trajlib.stability.hurwitz import (
     read_exact_matrix,
 )
 from trajlib.stability.inequalities import conjunction, sign_of
-from trajlib.stability.systems import as_real, exact_decimals, read_expression, read_symbols, read_vector
+from trajlib.stability.systems import (
+    as_real,
+    exact_decimals,
+    read_expression,
+    read_symbols,
+    read_vector,
+)
 
 
 def shift(poly, margin, symbol=None):
     """The polynomial p(s - margin), whose roots are those of p moved to the right by `margin`.
 
-    All roots of p satisfy Re s < -margin exactly when those of p(s - margin) satisfy Re s < 0 (worked example 4 of
-    the problem book). `poly` is an expression with its `symbol`, a `Poly`, or a list of coefficients, highest power
-    first; the result is of the same kind. Errors as in `hurwitz_matrix`.
+    All roots of p satisfy Re s < -margin exactly when those of p(s - margin) satisfy Re s < 0
+    (worked example 4 of the problem book). `poly` is an expression with its `symbol`, a `Poly`, or
+    a list of coefficients, highest power first; the result is of the same kind. Errors as in
+    `hurwitz_matrix`.
 
     >>> import sympy as sp
     >>> s = sp.Symbol("s")
@@ -46,7 +54,7 @@ def shift(poly, margin, symbol=None):
         return sp.Poly(shifted, *poly.gens)
     if isinstance(poly, sp.Expr):
         variable = symbol if symbol is not None else next(iter(poly.free_symbols))
-        return sp.expand(sum(c*variable**(len(shifted) - 1 - i) for i, c in enumerate(shifted)))
+        return sp.expand(sum(c * variable ** (len(shifted) - 1 - i) for i, c in enumerate(shifted)))
     return np.array(shifted, dtype=float) if floats else shifted
 
 
@@ -55,16 +63,18 @@ def _shifted(coefficients, margin):
     work = list(coefficients)
     for last in range(len(work), 1, -1):
         for i in range(1, last):
-            work[i] = sp.expand(work[i] - margin*work[i - 1])
+            work[i] = sp.expand(work[i] - margin * work[i - 1])
     return work
 
 
 @dataclass(frozen=True)
 class Edge:
-    """A part of the parameter space where the leading coefficient vanishes and the order of the equation drops.
+    """A part of the parameter space where the leading coefficient vanishes and the order of the
+    equation drops.
 
-    `where` is the equation of the edge, `polynomial` the characteristic polynomial left there, `region` the condition
-    under which that equation of lower order is asymptotically stable (with the same margin) on the edge.
+    `where` is the equation of the edge, `polynomial` the characteristic polynomial left there,
+    `region` the condition under which that equation of lower order is asymptotically stable (with
+    the same margin) on the edge.
     """
 
     where: sp.Basic
@@ -76,10 +86,11 @@ class Edge:
 class StabilityConditions:
     """Where in the space of `parameters` all roots of `polynomial` have real parts below -`margin`.
 
-    - `region`: the answer as a condition: an And of strict inequalities in the shortest form found, `sp.true` or
-      `sp.false`; an Or of such if a leading coefficient of either sign can do.
+    - `region`: the answer as a condition: an And of strict inequalities in the shortest form found,
+      `sp.true` or `sp.false`; an Or of such if a leading coefficient of either sign can do.
     - `minors`: the Hurwitz minors Delta_1, ..., Delta_n of the shifted polynomial as computed.
-    - `degenerate`: the edges on which the order drops (tuple of `Edge`); they are no part of `region`.
+    - `degenerate`: the edges on which the order drops (tuple of `Edge`); they are no part of
+      `region`.
     - `empty`: True if no parameters stabilise, False if some do, None if that could not be decided.
     """
 
@@ -93,9 +104,11 @@ class StabilityConditions:
     empty: bool | None
 
     def contains(self, point):
-        """Whether `point` (a dict symbol -> number, or numbers in the order of the parameters) lies in the region.
+        """Whether `point` (a dict symbol -> number, or numbers in the order of the parameters) lies
+        in the region.
 
-        Floats count as the exact numbers they are, so that points close to the boundary are judged correctly.
+        Floats count as the exact numbers they are, so that points close to the boundary are judged
+        correctly.
         """
         if isinstance(point, Mapping):
             missing = set(self.parameters) - set(point)
@@ -115,7 +128,9 @@ class StabilityConditions:
         from trajlib import plotting
 
         if len(self.parameters) != 2:
-            raise ValueError(f"plot: a picture needs two parameters, this region has {len(self.parameters)}")
+            raise ValueError(
+                f"plot: a picture needs two parameters, this region has {len(self.parameters)}"
+            )
         return plotting.region(self.region, self.parameters, first_range, second_range, ax=ax)
 
     def _repr_latex_(self):
@@ -125,15 +140,15 @@ class StabilityConditions:
 def stability_conditions(poly_or_matrix, parameters, margin=0, symbol=None):
     """Conditions on `parameters` for asymptotic stability, with margin where one is asked for.
 
-    `poly_or_matrix`: a characteristic polynomial (expression with its `symbol`, `Poly`, or coefficients, highest power
-    first) or a square SymPy matrix A of x' = Ax. `parameters`: the symbols in it; they stand for real numbers, and
-    their assumptions (positive=True) are used. `margin` mu >= 0 asks for Re lambda < -mu.
-    Returns `StabilityConditions`. Raises ValueError for symbols that are not named as parameters and for whatever
-    `hurwitz_matrix` refuses.
+    `poly_or_matrix`: a characteristic polynomial (expression with its `symbol`, `Poly`, or
+    coefficients, highest power first) or a square SymPy matrix A of x' = Ax. `parameters`: the
+    symbols in it; they stand for real numbers, and their assumptions (positive=True) are used.
+    `margin` mu >= 0 asks for Re lambda < -mu. Returns `StabilityConditions`. Raises ValueError for
+    symbols that are not named as parameters and for whatever `hurwitz_matrix` refuses.
 
-    Definition 1.5 of the problem book, with its sign put right, asks for Re lambda <= -mu; the region here is the
-    interior of that set: the points of its boundary, where a root lies on the line Re lambda = -mu, are not in it.
-    With mu = 0 it is the criterion of Hurwitz, Theorem 1.2.
+    Definition 1.5 of the problem book, with its sign put right, asks for Re lambda <= -mu; the
+    region here is the interior of that set: the points of its boundary, where a root lies on the
+    line Re lambda = -mu, are not in it. With mu = 0 it is the criterion of Hurwitz, Theorem 1.2.
 
     >>> import sympy as sp
     >>> k1, k2 = sp.symbols("k1 k2")
@@ -149,8 +164,10 @@ def stability_conditions(poly_or_matrix, parameters, margin=0, symbol=None):
     named = set(parameters) | {symbol}
     strangers = set().union(margin.free_symbols, *(c.free_symbols for c in coefficients)) - named
     if strangers:
-        raise ValueError(f"parameters: the equation also has {', '.join(sorted(map(str, strangers)))}; "
-                         "name every symbol that is not a number")
+        raise ValueError(
+            f"parameters: the equation also has {', '.join(sorted(map(str, strangers)))}; "
+            "name every symbol that is not a number"
+        )
     if margin.is_real is False or margin.is_negative:
         raise ValueError(f"margin: expected a real number that is not negative, got {margin}")
     return _conditions(coefficients, symbol, parameters, margin)
@@ -166,9 +183,13 @@ def _read_equation(poly_or_matrix, symbol):
     if isinstance(coefficients[0], Fraction):
         coefficients = [sp.Rational(c.numerator, c.denominator) for c in coefficients]
     if symbol is None:
-        symbol = (poly_or_matrix.gens[0] if isinstance(poly_or_matrix, sp.Poly)
-                  else next(iter(poly_or_matrix.free_symbols)) if isinstance(poly_or_matrix, sp.Expr)
-                  else sp.Symbol("lambda"))
+        symbol = (
+            poly_or_matrix.gens[0]
+            if isinstance(poly_or_matrix, sp.Poly)
+            else next(iter(poly_or_matrix.free_symbols))
+            if isinstance(poly_or_matrix, sp.Expr)
+            else sp.Symbol("lambda")
+        )
     return coefficients, symbol
 
 
@@ -188,7 +209,7 @@ def _conditions(coefficients, symbol, parameters, margin):
 
 def _polynomial(coefficients, symbol):
     degree = len(coefficients) - 1
-    return sum(c*symbol**(degree - i) for i, c in enumerate(coefficients))
+    return sum(c * symbol ** (degree - i) for i, c in enumerate(coefficients))
 
 
 def _region(coefficients, parameters, margin):
@@ -199,9 +220,11 @@ def _region(coefficients, parameters, margin):
     lead = sign_of(real[0])
     found = []
     for sign in (1, -1) if lead is None else (lead,):
-        candidates = [conjunction(c, symbols) for c in _lienard_chipart([sign*c for c in real])]
+        candidates = [conjunction(c, symbols) for c in _lienard_chipart([sign * c for c in real])]
         found.append(min(candidates, key=lambda c: (not c[1], _length(c[0]))))
-    return sp.Or(*(region for region, _ in found)).xreplace(back), all(decided for _, decided in found)
+    return sp.Or(*(region for region, _ in found)).xreplace(back), all(
+        decided for _, decided in found
+    )
 
 
 def _lienard_chipart(coefficients):
@@ -227,7 +250,7 @@ def _edges(coefficients, symbol, parameters, margin, where=()):
     for parameter in parameters:
         slope = sp.diff(lead, parameter)
         if slope != 0 and slope.is_number:
-            value = sp.expand(parameter - lead/slope)
+            value = sp.expand(parameter - lead / slope)
             lower = [sp.expand(c.subs(parameter, value)) for c in lower]
             where = (*where[:-1], sp.Eq(parameter, value))
             break
@@ -262,7 +285,9 @@ def latex_region(region):
 def latex_condition(condition):
     """A condition in LaTeX with commas for 'and', as in the problem book."""
     if isinstance(condition, sp.And):
-        return r",\quad ".join(sp.latex(c) for c in sorted(condition.args, key=lambda c: c.count_ops()))
+        return r",\quad ".join(
+            sp.latex(c) for c in sorted(condition.args, key=lambda c: c.count_ops())
+        )
     if isinstance(condition, sp.Or):
         return r"\quad\text{or}\quad ".join(latex_condition(c) for c in condition.args)
     return sp.latex(condition)

@@ -1,12 +1,15 @@
-"""Does a system of strict polynomial inequalities have a solution? Decided exactly, by sample points.
+"""Does a system of strict polynomial inequalities have a solution? Decided exactly, by sample
+points.
 
-The set where several polynomials are all positive is open, so it is not empty exactly when it contains one of the open
-cells into which the zero sets of the polynomials cut the space. One rational point of every cell is found by removing
-the variables one at a time (leading coefficients, discriminants and resultants tell where the picture over the
-remaining ones can change) and putting them back: the open part of Collins's cylindrical algebraic decomposition,
-A. Strzebonski, J. Symbolic Computation 29 (2000) 471-480.
+The set where several polynomials are all positive is open, so it is not empty exactly when it
+contains one of the open cells into which the zero sets of the polynomials cut the space. One
+rational point of every cell is found by removing the variables one at a time (leading coefficients,
+discriminants and resultants tell where the picture over the remaining ones can change) and putting
+them back: the open part of Collins's cylindrical algebraic decomposition, A. Strzebonski, J.
+Symbolic Computation 29 (2000) 471-480.
 """
-from itertools import combinations
+
+from itertools import combinations, pairwise
 
 import sympy as sp
 
@@ -15,8 +18,8 @@ class TooLarge(Exception):
     """The decision would take too long; the caller then goes without it."""
 
 
-# Beyond these sizes an answer would take more than a few seconds: the degree of a resultant by the number of variables
-# left in it, the number of polynomials and that of sample points.
+# Beyond these sizes an answer would take more than a few seconds: the degree of a resultant by the
+# number of variables left in it, the number of polynomials and that of sample points.
 _MAX_DEGREE = {1: 60, 2: 9}
 _MAX_POLYNOMIALS = 30
 _MAX_POINTS = 800
@@ -26,7 +29,8 @@ def solution_point(polynomials, symbols):
     """A point (symbol -> rational) where all `polynomials` are positive, or None if there is none.
 
     The signs that the assumptions of the symbols give (positive=True) are part of the system.
-    Raises `TooLarge` when the system is beyond the sizes above or is not polynomial over the rationals.
+    Raises `TooLarge` when the system is beyond the sizes above or is not polynomial over the
+    rationals.
     """
     system = [sp.sympify(p) for p in polynomials]
     system += [s for s in symbols if s.is_positive] + [-s for s in symbols if s.is_negative]
@@ -63,7 +67,7 @@ def _cell_points(factors, symbols):
         return [(value,) for value in _values_between_roots(factors)]
     over = [f.as_expr() for f in factors if f.degree(last) > 0]
     largest = sorted(sp.Poly(f, *symbols).total_degree() for f in over)[-2:]
-    if over and largest[0]*largest[-1] > _MAX_DEGREE.get(len(others), 4):
+    if over and largest[0] * largest[-1] > _MAX_DEGREE.get(len(others), 4):
         raise TooLarge
     below = {sp.Poly(f.as_expr(), *others) for f in factors if f.degree(last) == 0}
     projected = [sp.LC(f, last) for f in over]
@@ -74,7 +78,7 @@ def _cell_points(factors, symbols):
     points = []
     for point in _cell_points(base, others):
         lines = [sp.Poly(f.subs(dict(zip(others, point))), last) for f in over]
-        points += [point + (value,) for value in _values_between_roots(lines)]
+        points += [(*point, value) for value in _values_between_roots(lines)]
         if len(points) > _MAX_POINTS:
             raise TooLarge
     return points
@@ -92,8 +96,8 @@ def _values_between_roots(polys):
         return [sp.Integer(0)]
     ends = [(sp.Rational(a), sp.Rational(b)) for (a, b), _ in intervals]
     # Two isolating intervals may share an end; they are narrowed until the ends differ.
-    while any(left[1] >= right[0] for left, right in zip(ends, ends[1:])):
+    while any(left[1] >= right[0] for left, right in pairwise(ends)):
         width /= 16
         ends = [(sp.Rational(a), sp.Rational(b)) for (a, b), _ in product.intervals(eps=width)]
-    between = [(left[1] + right[0])/2 for left, right in zip(ends, ends[1:])]
+    between = [(left[1] + right[0]) / 2 for left, right in pairwise(ends)]
     return [sp.floor(ends[0][0]) - 1, *between, sp.ceiling(ends[-1][1]) + 1]

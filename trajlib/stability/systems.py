@@ -1,9 +1,10 @@
 """Reading what the user writes: a vector field with its state, symbols, points.
 
-Symbols stand for real numbers throughout the package. A symbol declared without assumptions is replaced by a real one
-of the same name while an answer is computed (`as_real`), and put back at the end, so that students need not write
-`real=True` to get a correct answer.
+Symbols stand for real numbers throughout the package. A symbol declared without assumptions is
+replaced by a real one of the same name while an answer is computed (`as_real`), and put back at the
+end, so that students need not write `real=True` to get a correct answer.
 """
+
 import re
 from collections.abc import Iterable, Mapping
 
@@ -26,7 +27,8 @@ def read_symbols(symbols, name):
 
 
 def read_expression(expression, name):
-    """Return `expression` as a SymPy expression; text is refused, since parsing it would evaluate it."""
+    """Return `expression` as a SymPy expression; text is refused, since parsing it would evaluate
+    it."""
     if isinstance(expression, str):
         raise TypeError(f"{name}: expected a SymPy expression, got the text {expression!r}")
     try:
@@ -41,22 +43,28 @@ def read_expression(expression, name):
 
 
 def read_vector(values, length, name):
-    """Return `values` (list, tuple, one-column matrix or array) as a tuple of `length` SymPy expressions."""
+    """Return `values` (list, tuple, one-column matrix or array) as a tuple of `length` SymPy
+    expressions."""
     # A SymPy matrix is a sequence of its entries, but does not call itself iterable.
     if isinstance(values, (str, Mapping)) or not isinstance(values, (Iterable, sp.MatrixBase)):
         raise TypeError(f"{name}: expected a list of {length} expressions, got {values!r}")
     shape = getattr(values, "shape", None)
     if shape is not None and len(shape) == 2 and 1 not in shape:
-        raise ValueError(f"{name}: expected a vector of length {length}, got a matrix of shape {tuple(shape)}")
+        raise ValueError(
+            f"{name}: expected a vector of length {length}, got a matrix of shape {tuple(shape)}"
+        )
     flat = values.ravel() if hasattr(values, "ravel") else values
     result = tuple(read_expression(value, name) for value in flat)
     if len(result) != length:
-        raise ValueError(f"{name}: expected {length} components, one for each state variable, got {len(result)}")
+        raise ValueError(
+            f"{name}: expected {length} components, one for each state variable, got {len(result)}"
+        )
     return result
 
 
 def read_field(field, state):
-    """Return the right-hand sides and the state variables of x' = f(x), checked against one another."""
+    """Return the right-hand sides and the state variables of x' = f(x), checked against one
+    another."""
     state = read_symbols(state, "state")
     if not state:
         raise ValueError("state: expected at least one state variable")
@@ -64,7 +72,8 @@ def read_field(field, state):
 
 
 def as_real(*expressions):
-    """Two dictionaries: symbols that are not known to be real to real ones of the same name, and back."""
+    """Two dictionaries: symbols that are not known to be real to real ones of the same name, and
+    back."""
     unknown = {s for e in expressions for s in e.free_symbols if s.is_real is None}
     there = {s: sp.Dummy(s.name, real=True) for s in sorted(unknown, key=lambda s: s.name)}
     return there, {new: old for old, new in there.items()}
@@ -80,8 +89,8 @@ def with_names(text, back):
 def vanishes(expression):
     """Whether an expression is zero for all values of its symbols.
 
-    A number with radicals or roots of polynomials counts as zero if its first 30 digits are: exact methods take
-    minutes.
+    A number with radicals or roots of polynomials counts as zero if its first 30 digits are: exact
+    methods take minutes.
     """
     if expression == 0:
         return True

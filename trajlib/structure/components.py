@@ -2,25 +2,26 @@ r"""Decomposition by the components of the control and of the output, example 7 
 
 Control, x' = Ax + b^1 u_1 + ... + b^s u_s; new coordinates y with x = P y, P = T^-1.
 
-*Sequential.* The columns of P are the chain b^1, A b^1, ..., A^(k_1 - 1) b^1 as long as it is independent, then the
-chain of b^2 as long as it is independent of all columns before it, and so on. Then T A P is block upper triangular:
+*Sequential.* The columns of P are the chain b^1, A b^1, ..., A^(k_1 - 1) b^1 as long as it is
+independent, then the chain of b^2 as long as it is independent of all columns before it, and so on.
+Then T A P is block upper triangular:
 
     y_1' = C_1 y_1 + A_12 y_2 + ... + e_1 u_1,    y_2' = C_2 y_2 + ... + e_1 u_2,    ...
 
-C_i has ones below the diagonal and coefficients in the last column, A_ij (i < j) is zero but for its last column. The
-last subsystem is steered by u_s alone, whatever the others do; u_1 alone steers the first one, the others being its
-disturbances. If b^j depends on the columns before it, its subsystem is empty (size 0), and u_j acts on the earlier
-ones.
+C_i has ones below the diagonal and coefficients in the last column, A_ij (i < j) is zero but for
+its last column. The last subsystem is steered by u_s alone, whatever the others do; u_1 alone
+steers the first one, the others being its disturbances. If b^j depends on the columns before it,
+its subsystem is empty (size 0), and u_j acts on the earlier ones.
 
-*Parallel (shuttle).* The vectors are taken in the order b^1, ..., b^s, A b^1, ..., A b^s, A^2 b^1, ...; a vector that
-depends on the ones before it ends its chain. With the lengths k_1, ..., k_s so found, the coordinates are those of
-Luenberger's canonical form: each subsystem has the form (2.4),
+*Parallel (shuttle).* The vectors are taken in the order b^1, ..., b^s, A b^1, ..., A b^s, A^2 b^1,
+...; a vector that depends on the ones before it ends its chain. With the lengths k_1, ..., k_s so
+found, the coordinates are those of Luenberger's canonical form: each subsystem has the form (2.4),
 
     y_i1' = y_i2,   ...,   y_ik' = (all coordinates) + u_i   (k = k_i),
 
-so that A is zero outside the diagonal blocks but for the last row of each block; the subsystems meet only in the
-equations that contain the controls, and each u_i can cancel that. Where k_j < k_i, j > i, the last equation of
-subsystem i may also contain u_j.
+so that A is zero outside the diagonal blocks but for the last row of each block; the subsystems
+meet only in the equations that contain the controls, and each u_i can cancel that. Where k_j < k_i,
+j > i, the last equation of subsystem i may also contain u_j.
 
 Output, z_i = h_i x; new coordinates y = T x. By duality:
 
@@ -29,18 +30,20 @@ Output, z_i = h_i x; new coordinates y = T x. By duality:
 row, the blocks to its left are zero but for their last row, and z_i = y_i1. The first subsystem is seen from z_1 alone,
 the second from z_2 with the first known.
 
-*Parallel (shuttle).* Chains in the order h_1, ..., h_m, h_1 A, ..., h_m A, ...; each subsystem has the form (2.5) and
-is coupled to the others only through their outputs: A is zero outside the diagonal blocks but for the first column of
-each block, and z_i = y_i1 (plus a combination of earlier outputs where k_i is smaller than theirs).
+*Parallel (shuttle).* Chains in the order h_1, ..., h_m, h_1 A, ..., h_m A, ...; each subsystem has
+the form (2.5) and is coupled to the others only through their outputs: A is zero outside the
+diagonal blocks but for the first column of each block, and z_i = y_i1 (plus a combination of
+earlier outputs where k_i is smaller than theirs).
 
-If the pair is not controllable (observable), these are the decompositions of its controllable (observable) part, as in
-(2.6) and (2.7): the remaining coordinates, `remaining` in number, come last and make the matrix block triangular once
-more.
+If the pair is not controllable (observable), these are the decompositions of its controllable
+(observable) part, as in (2.6) and (2.7): the remaining coordinates, `remaining` in number, come
+last and make the matrix block triangular once more.
 
-Example 7 as printed does not do this: its f^3 has wrong coefficients (f^3 = -g^1 + (1/2) g^2 - (3/2) f^1 + (5/2) f^2),
-and its p^1, v^1 take off only the own chain, whereas the coupling must go too: p^1 = g^2 - (7/2) g^1 - (1/2) f^1, v^1 =
-f^2 - (5/2) f^1 - (1/2) g^1.
+Example 7 as printed does not do this: its f^3 has wrong coefficients (f^3 = -g^1 + (1/2) g^2 -
+(3/2) f^1 + (5/2) f^2), and its p^1, v^1 take off only the own chain, whereas the coupling must go
+too: p^1 = g^2 - (7/2) g^1 - (1/2) f^1, v^1 = f^2 - (5/2) f^1 - (1/2) g^1.
 """
+
 from dataclasses import dataclass
 
 import numpy as np
@@ -57,8 +60,8 @@ class ComponentDecomposition:
 
     - `transformation`: T, y = T x; `basis`: its inverse, x = `basis` y; `matrix`: T A T^-1;
     - `outputs`: H T^-1, or `inputs`: T B (the other one is None);
-    - `sizes`: the number of coordinates of each subsystem, in the order of the components (0 for one that adds
-      nothing);
+    - `sizes`: the number of coordinates of each subsystem, in the order of the components (0 for
+      one that adds nothing);
     - `remaining`: the number of coordinates, the last ones, that no component sees (or steers);
     - `how`: "sequential" or "parallel";
     - `where`: the values of the symbols for which all this holds, as in a `Decomposition`.
@@ -81,17 +84,26 @@ class ComponentDecomposition:
         return holds_where(self.transformation, self.basis, self.matrix, self.outputs, self.inputs)
 
     def _repr_latex_(self):
-        return named_matrices({"T": self.transformation, "TAT^{-1}": self.matrix, "HT^{-1}": self.outputs,
-                               "TB": self.inputs}, self.where)
+        return named_matrices(
+            {
+                "T": self.transformation,
+                "TAT^{-1}": self.matrix,
+                "HT^{-1}": self.outputs,
+                "TB": self.inputs,
+            },
+            self.where,
+        )
 
 
 def decompose_by_outputs(A, H, how):
-    """Decomposition by the components of the output, sequential or parallel (MATLAB: no word; Luenberger's form).
+    """Decomposition by the components of the output, sequential or parallel (MATLAB: no word;
+    Luenberger's form).
 
-    `A`: n x n, `H`: m x n, exact, with symbols generic; `how`: "sequential" or "parallel" (shuttle), as described at
-    the head of this module. A pair that is not observable keeps its unseen coordinates last. Returns
-    `ComponentDecomposition` with `outputs`. Raises ValueError for another `how`, for shapes that do not fit and for
-    floats, whose chains end by a decision on rounding. Source: example 7, problems 2.14 and 2.15 of the problem book.
+    `A`: n x n, `H`: m x n, exact, with symbols generic; `how`: "sequential" or "parallel"
+    (shuttle), as described at the head of this module. A pair that is not observable keeps its
+    unseen coordinates last. Returns `ComponentDecomposition` with `outputs`. Raises ValueError for
+    another `how`, for shapes that do not fit and for floats, whose chains end by a decision on
+    rounding. Source: example 7, problems 2.14 and 2.15 of the problem book.
 
     >>> import sympy as sp
     >>> A = sp.Matrix([[0, 1, 0], [0, 0, 0], [1, 0, 2]])
@@ -105,17 +117,25 @@ def decompose_by_outputs(A, H, how):
     A, H = read_observed(A, H)
     T, sizes = _coordinates(A, H, how, "H")
     back = exact.inverse(T)
-    return ComponentDecomposition(T, exact.product(T, A, back), sizes, A.rows - sum(sizes), how,
-                                  outputs=exact.product(H, back))
+    return ComponentDecomposition(
+        T,
+        exact.product(T, A, back),
+        sizes,
+        A.rows - sum(sizes),
+        how,
+        outputs=exact.product(H, back),
+    )
 
 
 def decompose_by_inputs(A, B, how):
-    """Decomposition by the components of the control, sequential or parallel (MATLAB: no word; Luenberger's form).
+    """Decomposition by the components of the control, sequential or parallel (MATLAB: no word;
+    Luenberger's form).
 
-    `A`: n x n, `B`: n x s, exact, with symbols generic; `how`: "sequential" or "parallel" (shuttle), as described at
-    the head of this module. A pair that is not controllable keeps the coordinates that no control reaches last. Returns
-    `ComponentDecomposition` with `inputs`. Raises ValueError as `decompose_by_outputs`. Source: example 7, problems
-    2.33 and 2.34 of the problem book.
+    `A`: n x n, `B`: n x s, exact, with symbols generic; `how`: "sequential" or "parallel"
+    (shuttle), as described at the head of this module. A pair that is not controllable keeps the
+    coordinates that no control reaches last. Returns `ComponentDecomposition` with `inputs`. Raises
+    ValueError as `decompose_by_outputs`. Source: example 7, problems 2.33 and 2.34 of the problem
+    book.
 
     >>> import sympy as sp
     >>> A = sp.Matrix([[1, 1, 0, 0], [0, 1, 0, 0], [0, 0, 2, 1], [0, 0, 0, 2]])
@@ -139,8 +159,14 @@ def decompose_by_inputs(A, B, how):
         rows = _reversed_blocks(rows, sizes)
     basis = rows.T
     T = exact.inverse(basis)
-    return ComponentDecomposition(T, exact.product(T, A.T, basis), sizes, A.rows - sum(sizes), how,
-                                  inputs=exact.product(T, H.T))
+    return ComponentDecomposition(
+        T,
+        exact.product(T, A.T, basis),
+        sizes,
+        A.rows - sum(sizes),
+        how,
+        inputs=exact.product(T, H.T),
+    )
 
 
 def _coordinates(A, H, how, name):
@@ -148,9 +174,12 @@ def _coordinates(A, H, how, name):
     if how not in ("sequential", "parallel"):
         raise ValueError(f'how: expected "sequential" or "parallel", got {how!r}')
     if isinstance(A, np.ndarray):
-        raise ValueError(f"{name}: expected exact matrices (SymPy), since every chain ends by an exact decision; "
-                         f"write the "
-                         "numbers as integers or sp.Rational")
+        raise ValueError(
+            f"{name}: expected exact matrices (SymPy), since every chain ends by an exact "
+            "decision; "
+            f"write the "
+            "numbers as integers or sp.Rational"
+        )
     chains = _sequential_chains(A, H) if how == "sequential" else _shuttle_chains(A, H)
     sizes = tuple(len(chain) for chain in chains)
     rows = sp.Matrix.vstack(sp.zeros(0, A.rows), *(row for chain in chains for row in chain))
@@ -165,7 +194,7 @@ def _sequential_chains(A, H):
         while exact.rank(longer := sp.Matrix.vstack(found, row)) > found.rows:
             found = longer
             chain.append(row)
-            row = (row*A).applyfunc(sp.expand)
+            row = (row * A).applyfunc(sp.expand)
         chains.append(chain)
     return chains
 
@@ -179,7 +208,7 @@ def _shuttle_chains(A, H):
             if exact.rank(longer) > found.rows:
                 found = longer
                 chains[i].append(row)
-                current[i] = (row*A).applyfunc(sp.expand)
+                current[i] = (row * A).applyfunc(sp.expand)
             else:
                 del current[i]
     return chains
@@ -188,8 +217,9 @@ def _shuttle_chains(A, H):
 def _luenberger(A, rows, sizes):
     """Coordinates in which each subsystem has the form (2.5) and is driven by the outputs alone.
 
-    With the chains as rows of S, the columns q_i of S^-1 that belong to the ends of the chains generate the basis of
-    the space: the columns A^(k-1) q_i, ..., A q_i, q_i, subsystem by subsystem (and the unseen directions last).
+    With the chains as rows of S, the columns q_i of S^-1 that belong to the ends of the chains
+    generate the basis of the space: the columns A^(k-1) q_i, ..., A q_i, q_i, subsystem by
+    subsystem (and the unseen directions last).
     """
     back = exact.inverse(rows)
     columns, end = [], 0
@@ -198,7 +228,7 @@ def _luenberger(A, rows, sizes):
         if size:
             chain = [back[:, end - 1]]
             while len(chain) < size:
-                chain.append(exact.tidy(A*chain[-1]))
+                chain.append(exact.tidy(A * chain[-1]))
             columns += chain[::-1]
     columns += [back[:, j] for j in range(end, A.rows)]
     return exact.inverse(sp.Matrix.hstack(*columns))

@@ -1,23 +1,29 @@
-r"""How far is a pair from the nearest one that is not observable? A bracket that is proved, not only an upper bound.
+r"""How far is a pair from the nearest one that is not observable? A bracket that is proved, not
+only an upper bound.
 
-The distance of (A, H), in the 2-norm of a change of both, complex changes allowed, is the least value of
-sigma(lambda) = sigma_min(A - lambda E; H) over all complex lambda (R. Eising, Systems & Control Letters 4 (1984)
-263-264). Every value of sigma is an upper bound; the lower one needs a proof. Here it comes from
+The distance of (A, H), in the 2-norm of a change of both, complex changes allowed, is the least
+value of sigma(lambda) = sigma_min(A - lambda E; H) over all complex lambda (R. Eising, Systems &
+Control Letters 4 (1984) 263-264). Every value of sigma is an upper bound; the lower one needs a
+proof. Here it comes from
 
     sigma(lambda)^2 - |lambda - c|^2 = least eigenvalue of a Hermitian matrix that is linear in Re lambda, Im lambda,
 
-which is concave. On a square with the centre c it is at least its least value at the corners, and so
+which is concave. On a square with the centre c it is at least its least value at the corners, and
+so
 
     sigma^2 >= min of sigma^2 over the corners - side^2/2    in the whole square.
 
-A square that this does not settle is divided into four. As |(A - lambda E) v| >= |v*Av - lambda| for |v| = 1, values
-below U lie within U of the field of values of A, which the eigenvalues of the symmetric and of the skew part of A
-enclose in a rectangle; A is real, so that its upper half is enough.
+A square that this does not settle is divided into four. As |(A - lambda E) v| >= |v*Av - lambda|
+for |v| = 1, values below U lie within U of the field of values of A, which the eigenvalues of the
+symmetric and of the skew part of A enclose in a rectangle; A is real, so that its upper half is
+enough.
 
-The squares that have to be looked at are those on which sigma is near its least value. They are few where that is not
-small beside |A|, and where it belongs to a simple eigenvalue. About a multiple one sigma is tiny on an area many times
-larger than its square: there the squares may be too many, and the bracket stays wide.
+The squares that have to be looked at are those on which sigma is near its least value. They are few
+where that is not small beside |A|, and where it belongs to a simple eigenvalue. About a multiple
+one sigma is tiny on an area many times larger than its square: there the squares may be too many,
+and the bracket stays wide.
 """
+
 from dataclasses import dataclass
 
 import numpy as np
@@ -33,7 +39,8 @@ _MOST_SQUARES, _AT_ONCE = 150_000, 1000
 class Distance:
     """The distance to the nearest pair without the property is between `lower` and `upper`.
 
-    It is reached, up to `upper`, by a pair that loses the number `eigenvalue`. Rounding is allowed for.
+    It is reached, up to `upper`, by a pair that loses the number `eigenvalue`. Rounding is allowed
+    for.
     """
 
     lower: float
@@ -42,12 +49,14 @@ class Distance:
 
 
 def distance_to_unobservable(A, H=None, within=0.01):
-    """How large a change of A and H makes x' = Ax, z = Hx unobservable? A proved bracket (MATLAB: none).
+    """How large a change of A and H makes x' = Ax, z = Hx unobservable? A proved bracket (MATLAB:
+    none).
 
-    `A`: n x n, `H`: m x n, real numbers, or a StateSpace in place of `A`. The size of a change is the 2-norm of
-    (dA; dH), in the units given; complex changes are allowed, so real ones may have to be larger. `within`: how much of
-    `upper` may lie between the bounds. Returns `Distance`; where so narrow a bracket would take too many steps it is
-    wider. Raises ValueError for shapes that do not fit, entries that are not real numbers, and `within` outside (0, 1).
+    `A`: n x n, `H`: m x n, real numbers, or a StateSpace in place of `A`. The size of a change is
+    the 2-norm of (dA; dH), in the units given; complex changes are allowed, so real ones may have
+    to be larger. `within`: how much of `upper` may lie between the bounds. Returns `Distance`;
+    where so narrow a bracket would take too many steps it is wider. Raises ValueError for shapes
+    that do not fit, entries that are not real numbers, and `within` outside (0, 1).
 
     >>> import numpy as np
     >>> found = distance_to_unobservable(np.array([[0.0, 1], [0, 0]]), np.array([[1.0, 0]]))
@@ -58,7 +67,8 @@ def distance_to_unobservable(A, H=None, within=0.01):
 
 
 def distance_to_uncontrollable(A, B=None, within=0.01):
-    """How large a change of A and B makes x' = Ax + Bu uncontrollable? A proved bracket (MATLAB: none).
+    """How large a change of A and B makes x' = Ax + Bu uncontrollable? A proved bracket (MATLAB:
+    none).
 
     `A`: n x n, `B`: n x s; numbers, result and errors as in `distance_to_unobservable`.
     """
@@ -71,58 +81,68 @@ def _distance(A, H, within):
     try:
         A, H = np.array(A, dtype=float), np.array(H, dtype=float)
     except TypeError:
-        raise ValueError("A: expected real numbers; a distance with symbols in it is beyond the methods here") from None
+        raise ValueError(
+            "A: expected real numbers; a distance with symbols in it is beyond the methods here"
+        ) from None
     size = np.linalg.norm(np.vstack([A, H]), 2) or 1
-    lower, upper, value = _bracket(A/size, H/size, within)
-    return Distance(float(size*lower), float(size*upper), complex(size*value))
+    lower, upper, value = _bracket(A / size, H / size, within)
+    return Distance(float(size * lower), float(size * upper), complex(size * value))
 
 
 def _bracket(A, H, within):
     rounding = tolerance(len(A))
-    upper, value, _ = min((descend(A, H, start) for start in (*np.linalg.eigvals(A), np.trace(A)/len(A))),
-                          key=lambda found: found[0])
+    upper, value, _ = min(
+        (descend(A, H, start) for start in (*np.linalg.eigvals(A), np.trace(A) / len(A))),
+        key=lambda found: found[0],
+    )
     if upper <= rounding:
         return 0, upper + rounding, value
     left, side, columns, rows = _field_of_values(A, upper)
-    squares = np.stack(np.meshgrid(np.arange(columns), np.arange(rows), indexing="ij"), axis=-1).reshape(-1, 2)
+    squares = np.stack(
+        np.meshgrid(np.arange(columns), np.arange(rows), indexing="ij"), axis=-1
+    ).reshape(-1, 2)
     settled = upper
     while len(squares):
         corners = squares[:, None] + np.array([[0, 0], [0, 1], [1, 0], [1, 1]])
         points, place = np.unique(corners.reshape(-1, 2), axis=0, return_inverse=True)
-        points = left + side*(points[:, 0] + 1j*points[:, 1])
+        points = left + side * (points[:, 0] + 1j * points[:, 1])
         sigmas = _not_less_than(A, H, points, side)
         best = points[np.argmin(sigmas)]
         upper, value = min((upper, value), descend(A, H, best)[:2], key=lambda found: found[0])
         least = sigmas[place.reshape(-1, 4)].min(axis=1)
-        bounds = np.sqrt(np.maximum(least**2 - side**2/2, 0))
-        open_ = bounds < (1 - within)*upper
+        bounds = np.sqrt(np.maximum(least**2 - side**2 / 2, 0))
+        open_ = bounds < (1 - within) * upper
         settled = min(settled, bounds[~open_].min(initial=settled))
-        if 4*open_.sum() > _MOST_SQUARES:
+        if 4 * open_.sum() > _MOST_SQUARES:
             return min(settled, bounds.min()), upper + rounding, value
-        quarters = 2*squares[open_][:, None] + np.array([[0, 0], [0, 1], [1, 0], [1, 1]])
-        squares, side = quarters.reshape(-1, 2), side/2
+        quarters = 2 * squares[open_][:, None] + np.array([[0, 0], [0, 1], [1, 0], [1, 1]])
+        squares, side = quarters.reshape(-1, 2), side / 2
     return settled, upper + rounding, value
 
 
 def _field_of_values(A, reach):
-    """A rectangle in the closed upper half-plane that holds the field of values and all within `reach` of it, in
-    squares: its left end, their side, how many stand beside and above each other."""
-    across = np.linalg.eigvalsh((A + A.T)/2)[[0, -1]] + [-reach, reach]
-    height = np.linalg.eigvalsh((A - A.T)/2j)[-1] + reach
-    side = max(across[1] - across[0], height)/8
-    return across[0], side, int((across[1] - across[0])/side) + 1, int(height/side) + 1
+    """A rectangle in the closed upper half-plane that holds the field of values and all within
+    `reach` of it, in squares: its left end, their side, how many stand beside and above each
+    other."""
+    across = np.linalg.eigvalsh((A + A.T) / 2)[[0, -1]] + [-reach, reach]
+    height = np.linalg.eigvalsh((A - A.T) / 2j)[-1] + reach
+    side = max(across[1] - across[0], height) / 8
+    return across[0], side, int((across[1] - across[0]) / side) + 1, int(height / side) + 1
 
 
 def _not_less_than(A, H, points, side):
     """What sigma is at least at many points, whatever rounding does.
 
-    The eigenvalues of the square are fast but keep half of the digits, which is nothing beside a large `side`.
+    The eigenvalues of the square are fast but keep half of the digits, which is nothing beside a
+    large `side`.
     """
     rounding = tolerance(len(A))
     if side < 1e-4:
         return np.array([max(smallest(A, H, point)[0] - rounding, 0) for point in points])
     least = []
-    for some in np.array_split(points, len(points)//_AT_ONCE + 1):
-        pencils = A - some[:, None, None]*np.eye(len(A))
-        least.append(np.linalg.eigvalsh(pencils.conj().transpose(0, 2, 1) @ pencils + H.T @ H)[:, 0])
+    for some in np.array_split(points, len(points) // _AT_ONCE + 1):
+        pencils = A - some[:, None, None] * np.eye(len(A))
+        least.append(
+            np.linalg.eigvalsh(pencils.conj().transpose(0, 2, 1) @ pencils + H.T @ H)[:, 0]
+        )
     return np.sqrt(np.maximum(np.concatenate(least) - rounding, 0))

@@ -1,7 +1,10 @@
-"""Exact linear algebra over the field that the entries generate: rational numbers, radicals, rational functions.
+"""Exact linear algebra over the field that the entries generate: rational numbers, radicals,
+rational functions.
 
-With symbols a rank is generic: the one for all values of the symbols but those on which some polynomial vanishes.
+With symbols a rank is generic: the one for all values of the symbols but those on which some
+polynomial vanishes.
 """
+
 from random import Random
 
 import sympy as sp
@@ -20,7 +23,8 @@ _LONGEST_INVERSE = 300
 
 
 def field_matrix(matrix):
-    """The matrix over the smallest field SymPy finds for its entries, in which it can tell zero exactly."""
+    """The matrix over the smallest field SymPy finds for its entries, in which it can tell zero
+    exactly."""
     _refuse_functions(matrix)
     return DomainMatrix.from_Matrix(matrix, extension=True).to_field()
 
@@ -32,21 +36,27 @@ def _refuse_functions(matrix):
             plain = term.xreplace({s: sp.Symbol(s.name) for s in term.free_symbols})
             angle = isinstance(term, (TrigonometricFunction, HyperbolicFunction))
             hint = ", or the rational functions of tau = tan(angle/2)" if angle else ""
-            raise ValueError(f"A: {plain} stands in the system, and a rank with such functions is not exact here; put "
-                             f"symbols for them{hint}")
+            raise ValueError(
+                f"A: {plain} stands in the system, and a rank with such functions is not exact "
+                "here; put "
+                f"symbols for them{hint}"
+            )
 
 
 def rank(matrix):
-    """Exact rank; generic if there are symbols. Raises NotImplementedError where they are too many to decide it."""
+    """Exact rank; generic if there are symbols. Raises NotImplementedError where they are too many
+    to decide it."""
     if 0 in matrix.shape:
         return 0
     # Full rank at one point is full rank in general; the elimination is for what falls short.
     if _has_full_rank_at_a_point(matrix):
         return min(matrix.shape)
     if matrix.free_symbols and number_of_terms(matrix) > _MOST_TERMS:
-        raise NotImplementedError(f"A: with {len(matrix.free_symbols)} symbols the rank falls short at random "
-                                  "values, and whether it always does is beyond the methods here; give some of the "
-                                  "symbols values")
+        raise NotImplementedError(
+            f"A: with {len(matrix.free_symbols)} symbols the rank falls short at random "
+            "values, and whether it always does is beyond the methods here; give some of the "
+            "symbols values"
+        )
     return field_matrix(matrix).rank()
 
 
@@ -60,28 +70,34 @@ def number_of_terms(matrix):
 
 
 def at_a_point(matrix):
-    """The matrix with whole numbers for its symbols, at which its entries are defined; None if they seem not to be."""
+    """The matrix with whole numbers for its symbols, at which its entries are defined; None if they
+    seem not to be."""
     _refuse_functions(matrix)
     symbols, random = sorted(matrix.free_symbols, key=str), Random(len(matrix))
     for _ in range(5):
-        there = matrix.subs({s: (-1 if s.is_negative else 1)*random.randint(2, 10**4)**2 for s in symbols})
+        there = matrix.subs(
+            {s: (-1 if s.is_negative else 1) * random.randint(2, 10**4) ** 2 for s in symbols}
+        )
         if not there.has(sp.nan, sp.zoo) and not there.free_symbols:
             return there
     return None
 
 
 def determinant(matrix):
-    """Exact determinant from the characteristic polynomial, which needs no division, so that symbols stay
-    polynomials."""
+    """Exact determinant from the characteristic polynomial, which needs no division, so that
+    symbols stay polynomials."""
     over = DomainMatrix.from_Matrix(matrix, extension=True)
-    return sp.Integer(-1)**matrix.rows*over.domain.to_sympy(over.charpoly()[-1])
+    return sp.Integer(-1) ** matrix.rows * over.domain.to_sympy(over.charpoly()[-1])
 
 
 def inverse(matrix):
-    """The inverse. Raises NotImplementedError where its entries would be quotients too long to be found, or read."""
-    if len(matrix.free_symbols)*number_of_terms(matrix) > _LONGEST_INVERSE:
-        raise NotImplementedError(f"A: with {len(matrix.free_symbols)} symbols the new coordinates are too long to be "
-                                  "inverted; give some of the symbols values")
+    """The inverse. Raises NotImplementedError where its entries would be quotients too long to be
+    found, or read."""
+    if len(matrix.free_symbols) * number_of_terms(matrix) > _LONGEST_INVERSE:
+        raise NotImplementedError(
+            f"A: with {len(matrix.free_symbols)} symbols the new coordinates are too long to be "
+            "inverted; give some of the symbols values"
+        )
     return tidy(field_matrix(matrix).inv().to_Matrix())
 
 
@@ -89,12 +105,13 @@ def product(*matrices):
     """A product of exact matrices with tidy entries."""
     result = matrices[0]
     for factor in matrices[1:]:
-        result = result*factor
+        result = result * factor
     return tidy(result)
 
 
 def tidy(matrix):
     """Entries in lowest terms, rational functions factored."""
+
     def entry(e):
         if e.is_Rational:
             return e
@@ -114,41 +131,48 @@ def factors(polynomial):
 
 
 def where_defined(*matrices):
-    """The values of the symbols, taken as real, for which no entry has a zero denominator: an And of inequations."""
+    """The values of the symbols, taken as real, for which no entry has a zero denominator: an And
+    of inequations."""
     below = denominator(*matrices)
     there, back = as_real(below)
-    return sp.And(*(sp.Not(equation(factor)) for factor in factors(below.xreplace(there)))).xreplace(back)
+    return sp.And(
+        *(sp.Not(equation(factor)) for factor in factors(below.xreplace(there)))
+    ).xreplace(back)
 
 
 def independent_rows(matrix):
     """Indices of the rows that do not depend on the rows above them."""
     if 0 in matrix.shape:
         return ()
-    first = matrix[:matrix.cols, :]
+    first = matrix[: matrix.cols, :]
     if first.rows == first.cols and _has_full_rank_at_a_point(first):
         return tuple(range(first.rows))
     return field_matrix(matrix.T).rref()[1]
 
 
 def null_columns(matrix):
-    """Basis of the kernel as columns: coprime polynomial or whole entries, the first nonzero one positive."""
+    """Basis of the kernel as columns: coprime polynomial or whole entries, the first nonzero one
+    positive."""
     n = matrix.cols
     if not matrix.rows:
         return sp.eye(n)
     if matrix.rows >= n and _has_full_rank_at_a_point(matrix):
         return sp.zeros(n, 0)
     kernel = field_matrix(matrix).nullspace().to_Matrix()
-    return sp.Matrix.hstack(sp.zeros(n, 0), *(simple_multiple(kernel[i, :]).T for i in range(kernel.rows)))
+    return sp.Matrix.hstack(
+        sp.zeros(n, 0), *(simple_multiple(kernel[i, :]).T for i in range(kernel.rows))
+    )
 
 
 def simple_multiple(vector):
-    """The multiple of a vector that has coprime whole (or polynomial) entries, the first nonzero one positive."""
+    """The multiple of a vector that has coprime whole (or polynomial) entries, the first nonzero
+    one positive."""
     entries = [sp.together(e) for e in vector]
     common = sp.lcm_list([sp.denom(e) for e in entries])
-    entries = [sp.cancel(e*common) for e in entries]
+    entries = [sp.cancel(e * common) for e in entries]
     divisor = sp.gcd_list(entries)
     if divisor not in (0, 1):
-        entries = [sp.cancel(e/divisor) for e in entries]
+        entries = [sp.cancel(e / divisor) for e in entries]
     first = next((e for e in entries if e != 0), sp.Integer(1))
     if first.could_extract_minus_sign():
         entries = [-e for e in entries]

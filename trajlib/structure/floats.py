@@ -1,11 +1,13 @@
 """What is seen and what is not, in floating-point numbers.
 
-The pair is brought to balanced units (`scaling`), the staircase splits off what its steps do not show (`staircase`),
-and in the rest the least singular value of Popov's criterion is sought (`nearest`): one that is zero within rounding
-belongs to a state that many small steps of the staircase hid. It is split off by an orthogonal transformation, and so
-on in what remains. The unseen states are counted and spanned in this way without any power of A, and each number taken
-for zero says how far the nearest such system is.
+The pair is brought to balanced units (`scaling`), the staircase splits off what its steps do not
+show (`staircase`), and in the rest the least singular value of Popov's criterion is sought
+(`nearest`): one that is zero within rounding belongs to a state that many small steps of the
+staircase hid. It is split off by an orthogonal transformation, and so on in what remains. The
+unseen states are counted and spanned in this way without any power of A, and each number taken for
+zero says how far the nearest such system is.
 """
+
 import warnings
 from dataclasses import dataclass
 
@@ -24,15 +26,17 @@ DOUBTFUL = np.sqrt(_EPS)
 
 def tolerance(n):
     """In balanced units, what rounding in the data can make of a zero."""
-    return 100*n*_EPS
+    return 100 * n * _EPS
 
 
 @dataclass(frozen=True)
 class Split:
     """The seen and the unseen states of a pair.
 
-    - `seen_axes`, `unseen_axes`: orthonormal columns in the balanced units of `scaled`, together a basis;
-    - `margin`: the least singular value found in Popov's criterion for the whole pair, in balanced units.
+    - `seen_axes`, `unseen_axes`: orthonormal columns in the balanced units of `scaled`, together a
+      basis;
+    - `margin`: the least singular value found in Popov's criterion for the whole pair, in balanced
+      units.
     """
 
     scaled: Scaled
@@ -47,17 +51,17 @@ class Split:
     @property
     def unseen(self):
         """Orthonormal basis of the unobservable states, in the units given."""
-        return np.linalg.qr(self.scaled.units[:, None]*self.unseen_axes)[0]
+        return np.linalg.qr(self.scaled.units[:, None] * self.unseen_axes)[0]
 
     @property
     def seen(self):
         """Orthonormal basis of their orthogonal complement, in the units given."""
-        return np.linalg.qr(self.seen_axes/self.scaled.units[:, None])[0]
+        return np.linalg.qr(self.seen_axes / self.scaled.units[:, None])[0]
 
     @property
     def rows(self):
         """Coordinates (xi; eta) = rows x, orthogonal in balanced units, xi seen."""
-        return np.hstack([self.seen_axes, self.unseen_axes]).T/self.scaled.units
+        return np.hstack([self.seen_axes, self.unseen_axes]).T / self.scaled.units
 
 
 def split(A, H):
@@ -70,11 +74,11 @@ def split(A, H):
         inner, outer = seen.T @ scaled.A @ seen, scaled.H @ seen
         stairs = staircase(inner, outer, limit)
         seen = seen @ stairs.basis
-        seen, dropped = seen[:, :stairs.rank], seen[:, stairs.rank:]
+        seen, dropped = seen[:, : stairs.rank], seen[:, stairs.rank :]
         unseen = np.hstack([unseen, dropped])
         if not stairs.rank:
             break
-        inner, outer = stairs.matrix[:stairs.rank, :stairs.rank], scaled.H @ seen
+        inner, outer = stairs.matrix[: stairs.rank, : stairs.rank], scaled.H @ seen
         minima = nearest(inner, outer, stairs)
         sigma = minima[0][0]
         margin = sigma if margin is None and not unseen.shape[1] else margin
@@ -85,7 +89,7 @@ def split(A, H):
         if not seen.shape[1]:
             break
         # The error of what is split off adds to the data of what remains.
-        limit = tolerance(n)*10**min(round_ + 1, 4)
+        limit = tolerance(n) * 10 ** min(round_ + 1, 4)
     return Split(scaled, seen, unseen, _whole_margin(scaled, unseen) if margin is None else margin)
 
 
@@ -98,37 +102,45 @@ def _lost_plane(A, H, minima, limit):
             sigma = smallest(A, H, value)[0]
         if sigma <= limit and all(abs(value - other) > 1e-3 for other in known):
             known.append(value)
-            planes.append(_plane(_kernel(A, H, value, max(2*sigma, 20*_EPS))))
-    # Directions that nearly depend on the others are known too poorly here; the next search finds them.
+            planes.append(_plane(_kernel(A, H, value, max(2 * sigma, 20 * _EPS))))
+    # Directions that nearly depend on the others are known too poorly here; the next search finds
+    # them.
     axes, weights, _ = np.linalg.svd(np.hstack(planes), full_matrices=False)
     return axes[:, weights > _APART] if len(planes) > 1 else planes[0]
 
 
 def told_split(A, H):
-    """`split` for subspaces and decompositions, which have no words of their own: doubt is told by a warning."""
+    """`split` for subspaces and decompositions, which have no words of their own: doubt is told by
+    a warning."""
     found = split(A, H)
     if found.rank == len(A) and found.margin < DOUBTFUL:
-        warnings.warn(f"nothing is split off, but a change of the entries by {found.margin:.1e} of their size would "
-                      "take a state away; exact entries (SymPy) would decide", stacklevel=4)
+        warnings.warn(
+            f"nothing is split off, but a change of the entries by {found.margin:.1e} of their "
+            "size would "
+            "take a state away; exact entries (SymPy) would decide",
+            stacklevel=4,
+        )
     return found
 
 
 def lost_modes(split):
-    """Pairs (lambda, columns v with A v = lambda v, H v = 0), conjugate numbers one by one, in the units given."""
+    """Pairs (lambda, columns v with A v = lambda v, H v = 0), conjugate numbers one by one, in the
+    units given."""
     axes, scaled, modes = split.unseen_axes, split.scaled, []
-    block, limit = axes.T @ scaled.A @ axes, 10*tolerance(len(scaled.A))
+    block, limit = axes.T @ scaled.A @ axes, 10 * tolerance(len(scaled.A))
     for value in _numbers(block):
         vectors = _kernel(block, np.zeros((0, len(block))), value, limit)
-        vectors = scaled.units[:, None]*(axes @ vectors)
-        vectors = vectors/np.linalg.norm(vectors, axis=0)
-        modes.append((value*scaled.rate, vectors))
+        vectors = scaled.units[:, None] * (axes @ vectors)
+        vectors = vectors / np.linalg.norm(vectors, axis=0)
+        modes.append((value * scaled.rate, vectors))
         if np.imag(value):
-            modes.append((value.conjugate()*scaled.rate, vectors.conj()))
+            modes.append((value.conjugate() * scaled.rate, vectors.conj()))
     return modes
 
 
 def _numbers(block):
-    """The eigenvalues in the closed upper half-plane; for a ring that rounding makes of a multiple one, its mean."""
+    """The eigenvalues in the closed upper half-plane; for a ring that rounding makes of a multiple
+    one, its mean."""
     left, limit, found = list(np.linalg.eigvals(block)), tolerance(len(block)), []
     while left:
         # A multiple number of order k comes as a ring of the radius of the k-th root of rounding.
@@ -138,7 +150,9 @@ def _numbers(block):
             ring = order[:count]
             mean = np.mean([left[i] for i in ring])
             mean = float(mean.real) if abs(mean.imag) <= limit else complex(mean)
-            if count == 1 or (apart[ring[-1]] <= 2*limit**(1/count) and _singular(block, mean) <= limit):
+            if count == 1 or (
+                apart[ring[-1]] <= 2 * limit ** (1 / count) and _singular(block, mean) <= limit
+            ):
                 break
         if np.imag(mean) and _singular(block, np.real(mean)) <= limit:
             mean = float(np.real(mean))
@@ -148,12 +162,12 @@ def _numbers(block):
 
 
 def _singular(block, value):
-    return np.linalg.svd(block - value*np.eye(len(block)), compute_uv=False)[-1]
+    return np.linalg.svd(block - value * np.eye(len(block)), compute_uv=False)[-1]
 
 
 def _kernel(A, H, value, limit):
     """The vectors at which (A - lambda E; H) is at most `limit`, one at least, as columns."""
-    _, values, right = np.linalg.svd(np.vstack([A - value*np.eye(len(A)), H]))
+    _, values, right = np.linalg.svd(np.vstack([A - value * np.eye(len(A)), H]))
     return right[values <= max(limit, values[-1])].conj().T
 
 

@@ -1,14 +1,16 @@
-"""Equations of higher order with derivatives of the control, and back: problems 2.20 - 2.22 and 2.29.
+"""Equations of higher order with derivatives of the control, and back: problems 2.20 - 2.22 and
+2.29.
 
 An equation x^(n) + a_1 x^(n-1) + ... + a_n x = b_0 u^(n-1) + ... + b_(n-1) u has the state
 
     x_1 = x,    x_(k+1) = x_k' - beta_k u,    beta_k = b_(k-1) - a_1 beta_(k-1) - ... - a_(k-1) beta_1,
 
-in which no derivative of u is left: A is the companion matrix (ones above the diagonal, last row (-a_n, ..., -a_1)),
-the column is b = (beta_1, ..., beta_n), and x = x_1. The numbers beta_k are those of the expansion right/left =
-beta_1/s + beta_2/s^2 + ... This state is always observable; it is controllable exactly when both sides have no common
-factor.
+in which no derivative of u is left: A is the companion matrix (ones above the diagonal, last row
+(-a_n, ..., -a_1)), the column is b = (beta_1, ..., beta_n), and x = x_1. The numbers beta_k are
+those of the expansion right/left = beta_1/s + beta_2/s^2 + ... This state is always observable; it
+is controllable exactly when both sides have no common factor.
 """
+
 from collections.abc import Iterable
 from dataclasses import dataclass
 
@@ -27,11 +29,12 @@ from trajlib.structure.splitting import observability_decomposition
 def state_form(left, right, symbol=None):
     """State variables for left(d/dt) x = right(d/dt) u: (A, b, h) (MATLAB: tf2ss, ss(tf(...))).
 
-    `left`, `right`: the coefficients, highest derivative first ([1, -1, -2] for x'' - x' - 2x), or polynomials in
-    `symbol`, which stands for d/dt. Exact coefficients, also symbols. Returns A, n x n, the column b, n x 1, and the
-    row h = (1, 0, ...), x = h (x_1, ..., x_n), with x_1 = x, x_(k+1) = x_k' - b_k u. The highest coefficient of `left`
-    must not vanish. Raises ValueError for a `left` that is constant and for a `right` of the degree of `left` or more:
-    then x contains u itself. Source: problem 2.29 of the problem book.
+    `left`, `right`: the coefficients, highest derivative first ([1, -1, -2] for x'' - x' - 2x), or
+    polynomials in `symbol`, which stands for d/dt. Exact coefficients, also symbols. Returns A, n x
+    n, the column b, n x 1, and the row h = (1, 0, ...), x = h (x_1, ..., x_n), with x_1 = x,
+    x_(k+1) = x_k' - b_k u. The highest coefficient of `left` must not vanish. Raises ValueError for
+    a `left` that is constant and for a `right` of the degree of `left` or more: then x contains u
+    itself. Source: problem 2.29 of the problem book.
 
     >>> A, b, h = state_form([1, -1, -2], [1, 1])
     >>> A, b.T, h
@@ -44,21 +47,25 @@ def state_form(left, right, symbol=None):
     if n < 1:
         raise ValueError("left: expected an equation of order 1 or more for x")
     if len(right) > n:
-        raise ValueError(f"right: expected derivatives of u up to order {n - 1}, below the order {n} of the equation; "
-                         f"with order "
-                         f"{len(right) - 1} the output contains u itself: subtract a multiple of u from x first")
-    a = [sp.cancel(c/left[0]) for c in left]
-    c = [sp.Integer(0)]*(n - len(right)) + [sp.cancel(e/left[0]) for e in right]
+        raise ValueError(
+            f"right: expected derivatives of u up to order {n - 1}, below the order {n} of the "
+            "equation; "
+            f"with order "
+            f"{len(right) - 1} the output contains u itself: subtract a multiple of u from x first"
+        )
+    a = [sp.cancel(c / left[0]) for c in left]
+    c = [sp.Integer(0)] * (n - len(right)) + [sp.cancel(e / left[0]) for e in right]
     beta = []
     for k in range(n):
-        beta.append(sp.cancel(c[k] - sum(a[k - i]*beta[i] for i in range(k))))
+        beta.append(sp.cancel(c[k] - sum(a[k - i] * beta[i] for i in range(k))))
     A = sp.Matrix(n, n, lambda i, j: -a[n - j] if i == n - 1 else int(j == i + 1))
-    return A, sp.Matrix(beta), sp.Matrix([[1] + [0]*(n - 1)])
+    return A, sp.Matrix(beta), sp.Matrix([[1] + [0] * (n - 1)])
 
 
 @dataclass(frozen=True)
 class ScalarEquation:
-    """The equation left(d/dt) z = right(d/dt) u; `left` (monic) and `right` are polynomials in `symbol`, which is d/dt.
+    """The equation left(d/dt) z = right(d/dt) u; `left` (monic) and `right` are polynomials in
+    `symbol`, which is d/dt.
 
     `output`: the row h of z = h x.
     """
@@ -73,18 +80,23 @@ class ScalarEquation:
         return sp.degree(self.left, self.symbol)
 
     def _repr_latex_(self):
-        sides = [_in_derivatives(sp.Poly(p, self.symbol), name) for p, name in ((self.left, "z"), (self.right, "u"))]
+        sides = [
+            _in_derivatives(sp.Poly(p, self.symbol), name)
+            for p, name in ((self.left, "z"), (self.right, "u"))
+        ]
         return f"$\\displaystyle {sides[0]} = {sides[1]}$"
 
 
 def scalar_equation(A, b, h=None):
-    """The equation between the output z = hx and the control of x' = Ax + bu (MATLAB: tf(ss(A, b, h, 0))).
+    """The equation between the output z = hx and the control of x' = Ax + bu (MATLAB: tf(ss(A, b,
+    h, 0))).
 
-    `A`: n x n, `b`: n x 1, `h`: 1 x n, exact, also with symbols (generic). The equation has the lowest order that all
-    motions allow: the rank of the observability matrix, n for an observable pair; common factors of both sides, which
-    belong to uncontrollable modes, stay. Without `h`, z is the first coordinate of the canonical form by control, and
-    the equation is Delta(d/dt) z = u. Returns `ScalarEquation`. Raises ValueError for floats and shapes that do not
-    fit, and, without `h`, for a pair that is not controllable. Source: problems 2.20 - 2.22 of the problem book.
+    `A`: n x n, `b`: n x 1, `h`: 1 x n, exact, also with symbols (generic). The equation has the
+    lowest order that all motions allow: the rank of the observability matrix, n for an observable
+    pair; common factors of both sides, which belong to uncontrollable modes, stay. Without `h`, z
+    is the first coordinate of the canonical form by control, and the equation is Delta(d/dt) z = u.
+    Returns `ScalarEquation`. Raises ValueError for floats and shapes that do not fit, and, without
+    `h`, for a pair that is not controllable. Source: problems 2.20 - 2.22 of the problem book.
 
     >>> import sympy as sp
     >>> found = scalar_equation(sp.Matrix([[1, 1], [-3, 1]]), sp.Matrix([0, 1]))
@@ -109,22 +121,25 @@ def scalar_equation(A, b, h=None):
     A11, h1 = split.part
     b1 = exact.product(split.transformation, b)[:k, :]
     left = characteristic_polynomial(A11, s)
-    right = sum(sp.expand((h1*_adjugate_coefficient(A11, left, s, i)*b1)[0])*s**i for i in range(k))
+    right = sum(
+        sp.expand((h1 * _adjugate_coefficient(A11, left, s, i) * b1)[0]) * s**i for i in range(k)
+    )
     return ScalarEquation(left, sp.expand(right), s, h)
 
 
 def _adjugate_coefficient(A, polynomial, s, power):
-    """The matrix at s^power in adj(sE - A): A^(n-1-power) + a_1 A^(n-2-power) + ... + a_(n-1-power) E."""
+    """The matrix at s^power in adj(sE - A): A^(n-1-power) + a_1 A^(n-2-power) + ... + a_(n-1-power)
+    E."""
     a = sp.Poly(polynomial, s).all_coeffs()
     result = sp.zeros(A.rows)
-    for coefficient in a[:A.rows - power]:
-        result = result*A + coefficient*sp.eye(A.rows)
+    for coefficient in a[: A.rows - power]:
+        result = result * A + coefficient * sp.eye(A.rows)
     return result
 
 
 def _coefficients(polynomial, symbol, name):
-    """Exact coefficients, highest first, without leading zeros; unlike in a characteristic polynomial a constant will
-    do."""
+    """Exact coefficients, highest first, without leading zeros; unlike in a characteristic
+    polynomial a constant will do."""
     if isinstance(polynomial, sp.Poly):
         coefficients = polynomial.all_coeffs()
     elif symbol is not None:
@@ -134,9 +149,12 @@ def _coefficients(polynomial, symbol, name):
             raise ValueError(f"{name}: {expression} is not a polynomial in {symbol}")
         coefficients = sp.Poly(expression, symbol).all_coeffs()
     elif isinstance(polynomial, (str, sp.Expr)) or not isinstance(polynomial, Iterable):
-        raise ValueError(f"{name}: expected the list of coefficients, highest derivative first, or an expression "
-                         f"together with "
-                         f"`symbol`, which stands for d/dt; got {polynomial!r}")
+        raise ValueError(
+            f"{name}: expected the list of coefficients, highest derivative first, or an "
+            "expression "
+            f"together with "
+            f"`symbol`, which stands for d/dt; got {polynomial!r}"
+        )
     else:
         coefficients = [exact_decimals(read_expression(c, name)) for c in polynomial]
     while coefficients and coefficients[0] == 0:
@@ -150,7 +168,11 @@ def _in_derivatives(polynomial, name):
     terms = []
     for (power,), coefficient in polynomial.terms():
         sign = "-" if coefficient.could_extract_minus_sign() else "+"
-        size = abs(coefficient) if coefficient.is_number else (-coefficient if sign == "-" else coefficient)
+        size = (
+            abs(coefficient)
+            if coefficient.is_number
+            else (-coefficient if sign == "-" else coefficient)
+        )
         factor = "" if size == 1 else (f"({sp.latex(size)})" if size.is_Add else sp.latex(size))
         derivative = f"{marks[power]}{name}" if power in marks else f"{name}^{{({power})}}"
         terms.append((sign, f"{factor}{derivative}"))

@@ -1,7 +1,9 @@
-"""Small motions of a mechanical system with a part that is moved as one likes: M q'' + K q = L u from the energies.
+"""Small motions of a mechanical system with a part that is moved as one likes: M q'' + K q = L u
+from the energies.
 
-With the kinetic energy T(q, q', v) and the potential energy V(q), where v is the speed of the driven part (a cart, a
-table) and u = v' its acceleration, Lagrange's equations are d/dt T_q' - T_q + V_q = 0. Near a position of rest q = 0
+With the kinetic energy T(q, q', v) and the potential energy V(q), where v is the speed of the
+driven part (a cart, a table) and u = v' its acceleration, Lagrange's equations are d/dt T_q' - T_q
++ V_q = 0. Near a position of rest q = 0
 
     M = T_q'q',   K = V_qq,   L = -T_q'v   at q = 0, q' = 0, v = 0:
 
@@ -26,9 +28,9 @@ class SmallMotions(NamedTuple):
 def small_motions(kinetic, potential, coordinates, rates, speed):
     """The equations of small motions near `coordinates` = 0, driven by the derivative u of `speed`.
 
-    `kinetic`: an expression in coordinates, their rates and the speed; `potential`: one in the coordinates; other
-    symbols are parameters. Returns `SmallMotions`. Raises ValueError if the numbers of coordinates and rates differ, or
-    if q = 0 is no position of rest.
+    `kinetic`: an expression in coordinates, their rates and the speed; `potential`: one in the
+    coordinates; other symbols are parameters. Returns `SmallMotions`. Raises ValueError if the
+    numbers of coordinates and rates differ, or if q = 0 is no position of rest.
 
     >>> import sympy as sp
     >>> m, l, g = sp.symbols("m l g", positive=True)
@@ -38,14 +40,23 @@ def small_motions(kinetic, potential, coordinates, rates, speed):
     SmallMotions(M=Matrix([[l**2*m]]), K=Matrix([[-g*l*m]]), L=Matrix([[-l*m]]))
     """
     if len(coordinates) != len(rates):
-        raise ValueError(f"rates: expected one for each of the {len(coordinates)} coordinates, got {len(rates)}")
+        raise ValueError(
+            f"rates: expected one for each of the {len(coordinates)} coordinates, got {len(rates)}"
+        )
     rest = dict.fromkeys([*coordinates, *rates, speed], 0)
     force = [sp.simplify(sp.diff(potential, q).subs(rest)) for q in coordinates]
     if any(force):
-        raise ValueError(f"potential: the position 0 is no position of rest, its slope there is {force}")
+        raise ValueError(
+            f"potential: the position 0 is no position of rest, its slope there is {force}"
+        )
 
     def second(function, first, other):
-        return sp.Matrix([[sp.expand(sp.diff(function, a, b).subs(rest)) for b in other] for a in first])
+        return sp.Matrix(
+            [[sp.expand(sp.diff(function, a, b).subs(rest)) for b in other] for a in first]
+        )
 
-    return SmallMotions(second(kinetic, rates, rates), second(potential, coordinates, coordinates),
-                        -second(kinetic, rates, [speed]))
+    return SmallMotions(
+        second(kinetic, rates, rates),
+        second(potential, coordinates, coordinates),
+        -second(kinetic, rates, [speed]),
+    )

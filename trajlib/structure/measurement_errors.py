@@ -1,18 +1,21 @@
-"""Measurements with an unknown error, and outputs that change with time: examples 4 and 5, problems 2.16 and 2.17.
+"""Measurements with an unknown error, and outputs that change with time: examples 4 and 5, problems
+2.16 and 2.17.
 
-An error c w with w' = S w (a constant: S = 0; an oscillation of known frequency: S = [[0, omega], [-omega, 0]]) becomes
-a part of the state: (x; w)' = diag(A, S) (x; w), z = (H, c) (x; w).
+An error c w with w' = S w (a constant: S = 0; an oscillation of known frequency: S = [[0, omega],
+[-omega, 0]]) becomes a part of the state: (x; w)' = diag(A, S) (x; w), z = (H, c) (x; w).
 
-For an output z = H(t) x that depends on time analytically, Kalman's matrix is built of the derivatives of z:
-N_0 = H, N_(k+1) = N_k' + N_k A. The system is observable on every interval exactly when the rank of N_0, ..., N_(n-1)
-is n for some t (and then for all but isolated t): rows that depend on the earlier ones over the functions of t make all
-later ones depend on them too. The rank of H, HA, ... with t frozen in H says nothing.
+For an output z = H(t) x that depends on time analytically, Kalman's matrix is built of the
+derivatives of z: N_0 = H, N_(k+1) = N_k' + N_k A. The system is observable on every interval
+exactly when the rank of N_0, ..., N_(n-1) is n for some t (and then for all but isolated t): rows
+that depend on the earlier ones over the functions of t make all later ones depend on them too. The
+rank of H, HA, ... with t frozen in H says nothing.
 
-Polynomials, exponentials, sines and cosines in H(t) satisfy a linear equation with constant coefficients, of order d
-say; then z satisfies one of order nd, and z vanishes identically exactly when its first nd derivatives vanish at t = 0.
-So for conditions on parameters the matrix is (N_0; ...; N_(nd-1)) at t = 0, whose entries are polynomials in the
-parameters.
+Polynomials, exponentials, sines and cosines in H(t) satisfy a linear equation with constant
+coefficients, of order d say; then z satisfies one of order nd, and z vanishes identically exactly
+when its first nd derivatives vanish at t = 0. So for conditions on parameters the matrix is (N_0;
+...; N_(nd-1)) at t = 0, whose entries are polynomials in the parameters.
 """
+
 import numpy as np
 import sympy as sp
 
@@ -31,9 +34,9 @@ from trajlib.structure.parameters import rank_conditions
 def with_measurement_error(A, H, S, c):
     """The state augmented by the error of z = Hx + cw, w' = Sw: (A', H') (MATLAB: blkdiag, [C c]).
 
-    `A`: n x n, `H`: m x n, `S`: k x k, `c`: m x k (a flat list or a row for one output). Exact, with symbols, or
-    floats. Returns A' = diag(A, S) of order n + k and H' = (H, c). Raises ValueError for shapes that do not fit.
-    Source: examples 4 and 5 of the problem book.
+    `A`: n x n, `H`: m x n, `S`: k x k, `c`: m x k (a flat list or a row for one output). Exact,
+    with symbols, or floats. Returns A' = diag(A, S) of order n + k and H' = (H, c). Raises
+    ValueError for shapes that do not fit. Source: examples 4 and 5 of the problem book.
 
     >>> import sympy as sp
     >>> omega = sp.Symbol("omega")
@@ -57,9 +60,12 @@ def with_measurement_error(A, H, S, c):
             raise ValueError(str(error).replace("A:", "S:", 1)) from None
         c = read_exact_rectangle(c, "c")
     if tuple(c.shape) != (H.shape[0], S.shape[0]):
-        raise ValueError(f"c: expected shape {(H.shape[0], S.shape[0])}, a row for each output and a column for each "
-                         f"w, "
-                         f"got {tuple(c.shape)}")
+        raise ValueError(
+            f"c: expected shape {(H.shape[0], S.shape[0])}, a row for each output and a column for "
+            "each "
+            f"w, "
+            f"got {tuple(c.shape)}"
+        )
     if floating:
         n, k = len(A), len(S)
         return np.block([[A, np.zeros((n, k))], [np.zeros((k, n)), S]]), np.hstack([H, c])
@@ -67,11 +73,12 @@ def with_measurement_error(A, H, S, c):
 
 
 def time_varying_observability_matrix(A, H, time):
-    """The matrix (N_0; ...; N_(n-1)) of an output z = H(t) x, with N_0 = H, N_(k+1) = N_k' + N_k A (MATLAB: obsv for A,
-    C(t)).
+    """The matrix (N_0; ...; N_(n-1)) of an output z = H(t) x, with N_0 = H, N_(k+1) = N_k' + N_k A
+    (MATLAB: obsv for A, C(t)).
 
-    `A`: n x n, `H`: m x n, SymPy matrices that may contain the symbol `time`. Returns an mn x n matrix.
-    Raises ValueError for shapes that do not fit. Source: the derivatives of z, as asked by problem 2.17.
+    `A`: n x n, `H`: m x n, SymPy matrices that may contain the symbol `time`. Returns an mn x n
+    matrix. Raises ValueError for shapes that do not fit. Source: the derivatives of z, as asked by
+    problem 2.17.
 
     >>> import sympy as sp
     >>> t, omega = sp.symbols("t omega")
@@ -83,20 +90,24 @@ def time_varying_observability_matrix(A, H, time):
     (time,) = read_symbols(time, "time")
     A, H = read_observed(A, H)
     if isinstance(A, np.ndarray):
-        raise ValueError("H: expected SymPy matrices; an output that changes with time is given by its formulas")
+        raise ValueError(
+            "H: expected SymPy matrices; an output that changes with time is given by its formulas"
+        )
     blocks = [H]
     while len(blocks) < A.rows:
-        blocks.append((blocks[-1].diff(time) + blocks[-1]*A).applyfunc(sp.expand))
+        blocks.append((blocks[-1].diff(time) + blocks[-1] * A).applyfunc(sp.expand))
     return sp.Matrix.vstack(*blocks)
 
 
 def time_varying_conditions(A, H, time, parameters=()):
-    """For which parameters is x' = Ax, z = H(t) x observable on every interval? (MATLAB: none; rank of the Gramian.)
+    """For which parameters is x' = Ax, z = H(t) x observable on every interval? (MATLAB: none; rank
+    of the Gramian.)
 
-    `A`: n x n, constant; `H`: m x n, sums of polynomials, exponentials, sines and cosines of `time`; `parameters`: the
-    other symbols, real. Returns `RankConditions` (with `sp.true` or `sp.false` as the region if there are no
-    parameters); its minors are those of the derivatives of z at t = 0. Raises ValueError for other functions of time,
-    for an A that depends on time, for symbols that are not named. Source: problem 2.17 of the problem book.
+    `A`: n x n, constant; `H`: m x n, sums of polynomials, exponentials, sines and cosines of
+    `time`; `parameters`: the other symbols, real. Returns `RankConditions` (with `sp.true` or
+    `sp.false` as the region if there are no parameters); its minors are those of the derivatives of
+    z at t = 0. Raises ValueError for other functions of time, for an A that depends on time, for
+    symbols that are not named. Source: problem 2.17 of the problem book.
 
     >>> import sympy as sp
     >>> t, omega = sp.symbols("t omega")
@@ -109,15 +120,19 @@ def time_varying_conditions(A, H, time, parameters=()):
     N = time_varying_observability_matrix(A, H, time)
     A, H = read_observed(A, H)
     if time in A.free_symbols:
-        raise ValueError(f"A: expected a constant matrix, got one that contains {time}; study the rank of "
-                         "time_varying_observability_matrix instead")
+        raise ValueError(
+            f"A: expected a constant matrix, got one that contains {time}; study the rank of "
+            "time_varying_observability_matrix instead"
+        )
     if strangers := H.free_symbols - {time, *parameters} | A.free_symbols - {*parameters}:
-        raise ValueError(f"parameters: the system also has {', '.join(sorted(map(str, strangers)))}; name every "
-                         f"symbol that is "
-                         "not a number")
-    blocks = [N[:H.rows, :]]
-    for _ in range(A.rows*_order_of_equation(H, time) - 1):
-        blocks.append((blocks[-1].diff(time) + blocks[-1]*A).applyfunc(sp.expand))
+        raise ValueError(
+            f"parameters: the system also has {', '.join(sorted(map(str, strangers)))}; name every "
+            f"symbol that is "
+            "not a number"
+        )
+    blocks = [N[: H.rows, :]]
+    for _ in range(A.rows * _order_of_equation(H, time) - 1):
+        blocks.append((blocks[-1].diff(time) + blocks[-1] * A).applyfunc(sp.expand))
     return rank_conditions(sp.Matrix.vstack(*(b.subs(time, 0) for b in blocks)), parameters)
 
 
@@ -134,8 +149,11 @@ def _order_of_equation(H, time):
                     factors.append(factor)
             rest = sp.Mul(*factors)
             rate = sp.expand(exponent).coeff(time, 1)
-            if not rest.is_polynomial(time) or sp.expand(exponent - rate*time).has(time):
-                raise ValueError(f"H: expected sums of polynomials, exponentials, sines and cosines of {time}, got "
-                                 f"{entry}")
+            if not rest.is_polynomial(time) or sp.expand(exponent - rate * time).has(time):
+                raise ValueError(
+                    f"H: expected sums of polynomials, exponentials, sines and cosines of {time}, "
+                    "got "
+                    f"{entry}"
+                )
             powers[rate] = max(powers.get(rate, 0), sp.degree(rest, time) if rest.has(time) else 0)
     return int(sum(degree + 1 for degree in powers.values()))

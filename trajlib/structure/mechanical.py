@@ -1,10 +1,13 @@
-"""Mechanical systems M x'' + D x' + K x = L u, z = H1 x + H2 x', without the detour over first-order equations.
+"""Mechanical systems M x'' + D x' + K x = L u, z = H1 x + H2 x', without the detour over
+first-order equations.
 
-Theorems 2.5 and 2.6 of the problem book: the system is observable exactly when the rank of (M l^2 + D l + K; H1 + l H2)
-is n at every root l of det(M l^2 + D l + K), and controllable exactly when that of (M l^2 + D l + K, L) is. The number
-of lost dimensions is the degree of the greatest common divisor of the minors of order n, which is the determinant of
-the greatest common divisor of the two matrix polynomials.
+Theorems 2.5 and 2.6 of the problem book: the system is observable exactly when the rank of (M l^2 +
+D l + K; H1 + l H2) is n at every root l of det(M l^2 + D l + K), and controllable exactly when that
+of (M l^2 + D l + K, L) is. The number of lost dimensions is the degree of the greatest common
+divisor of the minors of order n, which is the determinant of the greatest common divisor of the two
+matrix polynomials.
 """
+
 from itertools import combinations
 
 import numpy as np
@@ -18,14 +21,14 @@ from trajlib.structure.rank_tests import float_test, rank_test
 
 
 def mechanical_observability(M, D, K, H1, H2=None):
-    """Observability of M x'' + D x' + K x = 0, z = H1 x + H2 x' by Theorem 2.5 (MATLAB: no single word; obsv of the
-    state form).
+    """Observability of M x'' + D x' + K x = 0, z = H1 x + H2 x' by Theorem 2.5 (MATLAB: no single
+    word; obsv of the state form).
 
-    `M`, `D`, `K`: n x n, `H1`, `H2`: t x n (None: zero). Exact, with symbols (generic), or floats. `order` of the
-    result is the degree of det(M l^2 + D l + K): 2n if M is invertible. The vectors of the lost modes are columns v of
-    length n, with (M l^2 + D l + K) v = 0, (H1 + l H2) v = 0: the motion v exp(l t) is not seen. Returns `RankTest`.
-    Raises ValueError for shapes that do not fit, and if det(M l^2 + D l + K) vanishes identically; for floats also if M
-    is singular.
+    `M`, `D`, `K`: n x n, `H1`, `H2`: t x n (None: zero). Exact, with symbols (generic), or floats.
+    `order` of the result is the degree of det(M l^2 + D l + K): 2n if M is invertible. The vectors
+    of the lost modes are columns v of length n, with (M l^2 + D l + K) v = 0, (H1 + l H2) v = 0:
+    the motion v exp(l t) is not seen. Returns `RankTest`. Raises ValueError for shapes that do not
+    fit, and if det(M l^2 + D l + K) vanishes identically; for floats also if M is singular.
 
     >>> import sympy as sp
     >>> M, zero, K = sp.Matrix([[2, 1], [1, 1]]), sp.zeros(2), sp.diag(-5, 6)
@@ -43,10 +46,12 @@ def mechanical_observability(M, D, K, H1, H2=None):
 
 
 def mechanical_controllability(M, D, K, L):
-    """Controllability of M x'' + D x' + K x = L u by Theorem 2.6 (MATLAB: no single word; ctrb of the state form).
+    """Controllability of M x'' + D x' + K x = L u by Theorem 2.6 (MATLAB: no single word; ctrb of
+    the state form).
 
-    `M`, `D`, `K`: n x n, `L`: n x s. Exact, with symbols (generic), or floats. The vectors of the lost modes are rows w
-    of length n with w (M l^2 + D l + K) = 0, w L = 0. Returns `RankTest`, errors as in `mechanical_observability`.
+    `M`, `D`, `K`: n x n, `L`: n x s. Exact, with symbols (generic), or floats. The vectors of the
+    lost modes are rows w of length n with w (M l^2 + D l + K) = 0, w L = 0. Returns `RankTest`,
+    errors as in `mechanical_observability`.
 
     >>> import sympy as sp
     >>> M, zero, K = sp.Matrix([[2, 1], [1, 3]]), sp.zeros(2), sp.Matrix([[3, 1], [1, -2]])
@@ -60,18 +65,20 @@ def mechanical_controllability(M, D, K, L):
     else:
         L = read_exact_rectangle(L, "L", flat="column")
     if len(L.shape) != 2 or L.shape[0] != M.shape[0] or not L.shape[1]:
-        raise ValueError(f"L: expected a matrix with {M.shape[0]} rows, one for each coordinate, got shape "
-                         f"{tuple(L.shape)}")
-    return _test(M.T, D.T, K.T, L.T, 0*L.T, "controllable", lambda v: v.T)
+        raise ValueError(
+            f"L: expected a matrix with {M.shape[0]} rows, one for each coordinate, got shape "
+            f"{tuple(L.shape)}"
+        )
+    return _test(M.T, D.T, K.T, L.T, 0 * L.T, "controllable", lambda v: v.T)
 
 
 def first_order_form(M, D, K, L=None, H1=None, H2=None):
-    """The system in the state (x, x'): (A, B, H) with A = [[0, E], [-M^-1 K, -M^-1 D]] (MATLAB: ss of a second-order
-    model).
+    """The system in the state (x, x'): (A, B, H) with A = [[0, E], [-M^-1 K, -M^-1 D]] (MATLAB: ss
+    of a second-order model).
 
-    `M`, `D`, `K`: n x n; `L`: n x s or None (then B is None); `H1`, `H2`: t x n or None (both None: H is None).
-    B = (0; M^-1 L), H = (H1, H2). Exact, with symbols, or floats. Raises ValueError for shapes that do not fit and for
-    a singular M: then the state is smaller.
+    `M`, `D`, `K`: n x n; `L`: n x s or None (then B is None); `H1`, `H2`: t x n or None (both None:
+    H is None). B = (0; M^-1 L), H = (H1, H2). Exact, with symbols, or floats. Raises ValueError for
+    shapes that do not fit and for a singular M: then the state is smaller.
 
     >>> import sympy as sp
     >>> A, B, H = first_order_form(sp.eye(1), sp.Matrix([[3]]), sp.Matrix([[2]]), L=[1], H1=[[1]])
@@ -85,20 +92,37 @@ def first_order_form(M, D, K, L=None, H1=None, H2=None):
     n, floating = M.shape[0], isinstance(M, np.ndarray)
     singular = np.linalg.cond(M) > 1e14 if floating else sp.simplify(M.det()) == 0
     if singular:
-        raise ValueError("M: expected an invertible matrix; with a singular one some accelerations drop out: remove "
-                         "these "
-                         "coordinates first, or ask mechanical_observability, which needs no inverse")
+        raise ValueError(
+            "M: expected an invertible matrix; with a singular one some accelerations drop out: "
+            "remove "
+            "these "
+            "coordinates first, or ask mechanical_observability, which needs no inverse"
+        )
     if floating:
-        A = np.block([[np.zeros((n, n)), np.eye(n)], [-np.linalg.solve(M, K), -np.linalg.solve(M, D)]])
+        A = np.block(
+            [[np.zeros((n, n)), np.eye(n)], [-np.linalg.solve(M, K), -np.linalg.solve(M, D)]]
+        )
     else:
         back = exact.inverse(M)
-        A = sp.Matrix(sp.BlockMatrix([[sp.zeros(n), sp.eye(n)], [exact.product(-back, K), exact.product(-back, D)]]))
+        A = sp.Matrix(
+            sp.BlockMatrix(
+                [[sp.zeros(n), sp.eye(n)], [exact.product(-back, K), exact.product(-back, D)]]
+            )
+        )
     B = H = None
     if L is not None:
-        L = as_floats(L, "L").reshape(n, -1) if floating else read_exact_rectangle(L, "L", flat="column")
+        L = (
+            as_floats(L, "L").reshape(n, -1)
+            if floating
+            else read_exact_rectangle(L, "L", flat="column")
+        )
         if L.shape[0] != n:
             raise ValueError(f"L: expected a matrix with {n} rows, got shape {tuple(L.shape)}")
-        B = np.vstack([0*L, np.linalg.solve(M, L)]) if floating else sp.Matrix.vstack(0*L, exact.product(back, L))
+        B = (
+            np.vstack([0 * L, np.linalg.solve(M, L)])
+            if floating
+            else sp.Matrix.vstack(0 * L, exact.product(back, L))
+        )
     if H1 is not None or H2 is not None:
         H1, H2 = (_read_rows(h, n, name) for h, name in zip(_both(H1, H2), ("H1", "H2")))
         if floating:
@@ -111,7 +135,9 @@ def _both(H1, H2):
     """H1 and H2, of which one may be left out as zero."""
     if H1 is None and H2 is None:
         raise ValueError("H1: expected a matrix (only one of H1, H2 may be None)")
-    return (0*_matrix(H2), H2) if H1 is None else (H1, 0*_matrix(H1)) if H2 is None else (H1, H2)
+    return (
+        (0 * _matrix(H2), H2) if H1 is None else (H1, 0 * _matrix(H1)) if H2 is None else (H1, H2)
+    )
 
 
 def _matrix(H):
@@ -128,34 +154,49 @@ def _read_square(M, D, K, other):
     n = read["M"].shape[0]
     for name, m in read.items():
         if tuple(m.shape) != (n, n) or not n:
-            raise ValueError(f"{name}: expected a square matrix of the size of M, got shape {tuple(m.shape)}")
+            raise ValueError(
+                f"{name}: expected a square matrix of the size of M, got shape {tuple(m.shape)}"
+            )
     return tuple(read.values())
 
 
 def _read_rows(H, n, name):
     H = np.atleast_2d(as_floats(H, name)) if is_float_array(H) else read_exact_rectangle(H, name)
     if len(H.shape) != 2 or H.shape[1] != n or not H.shape[0]:
-        raise ValueError(f"{name}: expected a matrix with {n} columns, one for each coordinate, got shape "
-                         f"{tuple(H.shape)}")
+        raise ValueError(
+            f"{name}: expected a matrix with {n} columns, one for each coordinate, got shape "
+            f"{tuple(H.shape)}"
+        )
     return H
 
 
 def _test(M, D, K, H1, H2, word, orient):
     if isinstance(M, np.ndarray):
         A, _, H = first_order_form(M, D, K, H1=as_floats(H1, "H1"), H2=as_floats(H2, "H2"))
-        return float_test(A, H, word, lambda v: orient(v[:len(M)]))
-    pencil = (M*LAMBDA**2 + D*LAMBDA + K).applyfunc(sp.expand)
+        return float_test(A, H, word, lambda v: orient(v[: len(M)]))
+    pencil = (M * LAMBDA**2 + D * LAMBDA + K).applyfunc(sp.expand)
     determinant = sp.expand(exact.determinant(pencil))
     if sp.simplify(determinant) == 0:
-        raise ValueError("M: det(M l^2 + D l + K) vanishes identically, so the equations do not determine the motion")
-    whole = sp.Matrix.vstack(pencil, (H1 + LAMBDA*H2).applyfunc(sp.expand))
+        raise ValueError(
+            "M: det(M l^2 + D l + K) vanishes identically, so the equations do not determine the "
+            "motion"
+        )
+    whole = sp.Matrix.vstack(pencil, (H1 + LAMBDA * H2).applyfunc(sp.expand))
     n = M.rows
     divisor = sp.Integer(0)
     for rows in combinations(range(whole.rows), n):
-        divisor = sp.gcd(divisor, sp.numer(sp.together(exact.determinant(whole.extract(list(rows), list(range(n)))))))
+        divisor = sp.gcd(
+            divisor,
+            sp.numer(sp.together(exact.determinant(whole.extract(list(rows), list(range(n)))))),
+        )
         if not divisor.has(LAMBDA) and divisor != 0:
             break
     order = sp.degree(sp.numer(sp.together(determinant)), LAMBDA) if determinant.has(LAMBDA) else 0
     dimensions = sp.degree(divisor, LAMBDA) if divisor.has(LAMBDA) else 0
-    lost = [LostMode(m.eigenvalue, orient(m.vectors)) for m in (lost_modes(whole, divisor) if dimensions else ())]
-    return rank_test(int(order - dimensions), int(order), lost, word, generic=bool(whole.free_symbols - {LAMBDA}))
+    lost = [
+        LostMode(m.eigenvalue, orient(m.vectors))
+        for m in (lost_modes(whole, divisor) if dimensions else ())
+    ]
+    return rank_test(
+        int(order - dimensions), int(order), lost, word, generic=bool(whole.free_symbols - {LAMBDA})
+    )

@@ -1,18 +1,21 @@
 """How near is a system that is not observable? Popov's criterion in floating-point numbers.
 
-The distance from (A, H) to the pairs that are not observable is the least singular value of (A - lambda E; H) over all
-complex lambda (R. Eising, Systems & Control Letters 4 (1984) 263-264). It has many local minima. `nearest` descends
-from
+The distance from (A, H) to the pairs that are not observable is the least singular value of (A -
+lambda E; H) over all complex lambda (R. Eising, Systems & Control Letters 4 (1984) 263-264). It has
+many local minima. `nearest` descends from
 
-- the eigenvalues of A, and of the blocks of the staircase behind its smallest steps: a step taken for zero loses just
-  these;
-- the means of eigenvalues with their neighbours: rounding tears a multiple one into a ring whose mean stays accurate;
-- points spread over the disc of the radius |A|, since the least value may lie far from every eigenvalue.
+- the eigenvalues of A, and of the blocks of the staircase behind its smallest steps: a step taken
+  for zero loses just these;
+- the means of eigenvalues with their neighbours: rounding tears a multiple one into a ring whose
+  mean stays accurate;
+- points spread over the disc of the radius |A|, since the least value may lie far from every
+  eigenvalue.
 
-With the singular vectors u = (u1; u2), v at lambda two steps lower the value: v* A v, the best number for this v, and
-Newton's step sigma/(u1* v) towards a zero. What is returned is an upper bound of the distance, the best of these
-descents: a smaller one may exist.
+With the singular vectors u = (u1; u2), v at lambda two steps lower the value: v* A v, the best
+number for this v, and Newton's step sigma/(u1* v) towards a zero. What is returned is an upper
+bound of the distance, the best of these descents: a smaller one may exist.
 """
+
 import numpy as np
 
 _EPS = np.finfo(float).eps
@@ -20,13 +23,14 @@ _DESCENTS, _MEANS, _STEPS = 8, 12, 60
 
 
 def nearest(A, H, stairs):
-    """Local minima of a pair of norm 1, in the coordinates of `stairs`: triples (least singular value, its lambda, its
-    unit vector), the least first."""
+    """Local minima of a pair of norm 1, in the coordinates of `stairs`: triples (least singular
+    value, its lambda, its unit vector), the least first."""
     points = _starts(stairs)
     found, taken = [], []
     for index in np.argsort(_rough_values(A, H, points)):
         start = points[index]
-        # Near neighbours lead to one minimum; the first three starts are the most promising, however near.
+        # Near neighbours lead to one minimum; the first three starts are the most promising,
+        # however near.
         if len(taken) >= 3 and min(abs(start - other) for other in taken) <= 1e-3:
             continue
         taken.append(start)
@@ -44,16 +48,18 @@ def smallest(A, H, value):
 
 def _pencil(A, H, value):
     value = value if np.imag(value) else np.real(value)
-    return np.vstack([A - value*np.eye(len(A)), H])
+    return np.vstack([A - value * np.eye(len(A)), H])
 
 
 def _starts(stairs):
     ends, matrix = np.cumsum(stairs.sizes), stairs.matrix
     behind = [0, *(ends[k - 1] for k in np.argsort(stairs.heights)[:4] if k)]
-    points = [mean for start in behind for mean in _means(np.linalg.eigvals(matrix[start:, start:]))]
+    points = [
+        mean for start in behind for mean in _means(np.linalg.eigvals(matrix[start:, start:]))
+    ]
     points = np.array(points, dtype=complex)
     points.imag[np.abs(points.imag) <= 1e-12] = 0
-    disc = np.outer([0.25, 0.5, 0.75, 1], np.exp(1j*np.pi*np.linspace(0, 1, 9))).ravel()
+    disc = np.outer([0.25, 0.5, 0.75, 1], np.exp(1j * np.pi * np.linspace(0, 1, 9))).ravel()
     points = np.concatenate([points, disc])
     return np.unique(np.round(points[points.imag >= 0], 13))
 
@@ -63,34 +69,36 @@ def _means(eigenvalues):
     means = []
     for one in eigenvalues[eigenvalues.imag >= 0]:
         apart = np.abs(eigenvalues - one)
-        near = eigenvalues[np.argsort(apart)][:np.count_nonzero(apart <= 0.3)][:_MEANS]
-        means += list(np.cumsum(near)/np.arange(1, len(near) + 1))
+        near = eigenvalues[np.argsort(apart)][: np.count_nonzero(apart <= 0.3)][:_MEANS]
+        means += list(np.cumsum(near) / np.arange(1, len(near) + 1))
     return means
 
 
 def _rough_values(A, H, points):
-    """sigma at many points, those below 1e-8 not told apart: from the eigenvalues of the squares."""
-    pencils = A - points[:, None, None]*np.eye(len(A))
+    """sigma at many points, those below 1e-8 not told apart: from the eigenvalues of the
+    squares."""
+    pencils = A - points[:, None, None] * np.eye(len(A))
     squares = pencils.conj().transpose(0, 2, 1) @ pencils + H.T @ H
     return np.sqrt(np.maximum(np.linalg.eigvalsh(squares)[:, 0], 0))
 
 
 def descend(A, H, value):
-    """(least singular value, its lambda, its unit vector) of a local minimum below the start `value`."""
+    """(least singular value, its lambda, its unit vector) of a local minimum below the start
+    `value`."""
     value = value if np.imag(value) else np.real(value)
     sigma, u, v = smallest(A, H, value)
     for _ in range(_STEPS):
-        slope = np.vdot(u[:len(A)], v)
-        steps = [value + sigma/slope] if abs(slope) > 1e-8 else []
+        slope = np.vdot(u[: len(A)], v)
+        steps = [value + sigma / slope] if abs(slope) > 1e-8 else []
         better = None
         for other in (*steps, np.vdot(v, A @ v)):
             other = other if np.imag(value) else np.real(other)
             found = (*smallest(A, H, other), other)
-            if found[0] < sigma*(1 - 1e-3) and (better is None or found[0] < better[0]):
+            if found[0] < sigma * (1 - 1e-3) and (better is None or found[0] < better[0]):
                 better = found
-            if better and better[0] < sigma/5:
+            if better and better[0] < sigma / 5:
                 break
-        if better is None or sigma <= 2*_EPS:
+        if better is None or sigma <= 2 * _EPS:
             break
         sigma, u, v, value = better
     return float(sigma), value, v

@@ -1,9 +1,11 @@
 """Kernels of a polynomial matrix P(lambda) at the roots of an irreducible polynomial f.
 
-Popov's criteria (Theorems 2.3 - 2.6) ask for the rank of such a matrix at the characteristic numbers. All roots of an
-irreducible f are alike, so the elimination runs in the field of the polynomials in lambda modulo f and never needs the
-roots themselves; the kernel comes out in terms of lambda, whatever root lambda is.
+Popov's criteria (Theorems 2.3 - 2.6) ask for the rank of such a matrix at the characteristic
+numbers. All roots of an irreducible f are alike, so the elimination runs in the field of the
+polynomials in lambda modulo f and never needs the roots themselves; the kernel comes out in terms
+of lambda, whatever root lambda is.
 """
+
 from dataclasses import dataclass
 
 import sympy as sp
@@ -18,9 +20,10 @@ LAMBDA = sp.Dummy("lambda")
 class LostMode:
     """A characteristic number at which the rank in Popov's criterion falls.
 
-    `eigenvalue`: the number in closed form, or, where it has none, the irreducible `sp.Poly` in lambda that it is a
-    root of; the vectors then contain lambda. `vectors`: for observability the matrix whose columns v satisfy A v =
-    lambda v, H v = 0; for controllability the one whose rows w satisfy w A = lambda w, w B = 0.
+    `eigenvalue`: the number in closed form, or, where it has none, the irreducible `sp.Poly` in
+    lambda that it is a root of; the vectors then contain lambda. `vectors`: for observability the
+    matrix whose columns v satisfy A v = lambda v, H v = 0; for controllability the one whose rows w
+    satisfy w A = lambda w, w B = 0.
     """
 
     eigenvalue: object
@@ -36,20 +39,25 @@ class LostMode:
 
 
 def visible_symbol(*matrices, names=("lambda", "s", "mu", "lambda_")):
-    """The lambda of results: a plain symbol, with another name if the matrices contain one that is called so."""
+    """The lambda of results: a plain symbol, with another name if the matrices contain one that is
+    called so."""
     used = {s.name for m in matrices for s in m.free_symbols - {LAMBDA}}
     return sp.Symbol(next(name for name in names if name not in used))
 
 
 def lost_modes(P, determinant, basis=None):
-    """The `LostMode`s at the roots of `determinant` (expressions in LAMBDA): columns v with P(lambda) v = 0, or, with a
-    `basis`, `basis` v."""
+    """The `LostMode`s at the roots of `determinant` (expressions in LAMBDA): columns v with
+    P(lambda) v = 0, or, with a `basis`, `basis` v."""
     modes, shown = [], visible_symbol(P)
-    for factor, kernel in (pair for f in irreducible_factors(determinant, P) for pair in kernels_modulo(P, f)):
+    for factor, kernel in (
+        pair for f in irreducible_factors(determinant, P) for pair in kernels_modulo(P, f)
+    ):
         if not kernel.cols:
             continue
         if basis is not None:
-            kernel = sp.Matrix.hstack(*(simple_multiple(basis*kernel[:, j]) for j in range(kernel.cols)))
+            kernel = sp.Matrix.hstack(
+                *(simple_multiple(basis * kernel[:, j]) for j in range(kernel.cols))
+            )
         roots = closed_roots(factor)
         if not roots:
             modes.append(LostMode(factor.replace(LAMBDA, shown), kernel.subs(LAMBDA, shown)))
@@ -63,12 +71,17 @@ def irreducible_factors(polynomial, P):
     if not domain.is_EX:
         return [f.monic() for f, _ in sp.Poly(polynomial, LAMBDA, domain=domain).factor_list()[1]]
     numerator = sp.numer(sp.together(polynomial))
-    return [sp.Poly(f, LAMBDA, domain=domain).monic() for f, _ in sp.factor_list(numerator)[1] if f.has(LAMBDA)]
+    return [
+        sp.Poly(f, LAMBDA, domain=domain).monic()
+        for f, _ in sp.factor_list(numerator)[1]
+        if f.has(LAMBDA)
+    ]
 
 
 def _field(entries):
-    return sp.construct_domain([c for e in entries for c in sp.Poly(e, LAMBDA).all_coeffs()], extension=True,
-                               field=True)[0]
+    return sp.construct_domain(
+        [c for e in entries for c in sp.Poly(e, LAMBDA).all_coeffs()], extension=True, field=True
+    )[0]
 
 
 def closed_roots(f):
@@ -79,10 +92,12 @@ def closed_roots(f):
 
 
 def kernels_modulo(P, f):
-    """Pairs (factor, basis of the kernel of P at its roots, as columns in lambda) for a monic f without multiple roots.
+    """Pairs (factor, basis of the kernel of P at its roots, as columns in lambda) for a monic f
+    without multiple roots.
 
-    There is one pair, (f, kernel), if f is irreducible. An f that falls apart over a field in which SymPy cannot factor
-    shows it by an element without inverse; then its two parts are treated one by one.
+    There is one pair, (f, kernel), if f is irreducible. An f that falls apart over a field in which
+    SymPy cannot factor shows it by an element without inverse; then its two parts are treated one
+    by one.
     """
     domain = _field([*P, f.as_expr()])
     f = f.set_domain(domain)
@@ -108,15 +123,15 @@ def _kernel(P, f, domain):
             continue
         rows[top], rows[row] = rows[row], rows[top]
         inverse = _inverse(rows[top][column], f)
-        rows[top] = [(e*inverse).rem(f) for e in rows[top]]
+        rows[top] = [(e * inverse).rem(f) for e in rows[top]]
         for i in range(len(rows)):
             multiple = rows[i][column]
             if i != top and not multiple.is_zero:
-                rows[i] = [(e - multiple*p).rem(f) for e, p in zip(rows[i], rows[top])]
+                rows[i] = [(e - multiple * p).rem(f) for e, p in zip(rows[i], rows[top])]
         pivots.append(column)
     columns = []
     for free in (j for j in range(P.cols) if j not in pivots):
-        vector = [sp.Integer(0)]*P.cols
+        vector = [sp.Integer(0)] * P.cols
         vector[free] = sp.Integer(1)
         for i, pivot in enumerate(pivots):
             vector[pivot] = -rows[i][free].as_expr()

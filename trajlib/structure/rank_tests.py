@@ -1,9 +1,11 @@
-"""Is the state seen, can it be steered? The criteria of Kalman and of Popov, Theorems 2.1 - 2.4 of the problem book.
+"""Is the state seen, can it be steered? The criteria of Kalman and of Popov, Theorems 2.1 - 2.4 of
+the problem book.
 
-Exact systems: the rank of Kalman's matrix, and Popov's criterion for the characteristic numbers at which the rank of
-(A - lambda E; H) falls, with the motions exp(lambda t) v that the output does not show. Floats: the staircase form in
-balanced units and Popov's singular values (module `floats`).
+Exact systems: the rank of Kalman's matrix, and Popov's criterion for the characteristic numbers at
+which the rank of (A - lambda E; H) falls, with the motions exp(lambda t) v that the output does not
+show. Floats: the staircase form in balanced units and Popov's singular values (module `floats`).
 """
+
 from dataclasses import dataclass
 
 import numpy as np
@@ -21,17 +23,21 @@ __all__ = ["LostMode", "RankTest", "controllability", "observability"]
 
 @dataclass(frozen=True)
 class RankTest:
-    """Whether a system is observable (or controllable), the rank of Kalman's matrix, and what is lost; true in an `if`
-    if it is.
+    """Whether a system is observable (or controllable), the rank of Kalman's matrix, and what is
+    lost; true in an `if` if it is.
 
-    - `holds`: the verdict, `rank == order`; `rank`: of N (or W); `order`: the dimension of the state;
-    - `lost`: tuple of `LostMode`, the characteristic numbers at which the rank of Popov's criterion falls;
-    - `margin`: for floats the smallest singular value in Popov's criterion that was found, A having the norm 1 and
-      every output the length 1 in units that balance the system. A change of that size makes the verdict no; a smaller
-      one may do so too, since the search is not proved to be complete (`distance_to_unobservable` and
-      `distance_to_uncontrollable` give proved bounds, in the units given). None for exact systems;
-    - `reason`: the verdict in words. With symbols everything is generic: true for all values of the symbols but
-      exceptional ones, which `observability_conditions` and `controllability_conditions` give.
+    - `holds`: the verdict, `rank == order`; `rank`: of N (or W); `order`: the dimension of the
+      state;
+    - `lost`: tuple of `LostMode`, the characteristic numbers at which the rank of Popov's criterion
+      falls;
+    - `margin`: for floats the smallest singular value in Popov's criterion that was found, A having
+      the norm 1 and every output the length 1 in units that balance the system. A change of that
+      size makes the verdict no; a smaller one may do so too, since the search is not proved to be
+      complete (`distance_to_unobservable` and `distance_to_uncontrollable` give proved bounds, in
+      the units given). None for exact systems;
+    - `reason`: the verdict in words. With symbols everything is generic: true for all values of the
+      symbols but exceptional ones, which `observability_conditions` and
+      `controllability_conditions` give.
     """
 
     holds: bool
@@ -49,12 +55,14 @@ class RankTest:
 
 
 def observability(A, H=None):
-    """Is x' = Ax, z = Hx observable? Rank, lost modes, margin (MATLAB: rank(obsv(A, C)), Popov's or PBH test).
+    """Is x' = Ax, z = Hx observable? Rank, lost modes, margin (MATLAB: rank(obsv(A, C)), Popov's or
+    PBH test).
 
-    `A`: n x n, `H`: m x n. SymPy matrices or lists of rows are judged exactly; with symbols the verdict is generic (it
-    may fail for special values: see `observability_conditions`). NumPy arrays of floats, or a StateSpace in place of
-    `A`, are judged in balanced units by their staircase form, with a margin. Returns `RankTest`. Raises ValueError
-    for shapes that do not fit and entries that are not real. Source: Theorems 2.1 and 2.3 of the problem book.
+    `A`: n x n, `H`: m x n. SymPy matrices or lists of rows are judged exactly; with symbols the
+    verdict is generic (it may fail for special values: see `observability_conditions`). NumPy
+    arrays of floats, or a StateSpace in place of `A`, are judged in balanced units by their
+    staircase form, with a margin. Returns `RankTest`. Raises ValueError for shapes that do not fit
+    and entries that are not real. Source: Theorems 2.1 and 2.3 of the problem book.
 
     >>> import sympy as sp
     >>> found = observability(sp.Matrix([[0, 1, 0], [1, 1, 1], [1, 0, 1]]), sp.Matrix([[0, 1, 0]]))
@@ -71,12 +79,13 @@ def observability(A, H=None):
 
 
 def controllability(A, B=None):
-    """Is x' = Ax + Bu controllable? Rank, lost modes, margin (MATLAB: rank(ctrb(A, B)), Popov's or PBH test).
+    """Is x' = Ax + Bu controllable? Rank, lost modes, margin (MATLAB: rank(ctrb(A, B)), Popov's or
+    PBH test).
 
-    `A`: n x n, `B`: n x s; exact, symbolic (generic) or floats as in `observability`. The vectors of the lost modes are
-    rows w with w A = lambda w, w B = 0: no control changes w x exp(-lambda t). Returns `RankTest`.
-    Raises ValueError for shapes that do not fit and entries that are not real.
-    Source: Theorems 2.2 and 2.4 of the problem book.
+    `A`: n x n, `B`: n x s; exact, symbolic (generic) or floats as in `observability`. The vectors
+    of the lost modes are rows w with w A = lambda w, w B = 0: no control changes w x exp(-lambda
+    t). Returns `RankTest`. Raises ValueError for shapes that do not fit and entries that are not
+    real. Source: Theorems 2.2 and 2.4 of the problem book.
 
     >>> import sympy as sp
     >>> found = controllability(sp.Matrix([[0, 1, 1], [1, 1, 0], [0, -1, -1]]), sp.Matrix([0, 1, 0]))
@@ -92,20 +101,33 @@ def _test(A, H, word, orient):
         return float_test(A, H, word, orient)
     if A.free_symbols | H.free_symbols:
         there = exact.at_a_point(sp.Matrix.vstack(A, H))
-        if there is not None and exact.rank(stacked_powers(there[:A.rows, :], there[A.rows:, :])) == A.rows:
+        if (
+            there is not None
+            and exact.rank(stacked_powers(there[: A.rows, :], there[A.rows :, :])) == A.rows
+        ):
             return rank_test(A.rows, A.rows, (), word, generic=True)
     N = stacked_powers(A, H)
     rank = exact.rank(N)
     lost = _lost_modes(A, exact.null_columns(N)) if rank < A.rows else ()
-    return rank_test(rank, A.rows, [LostMode(m.eigenvalue, orient(m.vectors)) for m in lost], word,
-                     generic=bool(A.free_symbols | H.free_symbols))
+    return rank_test(
+        rank,
+        A.rows,
+        [LostMode(m.eigenvalue, orient(m.vectors)) for m in lost],
+        word,
+        generic=bool(A.free_symbols | H.free_symbols),
+    )
 
 
 def _lost_modes(A, unseen):
-    """The modes of A in an invariant subspace, found in its own coordinates: there they all are lost."""
+    """The modes of A in an invariant subspace, found in its own coordinates: there they all are
+    lost."""
     rows, columns = list(exact.independent_rows(unseen)), list(range(unseen.cols))
-    inner = exact.product(exact.inverse(unseen.extract(rows, columns)), (A*unseen).extract(rows, columns))
-    return lost_modes(inner - LAMBDA*sp.eye(inner.rows), characteristic_polynomial(inner, LAMBDA), unseen)
+    inner = exact.product(
+        exact.inverse(unseen.extract(rows, columns)), (A * unseen).extract(rows, columns)
+    )
+    return lost_modes(
+        inner - LAMBDA * sp.eye(inner.rows), characteristic_polynomial(inner, LAMBDA), unseen
+    )
 
 
 def rank_test(rank, order, lost, word, margin=None, generic=False, remark=""):
@@ -113,8 +135,9 @@ def rank_test(rank, order, lost, word, margin=None, generic=False, remark=""):
     holds = rank == order
     reason = f"{word if holds else f'not {word}'}: rank {rank} of {order}"
     if lost:
-        reason += ", the rank of Popov's criterion falls at " + ", ".join(dict.fromkeys(_named(m.eigenvalue)
-                                                                                        for m in lost))
+        reason += ", the rank of Popov's criterion falls at " + ", ".join(
+            dict.fromkeys(_named(m.eigenvalue) for m in lost)
+        )
     if generic:
         reason += " (for general values of the symbols)"
     return RankTest(holds, rank, order, tuple(lost), margin, reason + remark)
@@ -125,7 +148,11 @@ def _named(eigenvalue):
         return f"the roots of {eigenvalue.as_expr()}"
     if isinstance(eigenvalue, sp.Basic):
         return f"lambda = {eigenvalue}"
-    return f"lambda = {complex(eigenvalue):.6g}" if np.imag(eigenvalue) else f"lambda = {float(eigenvalue):.6g}"
+    return (
+        f"lambda = {complex(eigenvalue):.6g}"
+        if np.imag(eigenvalue)
+        else f"lambda = {float(eigenvalue):.6g}"
+    )
 
 
 def float_test(A, H, word, orient=lambda vectors: vectors):
@@ -136,7 +163,10 @@ def float_test(A, H, word, orient=lambda vectors: vectors):
         doubt = split.margin or split.scaled.cleared
         remark += ", zero within rounding; exact entries (SymPy) would decide" if doubt else ""
     elif split.margin < floats.DOUBTFUL:
-        remark += (f", small: a change of the entries by {split.margin:.1e} of their size can turn the verdict; exact "
-                   "entries (SymPy) would decide")
+        remark += (
+            f", small: a change of the entries by {split.margin:.1e} of their size can turn the "
+            "verdict; exact "
+            "entries (SymPy) would decide"
+        )
     lost = [LostMode(value, orient(vectors)) for value, vectors in floats.lost_modes(split)]
     return rank_test(split.rank, len(A), lost, word, split.margin, remark=remark)

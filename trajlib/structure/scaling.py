@@ -1,29 +1,31 @@
 r"""The units in which a system is judged: diagonal scalings of states, outputs and time.
 
-x = D y, z = R^-1 w and t = s / alpha turn (A, H) into (D^-1 A D / alpha, R H D). None of this changes what the output
-sees, so that a verdict must not depend on it. The exponents are those that bring all entries other than zero as near to
-1 as possible,
+x = D y, z = R^-1 w and t = s / alpha turn (A, H) into (D^-1 A D / alpha, R H D). None of this
+changes what the output sees, so that a verdict must not depend on it. The exponents are those that
+bring all entries other than zero as near to 1 as possible,
 
     sum over a_ij of (log|a_ij| + d_j - d_i - tau)^2  +  sum over h_kj of (log|h_kj| + d_j - rho_k)^2  ->  min,
 
-a linear problem of least squares (A. R. Curtis and J. K. Reid, On the automatic scaling of matrices for Gaussian
-elimination, 1972). Other units shift the logarithms by what the unknowns can take up, so that the scaled system is the
-same but for the rounding of the exponents to whole powers of two, which costs no digit.
+a linear problem of least squares (A. R. Curtis and J. K. Reid, On the automatic scaling of matrices
+for Gaussian elimination, 1972). Other units shift the logarithms by what the unknowns can take up,
+so that the scaled system is the same but for the rounding of the exponents to whole powers of two,
+which costs no digit.
 """
+
 from dataclasses import dataclass
 
 import numpy as np
 
-_ROUNDING = 4*np.finfo(float).eps
+_ROUNDING = 4 * np.finfo(float).eps
 
 
 @dataclass(frozen=True)
 class Scaled:
-    """The pair in balanced units: x = `units` y; `A` has the norm 1, every row of `H` the length 1 (those that are zero
-    apart).
+    """The pair in balanced units: x = `units` y; `A` has the norm 1, every row of `H` the length 1
+    (those that are zero apart).
 
-    `rate`: what the numbers lambda of `A` are multiplied by in the units given;
-    `cleared`: whether entries were taken as zero, being rounding beside the others of their row and of their column.
+    `rate`: what the numbers lambda of `A` are multiplied by in the units given; `cleared`: whether
+    entries were taken as zero, being rounding beside the others of their row and of their column.
     """
 
     A: np.ndarray
@@ -38,21 +40,27 @@ def balanced(A, H):
     shown, n = np.vstack([A, H]), len(A)
     sizes = np.abs(shown)
     beside = np.minimum(sizes.max(axis=1, keepdims=True), sizes.max(axis=0, keepdims=True))
-    doubtful = (shown != 0) & (sizes <= _ROUNDING*beside)
+    doubtful = (shown != 0) & (sizes <= _ROUNDING * beside)
     rows, columns, time = _exponents(sizes, (shown != 0) & ~doubtful)
     shown = np.ldexp(shown, columns - rows[:, None])
     # What is still tiny in the units that all the others ask for was not made tiny by its units.
-    rounding = doubtful & (np.abs(shown) <= _ROUNDING*np.abs(shown).max())
+    rounding = doubtful & (np.abs(shown) <= _ROUNDING * np.abs(shown).max())
     shown[rounding] = 0
     A, H = shown[:n], shown[n:]
     size, lengths = np.linalg.norm(A, 2), np.linalg.norm(H, axis=1, keepdims=True)
     units = np.ldexp(1.0, np.clip(columns - columns.max(), -1000, 0))
-    return Scaled(A/(size or 1), H/np.where(lengths == 0, 1, lengths), units, float(np.ldexp(size or 1, time)),
-                  bool(rounding.any()))
+    return Scaled(
+        A / (size or 1),
+        H / np.where(lengths == 0, 1, lengths),
+        units,
+        float(np.ldexp(size or 1, time)),
+        bool(rounding.any()),
+    )
 
 
 def _exponents(sizes, used):
-    """Whole exponents of two: (d_i + tau for the rows of A and rho_k for those of H, d_j for the columns, tau)."""
+    """Whole exponents of two: (d_i + tau for the rows of A and rho_k for those of H, d_j for the
+    columns, tau)."""
     m, n = sizes.shape
     i, j = np.nonzero(used)
     # The unknowns are d_1, ..., d_n, rho_1, ..., rho_(m-n), tau.
@@ -60,8 +68,11 @@ def _exponents(sizes, used):
     equations[k, j] += 1
     equations[k, i] -= 1
     equations[k[i < n], m] = -1
-    found = np.linalg.lstsq(equations.T @ equations, -equations.T @ np.log2(sizes[i, j]), rcond=1e-10)[0]
-    # All states and outputs may shift together; the first state is taken as unit, so that other units round alike.
+    found = np.linalg.lstsq(
+        equations.T @ equations, -equations.T @ np.log2(sizes[i, j]), rcond=1e-10
+    )[0]
+    # All states and outputs may shift together; the first state is taken as unit, so that other
+    # units round alike.
     found[:m] = found[:m] - found[0]
     found = np.rint(found).astype(int)
-    return found[:m] + found[m]*(np.arange(m) < n), found[:n], int(found[m])
+    return found[:m] + found[m] * (np.arange(m) < n), found[:n], int(found[m])

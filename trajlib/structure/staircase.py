@@ -1,12 +1,15 @@
 """The staircase form of a pair (A, H), by orthogonal transformations only.
 
-What H shows are the first coordinates; what their derivatives show besides are the next ones, and so on, until a step
-shows nothing new: the coordinates left are not seen. Every step is a rank decision by singular values, and the whole is
-exact for a pair that differs from (A, H) by rounding (C. C. Paige, Properties of numerical algorithms related to
-computing controllability, 1981; P. Van Dooren, The generalized eigenstructure problem in linear system theory, 1981).
+What H shows are the first coordinates; what their derivatives show besides are the next ones, and
+so on, until a step shows nothing new: the coordinates left are not seen. Every step is a rank
+decision by singular values, and the whole is exact for a pair that differs from (A, H) by rounding
+(C. C. Paige, Properties of numerical algorithms related to computing controllability, 1981; P. Van
+Dooren, The generalized eigenstructure problem in linear system theory, 1981).
 
-A staircase without a small step may still hide a state, where many small steps multiply: `nearest` looks for those.
+A staircase without a small step may still hide a state, where many small steps multiply: `nearest`
+looks for those.
 """
+
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,7 +17,8 @@ import numpy as np
 
 @dataclass(frozen=True)
 class Staircase:
-    """`basis` Q, orthogonal, and `matrix` Q^T A Q; `sizes` of the steps, `heights` their least singular values."""
+    """`basis` Q, orthogonal, and `matrix` Q^T A Q; `sizes` of the steps, `heights` their least
+    singular values."""
 
     basis: np.ndarray
     matrix: np.ndarray
@@ -41,6 +45,6 @@ def staircase(A, H, limit):
         matrix[done:] = right @ matrix[done:]
         sizes.append(size)
         heights.append(float(values[size - 1]))
-        shown = matrix[done:done + size, done + size:]
+        shown = matrix[done : done + size, done + size :]
         done += size
     return Staircase(basis, matrix, tuple(sizes), tuple(heights))

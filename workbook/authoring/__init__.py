@@ -1,15 +1,20 @@
-"""Masters: two files say everything about a problem, its page (solutions/ch1/p15.md) and its trials beside it.
+"""Masters: two files say everything about a problem, its page (solutions/ch1/p15.md) and its trials
+beside it.
 
-`read` gives the master with its cells by role and its trials, `student_notebook` converts it to the students' copy.
+`read` gives the master with its cells by role and its trials, `student_notebook` converts it to the
+students' copy.
 """
 
 from trajlib._lazy import lazy_names
 
-__getattr__, __dir__, __all__ = lazy_names(__name__, {
-    "beginning": ["begin"],
-    "errors": ["MasterError"],
-    "master": ["Answer", "Cell", "Master", "master_paths", "read", "read_all"],
-    "trials": ["Trial"],
-    "converting": ["student_notebook", "write_exercises"],
-    "links": ["Links"],
-})
+__getattr__, __dir__, __all__ = lazy_names(
+    __name__,
+    {
+        "beginning": ["begin"],
+        "errors": ["MasterError"],
+        "master": ["Answer", "Cell", "Master", "master_paths", "read", "read_all"],
+        "trials": ["Trial"],
+        "converting": ["student_notebook", "write_exercises"],
+        "links": ["Links"],
+    },
+)

@@ -14,7 +14,8 @@ ROLES = ("data", "drawing", "answer", "figure", "check")
 
 @dataclass(frozen=True)
 class Answer:
-    """One answer variable: `kind` is its TYPE, `text` what it is, `exact` whether decimals are not enough."""
+    """One answer variable: `kind` is its TYPE, `text` what it is, `exact` whether decimals are not
+    enough."""
 
     name: str
     kind: str
@@ -24,7 +25,8 @@ class Answer:
 
 @dataclass(frozen=True)
 class Cell:
-    """A cell of the notebook: `role` is one of `ROLES` for code and "" for prose, `line` where its text begins."""
+    """A cell of the notebook: `role` is one of `ROLES` for code and "" for prose, `line` where its
+    text begins."""
 
     role: str
     source: str
@@ -52,12 +54,19 @@ class Master:
     @property
     def exercise(self):
         """Where the student's copy stands: exercises/ch1/p15.ipynb beside solutions/."""
-        return self.path.parent.parent.parent / "exercises" / self.path.parent.name / f"{self.path.stem}.ipynb"
+        return (
+            self.path.parent.parent.parent
+            / "exercises"
+            / self.path.parent.name
+            / f"{self.path.stem}.ipynb"
+        )
 
 
 def master_paths(solutions):
     """The files of all masters below the folder `solutions`, in the order of their numbers."""
-    return sorted(Path(solutions).glob("ch*/p*.md"), key=lambda path: (int(path.parent.name[2:]), path.stem))
+    return sorted(
+        Path(solutions).glob("ch*/p*.md"), key=lambda path: (int(path.parent.name[2:]), path.stem)
+    )
 
 
 def read_all(solutions):
@@ -68,8 +77,9 @@ def read_all(solutions):
 def read(path):
     """The master at `path`, with its trials.
 
-    Raises `MasterError` with file and line if the front matter is incomplete, a code cell has no role or two, an answer
-    is never assigned or never checked, a check does not exist, or a trial is none (`workbook.authoring.trials`).
+    Raises `MasterError` with file and line if the front matter is incomplete, a code cell has no
+    role or two, an answer is never assigned or never checked, a check does not exist, or a trial is
+    none (`workbook.authoring.trials`).
     """
     path = Path(path).absolute()
     if not path.is_file():
@@ -79,8 +89,19 @@ def read(path):
     hold_front_matter(path, said, lines)
     answers = {name: _answer(name, text) for name, text in said["answers"].items()}
     hints = {name: tuple(texts) for name, texts in said["hints"].items()}
-    master = Master(path, said["number"], said["title"], said["section"], said["level"], tuple(said["topics"]), answers,
-                    hints, _cells(path, text), read_trials(trials_file(path), answers), tuple(said.get("core", ())))
+    master = Master(
+        path,
+        said["number"],
+        said["title"],
+        said["section"],
+        said["level"],
+        tuple(said["topics"]),
+        answers,
+        hints,
+        _cells(path, text),
+        read_trials(trials_file(path), answers),
+        tuple(said.get("core", ())),
+    )
     hold_code(master, lines)
     hold_drawings(master)
     hold_blocks(master)
@@ -109,7 +130,9 @@ def _cell(path, cell, line, text):
     tags = cell.metadata.get("tags", [])
     roles = [tag for tag in tags if tag in ROLES]
     if len(roles) != 1:
-        raise MasterError(path, line, f"a code cell needs exactly one role of {', '.join(ROLES)}, found {tags}")
+        raise MasterError(
+            path, line, f"a code cell needs exactly one role of {', '.join(ROLES)}, found {tags}"
+        )
     line = text.split("\n").index(cell.source.split("\n")[0], line - 1) + 1  # below the options
     try:
         ast.parse(cell.source)

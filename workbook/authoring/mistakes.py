@@ -1,7 +1,8 @@
-"""Seals the mistakes of a master for the students' copy: the wrong trials whose comment is a sentence to the student.
+"""Seals the mistakes of a master for the students' copy: the wrong trials whose comment is a
+sentence to the student.
 
-A trial of which the likeness is that of a right answer, or that of another mistake with another sentence, stays
-without a name.
+A trial of which the likeness is that of a right answer, or that of another mistake with another
+sentence, stays without a name.
 """
 
 import hashlib
@@ -20,19 +21,26 @@ PATIENCE = 600
 
 
 def sentence(master, trial):
-    """What the giver of a wrong trial reads, with its hint in a second line; None if its comment is only a note.
+    """What the giver of a wrong trial reads, with its hint in a second line; None if its comment is
+    only a note.
 
-    Formulas are as one types them, since it is read in terminals too; HTML sets them (`trajlib.typesetting.typeset`).
+    Formulas are as one types them, since it is read in terminals too; HTML sets them
+    (`trajlib.typesetting.typeset`).
     """
     said = SENTENCE.fullmatch(trial.comment)
     if said is None:
         return None
-    hint = f"\nHint {said['hint']}: {plain(master.hints[trial.name][int(said['hint']) - 1])}" if said["hint"] else ""
+    hint = (
+        f"\nHint {said['hint']}: {plain(master.hints[trial.name][int(said['hint']) - 1])}"
+        if said["hint"]
+        else ""
+    )
     return plain(said["text"]) + hint
 
 
 def text_of(master):
-    """The text of the file of mistakes, by running data, answers and trials in a process of their own."""
+    """The text of the file of mistakes, by running data, answers and trials in a process of their
+    own."""
     named = any(sentence(master, trial) for trial in master.trials["wrong"])
     answers = in_child(_sealed_in_child, master, timeout=PATIENCE) if named else {}
     return json.dumps({"of": origin(master), "answers": answers}, indent=1, sort_keys=True) + "\n"
@@ -40,23 +48,31 @@ def text_of(master):
 
 def origin(master):
     """A hash of all that the mistakes are made of."""
-    made_of = [master.code("data", "answer"),
-               [[trial.name, trial.source, sentence(master, trial)] for trial in master.trials["wrong"]]]
+    made_of = [
+        master.code("data", "answer"),
+        [[trial.name, trial.source, sentence(master, trial)] for trial in master.trials["wrong"]],
+    ]
     return hashlib.sha256(json.dumps(made_of).encode()).hexdigest()[:16]
 
 
 def sealed(master, reference, trials):
-    """{answer: what the file says of it}; `reference` holds the right values, `trials` (trial, value) of wrong ones."""
+    """{answer: what the file says of it}; `reference` holds the right values, `trials` (trial,
+    value) of wrong ones."""
     said = {}
     for name in master.answers:
         given = [(sentence(master, trial), value) for trial, value in trials if trial.name == name]
         question = question_of(master, name, [reference[name], *(value for _, value in given)])
         right, texts = set(_like(reference[name], question)), {}
-        for text, like in ((text, like) for text, value in given for like in _each_like(value, question)):
+        for text, like in (
+            (text, like) for text, value in given for like in _each_like(value, question)
+        ):
             if text and like and not right & set(like):
                 texts.setdefault(like[0], set()).add(text)
-        entries = (seal(*said_of, f"{master.number} {name}", like) for like, said_of in texts.items()
-                   if len(said_of) == 1)
+        entries = (
+            seal(*said_of, f"{master.number} {name}", like)
+            for like, said_of in texts.items()
+            if len(said_of) == 1
+        )
         if told := dict(entries):
             said[name] = {"kind": question.kind, "symbols": question.symbols, "told": told}
     return said

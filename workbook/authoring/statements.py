@@ -12,14 +12,27 @@ def assigned_by(statement, names):
     """Which of `names` a statement of `ast` assigns, in order."""
     if isinstance(statement, ast.FunctionDef):
         return [statement.name] if statement.name in names else []
-    targets = statement.targets if isinstance(statement, ast.Assign) else \
-        [statement.target] if isinstance(statement, ast.AnnAssign) else []
-    parts = [part for target in targets
-             for part in (target.elts if isinstance(target, (ast.Tuple, ast.List)) else [target])]
+    targets = (
+        statement.targets
+        if isinstance(statement, ast.Assign)
+        else [statement.target]
+        if isinstance(statement, ast.AnnAssign)
+        else []
+    )
+    parts = [
+        part
+        for target in targets
+        for part in (target.elts if isinstance(target, (ast.Tuple, ast.List)) else [target])
+    ]
     return [part.id for part in parts if isinstance(part, ast.Name) and part.id in names]
 
 
 def reported_names(source):
     """The answers that a check cell hands to `checks.report`, in order."""
     calls = [node for node in ast.walk(ast.parse(source)) if isinstance(node, ast.Call)]
-    return [keyword.arg for call in calls if ast.unparse(call.func) == "checks.report" for keyword in call.keywords]
+    return [
+        keyword.arg
+        for call in calls
+        if ast.unparse(call.func) == "checks.report"
+        for keyword in call.keywords
+    ]

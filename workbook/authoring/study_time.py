@@ -1,4 +1,5 @@
-"""How long a problem may take: a guess from its level and the number of its answers, to plan an evening by.
+"""How long a problem may take: a guess from its level and the number of its answers, to plan an
+evening by.
 
 >>> study_time("core", ["a_region", "b_region", "b_names"])
 'about 20 min'
@@ -13,7 +14,8 @@ MINUTES = {"core": 6, "advanced": 9, "starred": 15}
 
 
 def study_time(level, answers, core=()):
-    """The time in words; with a `core`, the items that are enough at first, for these and for all."""
+    """The time in words; with a `core`, the items that are enough at first, for these and for
+    all."""
     whole = _words(MINUTES[level] * len(answers))
     if not core:
         return f"about {whole}"

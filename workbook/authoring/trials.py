@@ -44,7 +44,9 @@ def read_trials(path, names):
     Raises `MasterError` with the line where a trial has no role, no comment, two answers or none.
     """
     if not path.is_file():
-        raise MasterError(path, 1, "the trials of a master stand beside it, and this file is not there")
+        raise MasterError(
+            path, 1, "the trials of a master stand beside it, and this file is not there"
+        )
     text = path.read_text(encoding="utf-8")
     try:
         statements = ast.parse(text).body
@@ -57,18 +59,22 @@ def read_trials(path, names):
         answers = assigned_by(statement, names)
         if not answers:
             continue
-        role, above, code = _parts(path, lines[end:statement.end_lineno], end, role)
-        behind = code[-1].encode()[statement.end_col_offset:].decode().strip()
-        code[-1] = code[-1].encode()[:statement.end_col_offset].decode()
+        role, above, code = _parts(path, lines[end : statement.end_lineno], end, role)
+        behind = code[-1].encode()[statement.end_col_offset :].decode().strip()
+        code[-1] = code[-1].encode()[: statement.end_col_offset].decode()
         end = statement.end_lineno
         comment = above or behind.lstrip("# ")
         if len(answers) > 1 or not comment or behind.startswith(";"):
-            raise MasterError(path, end, "a trial assigns one answer, under a comment or with one behind it")
+            raise MasterError(
+                path, end, "a trial assigns one answer, under a comment or with one behind it"
+            )
         _hold_to_use(path, own)
         found[role].append(Trial(answers[0], "\n".join(code), comment))
         own = []
     if own:
-        raise MasterError(path, own[0].lineno, "a trial ends by assigning an answer; this assigns none")
+        raise MasterError(
+            path, own[0].lineno, "a trial ends by assigning an answer; this assigns none"
+        )
     return found
 
 
@@ -80,11 +86,15 @@ def _parts(path, block, before, role):
         if mark := MARK.fullmatch(line.rstrip()):
             role = mark[1]
             if role not in TRIALS or k > first:
-                raise MasterError(path, before + k + 1, "a line # %% wrong or # %% right stands before a trial")
+                raise MasterError(
+                    path, before + k + 1, "a line # %% wrong or # %% right stands before a trial"
+                )
         elif k < first:
             above = [*above, line.lstrip("# ").rstrip()] if line.startswith("#") else []
     if role is None:
-        raise MasterError(path, before + first + 1, "a trial stands under a line # %% wrong or # %% right")
+        raise MasterError(
+            path, before + first + 1, "a trial stands under a line # %% wrong or # %% right"
+        )
     return role, " ".join(above), block[first:]
 
 
@@ -95,8 +105,14 @@ def _hold_to_use(path, statements):
         given = _names(statement, ast.Store)
         if isinstance(statement, ast.Assign) and given and not given & used:
             names = ", ".join(sorted(given))
-            raise MasterError(path, statement.lineno, f"{names} is no answer, and the trial does not use it")
+            raise MasterError(
+                path, statement.lineno, f"{names} is no answer, and the trial does not use it"
+            )
 
 
 def _names(statement, context):
-    return {node.id for node in ast.walk(statement) if isinstance(node, ast.Name) and isinstance(node.ctx, context)}
+    return {
+        node.id
+        for node in ast.walk(statement)
+        if isinstance(node, ast.Name) and isinstance(node.ctx, context)
+    }

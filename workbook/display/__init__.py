@@ -2,8 +2,11 @@
 
 from trajlib._lazy import lazy_names
 
-__getattr__, __dir__, __all__ = lazy_names(__name__, {
-    "results": ["show", "table"],
-    "drawings": ["Drawing", "along"],
-    "animations": ["Animation"],
-})
+__getattr__, __dir__, __all__ = lazy_names(
+    __name__,
+    {
+        "results": ["show", "table"],
+        "drawings": ["Drawing", "along"],
+        "animations": ["Animation"],
+    },
+)

@@ -1,8 +1,9 @@
 """Motions that move on a page: a trajectory that was computed, played back by the reader.
 
-A `Animation` is a row of pictures with one clock. It is drawn as SVG, with its data beside it; the site's script moves it
-and gives it its button and its slider. Without the script, on paper and in other notebooks, it stands still where
-`still` says; where not even HTML can be shown, that one picture is there as SVG.
+A `Animation` is a row of pictures with one clock. It is drawn as SVG, with its data beside it; the
+site's script moves it and gives it its button and its slider. Without the script, on paper and in
+other notebooks, it stands still where `still` says; where not even HTML can be shown, that one
+picture is there as SVG.
 
 >>> import numpy as np
 >>> t = np.linspace(0, 6, 61)
@@ -28,8 +29,9 @@ SIZE, ROOM = 240, 34
 class Animation:
     """Pictures that move together (no MATLAB word; near: animatedline, VideoWriter).
 
-    `times`: the increasing times of the frames, played in seconds of this clock divided by `speed`. `words`: a sentence
-    for who cannot see the pictures. `still`: the number of the frame that is shown before it moves.
+    `times`: the increasing times of the frames, played in seconds of this clock divided by `speed`.
+    `words`: a sentence for who cannot see the pictures. `still`: the number of the frame that is
+    shown before it moves.
     """
 
     def __init__(self, times, words, speed=1.0, still=0):
@@ -38,42 +40,69 @@ class Animation:
             raise ValueError("times: expected at least two, increasing")
         if not speed > 0:
             raise ValueError(f"speed: expected a positive number, got {speed}")
-        self.words, self.speed, self.still, self.panels = words, float(speed), int(still) % len(self.times), []
+        self.words, self.speed, self.still, self.panels = (
+            words,
+            float(speed),
+            int(still) % len(self.times),
+            [],
+        )
 
     def panel(self, x_range, y_range, x="", y=""):
-        """A new picture to the right of the others, over pairs (low, high); `x` and `y` name its axes."""
+        """A new picture to the right of the others, over pairs (low, high); `x` and `y` name its
+        axes."""
         panel = Panel(self, x_range, y_range, x, y)
         self.panels.append(panel)
         return panel
 
     def __repr__(self):
-        return (f"Animation of {len(self.times)} frames from t = {self.times[0]:g} to {self.times[-1]:g}: {self.words}")
+        return f"Animation of {len(self.times)} frames from t = {self.times[0]:g} to {self.times[-1]:g}: {self.words}"
 
     def _repr_html_(self):
         moving = [part for panel in self.panels for part in panel.moving]
-        data = {"times": _short(self.times), "speed": self.speed, "still": self.still,
-                "parts": [{"kind": kind, "points": points} for kind, points in moving]}
+        data = {
+            "times": _short(self.times),
+            "speed": self.speed,
+            "still": self.still,
+            "parts": [{"kind": kind, "points": points} for kind, points in moving],
+        }
         # Side by side where there is room, below one another on a phone.
-        drawn = "".join(f'<svg viewBox="0 0 {SIZE + ROOM + 8} {SIZE + ROOM + 6}" style="flex: 1 1 160px; '
-                        f'max-width: 340px; fill: none; stroke: currentColor"><g transform="translate({ROOM} 6)">'
-                        f'{panel.svg()}</g></svg>' for panel in self.panels)
-        return (f'<div class="motion" data-motion="{html.escape(json.dumps(data, separators=(",", ":")))}">'
-                f'<div role="img" aria-label="{html.escape(self.words)}" style="display: flex; flex-wrap: wrap">'
-                f'{drawn}</div></div>')
+        drawn = "".join(
+            f'<svg viewBox="0 0 {SIZE + ROOM + 8} {SIZE + ROOM + 6}" style="flex: 1 1 160px; '
+            f'max-width: 340px; fill: none; stroke: currentColor"><g transform="translate({ROOM} '
+            '6)">'
+            f"{panel.svg()}</g></svg>"
+            for panel in self.panels
+        )
+        return (
+            '<div class="motion" '
+            f'data-motion="{html.escape(json.dumps(data, separators=(",", ":")))}">'
+            f'<div role="img" aria-label="{html.escape(self.words)}" style="display: flex; '
+            'flex-wrap: wrap">'
+            f"{drawn}</div></div>"
+        )
 
     def _repr_svg_(self):
         width, height = SIZE + ROOM + 8, SIZE + ROOM + 6
-        drawn = "".join(f'<g transform="translate({ROOM + k*width} 6)">{panel.svg()}</g>'
-                        for k, panel in enumerate(self.panels))
-        return (f'<svg xmlns="http://www.w3.org/2000/svg" width="{width*len(self.panels)}" height="{height}" '
-                f'fill="none" stroke="black" color="black">{drawn}</svg>')
+        drawn = "".join(
+            f'<g transform="translate({ROOM + k * width} 6)">{panel.svg()}</g>'
+            for k, panel in enumerate(self.panels)
+        )
+        return (
+            f'<svg xmlns="http://www.w3.org/2000/svg" width="{width * len(self.panels)}" '
+            f'height="{height}" '
+            f'fill="none" stroke="black" color="black">{drawn}</svg>'
+        )
 
 
 class Panel:
     """One picture of a `Animation`. What stands is a `curve`; `dot`, `rod` and `trail` move."""
 
     def __init__(self, motion, x_range, y_range, x, y):
-        self._motion, self._x, self._y = motion, tuple(map(float, x_range)), tuple(map(float, y_range))
+        self._motion, self._x, self._y = (
+            motion,
+            tuple(map(float, x_range)),
+            tuple(map(float, y_range)),
+        )
         for low, high in (self._x, self._y):
             if not low < high:
                 raise ValueError(f"range: expected (low, high) with low < high, got {(low, high)}")
@@ -103,26 +132,47 @@ class Panel:
         parts = "".join(_part(kind, points, still) for kind, points in self.moving)
         x, y = (html.escape(name) for name in self._names)
         origin = self._placed(np.zeros(1), np.zeros(1))[0]
-        axes = "".join(f'<line {ends} opacity="0.3"/>' for inside, ends in (
-            (0 <= origin[0] <= SIZE, f'x1="{origin[0]:g}" x2="{origin[0]:g}" y1="0" y2="{SIZE}"'),
-            (0 <= origin[1] <= SIZE, f'x1="0" x2="{SIZE}" y1="{origin[1]:g}" y2="{origin[1]:g}"')) if inside)
+        axes = "".join(
+            f'<line {ends} opacity="0.3"/>'
+            for inside, ends in (
+                (
+                    0 <= origin[0] <= SIZE,
+                    f'x1="{origin[0]:g}" x2="{origin[0]:g}" y1="0" y2="{SIZE}"',
+                ),
+                (
+                    0 <= origin[1] <= SIZE,
+                    f'x1="0" x2="{SIZE}" y1="{origin[1]:g}" y2="{origin[1]:g}"',
+                ),
+            )
+            if inside
+        )
         words = 'stroke="none" fill="currentColor" font-size="13"'
-        corners = "".join(f'<text {words} x="{at}" y="{SIZE + 15}" text-anchor="{end}">{value:g}</text>'
-                          for at, end, value in ((0, "start", self._x[0]), (SIZE, "end", self._x[1])))
-        corners += "".join(f'<text {words} x="-4" y="{at}" text-anchor="end">{value:g}</text>'
-                           for at, value in ((SIZE, self._y[0]), (11, self._y[1])))
-        return (f'<rect width="{SIZE}" height="{SIZE}" opacity="0.4"/>{axes}{corners}'
-                f'<text {words} font-style="italic" x="{SIZE/2}" y="{SIZE + 16}" text-anchor="middle">{x}</text>'
-                f'<text {words} font-style="italic" x="6" y="14">{y}</text>'
-                # within a drawing of its own a curve ends at the border
-                f'<svg width="{SIZE}" height="{SIZE}">{"".join(self._standing)}</svg><g stroke-width="2.2">{parts}</g>')
+        corners = "".join(
+            f'<text {words} x="{at}" y="{SIZE + 15}" text-anchor="{end}">{value:g}</text>'
+            for at, end, value in ((0, "start", self._x[0]), (SIZE, "end", self._x[1]))
+        )
+        corners += "".join(
+            f'<text {words} x="-4" y="{at}" text-anchor="end">{value:g}</text>'
+            for at, value in ((SIZE, self._y[0]), (11, self._y[1]))
+        )
+        return (
+            f'<rect width="{SIZE}" height="{SIZE}" opacity="0.4"/>{axes}{corners}'
+            f'<text {words} font-style="italic" x="{SIZE / 2}" y="{SIZE + 16}" '
+            f'text-anchor="middle">{x}</text>'
+            f'<text {words} font-style="italic" x="6" y="14">{y}</text>'
+            # within a drawing of its own a curve ends at the border
+            f'<svg width="{SIZE}" height="{SIZE}">{"".join(self._standing)}</svg><g '
+            f'stroke-width="2.2">{parts}</g>'
+        )
 
     def _frames(self, x, y):
         n = len(self._motion.times)
         x, y = (np.asarray(values, dtype=float) for values in (x, y))
         for values in (x, y):
             if values.ndim and values.shape != (n,):
-                raise ValueError(f"expected a number or one for each of the {n} frames, got shape {values.shape}")
+                raise ValueError(
+                    f"expected a number or one for each of the {n} frames, got shape {values.shape}"
+                )
         return self._placed(np.broadcast_to(x, n), np.broadcast_to(y, n))
 
     def _placed(self, x, y):
@@ -130,7 +180,9 @@ class Panel:
         if not (np.isfinite(x).all() and np.isfinite(y).all()):
             raise ValueError("points: expected finite numbers")
         (left, right), (low, high) = self._x, self._y
-        return np.column_stack([(x - left)/(right - left)*SIZE, (high - y)/(high - low)*SIZE]).round(1)
+        return np.column_stack(
+            [(x - left) / (right - left) * SIZE, (high - y) / (high - low) * SIZE]
+        ).round(1)
 
     def _move(self, kind, points):
         self.moving.append((kind, _short(points.ravel())))
@@ -138,11 +190,12 @@ class Panel:
 
 def _part(kind, points, still):
     if kind == "dot":
-        return f'<circle class="moving" r="6" fill="currentColor" cx="{points[2*still]}" cy="{points[2*still + 1]}"/>'
+        x, y = points[2 * still : 2 * still + 2]
+        return f'<circle class="moving" r="6" fill="currentColor" cx="{x}" cy="{y}"/>'
     if kind == "rod":
-        x, y, to_x, to_y = points[4*still:4*still + 4]
+        x, y, to_x, to_y = points[4 * still : 4 * still + 4]
         return f'<line class="moving" x1="{x}" y1="{y}" x2="{to_x}" y2="{to_y}"/>'
-    pairs = [f"{x},{y}" for x, y in zip(points[:2*still + 2:2], points[1:2*still + 2:2])]
+    pairs = [f"{x},{y}" for x, y in zip(points[: 2 * still + 2 : 2], points[1 : 2 * still + 2 : 2])]
     return f'<polyline class="moving" points="{" ".join(pairs)}"/>'
 
 

@@ -1,7 +1,7 @@
 r"""Results with their words: `show` is `print` for whoever reads mathematics.
 
-In a notebook and on the site formulas are set, in a terminal they are typed as `print` types them. What is too long to
-stand beside words stands on a line of its own, a long sum on several.
+In a notebook and on the site formulas are set, in a terminal they are typed as `print` types them.
+What is too long to stand beside words stands on a line of its own, a long sum on several.
 
 >>> import sympy as sp
 >>> k1, k2 = sp.symbols("k1 k2")
@@ -27,17 +27,22 @@ NUMBER = re.compile(r"[-+]?\.?\d")
 MINUS_ZERO = re.compile(r"(?<![\w.)])-(?=0\.0+(?![\d.eE]))")
 #: What fits into a line beside words, and into a line of its own, in letters.
 BESIDE, LINE = 46, 66
-UNSEEN = re.compile(r"\\(?:left|right|d?frac|displaystyle|limits|mathrm|operatorname|(?:begin|end)\{\w+\})|[{}_^&\s]")
+UNSEEN = re.compile(
+    r"\\(?:left|right|d?frac|displaystyle|limits|mathrm|operatorname|(?:begin|end)\{\w+\})|[{}_^&\s]"
+)
 
 
 def show(*values):
-    """Words and results in a line, with commas between results; in a notebook their formulas are set.
+    """Words and results in a line, with commas between results; in a notebook their formulas are
+    set.
 
-    Formulas in words stand between dollars. Results are what they are: SymPy expressions, lists and dicts of them, and
-    what the functions of trajlib return.
+    Formulas in words stand between dollars. Results are what they are: SymPy expressions, lists and
+    dicts of them, and what the functions of trajlib return.
     """
     values = [MINUS_ZERO.sub("", value) if isinstance(value, str) else value for value in values]
-    words = _joined(values, [plain(value) if isinstance(value, str) else str(value) for value in values])
+    words = _joined(
+        values, [plain(value) if isinstance(value, str) else str(value) for value in values]
+    )
     _display(words, lambda: _joined(values, map(_markdown, values)))
 
 
@@ -50,14 +55,28 @@ def table(heads, rows):
     10  -12.25
     """
     heads = [str(head) for head in heads]
-    rows = [[MINUS_ZERO.sub("", cell) if isinstance(cell, str) else cell for cell in row] for row in rows]
+    rows = [
+        [MINUS_ZERO.sub("", cell) if isinstance(cell, str) else cell for cell in row]
+        for row in rows
+    ]
     if wrong := [row for row in rows if len(row) != len(heads)]:
-        raise ValueError(f"rows: expected {len(heads)} values in each, as there are heads, got {wrong[0]}")
-    typed = [[plain(cell) if isinstance(cell, str) else str(cell) for cell in row] for row in (heads, *rows)]
-    ends = [all(NUMBER.match(cell) for cell in column[1:]) for column in zip(*typed)]  # numbers end below each other
+        raise ValueError(
+            f"rows: expected {len(heads)} values in each, as there are heads, got {wrong[0]}"
+        )
+    typed = [
+        [plain(cell) if isinstance(cell, str) else str(cell) for cell in row]
+        for row in (heads, *rows)
+    ]
+    # numbers end below each other
+    ends = [all(NUMBER.match(cell) for cell in column[1:]) for column in zip(*typed)]
     widths = [max(map(len, column)) for column in zip(*typed)]
-    lines = ("  ".join(cell.rjust(width) if end else cell.ljust(width) for cell, width, end in zip(row, widths, ends))
-             for row in typed)
+    lines = (
+        "  ".join(
+            cell.rjust(width) if end else cell.ljust(width)
+            for cell, width, end in zip(row, widths, ends)
+        )
+        for row in typed
+    )
     words = "\n".join(line.rstrip() for line in lines)
     _display(words, lambda: _table([heads, *rows], ends))
 
@@ -69,7 +88,9 @@ def _table(rows, ends):
 
 def _cell(value):
     """What stands between the bars of a table, which a formula must not hold."""
-    return FORMULA.sub(lambda formula: formula[0].replace("|", r"\vert "), _markdown(value)).replace("\n", " ")
+    return FORMULA.sub(
+        lambda formula: formula[0].replace("|", r"\vert "), _markdown(value)
+    ).replace("\n", " ")
 
 
 def _display(words, markdown):
@@ -89,13 +110,15 @@ def in_notebook():
 
 
 def _joined(values, texts):
-    """With a space between, but before a sign that ends or divides, and a comma between two results: side by side they
-    would read as a product."""
+    """With a space between, but before a sign that ends or divides, and a comma between two
+    results: side by side they would read as a product."""
     joined, result = "", False
     for value, text in zip(values, texts):
         if not (isinstance(value, str) and value[:1] in (",", ".", ";", ":", ")")) and joined:
             # what stands on lines of its own needs no comma
-            joined += ", " if result and not isinstance(value, str) and not joined.endswith("\n") else " "
+            joined += (
+                ", " if result and not isinstance(value, str) and not joined.endswith("\n") else " "
+            )
         joined, result = joined + text, not isinstance(value, str)
     return joined
 
@@ -104,7 +127,9 @@ def _markdown(value):
     value = _read(value)
     if isinstance(value, str):
         parts = re.split(r"(\$[^$]+\$)", value)
-        return "".join(part if FORMULA.fullmatch(part) else typeset(part, _escaped) for part in parts)
+        return "".join(
+            part if FORMULA.fullmatch(part) else typeset(part, _escaped) for part in parts
+        )
     if isinstance(value, dict) and value:
         return ", ".join(f"{_markdown(key)}: {_markdown(item)}" for key, item in value.items())
     if _is_formula(value):
@@ -125,13 +150,17 @@ def _markdown(value):
 
 
 def _read(value):
-    """Without what no reader wants: the comma after the only entry of a tuple, and digits of decimals beyond eight.
-    Arrays and lists of rows are matrices."""
+    """Without what no reader wants: the comma after the only entry of a tuple, and digits of
+    decimals beyond eight. Arrays and lists of rows are matrices."""
     if type(value).__module__ == "numpy":
         value = value.tolist()
     if type(value) in (list, tuple):
         entries = [_read(entry) for entry in value]
-        if type(value) is list and all(type(row) is list for row in entries) and _is_matrix(entries):
+        if (
+            type(value) is list
+            and all(type(row) is list for row in entries)
+            and _is_matrix(entries)
+        ):
             import sympy as sp
 
             return sp.Matrix(entries)
@@ -142,12 +171,17 @@ def _read(value):
         import sympy as sp
 
         real, imaginary = (sp.sympify(f"{part:.8g}") for part in (value.real, value.imag))
-        return real + sp.I*imaginary
+        return real + sp.I * imaginary
     if hasattr(value, "xreplace"):
         import sympy as sp
 
-        return value.xreplace({number: sp.Float(f"{float(number):.8g}") for number in value.atoms(sp.Float)
-                               if len(str(number)) > 9})
+        return value.xreplace(
+            {
+                number: sp.Float(f"{float(number):.8g}")
+                for number in value.atoms(sp.Float)
+                if len(str(number)) > 9
+            }
+        )
     return value
 
 
@@ -155,8 +189,9 @@ def _is_matrix(rows):
     """Whether these are lists of numbers and expressions, all of a length."""
     import sympy as sp
 
-    return len(set(map(len, rows))) == 1 and all(isinstance(entry, (sp.Expr, int, float, complex))
-                                                 for row in rows for entry in row)
+    return len(set(map(len, rows))) == 1 and all(
+        isinstance(entry, (sp.Expr, int, float, complex)) for row in rows for entry in row
+    )
 
 
 def _is_formula(value):
@@ -164,14 +199,20 @@ def _is_formula(value):
 
     if isinstance(value, (list, tuple)):
         return len(value) > 0 and all(map(_is_formula, value))
-    return isinstance(value, (sp.Basic, sp.MatrixBase, int, float, complex)) and not isinstance(value, bool)
+    return isinstance(value, (sp.Basic, sp.MatrixBase, int, float, complex)) and not isinstance(
+        value, bool
+    )
 
 
 def _latex(value):
     """With the functions and letters as the book writes them."""
     import sympy as sp
 
-    return re.sub(r"\\(phi|epsilon)(?![a-z])", r"\\var\1", sp.latex(value, inv_trig_style="full", ln_notation=True))
+    return re.sub(
+        r"\\(phi|epsilon)(?![a-z])",
+        r"\\var\1",
+        sp.latex(value, inv_trig_style="full", ln_notation=True),
+    )
 
 
 def _set(latex, on_lines=None):
@@ -190,7 +231,9 @@ def _on_lines(value):
     """A sum, or an equation with one on its right, broken between its terms."""
     import sympy as sp
 
-    left, total = (f"{_latex(value.lhs)} ={{}}", value.rhs) if isinstance(value, sp.Eq) else ("", value)
+    left, total = (
+        (f"{_latex(value.lhs)} ={{}}", value.rhs) if isinstance(value, sp.Eq) else ("", value)
+    )
     if not isinstance(total, sp.Add):
         return _latex(value)
     lines = [""]
@@ -204,4 +247,8 @@ def _on_lines(value):
 
 
 def _escaped(text):
-    return MARKUP.sub(r"\\\g<0>", html.escape(text, quote=False)).replace("  ", "\u2003").replace("\n", "\\\n")
+    return (
+        MARKUP.sub(r"\\\g<0>", html.escape(text, quote=False))
+        .replace("  ", "\u2003")
+        .replace("\n", "\\\n")
+    )

@@ -1,4 +1,5 @@
-"""An assignment: which problems, how many points, until when, which attempt counts. One file, `assignment.toml`.
+"""An assignment: which problems, how many points, until when, which attempt counts. One file,
+`assignment.toml`.
 
     title = "Homework 1: stability"
     problems = ["1.4", "1.15"]
@@ -21,7 +22,8 @@ from pathlib import Path
 from workbook.grading.printable import person_or_homework
 from workbook.notebooks import exercises
 
-#: No homework has such a name: these stand in the folder of results, beside a folder for each homework.
+#: No homework has such a name: these stand in the folder of results, beside a folder for each
+#: homework.
 TAKEN = {"grades.sqlite", "grades.sqlite-wal", "grades.sqlite-shm", "grades.sqlite-journal"}
 FIELDS = {"title", "problems", "due", "attempt", "attempts", "points"}
 
@@ -31,7 +33,8 @@ class BadInput(ValueError):
 
 
 class AssignmentError(BadInput):
-    """The assignment file cannot be used; the message names the file, the field and what was expected."""
+    """The assignment file cannot be used; the message names the file, the field and what was
+    expected."""
 
 
 @dataclass(frozen=True)
@@ -52,7 +55,8 @@ class Assignment:
 
 
 def read(path):
-    """The assignment in the file `path`; its name is that of the folder. Raises `AssignmentError`."""
+    """The assignment in the file `path`; its name is that of the folder. Raises
+    `AssignmentError`."""
     path = Path(path)
     try:
         return from_text(path.read_text(encoding="utf-8"), path)
@@ -70,35 +74,64 @@ def files(folder):
 
 def can_be_name(name):
     """Whether a homework can be called so: it names a folder."""
-    return bool(re.fullmatch(r"\w([\w .-]*\w)?", name)) and len(name.encode()) <= 200 and name not in TAKEN
+    return (
+        bool(re.fullmatch(r"\w([\w .-]*\w)?", name))
+        and len(name.encode()) <= 200
+        and name not in TAKEN
+    )
 
 
 def from_text(text, path):
-    """The assignment that a text says when it stands in the file `path`. Raises `AssignmentError`."""
+    """The assignment that a text says when it stands in the file `path`. Raises
+    `AssignmentError`."""
     try:
         given = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         raise AssignmentError(f"{path} is not TOML in UTF-8: {error}") from None
     name = person_or_homework(path.resolve().parent.name)
     unknown = set(given) - FIELDS
-    _require(not unknown, path, f"unknown field {', '.join(sorted(unknown))}; there are {', '.join(sorted(FIELDS))}")
+    _require(
+        not unknown,
+        path,
+        f"unknown field {', '.join(sorted(unknown))}; there are {', '.join(sorted(FIELDS))}",
+    )
     title = given.get("title", name)
-    _require(isinstance(title, str) and len(title.strip().splitlines()) == 1, path,
-             "title is one line of text in quotes")
+    _require(
+        isinstance(title, str) and len(title.strip().splitlines()) == 1,
+        path,
+        "title is one line of text in quotes",
+    )
     problems = given.get("problems")
-    _require(isinstance(problems, list) and problems and all(isinstance(p, str) for p in problems), path,
-             'problems is a list of numbers in quotes, ["1.4", "1.15"]')
+    _require(
+        isinstance(problems, list) and problems and all(isinstance(p, str) for p in problems),
+        path,
+        'problems is a list of numbers in quotes, ["1.4", "1.15"]',
+    )
     _require(len(set(problems)) == len(problems), path, "problems names a problem twice")
     due = given.get("due")
-    _require(due is None or (isinstance(due, datetime.datetime) and due.tzinfo is not None), path,
-             "due is a date with time and zone, without quotes: 2026-10-01T23:59:00+03:00")
+    _require(
+        due is None or (isinstance(due, datetime.datetime) and due.tzinfo is not None),
+        path,
+        "due is a date with time and zone, without quotes: 2026-10-01T23:59:00+03:00",
+    )
     _require(due is None or can_be_due(due), path, "due is a date of our time, from 1971 to 9998")
     attempt = given.get("attempt", "best")
     _require(attempt in ("best", "last"), path, 'attempt is "best" or "last"')
     attempts = given.get("attempts")
-    _require(attempts is None or (type(attempts) is int and attempts > 0), path, "attempts is a whole number from 1 up")
-    return Assignment(name, title.strip(), tuple(problems), _points(path, problems, given.get("points", {})),
-                      due, attempt, attempts)
+    _require(
+        attempts is None or (type(attempts) is int and attempts > 0),
+        path,
+        "attempts is a whole number from 1 up",
+    )
+    return Assignment(
+        name,
+        title.strip(),
+        tuple(problems),
+        _points(path, problems, given.get("points", {})),
+        due,
+        attempt,
+        attempts,
+    )
 
 
 def of_problems(name, problems):
@@ -112,10 +145,13 @@ def can_be_due(date):
 
 
 def answers_of(problem):
-    """The names of a problem's answers, in order. Raises `workbook.notebooks.exercises.UnknownExercise`."""
+    """The names of a problem's answers, in order. Raises
+    `workbook.notebooks.exercises.UnknownExercise`."""
     exercise = exercises.find(problem)
     if exercise.number != problem:
-        raise exercises.UnknownExercise(f"there is no problem {problem}; it is written {exercise.number}")
+        raise exercises.UnknownExercise(
+            f"there is no problem {problem}; it is written {exercise.number}"
+        )
     return list(exercise.about["answers"])
 
 
@@ -131,20 +167,34 @@ def _points(path, problems, given):
     named = {}
     for key, value in given.items():
         # TOML takes an unquoted 1.15 = 10 for a table "1" with a key "15".
-        _require(not isinstance(value, dict), path, 'in points a problem stands in quotes: "1.15" = 10, not 1.15 = 10')
-        _require(type(value) in (int, float) and 0 <= value < 1e6, path, f'points."{key}" is a number from 0 up')
+        _require(
+            not isinstance(value, dict),
+            path,
+            'in points a problem stands in quotes: "1.15" = 10, not 1.15 = 10',
+        )
+        _require(
+            type(value) in (int, float) and 0 <= value < 1e6,
+            path,
+            f'points."{key}" is a number from 0 up',
+        )
         problem, _, answer = key.rpartition(".")
         if key not in points:
-            _require(answer in points.get(problem, ()), path,
-                     f'points."{key}" names neither a problem of the assignment nor one of its answers')
+            _require(
+                answer in points.get(problem, ()),
+                path,
+                f'points."{key}" names neither a problem of the assignment nor one of its answers',
+            )
             named.setdefault(problem, {})[answer] = float(value)
     for problem, answers in points.items():
         mine = named.get(problem, {})
         if problem in given:
             left, others = given[problem] - sum(mine.values()), len(answers) - len(mine)
-            _require(left >= -1e-9 and (others or left <= 1e-9), path,
-                     f'points."{problem}" is {given[problem]:g}, but its answers named below have '
-                     f'{sum(mine.values()):g}')
+            _require(
+                left >= -1e-9 and (others or left <= 1e-9),
+                path,
+                f'points."{problem}" is {given[problem]:g}, but its answers named below have '
+                f"{sum(mine.values()):g}",
+            )
             answers.update(dict.fromkeys(answers, max(left, 0.0) / max(others, 1)))
         answers.update(mine)
     return points

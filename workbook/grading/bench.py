@@ -1,4 +1,5 @@
-"""A bench grades one notebook after the other: its cells for a problem in, verdicts and remarks out, all plain data."""
+"""A bench grades one notebook after the other: its cells for a problem in, verdicts and remarks
+out, all plain data."""
 
 import os
 from dataclasses import asdict, replace
@@ -13,7 +14,9 @@ from workbook.notebooks import exercises
 def unreadable(exercise, trouble):
     """The `Judgement` on a notebook that could not be read."""
     verdict = Verdict(MISSING, f"no answer: {trouble}")
-    return Judgement(dict.fromkeys(exercise.about["answers"], verdict), {}, (f"notebook: {trouble}",))
+    return Judgement(
+        dict.fromkeys(exercise.about["answers"], verdict), {}, (f"notebook: {trouble}",)
+    )
 
 
 class Bench:
@@ -22,8 +25,17 @@ class Bench:
     Notebooks find `modules` imported, and what `nursery` has imported if one is given.
     """
 
-    def __init__(self, limits=Limits(), bounds=Bounds(), trusting=False, nursery=None, modules=(*ALWAYS, *LIBRARIES)):
-        self._sandbox = (Trusting if trusting else Sandbox)(limits, nursery=nursery, modules=modules)
+    def __init__(
+        self,
+        limits=Limits(),
+        bounds=Bounds(),
+        trusting=False,
+        nursery=None,
+        modules=(*ALWAYS, *LIBRARIES),
+    ):
+        self._sandbox = (Trusting if trusting else Sandbox)(
+            limits, nursery=nursery, modules=modules
+        )
         self._judge = Judge(bounds)
         self._ready = nursery is not None  # this process was forked with all that judging needs
 
@@ -39,29 +51,33 @@ class Bench:
         return self
 
     def __exit__(self, *error):
-        self._judge.end()  # it holds what it was forked with, by which the sandbox's process would wait for more
+        # it holds what it was forked with, by which the sandbox's process would wait for more
+        self._judge.end()
         self._sandbox.__exit__(*error)
 
     def grade(self, unit):
         """The judgement on a unit {"problem": .., "sources": [..]}, as plain data."""
         exercise = exercises.find(unit["problem"])
-        self._sandbox.hand_in(unit["sources"], exercise.about["answers"], before=_lacking(exercise, unit["sources"]))
+        self._sandbox.hand_in(
+            unit["sources"], exercise.about["answers"], before=_lacking(exercise, unit["sources"])
+        )
         self._judge.get_ready(exercise)  # while the notebook runs
         return as_plain(self._judge.of(exercise, self._sandbox.outcome()))
 
 
 def _lacking(exercise, sources):
-    """The data cells, unless the notebook begins with them: it may have lost, changed or moved its own.
+    """The data cells, unless the notebook begins with them: it may have lost, changed or moved its
+    own.
 
     Cells that say how to get the library may stand before them, as they were handed out.
     """
     pristine, data = [], [source.strip() for _, source in exercise.code("data")]
     for _, source in exercise.cells:
         pristine.append(source.strip())
-        if pristine[-len(data):] == data:
+        if pristine[-len(data) :] == data:
             break
-    given = [source.strip() for source in sources[:len(pristine)]]
-    return [] if given == pristine or given[:len(data)] == data else data
+    given = [source.strip() for source in sources[: len(pristine)]]
+    return [] if given == pristine or given[: len(data)] == data else data
 
 
 def as_plain(judgement):
@@ -71,13 +87,18 @@ def as_plain(judgement):
 
 def from_plain(given):
     verdicts = {name: Verdict(**verdict) for name, verdict in given["verdicts"].items()}
-    return Judgement(verdicts, given["answers"], tuple(given["remarks"]), given["final"], given.get("hashes", {}))
+    return Judgement(
+        verdicts, given["answers"], tuple(given["remarks"]), given["final"], given.get("hashes", {})
+    )
 
 
 def fitting(limits, count):
-    """The same limits with no more memory than lets `count` lanes together leave half of this machine's free."""
+    """The same limits with no more memory than lets `count` lanes together leave half of this
+    machine's free."""
     megabytes = os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE") // 2**20
-    return replace(limits, memory_megabytes=min(limits.memory_megabytes, max(256, megabytes // 2 // count)))
+    return replace(
+        limits, memory_megabytes=min(limits.memory_megabytes, max(256, megabytes // 2 // count))
+    )
 
 
 def settings(limits, bounds, trusting=False):

@@ -1,8 +1,9 @@
-"""Grading on the machines of a Dask cluster: whole notebooks go out, verdicts come back, both as bytes of JSON.
+"""Grading on the machines of a Dask cluster: whole notebooks go out, verdicts come back, both as
+bytes of JSON.
 
-Dask brings them to its workers and says which workers there are; who grades what is decided here. So only few notebooks
-are on their way at a time, a worker is asked whether it is fit before it gets one, and one that ends costs nothing:
-its notebooks go to another.
+Dask brings them to its workers and says which workers there are; who grades what is decided here.
+So only few notebooks are on their way at a time, a worker is asked whether it is fit before it gets
+one, and one that ends costs nothing: its notebooks go to another.
 """
 
 import json
@@ -30,7 +31,8 @@ from workbook.grading.judging import failed
 MOST_TRIES = 3
 #: Notebooks on their way to a worker beyond those it is grading, so that it need not wait for us.
 AHEAD = 1
-#: Seconds: to reach the scheduler; for workers to come, or to say that they are fit; between looks at who is there.
+#: Seconds: to reach the scheduler; for workers to come, or to say that they are fit; between looks
+#: at who is there.
 TO_CONNECT, TO_COME, TO_GET_READY, BETWEEN_LOOKS = 10, 30, 120, 1
 GOES_ON = "what is graded is stored, and the same command goes on from there"
 
@@ -43,7 +45,8 @@ class ClusterError(BadInput):
 class Cluster:
     """A scheduler's address, "tls://host:8786", and the files by which both sides know each other.
 
-    Files that are not named are those of Dask's own configuration. `tell` is called with a line for the lecturer.
+    Files that are not named are those of Dask's own configuration. `tell` is called with a line for
+    the lecturer.
     """
 
     address: str
@@ -54,7 +57,8 @@ class Cluster:
 
 
 def grade_all(units, settings, cluster):
-    """Grade units as `lanes.grade_all` does; a result says also which "limits" it had on its worker.
+    """Grade units as `lanes.grade_all` does; a result says also which "limits" it had on its
+    worker.
 
     Raises `ClusterError`, and `NoIsolation` if a worker has no sandbox, before anything is graded.
     """
@@ -62,40 +66,56 @@ def grade_all(units, settings, cluster):
     library = cluster_lanes.library(sorted({unit["problem"] for unit in units}))
     try:
         with _connected(cluster) as client:
-            run = _Run(client, units, settings | {"run": uuid.uuid4().hex, "library": library}, cluster)
+            run = _Run(
+                client, units, settings | {"run": uuid.uuid4().hex, "library": library}, cluster
+            )
             try:
                 yield from run.results()
             finally:
                 run.end()
     except OSError as error:
-        raise ClusterError(f"the cluster at {cluster.address} cannot be reached any more ({error})") from None
+        raise ClusterError(
+            f"the cluster at {cluster.address} cannot be reached any more ({error})"
+        ) from None
 
 
 def check(cluster):
-    """Raise `ClusterError` for what can be seen without a connection: no Dask, no address, no certificates."""
+    """Raise `ClusterError` for what can be seen without a connection: no Dask, no address, no
+    certificates."""
     _security(cluster)
 
 
 @contextmanager
 def _connected(cluster):
-    """A Dask client. What Dask itself would say of its connections is left unsaid: it fills pages."""
+    """A Dask client. What Dask itself would say of its connections is left unsaid: it fills
+    pages."""
     security, distributed = _security(cluster), _dask()
     for name in ("distributed", "distributed.client", "tornado", "asyncio"):
         logging.getLogger(name).setLevel(logging.CRITICAL)
     try:
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # what differs between the machines, `cluster_lanes` says
+            # what differs between the machines, `cluster_lanes` says
+            warnings.simplefilter("ignore")
             # Dask's own limit is not one on what answers nothing at all.
-            client = _within(3 * TO_CONNECT,
-                             lambda: distributed.Client(cluster.address, security=security, timeout=TO_CONNECT,
-                                                        set_as_default=False))
+            client = _within(
+                3 * TO_CONNECT,
+                lambda: distributed.Client(
+                    cluster.address, security=security, timeout=TO_CONNECT, set_as_default=False
+                ),
+            )
     except (OSError, RuntimeError, TypeError, ValueError) as error:
         cause = _cause(error)
         # of Dask's last try, cut short: the one before it failed for a reason
         if cause in ("CancelledError", "TimeoutError"):
             cause = _refusal_of(cluster.address)
-        hint = "; is its certificate signed by the same CA, and does it use TLS?" if "ssl" in cause.lower() else ""
-        raise ClusterError(f"no scheduler can be reached at {cluster.address}: {cause}{hint}") from None
+        hint = (
+            "; is its certificate signed by the same CA, and does it use TLS?"
+            if "ssl" in cause.lower()
+            else ""
+        )
+        raise ClusterError(
+            f"no scheduler can be reached at {cluster.address}: {cause}{hint}"
+        ) from None
     try:
         yield client
     finally:
@@ -107,8 +127,9 @@ def _dask():
     try:
         import distributed  # for nothing else is it needed, and it takes its time
     except ImportError:
-        raise ClusterError("grading on a cluster needs Dask, which is not installed here: "
-                           "pip install distributed") from None
+        raise ClusterError(
+            "grading on a cluster needs Dask, which is not installed here: pip install distributed"
+        ) from None
     return distributed
 
 
@@ -117,21 +138,34 @@ def _security(cluster):
     distributed = _dask()
     try:
         parts = urlsplit(cluster.address)
-        good = parts.scheme in ("tls", "tcp") and parts.hostname and parts.port and not (parts.path or parts.query)
+        good = (
+            parts.scheme in ("tls", "tcp")
+            and parts.hostname
+            and parts.port
+            and not (parts.path or parts.query)
+        )
     except ValueError:
         good = False
     if not good:
-        raise ClusterError(f"{cluster.address} is not the address of a scheduler, which looks like tls://host:8786")
+        raise ClusterError(
+            f"{cluster.address} is not the address of a scheduler, which looks like tls://host:8786"
+        )
     if parts.scheme == "tcp":
         return None
-    options = {"tls_ca_file": ("--tls-ca-file", cluster.ca_file), "tls_client_cert": ("--tls-cert", cluster.cert),
-               "tls_client_key": ("--tls-key", cluster.key)}
+    options = {
+        "tls_ca_file": ("--tls-ca-file", cluster.ca_file),
+        "tls_client_cert": ("--tls-cert", cluster.cert),
+        "tls_client_key": ("--tls-key", cluster.key),
+    }
     named = {name: str(path) for name, (_, path) in options.items() if path is not None}
     security = distributed.Security(require_encryption=True, **named)
     for name, (option, _) in options.items():
         path = getattr(security, name)
         if path is None:
-            raise ClusterError(f"{cluster.address} needs certificates; {option} names a file of them, as --help tells")
+            raise ClusterError(
+                f"{cluster.address} needs certificates; {option} names a file of them, as --help "
+                "tells"
+            )
         if not os.access(path, os.R_OK):
             raise ClusterError(f"{option} {path}: there is no such file that could be read")
     try:
@@ -149,8 +183,8 @@ def _cause(error):
 
 
 def _within(seconds, function):
-    """The value of `function()`, in a thread that is left behind if it does not end in time: then raises
-    `TimeoutError`."""
+    """The value of `function()`, in a thread that is left behind if it does not end in time: then
+    raises `TimeoutError`."""
     ended = queue.SimpleQueue()
 
     def work():
@@ -197,7 +231,8 @@ class _Run:
         self._client, self._given, self._cluster = client, given, cluster
         self._waiting, self._tries, self._been = deque(units), Counter(), {}
         self._flights, self._landed, self._given_up = {}, queue.SimpleQueue(), deque()
-        self._threads, self._on_host = {}, {}  # of each worker there is; the most lanes seen on each machine
+        # of each worker there is; the most lanes seen on each machine
+        self._threads, self._on_host = {}, {}
         self._asked, self._fit, self._refused = set(), set(), {}
         self._next_look = self._last_fit = time.monotonic()
 
@@ -224,7 +259,8 @@ class _Run:
     # Workers
 
     def _gather_workers(self):
-        """Ask everyone who is there, and refuse a cluster of which one is not fit: better now than after an hour."""
+        """Ask everyone who is there, and refuse a cluster of which one is not fit: better now than
+        after an hour."""
         give_up = time.monotonic() + TO_COME
         self._look(now=True)
         while not self._threads:
@@ -239,11 +275,15 @@ class _Run:
             for address, answer in self._refused.items():
                 raise _error(address, answer)
             if not self._fit and time.monotonic() > give_up:
-                raise ClusterError(f"no worker of {self._cluster.address} was ready to grade within {TO_GET_READY} s")
+                raise ClusterError(
+                    f"no worker of {self._cluster.address} was ready to grade within "
+                    f"{TO_GET_READY} s"
+                )
             self._look()
 
     def _look(self, now=False):
-        """Who is there? New ones are asked whether they are fit; what those had who are gone goes to others."""
+        """Who is there? New ones are asked whether they are fit; what those had who are gone goes
+        to others."""
         if not now and time.monotonic() < self._next_look:
             return
         self._next_look = time.monotonic() + BETWEEN_LOOKS
@@ -253,7 +293,9 @@ class _Run:
         for host in {_host(address) for address in self._threads}:
             lanes = sum(count for address, count in self._threads.items() if _host(address) == host)
             self._on_host[host] = max(lanes, self._on_host.get(host, 0))
-        for key in [key for key, flight in self._flights.items() if flight.address not in self._threads]:
+        for key in [
+            key for key, flight in self._flights.items() if flight.address not in self._threads
+        ]:
             flight = self._flights.pop(key)
             flight.future.cancel()
             self._asked.discard(flight.address)
@@ -284,9 +326,14 @@ class _Run:
                     self._send("grade", address, unit)
 
     def _take(self, address):
-        """The first unit that a worker may have: one at which a worker ended goes to another, if there is another."""
+        """The first unit that a worker may have: one at which a worker ended goes to another, if
+        there is another."""
         for k, unit in enumerate(self._waiting):
-            if not (been := self._been.get(unit["key"], set())) or address not in been or self._fit <= been:
+            if (
+                not (been := self._been.get(unit["key"], set()))
+                or address not in been
+                or self._fit <= been
+            ):
                 del self._waiting[k]
                 return unit
         return None
@@ -294,17 +341,29 @@ class _Run:
     def _send(self, name, address, unit=None):
         settings = json.dumps(self._given | {"lanes": self._on_host[_host(address)]}).encode()
         # Neither names nor anything else of the student's: the code of the notebook alone.
-        sent = () if unit is None else (json.dumps({part: unit[part] for part in ("problem", "sources")}).encode(),)
-        future = self._client.submit(getattr(cluster_lanes, name), settings, *sent, workers=[address],
-                                     allow_other_workers=False,
-                                     pure=False)
+        sent = (
+            ()
+            if unit is None
+            else (json.dumps({part: unit[part] for part in ("problem", "sources")}).encode(),)
+        )
+        future = self._client.submit(
+            getattr(cluster_lanes, name),
+            settings,
+            *sent,
+            workers=[address],
+            allow_other_workers=False,
+            pure=False,
+        )
         self._flights[future.key] = _Flight(future, address, unit)
         future.add_done_callback(lambda done: self._landed.put(done.key))
 
     def _landings(self):
-        """(key, result) of a call that has come back, if it is of a unit; waits for one, but not past the next look."""
+        """(key, result) of a call that has come back, if it is of a unit; waits for one, but not
+        past the next look."""
         try:
-            flight = self._flights.get(key := self._landed.get(timeout=max(0.01, self._next_look - time.monotonic())))
+            flight = self._flights.get(
+                key := self._landed.get(timeout=max(0.01, self._next_look - time.monotonic()))
+            )
         except queue.Empty:
             return
         if flight is None:

@@ -1,10 +1,10 @@
-"""What runs inside a worker of a Dask cluster: a lane (`lanes`) for each of its threads, kept from one notebook to the
-next.
+"""What runs inside a worker of a Dask cluster: a lane (`lanes`) for each of its threads, kept from
+one notebook to the next.
 
-A Dask worker has threads and is often a daemon of `multiprocessing`; judging forks, which such a process should not or
-must not do. So below the worker there is a fresh process (`nursery`) from which the lane is forked that builds the
-sandbox and judges. The kernel ends it when the thread that started it ends (`end_with_parent`), which is right here,
-since no other thread ever uses it.
+A Dask worker has threads and is often a daemon of `multiprocessing`; judging forks, which such a
+process should not or must not do. So below the worker there is a fresh process (`nursery`) from
+which the lane is forked that builds the sandbox and judges. The kernel ends it when the thread that
+started it ends (`end_with_parent`), which is right here, since no other thread ever uses it.
 
 The grader calls `ready`, `grade` and `end` by their names; what goes in and out is bytes of JSON.
 """
@@ -41,8 +41,8 @@ class Unfit(RuntimeError):
 
 
 def ready(settings):
-    """Start this thread's lane. Bytes of {"refused": why, "sandbox": whether for lack of one}, empty if nothing is
-    wrong."""
+    """Start this thread's lane. Bytes of {"refused": why, "sandbox": whether for lack of one},
+    empty if nothing is wrong."""
     try:
         _lane(settings)
     except (Unfit, NoIsolation) as error:
@@ -51,8 +51,8 @@ def ready(settings):
 
 
 def grade(settings, unit):
-    """Grade a unit. Bytes of {"result": .., "limits": those it had here}, of a refusal, or of {} if a process ended in
-    the midst."""
+    """Grade a unit. Bytes of {"result": .., "limits": those it had here}, of a refusal, or of {} if
+    a process ended in the midst."""
     try:
         lane = _lane(settings)
     except (Unfit, NoIsolation) as error:
@@ -60,7 +60,9 @@ def grade(settings, unit):
     result = lane.graded(json.loads(unit))
     if result is None:
         lane.stop()
-    return json.dumps({"result": result, "limits": lane.settings["limits"]} if result else {}).encode()
+    return json.dumps(
+        {"result": result, "limits": lane.settings["limits"]} if result else {}
+    ).encode()
 
 
 async def end(run):
@@ -69,7 +71,8 @@ async def end(run):
 
 
 def library(problems):
-    """All that a grade rests on besides the notebook, part by part, so that it can be said which one differs."""
+    """All that a grade rests on besides the notebook, part by part, so that it can be said which
+    one differs."""
     parts = {"Python": ".".join(platform.python_version_tuple()[:2])}
     for name in PACKAGES:
         try:
@@ -104,12 +107,14 @@ def _workbook():
     return hashlib.sha256(json.dumps(closure, sort_keys=True).encode()).hexdigest()
 
 
-#: Of the files that this very process has loaded: a worker may outlive the library that it was started with.
+#: Of the files that this very process has loaded: a worker may outlive the library that it was
+#: started with.
 LOADED = _workbook()
 
 
 def _lane(settings):
-    """This thread's lane for a run, started if there is none or it has ended. Raises `Unfit` and `NoIsolation`."""
+    """This thread's lane for a run, started if there is none or it has ended. Raises `Unfit` and
+    `NoIsolation`."""
     mine = _mine.__dict__.setdefault("lanes", {})
     for run in [run for run, lane in mine.items() if not lane.alive()]:
         mine.pop(run).stop()
@@ -128,16 +133,21 @@ class _Kept:
         if not given["trusting"]:
             _look_around()
         limits, bounds, trusting = bench.from_settings(given)
-        self.settings = bench.settings(bench.fitting(limits, given["lanes"]), bench.fitting(bounds, given["lanes"]),
-                                       trusting)
+        self.settings = bench.settings(
+            bench.fitting(limits, given["lanes"]), bench.fitting(bounds, given["lanes"]), trusting
+        )
         self.run, self._using = given["run"], threading.Lock()
         with _guard:
             if self.run in _ended:
                 raise Unfit("the run has ended")
             self._nursery, mine = Nursery.start([]), []
             try:
-                lanes.begin(mine, 1, self.settings | {"patience": PATIENCE, "modules": lanes.modules(given)},
-                            self._nursery)
+                lanes.begin(
+                    mine,
+                    1,
+                    self.settings | {"patience": PATIENCE, "modules": lanes.modules(given)},
+                    self._nursery,
+                )
             except NoIsolation:
                 self._nursery.close()
                 raise
@@ -162,7 +172,8 @@ class _Kept:
             return self._lane.result()
 
     def stop(self):
-        # Whoever waits for a result is woken first, since a pipe must not be closed under a thread that reads from it.
+        # Whoever waits for a result is woken first, since a pipe must not be closed under a thread
+        # that reads from it.
         self._lane.end()
         if not self._using.acquire(timeout=5):
             self._lane.end(at_once=True)
@@ -190,31 +201,51 @@ def _refusal(error):
 def _compare(expected):
     """Raise `Unfit` unless the library here, as a fresh process finds it, is that of the grader."""
     if LOADED != expected["workbook"]:
-        raise Unfit("its workbook is another one than here: install the same one there, and start the worker again")
-    here = _library_now([name.removeprefix("problem ") for name in expected if name.startswith("problem ")])
+        raise Unfit(
+            "its workbook is another one than here: install the same one there, and start the "
+            "worker again"
+        )
+    here = _library_now(
+        [name.removeprefix("problem ") for name in expected if name.startswith("problem ")]
+    )
     for part, wanted in expected.items():
         if here[part] == wanted:
             continue
         if part in ("Python", *PACKAGES):
-            raise Unfit(f"it has {part} {here[part] or '(none)'}, and this machine {wanted or '(none)'}")
-        raise Unfit(f"its {part} is another one than here: install the same workbook there, and start the worker again")
+            raise Unfit(
+                f"it has {part} {here[part] or '(none)'}, and this machine {wanted or '(none)'}"
+            )
+        raise Unfit(
+            f"its {part} is another one than here: install the same workbook there, and start the "
+            "worker again"
+        )
 
 
 def _library_now(problems):
-    told = subprocess.run([sys.executable, "-c", TELL], input=json.dumps(problems), capture_output=True, text=True,
-                          timeout=120)
+    told = subprocess.run(
+        [sys.executable, "-c", TELL],
+        input=json.dumps(problems),
+        capture_output=True,
+        text=True,
+        timeout=120,
+    )
     if told.returncode != 0:
-        raise Unfit(f"it cannot load workbook: "
-                    f"{(told.stderr.strip().splitlines() or ['it ended without a word'])[-1][:200]}")
+        raise Unfit(
+            f"it cannot load workbook: "
+            f"{(told.stderr.strip().splitlines() or ['it ended without a word'])[-1][:200]}"
+        )
     return json.loads(told.stdout)
 
 
 def _look_around():
-    """Raise `Unfit` if notebooks could read what Dask keeps in files: its key, and data that it put aside."""
+    """Raise `Unfit` if notebooks could read what Dask keeps in files: its key, and data that it put
+    aside."""
     from distributed import get_worker
 
     worker = get_worker()
     kept = [worker.local_directory, worker.security.tls_worker_key, worker.security.tls_worker_cert]
     for path in kept:
         if path and os.path.exists(path) and (shown := shown_through(path)) is not None:
-            raise Unfit(f"it keeps {path} in {shown}, which every notebook can read: move it elsewhere")
+            raise Unfit(
+                f"it keeps {path} in {shown}, which every notebook can read: move it elsewhere"
+            )

@@ -1,8 +1,10 @@
-"""Put a download from Moodle or Canvas into folders STUDENT/HOMEWORK, as `workbook grade` reads them.
+"""Put a download from Moodle or Canvas into folders STUDENT/HOMEWORK, as `workbook grade` reads
+them.
 
-Moodle names a folder for each student, or without folders begins each file, `Ann Able_12345_assignsubmission_file`.
-Canvas begins each file with `ableann_12345_67890_`, or `ableann_LATE_12345_67890_`, where 12345 is the student. Every
-file is copied, not only notebooks, since it is somebody's work; what is there already is never written over.
+Moodle names a folder for each student, or without folders begins each file, `Ann
+Able_12345_assignsubmission_file`. Canvas begins each file with `ableann_12345_67890_`, or
+`ableann_LATE_12345_67890_`, where 12345 is the student. Every file is copied, not only notebooks,
+since it is somebody's work; what is there already is never written over.
 """
 
 import csv
@@ -21,7 +23,9 @@ from workbook.grading.submitted_file import LARGEST
 
 #: Bytes; a file beside another of its name gets a number too.
 MOST_NAME = 240
-MOODLE = re.compile(r"(?P<name>[^/]+)_(?P<number>\d+)_assignsubmission_file(?:_(?P<file>[^/]*))?", re.DOTALL)
+MOODLE = re.compile(
+    r"(?P<name>[^/]+)_(?P<number>\d+)_assignsubmission_file(?:_(?P<file>[^/]*))?", re.DOTALL
+)
 #: Of an entry in an archive.
 NAMES_ARE_UTF_8 = 0x800
 #: What a student typed into Moodle's editor, which it hands out as a page of its own.
@@ -30,22 +34,27 @@ CANVAS = re.compile(r"[^_/]+_(?:LATE_)?(?P<number>\d+)_\d+_(?P<file>[^/]+)", re.
 
 
 def collect(download, homework, into, worksheet=None):
-    """Copy the files of `download`, a folder or .zip, to `into`/STUDENT/`homework`; returns ({student: files}, [(path,
-    why not)]).
+    """Copy the files of `download`, a folder or .zip, to `into`/STUDENT/`homework`; returns
+    ({student: files}, [(path, why not)]).
 
-    A student of Canvas is named by the number that Canvas's gradebook has as "ID"; one of Moodle `Ann Able_12345`, or,
-    with the grading `worksheet` of the same assignment (a file), by the address that stands there. Raises `BadInput`.
+    A student of Canvas is named by the number that Canvas's gradebook has as "ID"; one of Moodle
+    `Ann Able_12345`, or, with the grading `worksheet` of the same assignment (a file), by the
+    address that stands there. Raises `BadInput`.
     """
     if not assignments.can_be_name(homework):
-        raise BadInput(f"{homework!r} cannot be the name of a homework: take letters, digits, - and _")
+        raise BadInput(
+            f"{homework!r} cannot be the name of a homework: take letters, digits, - and _"
+        )
     addresses = _addresses(worksheet) if worksheet is not None else {}
     collected, aside = {}, []
     for path, size, when, read in _files(Path(download)):
         found = _whose(path, addresses)
         if found is None:
-            why = ("this is text typed in at Moodle, not a file: nobody grades it but you"
-                   if any(TYPED.fullmatch(part) for part in path.split("/"))
-                   else "its name is not one that Moodle or Canvas gives")
+            why = (
+                "this is text typed in at Moodle, not a file: nobody grades it but you"
+                if any(TYPED.fullmatch(part) for part in path.split("/"))
+                else "its name is not one that Moodle or Canvas gives"
+            )
             aside.append((printable_name(path), why))
         elif len(os.fsencode(found[1])) > MOST_NAME or len(os.fsencode(found[0])) > MOST_NAME:
             aside.append((printable_name(path), "its name is too long"))
@@ -57,7 +66,9 @@ def collect(download, homework, into, worksheet=None):
             _put(Path(into) / student / homework, name, read(), when)
             collected.setdefault(student, []).append(name)
     if not collected:
-        raise BadInput(f"{download} holds no file that is named as Moodle or Canvas names submissions")
+        raise BadInput(
+            f"{download} holds no file that is named as Moodle or Canvas names submissions"
+        )
     return collected, aside
 
 
@@ -66,7 +77,7 @@ def _whose(path, addresses):
     *folders, last = path.split("/")
     if last.startswith("."):  # also what would lead out of the folder
         return None
-    for k, folder in enumerate(folders):
+    for _k, folder in enumerate(folders):
         if match := MOODLE.fullmatch(folder):
             return _of_moodle(match, addresses), last
     if match := MOODLE.fullmatch(last):
@@ -83,23 +94,40 @@ def _of_moodle(match, addresses):
 def _addresses(worksheet):
     """{number of the participant: address} from Moodle's grading worksheet."""
     try:
-        rows = list(csv.DictReader(io.StringIO(Path(worksheet).read_bytes().decode("utf-8-sig"), newline="")))
+        rows = list(
+            csv.DictReader(
+                io.StringIO(Path(worksheet).read_bytes().decode("utf-8-sig"), newline="")
+            )
+        )
         found = {row["Identifier"].rpartition(" ")[2]: row["Email address"].strip() for row in rows}
     except OSError as error:
         raise BadInput(f"{worksheet}: {error.strerror}") from None
     except (UnicodeDecodeError, csv.Error, KeyError, AttributeError):
-        raise BadInput(f"{worksheet} is not a grading worksheet of Moodle: CSV in UTF-8 with the columns Identifier and"
-                       " Email address") from None
-    return {number: address for number, address in found.items() if re.fullmatch(r"[^/\s]+@[^/\s]+", address)}
+        raise BadInput(
+            f"{worksheet} is not a grading worksheet of Moodle: CSV in UTF-8 with the columns "
+            "Identifier and"
+            " Email address"
+        ) from None
+    return {
+        number: address
+        for number, address in found.items()
+        if re.fullmatch(r"[^/\s]+@[^/\s]+", address)
+    }
 
 
 def _files(download):
-    """(path with slashes, bytes, time, function that reads it) of every regular file in a folder or archive."""
+    """(path with slashes, bytes, time, function that reads it) of every regular file in a folder or
+    archive."""
     if download.is_dir():
         for path in sorted(download.rglob("*")):
             about = path.lstat()
             if stat.S_ISREG(about.st_mode):
-                yield path.relative_to(download).as_posix(), about.st_size, about.st_mtime, path.read_bytes
+                yield (
+                    path.relative_to(download).as_posix(),
+                    about.st_size,
+                    about.st_mtime,
+                    path.read_bytes,
+                )
         return
     try:
         with zipfile.ZipFile(download) as archive:
@@ -110,20 +138,34 @@ def _files(download):
                     yield name, entry.file_size, when, lambda entry=entry: archive.read(entry)
     except OSError as error:
         raise BadInput(f"{download}: {error.strerror or error}") from None
-    except (zipfile.BadZipFile, RuntimeError, NotImplementedError, ValueError, OverflowError) as error:
-        raise BadInput(f"{download} is neither a folder nor a .zip that can be read: {error}") from None
+    except (
+        zipfile.BadZipFile,
+        RuntimeError,
+        NotImplementedError,
+        ValueError,
+        OverflowError,
+    ) as error:
+        raise BadInput(
+            f"{download} is neither a folder nor a .zip that can be read: {error}"
+        ) from None
 
 
 def _name(entry):
-    """An entry's name: a Mac and Linux write it in UTF-8 without saying so, and `zipfile` takes it for that of DOS."""
+    """An entry's name: a Mac and Linux write it in UTF-8 without saying so, and `zipfile` takes it
+    for that of DOS."""
     try:
-        return entry.filename if entry.flag_bits & NAMES_ARE_UTF_8 else entry.filename.encode("cp437").decode()
+        return (
+            entry.filename
+            if entry.flag_bits & NAMES_ARE_UTF_8
+            else entry.filename.encode("cp437").decode()
+        )
     except UnicodeError:
         return entry.filename
 
 
 def _put(folder, name, content, when):
-    """Write a file unless the same one is there; beside another one of its name it gets a number."""
+    """Write a file unless the same one is there; beside another one of its name it gets a
+    number."""
     stem, suffix = os.path.splitext(name)
     place, number = folder / name, 1
     try:

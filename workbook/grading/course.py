@@ -1,4 +1,5 @@
-"""Grade everything submitted for a course: find, run what has no result yet, store each result at once."""
+"""Grade everything submitted for a course: find, run what has no result yet, store each result at
+once."""
 
 import fcntl
 import os
@@ -23,33 +24,48 @@ class CourseError(assignments.BadInput):
 
 @dataclass(frozen=True)
 class Plan:
-    """What a run is to do: notebooks still to be graded, how many have a result already, and each `Aside`."""
+    """What a run is to do: notebooks still to be graded, how many have a result already, and each
+    `Aside`."""
 
     pending: tuple
     known: int
     aside: tuple
 
 
-def grade(submitted, out, assignment_folder=None, count=None, limits=Limits(), bounds=Bounds(), trusting=False,
-          cluster=None, progress=lambda done, all: None):
-    """Grade `submitted` into `out`/grades.sqlite; returns the assignments by name, the `Plan`, and how many the grader
-    failed on.
+def grade(
+    submitted,
+    out,
+    assignment_folder=None,
+    count=None,
+    limits=Limits(),
+    bounds=Bounds(),
+    trusting=False,
+    cluster=None,
+    progress=lambda done, all: None,
+):
+    """Grade `submitted` into `out`/grades.sqlite; returns the assignments by name, the `Plan`, and
+    how many the grader failed on.
 
-    What has a result by the very same exercise and library is not graded again, so a killed run goes on where it
-    stopped, and a changed exercise regrades only what it changed; so do other limits what met the former ones. Each
-    result is stored as soon as it is there. With `trusting` there is no sandbox; with a
-    `workbook.grading.cluster.Cluster` its workers grade, not this machine.
+    What has a result by the very same exercise and library is not graded again, so a killed run
+    goes on where it stopped, and a changed exercise regrades only what it changed; so do other
+    limits what met the former ones. Each result is stored as soon as it is there. With `trusting`
+    there is no sandbox; with a `workbook.grading.cluster.Cluster` its workers grade, not this
+    machine.
     """
     out = Path(out)
     if out.resolve().is_relative_to(Path(submitted).resolve()):
-        raise CourseError(f"{out} lies in {submitted}, where every folder is a student's: put it beside")
+        raise CourseError(
+            f"{out} lies in {submitted}, where every folder is a student's: put it beside"
+        )
     try:
         out.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise CourseError(f"{out} cannot be made: {error.strerror}") from None
     for folder in () if trusting else (submitted, out):
         if (shown := isolation.shown_through(folder)) is not None:
-            raise CourseError(f"{folder} lies in {shown}, which every notebook can read: move it elsewhere")
+            raise CourseError(
+                f"{folder} lies in {shown}, which every notebook can read: move it elsewhere"
+            )
     with _alone(out), _nursery(out, cluster) as nursery, Store(out / "grades.sqlite") as store:
         found = list(submissions.find(submitted))
         files = assignments.files(assignment_folder)
@@ -61,11 +77,18 @@ def grade(submitted, out, assignment_folder=None, count=None, limits=Limits(), b
             plan = _plan(*_by_attempt(found, known, alone, files), known, store, limits)
         progress(0, len(plan.pending))
         failed = 0
-        with closing(_judgements(plan.pending, count, limits, bounds, trusting, cluster, nursery)) as judgements:
+        with closing(
+            _judgements(plan.pending, count, limits, bounds, trusting, cluster, nursery)
+        ) as judgements:
             for done, (unit, judgement, within) in enumerate(judgements, start=1):
-                store.record(unit["key"], _as_graded(unit["exercise"], judgement.final, within), judgement.verdicts,
-                             judgement.answers,
-                             judgement.remarks, judgement.hashes)
+                store.record(
+                    unit["key"],
+                    _as_graded(unit["exercise"], judgement.final, within),
+                    judgement.verdicts,
+                    judgement.answers,
+                    judgement.remarks,
+                    judgement.hashes,
+                )
                 failed += judgement.final == NOT_FINAL
                 progress(done, len(plan.pending))
     return known, plan, failed
@@ -73,8 +96,8 @@ def grade(submitted, out, assignment_folder=None, count=None, limits=Limits(), b
 
 @contextmanager
 def _alone(out):
-    """Two graders at work on one folder would do everything twice. The lock ends with the process, however that
-    ends."""
+    """Two graders at work on one folder would do everything twice. The lock ends with the process,
+    however that ends."""
     try:
         file = open(out / ".grading", "w")
     except OSError as error:
@@ -89,7 +112,8 @@ def _alone(out):
 
 @contextmanager
 def _nursery(out, cluster):
-    """In a first run, where something is sure to be graded, it imports what all need while submissions are read."""
+    """In a first run, where something is sure to be graded, it imports what all need while
+    submissions are read."""
     if cluster is not None or (out / "grades.sqlite").exists():
         yield None
         return
@@ -105,29 +129,41 @@ def _judgements(pending, count, limits, bounds, trusting, cluster, nursery=None)
     by_key = {unit["key"]: unit for unit in pending if not unit["trouble"]}
     if not by_key:
         return
-    modules = preloading.needed({unit["problem"] for unit in by_key.values()},
-                                [source for unit in by_key.values() for source in unit["sources"]])
+    modules = preloading.needed(
+        {unit["problem"] for unit in by_key.values()},
+        [source for unit in by_key.values() for source in unit["sources"]],
+    )
     settings = bench.settings(limits, bounds, trusting) | {"modules": modules}
     if cluster is None:
         grading = lanes.grade_all(by_key.values(), min(count, len(by_key)), settings, nursery)
     else:
         from workbook.grading.cluster import grade_all
+
         grading = grade_all(by_key.values(), settings, cluster)
     with closing(grading) as results:
         for key, result in results:
-            yield by_key[key], bench.from_plain(result), Limits(**result["limits"]) if "limits" in result else limits
+            yield (
+                by_key[key],
+                bench.from_plain(result),
+                Limits(**result["limits"]) if "limits" in result else limits,
+            )
 
 
 def _as_graded(exercise, final, limits):
     """Under which name a result is stored: what it depends on besides the notebook."""
-    return {FINAL: exercise, WITHIN_LIMITS: f"{exercise} within {limits}", NOT_FINAL: "failed"}[final]
+    return {FINAL: exercise, WITHIN_LIMITS: f"{exercise} within {limits}", NOT_FINAL: "failed"}[
+        final
+    ]
 
 
 def _is_graded(versions, exercise, limits):
-    """Whether what counts is by this very exercise (a later version of it may have been taken back), and would be no
-    other now."""
-    return (bool(versions) and versions[-1].split(" ")[0] == exercise
-            and any(_as_graded(exercise, final, limits) in versions for final in (FINAL, WITHIN_LIMITS)))
+    """Whether what counts is by this very exercise (a later version of it may have been taken
+    back), and would be no other now."""
+    return (
+        bool(versions)
+        and versions[-1].split(" ")[0] == exercise
+        and any(_as_graded(exercise, final, limits) in versions for final in (FINAL, WITHIN_LIMITS))
+    )
 
 
 def _plan(copies, aside, known, store, limits):
@@ -136,8 +172,11 @@ def _plan(copies, aside, known, store, limits):
     for (student, name, problem, content), same in copies.items():
         if problem not in prints:
             prints[problem] = fingerprint(exercises.find(problem))
-        # One file of several with the same content: the earliest, or where the last attempt counts the latest.
-        when = (max if known[name].attempt == "last" else min)(submission.submitted for submission in same)
+        # One file of several with the same content: the earliest, or where the last attempt counts
+        # the latest.
+        when = (max if known[name].attempt == "last" else min)(
+            submission.submitted for submission in same
+        )
         noted[store.note_attempt(student, name, problem, content, when)] = problem, same[0]
     beyond = {attempt for name in known for attempt in store.beyond(name, known[name].attempts)}
     for attempt, (problem, submission) in noted.items():
@@ -147,16 +186,22 @@ def _plan(copies, aside, known, store, limits):
             skipped += 1
             continue
         exercise = exercises.find(problem)
-        pending[attempt] = {"key": attempt, "problem": problem, "exercise": prints[problem],
-                            "trouble": submission.trouble, "sources": exercise.to_run(submission.cells),
-                            "names": list(exercise.about["answers"])}
+        pending[attempt] = {
+            "key": attempt,
+            "problem": problem,
+            "exercise": prints[problem],
+            "trouble": submission.trouble,
+            "sources": exercise.to_run(submission.cells),
+            "names": list(exercise.about["answers"]),
+        }
     return Plan(tuple(pending.values()), skipped, tuple(aside))
 
 
 def _by_attempt(found, known, alone, files):
     """({(student, homework, problem, content): its submissions}, everything left aside).
 
-    `alone` says of (homework, problem) why its notebooks are left aside; `files` are those of the homeworks by name.
+    `alone` says of (homework, problem) why its notebooks are left aside; `files` are those of the
+    homeworks by name.
     """
     copies, aside = {}, []
     for one in found:
@@ -168,7 +213,9 @@ def _by_attempt(found, known, alone, files):
             continue
         problem = belonging.problem_for(one, known[one.assignment])
         if (one.assignment, one.problem) in alone:
-            aside.append(Aside(one.path, alone[one.assignment, one.problem], one.student, one.assignment))
+            aside.append(
+                Aside(one.path, alone[one.assignment, one.problem], one.student, one.assignment)
+            )
         elif isinstance(problem, Aside):
             aside.append(problem)
         else:
@@ -177,14 +224,15 @@ def _by_attempt(found, known, alone, files):
 
 
 def _homeworks(found, files):
-    """({name: homework}, why problems that no file asks for are left aside): each by its file, or else by what was
-    handed in."""
+    """({name: homework}, why problems that no file asks for are left aside): each by its file, or
+    else by what was handed in."""
     known, alone = {}, {}
     for name in sorted({one.assignment for one in found if one.assignment}):
         if name in files:
             known[name] = assignments.read(files[name])
         elif files:
-            pass  # it would be a homework of its own, and a silent zero in the one that was meant
+            # it would be a homework of its own, and a silent zero in the one that was meant
+            pass
         elif any(isinstance(one, Submission) and one.assignment == name for one in found):
             known[name], whys = belonging.unwritten(name, found)
             alone |= {(name, problem): why for problem, why in whys.items()}

@@ -1,17 +1,17 @@
-"""Grades as other systems read them: a plain table, Moodle, nbgrader, and Gradescope's results.json; Canvas is in
-`canvas`.
+"""Grades as other systems read them: a plain table, Moodle, nbgrader, and Gradescope's
+results.json; Canvas is in `canvas`.
 
-Every table is quoted CSV in UTF-8. Tables for people's eyes (grades.csv, changes.csv) guard against names that a
-spreadsheet would run as a formula; in tables that another system reads back, an identifier goes through as it is.
-A grade that still needs a lecturer's look is not handed to Moodle, Canvas or nbgrader: it is neither right nor wrong
-yet.
+Every table is quoted CSV in UTF-8. Tables for people's eyes (grades.csv, changes.csv) guard against
+names that a spreadsheet would run as a formula; in tables that another system reads back, an
+identifier goes through as it is. A grade that still needs a lecturer's look is not handed to
+Moodle, Canvas or nbgrader: it is neither right nor wrong yet.
 """
 
 import csv
 import io
 import json
 import re
-from datetime import datetime, timezone
+from datetime import UTC, datetime
 
 from workbook.checks.contract.verdict import RIGHT, UNCHECKED
 
@@ -22,27 +22,60 @@ BOM = "\ufeff"
 
 
 def grades_csv(assignment, scores):
-    """One row a student: points by problem, total, late problems, whether somebody has to look at it."""
+    """One row a student: points by problem, total, late problems, whether somebody has to look at
+    it."""
     header = ["student", *assignment.problems, "total", "max", "late", "needs review"]
-    rows = [[score.student, *(decimal(sum(answer.points for answer in score.of_problem(problem)))
-                              for problem in assignment.problems),
-             decimal(score.points), decimal(score.max_points), " ".join(score.late), "yes" if score.needs_review
-             else "no"]
-            for score in scores]
+    rows = [
+        [
+            score.student,
+            *(
+                decimal(sum(answer.points for answer in score.of_problem(problem)))
+                for problem in assignment.problems
+            ),
+            decimal(score.points),
+            decimal(score.max_points),
+            " ".join(score.late),
+            "yes" if score.needs_review else "no",
+        ]
+        for score in scores
+    ]
     return BOM + quoted([header, *(map(_harmless, row) for row in rows)])
 
 
 def changes_csv(changes):
-    """One row for each answer whose verdict or points changed since they were first written, oldest first."""
-    header = ["when", "student", "problem", "answer", "old verdict", "new verdict", "old points", "new points", "why"]
-    rows = [[change.when, change.student, change.problem, change.answer, change.old_verdict, change.new_verdict,
-             decimal(change.old_points), decimal(change.new_points), change.why] for change in changes]
+    """One row for each answer whose verdict or points changed since they were first written, oldest
+    first."""
+    header = [
+        "when",
+        "student",
+        "problem",
+        "answer",
+        "old verdict",
+        "new verdict",
+        "old points",
+        "new points",
+        "why",
+    ]
+    rows = [
+        [
+            change.when,
+            change.student,
+            change.problem,
+            change.answer,
+            change.old_verdict,
+            change.new_verdict,
+            decimal(change.old_points),
+            decimal(change.new_points),
+            change.why,
+        ]
+        for change in changes
+    ]
     return BOM + quoted([header, *(map(_harmless, row) for row in rows)])
 
 
 def _harmless(cell):
-    """A name such as =cmd() is data, but spreadsheets run what begins like a formula. A signed number stays a
-    number."""
+    """A name such as =cmd() is data, but spreadsheets run what begins like a formula. A signed
+    number stays a number."""
     return f"'{cell}" if re.match(r"[=@\t\r\n]|[+-](?!\d*\Z)", cell) else cell
 
 
@@ -55,60 +88,117 @@ def moodle_csv(assignment, scores):
     Importing feedback without the grade would wipe grades, so who has no grade yet has no row.
     """
     ready = [score for score in scores if score.handed_in and not score.needs_review]
-    identity = "Email address" if ready and all("@" in score.student for score in ready) else "ID number"
+    identity = (
+        "Email address" if ready and all("@" in score.student for score in ready) else "ID number"
+    )
     rows = [[score.student, decimal(score.points), _feedback(score)] for score in ready]
     return quoted([[identity, assignment.title, f"{assignment.title} (feedback)"], *rows])
 
 
 def nbgrader_csv(assignment, scores):
-    """The columns of `nbgrader export`, quoted (its own export is not); times in UTC without a zone, as there."""
-    header = ["assignment", "duedate", "timestamp", "student_id", "last_name", "first_name", "email", "raw_score",
-              "late_submission_penalty", "score", "max_score"]
+    """The columns of `nbgrader export`, quoted (its own export is not); times in UTC without a
+    zone, as there."""
+    header = [
+        "assignment",
+        "duedate",
+        "timestamp",
+        "student_id",
+        "last_name",
+        "first_name",
+        "email",
+        "raw_score",
+        "late_submission_penalty",
+        "score",
+        "max_score",
+    ]
     rows = []
     for score in scores:
         times = [attempt.submitted for attempt in score.counted.values()]
         points = "" if score.needs_review else decimal(score.points)
-        rows.append([assignment.name, _utc(assignment.due.timestamp()) if assignment.due else "", _utc(max(times))
-                     if times else "",
-                     score.student, "", "", "", points, "0.00", points, decimal(score.max_points)])
+        rows.append(
+            [
+                assignment.name,
+                _utc(assignment.due.timestamp()) if assignment.due else "",
+                _utc(max(times)) if times else "",
+                score.student,
+                "",
+                "",
+                "",
+                points,
+                "0.00",
+                points,
+                decimal(score.max_points),
+            ]
+        )
     return quoted([header, *rows])
 
 
 def gradescope_json(score, hinted, remarks, points, seconds):
     """results.json for one submission: a test an answer, with its message, never the solution.
 
-    `hinted` maps (problem, answer) to how many hints the notebook has to it; `points` are those that count, which may
-    be an earlier submission's; `seconds` is how long grading took.
+    `hinted` maps (problem, answer) to how many hints the notebook has to it; `points` are those
+    that count, which may be an earlier submission's; `seconds` is how long grading took.
     """
-    tests = [_gradescope_test(answer, hinted.get((answer.problem, answer.answer), 0)) for answer in score.answers]
-    return json.dumps({"score": round(points, 4), "execution_time": round(seconds), "output": "\n".join(remarks),
-                       "output_format": "text",
-                       "visibility": "visible", "stdout_visibility": "hidden", "tests": tests}, ensure_ascii=False,
-                      indent=1) + "\n"
+    tests = [
+        _gradescope_test(answer, hinted.get((answer.problem, answer.answer), 0))
+        for answer in score.answers
+    ]
+    return (
+        json.dumps(
+            {
+                "score": round(points, 4),
+                "execution_time": round(seconds),
+                "output": "\n".join(remarks),
+                "output_format": "text",
+                "visibility": "visible",
+                "stdout_visibility": "hidden",
+                "tests": tests,
+            },
+            ensure_ascii=False,
+            indent=1,
+        )
+        + "\n"
+    )
 
 
 def _gradescope_test(answer, hinted):
     status, message, mistake = answer.verdict.status, answer.verdict.message, answer.verdict.mistake
     # Gradescope knows no third state beside passed and failed: the text has to say it.
-    waiting = (["It is not judged wrong; it has no points until your lecturer has looked at it."] if status == UNCHECKED
-               else [])
+    waiting = (
+        ["It is not judged wrong; it has no points until your lecturer has looked at it."]
+        if status == UNCHECKED
+        else []
+    )
     # Nothing can be folded here, so the hints stay where they are.
-    to_open = [f"The notebook has {hinted} hint{'s' * (hinted > 1)} to this answer."] if hinted else []
-    return {"name": f"{answer.problem} {answer.answer}", "score": round(answer.points, 4),
-            "max_score": round(answer.max_points, 4),
-            "status": "passed" if status == RIGHT else "failed",
-            "output": "\n".join([f"{status}: {message}", *mistake.splitlines(), *waiting, *to_open]),
-            "output_format": "text", "visibility": "visible"}
+    to_open = (
+        [f"The notebook has {hinted} hint{'s' * (hinted > 1)} to this answer."] if hinted else []
+    )
+    return {
+        "name": f"{answer.problem} {answer.answer}",
+        "score": round(answer.points, 4),
+        "max_score": round(answer.max_points, 4),
+        "status": "passed" if status == RIGHT else "failed",
+        "output": "\n".join([f"{status}: {message}", *mistake.splitlines(), *waiting, *to_open]),
+        "output_format": "text",
+        "visibility": "visible",
+    }
 
 
 def _feedback(score):
-    return "; ".join(f"{answer.problem} {answer.answer}: " + (answer.verdict.status if answer.manual is None else
-                     f"{decimal(answer.points)} by hand" + (f" ({answer.manual})" if answer.manual else ""))
-                     for answer in score.answers)
+    return "; ".join(
+        f"{answer.problem} {answer.answer}: "
+        + (
+            answer.verdict.status
+            if answer.manual is None
+            else f"{decimal(answer.points)} by hand"
+            + (f" ({answer.manual})" if answer.manual else "")
+        )
+        for answer in score.answers
+    )
 
 
 def _utc(seconds):
-    return f"{datetime.fromtimestamp(seconds, timezone.utc):%Y-%m-%d %H:%M:%S}"
+    return f"{datetime.fromtimestamp(seconds, UTC):%Y-%m-%d %H:%M:%S}"
 
 
 def decimal(value):
@@ -119,5 +209,7 @@ def decimal(value):
 def quoted(rows, delimiter=","):
     """A table as text."""
     text = io.StringIO()
-    csv.writer(text, quoting=csv.QUOTE_ALL, delimiter=delimiter, lineterminator="\r\n").writerows(rows)
+    csv.writer(text, quoting=csv.QUOTE_ALL, delimiter=delimiter, lineterminator="\r\n").writerows(
+        rows
+    )
     return text.getvalue()

@@ -1,5 +1,5 @@
-"""The page a student gets: each answer, what held and what did not, the hints, a link to the theory; never a
-solution."""
+"""The page a student gets: each answer, what held and what did not, the hints, a link to the
+theory; never a solution."""
 
 from html import escape
 from pathlib import Path
@@ -11,70 +11,108 @@ from workbook.grading.handing_out import spoken
 from workbook.grading.pages import count, page, points
 from workbook.notebooks import exercises
 
-LEGEND = {RIGHT: "the property that was asked for holds", WRONG: "a property fails; the line says which",
-          MISSING: "there is no answer", INVALID: "not of the kind asked for",
-          UNCHECKED: "our check failed, not you: a lecturer will look at it"}
+LEGEND = {
+    RIGHT: "the property that was asked for holds",
+    WRONG: "a property fails; the line says which",
+    MISSING: "there is no answer",
+    INVALID: "not of the kind asked for",
+    UNCHECKED: "our check failed, not you: a lecturer will look at it",
+}
 
 
 def feedback(assignment, score, site=""):
-    """The page as HTML. `site` is the address of the student edition of the site; without it the theory is named, not
-    linked."""
-    waiting = (f", and {count(len(score.to_review), 'answer')} still to be looked at by a lecturer" if score.to_review
-               else "")
+    """The page as HTML. `site` is the address of the student edition of the site; without it the
+    theory is named, not linked."""
+    waiting = (
+        f", and {count(len(score.to_review), 'answer')} still to be looked at by a lecturer"
+        if score.to_review
+        else ""
+    )
     parts = [f"<p>{points(score.points)} of {points(score.max_points)} points{waiting}.</p>"]
     if assignment.due:
         parts.append(f'<p class="soft">Due {spoken(assignment.due)}.</p>')
     if score.aside:
-        named = "".join(f"<li><code>{escape(Path(one.path).name)}</code>: {escape(one.why)}</li>"
-                        for one in score.aside)
+        named = "".join(
+            f"<li><code>{escape(Path(one.path).name)}</code>: {escape(one.why)}</li>"
+            for one in score.aside
+        )
         look = "; your lecturer will look at it" if score.waits_aside else ""
         parts.append(f"<p>Something you handed in was left aside{look}:</p><ul>{named}</ul>")
     for problem in assignment.problems:
         about, mine = exercises.find(problem).about, score.of_problem(problem)
-        earned = f"{points(sum(a.points for a in mine))} / {points(sum(a.max_points for a in mine))}"
-        parts.append(f'<h2><span>{escape(problem)} {escape(about["title"])}</span><span '
-                     f'class="points">{earned}</span></h2>')
+        earned = (
+            f"{points(sum(a.points for a in mine))} / {points(sum(a.max_points for a in mine))}"
+        )
+        parts.append(
+            f"<h2><span>{escape(problem)} {escape(about['title'])}</span><span "
+            f'class="points">{earned}</span></h2>'
+        )
         parts += _of_problem(problem, about, mine, score)
         parts.append(f"<p>{_theory(problem, site)}</p>")
-    legend = "".join(f'<li class="{status}">{_mark(status)}: {said}</li>' for status, said in LEGEND.items())
-    return page(assignment.title, score.student, f'{"".join(parts)}<h2>What the marks mean</h2><ul>{legend}</ul>')
+    legend = "".join(
+        f'<li class="{status}">{_mark(status)}: {said}</li>' for status, said in LEGEND.items()
+    )
+    return page(
+        assignment.title,
+        score.student,
+        f"{''.join(parts)}<h2>What the marks mean</h2><ul>{legend}</ul>",
+    )
 
 
 def hints(answer, about):
     """The hints to an answer that is not there yet, the same as in the notebook."""
-    return about["hints"].get(answer.answer, []) if answer.verdict.status in (WRONG, MISSING, INVALID) else []
+    return (
+        about["hints"].get(answer.answer, [])
+        if answer.verdict.status in (WRONG, MISSING, INVALID)
+        else []
+    )
 
 
 def _of_problem(problem, about, answers, score):
     attempt = score.counted.get(problem)
     if attempt is None and all(answer.manual is None for answer in answers):
-        return ["<p>No notebook for this problem was found beside what was left aside.</p>" if score.aside else
-                "<p>Nothing was submitted for this problem.</p>"]
+        return [
+            "<p>No notebook for this problem was found beside what was left aside.</p>"
+            if score.aside
+            else "<p>Nothing was submitted for this problem.</p>"
+        ]
     parts = []
     if problem in score.late:
         parts.append("<p><em>Handed in after the due date.</em></p>")
     if attempt is not None and score.tried[problem] > 1:
-        parts.append(f'<p class="soft">You handed this in {score.tried[problem]} times; what follows is the attempt '
-                     f'that counts.</p>')
+        parts.append(
+            f'<p class="soft">You handed this in {score.tried[problem]} times; what follows is the '
+            "attempt "
+            f"that counts.</p>"
+        )
     if attempt is not None and attempt.remarks:
-        parts.append(f'<ul class="soft">{"".join(f"<li>{escape(remark)}</li>" for remark in attempt.remarks)}</ul>')
+        parts.append(
+            f'<ul class="soft">{"".join(f"<li>{escape(remark)}</li>" for remark in attempt.remarks)}</ul>'
+        )
     return parts + [_answer(answer, about, hints(answer, about)) for answer in answers]
 
 
 def _answer(answer, about, to_open):
     name, verdict = answer.answer, answer.verdict
     earned = f"{points(answer.points)} / {points(answer.max_points)}"
-    parts = [f'<header><span><code>{escape(name)}</code></span><span class="points">{earned}</span></header>',
-             f'<div class="soft">{escape(plain(about["answers"][name]["text"]))}</div>']
+    parts = [
+        f"<header><span><code>{escape(name)}</code></span><span "
+        f'class="points">{earned}</span></header>',
+        f'<div class="soft">{escape(plain(about["answers"][name]["text"]))}</div>',
+    ]
     if answer.text and verdict.status != MISSING:
         parts.append(f"<div>Your answer: <code>{escape(answer.text)}</code></div>")
     parts.append(f"<div>{_mark(verdict.status)}: {escape(verdict.message)}</div>")
     parts += [f"<div>{escape(line)}</div>" for line in verdict.mistake.splitlines()]
     if answer.manual is not None:
-        parts.append(f"<div><em>Points given by your "
-                     f"lecturer{': ' + escape(answer.manual) if answer.manual else ''}</em></div>")
-    parts += [f"<details><summary>Hint {k}</summary>{escape(plain(hint))}</details>"
-              for k, hint in enumerate(to_open, 1)]
+        parts.append(
+            f"<div><em>Points given by your "
+            f"lecturer{': ' + escape(answer.manual) if answer.manual else ''}</em></div>"
+        )
+    parts += [
+        f"<details><summary>Hint {k}</summary>{escape(plain(hint))}</details>"
+        for k, hint in enumerate(to_open, 1)
+    ]
     return f'<section class="answer {verdict.status}">{"".join(parts)}</section>'
 
 
@@ -87,5 +125,8 @@ def _theory(problem, site):
     if not site:
         return f"The theory stands in chapter {chapter} of the workbook."
     base = escape(site.rstrip("/"), quote=True)
-    return (f'The theory: <a href="{base}/book/ch{chapter}.html">chapter {chapter}</a>. '
-            f'The statement: <a href="{base}/exercises/ch{chapter}/p{number:0>2}.html">problem {escape(problem)}</a>.')
+    return (
+        f'The theory: <a href="{base}/book/ch{chapter}.html">chapter {chapter}</a>. '
+        f'The statement: <a href="{base}/exercises/ch{chapter}/p{number:0>2}.html">problem '
+        f"{escape(problem)}</a>."
+    )

@@ -1,4 +1,5 @@
-"""What a stored result depends on besides the notebook, as one hash: when it changes, the notebook is graded again."""
+"""What a stored result depends on besides the notebook, as one hash: when it changes, the notebook
+is graded again."""
 
 import hashlib
 import json
@@ -11,9 +12,13 @@ JUDGES = "import workbook.notebooks.cells, workbook.grading.judging"
 
 
 def fingerprint(exercise):
-    """What a result depends on besides the notebook: the exercise's data and check cells, its named mistakes, the
-    library under them, and the judge."""
+    """What a result depends on besides the notebook: the exercise's data and check cells, its named
+    mistakes, the library under them, and the judge."""
     cells, mistakes = exercise.code("data", "check"), file_beside(exercise.path)
     closure = module_closure("\n".join([JUDGES, *(source for _, source in cells)]))
-    return hashlib.sha256(json.dumps([cells, mistakes.read_text(encoding="utf-8") if mistakes.is_file() else "",
-                                      closure], sort_keys=True).encode()).hexdigest()
+    return hashlib.sha256(
+        json.dumps(
+            [cells, mistakes.read_text(encoding="utf-8") if mistakes.is_file() else "", closure],
+            sort_keys=True,
+        ).encode()
+    ).hexdigest()

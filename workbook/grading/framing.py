@@ -1,4 +1,5 @@
-"""Messages over a pipe: four bytes of length, then the message. Nothing of it is trusted but the length's bound."""
+"""Messages over a pipe: four bytes of length, then the message. Nothing of it is trusted but the
+length's bound."""
 
 import math
 import os
@@ -11,18 +12,20 @@ LONGEST = 16 * 2**20
 
 
 class Broken(RuntimeError):
-    """The other side closed the pipe, sent too much, or nothing in time: the message is "closed", "large" or "time"."""
+    """The other side closed the pipe, sent too much, or nothing in time: the message is "closed",
+    "large" or "time"."""
 
 
 def send(descriptor, message):
     """Write a message whole."""
     view = memoryview(struct.pack(">I", len(message)) + message)
     while view:
-        view = view[os.write(descriptor, view):]
+        view = view[os.write(descriptor, view) :]
 
 
 def receive(descriptor, timeout=math.inf, look=None, every=math.inf):
-    """The next message; raises `Broken` at the end of the stream, for one too long, or after `timeout` seconds.
+    """The next message; raises `Broken` at the end of the stream, for one too long, or after
+    `timeout` seconds.
 
     `look` is called all `every` seconds of waiting, and may raise to end it.
     """
@@ -34,10 +37,11 @@ def receive(descriptor, timeout=math.inf, look=None, every=math.inf):
 
 
 def readable(channels, timeout=None):
-    """Those of `channels` (descriptors, or what has a `fileno`) that can be read or have ended: waits for the first, or
-    `timeout` seconds.
+    """Those of `channels` (descriptors, or what has a `fileno`) that can be read or have ended:
+    waits for the first, or `timeout` seconds.
 
-    A grader may be part of a program with any number of open files, of which `select` takes the first 1024 alone.
+    A grader may be part of a program with any number of open files, of which `select` takes the
+    first 1024 alone.
     """
     with selectors.PollSelector() as selector:
         for channel in channels:
@@ -50,7 +54,12 @@ class _Clock:
 
     def __init__(self, timeout, look, every):
         now = time.monotonic()
-        self.deadline, self.look, self.every, self.next_look = now + timeout, look, every, now + every
+        self.deadline, self.look, self.every, self.next_look = (
+            now + timeout,
+            look,
+            every,
+            now + every,
+        )
 
     def tick(self):
         """Seconds until there is something to do again; None for never."""

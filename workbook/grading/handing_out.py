@@ -1,7 +1,8 @@
-"""Make a homework folder to hand out: the students' notebooks, what they need to know, and the file that says what
-counts.
+"""Make a homework folder to hand out: the students' notebooks, what they need to know, and the file
+that says what counts.
 
-A notebook is named ch1-p15.ipynb, so that it is still known for problem 1.15 when an editor has dropped its metadata.
+A notebook is named ch1-p15.ipynb, so that it is still known for problem 1.15 when an editor has
+dropped its metadata.
 """
 
 import datetime
@@ -41,15 +42,19 @@ Changing a check cell changes nothing, since answers are judged by the cells as 
 
 
 def make(folder, name, problems, title=None, due=None, site=""):
-    """Write the homework `name` into `folder`/`name`; returns the `Assignment`. Nothing is written over.
+    """Write the homework `name` into `folder`/`name`; returns the `Assignment`. Nothing is written
+    over.
 
-    `due` is an aware datetime or None, `site` the address of the student edition of the site, for links to the theory.
-    Raises `AssignmentError`.
+    `due` is an aware datetime or None, `site` the address of the student edition of the site, for
+    links to the theory. Raises `AssignmentError`.
     """
     place = Path(folder) / name
     if not assignments.can_be_name(name):
-        raise AssignmentError(f"{name!r} cannot be the name of a homework: it names a folder, take letters, digits, - "
-                              f"and _")
+        raise AssignmentError(
+            f"{name!r} cannot be the name of a homework: it names a folder, take letters, digits, "
+            "- "
+            f"and _"
+        )
     if place.exists():
         raise AssignmentError(f"{place} is already there; take another name or remove it")
     files = {file_name(problem): release(problem, site) for problem in _known(problems)}
@@ -80,18 +85,21 @@ def file_name(problem):
 
 
 def release(problem, site=""):
-    """The text of a student's notebook; its names of places in the book are links to `site`, if that is given."""
+    """The text of a student's notebook; its names of places in the book are links to `site`, if
+    that is given."""
     notebook = json.loads(exercises.find(problem).path.read_text(encoding="utf-8"))
     if site:
         # Homework leads to the student edition, where a problem stands without its solution.
         to_site = exercises.below(site)
-        notebook = exercises.linked(notebook, lambda place: to_site(re.sub("^solutions/", "exercises/", place)))
+        notebook = exercises.linked(
+            notebook, lambda place: to_site(re.sub("^solutions/", "exercises/", place))
+        )
     return json.dumps(notebook, indent=1, ensure_ascii=False) + "\n"
 
 
 def due_date(text):
-    """An aware datetime from "2026-10-01 23:59" (of this machine's time zone, unless it names another one) or
-    "2026-10-01".
+    """An aware datetime from "2026-10-01 23:59" (of this machine's time zone, unless it names
+    another one) or "2026-10-01".
 
     A date alone means the end of that day. Raises `AssignmentError`.
     """
@@ -101,8 +109,11 @@ def due_date(text):
         if due is None or not assignments.can_be_due(due):
             raise ValueError
     except ValueError:
-        raise AssignmentError(f'{text!r} is not a date; write "2026-10-01 23:59", or "2026-10-01T23:59:00+03:00" with '
-                              f'a zone') from None
+        raise AssignmentError(
+            f'{text!r} is not a date; write "2026-10-01 23:59", or "2026-10-01T23:59:00+03:00" '
+            "with "
+            f"a zone"
+        ) from None
     if len(text) == len("2026-10-01"):
         due = due.replace(hour=23, minute=59, second=59)
     return due if due.tzinfo else due.astimezone()
@@ -121,17 +132,25 @@ def _known(problems):
 
 def _toml(title, problems, due):
     quoted = ", ".join(_text(problem) for problem in problems)
-    points = "\n".join(f"{_text(problem)} = {len(answers)}  # {', '.join(answers)}"
-                       for problem, answers in ((problem, assignments.answers_of(problem)) for problem in problems))
-    return ("# What counts. README.md tells the students the same: after a change here, change it there too.\n"
-            f"title = {_text(title)}\nproblems = [{quoted}]\n"
-            + (f"due = {due.isoformat(timespec='seconds')}\n" if due
-               else "# due = 2026-10-01T23:59:00+03:00  # later work is marked late\n")
-            + 'attempt = "best"  # which of several submissions counts: "best" or "last"\n# attempts = 3  # further '
-              'ones do not count\n\n'
-            f'# A problem\'s points are shared equally by its answers; '
-            f'{_text(problems[0] + "." + assignments.answers_of(problems[0])[0])} = 2 '
-            f"would set one answer's.\n[points]\n{points}\n")
+    points = "\n".join(
+        f"{_text(problem)} = {len(answers)}  # {', '.join(answers)}"
+        for problem, answers in ((problem, assignments.answers_of(problem)) for problem in problems)
+    )
+    return (
+        "# What counts. README.md tells the students the same: after a change here, change it "
+        "there too.\n"
+        f"title = {_text(title)}\nproblems = [{quoted}]\n"
+        + (
+            f"due = {due.isoformat(timespec='seconds')}\n"
+            if due
+            else "# due = 2026-10-01T23:59:00+03:00  # later work is marked late\n"
+        )
+        + 'attempt = "best"  # which of several submissions counts: "best" or "last"\n# attempts = 3  # further '
+        "ones do not count\n\n"
+        f"# A problem's points are shared equally by its answers; "
+        f"{_text(problems[0] + '.' + assignments.answers_of(problems[0])[0])} = 2 "
+        f"would set one answer's.\n[points]\n{points}\n"
+    )
 
 
 def _text(value):
@@ -140,14 +159,20 @@ def _text(value):
 
 
 def _readme(homework):
-    rows = [f"- **{problem}** {exercises.find(problem).about['title']}, in `{file_name(problem)}`: "
-            f"{sum(points.values()):g} "
-            f"point{'s' * (sum(points.values()) != 1)} for {len(points)} answer{'s' * (len(points) != 1)}"
-            for problem, points in homework.points.items()]
+    rows = [
+        f"- **{problem}** {exercises.find(problem).about['title']}, in `{file_name(problem)}`: "
+        f"{sum(points.values()):g} "
+        f"point{'s' * (sum(points.values()) != 1)} for {len(points)} "
+        f"answer{'s' * (len(points) != 1)}"
+        for problem, points in homework.points.items()
+    ]
     due = f"\nDue {spoken(homework.due)}.\n" if homework.due else ""
     counts = "the best one counts" if homework.attempt == "best" else "the last one counts"
-    attempts = (f"You may hand in up to {homework.attempts} times; {counts}." if homework.attempts
-                else f"You may hand in again; {counts}.")
+    attempts = (
+        f"You may hand in up to {homework.attempts} times; {counts}."
+        if homework.attempts
+        else f"You may hand in again; {counts}."
+    )
     return README.format(title=homework.title, due=due, problems="\n".join(rows), attempts=attempts)
 
 

@@ -1,10 +1,12 @@
-"""Judge what a notebook handed over: decode, run data and check cells of the pristine exercise, within limits.
+"""Judge what a notebook handed over: decode, run data and check cells of the pristine exercise,
+within limits.
 
-A forked child judges, within bounds on time and memory, since an answer can be an expression built to explode. It
-runs nothing of a student's, only our own cells on data, as a kernel does in which check cells run again and again: so
-it judges one notebook after the other, and a fork for each would cost more than most judgements do. Whatever is unusual
-there is judged again by a fresh child, and nothing else by the one that met it. If the whole notebook cannot be judged
-within the bounds, its answers are judged one by one, each in a child of its own, so that one such answer costs only
+A forked child judges, within bounds on time and memory, since an answer can be an expression built
+to explode. It runs nothing of a student's, only our own cells on data, as a kernel does in which
+check cells run again and again: so it judges one notebook after the other, and a fork for each
+would cost more than most judgements do. Whatever is unusual there is judged again by a fresh child,
+and nothing else by the one that met it. If the whole notebook cannot be judged within the bounds,
+its answers are judged one by one, each in a child of its own, so that one such answer costs only
 itself; it becomes `unchecked`, which a lecturer has to look at, never wrong and never right.
 """
 
@@ -37,16 +39,19 @@ ENDS = {
     "died": "notebook: its process was ended by what the notebook did",
     "failed": "grader: it failed on this notebook",
 }
-#: Seconds that every honest answer can be judged in: as much is tried for each one while any time is left.
+#: Seconds that every honest answer can be judged in: as much is tried for each one while any time
+#: is left.
 ENOUGH = 5
-NEVER_ASSIGNED = "no cell of the notebook assigned this variable: was it renamed, or did its cell fail?"
+NEVER_ASSIGNED = (
+    "no cell of the notebook assigned this variable: was it renamed, or did its cell fail?"
+)
 FINAL, WITHIN_LIMITS, NOT_FINAL = "yes", "within limits", "no"
 
 
 @dataclass(frozen=True)
 class Bounds:
-    """What judging one notebook in all, and one answer of it, may take: seconds of computing, three times as many on
-    the clock."""
+    """What judging one notebook in all, and one answer of it, may take: seconds of computing, three
+    times as many on the clock."""
 
     seconds: float = 90
     answer_seconds: float = 20
@@ -60,11 +65,12 @@ class Bounds:
 
 @dataclass(frozen=True)
 class Judgement:
-    """Verdicts by answer, the answers as short texts (and hashes of the whole ones), and remarks on the notebook
-    itself.
+    """Verdicts by answer, the answers as short texts (and hashes of the whole ones), and remarks on
+    the notebook itself.
 
-    Each remark begins with whose affair it is: "notebook", "limits" or "grader". `final` is "yes"; "within limits" if
-    other limits could change it; "no" if the grader itself failed, so that the notebook is to be graded again.
+    Each remark begins with whose affair it is: "notebook", "limits" or "grader". `final` is "yes";
+    "within limits" if other limits could change it; "no" if the grader itself failed, so that the
+    notebook is to be graded again.
     """
 
     verdicts: dict
@@ -75,7 +81,8 @@ class Judgement:
 
 
 def judge(exercise, outcome, bounds=Bounds()):
-    """The `Judgement` on a sandbox `Outcome` for a pristine exercise (`workbook.notebooks.exercises.Exercise`)."""
+    """The `Judgement` on a sandbox `Outcome` for a pristine exercise
+    (`workbook.notebooks.exercises.Exercise`)."""
     judge = Judge(bounds)
     try:
         return judge.of(exercise, outcome)
@@ -84,8 +91,8 @@ def judge(exercise, outcome, bounds=Bounds()):
 
 
 class Judge:
-    """Judges one notebook after the other: `get_ready` for an exercise while the notebook still runs, then judge `of`
-    its outcome."""
+    """Judges one notebook after the other: `get_ready` for an exercise while the notebook still
+    runs, then judge `of` its outcome."""
 
     def __init__(self, bounds=Bounds()):
         self._bounds, self._process = bounds, None
@@ -95,18 +102,25 @@ class Judge:
             self._process = _Process(_cells(exercise))
 
     def of(self, exercise, outcome):
-        names, cells, left = list(exercise.about["answers"]), _cells(exercise), self._bounds.first_seconds
+        names, cells, left = (
+            list(exercise.about["answers"]),
+            _cells(exercise),
+            self._bounds.first_seconds,
+        )
         if outcome.ended != "done":
             return _without_answers(names, outcome)
         while True:
             self.get_ready(exercise)
             fresh, begun = self._process.fresh, time.monotonic()
             try:
-                judgement = self._process.judgement(outcome.handed_over, cells, names, left,
-                                                    self._bounds.memory_megabytes)
+                judgement = self._process.judgement(
+                    outcome.handed_over, cells, names, left, self._bounds.memory_megabytes
+                )
             except RuntimeError as error:
                 judgement, fresh = None, fresh or isinstance(error, TimeLimit)
-            unusual = judgement is None or any(v.status == UNCHECKED for v in judgement.verdicts.values())
+            unusual = judgement is None or any(
+                v.status == UNCHECKED for v in judgement.verdicts.values()
+            )
             if unusual or self._process.worn:
                 self.end()
             if judgement is not None and (fresh or not unusual):
@@ -126,7 +140,8 @@ def _cells(exercise):
 
 
 def failed(names, why):
-    """The `Judgement` when the grader could not do its work: nothing is the student's fault, and nothing is final."""
+    """The `Judgement` when the grader could not do its work: nothing is the student's fault, and
+    nothing is final."""
     verdict = Verdict(UNCHECKED, "the grader failed on this notebook; it will be graded again")
     return Judgement(dict.fromkeys(names, verdict), {}, (f"{ENDS['failed']} ({why})",), NOT_FINAL)
 
@@ -136,32 +151,48 @@ def _without_answers(names, outcome):
     if outcome.ended == "failed":
         return failed(names, manner)
     remark = ENDS[outcome.ended] + (f" ({manner})" if outcome.ended == "died" else "")
-    return Judgement(dict.fromkeys(names, Verdict(MISSING, f"no answer: {remark.partition(': ')[2]}")), {}, (remark,),
-                     FINAL if outcome.ended == "died" else WITHIN_LIMITS)
+    return Judgement(
+        dict.fromkeys(names, Verdict(MISSING, f"no answer: {remark.partition(': ')[2]}")),
+        {},
+        (remark,),
+        FINAL if outcome.ended == "died" else WITHIN_LIMITS,
+    )
 
 
 def _one_by_one(cells, handed_over, names, bounds):
-    """Judge each answer alone, within what is left for the notebook: one that explodes costs only itself."""
+    """Judge each answer alone, within what is left for the notebook: one that explodes costs only
+    itself."""
     verdicts, answers, remarks, hashes = {}, {}, (), {}
     left = bounds.seconds - bounds.first_seconds
     for waiting, name in zip(range(len(names), 0, -1), names):
         seconds = min(bounds.answer_seconds, left, max(ENOUGH, left / waiting))
         if seconds < 1:
-            verdicts[name] = Verdict(UNCHECKED, f"judging this notebook took longer than {bounds.seconds:g} s; "
-                                     "a lecturer has to look at it")
+            verdicts[name] = Verdict(
+                UNCHECKED,
+                f"judging this notebook took longer than {bounds.seconds:g} s; "
+                "a lecturer has to look at it",
+            )
             continue
         process, before = _Process(cells), _computed_by_children()
         try:
-            alone = process.judgement(handed_over, cells, names, seconds, bounds.memory_megabytes, only=name)
+            alone = process.judgement(
+                handed_over, cells, names, seconds, bounds.memory_megabytes, only=name
+            )
             verdicts[name], remarks = alone.verdicts[name], alone.remarks
             answers |= alone.answers
             hashes |= alone.hashes
         except TimeLimit:
-            verdicts[name] = Verdict(UNCHECKED, f"judging this answer took longer than {seconds:.3g} s; "
-                                     "a lecturer has to look at it")
+            verdicts[name] = Verdict(
+                UNCHECKED,
+                f"judging this answer took longer than {seconds:.3g} s; "
+                "a lecturer has to look at it",
+            )
         except RuntimeError:
-            verdicts[name] = Verdict(UNCHECKED, "judging this answer needed more memory than allowed, or failed; "
-                                     "a lecturer has to look at it")
+            verdicts[name] = Verdict(
+                UNCHECKED,
+                "judging this answer needed more memory than allowed, or failed; "
+                "a lecturer has to look at it",
+            )
         finally:
             process.end()
         left -= _computed_by_children() - before
@@ -175,7 +206,8 @@ def _computed_by_children():
 
 
 class _Process:
-    """A child that judges whatever is handed over, one notebook after the other; it begins with what `cells` need."""
+    """A child that judges whatever is handed over, one notebook after the other; it begins with
+    what `cells` need."""
 
     def __init__(self, cells):
         receiver, self._sender = CONTEXT.Pipe(duplex=False)
@@ -190,9 +222,16 @@ class _Process:
         with suppress(OSError):  # it has died, which its result will tell
             self._sender.send_bytes(json.dumps([cells, names, seconds, megabytes, only]).encode())
             self._sender.send_bytes(handed_over)
-        verdicts, answers, remarks, stopped, hashes, self.worn = self._child.result(timeout=3 * seconds)
-        return Judgement({name: Verdict(*verdict) for name, verdict in verdicts.items()}, answers, tuple(remarks),
-                         WITHIN_LIMITS if stopped else FINAL, hashes)
+        verdicts, answers, remarks, stopped, hashes, self.worn = self._child.result(
+            timeout=3 * seconds
+        )
+        return Judgement(
+            {name: Verdict(*verdict) for name, verdict in verdicts.items()},
+            answers,
+            tuple(remarks),
+            WITHIN_LIMITS if stopped else FINAL,
+            hashes,
+        )
 
     def end(self):
         self._sender.close()
@@ -222,8 +261,8 @@ def _serve(receiver, sender, cells):
 
 
 def _forget():
-    """So that no verdict depends on what was judged before: a formula that equals another is no better known for it,
-    and chance is the same for all."""
+    """So that no verdict depends on what was judged before: a formula that equals another is no
+    better known for it, and chance is the same for all."""
     import numpy as np  # here, since whoever only waits for a judge needs none of them
     import sympy.core.cache
     import sympy.core.random
@@ -242,8 +281,8 @@ def _limit(seconds, megabytes):
 
 @lru_cache(maxsize=16)
 def _begun(cells):
-    """(names and values after the data cells at the beginning, the cells that follow): ours, and the same for all who
-    are judged."""
+    """(names and values after the data cells at the beginning, the cells that follow): ours, and
+    the same for all who are judged."""
     first = next((k for k, (role, _) in enumerate(cells) if role == "check"), len(cells))
     namespace = {"__name__": "exercise"}
     try:
@@ -259,20 +298,30 @@ def _judged(handed_over, cells, names, only):
     found = {}
 
     def answers():
-        encoded, unreadable, found["remarks"], found["stopped"] = _read(handed_over, [name for name in names
-                                                                                     if only in (None, name)])
+        encoded, unreadable, found["remarks"], found["stopped"] = _read(
+            handed_over, [name for name in names if only in (None, name)]
+        )
         given = decoded(encoded, unreadable, names)
         found["never assigned"] = set(names) - {*encoded, *unreadable}
         found["texts"] = {name: _described(given[name]) for name in encoded}
-        found["hashes"] = {name: hashlib.sha256(text.encode("utf-8", "surrogatepass")).hexdigest()
-                           for name, text in encoded.items()}
+        found["hashes"] = {
+            name: hashlib.sha256(text.encode("utf-8", "surrogatepass")).hexdigest()
+            for name, text in encoded.items()
+        }
         return given
 
     namespace, following = _begun(cells)
     verdicts = judge_answers(following, answers, names, namespace and dict(namespace))
-    told = {name: [status, NEVER_ASSIGNED if status == MISSING and name in found["never assigned"]
-                   else printable(message[:2000], keep="\n"), mistake]
-            for name, (status, message, mistake) in verdicts.items()}
+    told = {
+        name: [
+            status,
+            NEVER_ASSIGNED
+            if status == MISSING and name in found["never assigned"]
+            else printable(message[:2000], keep="\n"),
+            mistake,
+        ]
+        for name, (status, message, mistake) in verdicts.items()
+    }
     return [told, *(found[key] for key in ("texts", "remarks", "stopped", "hashes"))]
 
 
@@ -286,24 +335,42 @@ def _described(answer):
 
 
 def _read(handed_over, names):
-    """(encoded, unreadable, remarks, whether cells were stopped) from a worker's bytes, of the answers `names`.
+    """(encoded, unreadable, remarks, whether cells were stopped) from a worker's bytes, of the
+    answers `names`.
 
     Bytes that are not of the worker's form count as nothing handed over.
     """
     try:
         outcome = json.loads(handed_over)
-        encoded, unreadable, errors, stopped = (outcome[key] for key in ("encoded", "unreadable", "errors", "stopped"))
-        if not (_are_texts(encoded.items()) and _are_texts(unreadable.items()) and type(errors) is type(stopped) is list
-                and _are_texts([errors]) and all(type(k) is int and 0 < k <= MOST_CELLS for k in stopped)):
+        encoded, unreadable, errors, stopped = (
+            outcome[key] for key in ("encoded", "unreadable", "errors", "stopped")
+        )
+        if not (
+            _are_texts(encoded.items())
+            and _are_texts(unreadable.items())
+            and type(errors) is type(stopped) is list
+            and _are_texts([errors])
+            and all(type(k) is int and 0 < k <= MOST_CELLS for k in stopped)
+        ):
             raise ValueError
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
         return {}, {}, ["notebook: what it handed over cannot be read"], False
     # All words of its own are said to be the notebook's, since they could pretend to be another's.
     remarks = [f"notebook: {printable(error[:400])}" for error in errors[:20]]
-    remarks += [f"limits: code cell {k} was stopped: it took half of the time that was left" for k in stopped[:20]]
-    return ({name: encoded[name] for name in names if name in encoded},
-            {name: f"notebook: {printable(unreadable[name][:400])}" for name in names if name in unreadable}, remarks,
-            bool(stopped))
+    remarks += [
+        f"limits: code cell {k} was stopped: it took half of the time that was left"
+        for k in stopped[:20]
+    ]
+    return (
+        {name: encoded[name] for name in names if name in encoded},
+        {
+            name: f"notebook: {printable(unreadable[name][:400])}"
+            for name in names
+            if name in unreadable
+        },
+        remarks,
+        bool(stopped),
+    )
 
 
 def _are_texts(groups):

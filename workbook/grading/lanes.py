@@ -1,4 +1,5 @@
-"""Several benches side by side, a process each: units go in, results come back as they are done, both as JSON bytes."""
+"""Several benches side by side, a process each: units go in, results come back as they are done,
+both as JSON bytes."""
 
 import json
 import math
@@ -20,12 +21,14 @@ class Ended(NotStarted):
 
 
 def grade_all(units, count, settings, nursery=None):
-    """Grade units (dicts with "key", "problem", "sources", "names"); yields (key, result) in the order they are done.
+    """Grade units (dicts with "key", "problem", "sources", "names"); yields (key, result) in the
+    order they are done.
 
-    `nursery` is one that has begun to import what they need, if there is one; it is closed in the end.
-    A lane that dies fails its unit, which is then to be graded again, and is replaced; a nursery that dies while lanes
-    get ready is replaced with them. Raises `NoIsolation` before anything is graded if a sandbox cannot be had. Close it
-    (`contextlib.closing`) to end the lanes at once.
+    `nursery` is one that has begun to import what they need, if there is one; it is closed in the
+    end. A lane that dies fails its unit, which is then to be graded again, and is replaced; a
+    nursery that dies while lanes get ready is replaced with them. Raises `NoIsolation` before
+    anything is graded if a sandbox cannot be had. Close it (`contextlib.closing`) to end the lanes
+    at once.
     """
     waiting = iter(units)
     lanes, nursery = [], nursery or Nursery.start([])
@@ -51,10 +54,15 @@ def grade_all(units, count, settings, nursery=None):
                 if result is None:
                     result = as_plain(failed(unit["names"], "one of its processes ended"))
                     lane.stop()
-                    if not nursery.alive():  # then this is the first of its lanes that is found dead; the others follow
+                    # then this is the first of its lanes that is found dead; the others follow
+                    if not nursery.alive():
                         nursery.close()
-                        nursery = Nursery.start([name for names in modules(settings).values() for name in names])
-                    lanes[lanes.index(lane)] = lane = _ready(Lane(settings, nursery).begin(), settings)
+                        nursery = Nursery.start(
+                            [name for names in modules(settings).values() for name in names]
+                        )
+                    lanes[lanes.index(lane)] = lane = _ready(
+                        Lane(settings, nursery).begin(), settings
+                    )
                 following = lane.take(waiting)  # it goes on while this result is stored
                 if following is not None:
                     busy[lane] = following
@@ -73,7 +81,8 @@ def modules(settings):
 
 
 def begin(lanes, count, settings, nursery):
-    """Begin `count` lanes from a nursery, each added to the list `lanes` at once: whoever has the list can stop them.
+    """Begin `count` lanes from a nursery, each added to the list `lanes` at once: whoever has the
+    list can stop them.
 
     Where their sandboxes come from is forked before the nursery imports what checks alone use.
     """
@@ -85,7 +94,8 @@ def begin(lanes, count, settings, nursery):
 
 
 def _ready(lane, settings):
-    """The lane when it is ready, or one in its place if it ended before: killed, or out of memory."""
+    """The lane when it is ready, or one in its place if it ended before: killed, or out of
+    memory."""
     for tries_left in range(sandbox.STARTS - 1, -1, -1):
         try:
             lane.greeted()
@@ -104,14 +114,18 @@ class Lane:
         self.nursery, self._settings = nursery, settings
         self._number = self._code = self._requests = None
         self._bubblewrap = None if settings["trusting"] else nursery.bubblewrap
-        self._sandboxes, self._control = nursery.divided()  # a nursery of its own, from which its sandboxes come
+        # a nursery of its own, from which its sandboxes come
+        self._sandboxes, self._control = nursery.divided()
 
     def begin(self):
         # It inherits neither the grade store nor another lane's pipes.
         (theirs, requests), (mine, results) = os.pipe(), os.pipe()
         try:
-            self._number = self.nursery.fork("lane", [self._settings, self._bubblewrap],
-                                             [theirs, results, None, self._control.fileno()])
+            self._number = self.nursery.fork(
+                "lane",
+                [self._settings, self._bubblewrap],
+                [theirs, results, None, self._control.fileno()],
+            )
         finally:
             os.close(theirs)
             os.close(results)
@@ -127,8 +141,10 @@ class Lane:
         try:
             said = json.loads(framing.receive(self.fileno()))
         except framing.Broken:
-            raise Ended("a grading process was killed while it started: the machine may be out of memory;"
-                        " the same command goes on from here") from None
+            raise Ended(
+                "a grading process was killed while it started: the machine may be out of memory;"
+                " the same command goes on from here"
+            ) from None
         if "ready" not in said:
             raise (NotStarted if said["may start yet"] else NoIsolation)(said["refused"])
 
@@ -163,7 +179,8 @@ class Lane:
     def stop(self):
         if self._requests is None:
             return
-        # What the lane has started ends with it (`end_with_parent`), or with where its sandboxes come from.
+        # What the lane has started ends with it (`end_with_parent`), or with where its sandboxes
+        # come from.
         self.end()
         with suppress(NotStarted):
             self._code = self.nursery.end(self._number, within=5)
@@ -180,8 +197,8 @@ def _tidy_up(*_):
 
 
 def work(settings, bwrap):
-    """The lane's end, in a process forked from a nursery: grade what comes in until nothing does, or not for as long as
-    the settings say."""
+    """The lane's end, in a process forked from a nursery: grade what comes in until nothing does,
+    or not for as long as the settings say."""
     nursery = Nursery.at(3, bwrap)
     signal.signal(signal.SIGTERM, _tidy_up)
     # Results have a descriptor of their own: what a check might print does not come between them.
@@ -196,7 +213,8 @@ def work(settings, bwrap):
                 while True:
                     result = bench.grade(json.loads(framing.receive(0, patience)))
                     if not nursery.alive():
-                        return  # no further sandbox can be had: another lane takes the place of this one
+                        # no further sandbox can be had: another lane takes the place of this one
+                        return
                     framing.send(results, json.dumps(result).encode())
         except NoIsolation as error:
             if not nursery.alive():

@@ -1,10 +1,12 @@
-"""A process that has imported what grading needs, and from which others are forked that need not import it again.
+"""A process that has imported what grading needs, and from which others are forked that need not
+import it again.
 
-It is started afresh with an empty environment, and hears only what to fork, never anything of a student's: whatever it
-held would stand in the memory of every notebook's process. Sandboxes come from a second nursery, forked from the first
-before that imports what checks alone use: the smaller a process, the cheaper its forks. A lane asks for them there, and
-is itself no ancestor of theirs; so nothing that a lane learns is ever inside one. In a sandbox, notebooks' processes
-come from a third one (`worker`).
+It is started afresh with an empty environment, and hears only what to fork, never anything of a
+student's: whatever it held would stand in the memory of every notebook's process. Sandboxes come
+from a second nursery, forked from the first before that imports what checks alone use: the smaller
+a process, the cheaper its forks. A lane asks for them there, and is itself no ancestor of theirs;
+so nothing that a lane learns is ever inside one. In a sandbox, notebooks' processes come from a
+third one (`worker`).
 """
 
 import json
@@ -33,7 +35,12 @@ class Nursery:
     """The other processes' end: asks for forks. Several threads may."""
 
     def __init__(self, control, end=lambda: None, bubblewrap=None):
-        self._control, self._end, self._bubblewrap, self._asking = control, end, bubblewrap, threading.Lock()
+        self._control, self._end, self._bubblewrap, self._asking = (
+            control,
+            end,
+            bubblewrap,
+            threading.Lock(),
+        )
         control.settimeout(TO_ANSWER)
 
     @classmethod
@@ -43,9 +50,15 @@ class Nursery:
         with theirs:
             command = isolation.python(START.format(control=theirs.fileno(), modules=list(modules)))
             # In a session of its own, so that Ctrl-C reaches the grader alone, which then ends it.
-            process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
-                                       env=isolation.environment_outside(), pass_fds=[theirs.fileno()],
-                                       start_new_session=True, preexec_fn=partial(end_with_parent, os.getpid()))
+            process = subprocess.Popen(
+                command,
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.DEVNULL,
+                env=isolation.environment_outside(),
+                pass_fds=[theirs.fileno()],
+                start_new_session=True,
+                preexec_fn=partial(end_with_parent, os.getpid()),
+            )
         return cls(ours, lambda: (process.kill(), process.wait()))
 
     @classmethod
@@ -57,8 +70,8 @@ class Nursery:
         return cls(socket.socket(fileno=descriptor), bubblewrap=bubblewrap)
 
     def divided(self):
-        """Fork a nursery from this one, which has imported what this one has by now: its number, and the socket on
-        which whoever holds that can ask it; it ends when nobody does."""
+        """Fork a nursery from this one, which has imported what this one has by now: its number,
+        and the socket on which whoever holds that can ask it; it ends when nobody does."""
         with self._asking:
             self._tell({"pack": True})
         ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
@@ -76,27 +89,35 @@ class Nursery:
         return self._bubblewrap or isolation.bubblewrap()
 
     def load(self, modules):
-        """Let it import more before it forks next. Nobody waits for that; if it dies of it, the next fork tells."""
+        """Let it import more before it forks next. Nobody waits for that; if it dies of it, the
+        next fork tells."""
         with self._asking, suppress(NotStarted):
             self._tell({"load": list(modules)})
 
     def fork(self, kind, given, descriptors):
-        """Fork a process of a `kind` (of `_KINDS`) with these descriptors as its 0, 1, ..., where None leaves what is
-        there; returns its number."""
+        """Fork a process of a `kind` (of `_KINDS`) with these descriptors as its 0, 1, ..., where
+        None leaves what is there; returns its number."""
         with self._asking:
             self.begin_fork(kind, given, descriptors)
             return self.forked()
 
     def begin_fork(self, kind, given, descriptors):
-        """What `fork` does, without waiting: whoever alone asks this nursery gets the number from `forked`."""
-        numbers = [number for number, descriptor in enumerate(descriptors) if descriptor is not None]
-        self._tell({"fork": kind, "given": given, "numbers": numbers}, [descriptors[number] for number in numbers])
+        """What `fork` does, without waiting: whoever alone asks this nursery gets the number from
+        `forked`."""
+        numbers = [
+            number for number, descriptor in enumerate(descriptors) if descriptor is not None
+        ]
+        self._tell(
+            {"fork": kind, "given": given, "numbers": numbers},
+            [descriptors[number] for number in numbers],
+        )
 
     def forked(self):
         return self._answer()["number"]
 
     def place_in_proc(self):
-        """Of one that tells it first of all: its number, and a descriptor of the /proc in which it has this number."""
+        """Of one that tells it first of all: its number, and a descriptor of the /proc in which it
+        has this number."""
         with _told():
             number, descriptors, _, _ = socket.recv_fds(self._control, LONGEST, 1)
         if not descriptors:
@@ -112,11 +133,13 @@ class Nursery:
         self._tell({"forget": number})
 
     def ended(self, number, within=0.0):
-        """The exit code of a process forked here, negative for a signal; None if it runs on after so many seconds."""
+        """The exit code of a process forked here, negative for a signal; None if it runs on after
+        so many seconds."""
         return self._ask({"ended": number, "within": within})["code"]
 
     def end(self, number, within=0.0):
-        """Its exit code; if it runs on after so many seconds, it is killed with all that it started in its session."""
+        """Its exit code; if it runs on after so many seconds, it is killed with all that it started
+        in its session."""
         return self._ask({"end": number, "within": within})["code"]
 
     def close(self):
@@ -137,8 +160,11 @@ class Nursery:
         with _told():
             answer = self._control.recv(LONGEST)
         if not answer:
-            raise NotStarted("the process that others are forked from ended: the machine may be out of memory; the same"
-                             " command goes on from here")
+            raise NotStarted(
+                "the process that others are forked from ended: the machine may be out of memory; "
+                "the same"
+                " command goes on from here"
+            )
         return json.loads(answer)
 
 
@@ -147,8 +173,11 @@ def _told():
     try:
         yield
     except OSError as error:
-        raise NotStarted(f"the process that others are forked from is gone or too slow ({error}): the machine may be"
-                         " out of memory; the same command goes on from here") from None
+        raise NotStarted(
+            f"the process that others are forked from is gone or too slow ({error}): the machine "
+            "may be"
+            " out of memory; the same command goes on from here"
+        ) from None
 
 
 # In the nursery
@@ -160,11 +189,11 @@ def main(control, modules):
 
 
 def serve(control, kinds, apart=None, tidy=lambda: None):
-    """Fork as asked, of `kinds` (functions by name), until nobody is there to ask. Requests are the grader's own;
-    nothing else ever comes in.
+    """Fork as asked, of `kinds` (functions by name), until nobody is there to ask. Requests are the
+    grader's own; nothing else ever comes in.
 
-    `apart` is called before each fork where each process begins a namespace of its own, from which no parent is to be
-    seen; `tidy` when one was ended, and in the end.
+    `apart` is called before each fork where each process begins a namespace of its own, from which
+    no parent is to be seen; `tidy` when one was ended, and in the end.
     """
     this = os.getpid() if apart is None else 0
     while True:
@@ -193,8 +222,14 @@ def serve(control, kinds, apart=None, tidy=lambda: None):
             number = os.fork()
             if number == 0:
                 control.detach()
-                _run_to_the_end(_become, kinds[request["fork"]], request["given"], descriptors, request["numbers"],
-                                this)
+                _run_to_the_end(
+                    _become,
+                    kinds[request["fork"]],
+                    request["given"],
+                    descriptors,
+                    request["numbers"],
+                    this,
+                )
             for descriptor in descriptors:
                 os.close(descriptor)
             answer = {"number": number}
@@ -237,7 +272,8 @@ def _become(function, given, descriptors, numbers, parent):
     # Or signals to its process group, number 0, would reach its parent through all namespaces.
     os.setsid()
     end_with_parent(parent)
-    for number, descriptor in zip(numbers, descriptors, strict=True):  # both ascend, so that none is in the way
+    # both ascend, so that none is in the way
+    for number, descriptor in zip(numbers, descriptors, strict=True):
         os.dup2(descriptor, number)
     os.closerange(max([2, *numbers]) + 1, HIGHEST_DESCRIPTOR)
     _codes.clear()
@@ -245,7 +281,8 @@ def _become(function, given, descriptors, numbers, parent):
 
 
 def _run_to_the_end(function, *given):
-    """Run what a forked process is for; it ends here, whatever happens, and nothing of its parent's is tidied up."""
+    """Run what a forked process is for; it ends here, whatever happens, and nothing of its parent's
+    is tidied up."""
     code = 1
     try:
         function(*given)

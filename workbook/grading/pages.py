@@ -1,4 +1,5 @@
-"""What the HTML pages share: they stand alone, without scripts and without anything from elsewhere."""
+"""What the HTML pages share: they stand alone, without scripts and without anything from
+elsewhere."""
 
 from html import escape
 
@@ -38,14 +39,17 @@ svg { max-width: 100%; height: auto; display: block; } svg text { fill: var(--in
 """
 
 
-
 def page(title, whose, body):
     """A whole page under a title, `body` being HTML."""
-    return ('<!doctype html><html lang="en"><head><meta charset="utf-8">'
-            '<meta name="viewport" content="width=device-width, initial-scale=1">'
-            '<meta http-equiv="Content-Security-Policy" content="default-src \'none\'; style-src \'unsafe-inline\'">'
-            f"<title>{escape(title)}: {escape(whose)}</title><style>{STYLE}</style></head>"
-            f'<body><h1>{escape(title)}<br><span class="soft">{person(whose)}</span></h1>{body}</body></html>\n')
+    return (
+        '<!doctype html><html lang="en"><head><meta charset="utf-8">'
+        '<meta name="viewport" content="width=device-width, initial-scale=1">'
+        '<meta http-equiv="Content-Security-Policy" content="default-src \'none\'; style-src '
+        "'unsafe-inline'\">"
+        f"<title>{escape(title)}: {escape(whose)}</title><style>{STYLE}</style></head>"
+        f"<body><h1>{escape(title)}<br><span "
+        f'class="soft">{person(whose)}</span></h1>{body}</body></html>\n'
+    )
 
 
 def table(header, rows):

@@ -1,8 +1,9 @@
 """What was last written of a homework, and every change since: graded/<assignment>/grades.json.
 
-A regrade, a resubmission, points given by hand or a changed assignment file can change a grade that students have seen.
-Each run compares its grades with those written before, and says which answers changed and why. The file is replaced
-whole, after everything else, so a run that is killed has either told its changes or tells them next time.
+A regrade, a resubmission, points given by hand or a changed assignment file can change a grade that
+students have seen. Each run compares its grades with those written before, and says which answers
+changed and why. The file is replaced whole, after everything else, so a run that is killed has
+either told its changes or tells them next time.
 """
 
 import json
@@ -35,22 +36,35 @@ NO_VERDICT = "not asked for"
 
 
 def compared(path, assignment, scores, when):
-    """(changes since the grades were written to `path`, all changes so far, the text to write there now). `when` is a
-    text."""
+    """(changes since the grades were written to `path`, all changes so far, the text to write there
+    now). `when` is a text."""
     before, students = read(path), _students(scores)
     former = [Change(**change) for change in before["changes"]]
-    new = _changes(before["students"], students, {(p, a) for p, answers in assignment.points.items() for a in answers},
-                   when)
+    new = _changes(
+        before["students"],
+        students,
+        {(p, a) for p, answers in assignment.points.items() for a in answers},
+        when,
+    )
     new += _asked_again(former, before["students"], students, when)
     everything = [*former, *new]
-    text = json.dumps({"assignment": assignment.name, "title": assignment.title, "max points": assignment.max_points,
-                       "students": students, "changes": [vars(change) for change in everything]}, ensure_ascii=False,
-                      indent=1)
+    text = json.dumps(
+        {
+            "assignment": assignment.name,
+            "title": assignment.title,
+            "max points": assignment.max_points,
+            "students": students,
+            "changes": [vars(change) for change in everything],
+        },
+        ensure_ascii=False,
+        indent=1,
+    )
     return new, everything, text + "\n"
 
 
 def read(path):
-    """The grades last written, as plain data; nobody and no change where nothing was written yet. Raises `BadInput`."""
+    """The grades last written, as plain data; nobody and no change where nothing was written yet.
+    Raises `BadInput`."""
     try:
         given = json.loads(path.read_text(encoding="utf-8"))
         _check(given)
@@ -60,17 +74,23 @@ def read(path):
     except OSError as error:
         raise BadInput(f"{path} cannot be read: {error.strerror}") from None
     except (ValueError, TypeError, KeyError, AttributeError, RecursionError):
-        raise BadInput(f"{path} is not as workbook grade wrote it; grade without it, and changes are told "
-                       "from there on") from None
+        raise BadInput(
+            f"{path} is not as workbook grade wrote it; grade without it, and changes are told "
+            "from there on"
+        ) from None
 
 
 def _check(given):
     """Fails on what cannot be read as grades."""
     for student in given["students"].values():
         for answer in student["answers"]:
-            texts, numbers = (answer["problem"], answer["answer"],
-                              answer["verdict"]), (answer["points"], answer["max points"])
-            if not all(isinstance(one, str) for one in texts) or not all(type(one) in (int, float) for one in numbers):
+            texts, numbers = (
+                (answer["problem"], answer["answer"], answer["verdict"]),
+                (answer["points"], answer["max points"]),
+            )
+            if not all(isinstance(one, str) for one in texts) or not all(
+                type(one) in (int, float) for one in numbers
+            ):
                 raise TypeError
             answer["notebook"], answer["by hand"], answer["judged by"]
     for change in given["changes"]:
@@ -92,27 +112,45 @@ def put_bytes(path, data):
     except OSError as error:
         with suppress(OSError):
             beside.unlink()
-        raise BadInput(f"{path} cannot be written: {error.strerror}; nothing that was there is lost") from None
+        raise BadInput(
+            f"{path} cannot be written: {error.strerror}; nothing that was there is lost"
+        ) from None
 
 
 def _students(scores):
-    return {score.student: {"points": score.points, "late": list(score.late), "needs review": score.needs_review,
-                            "answers": [_answer(score, answer) for answer in score.answers]} for score in scores}
+    return {
+        score.student: {
+            "points": score.points,
+            "late": list(score.late),
+            "needs review": score.needs_review,
+            "answers": [_answer(score, answer) for answer in score.answers],
+        }
+        for score in scores
+    }
 
 
 def _answer(score, answer):
     attempt = score.counted.get(answer.problem)
-    return {"problem": answer.problem, "answer": answer.answer, "verdict": answer.verdict.status,
-            "message": answer.verdict.message, "mistake": answer.verdict.mistake,
-            "points": answer.points, "max points": answer.max_points, "by hand": answer.manual,
-            "points by hand": answer.by_hand,
-            # The notebook that counts and the version of the problem it was judged by, each as a hash.
-            "notebook": attempt.content if attempt else None, "judged by": attempt.exercise if attempt else None}
+    return {
+        "problem": answer.problem,
+        "answer": answer.answer,
+        "verdict": answer.verdict.status,
+        "message": answer.verdict.message,
+        "mistake": answer.verdict.mistake,
+        "points": answer.points,
+        "max points": answer.max_points,
+        "by hand": answer.manual,
+        "points by hand": answer.by_hand,
+        # The notebook that counts and the version of the problem it was judged by, each as a
+        # hash.
+        "notebook": attempt.content if attempt else None,
+        "judged by": attempt.exercise if attempt else None,
+    }
 
 
 def _changes(before, after, asked, when):
-    """Changes of grades that stood before; what is graded for the first time is no change. `asked` are (problem,
-    answer)."""
+    """Changes of grades that stood before; what is graded for the first time is no change. `asked`
+    are (problem, answer)."""
     changes = []
     for student in {**after, **before}:
         now = _by_answer(after.get(student))
@@ -121,12 +159,34 @@ def _changes(before, after, asked, when):
             if name not in now:
                 if was["points"] > 0:
                     why = "points by hand taken back" if name in asked else NOT_ASKED
-                    changes.append(Change(when, student, *name, was["verdict"], NO_VERDICT, was["points"], 0.0, why))
+                    changes.append(
+                        Change(
+                            when,
+                            student,
+                            *name,
+                            was["verdict"],
+                            NO_VERDICT,
+                            was["points"],
+                            0.0,
+                            why,
+                        )
+                    )
             elif not (is_new and now[name]["notebook"] is not None) and (
-                    was["verdict"] != now[name]["verdict"] or abs(was["points"] - now[name]["points"]) > 1e-9):
-                changes.append(Change(when, student, *name, was["verdict"], now[name]["verdict"], was["points"],
-                                      now[name]["points"],
-                                      _why(was, now[name])))
+                was["verdict"] != now[name]["verdict"]
+                or abs(was["points"] - now[name]["points"]) > 1e-9
+            ):
+                changes.append(
+                    Change(
+                        when,
+                        student,
+                        *name,
+                        was["verdict"],
+                        now[name]["verdict"],
+                        was["points"],
+                        now[name]["points"],
+                        _why(was, now[name]),
+                    )
+                )
     return changes
 
 
@@ -134,13 +194,22 @@ def _asked_again(former, before, after, when):
     """Points that went when the homework asked for an answer no longer, and are back."""
     last = {(change.student, change.problem, change.answer): change for change in former}
     gone = {key for key, change in last.items() if change.new_verdict == NO_VERDICT}
-    return [Change(when, student, *name, NO_VERDICT, now["verdict"], 0.0, now["points"], ASKED_AGAIN)
-            for student, graded in after.items() for name, now in _by_answer(graded).items()
-            if (student, *name) in gone and name not in _by_answer(before.get(student)) and now["points"] > 0]
+    return [
+        Change(when, student, *name, NO_VERDICT, now["verdict"], 0.0, now["points"], ASKED_AGAIN)
+        for student, graded in after.items()
+        for name, now in _by_answer(graded).items()
+        if (student, *name) in gone
+        and name not in _by_answer(before.get(student))
+        and now["points"] > 0
+    ]
 
 
 def _by_answer(student):
-    return {(answer["problem"], answer["answer"]): answer for answer in student["answers"]} if student else {}
+    return (
+        {(answer["problem"], answer["answer"]): answer for answer in student["answers"]}
+        if student
+        else {}
+    )
 
 
 def _why(was, now):
@@ -160,7 +229,11 @@ def _why(was, now):
 
 def _by_hand(answer):
     """The comment and the points that were entered, or None."""
-    return None if answer["by hand"] is None else (answer["by hand"], answer.get("points by hand", answer["points"]))
+    return (
+        None
+        if answer["by hand"] is None
+        else (answer["by hand"], answer.get("points by hand", answer["points"]))
+    )
 
 
 def _version(answer):

@@ -23,10 +23,12 @@ ENDING = 5.0
 
 @dataclass(frozen=True)
 class Limits:
-    """What one notebook may use, all its processes together: time of computing, memory, and the rest.
+    """What one notebook may use, all its processes together: time of computing, memory, and the
+    rest.
 
-    Time in which nothing of the notebook wants to compute counts as computing. The clock on the wall allows three times
-    as much, and what a busy machine withholds is added, up to `withheld_seconds`: it is not the student's fault.
+    Time in which nothing of the notebook wants to compute counts as computing. The clock on the
+    wall allows three times as much, and what a busy machine withholds is added, up to
+    `withheld_seconds`: it is not the student's fault.
     """
 
     cpu_seconds: float = 120
@@ -45,8 +47,8 @@ class Limits:
 class Outcome:
     """How a notebook ended, and the bytes it handed over, not looked into.
 
-    `ended` is "done"; a limit it met ("time", "memory", "processes", "sockets", "large"); "died", with the manner as
-    the bytes; or "failed", when the sandbox itself did.
+    `ended` is "done"; a limit it met ("time", "memory", "processes", "sockets", "large"); "died",
+    with the manner as the bytes; or "failed", when the sandbox itself did.
     """
 
     ended: str
@@ -54,11 +56,12 @@ class Outcome:
 
 
 class Sandbox:
-    """A ready worker in a sandbox; `run` may be called again and again, each notebook sees an untouched machine.
+    """A ready worker in a sandbox; `run` may be called again and again, each notebook sees an
+    untouched machine.
 
-    Raises `isolation.NoIsolation` where none can be had. Use as a context manager.
-    Where the system allows no namespaces inside a sandbox, each notebook gets a sandbox of its own (`once`). Notebooks
-    find `modules` imported, and what `nursery` has imported if one is given.
+    Raises `isolation.NoIsolation` where none can be had. Use as a context manager. Where the system
+    allows no namespaces inside a sandbox, each notebook gets a sandbox of its own (`once`).
+    Notebooks find `modules` imported, and what `nursery` has imported if one is given.
     """
 
     _own_network = True
@@ -81,14 +84,16 @@ class Sandbox:
             self._own_nursery = None
 
     def run(self, sources, names, before=()):
-        """Run code cells, those of `before` first, and collect the answers `names`; returns an `Outcome`, whatever the
-        notebook does."""
+        """Run code cells, those of `before` first, and collect the answers `names`; returns an
+        `Outcome`, whatever the notebook does."""
         self.hand_in(sources, names, before)
         return self.outcome()
 
     def hand_in(self, sources, names, before=()):
         """Let the notebook begin that `run` would run; it goes on until `outcome` is asked for."""
-        self._request = json.dumps({"sources": list(sources), "names": list(names), "before": list(before)}).encode()
+        self._request = json.dumps(
+            {"sources": list(sources), "names": list(names), "before": list(before)}
+        ).encode()
         self._begin()
 
     def outcome(self):
@@ -96,8 +101,8 @@ class Sandbox:
         outcome = self._end()
         if outcome.ended != "failed":
             return outcome
-        # The machine was out of memory, or somebody ended our processes: not the notebook's doing, so it is tried once
-        # more.
+        # The machine was out of memory, or somebody ended our processes: not the notebook's doing,
+        # so it is tried once more.
         self._begin()
         return self._end()
 
@@ -107,14 +112,20 @@ class Sandbox:
             self.start()
             self._greet()
             if self._once:
-                requests, results, below = self._worker.stdin.fileno(), self._worker.stdout.fileno(), self._worker.pid
+                requests, results, below = (
+                    self._worker.stdin.fileno(),
+                    self._worker.stdout.fileno(),
+                    self._worker.pid,
+                )
                 self._proc, wake = os.open("/proc", os.O_RDONLY | os.O_DIRECTORY), lambda: None
             else:
                 self._make_place()
                 requests, results, below = self._place.requests, self._place.results, self._below
                 self._place.number = self._worker.children.forked()
                 wake = partial(self._worker.children.wake, self._place.number)
-            self._watch = watching.Watch(below, results, asdict(self.limits), self._proc, self._own_network, wake)
+            self._watch = watching.Watch(
+                below, results, asdict(self.limits), self._proc, self._own_network, wake
+            )
             self._watch.prepared()
             framing.send(requests, self._request)
         except (framing.Broken, OSError, isolation.NoIsolation) as trouble:
@@ -130,7 +141,8 @@ class Sandbox:
             outcome = Outcome("failed", str(trouble).encode())
         if self._once or outcome.ended == "failed":
             self._stop()
-        with suppress(isolation.NoIsolation, OSError):  # the next one gets ready while this outcome is judged
+        # the next one gets ready while this outcome is judged
+        with suppress(isolation.NoIsolation, OSError):
             if self._once:
                 self.start()
             elif self._worker is not None:
@@ -151,21 +163,35 @@ class Sandbox:
         self._worker.children.forget(number)
 
     def _told(self, ended, message):
-        # The first process of a namespace cannot be killed from inside: this was the kernel, or somebody on the
-        # machine.
-        return (Outcome("failed", b"killed") if (ended, message) == (b"died", b"signal 9")
-                else Outcome(ended.decode(), message))
+        # The first process of a namespace cannot be killed from inside: this was the kernel, or
+        # somebody on the machine.
+        return (
+            Outcome("failed", b"killed")
+            if (ended, message) == (b"died", b"signal 9")
+            else Outcome(ended.decode(), message)
+        )
 
     def _how_it_died(self):
-        """"exit 3", "signal 11", or "silent" if it lives on but has closed its pipe."""
+        """ "exit 3", "signal 11", or "silent" if it lives on but has closed its pipe."""
         if not self._once:
             code = self._worker.children.ended(self._place.number, within=ENDING)
-            return b"silent" if code is None else f"signal {-code}".encode() if code < 0 else f"exit {code}".encode()
+            return (
+                b"silent"
+                if code is None
+                else f"signal {-code}".encode()
+                if code < 0
+                else f"exit {code}".encode()
+            )
         with suppress(subprocess.TimeoutExpired):
             code = self._worker.wait(timeout=ENDING)
             # Bubblewrap's exit code is that of the process inside, or 128 and its signal.
-            return (f"signal {code - 128}" if code > 128 else f"signal {-code}" if code < 0
-                    else f"exit {code}").encode()
+            return (
+                f"signal {code - 128}"
+                if code > 128
+                else f"signal {-code}"
+                if code < 0
+                else f"exit {code}"
+            ).encode()
         return b"silent"
 
     def start(self):
@@ -193,31 +219,42 @@ class Sandbox:
             return
         self._stop()
         if greeting != NOT_NESTED:
-            raise isolation.NoIsolation(f"the sandbox does not start here: {greeting.decode(errors='replace')}")
+            raise isolation.NoIsolation(
+                f"the sandbox does not start here: {greeting.decode(errors='replace')}"
+            )
         self._once = True
         self.start()
         self._greet()
 
     def _why_it_did_not_start(self, broken):
-        """The error to raise: what bubblewrap itself says is the machine's affair, all else may go better next time."""
+        """The error to raise: what bubblewrap itself says is the machine's affair, all else may go
+        better next time."""
         if broken == "time":
-            return isolation.NotStarted(f"the sandbox was not ready within {STARTING:g} s, {STARTS} times: the machine"
-                                        " is too slow or too busy; the same command goes on from here")
+            return isolation.NotStarted(
+                f"the sandbox was not ready within {STARTING:g} s, {STARTS} times: the machine"
+                " is too slow or too busy; the same command goes on from here"
+            )
         with suppress(subprocess.TimeoutExpired):
             self._worker.wait(timeout=ENDING)
         code = self._worker.returncode
         signal_number = 9 if code is None else -code if code < 0 else max(code - 128, 0)
         if signal_number:
-            return isolation.NotStarted(f"the process that runs notebooks was killed (signal {signal_number}) while it"
-                                        f" started, {STARTS} times: the machine may be out of memory; the same command"
-                                        " goes on from here")
+            return isolation.NotStarted(
+                f"the process that runs notebooks was killed (signal {signal_number}) while it"
+                f" started, {STARTS} times: the machine may be out of memory; the same command"
+                " goes on from here"
+            )
         said = self._worker.stderr.read().decode(errors="replace").strip().split("\n")
         said = [line for line in said if line.startswith("bwrap: ")] or said
-        return isolation.NoIsolation(f"the sandbox does not start here: {said[-1] or 'it ended without a word'}")
+        return isolation.NoIsolation(
+            f"the sandbox does not start here: {said[-1] or 'it ended without a word'}"
+        )
 
     def _spawn(self):
         if self._once:
-            bwrap = self._nursery.bubblewrap if self._nursery is not None else isolation.bubblewrap()
+            bwrap = (
+                self._nursery.bubblewrap if self._nursery is not None else isolation.bubblewrap()
+            )
             return isolation.spawn_once(bwrap, asdict(self.limits), self._modules)
         nursery = self._forks()
         return Forked(nursery, "nested", asdict(self.limits), nursery.bubblewrap, "/tmp")
@@ -235,7 +272,8 @@ class Sandbox:
             if isinstance(self._worker, Forked):
                 self._worker.end()
             else:
-                # Its whole group: while bubblewrap is starting, its inner half does not yet end with the outer one.
+                # Its whole group: while bubblewrap is starting, its inner half does not yet end
+                # with the outer one.
                 if self._worker.returncode is None:
                     with suppress(ProcessLookupError):
                         os.killpg(self._worker.pid, signal.SIGKILL)
@@ -269,7 +307,8 @@ class _Place:
 
 
 class Forked:
-    """A worker forked from a nursery, to be used like a `subprocess.Popen`; itself the nursery of its `children`."""
+    """A worker forked from a nursery, to be used like a `subprocess.Popen`; itself the nursery of
+    its `children`."""
 
     def __init__(self, nursery, *given):
         self._nursery, self.returncode = nursery, None
@@ -293,21 +332,24 @@ class Forked:
         return self.returncode
 
     def end(self):
-        """Let it end, which it does when nobody is there to ask, or kill it with its whole group; and forget it."""
+        """Let it end, which it does when nobody is there to ask, or kill it with its whole group;
+        and forget it."""
         self.stdin.close()
         with suppress(isolation.NotStarted):
             self.returncode = self._nursery.end(self.pid, within=1)
 
 
 class Trusting(Sandbox):
-    """No sandbox: notebooks run as the grader's own user, within limits. For students, or machines, that can be
-    trusted."""
+    """No sandbox: notebooks run as the grader's own user, within limits. For students, or machines,
+    that can be trusted."""
 
     _folder, _own_network = None, False
 
     def start(self):
         if self._folder is None:
-            self._folder = tempfile.TemporaryDirectory(prefix="workbook-", ignore_cleanup_errors=True)
+            self._folder = tempfile.TemporaryDirectory(
+                prefix="workbook-", ignore_cleanup_errors=True
+            )
         super().start()
 
     def __exit__(self, *_):
@@ -321,4 +363,5 @@ class Trusting(Sandbox):
         return Outcome(ended.decode(), message)
 
     def _put_away(self, number):
-        self._worker.children.end(number)  # with all that is left of it, which no namespace does here
+        # with all that is left of it, which no namespace does here
+        self._worker.children.end(number)

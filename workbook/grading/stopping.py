@@ -1,4 +1,5 @@
-"""Ctrl-C that is never lost: what is raised in the midst of a finalizer, Python prints and forgets."""
+"""Ctrl-C that is never lost: what is raised in the midst of a finalizer, Python prints and
+forgets."""
 
 import signal
 import sys
@@ -11,10 +12,11 @@ AGAIN = 0.05
 
 @contextmanager
 def ctrl_c_heeded():
-    """A `KeyboardInterrupt` that Python ignores, as it must in `__del__` or a weak reference's callback, is raised
-    again.
+    """A `KeyboardInterrupt` that Python ignores, as it must in `__del__` or a weak reference's
+    callback, is raised again.
 
-    For the main thread, which is the one that Ctrl-C interrupts: soon after, at the latest at the end of the block.
+    For the main thread, which is the one that Ctrl-C interrupts: soon after, at the latest at the
+    end of the block.
     """
     before, main, owed = sys.unraisablehook, threading.get_ident(), []
 

@@ -1,11 +1,11 @@
-"""The grade store: one SQLite file, a transaction a notebook, so that a killed run loses nothing and grades nothing
-twice."""
+"""The grade store: one SQLite file, a transaction a notebook, so that a killed run loses nothing
+and grades nothing twice."""
 
 import json
 import sqlite3
 from contextlib import contextmanager
 from dataclasses import dataclass, field
-from datetime import datetime, timezone
+from datetime import UTC, datetime
 from pathlib import Path
 
 from workbook.checks.contract.verdict import Verdict
@@ -68,8 +68,12 @@ class Store:
             self._database.execute("PRAGMA foreign_keys=ON")
             self._database.executescript(SCHEMA)
             # written by an older version
-            if "hashes" not in {row[1] for row in self._database.execute("PRAGMA table_info(result)")}:
-                self._database.execute("ALTER TABLE result ADD COLUMN hashes TEXT NOT NULL DEFAULT '{}'")
+            if "hashes" not in {
+                row[1] for row in self._database.execute("PRAGMA table_info(result)")
+            }:
+                self._database.execute(
+                    "ALTER TABLE result ADD COLUMN hashes TEXT NOT NULL DEFAULT '{}'"
+                )
         except sqlite3.Error as error:
             raise self._error(error) from error
 
@@ -78,12 +82,16 @@ class Store:
 
     def __exit__(self, kind, error, trace):
         self._database.close()
-        if type(error) in (sqlite3.OperationalError, sqlite3.DatabaseError):  # the disk, not a mistake of ours
+        # the disk, not a mistake of ours
+        if type(error) in (sqlite3.OperationalError, sqlite3.DatabaseError):
             raise self._error(error) from error
 
     def _error(self, error):
-        return StoreError(f"{self.path}: {error}; what is stored in it is kept, and the same command goes on from "
-                          f"there")
+        return StoreError(
+            f"{self.path}: {error}; what is stored in it is kept, and the same command goes on "
+            "from "
+            f"there"
+        )
 
     @contextmanager
     def together(self):
@@ -93,70 +101,120 @@ class Store:
             yield
 
     def note_attempt(self, student, assignment, problem, content, submitted):
-        """The id of an attempt, new or known: the same notebook handed in twice is one attempt, at the time it has
-        now."""
+        """The id of an attempt, new or known: the same notebook handed in twice is one attempt, at
+        the time it has now."""
         key = (student, assignment, problem, content)
-        self._database.execute("INSERT INTO attempt (student, assignment, problem, content, submitted) VALUES (?, ?, "
-                               "?, ?, ?)"
-                               " ON CONFLICT DO UPDATE SET submitted = excluded.submitted WHERE submitted != "
-                               "excluded.submitted",
-                               (*key, submitted))
+        self._database.execute(
+            "INSERT INTO attempt (student, assignment, problem, content, submitted) VALUES (?, ?, "
+            "?, ?, ?)"
+            " ON CONFLICT DO UPDATE SET submitted = excluded.submitted WHERE submitted != "
+            "excluded.submitted",
+            (*key, submitted),
+        )
         (found,) = self._database.execute(
-            "SELECT id FROM attempt WHERE student = ? AND assignment = ? AND problem = ? AND content = ?",
-            key).fetchone()
+            "SELECT id FROM attempt WHERE student = ? AND assignment = ? AND problem = ? AND "
+            "content = ?",
+            key,
+        ).fetchone()
         return found
 
     def beyond(self, assignment, attempts):
-        """The attempts that come after the first `attempts` of a student at a problem; None is no limit."""
+        """The attempts that come after the first `attempts` of a student at a problem; None is no
+        limit."""
         if attempts is None:
             return []
-        rows = self._database.execute("""
+        rows = self._database.execute(
+            """
             SELECT id FROM (
               SELECT id, row_number() OVER (PARTITION BY student, problem ORDER BY submitted, id) AS number
-              FROM attempt WHERE assignment = ?) WHERE number > ?""", (assignment, attempts))
-        return [attempt for attempt, in rows]
+              FROM attempt WHERE assignment = ?) WHERE number > ?""",
+            (assignment, attempts),
+        )
+        return [attempt for (attempt,) in rows]
 
     def versions(self, attempt):
-        """By which exercises the attempt has a result, the newest last, which is the one that counts."""
-        rows = self._database.execute("SELECT exercise FROM result WHERE attempt = ? ORDER BY rowid", (attempt,))
-        return [exercise for exercise, in rows]
+        """By which exercises the attempt has a result, the newest last, which is the one that
+        counts."""
+        rows = self._database.execute(
+            "SELECT exercise FROM result WHERE attempt = ? ORDER BY rowid", (attempt,)
+        )
+        return [exercise for (exercise,) in rows]
 
     def record(self, attempt, exercise, verdicts, answers, remarks, hashes=None):
-        """Store a result, whole or not at all; a second one by the same exercise replaces the first."""
+        """Store a result, whole or not at all; a second one by the same exercise replaces the
+        first."""
         self._database.execute(
-            "INSERT OR REPLACE INTO result (attempt, exercise, verdicts, answers, remarks, graded, hashes) VALUES (?, "
+            "INSERT OR REPLACE INTO result (attempt, exercise, verdicts, answers, remarks, graded, "
+            "hashes) VALUES (?, "
             "?, ?, ?, ?, ?, ?)",
-            (attempt, exercise, json.dumps({name: [v.status, v.message, v.mistake] for name, v in verdicts.items()},
-                                           ensure_ascii=False),
-             json.dumps(answers, ensure_ascii=False), json.dumps(list(remarks), ensure_ascii=False),
-             datetime.now(timezone.utc).isoformat(timespec="seconds"), json.dumps(hashes or {})))
+            (
+                attempt,
+                exercise,
+                json.dumps(
+                    {name: [v.status, v.message, v.mistake] for name, v in verdicts.items()},
+                    ensure_ascii=False,
+                ),
+                json.dumps(answers, ensure_ascii=False),
+                json.dumps(list(remarks), ensure_ascii=False),
+                datetime.now(UTC).isoformat(timespec="seconds"),
+                json.dumps(hashes or {}),
+            ),
+        )
 
     def attempts(self, assignment):
         """All attempts at an assignment with their newest results, by student, problem and time."""
-        rows = self._database.execute("""
+        rows = self._database.execute(
+            """
             SELECT a.id, a.student, a.assignment, a.problem, a.content, a.submitted, r.exercise, r.verdicts, r.answers,
                    r.remarks, r.hashes
             FROM attempt a LEFT JOIN result r ON r.attempt = a.id
               AND r.rowid = (SELECT max(rowid) FROM result WHERE attempt = a.id)
-            WHERE a.assignment = ? ORDER BY a.student, a.problem, a.submitted, a.id""", (assignment,))
-        return [Attempt(*row[:7], {name: Verdict(*verdict) for name, verdict in json.loads(row[7] or "{}").items()},
-                        json.loads(row[8] or "{}"), tuple(json.loads(row[9] or "[]")), json.loads(row[10] or "{}"))
-                for row in rows]
+            WHERE a.assignment = ? ORDER BY a.student, a.problem, a.submitted, a.id""",
+            (assignment,),
+        )
+        return [
+            Attempt(
+                *row[:7],
+                {name: Verdict(*verdict) for name, verdict in json.loads(row[7] or "{}").items()},
+                json.loads(row[8] or "{}"),
+                tuple(json.loads(row[9] or "[]")),
+                json.loads(row[10] or "{}"),
+            )
+            for row in rows
+        ]
 
     def set_manual(self, student, assignment, problem, answer, points, comment):
         """A lecturer's score, which beats the automatic one until it is taken back."""
-        self._database.execute("INSERT OR REPLACE INTO manual VALUES (?, ?, ?, ?, ?, ?, ?)",
-                               (student, assignment, problem, answer, points, comment,
-                                datetime.now(timezone.utc).isoformat(timespec="seconds")))
+        self._database.execute(
+            "INSERT OR REPLACE INTO manual VALUES (?, ?, ?, ?, ?, ?, ?)",
+            (
+                student,
+                assignment,
+                problem,
+                answer,
+                points,
+                comment,
+                datetime.now(UTC).isoformat(timespec="seconds"),
+            ),
+        )
 
     def take_back(self, student, assignment, problem, answer):
-        """Remove a lecturer's score, so that the automatic one counts again; returns False if there was none."""
-        done = self._database.execute("DELETE FROM manual WHERE student = ? AND assignment = ? AND problem = ?"
-                                      " AND answer = ?", (student, assignment, problem, answer))
+        """Remove a lecturer's score, so that the automatic one counts again; returns False if there
+        was none."""
+        done = self._database.execute(
+            "DELETE FROM manual WHERE student = ? AND assignment = ? AND problem = ?"
+            " AND answer = ?",
+            (student, assignment, problem, answer),
+        )
         return done.rowcount > 0
 
     def manual(self, assignment):
         """{(student, problem, answer): (points, comment)} entered by hand."""
-        rows = self._database.execute("SELECT student, problem, answer, points, comment FROM manual WHERE assignment "
-                                      "= ?", (assignment,))
-        return {(student, problem, answer): (points, comment) for student, problem, answer, points, comment in rows}
+        rows = self._database.execute(
+            "SELECT student, problem, answer, points, comment FROM manual WHERE assignment = ?",
+            (assignment,),
+        )
+        return {
+            (student, problem, answer): (points, comment)
+            for student, problem, answer, points, comment in rows
+        }

@@ -1,7 +1,8 @@
-"""Find what was submitted: submitted/<student>/<assignment>/<notebook>.ipynb, as nbgrader lays it out.
+"""Find what was submitted: submitted/<student>/<assignment>/<notebook>.ipynb, as nbgrader lays it
+out.
 
-Nothing is followed out of the folder: symbolic links are named and left alone. What cannot be read as a notebook is a
-submission all the same, with a sentence that says why it earns nothing.
+Nothing is followed out of the folder: symbolic links are named and left alone. What cannot be read
+as a notebook is a submission all the same, with a sentence that says why it earns nothing.
 """
 
 import hashlib
@@ -21,11 +22,11 @@ LATEST = 253370764800.0
 
 @dataclass(frozen=True)
 class Submission:
-    """One submitted notebook: `cells` are the sources of its code cells, none, with the `trouble` in words, when it
-    cannot be read.
+    """One submitted notebook: `cells` are the sources of its code cells, none, with the `trouble`
+    in words, when it cannot be read.
 
-    `student`, `assignment` and `path` are fit to be printed and stored (`printable_name`); `submitted` is the file's
-    time.
+    `student`, `assignment` and `path` are fit to be printed and stored (`printable_name`);
+    `submitted` is the file's time.
     """
 
     student: str
@@ -40,10 +41,11 @@ class Submission:
 
 @dataclass(frozen=True)
 class Aside:
-    """Something below the folder that does not count, and why; `student` and `assignment` if it is somebody's work, as
-    far as known.
+    """Something below the folder that does not count, and why; `student` and `assignment` if it is
+    somebody's work, as far as known.
 
-    `problem` is that of a notebook for a problem of the workbook that the homework does not ask for.
+    `problem` is that of a notebook for a problem of the workbook that the homework does not ask
+    for.
     """
 
     path: str
@@ -55,8 +57,13 @@ class Aside:
 
 def students(root):
     """The names of all who have a folder, also of who handed nothing in."""
-    return list(dict.fromkeys(person_or_homework(entry.name) for entry in _listed(Path(root))
-                              if entry.is_dir() and not entry.is_symlink() and not _is_nobodys(entry)))
+    return list(
+        dict.fromkeys(
+            person_or_homework(entry.name)
+            for entry in _listed(Path(root))
+            if entry.is_dir() and not entry.is_symlink() and not _is_nobodys(entry)
+        )
+    )
 
 
 def find(root):
@@ -81,19 +88,28 @@ def _of_student(folder, who):
 
 def _of_homework(folder, student, assignment):
     if assignment in TAKEN or len(assignment.encode()) > 255:
-        why = ("the folder of results needs this name for itself" if assignment in TAKEN
-               else "this name is too long for a folder of results")
+        why = (
+            "the folder of results needs this name for itself"
+            if assignment in TAKEN
+            else "this name is too long for a folder of results"
+        )
         yield Aside(printable_name(folder), f"{why}: no homework can be called so", student)
         return
     notebooks = [path for path in _listed(folder) if _is_notebook(path)]
     yield from (_read(student, assignment, path) for path in notebooks)
-    below = [path for inner in _folders(folder, student, assignment) if isinstance(inner, Path)
-             and inner not in notebooks
-             for path in _listed(inner) if _is_notebook(path)]
+    below = [
+        path
+        for inner in _folders(folder, student, assignment)
+        if isinstance(inner, Path) and inner not in notebooks
+        for path in _listed(inner)
+        if _is_notebook(path)
+    ]
     yield from (_misplaced(path, student, assignment) for path in below)
     if not notebooks and not below:
         # Something else in it is somebody's work, though no notebook.
-        whose = (student, assignment) if any(not _is_nobodys(path) for path in _listed(folder)) else ()
+        whose = (
+            (student, assignment) if any(not _is_nobodys(path) for path in _listed(folder)) else ()
+        )
         yield Aside(printable_name(folder), "there is no notebook in this folder", *whose)
 
 
@@ -110,8 +126,11 @@ def _folders(path, student="", assignment=""):
             if os.access(entry, os.R_OK | os.X_OK):
                 yield entry
             else:
-                yield Aside(printable_name(entry), "this folder cannot be opened",
-                            *(whose or (person_or_homework(entry.name),)))
+                yield Aside(
+                    printable_name(entry),
+                    "this folder cannot be opened",
+                    *(whose or (person_or_homework(entry.name),)),
+                )
         elif not os.path.lexists(entry):
             yield _gone(entry, *(whose or (person_or_homework(entry.name),)))
         elif _is_notebook(entry):
@@ -132,12 +151,18 @@ def _is_notebook(path):
 
 
 def _gone(path, *whose):
-    return Aside(printable_name(path), "it was renamed or removed while it was read: grade again", *whose)
+    return Aside(
+        printable_name(path), "it was renamed or removed while it was read: grade again", *whose
+    )
 
 
 def _misplaced(path, student="", assignment=""):
-    return Aside(printable_name(path), "it does not lie in a folder STUDENT/HOMEWORK, where notebooks are read",
-                 student, assignment)
+    return Aside(
+        printable_name(path),
+        "it does not lie in a folder STUDENT/HOMEWORK, where notebooks are read",
+        student,
+        assignment,
+    )
 
 
 def _read(student, assignment, path):
@@ -149,8 +174,20 @@ def _read(student, assignment, path):
     except submitted_file.Unreadable as error:
         trouble = str(error)
     except OSError as error:  # our rights or our disk: no attempt of the student's
-        return Aside(printable_name(path), f"this file cannot be read ({error.strerror})", student, assignment)
+        return Aside(
+            printable_name(path),
+            f"this file cannot be read ({error.strerror})",
+            student,
+            assignment,
+        )
     fingerprint = hashlib.sha256(content or trouble.encode()).hexdigest()
-    return Submission(student, assignment, printable_name(path), fingerprint, submitted, number
-                      or submitted_file.number_of_name(path.stem), cells,
-                      trouble)
+    return Submission(
+        student,
+        assignment,
+        printable_name(path),
+        fingerprint,
+        submitted,
+        number or submitted_file.number_of_name(path.stem),
+        cells,
+        trouble,
+    )

@@ -1,7 +1,8 @@
-"""Read one submitted file: the sources of its code cells, and the problem that it names; or a sentence that says why
-not.
+"""Read one submitted file: the sources of its code cells, and the problem that it names; or a
+sentence that says why not.
 
-Only code counts: pictures that a notebook shows may be as large as they like, within what can be held in memory.
+Only code counts: pictures that a notebook shows may be as large as they like, within what can be
+held in memory.
 """
 
 import errno
@@ -15,15 +16,20 @@ import stat
 from workbook.grading.isolation import end_with_parent, loaded
 from workbook.notebooks.execution import in_child
 
-#: Files up to the first are read here; larger ones, up to the second, in a process of limited time and memory.
+#: Files up to the first are read here; larger ones, up to the second, in a process of limited time
+#: and memory.
 LARGE, LARGEST = 10 * 2**20, 200 * 2**20
 SECONDS, MEMORY = 20, 2 * 2**30
-#: Of code in one notebook, in characters: all notebooks of a course are held in memory while they wait.
+#: Of code in one notebook, in characters: all notebooks of a course are held in memory while they
+#: wait.
 MOST_CODE, MOST_CELLS = 2**20, 2000
 #: Errors on opening a file that are the file's own doing: it is a link, a socket, a device.
 THEIRS = {errno.ELOOP, errno.ENXIO, errno.ENODEV}
-#: How a notebook is handed out, ch1-p15, also within the name that a browser or a learning platform gave it.
-AS_HANDED_OUT = re.compile(r"(?<![a-z0-9])ch0*([0-9]{1,3})(?:[ ._-]p?|p)0*([0-9]{1,3})(?![0-9])", re.IGNORECASE)
+#: How a notebook is handed out, ch1-p15, also within the name that a browser or a learning platform
+#: gave it.
+AS_HANDED_OUT = re.compile(
+    r"(?<![a-z0-9])ch0*([0-9]{1,3})(?:[ ._-]p?|p)0*([0-9]{1,3})(?![0-9])", re.IGNORECASE
+)
 IN_SHORT = re.compile(r"0*([0-9]{1,3})[._-]p?0*([0-9]{1,3})(?:[^0-9].*)?", re.DOTALL)
 
 
@@ -34,7 +40,8 @@ class Unreadable(Exception):
 def content(path):
     """The bytes of a regular file; of anything else nothing is read."""
     try:
-        # O_NOFOLLOW and O_NONBLOCK: neither a link to somebody else's file nor a pipe that never ends.
+        # O_NOFOLLOW and O_NONBLOCK: neither a link to somebody else's file nor a pipe that never
+        # ends.
         descriptor = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK)
     except OSError as error:
         if error.errno not in THEIRS:
@@ -45,8 +52,11 @@ def content(path):
         if not stat.S_ISREG(about.st_mode):
             raise Unreadable("this is not a regular file")
         if about.st_size > LARGEST:
-            raise Unreadable(f"the file has {about.st_size / 2**20:.0f} MB; notebooks up to {LARGEST // 2**20} MB are "
-                             f"read")
+            raise Unreadable(
+                f"the file has {about.st_size / 2**20:.0f} MB; notebooks up to {LARGEST // 2**20} "
+                "MB are "
+                f"read"
+            )
         with open(descriptor, "rb", closefd=False) as file:
             return file.read(LARGEST + 1)
     finally:
@@ -60,16 +70,19 @@ def notebook(content):
     try:
         number, cells, trouble = in_child(_within_limits, content, timeout=6 * SECONDS)
     except RuntimeError:
-        raise Unreadable(f"the file has {len(content) / 2**20:.0f} MB, and reading it took more time or memory than "
-                         f"allowed") from None
+        raise Unreadable(
+            f"the file has {len(content) / 2**20:.0f} MB, and reading it took more time or memory "
+            "than "
+            f"allowed"
+        ) from None
     if trouble:
         raise Unreadable(trouble)
     return number, tuple(cells)
 
 
 def number_of_name(stem):
-    """The problem of a notebook that lost its metadata: 1.15, 1_15, ch1-p15, Copy of ch1-p15, Ann_123_ch1-p15 (1); or
-    None."""
+    """The problem of a notebook that lost its metadata: 1.15, 1_15, ch1-p15, Copy of ch1-p15,
+    Ann_123_ch1-p15 (1); or None."""
     found = {match.groups() for match in AS_HANDED_OUT.finditer(stem)}
     if not found and (match := IN_SHORT.fullmatch(stem)):
         found = {match.groups()}
@@ -100,19 +113,30 @@ def _notebook(content):
     except (KeyError, TypeError, AttributeError):
         raise Unreadable("the file is JSON, but not a notebook") from None
     if sum(map(len, cells)) > MOST_CODE or len(cells) > MOST_CELLS:
-        raise Unreadable(f"the notebook holds more than {MOST_CODE // 2**20} MB of code, or more than {MOST_CELLS} "
-                         f"cells of it")
+        raise Unreadable(
+            f"the notebook holds more than {MOST_CODE // 2**20} MB of code, or more than "
+            f"{MOST_CELLS} "
+            f"cells of it"
+        )
     return _number(given), cells
 
 
 def _cells(given):
     """Old notebooks, of format 3, hold them in worksheets."""
-    return given["cells"] if "cells" in given else [cell for sheet in given["worksheets"] for cell in sheet["cells"]]
+    return (
+        given["cells"]
+        if "cells" in given
+        else [cell for sheet in given["worksheets"] for cell in sheet["cells"]]
+    )
 
 
 def _source(cell):
     source = cell.get("source", cell.get("input", ""))
-    return source if isinstance(source, str) else "".join(part for part in source if isinstance(part, str))
+    return (
+        source
+        if isinstance(source, str)
+        else "".join(part for part in source if isinstance(part, str))
+    )
 
 
 def _number(given):
@@ -121,4 +145,8 @@ def _number(given):
         number = given["metadata"]["workbook"]["number"]
     except (KeyError, TypeError):
         return None
-    return number if isinstance(number, str) and re.fullmatch(r"[0-9]{1,3}\.[0-9]{1,3}", number) else None
+    return (
+        number
+        if isinstance(number, str) and re.fullmatch(r"[0-9]{1,3}\.[0-9]{1,3}", number)
+        else None
+    )

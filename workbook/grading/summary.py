@@ -1,5 +1,5 @@
-"""The page a lecturer gets: what waits for a look or could not be read, points, hardest answers, named mistakes, common
-failures, identical ones."""
+"""The page a lecturer gets: what waits for a look or could not be read, points, hardest answers,
+named mistakes, common failures, identical ones."""
 
 import re
 import statistics
@@ -23,35 +23,53 @@ def summary(assignment, scores):
     if any(score.spoilt for score in scores):
         parts += ["<h2>Notebooks that could not be read or run</h2>", _spoilt(scores)]
     if handed_in:
-        parts += ["<h2>Points</h2>", _histogram(assignment, handed_in), "<h2>Answers, hardest first</h2>",
-                  _hardest(handed_in),
-                  "<h2>What to talk about: mistakes that have a name</h2>", _mistakes(handed_in),
-                  "<h2>Common failures</h2>", _failures(handed_in), "<h2>Identical wrong answers</h2>",
-                  _identical(handed_in)]
+        parts += [
+            "<h2>Points</h2>",
+            _histogram(assignment, handed_in),
+            "<h2>Answers, hardest first</h2>",
+            _hardest(handed_in),
+            "<h2>What to talk about: mistakes that have a name</h2>",
+            _mistakes(handed_in),
+            "<h2>Common failures</h2>",
+            _failures(handed_in),
+            "<h2>Identical wrong answers</h2>",
+            _identical(handed_in),
+        ]
     return page(assignment.title, "Summary", "".join(parts))
 
 
 def _in_short(assignment, scores, handed_in):
-    said = [f"{len(handed_in)} of {count(len(scores), 'student')} handed something in",
-            f"{sum(bool(s.late) for s in scores)} were late",
-            f"{sum(s.needs_review for s in scores)} need a lecturer’s look"]
+    said = [
+        f"{len(handed_in)} of {count(len(scores), 'student')} handed something in",
+        f"{sum(bool(s.late) for s in scores)} were late",
+        f"{sum(s.needs_review for s in scores)} need a lecturer’s look",
+    ]
     if handed_in:
         reached = [score.points for score in handed_in]
-        said.append(f"the middle one has {points(statistics.median(reached))} of {points(assignment.max_points)} "
-                    f"points, "
-                    f"the mean is {points(statistics.mean(reached))}")
+        said.append(
+            f"the middle one has {points(statistics.median(reached))} of "
+            f"{points(assignment.max_points)} "
+            f"points, "
+            f"the mean is {points(statistics.mean(reached))}"
+        )
     return f"<p>{'; '.join(said)}.</p>"
 
 
 def _to_review(assignment, scores):
-    rows = [f"<tr><td>{person(score.student)}</td>{answer_name(answer.problem, answer.answer)}"
-            f"<td>{f'<code>{escape(answer.text)}</code><br>' if answer.text else ''}"
-            f"{escape(answer.verdict.message)}</td></tr>"
-            for score in scores for answer in score.to_review]
+    rows = [
+        f"<tr><td>{person(score.student)}</td>{answer_name(answer.problem, answer.answer)}"
+        f"<td>{f'<code>{escape(answer.text)}</code><br>' if answer.text else ''}"
+        f"{escape(answer.verdict.message)}</td></tr>"
+        for score in scores
+        for answer in score.to_review
+    ]
     command = f"workbook score STUDENT {escape(assignment.name)} PROBLEM ANSWER POINTS"
-    return (f"<p>These could not be judged and may still raise the grade. Give points with <code>{command}</code>, "
-            f"then grade again.</p>"
-            + table(("student", "answer", "what was given, and why it was not judged"), rows))
+    return (
+        "<p>These could not be judged and may still raise the grade. Give points with "
+        f"<code>{command}</code>, "
+        f"then grade again.</p>"
+        + table(("student", "answer", "what was given, and why it was not judged"), rows)
+    )
 
 
 def _aside(scores):
@@ -59,11 +77,16 @@ def _aside(scores):
     for score in scores:
         for one in score.aside:
             whose[one.why].append((score.student, one.path))
-    rows = [f"<tr><td>{person(student)}</td><td><code>{escape(path)}</code></td><td>{escape(why)}</td></tr>"
-            for why, works in sorted(whose.items(), key=lambda pair: -len(pair[1])) for student, path in works]
-    return ("<p>This may be work that is missing. Name it, or move it, as it should be, or take it away; then grade "
-            "again.</p>"
-            + table(("student", "what", "why"), rows))
+    rows = [
+        f"<tr><td>{person(student)}</td><td><code>{escape(path)}</code></td><td>{escape(why)}</td></tr>"
+        for why, works in sorted(whose.items(), key=lambda pair: -len(pair[1]))
+        for student, path in works
+    ]
+    return (
+        "<p>This may be work that is missing. Name it, or move it, as it should be, or take it "
+        "away; then grade "
+        "again.</p>" + table(("student", "what", "why"), rows)
+    )
 
 
 def _spoilt(scores):
@@ -72,35 +95,54 @@ def _spoilt(scores):
     for score in scores:
         for problem, remarks in score.spoilt.items():
             whose[NUMBER.sub("#", remarks[0])].append((score.student, problem, remarks[0]))
-    rows = [f'<tr><td class="number">{len(works)}</td><td>{escape(works[0][2])}</td>'
-            f"<td>{', '.join(f'{person(student)} ({escape(problem)})' for student, problem, _ in works)}</td></tr>"
-            for works in sorted(whose.values(), key=len, reverse=True)]
-    return ("<p>What a student handed in last for a problem, without any answer that could be read. It earns nothing; "
-            "ask for it again.</p>"
-            + table(("times", "why, in the words of one of them", "students and problems"), rows))
+    rows = [
+        f'<tr><td class="number">{len(works)}</td><td>{escape(works[0][2])}</td>'
+        f"<td>{', '.join(f'{person(student)} ({escape(problem)})' for student, problem, _ in works)}</td></tr>"
+        for works in sorted(whose.values(), key=len, reverse=True)
+    ]
+    return (
+        "<p>What a student handed in last for a problem, without any answer that could be read. It "
+        "earns nothing; "
+        "ask for it again.</p>"
+        + table(("times", "why, in the words of one of them", "students and problems"), rows)
+    )
 
 
 def _histogram(assignment, scores, bars=10):
     if assignment.max_points == 0:
         return "<p>Nothing is worth a point.</p>"
-    counts = Counter(min(int(bars * score.points / assignment.max_points + 1e-9), bars - 1) for score in scores)
+    counts = Counter(
+        min(int(bars * score.points / assignment.max_points + 1e-9), bars - 1) for score in scores
+    )
     tallest, width, height, top = max(counts.values()), 60, 130, 26
     floor, end = height + top, bars * width + 6
     drawn = []
     for k in sorted(counts):
         tall = height * counts[k] / tallest
-        drawn.append(f'<rect x="{k * width + 6}" y="{floor - tall:.1f}" width="{width - 6}" height="{tall:.1f}" '
-                     f'fill="var(--accent)"/>'
-                     f'<text x="{k * width + width / 2 + 3}" y="{floor - 5 - tall:.1f}" '
-                     f'text-anchor="middle">{counts[k]}</text>')
-    drawn.append(f'<line x1="0" x2="{end}" y1="{floor + .5}" y2="{floor + .5}" stroke="var(--soft)"/>')
+        drawn.append(
+            f'<rect x="{k * width + 6}" y="{floor - tall:.1f}" width="{width - 6}" '
+            f'height="{tall:.1f}" '
+            f'fill="var(--accent)"/>'
+            f'<text x="{k * width + width / 2 + 3}" y="{floor - 5 - tall:.1f}" '
+            f'text-anchor="middle">{counts[k]}</text>'
+        )
+    drawn.append(
+        f'<line x1="0" x2="{end}" y1="{floor + 0.5}" y2="{floor + 0.5}" stroke="var(--soft)"/>'
+    )
     for k in range(0, bars + 1, 2):
         anchor = "start" if k == 0 else "end" if k == bars else "middle"
-        drawn.append(f'<text x="{k * width + 3}" y="{floor + 20}" '
-                     f'text-anchor="{anchor}">{points(assignment.max_points * k / bars)}</text>')
-    drawn.append(f'<text x="{end / 2}" y="{floor + 44}" text-anchor="middle">points; on each bar the number of '
-                 f'students</text>')
-    spread = ", ".join(f"{counts[k]} from {points(assignment.max_points * k / bars)}" for k in sorted(counts))
+        drawn.append(
+            f'<text x="{k * width + 3}" y="{floor + 20}" '
+            f'text-anchor="{anchor}">{points(assignment.max_points * k / bars)}</text>'
+        )
+    drawn.append(
+        f'<text x="{end / 2}" y="{floor + 44}" text-anchor="middle">points; on each bar the number '
+        "of "
+        f"students</text>"
+    )
+    spread = ", ".join(
+        f"{counts[k]} from {points(assignment.max_points * k / bars)}" for k in sorted(counts)
+    )
     label = f"Number of students by points: {spread}"
     return f'<svg viewBox="0 0 {end} {floor + 50}" role="img" aria-label="{label}">{"".join(drawn)}</svg>'
 
@@ -113,11 +155,16 @@ def _hardest(scores):
     rows = []
     for (problem, name), counts in sorted(statuses.items(), key=lambda item: item[1][RIGHT]):
         told = [(status, f"{counts[status]} {status}") for status in STATUSES if counts[status]]
-        bar = "".join(f'<span class="{status}" style="flex: {counts[status]}" title="{words}"></span>'
-                      for status, words in told)
-        rows.append(f'<tr>{answer_name(problem, name)}<td class="number">{counts[RIGHT] / len(scores):.0%}</td>'
-                    f'<td><div class="bar">{bar}</div><span '
-                    f'class="soft">{", ".join(words for _, words in told)}</span></td></tr>')
+        bar = "".join(
+            f'<span class="{status}" style="flex: {counts[status]}" title="{words}"></span>'
+            for status, words in told
+        )
+        rows.append(
+            f"<tr>{answer_name(problem, name)}<td "
+            f'class="number">{counts[RIGHT] / len(scores):.0%}</td>'
+            f'<td><div class="bar">{bar}</div><span '
+            f'class="soft">{", ".join(words for _, words in told)}</span></td></tr>'
+        )
     return table(("answer", "right", "verdicts"), rows)
 
 
@@ -127,10 +174,14 @@ def _mistakes(scores):
     for score in scores:
         for answer in score.answers:
             if answer.verdict.mistake:
-                whose[answer.problem, answer.answer, answer.verdict.mistake.splitlines()[0]].append(score.student)
-    rows = [f'<tr><td class="number">{len(names)}</td>{answer_name(problem, name)}<td>{escape(mistake)}</td>'
-            f"<td>{', '.join(map(person, names))}</td></tr>"
-            for (problem, name, mistake), names in sorted(whose.items(), key=lambda pair: -len(pair[1]))]
+                whose[answer.problem, answer.answer, answer.verdict.mistake.splitlines()[0]].append(
+                    score.student
+                )
+    rows = [
+        f'<tr><td class="number">{len(names)}</td>{answer_name(problem, name)}<td>{escape(mistake)}</td>'
+        f"<td>{', '.join(map(person, names))}</td></tr>"
+        for (problem, name, mistake), names in sorted(whose.items(), key=lambda pair: -len(pair[1]))
+    ]
     return table(("students", "answer", "what they were asked", "who"), rows)
 
 
@@ -140,17 +191,25 @@ def _failures(scores, most=10):
     for score in scores:
         for answer in score.answers:
             if answer.verdict.status not in (RIGHT, MISSING):
-                failure = answer.problem, answer.answer, answer.verdict.status, NUMBER.sub("#", answer.verdict.message)
+                failure = (
+                    answer.problem,
+                    answer.answer,
+                    answer.verdict.status,
+                    NUMBER.sub("#", answer.verdict.message),
+                )
                 told[failure] += 1
                 example.setdefault(failure, answer.verdict.message)
-    rows = [f'<tr class="{failure[2]}"><td class="number">{times}</td>{answer_name(*failure[:2])}'
-            f'<td><span class="verdict">{failure[2]}</span>: {escape(example[failure])}</td></tr>'
-            for failure, times in told.most_common(most)]
+    rows = [
+        f'<tr class="{failure[2]}"><td class="number">{times}</td>{answer_name(*failure[:2])}'
+        f'<td><span class="verdict">{failure[2]}</span>: {escape(example[failure])}</td></tr>'
+        for failure, times in told.most_common(most)
+    ]
     return table(("times", "answer", "what failed, in the words of one of them"), rows)
 
 
 def _identical(scores):
-    """Wrong answers that several students gave in the very same form: a common misconception, or copied work.
+    """Wrong answers that several students gave in the very same form: a common misconception, or
+    copied work.
 
     Compared are the whole answers, of which a text on the page may show only a part.
     """
@@ -160,9 +219,14 @@ def _identical(scores):
             if answer.verdict.status == WRONG and answer.hash:
                 givers[answer.problem, answer.answer, answer.hash].append(score.student)
                 texts[answer.hash] = answer.text
-    shared = sorted(((given, names) for given, names in givers.items() if len(names) > 1),
-                    key=lambda pair: -len(pair[1]))
-    rows = [f'<tr><td class="number">{len(names)}</td>{answer_name(problem, name)}'
-            f'<td><code>{escape(texts[given])}</code></td>'
-            f"<td>{', '.join(map(person, names))}</td></tr>" for (problem, name, given), names in shared]
+    shared = sorted(
+        ((given, names) for given, names in givers.items() if len(names) > 1),
+        key=lambda pair: -len(pair[1]),
+    )
+    rows = [
+        f'<tr><td class="number">{len(names)}</td>{answer_name(problem, name)}'
+        f"<td><code>{escape(texts[given])}</code></td>"
+        f"<td>{', '.join(map(person, names))}</td></tr>"
+        for (problem, name, given), names in shared
+    ]
     return table(("times", "answer", "given", "by"), rows)

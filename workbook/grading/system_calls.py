@@ -1,10 +1,12 @@
-"""What a notebook may not ask of the kernel: a seccomp filter, installed in the process itself before its first cell.
+"""What a notebook may not ask of the kernel: a seccomp filter, installed in the process itself
+before its first cell.
 
-Denied are new namespaces (in one of its own a process is root and may mount file systems of any size), memory that
-belongs to no process and so escapes every limit, looking into other processes, keys, and sockets of families that no
-network namespace confines (vsock reaches a virtual machine's host) or with buffers of more than the usual size. So are
-limits of a notebook's own making, by which the kernel would kill it in a way that looks like the grader's failure, and
-a word on how children end, since the time of children nobody waits for is lost to the count. Everything else is
+Denied are new namespaces (in one of its own a process is root and may mount file systems of any
+size), memory that belongs to no process and so escapes every limit, looking into other processes,
+keys, and sockets of families that no network namespace confines (vsock reaches a virtual machine's
+host) or with buffers of more than the usual size. So are limits of a notebook's own making, by
+which the kernel would kill it in a way that looks like the grader's failure, and a word on how
+children end, since the time of children nobody waits for is lost to the count. Everything else is
 allowed.
 """
 
@@ -27,24 +29,52 @@ X32 = 0x40000000
 
 DENIED = {
     # namespaces and mounts
-    "unshare": (272, 97), "setns": (308, 268), "mount": (165, 40), "umount2": (166, 39), "pivot_root": (155, 41),
-          "chroot": (161, 51),
-    "open_tree": (428, 428), "move_mount": (429, 429), "fsopen": (430, 430), "fsconfig": (431, 431),
-          "fsmount": (432, 432),
-    "fspick": (433, 433), "mount_setattr": (442, 442),
+    "unshare": (272, 97),
+    "setns": (308, 268),
+    "mount": (165, 40),
+    "umount2": (166, 39),
+    "pivot_root": (155, 41),
+    "chroot": (161, 51),
+    "open_tree": (428, 428),
+    "move_mount": (429, 429),
+    "fsopen": (430, 430),
+    "fsconfig": (431, 431),
+    "fsmount": (432, 432),
+    "fspick": (433, 433),
+    "mount_setattr": (442, 442),
     # memory of no process
-    "memfd_create": (319, 279), "memfd_secret": (447, 447), "shmget": (29, 194), "semget": (64, 190),
-          "msgget": (68, 186), "mq_open": (240, 180),
+    "memfd_create": (319, 279),
+    "memfd_secret": (447, 447),
+    "shmget": (29, 194),
+    "semget": (64, 190),
+    "msgget": (68, 186),
+    "mq_open": (240, 180),
     # limits, which are the grader's to set
     "setrlimit": (160, 164),
     # other processes, keys, and parts of the kernel that no computation needs
-    "ptrace": (101, 117), "process_vm_readv": (310, 270), "process_vm_writev": (311, 271), "kcmp": (312, 272),
-    "add_key": (248, 217), "request_key": (249, 218), "keyctl": (250, 219), "bpf": (321, 280),
-          "perf_event_open": (298, 241),
-    "userfaultfd": (323, 282), "fanotify_init": (300, 262), "open_by_handle_at": (304, 265),
-    "io_uring_setup": (425, 425), "io_uring_enter": (426, 426), "io_uring_register": (427, 427),
+    "ptrace": (101, 117),
+    "process_vm_readv": (310, 270),
+    "process_vm_writev": (311, 271),
+    "kcmp": (312, 272),
+    "add_key": (248, 217),
+    "request_key": (249, 218),
+    "keyctl": (250, 219),
+    "bpf": (321, 280),
+    "perf_event_open": (298, 241),
+    "userfaultfd": (323, 282),
+    "fanotify_init": (300, 262),
+    "open_by_handle_at": (304, 265),
+    "io_uring_setup": (425, 425),
+    "io_uring_enter": (426, 426),
+    "io_uring_register": (427, 427),
 }
-CLONE, CLONE3, SOCKET, SOCKETPAIR, SETSOCKOPT = (56, 220), (435, 435), (41, 198), (53, 199), (54, 208)
+CLONE, CLONE3, SOCKET, SOCKETPAIR, SETSOCKOPT = (
+    (56, 220),
+    (435, 435),
+    (41, 198),
+    (53, 199),
+    (54, 208),
+)
 PRLIMIT, SIGACTION = (302, 261), (13, 134)
 #: Any of the flags with which `clone` would make a namespace.
 NEW_NAMESPACE = 0x7E020000
@@ -58,12 +88,15 @@ FIRST, SECOND, THIRD = 16, 24, 32
 def check_known():
     """Raise `NoIsolation` on a machine for which there is no filter."""
     if platform.machine() not in ARCHITECTURES:
-        raise NoIsolation(f"no filter of system calls is known for {platform.machine()}; there is one for "
-                          f"{' and '.join(ARCHITECTURES)}")
+        raise NoIsolation(
+            f"no filter of system calls is known for {platform.machine()}; there is one for "
+            f"{' and '.join(ARCHITECTURES)}"
+        )
 
 
 def forbid():
-    """Install the filter in this process, for good; its children inherit it. Needs `no_new_privs`."""
+    """Install the filter in this process, for good; its children inherit it. Needs
+    `no_new_privs`."""
     program = _program(platform.machine())
     buffer = ctypes.create_string_buffer(program, len(program))
     header = struct.pack("HP", len(program) // 8, ctypes.addressof(buffer))
@@ -71,7 +104,8 @@ def forbid():
 
 
 def _program(machine):
-    """The filter as instructions of the classic Berkeley packet filter, over (number, architecture, ..., arguments)."""
+    """The filter as instructions of the classic Berkeley packet filter, over (number, architecture,
+    ..., arguments)."""
     audit, column = ARCHITECTURES[machine]
     program = [_load(4), *_unless_equal(audit, [_answer(KILL)]), _load(0)]
     if machine == "x86_64":
@@ -80,22 +114,46 @@ def _program(machine):
         program += _if_equal(numbers[column], [_answer(ERRNO | errno.EPERM)])
     # The C library falls back from clone3, whose flags no filter can read, to clone.
     program += _if_equal(CLONE3[column], [_answer(ERRNO | errno.ENOSYS)])
-    program += _if_equal(CLONE[column], [_load(FIRST), _jump(ANY_BIT, NEW_NAMESPACE, 0, 1),
-                                         _answer(ERRNO | errno.EPERM), _answer(ALLOW)])
+    program += _if_equal(
+        CLONE[column],
+        [
+            _load(FIRST),
+            _jump(ANY_BIT, NEW_NAMESPACE, 0, 1),
+            _answer(ERRNO | errno.EPERM),
+            _answer(ALLOW),
+        ],
+    )
     for call in (SOCKET, SOCKETPAIR):
-        families = [step for family in FAMILIES for step in _if_equal(int(family), [_answer(ALLOW)])]
-        program += _if_equal(call[column], [_load(FIRST), *families, _answer(ERRNO | errno.EAFNOSUPPORT)])
-    sizes = [step for option in BUFFERS for step in _if_equal(option, [_answer(ERRNO | errno.EPERM)])]
-    program += _if_equal(SETSOCKOPT[column], [_load(SECOND), *_unless_equal(socket.SOL_SOCKET, [_answer(ALLOW)]),
-                                              _load(THIRD), *sizes, _answer(ALLOW)])
+        families = [
+            step for family in FAMILIES for step in _if_equal(int(family), [_answer(ALLOW)])
+        ]
+        program += _if_equal(
+            call[column], [_load(FIRST), *families, _answer(ERRNO | errno.EAFNOSUPPORT)]
+        )
+    sizes = [
+        step for option in BUFFERS for step in _if_equal(option, [_answer(ERRNO | errno.EPERM)])
+    ]
+    program += _if_equal(
+        SETSOCKOPT[column],
+        [
+            _load(SECOND),
+            *_unless_equal(socket.SOL_SOCKET, [_answer(ALLOW)]),
+            _load(THIRD),
+            *sizes,
+            _answer(ALLOW),
+        ],
+    )
     program += _if_equal(PRLIMIT[column], _only_reading(THIRD))
-    program += _if_equal(SIGACTION[column], [_load(FIRST), *_if_equal(signal.SIGCHLD, _only_reading(SECOND)),
-                                             _answer(ALLOW)])
+    program += _if_equal(
+        SIGACTION[column],
+        [_load(FIRST), *_if_equal(signal.SIGCHLD, _only_reading(SECOND)), _answer(ALLOW)],
+    )
     return b"".join([*program, _answer(ALLOW)])
 
 
 def _only_reading(pointer):
-    """Allow a call only if this argument, which points to what it would set, is null: both halves of it."""
+    """Allow a call only if this argument, which points to what it would set, is null: both halves
+    of it."""
     denied = _unless_equal(0, [_answer(ERRNO | errno.EPERM)])
     return [_load(pointer), *denied, _load(pointer + 4), *denied, _answer(ALLOW)]
 

@@ -1,16 +1,19 @@
-"""Runs students' notebooks inside the sandbox: a ready process that forks a child of its own for each.
+"""Runs students' notebooks inside the sandbox: a ready process that forks a child of its own for
+each.
 
-The child is the first process of a PID namespace of its own, without network, with an empty /tmp and no /proc, without
-capabilities, within limits; when it is done, or out of time, everything it left behind ends with it.
+The child is the first process of a PID namespace of its own, without network, with an empty /tmp
+and no /proc, without capabilities, within limits; when it is done, or out of time, everything it
+left behind ends with it.
 
-The ready process never holds a request or an answer itself: whatever it had read would stand in the memory of every
-later child. Nor does any process that it was forked from (`nursery`). It only forks, and ends what it forked: the pipes
-on which the request comes and the answers leave lead from the grader to the child, and the grader watches it
-(`watching`). The child is there, and confined, before its request comes: while one notebook is judged, the next one's
-place gets ready.
+The ready process never holds a request or an answer itself: whatever it had read would stand in the
+memory of every later child. Nor does any process that it was forked from (`nursery`). It only
+forks, and ends what it forked: the pipes on which the request comes and the answers leave lead from
+the grader to the child, and the grader watches it (`watching`). The child is there, and confined,
+before its request comes: while one notebook is judged, the next one's place gets ready.
 
-There are three modes: `nested`, as said; `once`, where the system allows no namespaces inside the sandbox: one
-notebook, run by this very process, which a sandbox of its own surrounds; `trusting`, with no sandbox around at all.
+There are three modes: `nested`, as said; `once`, where the system allows no namespaces inside the
+sandbox: one notebook, run by this very process, which a sandbox of its own surrounds; `trusting`,
+with no sandbox around at all.
 """
 
 import ctypes
@@ -58,12 +61,15 @@ NOT_NESTED = b"not nested"
 
 
 def begin(mode, limits, bubblewrap, folder):
-    """In a process forked from a nursery: go into a sandbox, and be the nursery of notebooks' processes there, each
-    within the limits (`sandbox.Limits` as a dict); or with the mode "trusting" here, with an empty `folder` for a
-    home."""
+    """In a process forked from a nursery: go into a sandbox, and be the nursery of notebooks'
+    processes there, each within the limits (`sandbox.Limits` as a dict); or with the mode
+    "trusting" here, with an empty `folder` for a home."""
     home = {"HOME": folder, "TMPDIR": folder, "MPLCONFIGDIR": folder} if mode == "trusting" else {}
-    # Visible folders (an installation) that lie where notebooks find an empty folder; found while paths are as outside.
-    in_scratch = [str(path) for path in visible() if any(path.is_relative_to(folder) for folder in SCRATCH)]
+    # Visible folders (an installation) that lie where notebooks find an empty folder; found while
+    # paths are as outside.
+    in_scratch = [
+        str(path) for path in visible() if any(path.is_relative_to(folder) for folder in SCRATCH)
+    ]
     apart = None
     if mode != "trusting":
         try:
@@ -90,12 +96,14 @@ def begin(mode, limits, bubblewrap, folder):
     tidy = partial(_tidy, folder, proc) if mode == "trusting" else lambda: None
     if mode == "trusting":  # orphans come to this process
         system_call("prctl", PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
-    nursery.serve(control, {"notebook": partial(_run, limits, 0, 1, mode, folder, in_scratch)}, apart, tidy)
+    nursery.serve(
+        control, {"notebook": partial(_run, limits, 0, 1, mode, folder, in_scratch)}, apart, tidy
+    )
 
 
 def once(limits, modules):
-    """In a fresh process that a sandbox of its own surrounds, or a user of its own: run a single notebook here, for
-    which `modules` are imported beforehand."""
+    """In a fresh process that a sandbox of its own surrounds, or a user of its own: run a single
+    notebook here, for which `modules` are imported beforehand."""
     try:
         system_calls.check_known()
     except NoIsolation as error:
@@ -136,8 +144,13 @@ def _surround(limits, in_scratch):
     mount("none", "/", flags=MS_REC | MS_PRIVATE)
     held = {path: os.open(path, os.O_PATH) for path in in_scratch}
     for folder in SCRATCH:
-        mount("tmpfs", folder, "tmpfs", MS_NOSUID | MS_NODEV,
-              f"size={limits['disk_megabytes']}m,nr_inodes=10000,mode=1777")
+        mount(
+            "tmpfs",
+            folder,
+            "tmpfs",
+            MS_NOSUID | MS_NODEV,
+            f"size={limits['disk_megabytes']}m,nr_inodes=10000,mode=1777",
+        )
     for path, descriptor in held.items():
         if os.path.isdir(f"/proc/self/fd/{descriptor}"):
             os.makedirs(path, exist_ok=True)
@@ -153,7 +166,8 @@ def _touch(path):
 
 
 def _run(limits, requests, results, mode, folder, in_scratch):
-    """Give up everything, run the notebook that comes on `requests`, hand the answers over; never returns."""
+    """Give up everything, run the notebook that comes on `requests`, hand the answers over; never
+    returns."""
     this = os.getpid()
     try:
         results, requests = _keep_only(results, requests)
@@ -167,9 +181,13 @@ def _run(limits, requests, results, mode, folder, in_scratch):
         framing.send(results, watching.PREPARED)
         request = json.loads(framing.receive(requests))
         os.close(requests)
-        # The clock goes on while others have the processors. Where whoever watches can wake a cell that sleeps, none
-        # is stopped for that.
-        seconds = [limits["cpu_seconds"]] if mode != "once" else [limits["cpu_seconds"], limits["wall_seconds"]]
+        # The clock goes on while others have the processors. Where whoever watches can wake a cell
+        # that sleeps, none is stopped for that.
+        seconds = (
+            [limits["cpu_seconds"]]
+            if mode != "once"
+            else [limits["cpu_seconds"], limits["wall_seconds"]]
+        )
         message = _answers(request, seconds)
         if os.getpid() == this:  # not a child that the notebook forked and forgot
             framing.send(results, message)
@@ -179,11 +197,20 @@ def _run(limits, requests, results, mode, folder, in_scratch):
 
 def _answers(request, seconds):
     try:
-        return json.dumps(run_cells(request["sources"], request["names"], before=request["before"],
-                                    seconds=seconds)).encode()
+        return json.dumps(
+            run_cells(
+                request["sources"], request["names"], before=request["before"], seconds=seconds
+            )
+        ).encode()
     except BaseException as error:  # the student's code may end in anything; it is told
-        return json.dumps({"encoded": {}, "unreadable": {}, "errors": [f"the notebook ended: {type(error).__name__}"],
-                           "stopped": []}).encode()
+        return json.dumps(
+            {
+                "encoded": {},
+                "unreadable": {},
+                "errors": [f"the notebook ended: {type(error).__name__}"],
+                "stopped": [],
+            }
+        ).encode()
 
 
 def _confine(limits, mode, in_scratch):
@@ -199,7 +226,10 @@ def _confine(limits, mode, in_scratch):
 def _keep_only(*kept):
     """Close every file but these, which become numbers 3, 4, ...; input and output lead nowhere."""
     aside = [fcntl.fcntl(descriptor, fcntl.F_DUPFD_CLOEXEC, 3 + len(kept)) for descriptor in kept]
-    numbers = [os.dup2(descriptor, number, inheritable=False) for number, descriptor in enumerate(aside, start=3)]
+    numbers = [
+        os.dup2(descriptor, number, inheritable=False)
+        for number, descriptor in enumerate(aside, start=3)
+    ]
     os.closerange(3 + len(kept), 4096)
     nothing = os.open("/dev/null", os.O_RDWR)
     for descriptor in (0, 1, 2):
@@ -209,12 +239,16 @@ def _keep_only(*kept):
 
 
 def _limit(limits, mode):
-    """Limits of the kernel on this process and its children, each for itself; `watching` sums up."""
+    """Limits of the kernel on this process and its children, each for itself; `watching` sums
+    up."""
     # The process may have loaded the libraries itself, which is not the notebook's time or memory.
-    bounds = {resource.RLIMIT_AS: loaded() + limits["memory_megabytes"] * 2**20,
-              resource.RLIMIT_CPU: math.ceil(time.process_time() + limits["cpu_seconds"]) + 5,
-              resource.RLIMIT_FSIZE: limits["disk_megabytes"] * 2**20, resource.RLIMIT_NOFILE: 128,
-              resource.RLIMIT_CORE: 0}
+    bounds = {
+        resource.RLIMIT_AS: loaded() + limits["memory_megabytes"] * 2**20,
+        resource.RLIMIT_CPU: math.ceil(time.process_time() + limits["cpu_seconds"]) + 5,
+        resource.RLIMIT_FSIZE: limits["disk_megabytes"] * 2**20,
+        resource.RLIMIT_NOFILE: 128,
+        resource.RLIMIT_CORE: 0,
+    }
     if mode != "trusting":  # there it would count all processes of the user
         bounds[resource.RLIMIT_NPROC] = limits["processes"]
     for kind, bound in bounds.items():
@@ -223,8 +257,8 @@ def _limit(limits, mode):
 
 
 def _give_up_privileges():
-    """No capability in this user namespace, none to come back by an executable, no system call that would undo the
-    sandbox."""
+    """No capability in this user namespace, none to come back by an executable, no system call that
+    would undo the sandbox."""
     _drop_capabilities()
     system_calls.forbid()
 

@@ -1,7 +1,8 @@
-"""The copy that the class sees: a notebook with statement, data and drawing, the solution a step away.
+"""The copy that the class sees: a notebook with statement, data and drawing, the solution a step
+away.
 
-It is made of the student's notebook, which holds no solution; what the answers are is asked of the magics, whose cells
-stand where the student would work.
+It is made of the student's notebook, which holds no solution; what the answers are is asked of the
+magics, whose cells stand where the student would work.
 """
 
 import json
@@ -27,13 +28,27 @@ def notebook_of(subject):
         cells = _problem_cells(json.loads(subject.path.read_text(encoding="utf-8"))["cells"])
     for k, cell in enumerate(cells):
         cell["id"] = f"live-{k:03d}"
-    return {"cells": cells, "nbformat": 4, "nbformat_minor": 5,
-            "metadata": {"kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
-                         "language_info": {"name": "python"}, "live": {"subject": subject.word}, "rise": SLIDES}}
+    return {
+        "cells": cells,
+        "nbformat": 4,
+        "nbformat_minor": 5,
+        "metadata": {
+            "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
+            "language_info": {"name": "python"},
+            "live": {"subject": subject.word},
+            "rise": SLIDES,
+        },
+    }
 
 
 def code(source, **metadata):
-    return {"cell_type": "code", "execution_count": None, "metadata": metadata, "outputs": [], "source": source}
+    return {
+        "cell_type": "code",
+        "execution_count": None,
+        "metadata": metadata,
+        "outputs": [],
+        "source": source,
+    }
 
 
 def markdown(source, **metadata):
@@ -41,14 +56,16 @@ def markdown(source, **metadata):
 
 
 def _problem_cells(students):
-    """The cells of a student's notebook without its first words, hints and stubs; magics take their places."""
+    """The cells of a student's notebook without its first words, hints and stubs; magics take their
+    places."""
     from workbook.authoring.statements import reported_names
 
     cells = []
     for cell in students[2:]:
         source, tags = "".join(cell["source"]), cell["metadata"].get("tags", [])
         if "answer" in tags:
-            first = re.search(r"^(\w+) = \.\.\.", source, re.MULTILINE)  # below what it is, where this is long
+            # below what it is, where this is long
+            first = re.search(r"^(\w+) = \.\.\.", source, re.MULTILINE)
             cells.append(code(f"%answer {first[1]}"))
         elif "check" in tags:
             cells += [code(f"%check {name}") for name in reported_names(source)]
@@ -63,13 +80,15 @@ def _problem_cells(students):
 def settle(copy, before, name, keep, discard):
     """After the lecture: what becomes of a copy that was worked on (`before` is what it was).
 
-    `keep` is a path to keep it at; without it or `discard` the lecturer is asked, and where nobody can answer it is
-    kept beside. Returns where it is kept, or None.
+    `keep` is a path to keep it at; without it or `discard` the lecturer is asked, and where nobody
+    can answer it is kept beside. Returns where it is kept, or None.
     """
-    if discard or not copy.exists() or keep is None and copy.read_bytes() == before:
+    if discard or not copy.exists() or (keep is None and copy.read_bytes() == before):
         return None
     if keep is None and sys.stdin.isatty():
-        said = input("Keep the notebook of this lecture? A file name keeps it, Enter throws it away: ").strip()
+        said = input(
+            "Keep the notebook of this lecture? A file name keeps it, Enter throws it away: "
+        ).strip()
         if not said:
             return None
         keep = Path(said)
@@ -90,7 +109,9 @@ def _kept(copy, path):
         path.parent.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(copy, path)
     except OSError as error:
-        raise LiveError(f"{path} cannot be written: {error.strerror}; the notebook is still {copy}") from None
+        raise LiveError(
+            f"{path} cannot be written: {error.strerror}; the notebook is still {copy}"
+        ) from None
     return path
 
 
@@ -99,4 +120,6 @@ def hold_outside(path):
     place = path.expanduser().resolve()
     for room in ("solutions", "exercises", "book"):
         if place.is_relative_to(exercises.CHECKOUT / room):
-            raise LiveError(f"{path} stands among the workbook's own files; keep the copy elsewhere")
+            raise LiveError(
+                f"{path} stands among the workbook's own files; keep the copy elsewhere"
+            )

@@ -2,15 +2,18 @@
 
 import numpy as np
 
-#: Half the side of the square that is looked at; the first one in which claim and truth differ is drawn.
+#: Half the side of the square that is looked at; the first one in which claim and truth differ is
+#: drawn.
 WINDOWS = (4, 2, 10, 1)
 GRID = 121
 
 
 def picture(claim, truth):
-    """A figure of the claimed condition in two parameters with a point where it is wrong, as deep in as can be.
+    """A figure of the claimed condition in two parameters with a point where it is wrong, as deep
+    in as can be.
 
-    None where claim and truth are no conditions in the same two real parameters, or differ on lines alone.
+    None where claim and truth are no conditions in the same two real parameters, or differ on lines
+    alone.
     """
     symbols = _plane(claim, truth)
     if symbols is None:
@@ -33,7 +36,8 @@ def _plane(claim, truth):
 
 
 def _deepest(claim, truth, symbols, half):
-    """(x, y, whether the claim counts it in) of the point of a grid that is farthest from where the two agree."""
+    """(x, y, whether the claim counts it in) of the point of a grid that is farthest from where the
+    two agree."""
     from scipy.ndimage import distance_transform_edt
 
     axis = np.linspace(-half, half, GRID)
@@ -70,8 +74,13 @@ def _drawn(claim, symbols, half, x, y, counted_in):
         plotting.region(claim, symbols, (-half, half), (-half, half), ax=axes)
         axes.plot(x, y, "kX", markersize=11)
         said = "counted in" if counted_in else "left out"
-        axes.annotate(f"({x:.2g}, {y:.2g})\n{said}, wrongly", (x, y), textcoords="offset points", xytext=(9, 9),
-                      bbox={"boxstyle": "round", "facecolor": "white", "edgecolor": "none", "alpha": 0.8})
+        axes.annotate(
+            f"({x:.2g}, {y:.2g})\n{said}, wrongly",
+            (x, y),
+            textcoords="offset points",
+            xytext=(9, 9),
+            bbox={"boxstyle": "round", "facecolor": "white", "edgecolor": "none", "alpha": 0.8},
+        )
         names = [sp.latex(symbol) for symbol in symbols]
         axes.set_title(f"the claim in the plane of ${names[0]}$, ${names[1]}$")
         plt.close(figure)

@@ -2,9 +2,9 @@
 
     python -m workbook.live.kernels SOCKET
 
-is that process. It imports what every lecture uses and the modules that a line of its standard input names, then forks
-a kernel for every request that comes by its socket. It ends, with its kernels, when its standard input does: whoever
-started it need not come back to end it.
+is that process. It imports what every lecture uses and the modules that a line of its standard
+input names, then forks a kernel for every request that comes by its socket. It ends, with its
+kernels, when its standard input does: whoever started it need not come back to end it.
 """
 
 import importlib
@@ -19,15 +19,31 @@ from contextlib import suppress
 
 #: The variable of the environment that names the socket.
 SOCKET = "WORKBOOK_LIVE_KERNELS"
-#: What cells of lectures and the magics load beside trajlib, most of it only when a function is called.
-LIBRARIES = ("ipykernel.kernelapp", "matplotlib.pyplot", "scipy.integrate", "scipy.linalg", "scipy.optimize",
-             "jupytext.myst", "yaml", "workbook.live.magics", "workbook.live.counterexamples", "scipy.ndimage",
-             "workbook.authoring.master", "workbook.authoring.mistakes", "workbook.authoring.converting",
-             "workbook.live.catching_up", "workbook.display.results", "trajlib.plotting")
+#: What cells of lectures and the magics load beside trajlib, most of it only when a function is
+#: called.
+LIBRARIES = (
+    "ipykernel.kernelapp",
+    "matplotlib.pyplot",
+    "scipy.integrate",
+    "scipy.linalg",
+    "scipy.optimize",
+    "jupytext.myst",
+    "yaml",
+    "workbook.live.magics",
+    "workbook.live.counterexamples",
+    "scipy.ndimage",
+    "workbook.authoring.master",
+    "workbook.authoring.mistakes",
+    "workbook.authoring.converting",
+    "workbook.live.catching_up",
+    "workbook.display.results",
+    "trajlib.plotting",
+)
 
 
 def without_grammars():
-    """jsonschema, which Jupyter loads, would build the grammars of a checker that nothing here asks: over a second."""
+    """jsonschema, which Jupyter loads, would build the grammars of a checker that nothing here
+    asks: over a second."""
     sys.modules.setdefault("rfc3987_syntax", None)
 
 
@@ -37,9 +53,15 @@ def modules_for(numbers):
     from workbook.notebooks import exercises
     from workbook.notebooks.dependencies import module_closure
 
-    texts = [(exercises.CHECKOUT / "solutions" / master_file(number)).read_text(encoding="utf-8")
-             for number in numbers]
-    cells = [block.split("```")[0].split("]\n", 1)[-1] for text in texts for block in text.split("```{code-cell}")[1:]]
+    texts = [
+        (exercises.CHECKOUT / "solutions" / master_file(number)).read_text(encoding="utf-8")
+        for number in numbers
+    ]
+    cells = [
+        block.split("```")[0].split("]\n", 1)[-1]
+        for text in texts
+        for block in text.split("```{code-cell}")[1:]
+    ]
     return list(module_closure("\n".join(["import trajlib, workbook", *cells])))
 
 
@@ -63,7 +85,8 @@ def serve(address):
 
 
 def ask(address, request):
-    """Ask the process at `address` for a kernel; returns its number. Raises `OSError` if nobody is there."""
+    """Ask the process at `address` for a kernel; returns its number. Raises `OSError` if nobody is
+    there."""
     with socket.socket(socket.AF_UNIX) as connection:
         connection.settimeout(60)
         connection.connect(address)
@@ -82,10 +105,12 @@ def _import_all():
     with what_stays():
         os.environ["MPLBACKEND"] = "module://matplotlib_inline.backend_inline"
         without_grammars()
-        sys.modules["jupyter_server"] = None  # jupytext would import a server, and do without one
+        # jupytext would import a server, and do without one
+        sys.modules["jupyter_server"] = None
         for name in (*LIBRARIES, *SYMPY):
             importlib.import_module(name)
-        # found meanwhile by who started this; read without a buffer, in which `select` would miss the end
+        # found meanwhile by who started this; read without a buffer, in which `select` would miss
+        # the end
         for name in json.loads(sys.stdin.buffer.raw.readline() or "[]"):
             importlib.import_module(name)
         if any("casadi" in name for name in sys.modules):
@@ -118,11 +143,19 @@ def _be_kernel(request):
         os.chdir(request["folder"])
         sys.path[0] = ""
         import numpy
-        numpy.random.seed()  # as `random` does by itself: a fork would repeat the numbers of its brothers
+
+        # as `random` does by itself: a fork would repeat the numbers of its brothers
+        numpy.random.seed()
         from ipykernel.kernelapp import IPKernelApp
+
         app = IPKernelApp.instance()
-        app.initialize([f"--f={request['connection_file']}", f"--IPKernelApp.parent_handle={os.getppid()}",
-                        "--HistoryManager.hist_file=:memory:"])
+        app.initialize(
+            [
+                f"--f={request['connection_file']}",
+                f"--IPKernelApp.parent_handle={os.getppid()}",
+                "--HistoryManager.hist_file=:memory:",
+            ]
+        )
         app.start()
     except BaseException:
         traceback.print_exc()

@@ -1,4 +1,5 @@
-"""A lecture of book/lectures/ as the notebook that is shown: its slides, and the cells that only a lecture has.
+"""A lecture of book/lectures/ as the notebook that is shown: its slides, and the cells that only a
+lecture has.
 
 A lecture is a page of the book. What the site leaves out stands in it as
 
@@ -30,7 +31,7 @@ def cells_of(path):
             continue
         end = 0
         for live in (*LIVE.finditer(cell.source), None):
-            cells += _slides(cell.source[end:live.start() if live else None])
+            cells += _slides(cell.source[end : live.start() if live else None])
             if live:
                 cells.append(code(live[2].strip(), **_slide("subslide")))
                 end = live.end()

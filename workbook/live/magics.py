@@ -1,7 +1,8 @@
-"""The magics of a lecture: `%answer`, `%catchup`, `%hint`, `%check`, `%mistake` and `%poll`, and `%explore`.
+"""The magics of a lecture: `%answer`, `%catchup`, `%hint`, `%check`, `%mistake` and `%poll`, and
+`%explore`.
 
-Each but the last names an answer, `a_region`, where a lecture has several problems with its problem, `1.16 a_region`.
-What is not understood ends in one line.
+Each but the last names an answer, `a_region`, where a lecture has several problems with its
+problem, `1.16 a_region`. What is not understood ends in one line.
 """
 
 import builtins
@@ -26,7 +27,9 @@ class LectureMagics(Magics):
 
     def __init__(self, shell):
         super().__init__(shell)
-        self._problems = {number: Worked(number) for number in os.environ.get("TRAJLIB_LIVE", "").split()}
+        self._problems = {
+            number: Worked(number) for number in os.environ.get("TRAJLIB_LIVE", "").split()
+        }
         self._shown = {}
         self._last = ""
         self._handed_out = None
@@ -34,7 +37,8 @@ class LectureMagics(Magics):
     @no_var_expand
     @line_magic
     def answer(self, line):
-        """%answer a_region: one step more of the worked answer; without a name, of the one before."""
+        """%answer a_region: one step more of the worked answer; without a name, of the one
+        before."""
         with _in_one_line():
             worked, name = self._chosen(line or self._last)
             self._last = f"{worked.number} {name}" if len(self._problems) != 1 else name
@@ -60,7 +64,10 @@ class LectureMagics(Magics):
             worked, name = self._chosen(line)
             hints = worked.exercise.about["hints"][name]
             told = min(self._next("hint", worked, name) + 1, len(hints))
-            _show_markdown(worked, "\n\n".join(f"**Hint {k}.** {hint}" for k, hint in enumerate(hints[:told], 1)))
+            _show_markdown(
+                worked,
+                "\n\n".join(f"**Hint {k}.** {hint}" for k, hint in enumerate(hints[:told], 1)),
+            )
 
     @no_var_expand
     @line_magic
@@ -77,8 +84,9 @@ class LectureMagics(Magics):
                 try:
                     self.shell.user_ns[name] = self.shell.ev(expression.strip())
                 except Exception as error:
-                    raise LiveError(f"{expression.strip()} cannot be computed: {type(error).__name__}: {error}"
-                                    ) from None
+                    raise LiveError(
+                        f"{expression.strip()} cannot be computed: {type(error).__name__}: {error}"
+                    ) from None
             verdict = worked.verdict(name, self.shell.user_ns.get(name, ...))
             with suppress(NotYet):
                 report(**{name: verdict})
@@ -86,7 +94,8 @@ class LectureMagics(Magics):
     @no_var_expand
     @line_magic
     def mistake(self, line):
-        """%mistake a_region: what half the class would say, and what speaks against it; one more at each call."""
+        """%mistake a_region: what half the class would say, and what speaks against it; one more at
+        each call."""
         from workbook.checks.contract.reporting import NotYet, report
         from workbook.live.counterexamples import picture
 
@@ -105,13 +114,17 @@ class LectureMagics(Magics):
     @no_var_expand
     @line_magic
     def catchup(self, line):
-        """%catchup runs the cells above this one; %catchup c_region what is worked out before that answer."""
+        """%catchup runs the cells above this one; %catchup c_region what is worked out before that
+        answer."""
         from workbook.live.catching_up import cells_above
 
         with _in_one_line():
             if line.strip():
                 worked, name = self._chosen(line)
-                cells = [*(source for _, source in worked.exercise.code("data")), *worked.before(name)]
+                cells = [
+                    *(source for _, source in worked.exercise.code("data")),
+                    *worked.before(name),
+                ]
             else:
                 cells = [cell for cell in cells_above(self.shell) if not is_ours(cell)]
             self._run_quietly(cells)
@@ -120,7 +133,8 @@ class LectureMagics(Magics):
     @no_var_expand
     @line_magic
     def poll(self, line):
-        """%poll a_region: the right answer among likely wrong ones, for a show of hands; then the reveal.
+        """%poll a_region: the right answer among likely wrong ones, for a show of hands; then the
+        reveal.
 
         Counts may follow, %poll a_region 12 40 3 8.
         """
@@ -129,13 +143,14 @@ class LectureMagics(Magics):
         with _in_one_line():
             words = line.split()
             named = next((k for k, word in enumerate(words) if not word[0].isdigit()), len(words))
-            worked, name = self._chosen(" ".join(words[:named + 1]))
-            display(poll(worked, name, words[named + 1:]))
+            worked, name = self._chosen(" ".join(words[: named + 1]))
+            display(poll(worked, name, words[named + 1 :]))
 
     @no_var_expand
     @line_magic
     def explore(self, line):
-        """%explore phase_portrait 1.4 shows a picture that follows its sliders; %explore alone lists them."""
+        """%explore phase_portrait 1.4 shows a picture that follows its sliders; %explore alone
+        lists them."""
         from workbook.live.explorers import explore, listed
 
         with _in_one_line():
@@ -147,7 +162,11 @@ class LectureMagics(Magics):
     def after_cell(self, result):
         """When the cell that was handed out has run, the next one asks for the step after it."""
         run = (result.info.raw_cell or "").strip() if result.info else ""
-        if self._handed_out and run and run.split("\n")[0] == self._handed_out.strip().split("\n")[0]:
+        if (
+            self._handed_out
+            and run
+            and run.split("\n")[0] == self._handed_out.strip().split("\n")[0]
+        ):
             self._handed_out = None
             if result.success:
                 self.shell.set_next_input(f"%answer {self._last}")
@@ -158,19 +177,23 @@ class LectureMagics(Magics):
         return worked, name
 
     def _next(self, magic, worked, name):
-        """How often a magic has been called with an answer; those worked out in one cell are one."""
+        """How often a magic has been called with an answer; those worked out in one cell are
+        one."""
         key = magic, worked.number, worked.steps[name] if magic == "answer" else name
         self._shown[key] = self._shown.get(key, -1) + 1
         return self._shown[key]
 
     def _make_ready(self, worked, name, source):
-        """Give the cell handed out what it takes from the cells before: their imports, and their results if used."""
+        """Give the cell handed out what it takes from the cells before: their imports, and their
+        results if used."""
         before = worked.before(name)
         self._run_quietly([steps.needed_imports([*before, *worked.master.code("figure")])])
         lacking = steps.names_used(source) - set(self.shell.user_ns) - set(dir(builtins))
         if lacking & set(worked.solved):
             self._run_quietly([*(source for _, source in worked.exercise.code("data")), *before])
-            print(f"worked out before, and run now: {', '.join(sorted(lacking & set(worked.solved)))}")
+            print(
+                f"worked out before, and run now: {', '.join(sorted(lacking & set(worked.solved)))}"
+            )
 
     def _run_quietly(self, cells):
         from IPython.utils.capture import capture_output
@@ -181,11 +204,14 @@ class LectureMagics(Magics):
             error = outcome.error_before_exec or outcome.error_in_exec
             if error is not None:
                 first = source.strip().split("\n")[0]
-                raise LiveError(f"the cell that begins with {first!r} fails: {type(error).__name__}: {error}")
+                raise LiveError(
+                    f"the cell that begins with {first!r} fails: {type(error).__name__}: {error}"
+                )
 
 
 def is_ours(source):
-    """Whether a cell asks for something of this lecture: to run it again would show one step more."""
+    """Whether a cell asks for something of this lecture: to run it again would show one step
+    more."""
     first = source.strip().partition(" ")[0].partition("\n")[0]
     return first.lstrip("%") in OURS and first.startswith("%")
 

@@ -29,13 +29,19 @@ def present(subject, port=None, browser=True, keep=None, discard=False, say=prin
     Raises `LiveError` where JupyterLab, a browser or the port is not to be had.
     """
     if find_spec("jupyterlab") is None or find_spec("jupytext") is None:
-        raise LiveError("JupyterLab is not installed here; `pip install 'trajlib[live]'` in the checkout gets it")
+        raise LiveError(
+            "JupyterLab is not installed here; `pip install 'trajlib[live]'` in the checkout gets "
+            "it"
+        )
     if browser:
         browser = _browser()
     if keep is not None:
         hold_outside(keep)
     port = _free(port)
-    with TemporaryDirectory(prefix="workbook-live-", ignore_cleanup_errors=True) as place, _terminated_as_interrupted():
+    with (
+        TemporaryDirectory(prefix="workbook-live-", ignore_cleanup_errors=True) as place,
+        _terminated_as_interrupted(),
+    ):
         folder = Path(place)
         with _running(folder, subject, port) as (server, address, copy, before):
             try:
@@ -55,20 +61,39 @@ def present(subject, port=None, browser=True, keep=None, discard=False, say=prin
 
 @contextmanager
 def _running(folder, subject, port):
-    """The kernels' process and JupyterLab, side by side from the first moment; both end with this context."""
+    """The kernels' process and JupyterLab, side by side from the first moment; both end with this
+    context."""
     token = secrets.token_hex(16)
-    environment = os.environ | lab.furnish(folder) | {
-        # without the folder, in which both stand: the path of a socket has 107 characters at most
-        SOCKET: "kernels", "JUPYTER_TOKEN": token, "TRAJLIB_LIVE": " ".join(subject.problems),
-        "PYTHONPATH": os.environ.get("PYTHONPATH", ""), "MPLBACKEND": "module://matplotlib_inline.backend_inline"}
+    environment = (
+        os.environ
+        | lab.furnish(folder)
+        | {
+            # without the folder, in which both stand: the path of a socket has 107 characters at
+            # most
+            SOCKET: "kernels",
+            "JUPYTER_TOKEN": token,
+            "TRAJLIB_LIVE": " ".join(subject.problems),
+            "PYTHONPATH": os.environ.get("PYTHONPATH", ""),
+            "MPLBACKEND": "module://matplotlib_inline.backend_inline",
+        }
+    )
     copy = folder / "copy" / f"{subject.word}.ipynb"
     copy.parent.mkdir()
     log = open(folder / "log", "wb")
     processes = []
 
     def start(*arguments):
-        processes.append(subprocess.Popen([sys.executable, "-m", *arguments], env=environment, stdin=subprocess.PIPE,
-                                          stdout=subprocess.PIPE, stderr=log, start_new_session=True, cwd=folder))
+        processes.append(
+            subprocess.Popen(
+                [sys.executable, "-m", *arguments],
+                env=environment,
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                stderr=log,
+                start_new_session=True,
+                cwd=folder,
+            )
+        )
         return processes[-1]
 
     try:
@@ -78,7 +103,9 @@ def _running(folder, subject, port):
             with suppress(BrokenPipeError):  # without it kernels start as always
                 kernels.stdin.write(json.dumps(modules_for(subject.problems)).encode() + b"\n")
                 kernels.stdin.flush()
-        copy.write_text(json.dumps(notebook_of(subject), indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+        copy.write_text(
+            json.dumps(notebook_of(subject), indent=1, ensure_ascii=False) + "\n", encoding="utf-8"
+        )
         address = f"http://127.0.0.1:{port}/doc/tree/{copy.name}?token={token}"
         yield server, address, copy, copy.read_bytes()
     finally:
@@ -103,22 +130,33 @@ def _wait_until_ready(server, folder):
     ready, _, _ = select.select([server.stdout], [], [], PATIENCE)
     if not (ready and server.stdout.readline()):
         lines = (folder / "log").read_text(errors="replace").split("\n")
-        said = next((line for line in reversed(lines) if line.strip()), f"no answer in {PATIENCE} s")
+        said = next(
+            (line for line in reversed(lines) if line.strip()), f"no answer in {PATIENCE} s"
+        )
         raise LiveError(f"JupyterLab does not start: {said.strip()}")
 
 
 def _start_kernel(address, name):
-    """The page finds the kernel running: a cell run before there is one would be passed over without a word."""
+    """The page finds the kernel running: a cell run before there is one would be passed over
+    without a word."""
     import urllib.request
     from urllib.parse import parse_qs, urlsplit
 
     parts = urlsplit(address)
     asked = {"path": name, "name": name, "type": "notebook", "kernel": {"name": "python3"}}
-    request = urllib.request.Request(f"http://{parts.netloc}/api/sessions", json.dumps(asked).encode(), {
-        "Authorization": f"token {parse_qs(parts.query)['token'][0]}", "Content-Type": "application/json"})
+    request = urllib.request.Request(
+        f"http://{parts.netloc}/api/sessions",
+        json.dumps(asked).encode(),
+        {
+            "Authorization": f"token {parse_qs(parts.query)['token'][0]}",
+            "Content-Type": "application/json",
+        },
+    )
     try:
         # Not by way of a proxy: this is the same machine.
-        urllib.request.build_opener(urllib.request.ProxyHandler({})).open(request, timeout=PATIENCE).close()
+        urllib.request.build_opener(urllib.request.ProxyHandler({})).open(
+            request, timeout=PATIENCE
+        ).close()
     except OSError as error:
         raise LiveError(f"JupyterLab starts no kernel: {error}") from None
 
@@ -131,8 +169,11 @@ def _free(port):
         try:
             trial.bind(("127.0.0.1", port or 0))
         except (OSError, OverflowError) as error:
-            raise LiveError(f"port {port} cannot be had ({getattr(error, 'strerror', None) or error}); another --port, "
-                            "or none, takes a free one") from None
+            raise LiveError(
+                f"port {port} cannot be had ({getattr(error, 'strerror', None) or error}); another "
+                "--port, "
+                "or none, takes a free one"
+            ) from None
         return trial.getsockname()[1]
 
 
@@ -140,17 +181,23 @@ def _browser():
     try:
         return webbrowser.get()
     except webbrowser.Error:
-        raise LiveError("no browser is found here; --no-browser prints the address for one elsewhere") from None
+        raise LiveError(
+            "no browser is found here; --no-browser prints the address for one elsewhere"
+        ) from None
 
 
 @contextmanager
 def _terminated_as_interrupted():
     """What ends this process politely ends the lecture as Ctrl-C does."""
+
     def interrupt(*_):
         raise KeyboardInterrupt
 
-    before = {number: signal.signal(number, interrupt) for number in (signal.SIGTERM, getattr(signal, "SIGHUP", None))
-              if number is not None}
+    before = {
+        number: signal.signal(number, interrupt)
+        for number in (signal.SIGTERM, getattr(signal, "SIGHUP", None))
+        if number is not None
+    }
     try:
         yield
     finally:

@@ -1,4 +1,5 @@
-"""The book's Markdown for a notebook on a screen: references are named, not linked: nobody clicks in a lecture."""
+"""The book's Markdown for a notebook on a screen: references are named, not linked: nobody clicks
+in a lecture."""
 
 
 class _NoLinks:

@@ -1,4 +1,5 @@
-"""Tells JupyterLab's server to take its kernels from `workbook.live.kernels`; without it they start as always."""
+"""Tells JupyterLab's server to take its kernels from `workbook.live.kernels`; without it they start
+as always."""
 
 import asyncio
 import os
@@ -14,11 +15,15 @@ class ForkedKernels(LocalProvisioner):
     """Asks for a fork instead of starting a process."""
 
     async def launch_kernel(self, cmd, **given):
-        request = {"connection_file": self.parent.connection_file, "env": given.get("env") or dict(os.environ),
-                   "folder": given.get("cwd") or os.getcwd()}
+        request = {
+            "connection_file": self.parent.connection_file,
+            "env": given.get("env") or dict(os.environ),
+            "folder": given.get("cwd") or os.getcwd(),
+        }
         try:
             self.pid = self.pgid = await asyncio.to_thread(ask, os.environ[SOCKET], request)
-        except (OSError, KeyError, AttributeError):  # no such process, and on Windows no such sockets
+        # no such process, and on Windows no such sockets
+        except (OSError, KeyError, AttributeError):
             return await super().launch_kernel(cmd, **given)
         self.process = _Forked(self.pid)
         self.cwd = request["folder"]
@@ -57,5 +62,7 @@ def take_over():
     """All kernels of this process's server from here on."""
     factory = KernelProvisionerFactory.instance()
     name = "workbook-live"
-    factory.provisioners[name] = EntryPoint(name, f"{__name__}:{ForkedKernels.__name__}", factory.GROUP_NAME)
+    factory.provisioners[name] = EntryPoint(
+        name, f"{__name__}:{ForkedKernels.__name__}", factory.GROUP_NAME
+    )
     factory.default_provisioner_name = name

@@ -1,7 +1,8 @@
 """The worked solution of an answer, cut into steps as one would write them on a board.
 
-A step is a paragraph with its formulas, a computation, a picture or its caption. What stands before the cell that
-assigns an answer leads to it, what follows, up to the reasoning for the next answer, belongs to it too.
+A step is a paragraph with its formulas, a computation, a picture or its caption. What stands before
+the cell that assigns an answer leads to it, what follows, up to the reasoning for the next answer,
+belongs to it too.
 """
 
 import ast
@@ -10,7 +11,8 @@ from dataclasses import dataclass
 
 IDEA, CODE, PICTURE = "idea", "code", "picture"
 FENCE = re.compile(r"^(`{3,}|:{3,})\{solution-(start|end)\}.*?^\1[ \t]*$\n?", re.M | re.S)
-#: A blank line, but not one inside a formula or a directive: these keep their blank lines (`_paragraphs`).
+#: A blank line, but not one inside a formula or a directive: these keep their blank lines
+#: (`_paragraphs`).
 BLANK = re.compile(r"\n{2,}")
 
 
@@ -39,11 +41,13 @@ def steps_of(master):
 
 
 def _leads_to_more(rest, master):
-    """Whether a text opens the reasoning for another answer: it is no caption, and an answer cell comes after it."""
+    """Whether a text opens the reasoning for another answer: it is no caption, and an answer cell
+    comes after it."""
     from workbook.authoring.statements import assigned_names
 
     return not _is_caption(rest[0][1]) and any(
-        role == "answer" and assigned_names(source, master.answers) for role, source in rest)
+        role == "answer" and assigned_names(source, master.answers) for role, source in rest
+    )
 
 
 def _solutions(master):
@@ -56,7 +60,7 @@ def _solutions(master):
             continue
         end = 0
         for fence in (*FENCE.finditer(cell.source), None):
-            text = cell.source[end:fence.start() if fence else None].strip()
+            text = cell.source[end : fence.start() if fence else None].strip()
             if inside and text:
                 solutions[-1].append(("", text))
             if fence:
@@ -78,7 +82,9 @@ def _paragraphs(text):
     """Paragraphs, each with the formulas, lists and boxes that follow it."""
     whole = []
     for part in BLANK.split(text):
-        inside = whole and (whole[-1].count("$$") % 2 or len(re.findall(r"^(?:`{3,}|:{3,})", whole[-1], re.M)) % 2)
+        inside = whole and (
+            whole[-1].count("$$") % 2 or len(re.findall(r"^(?:`{3,}|:{3,})", whole[-1], re.M)) % 2
+        )
         if whole and (inside or re.match(r"\$\$|[-*] |\d+\. |`{3,}\{math\}|[a-z,;|]", part)):
             whole[-1] += "\n\n" + part
         else:
@@ -94,8 +100,12 @@ def _is_caption(text):
 
 def needed_imports(sources):
     """The import statements of cells, as one source."""
-    return "\n".join(ast.unparse(node) for source in sources for node in ast.parse(source).body
-                     if isinstance(node, (ast.Import, ast.ImportFrom)))
+    return "\n".join(
+        ast.unparse(node)
+        for source in sources
+        for node in ast.parse(source).body
+        if isinstance(node, (ast.Import, ast.ImportFrom))
+    )
 
 
 def names_used(source):
@@ -105,6 +115,10 @@ def names_used(source):
     bound = {node.id for node in names if isinstance(node.ctx, ast.Store)}
     bound |= {node.arg for node in nodes if isinstance(node, ast.arg)}
     bound |= {node.name for node in nodes if isinstance(node, (ast.FunctionDef, ast.ClassDef))}
-    bound |= {(alias.asname or alias.name).partition(".")[0] for node in nodes
-              if isinstance(node, (ast.Import, ast.ImportFrom)) for alias in node.names}
+    bound |= {
+        (alias.asname or alias.name).partition(".")[0]
+        for node in nodes
+        if isinstance(node, (ast.Import, ast.ImportFrom))
+        for alias in node.names
+    }
     return {node.id for node in names if isinstance(node.ctx, ast.Load)} - bound

@@ -16,7 +16,8 @@ class LiveError(ValueError):
 
 @dataclass(frozen=True)
 class Subject:
-    """`word` is what the command was given, `problems` the numbers whose answers the magics know."""
+    """`word` is what the command was given, `problems` the numbers whose answers the magics
+    know."""
 
     word: str
     title: str
@@ -26,7 +27,8 @@ class Subject:
 
 
 def find(word):
-    """The problem or lecture that a word such as "1.15" or "limit-cycles" names; raises `LiveError`."""
+    """The problem or lecture that a word such as "1.15" or "limit-cycles" names; raises
+    `LiveError`."""
     _hold_checkout()
     if word[:1].isdigit():
         try:
@@ -37,16 +39,21 @@ def find(word):
     known = {lecture.word: lecture for lecture in lectures()}
     if word not in known:
         near = get_close_matches(word, known, cutoff=0.4)
-        raise LiveError(f"there is no lecture {word}; " + (f"did you mean {' or '.join(near)}?" if near else
-                                                           "`workbook live` lists them"))
+        raise LiveError(
+            f"there is no lecture {word}; "
+            + (f"did you mean {' or '.join(near)}?" if near else "`workbook live` lists them")
+        )
     return known[word]
 
 
 def lectures():
     """The lectures in book/lectures/, by their slugs."""
     _hold_checkout()
-    return [_lecture(path) for path in sorted((exercises.CHECKOUT / "book" / "lectures").glob("*.md"))
-            if path.stem != "index"]
+    return [
+        _lecture(path)
+        for path in sorted((exercises.CHECKOUT / "book" / "lectures").glob("*.md"))
+        if path.stem != "index"
+    ]
 
 
 def _lecture(path):
@@ -59,4 +66,6 @@ def _lecture(path):
 
 def _hold_checkout():
     if not (exercises.CHECKOUT / "solutions").is_dir():
-        raise LiveError("a lecture needs a checkout of the workbook: the worked solutions are only there")
+        raise LiveError(
+            "a lecture needs a checkout of the workbook: the worked solutions are only there"
+        )

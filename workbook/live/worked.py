@@ -1,4 +1,5 @@
-"""A problem with all that is known of it: data, worked answers, trials, and the verdict on any answer."""
+"""A problem with all that is known of it: data, worked answers, trials, and the verdict on any
+answer."""
 
 from functools import cached_property
 
@@ -39,8 +40,12 @@ class Worked:
     @cached_property
     def solved(self):
         """The names of data and answer cells."""
-        return _run((role, cell.source) for cell in self.master.cells for role in [cell.role]
-                    if role in ("data", "answer"))
+        return _run(
+            (role, cell.source)
+            for cell in self.master.cells
+            for role in [cell.role]
+            if role in ("data", "answer")
+        )
 
     def before(self, name):
         """Sources of the worked answer cells before the one that assigns the answer `name`."""
@@ -70,9 +75,15 @@ class Worked:
             value = ... if value is ... else decode(encode(value))
         except EncodingError as error:
             value = Unusable(str(error))
-        cell = next(source for _, source in self.exercise.code("check") if name in reported_names(source))
+        cell = next(
+            source for _, source in self.exercise.code("check") if name in reported_names(source)
+        )
         # what the data cells made is theirs: a check that changed it would spoil the next one
-        names = _run(self.exercise.code("data")) | dict.fromkeys(self.exercise.about["answers"], ...) | {name: value}
+        names = (
+            _run(self.exercise.code("data"))
+            | dict.fromkeys(self.exercise.about["answers"], ...)
+            | {name: value}
+        )
         with collecting() as verdicts:
             exec(compile(cell, "<check cell>", "exec"), names)
         return verdicts[name]
@@ -103,14 +114,20 @@ def chosen(problems, words):
             problems = problems | {numbers[0]: Worked(exercises.find(numbers[0]).number)}
         except exercises.UnknownExercise as error:
             raise LiveError(error) from None
-    among = {number: worked for number, worked in problems.items() if number in numbers or not numbers}
+    among = {
+        number: worked for number, worked in problems.items() if number in numbers or not numbers
+    }
     found = [worked for worked in among.values() if name in worked.exercise.about["answers"]]
     if len(found) == 1:
         return found[0], name
     if found:
-        raise LiveError(f"{name} is an answer of {' and of '.join(w.number for w in found)}; say which: "
-                        f"{found[0].number} {name}")
+        raise LiveError(
+            f"{name} is an answer of {' and of '.join(w.number for w in found)}; say which: "
+            f"{found[0].number} {name}"
+        )
     known = [answer for worked in among.values() for answer in worked.exercise.about["answers"]]
     near = get_close_matches(name, known, cutoff=0.4) or known[:6]
     said = f"there is no answer {name}" if name else "name an answer"
-    raise LiveError(f"{said}; " + (f"there is {', '.join(near)}" if near else "this lecture has no problem"))
+    raise LiveError(
+        f"{said}; " + (f"there is {', '.join(near)}" if near else "this lecture has no problem")
+    )

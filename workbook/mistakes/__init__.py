@@ -1,8 +1,10 @@
-"""Mistakes that are named: what a wrong answer that was foreseen may have come from, in a sentence to its giver.
+"""Mistakes that are named: what a wrong answer that was foreseen may have come from, in a sentence
+to its giver.
 
-The masters hold wrong answers, each with its misconception. Of those a student's copy gets, beside the notebook, only
-fingerprints (`sealing`) of what they are whatever their form (`likeness`): an answer that a check has found wrong is
-looked up there, and opens the sentence that was written for it.
+The masters hold wrong answers, each with its misconception. Of those a student's copy gets, beside
+the notebook, only fingerprints (`sealing`) of what they are whatever their form (`likeness`): an
+answer that a check has found wrong is looked up there, and opens the sentence that was written for
+it.
 """
 
 import json
@@ -11,16 +13,25 @@ from workbook.notebooks import exercises
 
 
 def name_of(problem, answer, value):
-    """The sentence for a wrong value of an answer, with a hint below it if one belongs to it; "" if there is none."""
+    """The sentence for a wrong value of an answer, with a hint below it if one belongs to it; "" if
+    there is none."""
     from workbook.mistakes.likeness import Question, Unlike, likenesses
     from workbook.mistakes.sealing import find
 
     file = file_beside(exercises.place(problem))
-    asked = json.loads(file.read_text(encoding="utf-8"))["answers"].get(answer) if file.is_file() else None
+    asked = (
+        json.loads(file.read_text(encoding="utf-8"))["answers"].get(answer)
+        if file.is_file()
+        else None
+    )
     if asked is None:
         return ""
     try:
-        return find(asked["told"], f"{problem} {answer}", likenesses(value, Question(asked["kind"], asked["symbols"])))
+        return find(
+            asked["told"],
+            f"{problem} {answer}",
+            likenesses(value, Question(asked["kind"], asked["symbols"])),
+        )
     except Unlike:
         return ""
 

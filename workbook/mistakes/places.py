@@ -1,6 +1,8 @@
-"""What expressions are, and where conditions hold, at fixed places that hang on the names of the symbols alone.
+"""What expressions are, and where conditions hold, at fixed places that hang on the names of the
+symbols alone.
 
-An answer is only looked at: its tree is walked and its numbers are NumPy's, so nothing is simplified, compiled or run.
+An answer is only looked at: its tree is walked and its numbers are NumPy's, so nothing is
+simplified, compiled or run.
 """
 
 import functools
@@ -12,16 +14,31 @@ import sympy as sp
 from sympy.core.function import AppliedUndef
 from sympy.core.relational import Relational
 
-#: At how many places expressions are tried, and how many it takes to meet every part of a law of control, or every
-#: border of a condition.
+#: At how many places expressions are tried, and how many it takes to meet every part of a law of
+#: control, or every border of a condition.
 FEW, LAW, CONDITION = 24, 400, 6000
 #: Two sides that differ by a smaller share are equal but for rounding.
 ROUNDING = 1e-9
-#: Coordinates that put places of conditions exactly on borders: a third are small, a third as people write them.
+#: Coordinates that put places of conditions exactly on borders: a third are small, a third as
+#: people write them.
 SMALL = (0, 1, -1, 2, -2, 3, -3, 0.5, -0.5)
-USUAL = tuple(sorted({p / q for q in (1, 2, 3, 4, 5, 8, 9) for p in range(-12, 13)} | {s * k for s in (1, -1) for k in (
-    *(math.pi * k / 12 for k in range(1, 13)), *(math.sqrt(k) * q for k in (2, 3, 5, 6, 7, 8) for q in (1, .5)),
-    0.01, 20, 100, 1000)}))
+USUAL = tuple(
+    sorted(
+        {p / q for q in (1, 2, 3, 4, 5, 8, 9) for p in range(-12, 13)}
+        | {
+            s * k
+            for s in (1, -1)
+            for k in (
+                *(math.pi * k / 12 for k in range(1, 13)),
+                *(math.sqrt(k) * q for k in (2, 3, 5, 6, 7, 8) for q in (1, 0.5)),
+                0.01,
+                20,
+                100,
+                1000,
+            )
+        }
+    )
+)
 
 
 class NoValue(Exception):
@@ -29,7 +46,8 @@ class NoValue(Exception):
 
 
 def expression_places(name, assumed):
-    """Ordinary values, with a third of the places all positive, so that roots and logarithms are real there."""
+    """Ordinary values, with a third of the places all positive, so that roots and logarithms are
+    real there."""
     return _signed(0.35 + 2.3 * _shares(name, FEW, "size"), name, assumed, FEW // 3)
 
 
@@ -40,17 +58,27 @@ def law_places(name, assumed):
 
 def condition_places(name, assumed):
     """A third small numbers, a third usual ones, a third any."""
-    small, usual = (np.array(pool)[(_shares(name, CONDITION, what) * len(pool)).astype(int)]
-                    for pool, what in ((SMALL, "small"), (USUAL, "usual")))
+    small, usual = (
+        np.array(pool)[(_shares(name, CONDITION, what) * len(pool)).astype(int)]
+        for pool, what in ((SMALL, "small"), (USUAL, "usual"))
+    )
     which = _shares(name, CONDITION, "which")
-    found = np.where(which < 1 / 3, small, np.where(which < 2 / 3, usual, 6 * _shares(name, CONDITION, "any") - 3))
+    found = np.where(
+        which < 1 / 3,
+        small,
+        np.where(which < 2 / 3, usual, 6 * _shares(name, CONDITION, "any") - 3),
+    )
     found = np.round(found) if assumed == "integer" else found
     return np.where(found == 0, 1, abs(found)) if assumed == "positive" else found
 
 
 def _signed(sizes, name, assumed, positive):
     sizes = np.ceil(3 * sizes) if assumed == "integer" else sizes
-    turned = (_shares(name, len(sizes), "sign") < 0.5) & (np.arange(len(sizes)) >= positive) & (assumed != "positive")
+    turned = (
+        (_shares(name, len(sizes), "sign") < 0.5)
+        & (np.arange(len(sizes)) >= positive)
+        & (assumed != "positive")
+    )
     return np.where(turned, -sizes, sizes)
 
 
@@ -61,8 +89,8 @@ def _shares(name, count, what):
 
 
 class Walk:
-    """Finds values of SymPy trees at places: `places(name, assumed)` gives those of a symbol, `symbols` what is assumed
-    of it."""
+    """Finds values of SymPy trees at places: `places(name, assumed)` gives those of a symbol,
+    `symbols` what is assumed of it."""
 
     def __init__(self, places, symbols):
         self._places, self._symbols, self._known = places, symbols, {}
@@ -81,8 +109,11 @@ class Walk:
         if node is sp.I:
             return 1j
         if isinstance(node, sp.Piecewise):
-            return np.select([np.asarray(self(case.cond)) for case in node.args],
-                             [self(case.expr) for case in node.args], np.nan)
+            return np.select(
+                [np.asarray(self(case.cond)) for case in node.args],
+                [self(case.expr) for case in node.args],
+                np.nan,
+            )
         parts = [self(part) for part in node.args]
         if isinstance(node, Relational):
             return _compared(node, *parts)
@@ -99,19 +130,32 @@ def _compared(relation, left, right):
     return real & ~np.isnan(sign) & SIGNS[relation.func](sign)
 
 
-SIGNS = {sp.Gt: lambda sign: sign > 0, sp.Ge: lambda sign: sign >= 0, sp.Lt: lambda sign: sign < 0,
-         sp.Le: lambda sign: sign <= 0, sp.Eq: lambda sign: sign == 0, sp.Ne: lambda sign: sign != 0}
+SIGNS = {
+    sp.Gt: lambda sign: sign > 0,
+    sp.Ge: lambda sign: sign >= 0,
+    sp.Lt: lambda sign: sign < 0,
+    sp.Le: lambda sign: sign <= 0,
+    sp.Eq: lambda sign: sign == 0,
+    sp.Ne: lambda sign: sign != 0,
+}
 
 
 def _above(x):
-    """Numbers that are real but for rounding as real ones, which roots and logarithms continue from above."""
+    """Numbers that are real but for rounding as real ones, which roots and logarithms continue from
+    above."""
     x = np.asarray(x, dtype=complex)
     return np.where(abs(x.imag) <= ROUNDING * abs(x), x.real + 0j, x)
 
 
 def _power(base, exponent):
-    whole = np.ndim(exponent) == 0 and complex(exponent).imag == 0 and complex(exponent).real % 1 == 0
-    return np.asarray(base, dtype=complex) ** int(complex(exponent).real) if whole else _above(base) ** exponent
+    whole = (
+        np.ndim(exponent) == 0 and complex(exponent).imag == 0 and complex(exponent).real % 1 == 0
+    )
+    return (
+        np.asarray(base, dtype=complex) ** int(complex(exponent).real)
+        if whole
+        else _above(base) ** exponent
+    )
 
 
 def _sign(x):
@@ -129,17 +173,48 @@ def _all(function):
 
 #: What SymPy's functions are in numbers.
 FUNCTIONS = {
-    sp.Add: _all(np.add), sp.Mul: _all(np.multiply), sp.Pow: _power, sp.Abs: np.abs,
-    sp.exp: np.exp, sp.log: lambda x: np.log(_above(x)),
-    sp.sin: np.sin, sp.cos: np.cos, sp.tan: np.tan, sp.cot: lambda x: 1 / np.tan(x), sp.sec: lambda x: 1 / np.cos(x),
-    sp.asin: np.arcsin, sp.acos: np.arccos, sp.atan: np.arctan, sp.atan2: _real(np.arctan2),
-    sp.acot: lambda x: np.arctan(1 / x), sp.sinh: np.sinh, sp.cosh: np.cosh, sp.tanh: np.tanh,
-    sp.coth: lambda x: 1 / np.tanh(x), sp.asinh: np.arcsinh, sp.acosh: np.arccosh, sp.atanh: np.arctanh,
-    sp.acoth: lambda x: np.arctanh(1 / x), sp.sinc: lambda x: np.sinc(x / np.pi), sp.re: np.real, sp.im: np.imag,
-    sp.conjugate: np.conj, sp.arg: np.angle, sp.sign: _sign, sp.Heaviside: lambda x, at_zero=0.5: (1 + _sign(x)) / 2,
-    sp.floor: _real(np.floor), sp.ceiling: _real(np.ceil), sp.Mod: _real(np.mod), sp.Max: _real(_all(np.maximum)),
+    sp.Add: _all(np.add),
+    sp.Mul: _all(np.multiply),
+    sp.Pow: _power,
+    sp.Abs: np.abs,
+    sp.exp: np.exp,
+    sp.log: lambda x: np.log(_above(x)),
+    sp.sin: np.sin,
+    sp.cos: np.cos,
+    sp.tan: np.tan,
+    sp.cot: lambda x: 1 / np.tan(x),
+    sp.sec: lambda x: 1 / np.cos(x),
+    sp.asin: np.arcsin,
+    sp.acos: np.arccos,
+    sp.atan: np.arctan,
+    sp.atan2: _real(np.arctan2),
+    sp.acot: lambda x: np.arctan(1 / x),
+    sp.sinh: np.sinh,
+    sp.cosh: np.cosh,
+    sp.tanh: np.tanh,
+    sp.coth: lambda x: 1 / np.tanh(x),
+    sp.asinh: np.arcsinh,
+    sp.acosh: np.arccosh,
+    sp.atanh: np.arctanh,
+    sp.acoth: lambda x: np.arctanh(1 / x),
+    sp.sinc: lambda x: np.sinc(x / np.pi),
+    sp.re: np.real,
+    sp.im: np.imag,
+    sp.conjugate: np.conj,
+    sp.arg: np.angle,
+    sp.sign: _sign,
+    sp.Heaviside: lambda x, at_zero=0.5: (1 + _sign(x)) / 2,
+    sp.floor: _real(np.floor),
+    sp.ceiling: _real(np.ceil),
+    sp.Mod: _real(np.mod),
+    sp.Max: _real(_all(np.maximum)),
     sp.Min: _real(_all(np.minimum)),
-    sp.And: _all(np.logical_and), sp.Or: _all(np.logical_or), sp.Not: np.logical_not, sp.Xor: _all(np.logical_xor),
-    sp.Implies: lambda a, b: ~a | b, sp.ITE: lambda test, yes, no: np.where(test, yes, no),
-    type(sp.true): lambda: True, type(sp.false): lambda: False,
+    sp.And: _all(np.logical_and),
+    sp.Or: _all(np.logical_or),
+    sp.Not: np.logical_not,
+    sp.Xor: _all(np.logical_xor),
+    sp.Implies: lambda a, b: ~a | b,
+    sp.ITE: lambda test, yes, no: np.where(test, yes, no),
+    type(sp.true): lambda: True,
+    type(sp.false): lambda: False,
 }

@@ -1,10 +1,11 @@
 """Sentences that only the one can open who has the wrong answer they are for.
 
-A likeness of the answer, salted by its problem and name, gives a secret; the secret gives a fingerprint, by which the
-sentence is found, and a key, under which it is sealed. This hides answers and sentences from reading and from any
-search of the files. It does not hide them from trying: of a few possible answers all can be tried. But so can they in
-the check cell itself, which says wrong or right of as many as one likes; there is nothing more to protect, and so no
-need of a slow hash or of more than the standard library.
+A likeness of the answer, salted by its problem and name, gives a secret; the secret gives a
+fingerprint, by which the sentence is found, and a key, under which it is sealed. This hides answers
+and sentences from reading and from any search of the files. It does not hide them from trying: of a
+few possible answers all can be tried. But so can they in the check cell itself, which says wrong or
+right of as many as one likes; there is nothing more to protect, and so no need of a slow hash or of
+more than the standard library.
 """
 
 import base64
@@ -19,7 +20,8 @@ def seal(sentence, salt, likeness):
 
 
 def find(sealed, salt, likenesses):
-    """The sentence that one of several likenesses opens, or ""; `sealed` maps fingerprints to sealed sentences."""
+    """The sentence that one of several likenesses opens, or ""; `sealed` maps fingerprints to
+    sealed sentences."""
     for likeness in likenesses:
         print_, key = _secrets(salt, likeness)
         if print_ in sealed:
@@ -29,7 +31,9 @@ def find(sealed, salt, likenesses):
 
 def _secrets(salt, likeness):
     secret = hmac.digest(salt.encode(), likeness, "sha256")
-    return hmac.digest(secret, b"fingerprint", "sha256").hex()[:24], hmac.digest(secret, b"key", "sha256")
+    return hmac.digest(secret, b"fingerprint", "sha256").hex()[:24], hmac.digest(
+        secret, b"key", "sha256"
+    )
 
 
 def _crossed(text, key):

@@ -1,7 +1,9 @@
-"""Run a notebook's code cells as Jupyter would, and collect its answers, forgiving what students do to notebooks.
+"""Run a notebook's code cells as Jupyter would, and collect its answers, forgiving what students do
+to notebooks.
 
-Cells are moved, duplicated, split and deleted; some fail, some never end. A cell that fails does not stop the others;
-one that failed for want of a later cell is tried again; an untouched stub (`name = ...`) takes no answer back.
+Cells are moved, duplicated, split and deleted; some fail, some never end. A cell that fails does
+not stop the others; one that failed for want of a later cell is tried again; an untouched stub
+(`name = ...`) takes no answer back.
 """
 
 import json
@@ -13,40 +15,58 @@ from contextlib import contextmanager, redirect_stderr, redirect_stdout
 
 from workbook.checks.contract.first_aid import advice
 
-#: Of all encoded answers together: far above any honest notebook, within one message of the sandbox.
+#: Of all encoded answers together: far above any honest notebook, within one message of the
+#: sandbox.
 ROOM = 6 * 2**20
 
 
 class TooLong(BaseException):
-    """Raised in a cell that has used its time; not an `Exception`, so that the cell's own handlers let it pass."""
+    """Raised in a cell that has used its time; not an `Exception`, so that the cell's own handlers
+    let it pass."""
 
 
 def run_cells(sources, names, folder=None, before=(), seconds=None):
-    """In this very process: run the cells, then {"encoded", "unreadable", "errors", "stopped"} (for a child only).
+    """In this very process: run the cells, then {"encoded", "unreadable", "errors", "stopped"} (for
+    a child only).
 
-    `before` are cells of ours that run first, in case the notebook lost or moved its own copies. With `seconds`, of
-    computing and perhaps on the clock, a cell that takes half of what is left of them is stopped, and the next one
-    runs; so is one at which the signal of an alarm comes.
+    `before` are cells of ours that run first, in case the notebook lost or moved its own copies.
+    With `seconds`, of computing and perhaps on the clock, a cell that takes half of what is left of
+    them is stopped, and the next one runs; so is one at which the signal of an alarm comes.
     """
-    from workbook.checks.contract.reporting import NotYet  # what a check cell raises: verdicts say it better
+    # what a check cell raises: verdicts say it better
+    from workbook.checks.contract.reporting import NotYet
 
     os.environ.setdefault("MPLBACKEND", "Agg")
     if folder:
         os.chdir(folder)
     sys.path.insert(0, "")  # what a cell wrote into the folder can be imported, as in Jupyter
     # What is printed is kept nowhere, so that endless output fills nothing.
-    with open(os.devnull, "w", encoding="utf-8",
-              errors="replace") as nowhere, redirect_stdout(nowhere), redirect_stderr(nowhere):
+    with (
+        open(os.devnull, "w", encoding="utf-8", errors="replace") as nowhere,
+        redirect_stdout(nowhere),
+        redirect_stderr(nowhere),
+    ):
         notebook = _Notebook(names, _Patience(seconds))
         for source in before:
             notebook.run(source)
-        failed = {k: error for k, source in enumerate(sources, start=1) if (error := notebook.run(source)) is not None}
+        failed = {
+            k: error
+            for k, source in enumerate(sources, start=1)
+            if (error := notebook.run(source)) is not None
+        }
         _try_again(notebook, sources, failed)
         encoded, unreadable = notebook.encoded()
-    errors = [f"code cell {k}: {_told(error)}" for k, error in failed.items()
-              if not isinstance(error, (TooLong, NotYet))]
-    return {"encoded": encoded, "unreadable": unreadable, "errors": errors,
-            "stopped": [k for k, error in failed.items() if isinstance(error, TooLong)]}
+    errors = [
+        f"code cell {k}: {_told(error)}"
+        for k, error in failed.items()
+        if not isinstance(error, (TooLong, NotYet))
+    ]
+    return {
+        "encoded": encoded,
+        "unreadable": unreadable,
+        "errors": errors,
+        "stopped": [k for k, error in failed.items() if isinstance(error, TooLong)],
+    }
 
 
 def prepare():
@@ -61,7 +81,8 @@ _prepared = []
 
 
 def _try_again(notebook, sources, failed):
-    """Run failed cells once more while that brings answers still missing: what they need may have stood below them."""
+    """Run failed cells once more while that brings answers still missing: what they need may have
+    stood below them."""
     progress = True
     while progress and len(notebook.given) < len(notebook.names):
         progress = False
@@ -84,7 +105,8 @@ class _Notebook:
             with self._patience.for_one():
                 outcome = self._shell.run_cell(source, store_history=False)
             error = outcome.error_before_exec or outcome.error_in_exec
-        except BaseException as failure:  # what even the shell cannot run, such as text with half a character
+        # what even the shell cannot run, such as text with half a character
+        except BaseException as failure:
             error = failure
         for name in self.names:
             value = self._shell.user_ns.get(name, ...)
@@ -102,7 +124,8 @@ class _Notebook:
         return error
 
     def encoded(self):
-        """(encoded answers, why others cannot be read), by name; an untouched stub is an answer too."""
+        """(encoded answers, why others cannot be read), by name; an untouched stub is an answer
+        too."""
         from workbook.checks.contract.encoding import EncodingError, encode
 
         encoded, unreadable, room = {}, {}, ROOM
@@ -122,13 +145,15 @@ class _Notebook:
             if room >= 0:
                 encoded[name] = text
             else:
-                unreadable[name] = f"the answers together take more than the {ROOM // 2**20} MB allowed"
+                unreadable[name] = (
+                    f"the answers together take more than the {ROOM // 2**20} MB allowed"
+                )
         return encoded, unreadable
 
 
 class _Patience:
-    """Stops a cell that takes half of the time left, of computing or (if that is bounded) on the clock, or that an
-    alarm wakes; without `seconds` it never does."""
+    """Stops a cell that takes half of the time left, of computing or (if that is bounded) on the
+    clock, or that an alarm wakes; without `seconds` it never does."""
 
     def __init__(self, seconds):
         self._ends = [clock() + limit for clock, limit in zip(CLOCKS, seconds)] if seconds else []
@@ -145,7 +170,8 @@ class _Patience:
         finally:
             for timer, kind in kinds:
                 signal.setitimer(timer, 0)
-                signal.signal(kind, signal.SIG_IGN)  # it may also come from whoever watches this process
+                # it may also come from whoever watches this process
+                signal.signal(kind, signal.SIG_IGN)
 
 
 CLOCKS = (time.process_time, time.monotonic)
@@ -163,13 +189,17 @@ def _shell():
     from traitlets.config import Config, Configurable
 
     class InlineBackend(Configurable):
-        """Takes what `%config InlineBackend...` sets: no picture is shown here, and the real one loads Matplotlib."""
+        """Takes what `%config InlineBackend...` sets: no picture is shown here, and the real one
+        loads Matplotlib."""
 
-        figure_format, figure_formats, print_figure_kwargs, rc = (Any().tag(config=True) for _ in range(4))
+        figure_format, figure_formats, print_figure_kwargs, rc = (
+            Any().tag(config=True) for _ in range(4)
+        )
         close_figures = Any().tag(config=True)
 
     class Kept(DisplayHook):
-        """The value of a cell's last line is kept as `_`, but made into no text: nobody reads it here."""
+        """The value of a cell's last line is kept as `_`, but made into no text: nobody reads it
+        here."""
 
         def __call__(self, result=None):
             if result is not None:
@@ -183,14 +213,15 @@ def _shell():
             return gui, "agg"
 
         def showtraceback(self, *args, **options):
-            """Errors are told by their type and text: nobody reads a traceback here, and one may be built to be
-            endless."""
+            """Errors are told by their type and text: nobody reads a traceback here, and one may be
+            built to be endless."""
 
         showsyntaxerror = showtraceback
 
         @contextmanager
         def _tee(self, channel):
-            """IPython 9 keeps a copy of all that is printed, which endless output would turn into endless memory."""
+            """IPython 9 keeps a copy of all that is printed, which endless output would turn into
+            endless memory."""
             yield
 
     config = Config()

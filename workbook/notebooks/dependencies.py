@@ -6,7 +6,7 @@ A stored result or output is stale when one of these modules changes, and only t
 import ast
 import hashlib
 import re
-from functools import lru_cache
+from functools import cache
 from importlib.util import resolve_name
 from pathlib import Path
 
@@ -20,7 +20,8 @@ HOME = Path(__file__).resolve().parents[2]
 def module_closure(source):
     """Our modules that code loads, directly or through each other, with the SHA-256 of their text.
 
-    Found by reading imports, without running anything; packages whose names load lazily count by the names used.
+    Found by reading imports, without running anything; packages whose names load lazily count by
+    the names used.
 
     >>> closure = module_closure("from workbook import checks; checks.stability_region")
     >>> "workbook.checks.stability.regions" in closure, "workbook.checks.stability.cycles" in closure
@@ -48,7 +49,11 @@ def _loaded(source, package=None):
                 if _is_ours(alias.name):
                     packages[alias.asname or alias.name] = alias.name
         elif isinstance(node, ast.ImportFrom):
-            start = resolve_name("." * node.level + (node.module or ""), package) if node.level else node.module
+            start = (
+                resolve_name("." * node.level + (node.module or ""), package)
+                if node.level
+                else node.module
+            )
             if _is_ours(start):
                 for alias in node.names:
                     module = f"{start}.{alias.name}"
@@ -56,9 +61,14 @@ def _loaded(source, package=None):
                         packages[alias.asname or alias.name] = module
                     else:
                         found.add(_home(start, alias.name) or start)
-    for name, module in packages.items():
-        # A package itself says nothing of what a notebook computes, but what it imports at once may.
-        found |= _loaded_by(module, path_of(module)) - {"trajlib._lazy"} if _is_package(module) else {module}
+    for module in packages.values():
+        # A package itself says nothing of what a notebook computes, but what it imports at once
+        # may.
+        found |= (
+            _loaded_by(module, path_of(module)) - {"trajlib._lazy"}
+            if _is_package(module)
+            else {module}
+        )
     for node in ast.walk(ast.parse(source)) if any(map(_is_package, packages.values())) else ():
         if isinstance(node, ast.Attribute) and (name := _dotted(node.value)) in packages:
             home = _home(packages[name], node.attr)
@@ -79,12 +89,14 @@ def _imports(tree):
 
 
 #: An import on lines of its own, as all of ours are, to the end of its line or of its brackets.
-_IMPORT = re.compile(r"^[ \t]*((?:from[ \t]+[\w.]+[ \t]+)?import[ \t]+(?:\([^)]*\)|[^\n]*))", re.MULTILINE)
+_IMPORT = re.compile(
+    r"^[ \t]*((?:from[ \t]+[\w.]+[ \t]+)?import[ \t]+(?:\([^)]*\)|[^\n]*))", re.MULTILINE
+)
 
 
 def _quick(source):
-    """The tree of a module's imports, or of all of it where a line of prose looks like one. This is done for every
-    module under a notebook, and takes a tenth of what whole modules do."""
+    """The tree of a module's imports, or of all of it where a line of prose looks like one. This is
+    done for every module under a notebook, and takes a tenth of what whole modules do."""
     try:
         return ast.parse("\n".join(_IMPORT.findall(source)))
     except SyntaxError:
@@ -99,7 +111,7 @@ def _dotted(node):
     return node.id if isinstance(node, ast.Name) else None
 
 
-@lru_cache(maxsize=None)
+@cache
 def _loaded_by(module, path):
     package = module if _is_package(module) else module.rpartition(".")[0]
     return frozenset(_loaded(path.read_text(encoding="utf-8"), package))
@@ -117,11 +129,13 @@ def _is_package(module):
     return path_of(module).name == "__init__.py"
 
 
-@lru_cache(maxsize=None)
+@cache
 def path_of(name):
-    """The file of a module of ours, None if the name is of something else; by its place, since `find_spec` imports
-    what is above."""
+    """The file of a module of ours, None if the name is of something else; by its place, since
+    `find_spec` imports what is above."""
     if not _is_ours(name):
         return None
     place = HOME.joinpath(*name.split("."))
-    return next((file for file in (place / "__init__.py", place.with_suffix(".py")) if file.is_file()), None)
+    return next(
+        (file for file in (place / "__init__.py", place.with_suffix(".py")) if file.is_file()), None
+    )

@@ -1,8 +1,9 @@
 """The pristine exercises: what every check and grade reads data and check cells from.
 
-They stand in exercises/ of a checkout, and inside the package when it was installed from a wheel. A notebook names
-places of the book without a link, since a student may be anywhere; its cells' metadata know where each stands on the
-site, and `linked` makes links of them where the site has an address.
+They stand in exercises/ of a checkout, and inside the package when it was installed from a wheel. A
+notebook names places of the book without a link, since a student may be anywhere; its cells'
+metadata know where each stands on the site, and `linked` makes links of them where the site has an
+address.
 """
 
 import copy
@@ -22,7 +23,8 @@ class UnknownExercise(ValueError):
 
 @dataclass(frozen=True)
 class Exercise:
-    """A student's notebook as it was handed out: `about` is its metadata (number, title, answers, hints, ...)."""
+    """A student's notebook as it was handed out: `about` is its metadata (number, title, answers,
+    hints, ...)."""
 
     path: Path
     about: dict
@@ -37,7 +39,8 @@ class Exercise:
         return [(role, source) for role, source in self.cells if role in roles]
 
     def to_run(self, sources):
-        """A student's code cells, with nothing in the place of check cells that are as we handed them out."""
+        """A student's code cells, with nothing in the place of check cells that are as we handed
+        them out."""
         ours = {source.strip() for _, source in self.code("check")}
         return ["" if source.strip() in ours else source for source in sources]
 
@@ -51,21 +54,27 @@ def home():
 def read(path):
     """The exercise in a notebook file of ours, pristine or worked on.
 
-    Raises `UnknownExercise` if the file is not a notebook or does not say which problem it belongs to.
+    Raises `UnknownExercise` if the file is not a notebook or does not say which problem it belongs
+    to.
     """
     path = Path(path)
     try:
         notebook = json.loads(path.read_text(encoding="utf-8-sig"))
         about = notebook["metadata"]["workbook"]
-        cells = tuple((_role(cell), "".join(cell["source"])) for cell in notebook["cells"]
-                      if cell["cell_type"] == "code")
+        cells = tuple(
+            (_role(cell), "".join(cell["source"]))
+            for cell in notebook["cells"]
+            if cell["cell_type"] == "code"
+        )
         return Exercise(path, about, cells)
     except OSError as error:
         raise UnknownExercise(f"{path} is not a readable notebook: {error.strerror}") from None
     except (UnicodeDecodeError, json.JSONDecodeError) as error:
         raise UnknownExercise(f"{path} is not a readable notebook: {error}") from None
     except (KeyError, TypeError):
-        raise UnknownExercise(f"{path} does not say which problem it belongs to (metadata workbook.number)") from None
+        raise UnknownExercise(
+            f"{path} does not say which problem it belongs to (metadata workbook.number)"
+        ) from None
 
 
 def read_all():
@@ -82,7 +91,8 @@ def find(number):
 
 @lru_cache(maxsize=256)
 def _as_changed(path, when):
-    """What was read of a file stays true until it is changed: who grades asks for it with each notebook."""
+    """What was read of a file stays true until it is changed: who grades asks for it with each
+    notebook."""
     return read(path)
 
 
@@ -96,19 +106,27 @@ def place(number):
 
 
 def linked(notebook, address):
-    """A copy of a notebook in which the names of the book's places are links, whatever links they were before.
+    """A copy of a notebook in which the names of the book's places are links, whatever links they
+    were before.
 
-    `address` maps a place below the site's root, "book/ch1.html#thm-1-2", to what the link is to hold.
+    `address` maps a place below the site's root, "book/ch1.html#thm-1-2", to what the link is to
+    hold.
     """
     notebook = copy.deepcopy(notebook)
     for cell in notebook["cells"]:
         source, done = "".join(cell["source"]), ""
         for text, place in cell["metadata"].get("places", ()):
             words, is_prose = re.escape(text), cell["cell_type"] == "markdown"
-            named = re.search(rf"\[{words}\]\([^)\s]*\)|{words}" if is_prose else rf'"[^"]*{words}[^"]*"', source)
-            link = f"[{text}]({address(place)})" if is_prose else f'"trajlib[workbook] @ {address(place)}"'
-            done += source[:named.start()] + link
-            source = source[named.end():]
+            named = re.search(
+                rf"\[{words}\]\([^)\s]*\)|{words}" if is_prose else rf'"[^"]*{words}[^"]*"', source
+            )
+            link = (
+                f"[{text}]({address(place)})"
+                if is_prose
+                else f'"trajlib[workbook] @ {address(place)}"'
+            )
+            done += source[: named.start()] + link
+            source = source[named.end() :]
         cell["source"] = done + source
     return notebook
 

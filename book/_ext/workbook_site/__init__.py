@@ -40,8 +40,29 @@ from workbook_site import (
 
 
 def setup(app):
-    gc.set_threshold(CONTAINERS)  # trees of pages live on: to look for garbage in them takes a seventh of a build
-    for part in (catalogue, pages, listings, downloads, boxes, figures, printed, punctuation, numbering, reference,
-                 lectures, cases, freshness, keeping, offline):
+    # trees of pages live on: to look for garbage in them takes a seventh of a build
+    gc.set_threshold(CONTAINERS)
+    for part in (
+        catalogue,
+        pages,
+        listings,
+        downloads,
+        boxes,
+        figures,
+        printed,
+        punctuation,
+        numbering,
+        reference,
+        lectures,
+        cases,
+        freshness,
+        keeping,
+        offline,
+    ):
         part.setup(app)
-    return {"version": "1", "env_version": freshness.EXTENSION, "parallel_read_safe": True, "parallel_write_safe": True}
+    return {
+        "version": "1",
+        "env_version": freshness.EXTENSION,
+        "parallel_read_safe": True,
+        "parallel_write_safe": True,
+    }

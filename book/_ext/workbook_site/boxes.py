@@ -1,7 +1,7 @@
 """Statements, and folded solutions, hints and code.
 
-A fold is the browser's own <details>: it opens without scripts, by keyboard, on paper, and when a search or a link
-leads into it.
+A fold is the browser's own <details>: it opens without scripts, by keyboard, on paper, and when a
+search or a link leads into it.
 """
 
 from docutils import nodes
@@ -9,8 +9,13 @@ from sphinx.transforms.post_transforms import SphinxPostTransform
 from sphinx_exercise.nodes import exercise_node, solution_node
 from sphinx_proof.nodes import unenumerable_node
 
-#: The code of these cells is folded, their outputs stay; the other roles (data, check) are shown whole.
-FOLDED_CODE = {"answer": "computation", "figure": "code of the figure", "drawing": "code of the drawing"}
+#: The code of these cells is folded, their outputs stay; the other roles (data, check) are shown
+#: whole.
+FOLDED_CODE = {
+    "answer": "computation",
+    "figure": "code of the figure",
+    "drawing": "code of the drawing",
+}
 
 
 class details(nodes.General, nodes.Element):
@@ -22,23 +27,29 @@ class summary(nodes.General, nodes.TextElement):
 
 
 class UniqueIds(SphinxPostTransform):
-    """sphinx-exercise and sphinx-proof give every box of a kind the same id; an id may occur once in a page."""
+    """sphinx-exercise and sphinx-proof give every box of a kind the same id; an id may occur once
+    in a page."""
 
     default_priority = 10
     formats = ("html",)
     shared = {"exercise-content", "solution-content", "proof-content", "proof"}
 
     def run(self, **kwargs):
-        for box in self.document.findall(lambda node: isinstance(node, (nodes.section, nodes.admonition))):
+        for box in self.document.findall(
+            lambda node: isinstance(node, (nodes.section, nodes.admonition))
+        ):
             box["ids"] = [name for name in box["ids"] if name not in self.shared]
         for box in self.document.findall(unenumerable_node):
             # Its title repeats its id, for the writer to find the place of the word "Theorem".
             box[0]["ids"] = []
-            box[0].insert(0, nodes.inline("", box["realtype"].capitalize(), classes=["caption-number"]))
+            box[0].insert(
+                0, nodes.inline("", box["realtype"].capitalize(), classes=["caption-number"])
+            )
 
 
 class FoldSolutions(SphinxPostTransform):
-    """Statement and solutions under short titles: the page's own title already says which problem it is."""
+    """Statement and solutions under short titles: the page's own title already says which problem
+    it is."""
 
     default_priority = 30  # after sphinx-exercise has resolved its titles (20 to 22)
     formats = ("html",)
@@ -46,13 +57,18 @@ class FoldSolutions(SphinxPostTransform):
     def run(self, **kwargs):
         for exercise in self.document.findall(exercise_node):
             exercise[0].children = [nodes.Text("Problem")]
-        solutions = [node for node in self.document.findall(solution_node) if "dropdown" in node["classes"]]
+        solutions = [
+            node for node in self.document.findall(solution_node) if "dropdown" in node["classes"]
+        ]
         for solution in solutions:
-            item = self._item(solution) if len(solutions) > 1 else ""  # the only one is that of the whole problem
+            # the only one is that of the whole problem
+            item = self._item(solution) if len(solutions) > 1 else ""
             title = "Worked solution" + (f", item {item})" if item else "")
             # A link to what is inside opens a fold, one to the fold itself does not.
             solution[1]["ids"], solution["ids"] = solution["ids"], []
-            solution.replace_self(details("", summary("", title), *solution.children[1:], classes=["solution"]))
+            solution.replace_self(
+                details("", summary("", title), *solution.children[1:], classes=["solution"])
+            )
 
     def _item(self, solution):
         """The letter of sol-1-15-a; several items solved together keep all theirs, sol-1-15-ab."""
@@ -63,8 +79,9 @@ class FoldSolutions(SphinxPostTransform):
 class FoldCode(SphinxPostTransform):
     """Folds the code of the answer, figure and drawing cells by their role.
 
-    It does what myst-nb's own tag `hide-input` does. Done here and not in the cell's tags, the master says one thing
-    once, and the cached outputs, which are found by a cell's text and tags, stay valid.
+    It does what myst-nb's own tag `hide-input` does. Done here and not in the cell's tags, the
+    master says one thing once, and the cached outputs, which are found by a cell's text and tags,
+    stay valid.
     """
 
     default_priority = 190  # before myst-nb folds (199)
@@ -76,8 +93,14 @@ class FoldCode(SphinxPostTransform):
         for cell in self.document.findall(nodes.container):
             for role, what in FOLDED_CODE.items():
                 if cell.get("nb_element") == "cell_code" and f"tag_{role}" in cell["classes"]:
-                    cell.update_all_atts({"hide_mode": "input", "prompt_show": f"Show the {what}",
-                                          "prompt_hide": f"Hide the {what}"}, replace=True)
+                    cell.update_all_atts(
+                        {
+                            "hide_mode": "input",
+                            "prompt_show": f"Show the {what}",
+                            "prompt_hide": f"Hide the {what}",
+                        },
+                        replace=True,
+                    )
 
 
 def _open_statement(self, node):

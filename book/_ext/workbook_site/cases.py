@@ -1,4 +1,5 @@
-"""The page of the checks: what each accepts and rejects, from the tables of cases that are its tests."""
+"""The page of the checks: what each accepts and rejects, from the tables of cases that are its
+tests."""
 
 import importlib.util
 import re
@@ -15,8 +16,9 @@ from workbook_site.reference import spans
 
 
 class CheckCases(SphinxDirective):
-    """A section a theme, a table a check, then the theme's known limits. What a check asks is told in the theme of its
-    module, or else in the first that has cases of it; the others refer there."""
+    """A section a theme, a table a check, then the theme's known limits. What a check asks is
+    told in the theme of its module, or else in the first that has cases of it; the others refer
+    there."""
 
     def run(self):
         folder = Path(self.env.srcdir) / "tests" / "checks"
@@ -26,30 +28,46 @@ class CheckCases(SphinxDirective):
             self.env.note_dependency(str(path))
             modules[path] = _load(path, folder)
         homes = homes_of(modules)
-        return [self._theme(module, path.stem, {name for name in homes if homes[name] == path})
-                for path, module in modules.items()]
+        return [
+            self._theme(module, path.stem, {name for name in homes if homes[name] == path})
+            for path, module in modules.items()
+        ]
 
     def _theme(self, module, theme, at_home):
-        section = nodes.section("", nodes.title("", theme.replace("_", " ").capitalize()),
-                                ids=[f"checks-{theme.replace('_', '-')}"])
+        section = nodes.section(
+            "",
+            nodes.title("", theme.replace("_", " ").capitalize()),
+            ids=[f"checks-{theme.replace('_', '-')}"],
+        )
         for name in dict.fromkeys(case.check for case in module.CASES):
             shown = nodes.literal("", f"checks.{name}")
             if name in at_home:
-                purpose, *more = (" ".join(part.split()) for part in getattr(checks, name).__doc__.split("\n\n"))
+                purpose, *more = (
+                    " ".join(part.split()) for part in getattr(checks, name).__doc__.split("\n\n")
+                )
                 anchor = nodes.target("", "", ids=[f"check-{name}"])
                 section += nodes.paragraph("", "", anchor, shown, *spans(f": {purpose}"))
-                section += [nodes.paragraph("", "", *spans(part)) for part in more if part.startswith("Data: ")]
+                section += [
+                    nodes.paragraph("", "", *spans(part))
+                    for part in more
+                    if part.startswith("Data: ")
+                ]
             else:
-                section += nodes.paragraph("", "", nodes.reference("", "", shown, refid=f"check-{name}", internal=True))
+                section += nodes.paragraph(
+                    "", "", nodes.reference("", "", shown, refid=f"check-{name}", internal=True)
+                )
             section += _table([case for case in module.CASES if case.check == name])
         section += nodes.paragraph("", "", nodes.strong("", "Known limits"))
-        limits = (nodes.list_item("", nodes.paragraph("", "", *spans(limit))) for limit in module.LIMITS)
+        limits = (
+            nodes.list_item("", nodes.paragraph("", "", *spans(limit))) for limit in module.LIMITS
+        )
         section += nodes.bullet_list("", *limits)
         return section
 
 
 def homes_of(modules):
-    """The file, of those in which a check has cases, where it is told what it asks, by the names of the checks."""
+    """The file, of those in which a check has cases, where it is told what it asks, by the names of
+    the checks."""
     homes = {}
     for path, module in modules.items():
         for name in {case.check for case in module.CASES}:
@@ -62,13 +80,22 @@ def homes_of(modules):
 def _table(cases):
     body = nodes.tbody()
     for case in cases:
-        text = re.sub(r"\[\s+", "[", " ".join(describe(case.answer).split()))  # a matrix stands on one line
+        # a matrix stands on one line
+        text = re.sub(r"\[\s+", "[", " ".join(describe(case.answer).split()))
         shown = text if len(text) <= 90 else text[:87] + "..."
         verdict = f"{MARKS[case.verdict]}\N{NO-BREAK SPACE}{case.verdict}"
         cells = ([nodes.Text(verdict)], [nodes.literal("", shown)], spans(case.note))
         body += nodes.row("", *(nodes.entry("", nodes.paragraph("", "", *cell)) for cell in cells))
-    head = nodes.thead("", nodes.row("", *(nodes.entry("", nodes.paragraph("", name))
-                                           for name in ("verdict", "answer", "what it is"))))
+    head = nodes.thead(
+        "",
+        nodes.row(
+            "",
+            *(
+                nodes.entry("", nodes.paragraph("", name))
+                for name in ("verdict", "answer", "what it is")
+            ),
+        ),
+    )
     widths = (nodes.colspec(colwidth=width) for width in (15, 45, 40))
     return nodes.table("", nodes.tgroup("", *widths, head, body, cols=3), classes=["check-cases"])
 

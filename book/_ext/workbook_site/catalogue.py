@@ -1,7 +1,7 @@
 """The problems of the edition that is being built.
 
-A problem's page is its master, solutions/ch1/p15.md, or in the student edition the notebook exercises/ch1/p15.ipynb.
-The table of contents alone decides which of the two is built.
+A problem's page is its master, solutions/ch1/p15.md, or in the student edition the notebook
+exercises/ch1/p15.ipynb. The table of contents alone decides which of the two is built.
 """
 
 import re
@@ -20,7 +20,8 @@ PAGE = re.compile(r"(solutions|exercises)/ch\d+/p\d+")
 
 @dataclass(frozen=True)
 class Problem:
-    """What a page says about its problem; `answers` maps a name to (kind, meaning), `hints` to a list of texts."""
+    """What a page says about its problem; `answers` maps a name to (kind, meaning), `hints` to a
+    list of texts."""
 
     page: str
     number: str
@@ -64,9 +65,17 @@ def read(page, path):
     """The problem whose page `page` is the file `path`."""
     path = Path(path)
     about = exercises.read(path).about if path.suffix == ".ipynb" else _front_matter(path)
-    return Problem(page, about["number"], about["title"], about["section"], about["level"], tuple(about["topics"]),
-                   {name: _answer(answer) for name, answer in about["answers"].items()},
-                   {name: list(texts) for name, texts in about["hints"].items()}, tuple(about.get("core", ())))
+    return Problem(
+        page,
+        about["number"],
+        about["title"],
+        about["section"],
+        about["level"],
+        tuple(about["topics"]),
+        {name: _answer(answer) for name, answer in about["answers"].items()},
+        {name: list(texts) for name, texts in about["hints"].items()},
+        tuple(about.get("core", ())),
+    )
 
 
 def of(env):
@@ -91,9 +100,13 @@ def _answer(answer):
 
 def _load(app, env, added, changed, removed):
     """Read all problems before any page; a change among them outdates the pages that list them."""
-    found = [read(page, env.doc2path(page)) for page in sorted(env.found_docs) if PAGE.fullmatch(page)]
+    found = [
+        read(page, env.doc2path(page)) for page in sorted(env.found_docs) if PAGE.fullmatch(page)
+    ]
     previous = getattr(env, "workbook_catalogue", {})
-    env.workbook_catalogue = {problem.page: problem for problem in sorted(found, key=lambda problem: problem.order)}
+    env.workbook_catalogue = {
+        problem.page: problem for problem in sorted(found, key=lambda problem: problem.order)
+    }
     if env.workbook_catalogue == previous:
         return []
     return sorted(getattr(env, "workbook_listings", set()) & env.found_docs)

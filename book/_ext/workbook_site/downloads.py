@@ -1,6 +1,8 @@
-"""What the site serves beside its pages: the students' notebooks and the wheel of trajlib and workbook.
+"""What the site serves beside its pages: the students' notebooks and the wheel of trajlib and
+workbook.
 
-A notebook has the address it has in the repository, exercises/ch1/p15.ipynb; `make` puts the wheel into wheels/.
+A notebook has the address it has in the repository, exercises/ch1/p15.ipynb; `make` puts the wheel
+into wheels/.
 """
 
 import json
@@ -20,13 +22,17 @@ class WheelRole(SphinxRole):
 
     def run(self):
         name = f"trajlib-{version('trajlib')}-py3-none-any.whl"
-        return [link(self.env.docname, f"wheels/{name}", f"{escape(self.text)} (<code>{name}</code>)")], []
+        return [
+            link(self.env.docname, f"wheels/{name}", f"{escape(self.text)} (<code>{name}</code>)")
+        ], []
 
 
 def link(page, address, inner):
     """A download link from a page to an address below the site's root; `inner` is its HTML."""
     relative = posixpath.relpath(address, posixpath.dirname(page) or ".")
-    return nodes.raw("", f'<a class="download" href="{escape(relative)}" download>{inner}</a>', format="html")
+    return nodes.raw(
+        "", f'<a class="download" href="{escape(relative)}" download>{inner}</a>', format="html"
+    )
 
 
 def _copy_notebooks(app, exception):
@@ -36,16 +42,23 @@ def _copy_notebooks(app, exception):
         source, copy = app.srcdir / problem.notebook, app.outdir / problem.notebook
         if source.exists():
             copy.parent.mkdir(parents=True, exist_ok=True)
-            copy.write_text(_served(source, app.config.html_baseurl, problem.solved), encoding="utf-8")
+            copy.write_text(
+                _served(source, app.config.html_baseurl, problem.solved), encoding="utf-8"
+            )
 
 
 def _served(source, base, solved):
-    """A notebook as the site hands it out: where the site has an address, its links lead to this very edition."""
+    """A notebook as the site hands it out: where the site has an address, its links lead to this
+    very edition."""
     notebook = json.loads(source.read_text(encoding="utf-8"))
     if base:
         to_site = exercises.below(base)
-        notebook = exercises.linked(notebook, lambda place: to_site(
-            place if solved else place.replace("solutions/", "exercises/", 1)))
+        notebook = exercises.linked(
+            notebook,
+            lambda place: to_site(
+                place if solved else place.replace("solutions/", "exercises/", 1)
+            ),
+        )
     return json.dumps(notebook, indent=1, ensure_ascii=False) + "\n"
 
 

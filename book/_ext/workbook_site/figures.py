@@ -1,8 +1,10 @@
-"""Pictures with what a reader needs around them: a number, a caption that belongs to them, and words in their place.
+"""Pictures with what a reader needs around them: a number, a caption that belongs to them, and
+words in their place.
 
-A master writes a picture's caption as a paragraph in emphasis under the cell that draws it, and so it stands under the
-picture that a student's notebook has in the place of the cell. In the page both become one <figure>: "Figure 5.9a" on a
-problem's page, "Figure 5.1" in a chapter; whoever cannot see it is told how it begins.
+A master writes a picture's caption as a paragraph in emphasis under the cell that draws it, and so
+it stands under the picture that a student's notebook has in the place of the cell. In the page both
+become one <figure>: "Figure 5.9a" on a problem's page, "Figure 5.1" in a chapter; whoever cannot
+see it is told how it begins.
 """
 
 import re
@@ -26,7 +28,7 @@ class CaptionFigures(SphinxPostTransform):
     formats = ("html",)
 
     def run(self, **kwargs):
-        drawn = [node for node in self.document.findall(lambda node: _makes_pictures(node) or _is_picture(node))]
+        drawn = list(self.document.findall(lambda node: _makes_pictures(node) or _is_picture(node)))
         for k, cell in enumerate(drawn):
             *others, last = cell.findall(nodes.image)
             caption = _caption_below(cell)
@@ -40,17 +42,21 @@ class CaptionFigures(SphinxPostTransform):
                 picture = last.deepcopy()
                 if self._has_panels(last):
                     picture = nodes.container("", picture, classes=["panels"])
-                figure = nodes.figure("", picture, nodes.caption("", "", label, *caption[0].children),
-                                      ids=[nodes.make_id(number)])
+                figure = nodes.figure(
+                    "",
+                    picture,
+                    nodes.caption("", "", label, *caption[0].children),
+                    ids=[nodes.make_id(number)],
+                )
                 last.replace_self(figure)
 
     def _has_panels(self, image):
-        """Whether a picture (its size in points) is too wide to be read on a phone at once: two panels side by side, or
-        any that would be shown at less than half its size there."""
+        """Whether a picture (its size in points) is too wide to be read on a phone at once: two
+        panels side by side, or any that would be shown at less than half its size there."""
         file = Path(self.env.srcdir, image["uri"].lstrip("/"))
         size = SIZE.search(file.read_text(encoding="utf-8")) if file.suffix == ".svg" else None
         width, height = map(float, size.groups()) if size else (0, 1)
-        return width > (500 if width > 1.7*height else 540)
+        return width > (500 if width > 1.7 * height else 540)
 
     def _number(self, k, count):
         problem = catalogue.of(self.env).get(self.env.docname)
@@ -74,16 +80,21 @@ def _is_picture(node):
 def _caption_below(cell):
     """The paragraph under a cell or a picture, if emphasis is all there is in it."""
     following = cell.next_node(siblings=True, descend=False)
-    is_caption = (isinstance(following, nodes.paragraph) and len(following) == 1
-                  and isinstance(following[0], nodes.emphasis))
+    is_caption = (
+        isinstance(following, nodes.paragraph)
+        and len(following) == 1
+        and isinstance(following[0], nodes.emphasis)
+    )
     return following if is_caption else None
 
 
 def _as_written(caption):
     """The text of a caption, its formulas between dollars."""
-    return "".join(f"${part.astext()}$" if isinstance(part, nodes.math) else part.astext()
-                   for part in caption.findall(lambda node: isinstance(node, (nodes.math, nodes.Text)))
-                   if not isinstance(part.parent, nodes.math))
+    return "".join(
+        f"${part.astext()}$" if isinstance(part, nodes.math) else part.astext()
+        for part in caption.findall(lambda node: isinstance(node, (nodes.math, nodes.Text)))
+        if not isinstance(part.parent, nodes.math)
+    )
 
 
 def setup(app):

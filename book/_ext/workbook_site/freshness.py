@@ -1,9 +1,9 @@
 """What makes a page outdated, beyond its own text.
 
-Outputs: book/execute.py executes what is stale and notes the time in the cache's record. Sphinx compares source files
-only, and would not notice outputs that changed because the library did.
-The look: Sphinx copies a changed style sheet only if some page is written.
-This extension: a change in it may change every page.
+Outputs: book/execute.py executes what is stale and notes the time in the cache's record. Sphinx
+compares source files only, and would not notice outputs that changed because the library did. The
+look: Sphinx copies a changed style sheet only if some page is written. This extension: a change in
+it may change every page.
 """
 
 import hashlib
@@ -39,10 +39,15 @@ def _remove_pages(app, env, added, changed, removed):
 
 
 def _executed_since_read(app, env, added, changed, removed):
-    executed = {record.uri: record.data.get("executed", 0)
-                for record in get_cache(app.config.nb_execution_cache_path).list_cache_records()}
-    return [page for page, read in env.all_docs.items()
-            if page in env.found_docs and executed.get(env.doc2path(page), 0) > read / 1e6]
+    executed = {
+        record.uri: record.data.get("executed", 0)
+        for record in get_cache(app.config.nb_execution_cache_path).list_cache_records()
+    }
+    return [
+        page
+        for page, read in env.all_docs.items()
+        if page in env.found_docs and executed.get(env.doc2path(page), 0) > read / 1e6
+    ]
 
 
 def setup(app):

@@ -1,9 +1,10 @@
 """What is kept from one build to the next, so that a changed page is not paid for by all others.
 
-Titles: sphinx-exercise keeps its statements and solutions with the whole page that each stands in, and asks of them
-only their kind and their title. So no more is kept.
-Outlines: Sphinx counts figures, tables, theorems and statements through all pages, and for that reads every page anew
-from the disk. What it looks at is kept of each page: its sections, its lists of pages, and what has a number.
+Titles: sphinx-exercise keeps its statements and solutions with the whole page that each stands in,
+and asks of them only their kind and their title. So no more is kept. Outlines: Sphinx counts
+figures, tables, theorems and statements through all pages, and for that reads every page anew from
+the disk. What it looks at is kept of each page: its sections, its lists of pages, and what has a
+number.
 """
 
 from docutils import nodes
@@ -15,13 +16,28 @@ ASKED = (nodes.caption, nodes.title, nodes.literal_block)
 
 
 def outline(node, is_counted):
-    """The parts of a page that Sphinx looks at as it counts, in their order; what stands around them falls away."""
-    parts = [part for child in node.children if isinstance(child, nodes.Element) for part in outline(child, is_counted)]
-    if not isinstance(node, (nodes.document, nodes.section, addnodes.toctree)) and not is_counted(node):
+    """The parts of a page that Sphinx looks at as it counts, in their order; what stands around
+    them falls away."""
+    parts = [
+        part
+        for child in node.children
+        if isinstance(child, nodes.Element)
+        for part in outline(child, is_counted)
+    ]
+    if not isinstance(node, (nodes.document, nodes.section, addnodes.toctree)) and not is_counted(
+        node
+    ):
         return parts
     kept = nodes.Element() if isinstance(node, nodes.document) else _alone(node)
-    asked = [] if isinstance(node, nodes.section) else [_alone(child, nodes.Text(child.astext()))
-                                                        for child in node.children if isinstance(child, ASKED)]
+    asked = (
+        []
+        if isinstance(node, nodes.section)
+        else [
+            _alone(child, nodes.Text(child.astext()))
+            for child in node.children
+            if isinstance(child, ASKED)
+        ]
+    )
     kept += asked + parts
     return [kept]
 
@@ -37,8 +53,10 @@ def _alone(node, *content):
 def _keep_outline(app, document):
     env = app.env
     env.workbook_outlines = getattr(env, "workbook_outlines", {})
-    env.workbook_outlines[env.docname], = outline(
-        document, lambda node: any(domain.get_enumerable_node_type(node) for domain in env.domains.values()))
+    (env.workbook_outlines[env.docname],) = outline(
+        document,
+        lambda node: any(domain.get_enumerable_node_type(node) for domain in env.domains.values()),
+    )
 
 
 def _forget_outline(app, env, page):

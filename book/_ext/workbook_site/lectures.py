@@ -1,4 +1,5 @@
-"""Lectures: `{live}` holds what only the notebook before a class has, a cell that asks for a step or a mistake."""
+"""Lectures: `{live}` holds what only the notebook before a class has, a cell that asks for a step
+or a mistake."""
 
 from sphinx.util.docutils import SphinxDirective
 

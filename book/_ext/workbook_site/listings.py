@@ -29,15 +29,24 @@ class ProblemList(Listing):
 
     def content_of(self, problems):
         if "chapter" in self.options:
-            return [self._table([problem for problem in problems if problem.chapter == self.options["chapter"]])]
-        return [self._chapter(chapter, list(members)) for chapter, members in groupby(problems, lambda p: p.chapter)]
+            return [
+                self._table(
+                    [problem for problem in problems if problem.chapter == self.options["chapter"]]
+                )
+            ]
+        return [
+            self._chapter(chapter, list(members))
+            for chapter, members in groupby(problems, lambda p: p.chapter)
+        ]
 
     def _chapter(self, chapter, problems):
         title = f"Chapter {chapter}"
         section = nodes.section("", nodes.title("", title), ids=[f"problems-{chapter}"])
         if f"book/ch{chapter}" in self.env.found_docs:
             theory = to_page(self.env.docname, f"book/ch{chapter}", "theory and worked examples")
-            section += nodes.paragraph("", "", nodes.Text("The "), theory, nodes.Text(" of this chapter."))
+            section += nodes.paragraph(
+                "", "", nodes.Text("The "), theory, nodes.Text(" of this chapter.")
+            )
         section += self._table(problems)
         return section
 
@@ -46,19 +55,30 @@ class ProblemList(Listing):
         body = nodes.tbody()
         for problem in problems:
             row = nodes.row()
-            for cell in (self.link(problem, problem.number), self.link(problem, problem.title),
-                         nodes.inline("", problem.section),
-                         nodes.inline("", "★ starred" if problem.level == "starred" else problem.level)):
+            for cell in (
+                self.link(problem, problem.number),
+                self.link(problem, problem.title),
+                nodes.inline("", problem.section),
+                nodes.inline("", "★ starred" if problem.level == "starred" else problem.level),
+            ):
                 row += nodes.entry("", nodes.paragraph("", "", cell))
             body += row
-        head = nodes.thead("", nodes.row("", *(nodes.entry("", nodes.paragraph("", name)) for name in columns)))
-        group = nodes.tgroup("", *(nodes.colspec(colwidth=width) for width in columns.values()), head, body,
-                             cols=len(columns))
+        head = nodes.thead(
+            "", nodes.row("", *(nodes.entry("", nodes.paragraph("", name)) for name in columns))
+        )
+        group = nodes.tgroup(
+            "",
+            *(nodes.colspec(colwidth=width) for width in columns.values()),
+            head,
+            body,
+            cols=len(columns),
+        )
         return nodes.table("", group, classes=["problem-list"])
 
 
 class TopicIndex(Listing):
-    """Every topic with its problems, under its first letter; the chips of the problem pages lead here."""
+    """Every topic with its problems, under its first letter; the chips of the problem pages lead
+    here."""
 
     def content_of(self, problems):
         topics = {}
@@ -66,8 +86,10 @@ class TopicIndex(Listing):
             for topic in problem.topics:
                 topics.setdefault(topic, []).append(problem)
         ordered = sorted(topics, key=str.casefold)
-        return [self._letter(letter, list(members), topics)
-                for letter, members in groupby(ordered, lambda topic: topic[0].upper())]
+        return [
+            self._letter(letter, list(members), topics)
+            for letter, members in groupby(ordered, lambda topic: topic[0].upper())
+        ]
 
     def _letter(self, letter, names, topics):
         section = nodes.section("", nodes.title("", letter), ids=[f"topics-{letter.lower()}"])
@@ -78,8 +100,12 @@ class TopicIndex(Listing):
             self.env.get_domain("std").note_hyperlink_target(label, self.env.docname, label, topic)
             members = nodes.bullet_list()
             for problem in topics[topic]:
-                members += nodes.list_item("", nodes.paragraph(
-                    "", "", self.link(problem, problem.number), nodes.Text(f" {problem.title}")))
+                members += nodes.list_item(
+                    "",
+                    nodes.paragraph(
+                        "", "", self.link(problem, problem.number), nodes.Text(f" {problem.title}")
+                    ),
+                )
             entries += nodes.definition_list_item("", term, nodes.definition("", members))
         section += entries
         return section

@@ -1,9 +1,9 @@
 """Numbers follow labels.
 
-An equation labelled eq-1-15-a is (1.15a), a theorem labelled thm-1-2 is Theorem 1.2: on every page, in references, in
-the student's notebook, and in the problem book where the number comes from. What has no such label is counted as usual.
-A number given by TeX's own \\tag stands where all others stand. A chapter's number is that of its file, book/ch5.md,
-whichever chapters stand before it.
+An equation labelled eq-1-15-a is (1.15a), a theorem labelled thm-1-2 is Theorem 1.2: on every page,
+in references, in the student's notebook, and in the problem book where the number comes from. What
+has no such label is counted as usual. A number given by TeX's own \\tag stands where all others
+stand. A chapter's number is that of its file, book/ch5.md, whichever chapters stand before it.
 """
 
 import re
@@ -32,12 +32,17 @@ def _number_equations(app, document):
 
 
 def _label_statements(app, document):
-    """Let [text](#thm-1-2) and {ref} find theorems, which sphinx-proof keeps in a domain of its own."""
+    """Let [text](#thm-1-2) and {ref} find theorems, which sphinx-proof keeps in a domain of its
+    own."""
     labels = app.env.get_domain("std")
     for node in document.findall(nodes.Admonition):
         if "realtype" in node:
             match = STATEMENT.fullmatch(node["label"])
-            name = f"{node['realtype'].capitalize()} {match[1]}.{match[2]}" if match else node["realtype"]
+            name = (
+                f"{node['realtype'].capitalize()} {match[1]}.{match[2]}"
+                if match
+                else node["realtype"]
+            )
             labels.note_hyperlink_target(node["label"], app.env.docname, node["label"], name)
 
 
@@ -59,8 +64,10 @@ def _number_chapters(app, env):
         if match := CHAPTER.fullmatch(page):
             chapter = int(match[1])
             numbers = env.toc_secnumbers[page]
-            env.toc_secnumbers[page] = {anchor: (chapter, *number[1:]) if number else number
-                                        for anchor, number in numbers.items()}
+            env.toc_secnumbers[page] = {
+                anchor: (chapter, *number[1:]) if number else number
+                for anchor, number in numbers.items()
+            }
             for node in (env.titles[page], *env.tocs[page].findall(nodes.reference)):
                 if node.get("secnumber"):
                     node["secnumber"] = [chapter, *node["secnumber"][1:]]
@@ -68,7 +75,8 @@ def _number_chapters(app, env):
 
 
 def _restore_counts(app, env, added, changed, removed):
-    # Sphinx compares its counts with those of the last build, and writes every page whose numbers differ.
+    # Sphinx compares its counts with those of the last build, and writes every page whose numbers
+    # differ.
     env.toc_fignumbers = getattr(env, "workbook_counted", env.toc_fignumbers)
     env.toc_secnumbers = getattr(env, "workbook_counted_chapters", env.toc_secnumbers)
     return []

@@ -2,12 +2,15 @@
 
 
 def _without_thebe(app):
-    """Jupyter Book always loads sphinx-thebe, which puts the address of a script on a CDN into every page."""
+    """Jupyter Book always loads sphinx-thebe, which puts the address of a script on a CDN into
+    every page."""
     for listeners in list(app.events.listeners.values()):
         for listener in list(listeners):
             if listener.handler.__module__ == "sphinx_thebe":
                 app.disconnect(listener.id)
-    app.registry.css_files = [(name, options) for name, options in app.registry.css_files if name != "sphinx-thebe.css"]
+    app.registry.css_files = [
+        (name, options) for name, options in app.registry.css_files if name != "sphinx-thebe.css"
+    ]
 
 
 def setup(app):

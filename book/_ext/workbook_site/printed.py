@@ -1,4 +1,5 @@
-"""What cells print beside what they show: a line of words or a table keeps its columns, and its formulas are set."""
+"""What cells print beside what they show: a line of words or a table keeps its columns, and its
+formulas are set."""
 
 from docutils import nodes
 from sphinx.transforms.post_transforms import SphinxPostTransform
@@ -15,10 +16,17 @@ class SetFormulas(SphinxPostTransform):
     def run(self, **kwargs):
         for printed in list(self.document.findall(nodes.literal_block)):
             kinds = {"output", "stream"}, {"output", "text_plain"}
-            if any(kind <= set(printed["classes"]) for kind in kinds) and TYPEWRITTEN.search(printed.astext()):
+            if any(kind <= set(printed["classes"]) for kind in kinds) and TYPEWRITTEN.search(
+                printed.astext()
+            ):
                 classes = " ".join(printed["classes"])
-                printed.replace_self(nodes.raw(
-                    "", f'<div class="{classes}"><pre>{typeset(printed.astext())}</pre></div>', format="html"))
+                printed.replace_self(
+                    nodes.raw(
+                        "",
+                        f'<div class="{classes}"><pre>{typeset(printed.astext())}</pre></div>',
+                        format="html",
+                    )
+                )
 
 
 def setup(app):

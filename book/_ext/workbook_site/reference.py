@@ -1,7 +1,9 @@
-"""The pages of the library: a module's public names with their docstrings, and where the book uses each.
+"""The pages of the library: a module's public names with their docstrings, and where the book uses
+each.
 
-Docstrings are plain text, as `help` prints it, and are set without reading markup into them: paragraphs, lists,
-indented formulas and examples that run. What uses a name is found in the code cells of the edition that is being built.
+Docstrings are plain text, as `help` prints it, and are set without reading markup into them:
+paragraphs, lists, indented formulas and examples that run. What uses a name is found in the code
+cells of the edition that is being built.
 """
 
 import ast
@@ -32,21 +34,28 @@ CHAPTER = re.compile(r"book/(?:errata/)?ch(\d+)")
 
 
 class Library(SphinxDirective):
-    """A section for each public name of a module, what is called first: signature, docstring, pages that use it."""
+    """A section for each public name of a module, what is called first: signature, docstring, pages
+    that use it."""
 
     required_arguments = 1
 
     def run(self):
         module = importlib.import_module(self.arguments[0])
         self.env.note_dependency(module.__file__)
-        names = sorted(public_names(module.__name__), key=lambda name: inspect.isclass(getattr(module, name)))
-        return [*described(inspect.getdoc(module)), *(self._section(module, name) for name in names)]
+        names = sorted(
+            public_names(module.__name__), key=lambda name: inspect.isclass(getattr(module, name))
+        )
+        return [
+            *described(inspect.getdoc(module)),
+            *(self._section(module, name) for name in names),
+        ]
 
     def _section(self, module, name):
         member = getattr(module, name)
         self.env.note_dependency(inspect.getsourcefile(member))
         label = label_of(module.__name__, name)
-        section = nodes.section("", nodes.title("", name), ids=[label], support_smartquotes=False)  # x' is no quotation
+        # x' is no quotation
+        section = nodes.section("", nodes.title("", name), ids=[label], support_smartquotes=False)
         self.env.get_domain("std").note_hyperlink_target(label, self.env.docname, label, name)
         section += _code(signature(member, name))
         section += described(inspect.getdoc(member))
@@ -62,8 +71,11 @@ class Library(SphinxDirective):
             said = inspect.getdoc(method) if not name.startswith("_") else None
             if said and (inspect.isfunction(method) or isinstance(method, property)):
                 term = name if isinstance(method, property) else signature(method, name)
-                entries += nodes.definition_list_item("", nodes.term("", "", nodes.literal("", term)),
-                                                      nodes.definition("", *described(said)))
+                entries += nodes.definition_list_item(
+                    "",
+                    nodes.term("", "", nodes.literal("", term)),
+                    nodes.definition("", *described(said)),
+                )
         return [entries] if entries.children else []
 
     def _used_in(self, using):
@@ -104,25 +116,43 @@ def label_of(module, name):
 
 @cache
 def public_names(module):
-    """The names of a module that are for use: those it declares, or those it defines without an underscore."""
+    """The names of a module that are for use: those it declares, or those it defines without an
+    underscore."""
     loaded = importlib.import_module(module)
     if hasattr(loaded, "__all__"):
         return sorted(loaded.__all__, key=str.casefold)
-    return sorted((name for name, member in vars(loaded).items() if not name.startswith("_")
-                   and (inspect.isfunction(member) or inspect.isclass(member)) and member.__module__ == module),
-                  key=str.casefold)
+    return sorted(
+        (
+            name
+            for name, member in vars(loaded).items()
+            if not name.startswith("_")
+            and (inspect.isfunction(member) or inspect.isclass(member))
+            and member.__module__ == module
+        ),
+        key=str.casefold,
+    )
 
 
 def signature(member, name):
-    """How it is called, without the types, which the docstring tells; a long one in several lines."""
+    """How it is called, without the types, which the docstring tells; a long one in several
+    lines."""
     try:
         called = inspect.signature(member)
     except ValueError:  # an exception has none of its own
         return name
-    plain = [p.replace(annotation=p.empty) for p in called.parameters.values()
-             if p.name != "self" and not p.name.startswith("_")]
+    plain = [
+        p.replace(annotation=p.empty)
+        for p in called.parameters.values()
+        if p.name != "self" and not p.name.startswith("_")
+    ]
     text = f"{name}{called.replace(parameters=plain, return_annotation=called.empty)}"
-    return fill(text, 79, subsequent_indent=" "*(len(name) + 1), break_long_words=False, break_on_hyphens=False)
+    return fill(
+        text,
+        79,
+        subsequent_indent=" " * (len(name) + 1),
+        break_long_words=False,
+        break_on_hyphens=False,
+    )
 
 
 def described(docstring):
@@ -154,7 +184,9 @@ def _prose(lines):
 def spans(text):
     """Words, with their formulas set, and the `code` between them."""
     parts = re.split(r"`([^`]+)`", text)
-    return [nodes.literal("", part) if k % 2 else _words(part) for k, part in enumerate(parts) if part]
+    return [
+        nodes.literal("", part) if k % 2 else _words(part) for k, part in enumerate(parts) if part
+    ]
 
 
 def _words(text):
@@ -180,8 +212,11 @@ def uses(code):
                 found.add((node.module, alias.name))
                 modules[alias.asname or alias.name] = f"{node.module}.{alias.name}"
         elif isinstance(node, ast.Import):
-            modules |= {alias.asname or alias.name: alias.name for alias in node.names
-                        if _is_ours(alias.name)}
+            modules |= {
+                alias.asname or alias.name: alias.name
+                for alias in node.names
+                if _is_ours(alias.name)
+            }
     for node in tree:
         if isinstance(node, ast.Attribute) and (module := modules.get(ast.unparse(node.value))):
             found.add((module, node.attr))
@@ -196,32 +231,46 @@ def _cells(path):
     """The code of a page, as one text."""
     if path.suffix == ".ipynb":
         return "\n".join(source for _, source in exercises.read(path).code("data", "check"))
-    return "\n".join(OPTION.sub("", cell["code"]) for cell in CELL.finditer(path.read_text(encoding="utf-8")))
+    return "\n".join(
+        OPTION.sub("", cell["code"]) for cell in CELL.finditer(path.read_text(encoding="utf-8"))
+    )
 
 
 def _find_uses(app, env, added, changed, removed):
-    """Who uses what, before any page is read; where that changed, the pages on both ends are read again."""
+    """Who uses what, before any page is read; where that changed, the pages on both ends are read
+    again."""
     modules = [module_of(page) for page in sorted(env.found_docs) if page.startswith(PAGES)]
-    pages = [page for page in env.found_docs if CHAPTER.fullmatch(page) or page in catalogue.of(env)]
+    pages = [
+        page for page in env.found_docs if CHAPTER.fullmatch(page) or page in catalogue.of(env)
+    ]
     found = {(module, name): [] for module in modules for name in public_names(module)}
     for page in sorted(pages, key=_order):
         for used in uses(_cells(Path(env.doc2path(page)))) & found.keys():
             found[used].append(page)
     previous, env.workbook_uses = getattr(env, "workbook_uses", {}), found
-    return [f"{PAGES}{_short(module)}" for module in modules
-            if any(found[key] != previous.get(key) for key in found if key[0] == module)]
+    return [
+        f"{PAGES}{_short(module)}"
+        for module in modules
+        if any(found[key] != previous.get(key) for key in found if key[0] == module)
+    ]
 
 
 def _order(page):
     """Chapters, then problems by number, then errata."""
-    return "errata" in page, not page.startswith("book/"), [int(n) for n in re.findall(r"\d+", page)]
+    return (
+        "errata" in page,
+        not page.startswith("book/"),
+        [int(n) for n in re.findall(r"\d+", page)],
+    )
 
 
 def _short_title(page):
     numbers = re.findall(r"\d+", page)
     if "errata" in page:
         return f"the errata of chapter {numbers[0]}"
-    return f"chapter {numbers[0]}" if page.startswith("book/") else f"{numbers[0]}.{int(numbers[1])}"
+    return (
+        f"chapter {numbers[0]}" if page.startswith("book/") else f"{numbers[0]}.{int(numbers[1])}"
+    )
 
 
 def _end_with_uses(app, page, source):
@@ -231,7 +280,9 @@ def _end_with_uses(app, page, source):
     line = "```{library-used}\n```\n"
     if Path(app.env.doc2path(page)).suffix == ".ipynb":
         notebook = json.loads(source[0])
-        notebook["cells"].append({"cell_type": "markdown", "id": "library-used", "metadata": {}, "source": line})
+        notebook["cells"].append(
+            {"cell_type": "markdown", "id": "library-used", "metadata": {}, "source": line}
+        )
         source[0] = json.dumps(notebook)
     else:
         source[0] = f"{source[0].rstrip()}\n\n{line}"
@@ -239,6 +290,7 @@ def _end_with_uses(app, page, source):
 
 def setup(app):
     app.connect("env-get-outdated", _find_uses)  # after the catalogue
-    app.connect("source-read", _end_with_uses, priority=600)  # after a problem's page is complete
+    # after a problem's page is complete
+    app.connect("source-read", _end_with_uses, priority=600)
     app.add_directive("library", Library)
     app.add_directive("library-used", LibraryUsed)

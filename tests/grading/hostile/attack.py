@@ -7,11 +7,13 @@ from pathlib import Path
 from textwrap import dedent
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
-from classroom import notebook as handed_out  # noqa: E402
+from classroom import notebook as handed_out
 
-#: Stands in the grader's environment, its home and its open files: whoever names it has looked where nobody should.
+#: Stands in the grader's environment, its home and its open files: whoever names it has looked
+#: where nobody should.
 SECRET = "Tycho-1572"
-#: The right answer of the one item that counts here, as a solution file or a diligent student has it.
+#: The right answer of the one item that counts here, as a solution file or a diligent student has
+#: it.
 RIGHT = "sp.And(k1 > 0, k1*k2 > 1)"
 WRONG = "a_region = sp.And(k1 > 0, k2 > 0)"
 
@@ -69,15 +71,18 @@ def flooded(seen):
 
 def reached(number):
     """True if the attack says that it came as far as this number."""
-    return lambda seen: any(int(word) >= number for word in seen.text.replace(",", " ").split() if word.isdigit())
+    return lambda seen: any(
+        int(word) >= number for word in seen.text.replace(",", " ").split() if word.isdigit()
+    )
 
 
 @dataclass(frozen=True)
 class Attack:
     """`cells` stand in the place of the first stub; or `files(folder)` makes the whole submission.
 
-    `success` looks at what was `Seen`: it must be true of the unguarded grader (`naive`), and false of ours. There, in
-    general, no point is gained, no other's grade is harmed, and the run goes on; `after` says what else is true.
+    `success` looks at what was `Seen`: it must be true of the unguarded grader (`naive`), and false
+    of ours. There, in general, no point is gained, no other's grade is harmed, and the run goes on;
+    `after` says what else is true.
     """
 
     name: str
@@ -89,10 +94,11 @@ class Attack:
     files: object = None
     apart: bool = False  # the unguarded grader runs each notebook in a process of its own
     marks: str = "checks"  # how the unguarded grader marks (see `naive`)
-    # Seconds after which the unguarded grader is held to run for ever: far more than one that ends needs on a busy
-    # machine; an attack that never ends sets less.
+    # Seconds after which the unguarded grader is held to run for ever: far more than one that ends
+    # needs on a busy machine; an attack that never ends sets less.
     patience: float = 120.0
-    blame: str = "notebook"  # whose affair our grader says it is; "" where there is nothing to say
+    # whose affair our grader says it is; "" where there is nothing to say
+    blame: str = "notebook"
 
     def submit(self, folder, facts):
         """Make the submission in a student's folder; `facts` become variables of its cells."""
@@ -112,13 +118,21 @@ def lines(*parts):
 def with_cells(sources):
     """The notebook of problem 1.15 with code cells in the place of its first stub."""
     notebook = handed_out("1.15", {})
-    place = next(k for k, cell in enumerate(notebook["cells"]) if cell["metadata"].get("tags") == ["answer"])
-    notebook["cells"][place:place + 1] = [code(source) for source in sources]
+    place = next(
+        k for k, cell in enumerate(notebook["cells"]) if cell["metadata"].get("tags") == ["answer"]
+    )
+    notebook["cells"][place : place + 1] = [code(source) for source in sources]
     return notebook
 
 
 def code(source):
-    return {"cell_type": "code", "metadata": {}, "source": source, "outputs": [], "execution_count": None}
+    return {
+        "cell_type": "code",
+        "metadata": {},
+        "source": source,
+        "outputs": [],
+        "execution_count": None,
+    }
 
 
 def write(path, notebook):

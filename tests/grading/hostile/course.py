@@ -1,4 +1,5 @@
-"""A course with secrets in and around it, made for hostile submissions, and what is seen of it after grading."""
+"""A course with secrets in and around it, made for hostile submissions, and what is seen of it
+after grading."""
 
 import os
 import random
@@ -15,8 +16,8 @@ FOLDERS = ("submitted", "solutions", "home", "marks", "graded", "archive", "chec
 
 
 class Course:
-    """A folder open to everybody, so that it is never mere file permissions that stop an attack, and addresses that
-    listen."""
+    """A folder open to everybody, so that it is never mere file permissions that stop an attack,
+    and addresses that listen."""
 
     def __init__(self):
         self.here = Path(tempfile.mkdtemp(prefix="course-"))
@@ -26,14 +27,22 @@ class Course:
         (self.here / "solutions/p15.py").write_text(f"a_region = {RIGHT}\n")
         (self.here / "solutions/secret.txt").write_text(SECRET)
         (self.here / "home/private.txt").write_text(SECRET)
-        self._network, self._local = socket.create_server(("127.0.0.1", 0)), socket.socket(socket.AF_UNIX)
+        self._network, self._local = (
+            socket.create_server(("127.0.0.1", 0)),
+            socket.socket(socket.AF_UNIX),
+        )
         self._local.bind("\0" + self.token)
         self._local.listen()
         for listener in (self._network, self._local):
             listener.setblocking(False)
 
     def hand_in(self, student, attack):
-        facts = {"HERE": str(self.here), "NAME": student, "TOKEN": self.token, "PORT": self._network.getsockname()[1]}
+        facts = {
+            "HERE": str(self.here),
+            "NAME": student,
+            "TOKEN": self.token,
+            "PORT": self._network.getsockname()[1],
+        }
         attack.submit(self.here / "submitted" / student / "hw", facts)
 
     def hand_in_honestly(self, student, notebook=None):
@@ -64,7 +73,10 @@ class Course:
         found = []
         for path in Path("/proc").glob("[0-9]*/cmdline"):
             try:
-                if self.token.strip("t").encode() in path.read_bytes() and int(path.parent.name) != os.getpid():
+                if (
+                    self.token.strip("t").encode() in path.read_bytes()
+                    and int(path.parent.name) != os.getpid()
+                ):
                     found.append(int(path.parent.name))
             except OSError:
                 pass
@@ -95,24 +107,36 @@ def seen_by_naive(course, student, honest, finished):
         if row.count(",") >= 2:
             points[row.split(",")[0]] = row.split(",")[1]
     text = _read(course.here / "graded" / f"{student}.json")
-    return Seen(points=int(points.get(student) == "1"), text=text.replace('"', " ").replace("}", " "),
-                finished=finished,
-                honest=all(points.get(name) == "1" for name in honest), marked=course.marked(student),
-                heard=course.heard(),
-                left=len(course.left_behind()), gradings=_read(course.here / "graded.log").split("\n").count(student),
-                printed=(course.here / "output.txt").stat().st_size)
+    return Seen(
+        points=int(points.get(student) == "1"),
+        text=text.replace('"', " ").replace("}", " "),
+        finished=finished,
+        honest=all(points.get(name) == "1" for name in honest),
+        marked=course.marked(student),
+        heard=course.heard(),
+        left=len(course.left_behind()),
+        gradings=_read(course.here / "graded.log").split("\n").count(student),
+        printed=(course.here / "output.txt").stat().st_size,
+    )
 
 
 def seen_by_ours(course, results, student, honest, finished):
-    """What our grade store says of a student; `honest` maps students to how many right answers they have."""
+    """What our grade store says of a student; `honest` maps students to how many right answers they
+    have."""
     mine = results.get(student, [])
-    return Seen(points=sum(_right(result) for result in mine),
-                text=" ".join(text for result in mine for text in result["answers"].values()),
-                finished=finished, honest=all(sum(map(_right, results.get(name, []))) == right
-                                              for name, right in honest.items()),
-                marked=course.marked(student), heard=course.heard(), left=len(course.left_behind()),
-                gradings=max(1, len(mine)),
-                printed=(course.here / "output.txt").stat().st_size)
+    return Seen(
+        points=sum(_right(result) for result in mine),
+        text=" ".join(text for result in mine for text in result["answers"].values()),
+        finished=finished,
+        honest=all(
+            sum(map(_right, results.get(name, []))) == right for name, right in honest.items()
+        ),
+        marked=course.marked(student),
+        heard=course.heard(),
+        left=len(course.left_behind()),
+        gradings=max(1, len(mine)),
+        printed=(course.here / "output.txt").stat().st_size,
+    )
 
 
 def _right(result):

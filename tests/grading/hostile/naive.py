@@ -1,9 +1,12 @@
-"""A grader as many are: it runs students' cells and check cells together, and believes what it finds afterwards.
+"""A grader as many are: it runs students' cells and check cells together, and believes what it
+finds afterwards.
 
-It follows links, knows no limits, compares with a key where asked to, writes `repr` of answers, unpickles results and
-hands file names to a shell. Every attack is shown to succeed here, or it would test nothing.
+It follows links, knows no limits, compares with a key where asked to, writes `repr` of answers,
+unpickles results and hands file names to a shell. Every attack is shown to succeed here, or it
+would test nothing.
 """
 
+import contextlib
 import json
 import os
 import pickle
@@ -21,11 +24,11 @@ HISTORY = []  # of all cells run, as shells keep it
 
 
 def grade(apart, marks):
-    """Grade everything below the current folder into grades.csv; with `apart`, each notebook in a process of its
-    own."""
+    """Grade everything below the current folder into grades.csv; with `apart`, each notebook in a
+    process of its own."""
     points = {}
     subprocess.Popen(["/usr/bin/sleep", "60"])  # a helper, with the grader's environment
-    key_file = open("solutions/secret.txt")  # noqa: F841 -- open while students' code runs, as such files are
+    key_file = open("solutions/secret.txt")
     os.set_inheritable(key_file.fileno(), True)
     for path in sorted(COURSE.glob("*/hw/*.ipynb")):
         student = path.parts[1]
@@ -42,8 +45,11 @@ def grade(apart, marks):
         student = path.parts[1]
         pickled = Path(f"graded/{student}.pkl")
         if apart:
-            points[student] = (pickle.loads(pickled.read_bytes()) if pickled.exists()
-                               else json.loads(Path(f"graded/{student}.json").read_text())["points"])
+            points[student] = (
+                pickle.loads(pickled.read_bytes())
+                if pickled.exists()
+                else json.loads(Path(f"graded/{student}.json").read_text())["points"]
+            )
         os.system(f"cp {path} archive/")
         os.system(f"cp '{path}' archive/")
         os.system(f"cd '{path.parent}' && tar cf archive.tar *")
@@ -77,7 +83,9 @@ def _mark(path, student, marks):
         points = int(MARKS[marks](answer, verdicts, sp))
     with open("graded.log", "a", encoding="utf-8") as log:
         log.write(f"{student}\n")
-    Path(f"graded/{student}.json").write_text(json.dumps({"points": points, "text": repr(answer)}), encoding="utf-8")
+    Path(f"graded/{student}.json").write_text(
+        json.dumps({"points": points, "text": repr(answer)}), encoding="utf-8"
+    )
     Path(f"graded/{path.name}.txt").write_text(f"{student}: {answer!r}", encoding="utf-8")
     return points
 
@@ -104,7 +112,9 @@ def _by_key_of_its_type(answer, verdicts, sp):
 
 def _by_number(answer, verdicts, sp):
     """As if a number were asked: wrong if it is off by more than a thousandth."""
-    return isinstance(answer, (int, float, sp.And)) and (isinstance(answer, sp.And) or not abs(answer - 1.5) > 1e-3)
+    return isinstance(answer, (int, float, sp.And)) and (
+        isinstance(answer, sp.And) or not abs(answer - 1.5) > 1e-3
+    )
 
 
 def _by_ratio(answer, verdicts, sp):
@@ -114,29 +124,42 @@ def _by_ratio(answer, verdicts, sp):
 def _by_closeness(answer, verdicts, sp):
     import numpy as np
 
-    return isinstance(answer, sp.And) and _by_key(answer, verdicts, sp) or np.allclose(answer, [1.5, 2.5])
+    return (isinstance(answer, sp.And) and _by_key(answer, verdicts, sp)) or np.allclose(
+        answer, [1.5, 2.5]
+    )
 
 
 def _by_reading(answer, verdicts, sp):
     """Generous: an answer may be text."""
-    return _by_key(sp.sympify(answer, locals={name: sp.Symbol(name, real=True) for name in ("k1", "k2")}), verdicts, sp)
+    return _by_key(
+        sp.sympify(answer, locals={name: sp.Symbol(name, real=True) for name in ("k1", "k2")}),
+        verdicts,
+        sp,
+    )
 
 
-MARKS = {"checks": _by_checks, "key": _by_key, "typed key": _by_key_of_its_type, "number": _by_number,
-         "ratio": _by_ratio,
-         "closeness": _by_closeness, "reading": _by_reading}
+MARKS = {
+    "checks": _by_checks,
+    "key": _by_key,
+    "typed key": _by_key_of_its_type,
+    "number": _by_number,
+    "ratio": _by_ratio,
+    "closeness": _by_closeness,
+    "reading": _by_reading,
+}
 
 
 def run(here, apart, marks, patience):
-    """Run `grade` in a session of its own, in the folder `here`; True if it comes to its end within `patience`
-    seconds."""
+    """Run `grade` in a session of its own, in the folder `here`; True if it comes to its end within
+    `patience` seconds."""
     outer = os.fork()
     if outer == 0:
         try:
             os.setsid()
             os.chdir(here)
             _surround(here)
-            # The grader itself is a child, so that an attack on its parent does not reach the tests.
+            # The grader itself is a child, so that an attack on its parent does not reach the
+            # tests.
             inner = os.fork()
             if inner == 0:
                 grade(apart, marks)
@@ -148,24 +171,28 @@ def run(here, apart, marks, patience):
         return _ended_well(outer, patience)
     finally:
         for end in (lambda: os.killpg(outer, signal.SIGKILL), lambda: os.waitpid(outer, 0)):
-            try:
+            with contextlib.suppress(ProcessLookupError, ChildProcessError):
                 end()
-            except (ProcessLookupError, ChildProcessError):
-                pass
 
 
 def _surround(here):
-    """The environment of a careless grader, within bounds that keep the machine safe, and without what the tests have
-    open."""
+    """The environment of a careless grader, within bounds that keep the machine safe, and without
+    what the tests have open."""
     os.closerange(3, 4096)
-    signal.signal(signal.SIGALRM, signal.SIG_DFL)  # not the handler that bounds the time of the tests
+    # not the handler that bounds the time of the tests
+    signal.signal(signal.SIGALRM, signal.SIG_DFL)
     os.environ.update(COURSE_SECRET=SECRET, HOME=str(here / "home"))
     output = os.open("output.txt", os.O_CREAT | os.O_WRONLY | os.O_APPEND)
     for descriptor in (1, 2):
         os.dup2(output, descriptor)
-    sys.stdout, sys.stderr = (open(descriptor, "w", buffering=1) for descriptor in (1, 2))  # not what the tests capture
-    for kind, bound in ((resource.RLIMIT_AS, 4 * 2**30), (resource.RLIMIT_FSIZE, 300 * 2**20),
-                        (resource.RLIMIT_CPU, 30), (resource.RLIMIT_CORE, 0)):
+    # not what the tests capture
+    sys.stdout, sys.stderr = (open(descriptor, "w", buffering=1) for descriptor in (1, 2))
+    for kind, bound in (
+        (resource.RLIMIT_AS, 4 * 2**30),
+        (resource.RLIMIT_FSIZE, 300 * 2**20),
+        (resource.RLIMIT_CPU, 30),
+        (resource.RLIMIT_CORE, 0),
+    ):
         resource.setrlimit(kind, (bound, bound))
 
 

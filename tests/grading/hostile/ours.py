@@ -1,4 +1,5 @@
-"""Grade the course in the current folder with our grader, and its results as plain data (`python ours.py`)."""
+"""Grade the course in the current folder with our grader, and its results as plain data (`python
+ours.py`)."""
 
 import json
 import os
@@ -22,9 +23,15 @@ def run(here, environment, once=False, timeout=400):
     with open(here / "output.txt", "wb") as output:
         # The password file stays open and is inherited, as careless programs do.
         with open(here / "solutions/secret.txt") as secret:
-            done = subprocess.run([sys.executable, __file__, *(["once"] if once else [])], cwd=here,
-                                  env=os.environ | environment, stdout=output,
-                                  stderr=output, timeout=timeout, pass_fds=[secret.fileno()])
+            done = subprocess.run(
+                [sys.executable, __file__, *(["once"] if once else [])],
+                cwd=here,
+                env=os.environ | environment,
+                stdout=output,
+                stderr=output,
+                timeout=timeout,
+                pass_fds=[secret.fileno()],
+            )
     return done.returncode == 0
 
 
@@ -32,10 +39,14 @@ def results(here):
     """{student: [{"verdicts", "answers", "remarks"}]} as stored."""
     found = {}
     with closing(sqlite3.connect(here / "graded/grades.sqlite")) as database:
-        rows = database.execute("SELECT student, verdicts, answers, remarks FROM attempt JOIN result ON "
-                                "result.attempt = attempt.id")
+        rows = database.execute(
+            "SELECT student, verdicts, answers, remarks FROM attempt JOIN result ON "
+            "result.attempt = attempt.id"
+        )
         for student, *texts in rows:
-            found.setdefault(student, []).append(dict(zip(("verdicts", "answers", "remarks"), map(json.loads, texts))))
+            found.setdefault(student, []).append(
+                dict(zip(("verdicts", "answers", "remarks"), map(json.loads, texts)))
+            )
     return found
 
 

@@ -3,21 +3,37 @@
 from hostile.attack import Attack, gained, leaked
 
 READING = [
-    Attack("reads the solution", "opens the solution file beside the course", "the file is there to be opened",
-           "no such file is in sight", gained, (
-               "exec(open(HERE + '/solutions/p15.py').read())",)),
-    Attack("reads the master", "looks for the worked solution in the checkout that workbook was loaded from",
-           "an installation by `pip install -e` leads straight to solutions/",
-           "the folders of trajlib and workbook stand there alone", gained, (
-               """
+    Attack(
+        "reads the solution",
+        "opens the solution file beside the course",
+        "the file is there to be opened",
+        "no such file is in sight",
+        gained,
+        ("exec(open(HERE + '/solutions/p15.py').read())",),
+    ),
+    Attack(
+        "reads the master",
+        "looks for the worked solution in the checkout that workbook was loaded from",
+        "an installation by `pip install -e` leads straight to solutions/",
+        "the folders of trajlib and workbook stand there alone",
+        gained,
+        (
+            """
                import re, pathlib, workbook
                text = (pathlib.Path(workbook.__file__).parents[1] / "solutions/ch1/p15.md").read_text()
                a_region = eval(re.search("^a_region = (.*)$", text, re.M)[1])
-               """,)),
-    Attack("searches the disk", "walks through every folder for a file that assigns the answer",
-           "it finds the solution",
-           "it finds neither notebooks nor solutions", gained, blame="", cells=(
-               """
+               """,
+        ),
+    ),
+    Attack(
+        "searches the disk",
+        "walks through every folder for a file that assigns the answer",
+        "it finds the solution",
+        "it finds neither notebooks nor solutions",
+        gained,
+        blame="",
+        cells=(
+            """
                import os, re
                def search():
                    outside = [name for name in os.listdir("/") if name not in ("proc", "sys", "usr")]
@@ -30,31 +46,50 @@ READING = [
                                        return eval(found[1])
                    return ...
                a_region = search()
-               """,)),
-    Attack("reads another's submission", "opens the notebook of the student before",
-           "all submissions lie in one readable folder",
-           "no submission but its own exists for it", gained, (
-               """
+               """,
+        ),
+    ),
+    Attack(
+        "reads another's submission",
+        "opens the notebook of the student before",
+        "all submissions lie in one readable folder",
+        "no submission but its own exists for it",
+        gained,
+        (
+            """
                import json
                for cell in json.load(open(HERE + "/submitted/a-honest/hw/p15.ipynb"))["cells"]:
                    if "a_region = sp" in "".join(cell["source"]):
                        exec("".join(cell["source"]))
-               """,)),
-    Attack("finds another's work among objects", "looks through all objects of the process for another's source",
-           "a process that has run other notebooks still holds their sources",
-           "the process has never held anybody else's", gained, blame="", cells=(
-               """
+               """,
+        ),
+    ),
+    Attack(
+        "finds another's work among objects",
+        "looks through all objects of the process for another's source",
+        "a process that has run other notebooks still holds their sources",
+        "the process has never held anybody else's",
+        gained,
+        blame="",
+        cells=(
+            """
                import gc, re
                lists = [owner for owner in gc.get_objects() if type(owner) is list]
                for one in [value for owner in lists for value in owner if type(value) is str]:
                    if (found := re.search(r"^a_region = (sp[.]And.k1 > 0, k1[*]k2 > 1.)$", one, re.M)):
                        a_region = eval(found[1])
-               """,)),
-    Attack("finds another's work in raw memory",
-           "looks through the memory of the process, also what was given back, for another's source",
-           "a process that has run other notebooks still holds their sources",
-           "the process has never held anybody else's", gained, blame="", cells=(
-               r"""
+               """,
+        ),
+    ),
+    Attack(
+        "finds another's work in raw memory",
+        "looks through the memory of the process, also what was given back, for another's source",
+        "a process that has run other notebooks still holds their sources",
+        "the process has never held anybody else's",
+        gained,
+        blame="",
+        cells=(
+            r"""
                import ctypes, os, re
                # The kernel refuses to write from an address that is not there, which makes looking safe.
                libc, (out, into) = ctypes.CDLL(None), os.pipe()
@@ -67,14 +102,25 @@ READING = [
                            found = re.search(rb"a_region = (sp[.]And\(k1 > 0, k1[*]k2 > 1\))", os.read(out, 4096))
                            if found:
                                a_region = eval(found[1])
-               """,)),
-    Attack("reads the environment", "reads every variable", "the grader's environment is inherited",
-           "only six harmless variables are set", leaked, (
-        "import os\na_region = str(dict(os.environ))[-15000:]",)),
-    Attack("reads the environment in /proc", "reads the variables of the grader's processes",
-           "/proc shows them to the same user",
-           "there is no /proc", leaked, (
-               """
+               """,
+        ),
+    ),
+    Attack(
+        "reads the environment",
+        "reads every variable",
+        "the grader's environment is inherited",
+        "only six harmless variables are set",
+        leaked,
+        ("import os\na_region = str(dict(os.environ))[-15000:]",),
+    ),
+    Attack(
+        "reads the environment in /proc",
+        "reads the variables of the grader's processes",
+        "/proc shows them to the same user",
+        "there is no /proc",
+        leaked,
+        (
+            """
                import glob
                a_region = ""
                for path in glob.glob("/proc/[0-9]*/environ"):
@@ -84,22 +130,35 @@ READING = [
                        continue
                    if HERE in text:
                        a_region = text[text.find("COURSE_SECRET"):][:100].split("\\0")[0]
-               """,)),
-    Attack("reads the home", "reads a file in the home folder, by variable and by name",
-           "the notebook runs as the lecturer",
-           "there is no home but an empty /tmp", leaked, blame="", cells=(
-               """
+               """,
+        ),
+    ),
+    Attack(
+        "reads the home",
+        "reads a file in the home folder, by variable and by name",
+        "the notebook runs as the lecturer",
+        "there is no home but an empty /tmp",
+        leaked,
+        blame="",
+        cells=(
+            """
                import os
                for folder in (os.path.expanduser("~"), HERE + "/home"):
                    try:
                        a_region = open(folder + "/private.txt").read()
                    except OSError:
                        pass
-               """,)),
-    Attack("reads open files", "tries every descriptor number for something the grader has open",
-           "descriptors are inherited",
-           "only the pipe for its own answers is open", leaked, (
-               """
+               """,
+        ),
+    ),
+    Attack(
+        "reads open files",
+        "tries every descriptor number for something the grader has open",
+        "descriptors are inherited",
+        "only the pipe for its own answers is open",
+        leaked,
+        (
+            """
                import os
                found = b""
                for number in range(3, 200):
@@ -108,5 +167,7 @@ READING = [
                    except OSError:
                        pass
                a_region = found.decode(errors="replace")[:15000]
-               """,)),
+               """,
+        ),
+    ),
 ]

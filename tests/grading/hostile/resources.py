@@ -1,7 +1,7 @@
 """Submissions that take all there is: processes, memory, disk, time, output.
 
-What would endanger the machine is shown unguarded in a bounded form: so many processes, so many megabytes, as our
-limits in these tests forbid.
+What would endanger the machine is shown unguarded in a bounded form: so many processes, so many
+megabytes, as our limits in these tests forbid.
 """
 
 from hostile.attack import WRONG, Attack, flooded, reached, stopped_the_run
@@ -9,10 +9,14 @@ from hostile.attack import WRONG, Attack, flooded, reached, stopped_the_run
 MEGABYTES = 700  # above the 512 that these tests allow a notebook
 
 RESOURCES = [
-    Attack("forks without end", "starts processes, here up to 60", "nothing counts them",
-           "it gets no more than its limit, and all end with it",
-           reached(60), (
-               """
+    Attack(
+        "forks without end",
+        "starts processes, here up to 60",
+        "nothing counts them",
+        "it gets no more than its limit, and all end with it",
+        reached(60),
+        (
+            """
                import os, time
                started = 0
                try:
@@ -24,11 +28,17 @@ RESOURCES = [
                except OSError:
                    pass
                a_region = started
-               """,)),
-    Attack("starts threads without end", "starts threads, here up to 200", "nothing counts them",
-           "it gets no more than its limit",
-           reached(200), (
-               """
+               """,
+        ),
+    ),
+    Attack(
+        "starts threads without end",
+        "starts threads, here up to 200",
+        "nothing counts them",
+        "it gets no more than its limit",
+        reached(200),
+        (
+            """
                import threading, time
                started = 0
                try:
@@ -38,13 +48,25 @@ RESOURCES = [
                except RuntimeError:
                    pass
                a_region = started
-               """,)),
-    Attack("takes memory", "fills memory in one process", "nothing limits it", "it meets MemoryError",
-           reached(MEGABYTES), (
-        f"block = bytearray({MEGABYTES} * 2**20)\na_region = len(block) // 2**20",)),
-    Attack("takes memory by many", "fills memory in several processes, each below a limit of its own",
-           "limits of the kernel bind one process each", "the sum is watched", reached(MEGABYTES), (
-               f"""
+               """,
+        ),
+    ),
+    Attack(
+        "takes memory",
+        "fills memory in one process",
+        "nothing limits it",
+        "it meets MemoryError",
+        reached(MEGABYTES),
+        (f"block = bytearray({MEGABYTES} * 2**20)\na_region = len(block) // 2**20",),
+    ),
+    Attack(
+        "takes memory by many",
+        "fills memory in several processes, each below a limit of its own",
+        "limits of the kernel bind one process each",
+        "the sum is watched",
+        reached(MEGABYTES),
+        (
+            f"""
                import os, time
                out, into = os.pipe()
                for _ in range(7):
@@ -56,11 +78,18 @@ RESOURCES = [
                        os._exit(0)
                count = sum(len(os.read(out, 1)) for _ in range(7))
                a_region = count * ({MEGABYTES} // 7)
-               """,), blame="limits"),
-    Attack("takes memory of no process", "fills files that exist only in memory and belong to nobody",
-           "no limit on processes binds them",
-           "such files cannot be made", reached(MEGABYTES), (
-               f"""
+               """,
+        ),
+        blame="limits",
+    ),
+    Attack(
+        "takes memory of no process",
+        "fills files that exist only in memory and belong to nobody",
+        "no limit on processes binds them",
+        "such files cannot be made",
+        reached(MEGABYTES),
+        (
+            f"""
                import os
                size, files = 0, []
                try:
@@ -71,11 +100,17 @@ RESOURCES = [
                except OSError:
                    pass
                a_region = size
-               """,)),
-    Attack("takes shared memory", "makes segments of shared memory, fills and lets go of them",
-           "they stay, and belong to no process",
-           "such segments cannot be made", reached(MEGABYTES), (
-               f"""
+               """,
+        ),
+    ),
+    Attack(
+        "takes shared memory",
+        "makes segments of shared memory, fills and lets go of them",
+        "they stay, and belong to no process",
+        "such segments cannot be made",
+        reached(MEGABYTES),
+        (
+            f"""
                import ctypes
                libc = ctypes.CDLL(None)
                libc.shmat.restype = ctypes.c_void_p
@@ -93,11 +128,17 @@ RESOURCES = [
                for number in made:
                    libc.shmctl(number, 0, None)
                a_region = size
-               """,)),
-    Attack("takes memory in sockets", "sends to itself what it never reads, and closes, here by 300 sockets",
-           "what lies unread belongs to no process",
-           "sockets are counted, open or not", reached(300), (
-               """
+               """,
+        ),
+    ),
+    Attack(
+        "takes memory in sockets",
+        "sends to itself what it never reads, and closes, here by 300 sockets",
+        "what lies unread belongs to no process",
+        "sockets are counted, open or not",
+        reached(300),
+        (
+            """
                import socket, time
                listener, sent = socket.socket(socket.AF_UNIX), 0
                listener.bind("\\0" + TOKEN + NAME)
@@ -110,9 +151,18 @@ RESOURCES = [
                    sent += 1
                time.sleep(1)
                a_region = sent
-               """,), blame="limits"),
-    Attack("fills the disk", "writes a large file", "the disk is open", "its /tmp is small", reached(150), (
-        """
+               """,
+        ),
+        blame="limits",
+    ),
+    Attack(
+        "fills the disk",
+        "writes a large file",
+        "the disk is open",
+        "its /tmp is small",
+        reached(150),
+        (
+            """
         import os, tempfile
         size, folder = 0, tempfile.mkdtemp()
         try:
@@ -124,10 +174,17 @@ RESOURCES = [
             pass
         os.remove(folder + "/large")
         a_region = size
-        """,)),
-    Attack("fills the disk with files", "makes a great many small files", "the disk is open",
-           "its /tmp holds ten thousand", reached(15000), (
-        """
+        """,
+        ),
+    ),
+    Attack(
+        "fills the disk with files",
+        "makes a great many small files",
+        "the disk is open",
+        "its /tmp holds ten thousand",
+        reached(15000),
+        (
+            """
         import shutil, tempfile
         made, folder = 0, tempfile.mkdtemp()
         try:
@@ -137,11 +194,17 @@ RESOURCES = [
             pass
         shutil.rmtree(folder)
         a_region = made
-        """,)),
-    Attack("covers memory with mounts", "makes namespaces of its own, in which it may mount memory of any size",
-           "nothing forbids it",
-           "namespaces are forbidden", reached(1000), (
-               """
+        """,
+        ),
+    ),
+    Attack(
+        "covers memory with mounts",
+        "makes namespaces of its own, in which it may mount memory of any size",
+        "nothing forbids it",
+        "namespaces are forbidden",
+        reached(1000),
+        (
+            """
                import ctypes, os
                libc, (out, into) = ctypes.CDLL(None), os.pipe()
                if os.fork() == 0:
@@ -159,12 +222,18 @@ RESOURCES = [
                    os._exit(0)
                os.close(into)
                a_region = int(os.read(out, 20) or 0)
-               """,)),
-    Attack("computes by children it forgets",
-           "lets short-lived children compute, whose time the kernel forgets since nobody waits for them",
-           "nothing limits their time", "how children end is not the notebook's to say, so that their time counts",
-           reached(6), (
-               """
+               """,
+        ),
+    ),
+    Attack(
+        "computes by children it forgets",
+        "lets short-lived children compute, whose time the kernel forgets since nobody waits for "
+        "them",
+        "nothing limits their time",
+        "how children end is not the notebook's to say, so that their time counts",
+        reached(6),
+        (
+            """
                import os, signal, time
                try:
                    signal.signal(signal.SIGCHLD, signal.SIG_IGN)
@@ -186,29 +255,77 @@ RESOURCES = [
                            pass
                    computed += 0.24
                a_region = round(computed)
-               """,), blame="limits"),
-    Attack("loops without end", "never ends", "nobody stops it", "the cell is stopped, and the run goes on",
-           stopped_the_run,
-           ("while True: pass", WRONG), patience=2, blame="limits"),
-    Attack("loops and will not be stopped", "never ends, and swallows every exception", "nobody stops it",
-           "its process is ended", stopped_the_run, (
-        """
+               """,
+        ),
+        blame="limits",
+    ),
+    Attack(
+        "loops without end",
+        "never ends",
+        "nobody stops it",
+        "the cell is stopped, and the run goes on",
+        stopped_the_run,
+        ("while True: pass", WRONG),
+        patience=2,
+        blame="limits",
+    ),
+    Attack(
+        "loops and will not be stopped",
+        "never ends, and swallows every exception",
+        "nobody stops it",
+        "its process is ended",
+        stopped_the_run,
+        (
+            """
         while True:
             try:
                 while True: sum(range(1000))
             except BaseException:
                 pass
-        """, WRONG), patience=2, blame="limits"),
-    Attack("sleeps without end", "waits for ever without computing", "nobody stops it",
-           "the cell is stopped on the clock", stopped_the_run,
-           ("import time\nwhile True: time.sleep(1000)", WRONG), patience=2, blame="limits"),
-    Attack("waits for input", "asks a question", "nobody answers", "there is no input, which is an error of its cell",
-           stopped_the_run, (
-        "import os\nos.read(os.pipe()[0], 1)", WRONG), patience=2, blame="limits"),
-    Attack("prints without end", "prints for ever", "the log fills the disk", "what it prints is kept nowhere", flooded,
-           ("while True: print('x' * 10_000)", WRONG), patience=2, blame="limits"),
-    Attack("writes output past Python", "fills the output by its descriptor", "the log fills the disk",
-           "descriptors 1 and 2 lead nowhere",
-           flooded, ("import os\nwhile True: os.write(1, b'x' * 100_000); os.write(2, b'x' * 100_000)", WRONG),
-           patience=2, blame="limits"),
+        """,
+            WRONG,
+        ),
+        patience=2,
+        blame="limits",
+    ),
+    Attack(
+        "sleeps without end",
+        "waits for ever without computing",
+        "nobody stops it",
+        "the cell is stopped on the clock",
+        stopped_the_run,
+        ("import time\nwhile True: time.sleep(1000)", WRONG),
+        patience=2,
+        blame="limits",
+    ),
+    Attack(
+        "waits for input",
+        "asks a question",
+        "nobody answers",
+        "there is no input, which is an error of its cell",
+        stopped_the_run,
+        ("import os\nos.read(os.pipe()[0], 1)", WRONG),
+        patience=2,
+        blame="limits",
+    ),
+    Attack(
+        "prints without end",
+        "prints for ever",
+        "the log fills the disk",
+        "what it prints is kept nowhere",
+        flooded,
+        ("while True: print('x' * 10_000)", WRONG),
+        patience=2,
+        blame="limits",
+    ),
+    Attack(
+        "writes output past Python",
+        "fills the output by its descriptor",
+        "the log fills the disk",
+        "descriptors 1 and 2 lead nowhere",
+        flooded,
+        ("import os\nwhile True: os.write(1, b'x' * 100_000); os.write(2, b'x' * 100_000)", WRONG),
+        patience=2,
+        blame="limits",
+    ),
 ]

@@ -10,4 +10,14 @@ from hostile.patching import PATCHING
 from hostile.reading import READING
 from hostile.resources import RESOURCES
 
-ATTACKS = [*READING, *OUTSIDE, *RESOURCES, *ENDINGS, *PATCHING, *FORGING, *OBJECTS, *FIGURES, *FILES]
+ATTACKS = [
+    *READING,
+    *OUTSIDE,
+    *RESOURCES,
+    *ENDINGS,
+    *PATCHING,
+    *FORGING,
+    *OBJECTS,
+    *FIGURES,
+    *FILES,
+]

@@ -1,4 +1,5 @@
-"""Hostile submissions gain nothing, harm nobody and stop nothing; and each succeeds where nothing guards."""
+"""Hostile submissions gain nothing, harm nobody and stop nothing; and each succeeds where nothing
+guards."""
 
 import sys
 from pathlib import Path
@@ -6,13 +7,13 @@ from pathlib import Path
 import pytest
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
-from classroom import RIGHT_1_15, notebook  # noqa: E402
-from hostile import naive, ours  # noqa: E402
-from hostile.attack import SECRET  # noqa: E402
-from hostile.course import a_course, seen_by_naive, seen_by_ours  # noqa: E402
-from hostile.table import ATTACKS  # noqa: E402
+from classroom import RIGHT_1_15, notebook
+from hostile import naive, ours
+from hostile.attack import SECRET
+from hostile.course import a_course, seen_by_naive, seen_by_ours
+from hostile.table import ATTACKS
 
-from workbook.grading.isolation import PACKAGE  # noqa: E402
+from workbook.grading.isolation import PACKAGE
 
 HONEST = ("a-honest", "z-honest")
 #: How many attacks stand between two honest students.
@@ -33,8 +34,10 @@ def test_succeeds_unguarded(attack):
         course.open_to_all()
         finished = naive.run(course.here, attack.apart, attack.marks, attack.patience)
         seen = seen_by_naive(course, "mallory", HONEST, finished)
-        assert attack.success(seen), f"this would prove nothing, since it fails where nothing guards: {seen}\n" + (
-            course.here / "output.txt").read_text(errors="replace")[-1500:]
+        assert attack.success(seen), (
+            f"this would prove nothing, since it fails where nothing guards: {seen}\n"
+            + (course.here / "output.txt").read_text(errors="replace")[-1500:]
+        )
 
 
 @pytest.mark.slow
@@ -51,20 +54,30 @@ def test_none_succeeds_guarded():
             course.hand_in_honestly(student, notebook("1.15", RIGHT_1_15))
         course.open_to_all()
         before = _files(course.here)
-        finished = ours.run(course.here, {"COURSE_SECRET": SECRET, "HOME": str(course.here / "home")})
+        finished = ours.run(
+            course.here, {"COURSE_SECRET": SECRET, "HOME": str(course.here / "home")}
+        )
         output = (course.here / "output.txt").read_text(errors="replace")
         assert finished, output[-3000:]
 
         results = ours.results(course.here)
-        failures = [f"honest {name}: {results.get(name)}" for name in honest if not _full(results.get(name))]
+        failures = [
+            f"honest {name}: {results.get(name)}" for name in honest if not _full(results.get(name))
+        ]
         for k, attack in enumerate(ATTACKS):
-            failures += _failures(attack, results.get(f"m{k:03}", []),
-                                  seen_by_ours(course, results, f"m{k:03}", honest, finished))
+            failures += _failures(
+                attack,
+                results.get(f"m{k:03}", []),
+                seen_by_ours(course, results, f"m{k:03}", honest, finished),
+            )
         after = _files(course.here)
         failures += [f"changed: {path}" for path in before if after.get(path) != before[path]]
         failures += [f"planted: {path}" for path in PACKAGE.glob("m0*")]
-        failures += [f"new: {path}" for path in after.keys() - before.keys()
-                     if path.parts[0] not in ("graded", "output.txt")]
+        failures += [
+            f"new: {path}"
+            for path in after.keys() - before.keys()
+            if path.parts[0] not in ("graded", "output.txt")
+        ]
         assert not failures, "\n".join(failures) + "\n" + output[-3000:]
 
 
@@ -78,7 +91,11 @@ def _failures(attack, results, seen):
     remarks = [remark for result in results for remark in result["remarks"]]
     if not all(remark.startswith(("notebook: ", "limits: ")) for remark in remarks):
         found.append(f"the grader is blamed, or nobody: {remarks}")
-    if attack.blame and not any(remark.startswith(attack.blame) for remark in remarks) and not _told(results):
+    if (
+        attack.blame
+        and not any(remark.startswith(attack.blame) for remark in remarks)
+        and not _told(results)
+    ):
         found.append(f"nobody says that it is the affair of the {attack.blame}: {results}")
     if not results:
         found.append("was not graded")
@@ -87,15 +104,27 @@ def _failures(attack, results, seen):
 
 def _told(results):
     """True if a verdict other than `missing` says what is wrong with an answer."""
-    return any(status in ("wrong", "invalid") for result in results for status, *_ in result["verdicts"].values())
+    return any(
+        status in ("wrong", "invalid")
+        for result in results
+        for status, *_ in result["verdicts"].values()
+    )
 
 
 def _full(results):
-    return (results is not None and len(results) == 1 and {status for status, *_ in results[0]["verdicts"].values()}
-            == {"right"})
+    return (
+        results is not None
+        and len(results) == 1
+        and {status for status, *_ in results[0]["verdicts"].values()} == {"right"}
+    )
 
 
 def _files(here):
     """Everything in the course's folder with its content, but for what is too large to compare."""
-    return {path.relative_to(here): path.read_bytes() if path.is_file() and path.stat().st_size < 10**7 else None
-            for path in here.rglob("*") if not path.is_symlink()}
+    return {
+        path.relative_to(here): path.read_bytes()
+        if path.is_file() and path.stat().st_size < 10**7
+        else None
+        for path in here.rglob("*")
+        if not path.is_symlink()
+    }

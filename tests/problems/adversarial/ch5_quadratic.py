@@ -11,21 +11,37 @@ ROWS = [
     right("5.63", "eigenvalues", "-sp.sqrt(6)/2", "without a list"),
     wrong("5.63", "cost", "(2 + sp.sqrt(6))*x0**2", "the half before the integral is forgotten"),
     wrong("5.63", "gain", "-1 - sp.sqrt(2)", "with the weight 1 of the control"),
-    wrong("5.64", "rate", "[[s12**2, s12*s22 + s11], [s11 + s12*s22, 2*s12 + s22**2]]", "sign of A"),
-    wrong("5.64", "rate", "[[-s12**2, s11 - s12*s22], [s11 - s12*s22, 2*s12 - s22**2]]", "time reversed"),
+    wrong(
+        "5.64", "rate", "[[s12**2, s12*s22 + s11], [s11 + s12*s22, 2*s12 + s22**2]]", "sign of A"
+    ),
+    wrong(
+        "5.64",
+        "rate",
+        "[[-s12**2, s11 - s12*s22], [s11 - s12*s22, 2*s12 - s22**2]]",
+        "time reversed",
+    ),
     right("5.64", "rate", "entries*B*B.T*entries - A.T*entries - entries*A", "as matrices"),
     wrong("5.64", "S", "sp.eye(2)", "its value at the end alone"),
     wrong("5.64", "gain", "[0, -1]", "its value at the end alone"),
     wrong("5.64", "cost", "(x10**2 + x20**2)/2", "as if nothing were done"),
     right("5.65", "motion", "sp.sinh(2*t)/sp.sinh(2)", "hyperbolic sines"),
-    right("5.65", "motion", "(sp.exp(2*t) - sp.exp(-2*t))/(sp.exp(2) - sp.exp(-2))", "exponentials"),
+    right(
+        "5.65", "motion", "(sp.exp(2*t) - sp.exp(-2*t))/(sp.exp(2) - sp.exp(-2))", "exponentials"
+    ),
     wrong("5.65", "motion", "t", "the straight way"),
     wrong("5.65", "motion", "sp.sin(2*t)/sp.sin(2)", "the sine"),
     right("5.65", "control", "0.551*sp.cosh(2*t) - 0.276*sp.sinh(2*t)", "three digits"),
     right("5.65", "control", "0.138*sp.exp(2*t) + 0.414*sp.exp(-2*t)", "three digits"),
     wrong("5.65", "control", "(2*sp.cosh(2*t) + sp.sinh(2*t))/sp.sinh(2)", "the sign"),
-    wrong("5.65", "control", "0.14*sp.exp(2*t) + 0.414*sp.exp(-2*t)", "one and a half per cent off"),
-    wrong("5.65", "control", "0.138*sp.exp(2*t) + 0.42*sp.exp(-2*t)", "more than one per cent off in the small term"),
+    wrong(
+        "5.65", "control", "0.14*sp.exp(2*t) + 0.414*sp.exp(-2*t)", "one and a half per cent off"
+    ),
+    wrong(
+        "5.65",
+        "control",
+        "0.138*sp.exp(2*t) + 0.42*sp.exp(-2*t)",
+        "more than one per cent off in the small term",
+    ),
     wrong("5.65", "costate", "-(2*sp.cosh(2*t) - sp.sinh(2*t))/sp.sinh(2)", "the sign"),
     wrong("5.65", "costate", "2*(2*sp.cosh(2*t) - sp.sinh(2*t))/sp.sinh(2)", "a factor"),
     right("5.65", "costate", "(2*sp.cosh(2*t) - sp.sinh(2*t))/sp.sinh(2)", "it is the control"),
@@ -35,8 +51,12 @@ ROWS = [
     wrong("5.65", "cost", "sp.coth(2) + sp.Rational(1,2)", "the sign"),
     right("5.65", "control", "(2*sp.cosh(2*t) - sp.sinh(2*t))/sp.sinh(2)", "hyperbolic functions"),
     wrong("5.65", "cost", "2*sp.coth(2) - 1", "the half before the integral is forgotten"),
-    wrong("5.66", "a_cost", "[[2 + sp.sqrt(2), 1 + sp.sqrt(2)], [-1 - sp.sqrt(2), 1 + sp.sqrt(2)]]",
-          "it is not symmetric"),
+    wrong(
+        "5.66",
+        "a_cost",
+        "[[2 + sp.sqrt(2), 1 + sp.sqrt(2)], [-1 - sp.sqrt(2), 1 + sp.sqrt(2)]]",
+        "it is not symmetric",
+    ),
     wrong("5.66", "a_gain", "[1 + sp.sqrt(2), 1 + sp.sqrt(2)]", "the sign"),
     wrong("5.66", "a_eigenvalues", "[-1]", "one is missing"),
     wrong("5.66", "b_cost", "[[-1, 0], [0, 1]]", "the other solution"),
@@ -51,7 +71,12 @@ ROWS = [
     wrong("5.67", "b_gain", "[0, 0]", "no control at all"),
     wrong("5.67", "b_rest", "[x1 + 0.72*x2, 0]", "two per cent off"),
     wrong("5.67", "b_repaired", "[-epsilon, -1 - sp.sqrt(2)]", "to first order"),
-    wrong("5.67", "b_repaired", "[-epsilon**2, -1 - sp.sqrt(2 + 2*epsilon**2)]", "the square of epsilon"),
+    wrong(
+        "5.67",
+        "b_repaired",
+        "[-epsilon**2, -1 - sp.sqrt(2 + 2*epsilon**2)]",
+        "the square of epsilon",
+    ),
     wrong("5.67", "b_repaired", "[-epsilon, -1 - sp.sqrt(2 + epsilon)]", "a factor 2 is missing"),
     right("5.67", "b_repaired", "[-epsilon, -1 - 1.414*sp.sqrt(1 + epsilon)]", "in decimals"),
     right("5.67", "b_stabilising", "[]", "there is none"),
@@ -62,10 +87,18 @@ ROWS = [
     wrong("5.68", "a_gain", "[-1, sp.sqrt(2)]", "the sign"),
     wrong("5.68", "a_gain", "[3, -sp.sqrt(2)]", "the other root"),
     right("5.68", "a_eigenvalues", "[-0.707 + 1.22j, -0.707 - 1.22j]", "complex decimals"),
-    wrong("5.68", "a_eigenvalues", "[sp.sqrt(2)*sp.exp(sp.I*sp.pi/3), sp.sqrt(2)*sp.exp(-sp.I*sp.pi/3)]",
-          "unstable ones"),
-    right("5.68", "a_eigenvalues", "[sp.sqrt(2)*sp.exp(2*sp.I*sp.pi/3), sp.sqrt(2)*sp.exp(-2*sp.I*sp.pi/3)]",
-          "in polar form"),
+    wrong(
+        "5.68",
+        "a_eigenvalues",
+        "[sp.sqrt(2)*sp.exp(sp.I*sp.pi/3), sp.sqrt(2)*sp.exp(-sp.I*sp.pi/3)]",
+        "unstable ones",
+    ),
+    right(
+        "5.68",
+        "a_eigenvalues",
+        "[sp.sqrt(2)*sp.exp(2*sp.I*sp.pi/3), sp.sqrt(2)*sp.exp(-2*sp.I*sp.pi/3)]",
+        "in polar form",
+    ),
     wrong("5.68", "b_cost", "[[1, 0], [0, 1.02]]", "two per cent off"),
     wrong("5.68", "b_gain", "[0, -0.98]", "two per cent off"),
     wrong("5.68", "b_gain", "[0.01, -1]", "a small number for zero"),
@@ -74,20 +107,35 @@ ROWS = [
     right("5.69", "covariance", "[[3 + sp.sqrt(11), 0], [0, 3 + sp.sqrt(11)]]", "by a root"),
     wrong("5.69", "covariance", "[[3 - sp.sqrt(11), 0], [0, 3 - sp.sqrt(11)]]", "the other root"),
     wrong("5.69", "filter_gain", "[0.01, 6.32]", "a small number for zero"),
-    right("5.69", "S",
-          "[[sp.sqrt(2)*(3 + sp.sqrt(8 + 2*sp.sqrt(2))) - 3*(sp.sqrt(2) - 1), sp.sqrt(2) - 1], [sp.sqrt(2) - 1, 3 + "
-          "sp.sqrt(8 + 2*sp.sqrt(2))]]",
-          "nested roots"),
-    wrong("5.69", "S",
-          "[[sp.sqrt(2)*(3 + sp.sqrt(8 + 2*sp.sqrt(2))) + 3*(sp.sqrt(2) - 1), sp.sqrt(2) - 1], [sp.sqrt(2) - 1, 3 + "
-          "sp.sqrt(8 + 2*sp.sqrt(2))]]",
-          "the sign"),
-    wrong("5.69", "gain", "[1 - sp.sqrt(2), -3 - sp.sqrt(8 - 2*sp.sqrt(2))]", "a sign under the root"),
+    right(
+        "5.69",
+        "S",
+        "[[sp.sqrt(2)*(3 + sp.sqrt(8 + 2*sp.sqrt(2))) - 3*(sp.sqrt(2) - 1), sp.sqrt(2) - 1], "
+        "[sp.sqrt(2) - 1, 3 + "
+        "sp.sqrt(8 + 2*sp.sqrt(2))]]",
+        "nested roots",
+    ),
+    wrong(
+        "5.69",
+        "S",
+        "[[sp.sqrt(2)*(3 + sp.sqrt(8 + 2*sp.sqrt(2))) + 3*(sp.sqrt(2) - 1), sp.sqrt(2) - 1], "
+        "[sp.sqrt(2) - 1, 3 + "
+        "sp.sqrt(8 + 2*sp.sqrt(2))]]",
+        "the sign",
+    ),
+    wrong(
+        "5.69", "gain", "[1 - sp.sqrt(2), -3 - sp.sqrt(8 - 2*sp.sqrt(2))]", "a sign under the root"
+    ),
     wrong("5.69", "filter_gain", "[0, 3 - sp.sqrt(11)]", "the other root"),
     wrong("5.70", "covariance", "[[2, 0], [0, 2.03]]", "one and a half per cent off"),
     wrong("5.70", "controller", "[e2, -e1 - 2*e2 + 2*z]", "control forgotten"),
     wrong("5.70", "price", "8", "the noise counted twice"),
     wrong("5.70", "covariance", "[[4, 0], [0, 4]]", "the intensity for its root"),
-    wrong("5.70", "controller", "[e2, -e1 - e2 + 2*z]", "the measurement that is expected is not taken off"),
+    wrong(
+        "5.70",
+        "controller",
+        "[e2, -e1 - e2 + 2*z]",
+        "the measurement that is expected is not taken off",
+    ),
     wrong("5.70", "known", "2", "the part of the errors"),
 ]

@@ -15,11 +15,21 @@ ROWS = [
     right("9.1", "b_common", "c**2 <= 9*w**2", "squared, for positive numbers"),
     right("9.1", "b_common", "w >= c/3", "solved for the width"),
     right("9.1", "b_common", "sp.log(c/w) <= sp.log(3)", "by logarithms"),
-    wrong("9.1", "c_tight", "[d, sp.sqrt(2)*d, d, d, 0, 0, 0, d]", "the south-east not of length 1"),
-    wrong("9.1", "c_tight", "[d, sp.sqrt(2)*d, d, d/sp.sqrt(2), 0, -sp.sqrt(2)*d, 0, d/sp.sqrt(2)]",
-          "the corner opposite to the north-east"),
-    right("9.1", "c_tight", "[d, sp.sqrt(d**2 + d**2), d, "
-          "d*sp.sin(sp.pi/4), 0, 0, 0, d*sp.sin(sp.pi/4)]", "a diagonal"),
+    wrong(
+        "9.1", "c_tight", "[d, sp.sqrt(2)*d, d, d, 0, 0, 0, d]", "the south-east not of length 1"
+    ),
+    wrong(
+        "9.1",
+        "c_tight",
+        "[d, sp.sqrt(2)*d, d, d/sp.sqrt(2), 0, -sp.sqrt(2)*d, 0, d/sp.sqrt(2)]",
+        "the corner opposite to the north-east",
+    ),
+    right(
+        "9.1",
+        "c_tight",
+        "[d, sp.sqrt(d**2 + d**2), d, d*sp.sin(sp.pi/4), 0, 0, 0, d*sp.sin(sp.pi/4)]",
+        "a diagonal",
+    ),
     right("9.1", "c_tight", "[d, 1.414*d, d, 0.7071*d, 0, 0, 0, 0.7071*d]", "four digits"),
     wrong("9.2", "a_greatest", "D/T + 0.505*a*T", "one per cent off"),
     wrong("9.2", "a_greatest", "D/T + (a + b)*T/2", "the length of the interval added"),

@@ -2,16 +2,18 @@
 
     H_j = (psi^T f_j - lambda_0 g) u - lambda_0 (k |u| + r u^2/2),   u_- <= u <= u_+
 
-Where this is concave in u the greatest value is taken at a bound, between the bounds (r > 0) or at the corner u = 0
-(k > 0); where it is convex, at a bound.
+Where this is concave in u the greatest value is taken at a bound, between the bounds (r > 0) or at
+the corner u = 0 (k > 0); where it is convex, at a bound.
 """
+
 from itertools import product
 
 import sympy as sp
 
 
 class Level:
-    """One level of a control: its name as in the arcs of `solve`, and its value, None where psi tells it."""
+    """One level of a control: its name as in the arcs of `solve`, and its value, None where psi
+    tells it."""
 
     def __init__(self, name, value=None):
         self.name, self.value = name, value
@@ -20,9 +22,10 @@ class Level:
 class ControlPart:
     """The part of the control u in a problem; `cost` is its f_0, with the sign of a minimum.
 
-    `levels` in growing order of u; `surfaces` are the functions that separate one from the next. `singular`: where they
-    can vanish on an arc. `open`: whether one that vanishes once vanishes on the whole extremal, so that the control is
-    left open there (only where there are other controls).
+    `levels` in growing order of u; `surfaces` are the functions that separate one from the next.
+    `singular`: where they can vanish on an arc. `open`: whether one that vanishes once vanishes on
+    the whole extremal, so that the control is left open there (only where there are other
+    controls).
     """
 
     def __init__(self, problem, cost, u):
@@ -31,13 +34,15 @@ class ControlPart:
         f = sp.Matrix(problem.field)
         self.push = f.diff(u)
         price = cost.coeff(sp.Abs(u)) if cost.has(sp.Abs(u)) else sp.Integer(0)
-        smooth = sp.expand(cost - price*sp.Abs(u))
+        smooth = sp.expand(cost - price * sp.Abs(u))
         linear, weight = smooth.diff(u).subs(u, 0), sp.simplify(smooth.diff(u, 2))
         self._check(f, smooth, price, weight, others)
-        if price != 0 and not self.low < 0 < self.high:     # |u| is u or -u
+        if price != 0 and not self.low < 0 < self.high:  # |u| is u or -u
             linear, price = linear + (price if self.low >= 0 else -price), sp.Integer(0)
         self.linear, self.price, self.weight = linear, price, weight
-        self.convex = _sign(price, f"the factor of |{u}|") >= 0 and _sign(weight, f"the factor of {u}^2") >= 0
+        self.convex = (
+            _sign(price, f"the factor of |{u}|") >= 0 and _sign(weight, f"the factor of {u}^2") >= 0
+        )
         if not self.convex and max(_sign(price, ""), _sign(weight, "")) > 0:
             raise ValueError(f"running: it is neither convex nor concave in {u}")
         self._make_levels()
@@ -45,33 +50,49 @@ class ControlPart:
 
     def surfaces(self, psi, lambda_0):
         """[(expression, its size)], positive where the control is above."""
-        return [((psi.T*self.push)[0] - lambda_0*shift,
-                 psi.norm()*self.push.norm() + lambda_0*sp.Abs(shift)) for shift in self._shifts]
+        return [
+            (
+                (psi.T * self.push)[0] - lambda_0 * shift,
+                psi.norm() * self.push.norm() + lambda_0 * sp.Abs(shift),
+            )
+            for shift in self._shifts
+        ]
 
     def between(self, psi, lambda_0):
         """{number of the level: value} for the levels between the bounds."""
-        slope = (psi.T*self.push)[0] - lambda_0*self.linear
+        slope = (psi.T * self.push)[0] - lambda_0 * self.linear
         found = {}
         for i, level in enumerate(self.levels):
             if level.name == "interior":
                 below = any(other.name == "zero" for other in self.levels[i:])
                 corner = self.price if self.price == 0 or below else -self.price
-                found[i] = (slope + lambda_0*corner)/(lambda_0*self.weight)
+                found[i] = (slope + lambda_0 * corner) / (lambda_0 * self.weight)
         return found
 
     def _check(self, f, smooth, price, weight, others):
         u = self.u
         if any(sp.simplify(e) != 0 for e in f.diff(u, 2)) or any(
-                sp.simplify(e) != 0 for v in others for e in f.diff(u, v)):
-            raise ValueError(f"problem: the right-hand side is not affine in {', '.join(map(str, [u, *others]))}")
+            sp.simplify(e) != 0 for v in others for e in f.diff(u, v)
+        ):
+            raise ValueError(
+                f"problem: the right-hand side is not affine in {', '.join(map(str, [u, *others]))}"
+            )
         if smooth.has(sp.Abs(u)) or price.has(u) or weight.has(u):
-            raise ValueError(f"running: expected a polynomial of at most the second degree in {u}, and a multiple of "
-                             f"|{u}|")
+            raise ValueError(
+                f"running: expected a polynomial of at most the second degree in {u}, and a "
+                "multiple of "
+                f"|{u}|"
+            )
         if any(sp.simplify(smooth.diff(u, v)) != 0 for v in others):
-            raise ValueError(f"running: a product of {u} with another control, so that the maximum condition does not "
-                             "tell the controls one by one")
+            raise ValueError(
+                f"running: a product of {u} with another control, so that the maximum condition "
+                "does not "
+                "tell the controls one by one"
+            )
         if not (self.low.is_finite and self.high.is_finite and self.low < self.high):
-            raise ValueError(f"problem: expected finite bounds {u}_- < {u}_+, got ({self.low}, {self.high})")
+            raise ValueError(
+                f"problem: expected finite bounds {u}_- < {u}_+, got ({self.low}, {self.high})"
+            )
 
     def _make_levels(self):
         low, high, g, k, r = self.low, self.high, self.linear, self.price, self.weight
@@ -79,14 +100,16 @@ class ControlPart:
         if not self.convex:
             # H(u_+) - H(u_-), divided by u_+ - u_-.
             self.levels = [bottom, top]
-            self._shifts = [g + r*(low + high)/2 + k*(abs(high) - abs(low))/(high - low)]
+            self._shifts = [g + r * (low + high) / 2 + k * (abs(high) - abs(low)) / (high - low)]
             return
         middle, shifts = [], []
         if k != 0:
             middle, shifts = [Level("zero", 0.0)], [g - k, g + k]
         if r != 0:
-            middle = [Level("interior"), *middle, Level("interior")] if k != 0 else [Level("interior")]
-            shifts = [g - k + r*low, *shifts, g + k + r*high]
+            middle = (
+                [Level("interior"), *middle, Level("interior")] if k != 0 else [Level("interior")]
+            )
+            shifts = [g - k + r * low, *shifts, g + k + r * high]
         self.levels, self._shifts = [bottom, *middle, top], shifts or [g]
 
     def _make_singular(self, problem, f, cost, x, others):
@@ -94,16 +117,16 @@ class ControlPart:
         if self.weight != 0 and self.convex:
             return
         parallel = True
-        rest = cost - self.price*sp.Abs(self.u)
+        rest = cost - self.price * sp.Abs(self.u)
         for shift in self._shifts:
             own = sp.Matrix([*self.push, shift])
             for values in product(*(problem.controls[v] for v in others)):
                 put = {self.u: 0, **dict(zip(others, values))}
                 field = sp.Matrix([*f, rest]).subs(put)
-                bracket = own.jacobian(x)*field[:2, :] - field.jacobian(x)*own[:2, :]
+                bracket = own.jacobian(x) * field[:2, :] - field.jacobian(x) * own[:2, :]
                 # Without any running cost H says psi^T f = 0, and its third row is zero.
                 rows = (own, bracket) if field[2] == shift == 0 else (field, own, bracket)
-                det = sp.simplify(sp.Matrix.hstack(*rows)[:len(rows), :].det())
+                det = sp.simplify(sp.Matrix.hstack(*rows)[: len(rows), :].det())
                 parallel = parallel and all(sp.simplify(e) == 0 for e in own.cross(bracket))
                 if det not in self.singular:
                     self.singular.append(det)
@@ -112,8 +135,11 @@ class ControlPart:
             self.levels.append(Level("open"))
             self.singular = []
         elif any(det == 0 for det in self.singular):
-            raise ValueError("problem: det(f1, [f0, f1]) vanishes everywhere, so extremals may be singular along their "
-                             "whole length; for a linear system: the pair (A, b) is not controllable")
+            raise ValueError(
+                "problem: det(f1, [f0, f1]) vanishes everywhere, so extremals may be singular "
+                "along their "
+                "whole length; for a linear system: the pair (A, b) is not controllable"
+            )
 
 
 def _sign(expression, name):

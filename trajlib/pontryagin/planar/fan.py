@@ -4,28 +4,31 @@ With reversed time tau = t_k - t
 
     dx/dtau = -f,   dpsi/dtau = (df/dx)^T psi - lambda_0 df_0/dx,   dV/dtau = f_0,
 
-and the controls at the levels at which H is greatest (`plant`). Steps are taken by extrapolation of the midpoint rule;
-where a level changes the step is divided.
+and the controls at the levels at which H is greatest (`plant`). Steps are taken by extrapolation of
+the midpoint rule; where a level changes the step is divided.
 """
+
 import numpy as np
 
 from trajlib.pontryagin.planar.plant import HELD, ROWS, steps_needed
 
-#: For so many steps an extremal that has met the target again is followed further, for neighbours that live longer:
-#: the cells between them have to reach as far as these.
+#: For so many steps an extremal that has met the target again is followed further, for neighbours
+#: that live longer: the cells between them have to reach as far as these.
 BEYOND = 4
 #: Rows of `Fan.switchings` before the modes and velocities: index, tau, x1, x2.
 PLACE = 4
 
 
 class Fan:
-    """Extremals for the parameters s of a family of ends, on a grid of reversed times; `add` puts more between them.
+    """Extremals for the parameters s of a family of ends, on a grid of reversed times; `add` puts
+    more between them.
 
-    `motion`: shape (K + 1, 7, N), nan some steps after an extremal has died; `path` is its part of the states, `value`
-    the cost. `mode`, `word`: of the controls, and of the structure so far, (K + 1, N). `switchings`: rows index of the
-    extremal, tau, x1, x2, modes before and after (in forward time), the velocities before and after. `life`: the last
-    step at which it lives; `dead`: 1 if it then met the target again, 2 if it left the box. `cut`: when it stops to be
-    optimal (set by `cut_at_overlaps`).
+    `motion`: shape (K + 1, 7, N), nan some steps after an extremal has died; `path` is its part of
+    the states, `value` the cost. `mode`, `word`: of the controls, and of the structure so far, (K +
+    1, N). `switchings`: rows index of the extremal, tau, x1, x2, modes before and after (in forward
+    time), the velocities before and after. `life`: the last step at which it lives; `dead`: 1 if it
+    then met the target again, 2 if it left the box. `cut`: when it stops to be optimal (set by
+    `cut_at_overlaps`).
     """
 
     def __init__(self, plant, target, ends, horizon, steps, box):
@@ -88,11 +91,11 @@ class Fan:
         word = np.full(s.size, -1)
         word[known] = plant.words.after(-1, mode[known])
         words[0] = word
-        # Where a surface and its derivative vanish the extremal is singular; where the velocity is zero it never
-        # leaves.
+        # Where a surface and its derivative vanish the extremal is singular; where the velocity is
+        # zero it never leaves.
         speed = np.zeros(s.size)
         speed[known] = np.hypot(*plant.velocity(z[:, known], mode[known]))
-        active = known & (speed > 1e-12*(1 + np.nanmax(speed, initial=0)))
+        active = known & (speed > 1e-12 * (1 + np.nanmax(speed, initial=0)))
         life, dead = np.where(active, count - 1, 0), np.where(active, 0, 1)
         found = []
         h = self.times[1]
@@ -105,8 +108,19 @@ class Fan:
             z[:, now], mode[now] = z_new, mode_new
             for which, gone, there, old, new in switched:
                 word[now[which]] = plant.words.after(word[now[which]], new)
-                found.append(np.vstack([now[which], self.times[k - 1] + gone, there[:2], new, old,
-                                        plant.velocity(there, new), plant.velocity(there, old)]))
+                found.append(
+                    np.vstack(
+                        [
+                            now[which],
+                            self.times[k - 1] + gone,
+                            there[:2],
+                            new,
+                            old,
+                            plant.velocity(there, new),
+                            plant.velocity(there, old),
+                        ]
+                    )
+                )
             words[k] = word
             motion[k][:, now], modes[k, now] = z_new, mode_new
             x1, x2 = z_new[:2]
@@ -123,24 +137,26 @@ class Fan:
         s, tau = np.atleast_1d(np.asarray(s, float)), np.atleast_1d(np.asarray(tau, float))
         z, mode = self.start(np.clip(s, self.ends.low, self.ends.high))
         mode = np.maximum(mode, 0)
-        steps = steps_needed(tau, 2*self.times[1])      # the grid is finer than the accuracy of the steps asks for
+        # the grid is finer than the accuracy of the steps asks for
+        steps = steps_needed(tau, 2 * self.times[1])
         for _ in range(steps):
-            z, mode, _ = self.plant.advance(z, mode, tau/steps)
+            z, mode, _ = self.plant.advance(z, mode, tau / steps)
         return z, mode
 
     def arcs(self, s, tau, word):
         """Extremals with given structures, the words `word`.
 
-        The last arc begins at the last switching, wherever this is, and ends at `tau`, also if that is earlier: so the
-        end is a smooth function of s and tau, to which Newton's method can be applied. Returns the motion at the end
-        and the reversed time at which the last arc begins; nan where there are not so many switchings.
+        The last arc begins at the last switching, wherever this is, and ends at `tau`, also if that
+        is earlier: so the end is a smooth function of s and tau, to which Newton's method can be
+        applied. Returns the motion at the end and the reversed time at which the last arc begins;
+        nan where there are not so many switchings.
         """
         plant = self.plant
         z, _ = self.start(s)
         modes, switchings = plant.words.table(word), plant.words.length[word]
         begin = np.zeros(s.size)
-        stride = 2*self.times[1]
-        longest = self.times[-1] + 4*stride
+        stride = 2 * self.times[1]
+        longest = self.times[-1] + 4 * stride
         for n in range(switchings.max(initial=0)):
             waiting = np.flatnonzero(switchings > n)
             while waiting.size:
@@ -148,11 +164,16 @@ class Fan:
                 surface = plant.crossing[mode, modes[waiting, n + 1]]
                 end = plant.step(now, mode, stride)
                 e = plant.surfaces(end)[surface, np.arange(waiting.size)]
-                crossed = e*plant.demand[mode, surface] < 0
+                crossed = e * plant.demand[mode, surface] < 0
                 ready = waiting[crossed]
                 if ready.size:
-                    when, there = plant.first_zero(now[:, crossed], mode[crossed], surface[crossed],
-                                                   np.full(ready.size, stride), end[:, crossed])
+                    when, there = plant.first_zero(
+                        now[:, crossed],
+                        mode[crossed],
+                        surface[crossed],
+                        np.full(ready.size, stride),
+                        end[:, crossed],
+                    )
                     z[:, ready] = there
                     begin[ready] += when
                 waiting = waiting[~crossed]

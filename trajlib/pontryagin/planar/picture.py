@@ -1,4 +1,6 @@
-"""The picture of a planar synthesis, readable in greyscale: every kind of curve has a line style of its own."""
+"""The picture of a planar synthesis, readable in greyscale: every kind of curve has a line style of
+its own."""
+
 import numpy as np
 import sympy as sp
 
@@ -6,8 +8,8 @@ from trajlib.plotting import BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, RED, SKY,
 
 
 def draw(synthesis, ax=None, isochrones=(), extremals=24):
-    """Regions of the controls' levels (u_+ hatched), extremals, curves on which they change, barriers; returns the
-    Axes."""
+    """Regions of the controls' levels (u_+ hatched), extremals, curves on which they change,
+    barriers; returns the Axes."""
     import matplotlib.pyplot as plt
 
     with style():
@@ -35,9 +37,16 @@ def draw(synthesis, ax=None, isochrones=(), extremals=24):
     return ax
 
 
-#: How the regions of a mode look: colour, its strength, hatching, its colour. The last of two is u_+, as ever.
-LOOKS = ((GREY, 0.0, None, GREY), (SKY, 0.3, "///", "#9CCBE6"), (GREY, 0.3, None, GREY),
-         (ORANGE, 0.2, "...", "#E8C58A"), (GREEN, 0.15, "xxx", "#A9D8C6"), (PURPLE, 0.15, "\\\\\\", "#D9B8CC"))
+#: How the regions of a mode look: colour, its strength, hatching, its colour. The last of two is
+#: u_+, as ever.
+LOOKS = (
+    (GREY, 0.0, None, GREY),
+    (SKY, 0.3, "///", "#9CCBE6"),
+    (GREY, 0.3, None, GREY),
+    (ORANGE, 0.2, "...", "#E8C58A"),
+    (GREEN, 0.15, "xxx", "#A9D8C6"),
+    (PURPLE, 0.15, "\\\\\\", "#D9B8CC"),
+)
 
 
 def _regions(synthesis, ax):
@@ -57,15 +66,27 @@ def _regions(synthesis, ax):
     for m, (colour, strength, hatch, line) in zip(_dressed(shown, len(plant.modes)), LOOKS):
         here = (mode == m).astype(float)
         if here.any() and strength:
-            ax.contourf(X, Y, here, levels=[0.5, 1.5], colors=[colour], alpha=strength, zorder=0).set_linewidth(0)
+            ax.contourf(
+                X, Y, here, levels=[0.5, 1.5], colors=[colour], alpha=strength, zorder=0
+            ).set_linewidth(0)
         if here.any() and hatch:
-            hatching = ax.contourf(X, Y, here, levels=[0.5, 1.5], colors="none", hatches=[hatch], zorder=0)
+            hatching = ax.contourf(
+                X, Y, here, levels=[0.5, 1.5], colors="none", hatches=[hatch], zorder=0
+            )
             hatching.set_linewidth(0)
             hatching.set_edgecolor(line)
         if here.any() or len(plant.modes) == 2:
             # Empty outlines, for the legend only.
             face = "white" if not strength else _tint(colour, strength)
-            ax.fill([], [], facecolor=face, hatch=hatch, edgecolor=line, ls="-", label=_mode_label(synthesis, m))
+            ax.fill(
+                [],
+                [],
+                facecolor=face,
+                hatch=hatch,
+                edgecolor=line,
+                ls="-",
+                label=_mode_label(synthesis, m),
+            )
 
 
 def _dressed(shown, count):
@@ -78,7 +99,7 @@ def _dressed(shown, count):
 def _tint(colour, strength):
     from matplotlib.colors import to_rgb
 
-    return tuple(1 - strength*(1 - c) for c in to_rgb(colour))
+    return tuple(1 - strength * (1 - c) for c in to_rgb(colour))
 
 
 def _mode_label(synthesis, mode):
@@ -86,8 +107,15 @@ def _mode_label(synthesis, mode):
     told = []
     for part, name in zip(parts, (names,) if len(parts) == 1 else names):
         u, low, high = sp.latex(part.u), sp.latex(part.low), sp.latex(part.high)
-        told.append({"u-": f"{u} = {low}", "u+": f"{u} = {high}", "zero": f"{u} = 0", "interior":
-                     f"{low} < {u} < {high}", "open": rf"{u}\ \mathrm{{open}}"}[name])
+        told.append(
+            {
+                "u-": f"{u} = {low}",
+                "u+": f"{u} = {high}",
+                "zero": f"{u} = 0",
+                "interior": f"{low} < {u} < {high}",
+                "open": rf"{u}\ \mathrm{{open}}",
+            }[name]
+        )
     return f"${', '.join(told)}$"
 
 
@@ -99,14 +127,18 @@ def _line(ax, points, label, **look):
 
 def _extremal(ax, points, controls, synthesis):
     ax.plot(*points.T, color=BLACK, ls="-", lw=0.8, alpha=0.75, zorder=3)
-    middle = len(points)//2
+    middle = len(points) // 2
     inside = synthesis._inside(points.T)
     visible = np.flatnonzero(inside)
     if visible.size > 6:
-        middle = visible[visible.size//2]
-        ax.annotate("", xy=points[middle + 1] if middle + 1 < len(points) else points[middle], xytext=points[middle],
-                    zorder=3,
-                    arrowprops=dict(arrowstyle="-|>", color=BLACK, lw=0.8, mutation_scale=9))
+        middle = visible[visible.size // 2]
+        ax.annotate(
+            "",
+            xy=points[middle + 1] if middle + 1 < len(points) else points[middle],
+            xytext=points[middle],
+            zorder=3,
+            arrowprops={"arrowstyle": "-|>", "color": BLACK, "lw": 0.8, "mutation_scale": 9},
+        )
 
 
 def _target(synthesis, ax):
@@ -114,7 +146,22 @@ def _target(synthesis, ax):
         ax.plot(*synthesis._target.at, "o", color=BLACK, ms=6, zorder=6, label="target")
         return
     for low, high, _ in synthesis._target.pieces():
-        ax.plot(*synthesis._target.point(np.linspace(low, high, 600)), color=BLACK, ls="-", lw=1.2, zorder=4)
+        ax.plot(
+            *synthesis._target.point(np.linspace(low, high, 600)),
+            color=BLACK,
+            ls="-",
+            lw=1.2,
+            zorder=4,
+        )
     for arc in synthesis.reached:
-        _line(ax, arc.points, "target, where reached", color=ORANGE, ls="-", lw=4.5, zorder=4, solid_capstyle="butt")
+        _line(
+            ax,
+            arc.points,
+            "target, where reached",
+            color=ORANGE,
+            ls="-",
+            lw=4.5,
+            zorder=4,
+            solid_capstyle="butt",
+        )
         ax.plot(*arc.points.T, color=BLACK, ls="-", lw=1.2, zorder=4)

@@ -1,16 +1,20 @@
 """The least cost to the target from overlapping families of extremals.
 
-Neighbouring extremals and neighbouring moments make cells; a point of the plane may lie in none (the target is not
-reached), in one, or in several, where the extremals overlap and the least cost decides. Inside a cell the parameter,
-the time and the cost are interpolated; Newton's method on x(s, tau) = point then makes them exact.
+Neighbouring extremals and neighbouring moments make cells; a point of the plane may lie in none
+(the target is not reached), in one, or in several, where the extremals overlap and the least cost
+decides. Inside a cell the parameter, the time and the cost are interpolated; Newton's method on
+x(s, tau) = point then makes them exact.
 """
+
 from dataclasses import dataclass, fields
 
 import numpy as np
 
-#: Share of the window's size: cells are sorted into squares of this size to find those around a point.
+#: Share of the window's size: cells are sorted into squares of this size to find those around a
+#: point.
 SQUARES = 192
-#: How far outside of a triangle (in its barycentric coordinates) a point still counts as inside: borders are curved.
+#: How far outside of a triangle (in its barycentric coordinates) a point still counts as inside:
+#: borders are curved.
 SLACK = 0.02
 #: For so many points at once the numbers of all their candidates stay close to the processor.
 TOGETHER = 2000
@@ -22,9 +26,9 @@ ON_TARGET = 1e-10
 
 @dataclass
 class Best:
-    """The best extremals from N points, each an array (N,): `cost` (inf where there is none), the `time` they take,
-    `mode` of the controls at the point, `control` (N, k), `fan` (-1 where there is none), the parameter `s` there, and
-    the structure, `word`.
+    """The best extremals from N points, each an array (N,): `cost` (inf where there is none), the
+    `time` they take, `mode` of the controls at the point, `control` (N, k), `fan` (-1 where there
+    is none), the parameter `s` there, and the structure, `word`.
     """
 
     cost: np.ndarray
@@ -38,8 +42,15 @@ class Best:
     @classmethod
     def none(cls, size, controls):
         mode, fan, word = (np.full(size, -1) for _ in range(3))
-        return cls(np.full(size, np.inf), np.full(size, np.nan), mode, np.full((size, controls), np.nan), fan,
-                   np.full(size, np.nan), word)
+        return cls(
+            np.full(size, np.inf),
+            np.full(size, np.nan),
+            mode,
+            np.full((size, controls), np.nan),
+            fan,
+            np.full(size, np.nan),
+            word,
+        )
 
     def at(self, which):
         """Those from some of the points."""
@@ -58,32 +69,41 @@ class ValueField:
         self.fans, self.plant = fans, fans[0].plant
         (left, right), (bottom, top) = window
         self.corner = np.array([left, bottom])
-        self.square = np.array([right - left, top - bottom])/SQUARES
+        self.square = np.array([right - left, top - bottom]) / SQUARES
         parts = [self._triangles(number, fan) for number, fan in enumerate(fans)]
-        self.points = np.concatenate([p[0] for p in parts])          # (M, 3, 2)
-        self.values = np.concatenate([p[1] for p in parts])          # (M, 3, 3): s, tau, cost at the corners
-        self.word = np.concatenate([p[2] for p in parts])            # (M, 3): the structures so far
+        self.points = np.concatenate([p[0] for p in parts])  # (M, 3, 2)
+        # (M, 3, 3): s, tau, cost at the corners
+        self.values = np.concatenate([p[1] for p in parts])
+        # (M, 3): the structures so far
+        self.word = np.concatenate([p[2] for p in parts])
         self.fan = np.concatenate([p[3] for p in parts])
         #: What a step of time costs, about.
-        self.grain = self.fans[0].times[1]*self._usual_price()
+        self.grain = self.fans[0].times[1] * self._usual_price()
         s = self.values[:, :, 0]
-        low, high = (np.array([getattr(fan.ends, side) for fan in fans])[self.fan] for side in ("low", "high"))
+        low, high = (
+            np.array([getattr(fan.ends, side) for fan in fans])[self.fan]
+            for side in ("low", "high")
+        )
         self.last = (s.min(axis=1) <= low) | (s.max(axis=1) >= high)
         self._sort()
 
     @staticmethod
     def _triangles(number, fan):
         steps = np.arange(fan.times.size - 1)[:, None]
-        # A cell belongs to the fan if one of its extremals is alive at its begin; its other end may be the step beyond.
+        # A cell belongs to the fan if one of its extremals is alive at its begin; its other end may
+        # be the step beyond.
         alive = steps < np.maximum(fan.life + 1, 0)[None, :]
         alive &= (fan.life > 0)[None, :]
         either = alive[:, :-1] | alive[:, 1:]
         k, j = np.nonzero(either)
         corners = [(k, j), (k, j + 1), (k + 1, j), (k + 1, j + 1)]
         x = np.array([fan.path[a, :, b] for a, b in corners])
-        known = np.array([np.stack([fan.s[b], fan.times[a], fan.value[a, b]], axis=-1) for a, b in corners])
-        # A border of the first mode is an extremal of the fan; seen from the other side it has switched once, at once.
-        middle = (fan.s[:-1] + fan.s[1:])/2
+        known = np.array(
+            [np.stack([fan.s[b], fan.times[a], fan.value[a, b]], axis=-1) for a, b in corners]
+        )
+        # A border of the first mode is an extremal of the fan; seen from the other side it has
+        # switched once, at once.
+        middle = (fan.s[:-1] + fan.s[1:]) / 2
         first = (fan.start(middle)[1] if middle.size else np.empty(0, int))[j]
         inside = first >= 0
         k, j, first, known, x = k[inside], j[inside], first[inside], known[:, inside], x[:, inside]
@@ -93,47 +113,48 @@ class ValueField:
         values = np.concatenate([known[[0, 1, 2]], known[[1, 3, 2]]], axis=1).transpose(1, 0, 2)
         words = np.concatenate([words[[0, 1, 2]], words[[1, 3, 2]]], axis=1).T
         a, b = points[:, 1] - points[:, 0], points[:, 2] - points[:, 0]
-        area = np.abs(a[:, 0]*b[:, 1] - a[:, 1]*b[:, 0])
+        area = np.abs(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0])
         size = np.maximum((a**2).sum(axis=1), (b**2).sum(axis=1))
-        keep = np.isfinite(area) & (area > 1e-9*size) & (area > 0) & (words >= 0).all(axis=1)
+        keep = np.isfinite(area) & (area > 1e-9 * size) & (area > 0) & (words >= 0).all(axis=1)
         return points[keep], values[keep], words[keep], np.full(keep.sum(), number)
 
     def _usual_price(self):
         if self.plant.counts_time:
             return 1.0
-        spent = [np.abs(np.diff(fan.value, axis=0)).ravel()/fan.times[1] for fan in self.fans]
+        spent = [np.abs(np.diff(fan.value, axis=0)).ravel() / fan.times[1] for fan in self.fans]
         spent = np.concatenate(spent)
         # Where only the end is paid for, what ends differ by tells the size of a difference.
         ends = np.ptp(np.concatenate([fan.value[0] for fan in self.fans]))
-        return float(np.median(spent[np.isfinite(spent)])) + float(ends)/self.fans[0].times[-1]
+        return float(np.median(spent[np.isfinite(spent)])) + float(ends) / self.fans[0].times[-1]
 
     def _sort(self):
-        # A corner, two edges and their determinant: a row each, since rows are fetched in any order.
+        # A corner, two edges and their determinant: a row each, since rows are fetched in any
+        # order.
         corner, edges = self.points[:, 0], self.points[:, 1:] - self.points[:, :1]
         (a1, a2), (b1, b2) = edges[:, 0].T, edges[:, 1].T
-        self._shape = np.column_stack([corner, a1, a2, b1, b2, a1*b2 - a2*b1])
-        low = self._square(self.points.min(axis=1) - SLACK*np.ptp(self.points, axis=1))
-        high = self._square(self.points.max(axis=1) + SLACK*np.ptp(self.points, axis=1))
+        self._shape = np.column_stack([corner, a1, a2, b1, b2, a1 * b2 - a2 * b1])
+        low = self._square(self.points.min(axis=1) - SLACK * np.ptp(self.points, axis=1))
+        high = self._square(self.points.max(axis=1) + SLACK * np.ptp(self.points, axis=1))
         inside = ((high >= 0) & (low < SQUARES)).all(axis=1)
         low, high = np.clip(low, 0, SQUARES - 1), np.clip(high, 0, SQUARES - 1)
         wide = np.where(inside[:, None], high - low + 1, 0)
-        count = wide[:, 0]*wide[:, 1]
+        count = wide[:, 0] * wide[:, 1]
         triangle = np.repeat(np.arange(count.size), count)
         within = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count)
         column = low[triangle, 0] + within % np.maximum(wide[triangle, 0], 1)
-        row = low[triangle, 1] + within//np.maximum(wide[triangle, 0], 1)
-        cell = row*SQUARES + column
+        row = low[triangle, 1] + within // np.maximum(wide[triangle, 0], 1)
+        cell = row * SQUARES + column
         order = np.argsort(cell, kind="stable")
         self._in_cell = triangle[order]
         self._begin = np.searchsorted(cell[order], np.arange(SQUARES**2 + 1))
 
     def _square(self, points):
-        return np.floor((points - self.corner)/self.square).astype(int)
+        return np.floor((points - self.corner) / self.square).astype(int)
 
     def candidates(self, x, slack=SLACK):
         """Pairs (point, triangle) with (s, tau, cost) there, for points `x` of shape (2, N)."""
         begins = range(0, max(x.shape[1], 1), TOGETHER)
-        parts = [self._candidates(x[:, begin:begin + TOGETHER], slack) for begin in begins]
+        parts = [self._candidates(x[:, begin : begin + TOGETHER], slack) for begin in begins]
         points, triangles, values = zip(*parts)
         points = [begin + point for begin, point in zip(begins, points)]
         return np.concatenate(points), np.concatenate(triangles), np.hstack(values)
@@ -141,9 +162,9 @@ class ValueField:
     def _candidates(self, x, slack):
         place = np.clip(self._square(x.T), -1, SQUARES)
         # The upper and the right edge belong to the window.
-        place -= (place == SQUARES) & (x.T <= self.corner + SQUARES*self.square*(1 + 1e-9))
+        place -= (place == SQUARES) & (x.T <= self.corner + SQUARES * self.square * (1 + 1e-9))
         ok = ((place >= 0) & (place < SQUARES)).all(axis=1)
-        cell = np.where(ok, place[:, 1]*SQUARES + place[:, 0], 0)
+        cell = np.where(ok, place[:, 1] * SQUARES + place[:, 0], 0)
         begin, end = self._begin[cell], np.where(ok, self._begin[cell + 1], self._begin[cell])
         count = end - begin
         point = np.repeat(np.arange(count.size), count)
@@ -151,33 +172,35 @@ class ValueField:
         triangle = self._in_cell[np.repeat(begin, count) + within]
         x1, x2, a1, a2, b1, b2, det = self._shape[triangle].T
         d1, d2 = np.repeat(x[0], count) - x1, np.repeat(x[1], count) - x2
-        v = (d1*b2 - d2*b1)/det
-        w = (a1*d2 - a2*d1)/det
+        v = (d1 * b2 - d2 * b1) / det
+        w = (a1 * d2 - a2 * d1) / det
         inside = (v >= -slack) & (w >= -slack) & (v + w <= 1 + slack)
         # The cells of a fan reach beyond the target, where its extremals have ended already.
         inside &= self._outside(x)[self.fan[triangle], point]
         point, triangle, v, w = point[inside], triangle[inside], v[inside], w[inside]
         share = np.stack([1 - v - w, v, w], axis=-1)
-        value = (share[:, :, None]*self.values[triangle]).sum(axis=1)
+        value = (share[:, :, None] * self.values[triangle]).sum(axis=1)
         return point, triangle, value.T
 
     def _outside(self, x):
-        """Whether points (2, N) lie on the side of the target from which each of the fans comes: (fans, N)."""
+        """Whether points (2, N) lie on the side of the target from which each of the fans comes:
+        (fans, N)."""
         return np.array([fan.target.outside(x, fan.ends.side) > -ON_TARGET for fan in self.fans])
 
     def interpolated(self, x, slack=SLACK):
-        """For points (2, N): the least interpolated cost (inf where there is none), its triangle (-1), s and tau."""
+        """For points (2, N): the least interpolated cost (inf where there is none), its triangle
+        (-1), s and tau."""
         point, triangle, (s, tau, cost) = self.candidates(x, slack)
         least, best = np.full(x.shape[1], np.inf), np.full(x.shape[1], -1)
         parameters = np.full((2, x.shape[1]), np.nan)
-        order = np.lexsort((-cost, point))            # the last one written is the cheapest
+        order = np.lexsort((-cost, point))  # the last one written is the cheapest
         least[point[order]], best[point[order]] = cost[order], triangle[order]
         parameters[:, point[order]] = s[order], tau[order]
         return least, best, *parameters
 
     def modes(self, triangle):
-        """The mode in triangles (N,) whose corners agree; elsewhere that of the corner with the middle number of
-        switchings. -1 where there is none."""
+        """The mode in triangles (N,) whose corners agree; elsewhere that of the corner with the
+        middle number of switchings. -1 where there is none."""
         words = self.plant.words
         corner = np.argsort(words.length[self.word[triangle]], axis=1, kind="stable")[:, 1]
         return np.where(triangle >= 0, words.mode[self.word[triangle, corner]], -1)
@@ -197,32 +220,44 @@ class ValueField:
         return found
 
     def _polish(self, x, which, found, later):
-        """Newton's method for the points `which` in cells that are not more than `later` steps behind the cheapest."""
+        """Newton's method for the points `which` in cells that are not more than `later` steps
+        behind the cheapest."""
         point, triangle, s, tau = self._distinct(x[:, which], later)
         point = which[point]
         # Newton's method starts inside of the cell: at its edge the family may have a fold.
         corner = self.values[triangle][:, :, 0]
         low, width = corner.min(axis=1), np.ptp(corner, axis=1)
-        s = np.clip(s, low + 0.1*width, low + 0.9*width)
+        s = np.clip(s, low + 0.1 * width, low + 0.9 * width)
         for number, family in enumerate(self.fans):
             mine = np.flatnonzero(self.fan[triangle] == number)
             if not mine.size:
                 continue
             pick, words = self.plant.words.between(self.word[triangle[mine]])
             mine = mine[pick]
-            exact_s, exact_tau, cost, modes, controls, ok = polish(family, x[:, point[mine]], s[mine], tau[mine], words)
+            exact_s, exact_tau, cost, modes, controls, ok = polish(
+                family, x[:, point[mine]], s[mine], tau[mine], words
+            )
             order = np.flatnonzero(ok)[np.argsort(-cost[ok], kind="stable")]
             order = order[cost[order] < found.cost[point[mine[order]]]]
-            for_point = point[mine[order]]                  # the last one written is the cheapest
-            for name, values in (("cost", cost), ("time", exact_tau), ("mode", modes), ("s", exact_s), ("word", words),
-                                 ("control", controls)):
+            # the last one written is the cheapest
+            for_point = point[mine[order]]
+            for name, values in (
+                ("cost", cost),
+                ("time", exact_tau),
+                ("mode", modes),
+                ("s", exact_s),
+                ("word", words),
+                ("control", controls),
+            ):
                 getattr(found, name)[for_point] = values[order]
             found.fan[for_point] = number
 
     def _fall_back(self, x, found):
-        """Where Newton's method failed inside of a cell (next to a fold of the family) the interpolated values stand.
+        """Where Newton's method failed inside of a cell (next to a fold of the family) the
+        interpolated values stand.
 
-        Not in the last cells of a family: their edges are chords of its last extremal, and reach a little beyond it.
+        Not in the last cells of a family: their edges are chords of its last extremal, and reach a
+        little beyond it.
         """
         open_ = np.flatnonzero(~np.isfinite(found.cost))
         if not open_.size:
@@ -230,7 +265,11 @@ class ValueField:
         cost, triangle, s, tau = self.interpolated(x[:, open_], slack=0)
         inner = (triangle >= 0) & ~self.last[triangle]
         open_, triangle, s, tau = open_[inner], triangle[inner], s[inner], tau[inner]
-        found.cost[open_], found.time[open_], found.fan[open_] = cost[inner], tau, self.fan[triangle]
+        found.cost[open_], found.time[open_], found.fan[open_] = (
+            cost[inner],
+            tau,
+            self.fan[triangle],
+        )
         found.mode[open_] = self.modes(triangle)
         for number, family in enumerate(self.fans):
             mine = np.flatnonzero(self.fan[triangle] == number)
@@ -239,23 +278,29 @@ class ValueField:
                 found.control[open_[mine]] = self.plant.control(z, found.mode[open_[mine]]).T
 
     def _distinct(self, x, later):
-        """Of all candidates of a point those that may be the best: the cheapest of each structure, if not far
-        behind."""
+        """Of all candidates of a point those that may be the best: the cheapest of each structure,
+        if not far behind."""
         point, triangle, (s, tau, cost) = self.candidates(x)
         words = self.word[triangle]
-        kind = self.fan[triangle]*(self.plant.words.length.size + 1)
+        kind = self.fan[triangle] * (self.plant.words.length.size + 1)
         if triangle.size:
-            kind = kind + words[np.arange(triangle.size), self.plant.words.length[words].argmin(axis=1)]
+            kind = (
+                kind
+                + words[np.arange(triangle.size), self.plant.words.length[words].argmin(axis=1)]
+            )
         order = np.lexsort((cost, kind, point))
-        point, triangle, s, tau, cost, kind = (v[order] for v in (point, triangle, s, tau, cost, kind))
+        point, triangle, s, tau, cost, kind = (
+            v[order] for v in (point, triangle, s, tau, cost, kind)
+        )
         if not point.size:
             return point, triangle, s, tau
         new = np.append(True, (np.diff(point) != 0) | (np.diff(kind) != 0))
         rank = np.arange(point.size) - np.flatnonzero(new)[np.cumsum(new) - 1]
         least = np.full(x.shape[1], np.inf)
         np.minimum.at(least, point, cost)
-        # A few cells of each structure: a point next to the border of one may belong to its neighbour.
-        keep = (rank < 4) & (cost < least[point] + later*self.grain)
+        # A few cells of each structure: a point next to the border of one may belong to its
+        # neighbour.
+        keep = (rank < 4) & (cost < least[point] + later * self.grain)
         return point[keep], triangle[keep], s[keep], tau[keep]
 
 
@@ -273,8 +318,8 @@ def _seen_from(fan, first, steps, columns):
 
 
 def polish(fan, x, s, tau, word, rounds=20):
-    """Newton's method on x(s, tau) = x for extremals of given structures; returns s, tau, costs, the modes at the
-    points, the controls there (N, k), and which are good.
+    """Newton's method on x(s, tau) = x for extremals of given structures; returns s, tau, costs,
+    the modes at the points, the controls there (N, k), and which are good.
 
     On a switching curve the mode is that of the control that follows.
     """
@@ -282,21 +327,24 @@ def polish(fan, x, s, tau, word, rounds=20):
     tau, count = tau.copy(), s.size
     s = np.clip(s, fan.ends.low, fan.ends.high)
     size = np.abs(x).max(initial=0) + 1
-    ds = 1e-6*(fan.ends.high - fan.ends.low)
-    reach = 4*np.abs(np.diff(fan.s)).max(initial=0)
+    ds = 1e-6 * (fan.ends.high - fan.ends.low)
+    reach = 4 * np.abs(np.diff(fan.s)).max(initial=0)
     good, cost, mode = np.zeros(count, bool), np.full(count, np.inf), words.mode[word]
     last, controls = mode.copy(), np.full((count, len(plant.controls)), np.nan)
     busy = np.arange(count)
     for number in range(rounds):
         # One-sided where the parameter ends.
         up, down = np.minimum(s[busy] + ds, fan.ends.high), np.maximum(s[busy] - ds, fan.ends.low)
-        z, start = fan.arcs(np.concatenate([s[busy], up, down]), np.tile(tau[busy], 3), np.tile(word[busy], 3))
+        z, start = fan.arcs(
+            np.concatenate([s[busy], up, down]), np.tile(tau[busy], 3), np.tile(word[busy], 3)
+        )
         n = busy.size
         here = z[:, :n]
         miss = x[:, busy] - here[:2]
         error = np.hypot(*miss)
-        done = error < 1e-11*size
-        # The structure must be real: the last arc has a positive length, and the control maximises on it.
+        done = error < 1e-11 * size
+        # The structure must be real: the last arc has a positive length, and the control maximises
+        # on it.
         consistent = (tau[busy] >= start[:n] - 1e-9) & plant.maximises(here, last[busy], 1e-9)
         settled = busy[done]
         good[settled], cost[settled] = consistent[done], here[5, done]
@@ -304,32 +352,37 @@ def polish(fan, x, s, tau, word, rounds=20):
         mode[settled[on_curve]] = words.mode[words.parent[word[settled[on_curve]]]]
         controls[settled] = plant.control(here[:, done], mode[settled]).T
         # Whoever is still far away after some rounds belongs to another cell.
-        go = ~done & (error < (np.inf if number < 6 else 1e-3*size))
+        go = ~done & (error < (np.inf if number < 6 else 1e-3 * size))
         if not go.any():
             break
-        slope = (z[:2, n:2*n] - z[:2, 2*n:])/(up - down)
+        slope = (z[:2, n : 2 * n] - z[:2, 2 * n :]) / (up - down)
         rate = -plant.velocity(here, last[busy])
         with np.errstate(all="ignore"):
             step_s, step_tau = _solve(slope[:, go], rate[:, go], miss[:, go])
-        # Next to a fold two solutions exist, one with a last arc of negative length: such a guess is reflected.
+        # Next to a fold two solutions exist, one with a last arc of negative length: such a guess
+        # is reflected.
         short = (start[:n] - tau[busy])[go]
         busy = busy[go]
         back = short > 1e-12
-        step_s[back], step_tau[back] = 0, 2*short[back]
+        step_s[back], step_tau[back] = 0, 2 * short[back]
         new = s[busy] + np.clip(step_s, -reach, reach)
-        # The end of a family is approached by halves: there x(s, tau) may have a fold, at which Newton's method stops.
-        new = np.where(new <= fan.ends.low, (s[busy] + fan.ends.low)/2, new)
-        s[busy] = np.where(new >= fan.ends.high, (s[busy] + fan.ends.high)/2, new)
-        tau[busy] = np.maximum(tau[busy] + np.clip(step_tau, -4*fan.times[1], 4*fan.times[1]), 0)
+        # The end of a family is approached by halves: there x(s, tau) may have a fold, at which
+        # Newton's method stops.
+        new = np.where(new <= fan.ends.low, (s[busy] + fan.ends.low) / 2, new)
+        s[busy] = np.where(new >= fan.ends.high, (s[busy] + fan.ends.high) / 2, new)
+        tau[busy] = np.maximum(
+            tau[busy] + np.clip(step_tau, -4 * fan.times[1], 4 * fan.times[1]), 0
+        )
     return s, tau, cost, mode, controls, good
 
 
 def _solve(a, b, c):
-    """Solutions of a p + b q = c in the plane, columns of (2, N); where a vanishes (extremals that coincide) only q."""
+    """Solutions of a p + b q = c in the plane, columns of (2, N); where a vanishes (extremals that
+    coincide) only q."""
     size = np.hypot(*a)
-    det = a[0]*b[1] - a[1]*b[0]
-    parallel = ~(np.abs(det) > 1e-10*size*np.hypot(*b)) | (size < 1e-10)
-    p = (c[0]*b[1] - c[1]*b[0])/det
-    q = (a[0]*c[1] - a[1]*c[0])/det
-    alone = (b*c).sum(axis=0)/(b**2).sum(axis=0)
+    det = a[0] * b[1] - a[1] * b[0]
+    parallel = ~(np.abs(det) > 1e-10 * size * np.hypot(*b)) | (size < 1e-10)
+    p = (c[0] * b[1] - c[1] * b[0]) / det
+    q = (a[0] * c[1] - a[1] * c[0]) / det
+    alone = (b * c).sum(axis=0) / (b**2).sum(axis=0)
     return np.where(parallel, 0, p), np.where(parallel, alone, q)

@@ -1,23 +1,26 @@
-"""The structures of extremals: which controls follow one another, backwards from the target, as numbered words.
+"""The structures of extremals: which controls follow one another, backwards from the target, as
+numbered words.
 
-A word is a sequence of modes (numbers of combinations of the controls' levels); it is known by its last mode and the
-word before it, so that a whole fan of extremals carries one integer each.
+A word is a sequence of modes (numbers of combinations of the controls' levels); it is known by its
+last mode and the word before it, so that a whole fan of extremals carries one integer each.
 """
+
 import numpy as np
 
 
 class Words:
-    """All words that have occurred: for each its last `mode`, its `parent` (-1 for none), its number of switchings
-    `length`."""
+    """All words that have occurred: for each its last `mode`, its `parent` (-1 for none), its
+    number of switchings `length`."""
 
     def __init__(self, modes):
         self._modes, self._known = modes, {}
         self.mode, self.parent, self.length = (np.empty(0, int) for _ in range(3))
 
     def after(self, word, mode):
-        """The words that continue others by a mode, arrays of one shape; -1 continued is the mode alone."""
+        """The words that continue others by a mode, arrays of one shape; -1 continued is the mode
+        alone."""
         word, mode = np.broadcast_arrays(word, mode)
-        keys, place = np.unique((word + 1)*self._modes + mode, return_inverse=True)
+        keys, place = np.unique((word + 1) * self._modes + mode, return_inverse=True)
         return np.array([self._number(int(key)) for key in keys], int)[place].reshape(word.shape)
 
     def sequence(self, word):
@@ -35,19 +38,23 @@ class Words:
         for first, old in pairs.T:
             new = self._number(int(first))
             for following in self.sequence(old):
-                new = self._number((new + 1)*self._modes + following)
+                new = self._number((new + 1) * self._modes + following)
             found.append(new)
         return np.array(found, int)[place.ravel()]
 
     def table(self, words):
-        """The modes of words, one row each, shape (N, longest); the last one is repeated where a word is shorter."""
+        """The modes of words, one row each, shape (N, longest); the last one is repeated where a
+        word is shorter."""
         kinds, place = np.unique(words, return_inverse=True)
         modes = [self.sequence(word) for word in kinds]
         longest = max(map(len, modes), default=1)
-        return np.array([row + row[-1:]*(longest - len(row)) for row in modes], int).reshape(-1, longest)[place]
+        return np.array([row + row[-1:] * (longest - len(row)) for row in modes], int).reshape(
+            -1, longest
+        )[place]
 
     def between(self, corners):
-        """Which words occur in cells with words at their corners, shape (N, 3): (number of the cell, word) in pairs."""
+        """Which words occur in cells with words at their corners, shape (N, 3): (number of the
+        cell, word) in pairs."""
         kinds, place = np.unique(np.sort(corners, axis=1), axis=0, return_inverse=True)
         groups = []
         for kind in kinds:

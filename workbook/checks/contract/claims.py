@@ -1,11 +1,13 @@
-"""The types as which checks read answers: under `@judged(Expression("state", "parameters"))` a check is handed a SymPy
-expression in the symbols of its data `state` and `parameters`, or is not called at all.
+"""The types as which checks read answers: under `@judged(Expression("state", "parameters"))` a
+check is handed a SymPy expression in the symbols of its data `state` and `parameters`, or is not
+called at all.
 
-The names are those of the check's own arguments, `system.A` for what a record among them holds, or functions of the
-data; the symbols that stand in these are the ones an answer may hold. What else a type depends on is written as the
-name of a datum, of whose shape or length the answer is, `Matrix("parameters", shape="A")`, or as a function of the
-data: `Expressions("times", length=lambda data: data["A"].rows)`. Types of several parts are made of those of the parts:
-`Table(Number(), Vectors(size="A"))`.
+The names are those of the check's own arguments, `system.A` for what a record among them holds, or
+functions of the data; the symbols that stand in these are the ones an answer may hold. What else a
+type depends on is written as the name of a datum, of whose shape or length the answer is,
+`Matrix("parameters", shape="A")`, or as a function of the data: `Expressions("times", length=lambda
+data: data["A"].rows)`. Types of several parts are made of those of the parts: `Table(Number(),
+Vectors(size="A"))`.
 """
 
 import functools
@@ -26,8 +28,10 @@ class Claim:
         self.names, self.form = names, form
 
     def read(self, answer, data):
-        form = {name: _datum(value, data) if callable(value) or isinstance(value, str) else value
-                for name, value in self.form.items()}
+        form = {
+            name: _datum(value, data) if callable(value) or isinstance(value, str) else value
+            for name, value in self.form.items()
+        }
         named = [_datum(name, data) for name in self.names]
         return self.coerce(answer, list(dict.fromkeys(symbols_in(named))), **form)
 
@@ -37,8 +41,8 @@ class Expression(Claim):
 
 
 class Expressions(Claim):
-    """A list of expressions, of the `length` given or as long as a datum; for a single one itself will do, and a dict
-    for those of the `names` given."""
+    """A list of expressions, of the `length` given or as long as a datum; for a single one itself
+    will do, and a dict for those of the `names` given."""
 
     @staticmethod
     def coerce(answer, symbols, length=None, names=()):
@@ -60,8 +64,8 @@ class Matrix(Claim):
 
 
 class Laid(Claim):
-    """A matrix of the `shape` given; a row or column may also be written the other way, and of 1 x 1 an expression
-    will do."""
+    """A matrix of the `shape` given; a row or column may also be written the other way, and of 1 x
+    1 an expression will do."""
 
     @staticmethod
     def coerce(answer, symbols, shape):
@@ -74,8 +78,8 @@ class Laid(Claim):
 
 
 class Vectors(Claim):
-    """A list of vectors of the `size` given or that of a datum: also a set of them, a matrix whose columns they are.
-    For the `names` given a vector may be a dict."""
+    """A list of vectors of the `size` given or that of a datum: also a set of them, a matrix whose
+    columns they are. For the `names` given a vector may be a dict."""
 
     @staticmethod
     def coerce(answer, symbols, size, names=()):
@@ -85,7 +89,8 @@ class Vectors(Claim):
 class Values(Claim):
     """Any number of expressions in any order, as a list or a set; `expected` says so to a student.
 
-    What SymPy's `eigenvals` gives counts as the values that it names, whatever their multiplicities.
+    What SymPy's `eigenvals` gives counts as the values that it names, whatever their
+    multiplicities.
     """
 
     def __init__(self, *names, expected):
@@ -95,7 +100,9 @@ class Values(Claim):
     def coerce(self, answer, symbols):
         for multiplicity in answer.values() if isinstance(answer, dict) else ():
             coercion.as_integer(multiplicity)
-        parts = members(list(answer) if isinstance(answer, dict) else answer, self.expected, single=NUMBERS)
+        parts = members(
+            list(answer) if isinstance(answer, dict) else answer, self.expected, single=NUMBERS
+        )
         return [coercion.as_expression(part, symbols) for part in parts]
 
 
@@ -141,8 +148,13 @@ class Table(Claim):
 
     def read(self, answer, data):
         if not isinstance(answer, dict):
-            raise Invalid(f"expected {self.expected(data) if callable(self.expected) else self.expected}")
-        return [(self.key.read(key, data), self.value.read(value, data)) for key, value in answer.items()]
+            raise Invalid(
+                f"expected {self.expected(data) if callable(self.expected) else self.expected}"
+            )
+        return [
+            (self.key.read(key, data), self.value.read(value, data))
+            for key, value in answer.items()
+        ]
 
 
 def _datum(name, data):
@@ -155,12 +167,18 @@ def _datum(name, data):
 
 def _size(given):
     """How many entries: a number, a list of them, or a square matrix of so many rows."""
-    return given if isinstance(given, int) else given.rows if isinstance(given, sp.MatrixBase) else len(given)
+    return (
+        given
+        if isinstance(given, int)
+        else given.rows
+        if isinstance(given, sp.MatrixBase)
+        else len(given)
+    )
 
 
 def symbols_in(part):
-    """The symbols in data: lists in their order, what is written with symbols in that of their names, dicts by their
-    keys."""
+    """The symbols in data: lists in their order, what is written with symbols in that of their
+    names, dicts by their keys."""
     if isinstance(part, sp.Symbol):
         return [part]
     if isinstance(part, (list, tuple, dict)):

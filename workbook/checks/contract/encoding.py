@@ -1,31 +1,34 @@
 """Answers as bytes: the one way a student's values leave the sandbox.
 
-A notebook runs in a sandboxed worker; its answers reach the judge only as the text that `encode` writes, and `decode`
-builds values from that text without executing anything of the student's: no pickle, no `eval`, no `sympify` of strings,
-no attribute looked up by a name from the wire. What may cross is a closed list, the same in both directions:
+A notebook runs in a sandboxed worker; its answers reach the judge only as the text that `encode`
+writes, and `decode` builds values from that text without executing anything of the student's: no
+pickle, no `eval`, no `sympify` of strings, no attribute looked up by a name from the wire. What may
+cross is a closed list, the same in both directions:
 
 - bool, int, float (with nan and the infinities), complex, str, and the untouched stub `...`;
-- NumPy scalars (they become Python numbers and strings) and arrays of bool, int, float or complex; CasADi `DM` (becomes
-  a float array);
-- SymPy numbers, expressions, relations, conditions, sets, Piecewise laws, matrices and polynomials (`sympy_codec` lists
-  the nodes);
+- NumPy scalars (they become Python numbers and strings) and arrays of bool, int, float or complex;
+  CasADi `DM` (becomes a float array);
+- SymPy numbers, expressions, relations, conditions, sets, Piecewise laws, matrices and polynomials
+  (`sympy_codec` lists the nodes);
 - `Fraction` and mpmath's numbers (they become SymPy's);
-- lists, tuples, sets and frozensets of these, and dicts of these keyed by strings, numbers or SymPy;
+- lists, tuples, sets and frozensets of these, and dicts of these keyed by strings, numbers or
+  SymPy;
 - NumPy arrays of these (dtype object) or of strings, and `sympy.Array` (they become nested lists).
 
-Types are compared by identity, never by `isinstance`: a subclass of an allowed type may carry foreign code, so it is
-refused unread. A check in a notebook first sends the answer through here too (`verdict.judged`), so that a student
-reads there what a grader would say.
+Types are compared by identity, never by `isinstance`: a subclass of an allowed type may carry
+foreign code, so it is refused unread. A check in a notebook first sends the answer through here too
+(`verdict.judged`), so that a student reads there what a grader would say.
 
-The text is UTF-8 JSON in one canonical form. Booleans, finite numbers, strings and lists are themselves; everything
-else is an object with a "kind". Equal sets and dicts give equal bytes, whatever their order. Limits (below) bound the
-time and memory of both directions.
+The text is UTF-8 JSON in one canonical form. Booleans, finite numbers, strings and lists are
+themselves; everything else is an object with a "kind". Equal sets and dicts give equal bytes,
+whatever their order. Limits (below) bound the time and memory of both directions.
 
 >>> encode({"gain": [1.5, 2], "stable": True})
 b'{"items":[["gain",[1.5,2]],["stable",true]],"kind":"dict"}'
 >>> decode(_)
 {'gain': [1.5, 2], 'stable': True}
 """
+
 import base64
 import functools
 import itertools
@@ -35,29 +38,33 @@ import sys
 
 MAX_BYTES = 2_000_000  # of the whole text
 MAX_NODES = 20_000  # values met, at any depth
-MAX_BRACKETS = 4 * MAX_NODES  # in the text: few values need as many, and parsing makes an object of each
+# in the text: few values need as many, and parsing makes an object of each
+MAX_BRACKETS = 4 * MAX_NODES
 MAX_DEPTH = 100  # values inside one another, far below Python's recursion limit
-MAX_DIGITS = 2_000  # of an integer, a numerator or a denominator; the magnitude of any number, too
+# of an integer, a numerator or a denominator; the magnitude of any number, too
+MAX_DIGITS = 2_000
 MAX_TEXT = 20_000  # characters of a string
 MAX_ELEMENTS = 100_000  # of an array
 MAX_AXES = 8  # of an array
 MAX_DESCRIPTION = 300  # characters that `describe` returns
 
 ALLOWED = (
-    "An answer may be a number, a string, an array, a SymPy expression, relation, set or matrix, or a list or dict of "
+    "An answer may be a number, a string, an array, a SymPy expression, relation, set or matrix, "
+    "or a list or dict of "
     "these."
 )
 
 
 class EncodingError(ValueError):
-    """What was met, where in the answer (`answer[2]['x']`), and what is allowed; written to be shown to the student."""
+    """What was met, where in the answer (`answer[2]['x']`), and what is allowed; written to be
+    shown to the student."""
 
 
 def encode(value):
     """Return `value` as canonical UTF-8 JSON bytes.
 
-    Accepts the values listed in the module's docstring, within its limits. Raises `EncodingError` for anything else,
-    without calling any method of it.
+    Accepts the values listed in the module's docstring, within its limits. Raises `EncodingError`
+    for anything else, without calling any method of it.
 
     >>> encode([1, 2.5, float("nan")])
     b'[1,2.5,{"kind":"float","value":"nan"}]'
@@ -74,7 +81,8 @@ a SymPy expression, relation, set or matrix, or a list or dict of these.
         data = _dumps(walk.finish(walk.visit(value))).encode("utf-8")
     except EncodingError:
         raise
-    except Exception as error:  # a value that breaks on being read, such as a half-built SymPy object
+    # a value that breaks on being read, such as a half-built SymPy object
+    except Exception as error:
         raise walk.error(f"cannot be read ({_type_name(error)})") from None
     _check_length(data)
     return data
@@ -83,15 +91,16 @@ a SymPy expression, relation, set or matrix, or a list or dict of these.
 def decode(data):
     """Return the value that `encode` turned into `data`.
 
-    The result equals what was encoded, in form too: nothing is computed, and what was left unevaluated stays so.
-    Intended differences: NumPy scalars come back as Python numbers and strings, a Fraction and mpmath's numbers as
-    SymPy's, a Float of few digits as one of double precision, DM and sparse matrices as dense arrays and matrices,
-    arrays of objects and `sympy.Array` as nested lists,
-    `UnevaluatedExpr(x)` as `x`, a Poly over the domain that its coefficients suggest, and a Dummy as one that equals
-    only Dummies decoded with the same name and number.
+    The result equals what was encoded, in form too: nothing is computed, and what was left
+    unevaluated stays so. Intended differences: NumPy scalars come back as Python numbers and
+    strings, a Fraction and mpmath's numbers as SymPy's, a Float of few digits as one of double
+    precision, DM and sparse matrices as dense arrays and matrices, arrays of objects and
+    `sympy.Array` as nested lists, `UnevaluatedExpr(x)` as `x`, a Poly over the domain that its
+    coefficients suggest, and a Dummy as one that equals only Dummies decoded with the same name and
+    number.
 
-    Raises `EncodingError`, and nothing else, for bytes that `encode` would not have written and for numbers too large
-    to work with.
+    Raises `EncodingError`, and nothing else, for bytes that `encode` would not have written and for
+    numbers too large to work with.
 
     >>> decode(b'{"items":[1,2],"kind":"tuple"}')
     (1, 2)
@@ -104,16 +113,18 @@ def decode(data):
         return walk.visit(_loads(data))
     except EncodingError:
         raise
-    # a constructor's own: contradictory assumptions, an unhashable element, a wrong count of arguments
+    # a constructor's own: contradictory assumptions, an unhashable element, a wrong count of
+    # arguments
     except Exception as error:
         raise walk.error(f"cannot be built ({_type_name(error)})") from None
 
 
 def describe(value):
-    """Return a short readable text of any object, for feedback; of an object that is no answer, only the name of its
-    type.
+    """Return a short readable text of any object, for feedback; of an object that is no answer,
+    only the name of its type.
 
-    Never raises, never calls a foreign `__repr__` or `__str__`, and is at most `MAX_DESCRIPTION` characters long.
+    Never raises, never calls a foreign `__repr__` or `__str__`, and is at most `MAX_DESCRIPTION`
+    characters long.
 
     >>> describe([1, 2.5, ...])
     '[1, 2.5, ...]'
@@ -126,11 +137,14 @@ def describe(value):
 
 def _check_length(data):
     if len(data) > MAX_BYTES or data.count(b"[") + data.count(b"{") > MAX_BRACKETS:
-        raise EncodingError(f"answer takes {len(data)} bytes; up to {MAX_BYTES}, with {MAX_BRACKETS} brackets, are "
-                            f"allowed")
+        raise EncodingError(
+            f"answer takes {len(data)} bytes; up to {MAX_BYTES}, with {MAX_BRACKETS} brackets, are "
+            f"allowed"
+        )
 
 
-# The walk: where we are in a value and how much of it has been met, counted alike in both directions.
+# The walk: where we are in a value and how much of it has been met, counted alike in both
+# directions.
 
 
 class _Walk:
@@ -190,7 +204,9 @@ def _type_name(value):
 
 
 def _dumps(node):
-    return json.dumps(node, ensure_ascii=False, allow_nan=False, sort_keys=True, separators=(",", ":"))
+    return json.dumps(
+        node, ensure_ascii=False, allow_nan=False, sort_keys=True, separators=(",", ":")
+    )
 
 
 # Encoding
@@ -203,16 +219,19 @@ class _Encoder(_Walk):
 
     def visit(self, value):
         self.spend(1)
-        # Keyed by id, since looking a class up in a dict would call `__hash__` and `__eq__` of its metaclass.
+        # Keyed by id, since looking a class up in a dict would call `__hash__` and `__eq__` of its
+        # metaclass.
         write = _PLAIN.get(id(type(value))) or _library_encoder(value)
         if write is None:
             raise self.error(_refusal(value))
         return write(self, value)
 
     def finish(self, node):
-        """Number the Dummies 0, 1, ... in the order of their creation, which unlike SymPy's own index is the same in
-        every process."""
-        rank = {index: i for i, index in enumerate(sorted({dummy["index"] for dummy in self.dummies}))}
+        """Number the Dummies 0, 1, ... in the order of their creation, which unlike SymPy's own
+        index is the same in every process."""
+        rank = {
+            index: i for i, index in enumerate(sorted({dummy["index"] for dummy in self.dummies}))
+        }
         for dummy in self.dummies:
             dummy["index"] = rank[dummy["index"]]
         return node
@@ -224,11 +243,15 @@ _HINTS = {
     "SX": "is a CasADi symbol: write the expression in SymPy",
     "MX": "is a CasADi symbol: write the expression in SymPy",
     "matrix": "is a matrix of NumPy or mpmath: write `sympy.Matrix(...)` or `numpy.array(...)`",
-    **{f"{form}_{kind}": "is a sparse matrix: write `A.toarray()`"
-       for form in ("csr", "csc", "coo", "dok", "lil", "dia", "bsr")
-       for kind in ("matrix", "array")},
-    **dict.fromkeys(("OrderedDict", "defaultdict", "Counter", "Dict"),
-                    "is a dict of a kind of its own: write `dict(...)`"),
+    **{
+        f"{form}_{kind}": "is a sparse matrix: write `A.toarray()`"
+        for form in ("csr", "csc", "coo", "dok", "lil", "dia", "bsr")
+        for kind in ("matrix", "array")
+    },
+    **dict.fromkeys(
+        ("OrderedDict", "defaultdict", "Counter", "Dict"),
+        "is a dict of a kind of its own: write `dict(...)`",
+    ),
     "constant": "is a constant of mpmath: write that of SymPy, such as `sympy.pi`",
     "UndefinedFunction": "is a function without its argument: write `x(t)`, not `x`",
 }
@@ -239,10 +262,15 @@ def _refusal(value):
     if hint := _HINTS.get(name):
         return f"{hint}{'' if hint.endswith('?') else '.'} {ALLOWED}"
     if callable(value):
-        return (f"is a {name}, and functions are not data: write its formula in SymPy, or "
-                f"`sympy.Lambda((x1, x2), formula)`. {ALLOWED}")
-    return (f"is of the type {name}, which is not an answer (nor is a subclass of an allowed type: write `list(...)` "
-            f"or the like). {ALLOWED}")
+        return (
+            f"is a {name}, and functions are not data: write its formula in SymPy, or "
+            f"`sympy.Lambda((x1, x2), formula)`. {ALLOWED}"
+        )
+    return (
+        f"is of the type {name}, which is not an answer (nor is a subclass of an allowed type: "
+        "write `list(...)` "
+        f"or the like). {ALLOWED}"
+    )
 
 
 def _write_float(walk, value):
@@ -250,7 +278,11 @@ def _write_float(walk, value):
 
 
 def _write_complex(walk, value):
-    return {"kind": "complex", "real": walk.child(".real", value.real), "imag": walk.child(".imag", value.imag)}
+    return {
+        "kind": "complex",
+        "real": walk.child(".real", value.real),
+        "imag": walk.child(".imag", value.imag),
+    }
 
 
 def _write_set(walk, value):
@@ -263,19 +295,22 @@ def _write_dict(walk, value):
     for i, (key, item) in enumerate(value.items()):
         written = walk.child(f".keys[{i}]", key)
         if not _is_key(written):
-            raise walk.error(f"has the key {describe(key)}; keys may be strings, numbers or SymPy expressions")
+            raise walk.error(
+                f"has the key {describe(key)}; keys may be strings, numbers or SymPy expressions"
+            )
         items.append([written, walk.child(_step(key, i), item)])
     return {"kind": "dict", "items": sorted(items, key=lambda pair: _dumps(pair[0]))}
 
 
 def _step(key, i):
     """The path to a dict's value: by its key where that is short and plain."""
-    plain = type(key) is str and len(key) <= 40 or type(key) is int and abs(key) < 10**9
+    plain = (type(key) is str and len(key) <= 40) or (type(key) is int and abs(key) < 10**9)
     return f"[{key!r}]" if plain else f".values[{i}]"
 
 
 def _is_key(node):
-    # What may not be a key: collections and arrays. (A mutable SymPy Matrix is unhashable, so it never is one.)
+    # What may not be a key: collections and arrays. (A mutable SymPy Matrix is unhashable, so it
+    # never is one.)
     return type(node) is not list and (type(node) is not dict or node["kind"] not in _NOT_KEYS)
 
 
@@ -328,8 +363,11 @@ def _numpy_scalars(numpy):
 def _dtype_name(walk, value):
     name = _KIND_OF_DTYPE.get(value.dtype.kind)
     if name is None:
-        raise walk.error(f"is of NumPy's kind {value.dtype.kind!r}; arrays may hold numbers, booleans, strings or "
-                         f"SymPy")
+        raise walk.error(
+            f"is of NumPy's kind {value.dtype.kind!r}; arrays may hold numbers, booleans, strings "
+            "or "
+            f"SymPy"
+        )
     return name
 
 
@@ -342,8 +380,10 @@ def _write_array(walk, value):
         return write_elements(walk, value)
     name = _dtype_name(walk, value)
     if value.size > MAX_ELEMENTS or value.ndim > MAX_AXES:
-        raise walk.error(f"is an array of {value.size} elements; up to {MAX_ELEMENTS} along {MAX_AXES} axes are "
-                         f"allowed")
+        raise walk.error(
+            f"is an array of {value.size} elements; up to {MAX_ELEMENTS} along {MAX_AXES} axes are "
+            f"allowed"
+        )
     if value.dtype.kind == "u" and value.size and value.max() >= 2**63:
         raise walk.error("is an array with integers beyond 64 signed bits")
     data = base64.b64encode(value.astype(_DTYPES[name]).tobytes()).decode("ascii")
@@ -353,8 +393,11 @@ def _write_array(walk, value):
 def write_elements(walk, array):
     """An array by its elements, which are visited like those of nested lists."""
     if math.prod(max(1, size) for size in array.shape) > MAX_NODES:  # before the lists are made
-        raise walk.error(f"is an array of shape {array.shape}; up to {MAX_NODES} elements that are no plain numbers "
-                         f"are allowed")
+        raise walk.error(
+            f"is an array of shape {array.shape}; up to {MAX_NODES} elements that are no plain "
+            "numbers "
+            f"are allowed"
+        )
     return walk.visit(array.tolist()) if array.shape else walk.child("[()]", array[()])
 
 
@@ -362,7 +405,9 @@ def _write_dm(walk, value):
     import numpy
 
     if math.prod(value.shape) > MAX_ELEMENTS:  # before a sparse one is made dense
-        raise walk.error(f"is a DM of {math.prod(value.shape)} elements; up to {MAX_ELEMENTS} are allowed")
+        raise walk.error(
+            f"is a DM of {math.prod(value.shape)} elements; up to {MAX_ELEMENTS} are allowed"
+        )
     return _write_array(walk, numpy.array(value.full()))
 
 
@@ -372,8 +417,8 @@ def _write_dm(walk, value):
 def _loads(data):
     """The JSON value in `data`, which must be written exactly as `encode` writes it.
 
-    Comparing with the canonical text refuses, all at once, duplicate keys, blanks, trailing bytes, numbers in another
-    notation, and escapes for what needs none.
+    Comparing with the canonical text refuses, all at once, duplicate keys, blanks, trailing bytes,
+    numbers in another notation, and escapes for what needs none.
     """
     if type(data) is not bytes:
         raise EncodingError("answer should be bytes")
@@ -401,7 +446,8 @@ class _Decoder(_Walk):
             return self.kind(node)
         if cls is type(None):
             raise self.error("is null, which is not an answer")
-        return _PLAIN[id(cls)](self, node)  # JSON's other types are their own encoding, under the same limits
+        # JSON's other types are their own encoding, under the same limits
+        return _PLAIN[id(cls)](self, node)
 
     def kind(self, node):
         kind = node.get("kind")
@@ -414,7 +460,9 @@ class _Decoder(_Walk):
             raise self.error(f"is of the unknown kind {describe(kind)[:60]}")
         fields, read = readers[kind]
         if node.keys() != {"kind", *fields}:
-            raise self.error(f"should have exactly the fields {sorted(fields)}, as a value of kind {kind!r}")
+            raise self.error(
+                f"should have exactly the fields {sorted(fields)}, as a value of kind {kind!r}"
+            )
         return read(self, **{field: node[field] for field in fields})
 
     def as_list(self, value):
@@ -467,11 +515,20 @@ def _read_array(walk, dtype, shape, data):
     if type(dtype) is not str or dtype not in _DTYPES:
         raise walk.error(f"should be an array of one of {list(_DTYPES)}")
     sizes = [walk.integer(size) for size in walk.as_list(shape)]
-    if len(sizes) > MAX_AXES or not all(0 <= size <= MAX_ELEMENTS for size in sizes) or math.prod(sizes) > MAX_ELEMENTS:
-        raise walk.error(f"should be an array of up to {MAX_ELEMENTS} elements along up to {MAX_AXES} axes")
+    if (
+        len(sizes) > MAX_AXES
+        or not all(0 <= size <= MAX_ELEMENTS for size in sizes)
+        or math.prod(sizes) > MAX_ELEMENTS
+    ):
+        raise walk.error(
+            f"should be an array of up to {MAX_ELEMENTS} elements along up to {MAX_AXES} axes"
+        )
     raw = base64.b64decode(walk.text(data, MAX_BYTES), validate=True)
     wire = numpy.dtype(_DTYPES[dtype])
-    if len(raw) != math.prod(sizes) * wire.itemsize or base64.b64encode(raw).decode("ascii") != data:
+    if (
+        len(raw) != math.prod(sizes) * wire.itemsize
+        or base64.b64encode(raw).decode("ascii") != data
+    ):
         raise walk.error("is an array whose data do not fit its shape")
     if dtype == "bool" and raw.strip(b"\0\1"):
         raise walk.error("is an array of booleans with a byte that is neither 0 nor 1")
@@ -498,27 +555,40 @@ def _text(value, depth):
     if write:
         return write(value, depth)
     try:
-        data = encode(value)  # so that all of it is known, and nothing foreign is asked to print itself
+        # so that all of it is known, and nothing foreign is asked to print itself
+        data = encode(value)
         return _LIBRARY_TEXTS.get(_library_encoder(value), _text_of_sympy)(value, data)
-    except Exception:  # not only a refusal: a printer may fail on odd but legal objects, a description must not
+    # not only a refusal: a printer may fail on odd but legal objects, a description must not
+    except Exception:
         return f"<{_type_name(value)}>"
 
 
 def _text_of_integer(value, depth):
-    return (str(value) if value.bit_length() < 200
-            else f"an integer of about {int(value.bit_length() * math.log10(2))} digits")
+    return (
+        str(value)
+        if value.bit_length() < 200
+        else f"an integer of about {int(value.bit_length() * math.log10(2))} digits"
+    )
 
 
 def _text_of_items(opening, closing):
     def write(value, depth):
         shown = [_text(item, depth + 1) for item in _first(value, depth)]
-        return _joined(opening, sorted(shown) if type(value) in (set, frozenset) else shown, len(value), closing)
+        return _joined(
+            opening,
+            sorted(shown) if type(value) in (set, frozenset) else shown,
+            len(value),
+            closing,
+        )
 
     return write
 
 
 def _text_of_dict(value, depth):
-    shown = [f"{_text(key, depth + 1)}: {_text(item, depth + 1)}" for key, item in _first(value.items(), depth)]
+    shown = [
+        f"{_text(key, depth + 1)}: {_text(item, depth + 1)}"
+        for key, item in _first(value.items(), depth)
+    ]
     return _joined("{", shown, len(value), "}")
 
 
@@ -542,8 +612,8 @@ def _text_of_array(value, data):
 def _text_of_sympy(value, data):
     import sympy
 
-    # Sorting terms for print evaluates the numbers among them, integrals and sums too; so only what is small and has
-    # none is sorted.
+    # Sorting terms for print evaluates the numbers among them, integrals and sums too; so only what
+    # is small and has none is sorted.
     slow = len(data) > 20_000 or b'"Integral"' in data or b'"Sum"' in data
     return sympy.sstr(value, order="none" if slow else None)
 

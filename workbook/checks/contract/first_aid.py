@@ -1,9 +1,11 @@
-"""The first day's mistakes, where Jupyter alone would show a bare error or the verdict on an old value.
+"""The first day's mistakes, where Jupyter alone would show a bare error or the verdict on an old
+value.
 
-`k1 > 0 and k2 > 0` raises SymPy's TypeError: `advice` says what to write instead. After a cell that fails its answers
-keep what an earlier run gave them: `stopped` knows them, so that `report` does not judge the old value again. A check
-cell that runs before its answer cell finds the names that do not exist yet as stubs. One that runs before its data
-cell, as after a restart, imports this package by itself and is told what to run. `start` sets this up in Jupyter.
+`k1 > 0 and k2 > 0` raises SymPy's TypeError: `advice` says what to write instead. After a cell that
+fails its answers keep what an earlier run gave them: `stopped` knows them, so that `report` does
+not judge the old value again. A check cell that runs before its answer cell finds the names that do
+not exist yet as stubs. One that runs before its data cell, as after a restart, imports this package
+by itself and is told what to run. `start` sets this up in Jupyter.
 """
 
 import linecache
@@ -21,10 +23,14 @@ no `if` can choose, are sp.Piecewise((k1, k2 < 0), (k2, True))."""
 POWERS = "A power is x**2: in Python x^2 is another operation, on whole numbers."
 FUNCTIONS = "Functions of symbols are SymPy's: sp.sqrt(x), not np.sqrt(x) or math.sqrt(x)."
 #: What the text of an error begins with, and what to write instead.
-ADVICE = {"cannot determine truth value of Relational": CONDITIONS,
-          "unsupported operand type(s) for &: ": CONDITIONS, "unsupported operand type(s) for |: ": CONDITIONS,
-          "unsupported operand type(s) for ^: ": POWERS,
-          "loop of ufunc does not support argument ": FUNCTIONS, "Cannot convert expression to float": FUNCTIONS}
+ADVICE = {
+    "cannot determine truth value of Relational": CONDITIONS,
+    "unsupported operand type(s) for &: ": CONDITIONS,
+    "unsupported operand type(s) for |: ": CONDITIONS,
+    "unsupported operand type(s) for ^: ": POWERS,
+    "loop of ufunc does not support argument ": FUNCTIONS,
+    "Cannot convert expression to float": FUNCTIONS,
+}
 ABOVE = """\
 This check needs what stands above it: run the data cell, then the cell with
 your answer, then this one. A restart forgets all cells that have run."""
@@ -32,7 +38,8 @@ _before = {}
 
 
 def advice(text):
-    """What to write instead of what raised an error with this text; None for one that says enough itself.
+    """What to write instead of what raised an error with this text; None for one that says enough
+    itself.
 
     >>> advice("unsupported operand type(s) for &: 'int' and 'Symbol'")[:29]
     'Join conditions of SymPy with'
@@ -69,7 +76,8 @@ def _after_cell(shell, result):
 
 
 def _assigned(source):
-    """Names that stand before a = at the beginning of a line, also in a cell that Python cannot read."""
+    """Names that stand before a = at the beginning of a line, also in a cell that Python cannot
+    read."""
     return {name.strip() for names in ASSIGNED.findall(source) for name in names.split(",")}
 
 

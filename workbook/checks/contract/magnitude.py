@@ -1,8 +1,8 @@
 """How large an expression is, found without evaluating it: 10**10**9 costs no more than 10**9.
 
-A number is measured as it is, what has symbols where these are 8 or 1/8. There towers of powers grow already beyond
-what any value can be computed for: a value of exp or of a sine takes arithmetic of as many bits as its argument has,
-and powers and factorials of fractions are written out.
+A number is measured as it is, what has symbols where these are 8 or 1/8. There towers of powers
+grow already beyond what any value can be computed for: a value of exp or of a sine takes arithmetic
+of as many bits as its argument has, and powers and factorials of fractions are written out.
 """
 
 import math
@@ -18,26 +18,29 @@ _FACTORIAL = (sp.factorial, sp.gamma, sp.binomial)
 
 
 def size(node, known):
-    """(up, down, whether it has symbols) such that -down <= log2 |node| <= up, unless a sum cancels; `known` is a dict
-    that keeps what has been found of its parts."""
+    """(up, down, whether it has symbols) such that -down <= log2 |node| <= up, unless a sum
+    cancels; `known` is a dict that keeps what has been found of its parts."""
     if node not in known:
         known[node] = _measure(node, known)
     return known[node]
 
 
 def grows_too_fast(node, bits=SYMBOL_BITS):
-    """Whether a part of an expression or a condition is too large to be computed with where its symbols have a size of
-    so many bits."""
-    known = {symbol: (bits, bits, True) for symbol in node.free_symbols}
+    """Whether a part of an expression or a condition is too large to be computed with where its
+    symbols have a size of so many bits."""
+    known = dict.fromkeys(node.free_symbols, (bits, bits, True))
     for part in node.atoms(sp.Integral, sp.Sum):  # their variables run up to the limits
         for variable, *limits in (limits for limits in part.limits if len(limits) > 1):
             ups, downs, _ = zip(*(size(limit, known) for limit in limits))
             known[variable] = max(SYMBOL_BITS, *ups), max(SYMBOL_BITS, *downs), True
-    return any(part.free_symbols and not _inner(part, known) <= 1 for part in sp.preorder_traversal(node))
+    return any(
+        part.free_symbols and not _inner(part, known) <= 1 for part in sp.preorder_traversal(node)
+    )
 
 
 def _inner(node, known):
-    """The bits of what stands in an exponent, a sine or a factorial, as a share of those that can be computed with."""
+    """The bits of what stands in an exponent, a sine or a factorial, as a share of those that can
+    be computed with."""
     if isinstance(node, sp.Pow) and node.base is not sp.E:
         return 0 if node.exp.is_Number else size(node.exp, known)[0] / math.log2(MAX_EXPONENT)
     if isinstance(node, _FACTORIAL):
@@ -51,7 +54,8 @@ def _measure(node, known):
     if node.is_Number:
         return log2(node), -log2(node), False
     if not node.args:
-        return (2, 1, False) if node.is_number else (SYMBOL_BITS, SYMBOL_BITS, True)  # pi and the like
+        # pi and the like
+        return (2, 1, False) if node.is_number else (SYMBOL_BITS, SYMBOL_BITS, True)
     ups, downs, symbolic = zip(*(size(arg, known) for arg in node.args))
     return *_composed(node, ups, downs), any(symbolic)
 

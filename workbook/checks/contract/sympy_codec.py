@@ -1,27 +1,31 @@
-"""The SymPy half of `encoding`: which nodes may cross, how each is written, and how each is built again within bounds.
+"""The SymPy half of `encoding`: which nodes may cross, how each is written, and how each is built
+again within bounds.
 
-A node is written as its kind and its arguments. `NODES` is the whole list; `READERS` adds the leaves (numbers, symbols,
-undefined functions) and the containers with a layout of their own (matrices, polynomials). Names from the wire are only
-ever looked up in these.
+A node is written as its kind and its arguments. `NODES` is the whole list; `READERS` adds the
+leaves (numbers, symbols, undefined functions) and the containers with a layout of their own
+(matrices, polynomials). Names from the wire are only ever looked up in these.
 
-Every node is built *as written*: decoding computes nothing. Evaluating again would not be bounded by any limit on the
-text, since SymPy's constructors ask for signs and reality (`Abs(x)**2` asks whether x is real), compare all pairs
-(`Max`), fold Piecewise functions and solve equations (`ConditionSet`): an ordinary expression of four kilobytes took
-five seconds, re((x + I*y)**1000) eighty. And nothing is lost: whatever SymPy evaluates by itself was evaluated where
-the answer was made, and what a student left unevaluated meets the check in the grader as it does in the notebook.
+Every node is built *as written*: decoding computes nothing. Evaluating again would not be bounded
+by any limit on the text, since SymPy's constructors ask for signs and reality (`Abs(x)**2` asks
+whether x is real), compare all pairs (`Max`), fold Piecewise functions and solve equations
+(`ConditionSet`): an ordinary expression of four kilobytes took five seconds, re((x + I*y)**1000)
+eighty. And nothing is lost: whatever SymPy evaluates by itself was evaluated where the answer was
+made, and what a student left unevaluated meets the check in the grader as it does in the notebook.
 
-Names need care of another kind. `lambdify` prints an expression as Python code, symbols and undefined functions by
-their bare names, so `Symbol("print(1)")` runs in whatever process compiles it. Hence the narrow alphabet of names,
-without brackets, quotes and dots, and no undefined function called like one that Python or NumPy has (`exec`, `chr`,
-`load`).
+Names need care of another kind. `lambdify` prints an expression as Python code, symbols and
+undefined functions by their bare names, so `Symbol("print(1)")` runs in whatever process compiles
+it. Hence the narrow alphabet of names, without brackets, quotes and dots, and no undefined function
+called like one that Python or NumPy has (`exec`, `chr`, `load`).
 
-Numbers of mpmath and Fractions are written as the SymPy numbers they are, a root of a polynomial that SymPy only counts
-(`CRootOf`) in decimals, a `sympy.Array` as nested lists; none of them stays what it was.
+Numbers of mpmath and Fractions are written as the SymPy numbers they are, a root of a polynomial
+that SymPy only counts (`CRootOf`) in decimals, a `sympy.Array` as nested lists; none of them stays
+what it was.
 
-What a check will do with an answer is bounded by the judge's own limits of time and memory, yet numbers that nobody
-writes as an answer and that a mere comparison would blow up, such as 10**10**9 or exp(exp(exp(9))), are refused here,
-by a bound on their size.
+What a check will do with an answer is bounded by the judge's own limits of time and memory, yet
+numbers that nobody writes as an answer and that a mere comparison would blow up, such as 10**10**9
+or exp(exp(exp(9))), are refused here, by a bound on their size.
 """
+
 import builtins
 import math
 import re
@@ -46,7 +50,8 @@ MAX_FUNCTIONS = 100  # different undefined functions in an answer: each is a Pyt
 MAX_ORDER = 100  # of a derivative
 DOUBLE_BITS = 53  # precision of a float
 ROOT_DIGITS = 50  # of a root of a polynomial that has no formula
-NUMBER_BITS = int(MAX_DIGITS * math.log2(10))  # magnitude of anything without symbols, and the precision of a Float
+# magnitude of anything without symbols, and the precision of a Float
+NUMBER_BITS = int(MAX_DIGITS * math.log2(10))
 
 
 # Which arguments a node takes
@@ -74,7 +79,7 @@ def symbol(x):
 
 
 def symbols(x):
-    return symbol(x) or type(x) is sp.Tuple and all(map(symbols, x))
+    return symbol(x) or (type(x) is sp.Tuple and all(map(symbols, x)))
 
 
 def signature(x):
@@ -107,14 +112,19 @@ def range_of(x):
 
 
 def derivation(x):
-    """A variable and how often: differentiated by 10**9 times, an expression would list it as often."""
-    if type(x) is not sp.Tuple or len(x) != 2 or not (symbol(x[0]) or isinstance(x[0], (AppliedUndef, sp.Derivative))):
+    """A variable and how often: differentiated by 10**9 times, an expression would list it as
+    often."""
+    if (
+        type(x) is not sp.Tuple
+        or len(x) != 2
+        or not (symbol(x[0]) or isinstance(x[0], (AppliedUndef, sp.Derivative)))
+    ):
         return False
-    return x[1].is_Integer and 0 < x[1] <= MAX_ORDER or symbol(x[1])
+    return (x[1].is_Integer and 0 < x[1] <= MAX_ORDER) or symbol(x[1])
 
 
-# How a node is built. Where SymPy's constructor cannot be asked not to compute, the object is put together as the
-# constructor does it, with the attributes beside `args` that it sets.
+# How a node is built. Where SymPy's constructor cannot be asked not to compute, the object is put
+# together as the constructor does it, with the attributes beside `args` that it sets.
 
 
 def unevaluated(cls, *args):
@@ -172,7 +182,18 @@ _ROWS = [
     *_each(unevaluated, (scalar,), sp.asin, sp.acos, sp.atan, sp.acot, sp.asec, sp.acsc),
     *_each(unevaluated, (scalar,), sp.sinh, sp.cosh, sp.tanh, sp.coth, sp.sech, sp.csch),
     *_each(unevaluated, (scalar,), sp.asinh, sp.acosh, sp.atanh, sp.acoth, sp.asech, sp.acsch),
-    *_each(unevaluated, (scalar,), sp.Abs, sp.sign, sp.re, sp.im, sp.conjugate, sp.arg, sp.floor, sp.ceiling),
+    *_each(
+        unevaluated,
+        (scalar,),
+        sp.Abs,
+        sp.sign,
+        sp.re,
+        sp.im,
+        sp.conjugate,
+        sp.arg,
+        sp.floor,
+        sp.ceiling,
+    ),
     *_each(unevaluated, (scalar,), sp.sinc, sp.erf, sp.erfc, sp.factorial, sp.gamma),
     *_each(unevaluated, (scalar, scalar), sp.atan2, sp.Mod, sp.binomial),
     Node(sp.Heaviside, unevaluated, (scalar,), scalar),  # with its value at zero
@@ -205,9 +226,24 @@ NODES = {row.cls.__name__: row for row in _ROWS}
 _S = sp.S
 ATOMS = {
     **{"pi": sp.pi, "E": sp.E, "I": sp.I, "oo": sp.oo, "-oo": -sp.oo, "zoo": sp.zoo, "nan": sp.nan},
-    **{"GoldenRatio": sp.GoldenRatio, "EulerGamma": sp.EulerGamma, "True": sp.true, "False": sp.false},
-    **{"EmptySet": _S.EmptySet, "UniversalSet": _S.UniversalSet, "Reals": _S.Reals, "Complexes": _S.Complexes},
-    **{"Rationals": _S.Rationals, "Integers": _S.Integers, "Naturals": _S.Naturals, "Naturals0": _S.Naturals0},
+    **{
+        "GoldenRatio": sp.GoldenRatio,
+        "EulerGamma": sp.EulerGamma,
+        "True": sp.true,
+        "False": sp.false,
+    },
+    **{
+        "EmptySet": _S.EmptySet,
+        "UniversalSet": _S.UniversalSet,
+        "Reals": _S.Reals,
+        "Complexes": _S.Complexes,
+    },
+    **{
+        "Rationals": _S.Rationals,
+        "Integers": _S.Integers,
+        "Naturals": _S.Naturals,
+        "Naturals0": _S.Naturals0,
+    },
     "Identity": _S.IdentityFunction,
 }
 
@@ -216,8 +252,8 @@ ATOMS = {
 
 
 def encoder(value):
-    """The function that writes `value`, called as `write(walk, value)`; None where it is no SymPy object that may
-    cross."""
+    """The function that writes `value`, called as `write(walk, value)`; None where it is no SymPy
+    object that may cross."""
     cls = type(value)
     if type(cls) is UndefinedFunction:
         return _write_applied if _is_plain_function(cls) else None
@@ -229,12 +265,20 @@ _FUNCTION_ASSUMPTIONS = {f"is_{name}" for name in _assume_defined}
 
 
 def _is_plain_function(cls):
-    """Whether the class that `Function("f")` made has nothing of the student's own (it takes bases and methods,
-    too)."""
-    bases, attributes = type.__dict__["__bases__"].__get__(cls), type.__dict__["__dict__"].__get__(cls)
-    return len(bases) == 1 and bases[0] is AppliedUndef and all(
-        name in _FUNCTION_ATTRIBUTES or name in _FUNCTION_ASSUMPTIONS and type(attributes[name]) is bool
-        for name in attributes
+    """Whether the class that `Function("f")` made has nothing of the student's own (it takes bases
+    and methods, too)."""
+    bases, attributes = (
+        type.__dict__["__bases__"].__get__(cls),
+        type.__dict__["__dict__"].__get__(cls),
+    )
+    return (
+        len(bases) == 1
+        and bases[0] is AppliedUndef
+        and all(
+            name in _FUNCTION_ATTRIBUTES
+            or (name in _FUNCTION_ASSUMPTIONS and type(attributes[name]) is bool)
+            for name in attributes
+        )
     )
 
 
@@ -259,8 +303,12 @@ def _write_rational(walk, value):
 def _write_float(walk, value):
     sign, mantissa, exponent, bits = value._mpf_
     _check_float(walk, int(exponent) + bits, value._prec)
-    return {"kind": "Float", "mantissa": int(-mantissa if sign else mantissa), "exponent": int(exponent),
-            "precision": value._prec}
+    return {
+        "kind": "Float",
+        "mantissa": int(-mantissa if sign else mantissa),
+        "exponent": int(exponent),
+        "precision": value._prec,
+    }
 
 
 def _write_fraction(walk, value):
@@ -283,12 +331,19 @@ def _number(mpf):
 
 
 def _write_symbol(walk, value):
-    return {"kind": "Symbol", "name": _name(walk, value.name),
-            "assumptions": _assumptions(walk, value._assumptions_orig)}
+    return {
+        "kind": "Symbol",
+        "name": _name(walk, value.name),
+        "assumptions": _assumptions(walk, value._assumptions_orig),
+    }
 
 
 def _write_dummy(walk, value):
-    dummy = {**_write_symbol(walk, value), "kind": "Dummy", "index": walk.integer(value.dummy_index)}
+    dummy = {
+        **_write_symbol(walk, value),
+        "kind": "Dummy",
+        "index": walk.integer(value.dummy_index),
+    }
     walk.dummies.append(dummy)
     return dummy
 
@@ -296,15 +351,24 @@ def _write_dummy(walk, value):
 def _write_applied(walk, value):
     cls = type(value)
     name, assumptions = _function_name(walk, cls.__name__), _assumptions(walk, cls._kwargs)
-    return {"kind": "apply", "name": name, "assumptions": assumptions, "args": walk.children(value.args, ".args[{}]")}
+    return {
+        "kind": "apply",
+        "name": name,
+        "assumptions": assumptions,
+        "args": walk.children(value.args, ".args[{}]"),
+    }
 
 
 def _write_matrix(kind):
     def write(walk, value):
         rows, columns = value.shape
         if rows * columns > MAX_NODES:  # before a sparse one is made dense
-            raise walk.error(f"is a matrix of {rows * columns} entries; up to {MAX_NODES} are allowed")
-        entries = [walk.child(f"[{i}, {j}]", value[i, j]) for i in range(rows) for j in range(columns)]
+            raise walk.error(
+                f"is a matrix of {rows * columns} entries; up to {MAX_NODES} are allowed"
+            )
+        entries = [
+            walk.child(f"[{i}, {j}]", value[i, j]) for i in range(rows) for j in range(columns)
+        ]
         return {"kind": kind, "rows": rows, "columns": columns, "entries": entries}
 
     return write
@@ -330,11 +394,20 @@ def _write_inner(walk, value):
 
 _WRITERS = {
     **{id(row.cls): _write_node(row) for row in NODES.values()},
-    **{id(type(atom)): (lambda walk, value, kind=kind: {"kind": kind}) for kind, atom in ATOMS.items()},
-    **{id(type(number)): _write_integer for number in (sp.Integer(2), _S.Zero, _S.One, _S.NegativeOne)},
+    **{
+        id(type(atom)): (lambda walk, value, kind=kind: {"kind": kind})
+        for kind, atom in ATOMS.items()
+    },
+    **{
+        id(type(number)): _write_integer
+        for number in (sp.Integer(2), _S.Zero, _S.One, _S.NegativeOne)
+    },
     **{id(type(number)): _write_rational for number in (sp.Rational(1, 3), _S.Half)},
     **{id(cls): _write_matrix("Matrix") for cls in (sp.MutableDenseMatrix, sp.MutableSparseMatrix)},
-    **{id(cls): _write_matrix("ImmutableMatrix") for cls in (sp.ImmutableDenseMatrix, sp.ImmutableSparseMatrix)},
+    **{
+        id(cls): _write_matrix("ImmutableMatrix")
+        for cls in (sp.ImmutableDenseMatrix, sp.ImmutableSparseMatrix)
+    },
     **{id(cls): write_elements for cls in (sp.ImmutableDenseNDimArray, sp.MutableDenseNDimArray)},
     **{id(cls): write_elements for cls in (sp.ImmutableSparseNDimArray, sp.MutableSparseNDimArray)},
     id(mpmath.mpf): _write_mpf,
@@ -360,7 +433,10 @@ _CALLABLE = {*dir(builtins), *dir(np)}
 
 def _name(walk, name):
     if not _NAME.fullmatch(walk.text(name, MAX_NAME)):
-        raise walk.error(f"has the name {name!r}; names may have letters, digits, spaces and _ {{ }} ^ * + - , \\")
+        raise walk.error(
+            f"has the name {name!r}; names may have letters, digits, spaces and _ {{ }} ^ * + - , "
+            "\\"
+        )
     return name
 
 
@@ -368,12 +444,15 @@ def _function_name(walk, name):
     # Python reads identifiers in the form NFKC: a full-width `exec` is `exec`.
     words = re.findall(r"\w+", unicodedata.normalize("NFKC", _name(walk, name)))
     if not _CALLABLE.isdisjoint(words):
-        raise walk.error(f"is a function called {name!r}, as one of Python's or NumPy's is; choose another name")
+        raise walk.error(
+            f"is a function called {name!r}, as one of Python's or NumPy's is; choose another name"
+        )
     return name
 
 
 def _assumptions(walk, assumptions):
-    """A copy of the assumptions on a symbol or function, each of them one of SymPy's own, true or false."""
+    """A copy of the assumptions on a symbol or function, each of them one of SymPy's own, true or
+    false."""
     if type(assumptions) is not dict:
         raise walk.error("should have its assumptions in a dict")
     for name, value in assumptions.items():
@@ -398,7 +477,9 @@ def _check_args(walk, row, args):
     wanted = row.takes + (row.more,) * (len(args) - len(row.takes)) if row.more else row.takes
     if len(args) != len(wanted) or not all(fits(arg) for fits, arg in zip(wanted, args)):
         given = ", ".join(type(arg).__name__ for arg in args[:4])
-        raise walk.error(f"is {row.cls.__name__} of ({given}{', ...' * (len(args) > 4)}), which is not an answer")
+        raise walk.error(
+            f"is {row.cls.__name__} of ({given}{', ...' * (len(args) > 4)}), which is not an answer"
+        )
     if row.cls is sp.Interval:
         _check_interval(walk, *args)
 
@@ -406,7 +487,9 @@ def _check_args(walk, row, args):
 def _check_interval(walk, start, end, left_open, right_open):
     # The constructor's checks, as far as numbers decide them.
     backwards = start.is_Number and end.is_Number and not start < end
-    closed_at_infinity = start is -sp.oo and left_open is sp.false or end is sp.oo and right_open is sp.false
+    closed_at_infinity = (start is -sp.oo and left_open is sp.false) or (
+        end is sp.oo and right_open is sp.false
+    )
     if backwards or closed_at_infinity:
         raise walk.error("is an Interval whose ends are not in order, or closed at infinity")
 
@@ -418,7 +501,9 @@ def _check_size(walk, node):
         raise walk.error(f"is a power with an exponent beyond {MAX_EXPONENT}")
     *bits, symbolic = size(node, walk.sizes)
     if not symbolic and not max(bits) <= NUMBER_BITS:
-        raise walk.error(f"is a number with more than about {MAX_DIGITS} digits before or after the point")
+        raise walk.error(
+            f"is a number with more than about {MAX_DIGITS} digits before or after the point"
+        )
 
 
 # Reading
@@ -485,7 +570,9 @@ def _read_matrix(cls):
             raise walk.error("is a matrix with impossible dimensions")
         entries = walk.items(entries)
         if len(entries) != rows * columns or not all(map(scalar, entries)):
-            raise walk.error("is a matrix whose entries should be expressions, rows times columns of them")
+            raise walk.error(
+                "is a matrix whose entries should be expressions, rows times columns of them"
+            )
         return cls(rows, columns, entries)
 
     return read
@@ -497,15 +584,20 @@ def _read_poly(cls):
         coefficients = {}
         for term in walk.as_list(terms):
             if len(walk.as_list(term)) != 2 or len(walk.as_list(term[0])) != len(gens):
-                raise walk.error("is a polynomial whose terms should be pairs of powers and coefficient")
+                raise walk.error(
+                    "is a polynomial whose terms should be pairs of powers and coefficient"
+                )
             powers = tuple(map(walk.integer, term[0]))
             coefficients[powers] = walk.child(f".coeff{powers}"[:60], term[1])
         if len(coefficients) != len(terms) or not all(map(scalar, [*gens, *coefficients.values()])):
-            raise walk.error("is a polynomial with a term given twice or a coefficient that is no expression")
+            raise walk.error(
+                "is a polynomial with a term given twice or a coefficient that is no expression"
+            )
         if any(gen.is_number for gen in gens) or any(min(powers) < 0 for powers in coefficients):
             raise walk.error("is a polynomial in a number or with a negative power")
         _spend_on_powers(walk, coefficients)
-        # For a `composite` domain such as ZZ[k] SymPy multiplies the coefficients out, (a + b + c)**1000 too.
+        # For a `composite` domain such as ZZ[k] SymPy multiplies the coefficients out, (a + b +
+        # c)**1000 too.
         composite = None if all(map(_is_expanded, coefficients.values())) else False
         return cls.from_dict(coefficients, *gens, composite=composite)
 
@@ -513,8 +605,13 @@ def _read_poly(cls):
 
 
 def _is_expanded(coefficient):
-    factors = [factor for term in sp.Add.make_args(coefficient) for factor in sp.Mul.make_args(term)]
-    return all((f.base if isinstance(f, sp.Pow) and f.exp.is_Integer and f.exp > 0 else f).is_Atom for f in factors)
+    factors = [
+        factor for term in sp.Add.make_args(coefficient) for factor in sp.Mul.make_args(term)
+    ]
+    return all(
+        (f.base if isinstance(f, sp.Pow) and f.exp.is_Integer and f.exp > 0 else f).is_Atom
+        for f in factors
+    )
 
 
 READERS = {

@@ -1,11 +1,14 @@
-"""Optimal estimates and their errors: by measurements at single moments, and by filters that have settled.
+"""Optimal estimates and their errors: by measurements at single moments, and by filters that have
+settled.
 
-The truth is the conditional law of a Gaussian vector of all states and measurements together, or the stabilising
-solution of a Riccati equation at numbers, from an invariant subspace (`truths/processes.py`); no filter is run.
+The truth is the conditional law of a Gaussian vector of all states and measurements together, or
+the stabilising solution of a Riccati equation at numbers, from an invariant subspace
+(`truths/processes.py`); no filter is run.
 
-What is `measured` are pairs (time, value or values); times, values and the time `at` which the state is asked for may
-hold the parameters, and for a time there may stand `sp.Range(1, n + 1)`: the value at each of these moments. Without R
-the measurements are exact. A process that keeps its mean and covariance may be asked for at times before 0.
+What is `measured` are pairs (time, value or values); times, values and the time `at` which the
+state is asked for may hold the parameters, and for a time there may stand `sp.Range(1, n + 1)`: the
+value at each of these moments. Without R the measurements are exact. A process that keeps its mean
+and covariance may be asked for at times before 0.
 """
 
 import numpy as np
@@ -27,63 +30,99 @@ BEFORE, AFTER = "before", "after"
 
 @judged(Laid("parameters", shape=processes.shape_of("mean")))
 def estimate(claim, process, measured, at, parameters=(), given=sp.true):
-    """The best estimate of the state at a time from what was measured; of a single coordinate an expression."""
+    """The best estimate of the state at a time from what was measured; of a single coordinate an
+    expression."""
     for one, values, known, time in _measured(process, measured, at, claim, parameters, given):
         true, _ = processes.given(one, known, time)
-        yield Entries(claim, true, lambda said, i, j: (
-            f"{part_text('estimate', said, i)}{where_text(values)}; this is not the mean of the state under the "
-            "condition of what was measured"), values, abs(true).max() + _size(known))
+        yield Entries(
+            claim,
+            true,
+            lambda said, i, j: (
+                f"{part_text('estimate', said, i)}{where_text(values)}; this is not the mean of "
+                "the state under the "
+                "condition of what was measured"
+            ),
+            values,
+            abs(true).max() + _size(known),
+        )
     return "it is the mean of the state under the condition of what was measured"
 
 
 @judged(Matrix("parameters", shape=processes.shape_of("A")))
 def estimate_covariance(claim, process, measured, at, parameters=(), given=sp.true):
-    """The covariance matrix of the errors of the best estimate at a time; of a single coordinate the variance."""
+    """The covariance matrix of the errors of the best estimate at a time; of a single coordinate
+    the variance."""
     for one, values, known, time in _measured(process, measured, at, claim, parameters, given):
         true = processes.given(one, known, time)[1]
-        yield Entries(claim, true, _other("the errors of the best estimate", values), values,
-                      abs(processes.moments(one, time)[1]).max())
+        yield Entries(
+            claim,
+            true,
+            _other("the errors of the best estimate", values),
+            values,
+            abs(processes.moments(one, time)[1]).max(),
+        )
     return "it is the covariance of the state under the condition of what was measured"
 
 
 @judged(Laid("parameters", shape=processes.shape_of("mean")))
 def estimate_deviations(claim, process, measured, at, parameters=(), given=sp.true):
-    """The standard deviations of the errors of the best estimate at a time, a column; of a single coordinate an
-    expression."""
+    """The standard deviations of the errors of the best estimate at a time, a column; of a single
+    coordinate an expression."""
     for one, values, known, time in _measured(process, measured, at, claim, parameters, given):
         true = np.sqrt(np.diag(processes.given(one, known, time)[1]))[:, None]
-        yield Entries(claim, true, lambda said, i, j: (
-            f"{part_text('answer', said, i)}{where_text(values)}; " + (
-                "a standard deviation is not negative" if said[i, j].real < 0 else
-                "its square is not the variance of the error of the best estimate")), values)
+        yield Entries(
+            claim,
+            true,
+            lambda said, i, j: (
+                f"{part_text('answer', said, i)}{where_text(values)}; "
+                + (
+                    "a standard deviation is not negative"
+                    if said[i, j].real < 0
+                    else "its square is not the variance of the error of the best estimate"
+                )
+            ),
+            values,
+        )
     return "its square is the variance of the state under the condition of what was measured"
 
 
 @judged(Matrix("parameters", shape=processes.shape_of("A")))
 def steady_covariance(claim, process, parameters=(), given=sp.true, moment=BEFORE):
-    """The covariance matrix of the errors of the steady filter; in discrete time that `moment` of a measurement,
-    "before" or "after"."""
+    """The covariance matrix of the errors of the steady filter; in discrete time that `moment` of a
+    measurement, "before" or "after"."""
     for values in in_every_case(allowed_values(parameters, given, COUNT), claim, given):
         one = processes.numbers(process, values, start=False)
         true = processes.steady(one)[(BEFORE, AFTER).index(moment)]
-        yield Entries(claim, true, _other("the errors of the settled filter", values), values, abs(true).max())
+        yield Entries(
+            claim, true, _other("the errors of the settled filter", values), values, abs(true).max()
+        )
     return "the Riccati equation keeps this covariance, and with it the errors of the filter decay"
 
 
 @judged(Laid("parameters", shape=lambda data: processes.plain(data["process"]).H.T.shape))
 def steady_gain(claim, process, parameters=(), given=sp.true):
-    """The gain K of the steady filter, a column for each measurement: y' = A y + K (z - H y), in discrete time
-    y+ = y + K (z - H y)."""
+    """The gain K of the steady filter, a column for each measurement: y' = A y + K (z - H y), in
+    discrete time y+ = y + K (z - H y)."""
     for values in in_every_case(allowed_values(parameters, given, COUNT), claim, given):
         one = processes.numbers(process, values, start=False)
         true = processes.gain_of(one, processes.steady(one)[0])
 
         def told(said, i, j):
             loop = one.A - (one.A @ said if one.discrete else said) @ one.H
-            growing = (np.log(abs(np.linalg.eigvals(loop))) if one.discrete else np.linalg.eigvals(loop).real).max() > 0
-            does = "an error grows" if growing else "the errors settle to a larger covariance than they need"
-            return (f"with your gain {does}{where_text(values)}: look at row {i + 1}, where it is "
-                    f"{number_text(said[i, j])}")
+            growing = (
+                np.log(abs(np.linalg.eigvals(loop)))
+                if one.discrete
+                else np.linalg.eigvals(loop).real
+            ).max() > 0
+            does = (
+                "an error grows"
+                if growing
+                else "the errors settle to a larger covariance than they need"
+            )
+            return (
+                f"with your gain {does}{where_text(values)}: look at row {i + 1}, where it is "
+                f"{number_text(said[i, j])}"
+            )
 
         yield Entries(claim, true, told, values, abs(true).max())
     return "no other gain makes the variances of the errors smaller"
@@ -92,11 +131,17 @@ def steady_gain(claim, process, parameters=(), given=sp.true):
 @judged
 def steady_filter_exists(answer, process, parameters):
     """The condition on the parameters under which there is a steady filter whose errors decay."""
+
     def told(values, holds):
-        return f"your condition {'does not hold' if holds else 'holds'} for {place_text(values)}; " + (
-            "there a filter settles, and its errors decay" if holds else
-            "there look at a mode that does not decay and is not measured, or at one that neither decays nor grows and "
-            "that the noise does not reach")
+        return (
+            f"your condition {'does not hold' if holds else 'holds'} for {place_text(values)}; "
+            + (
+                "there a filter settles, and its errors decay"
+                if holds
+                else "there look at a mode that does not decay and is not measured, "
+                "or at one that neither decays nor grows and that the noise does not reach"
+            )
+        )
 
     known = compare(answer, parameters, processes.steady_exists(process), told)
     return f"a filter settles, and its errors decay, for these values alone: {known}"
@@ -104,44 +149,72 @@ def steady_filter_exists(answer, process, parameters):
 
 @judged(Laid("estimates", "outputs", "covariance", "parameters", shape=processes.shape_of("mean")))
 def filter_equation(claim, process, estimates, outputs, covariance, parameters=()):
-    """The right-hand side of the equation of the filter in continuous time, y' = ..., a column in the symbols of the
-    estimates y, of the outputs z and of P, the `covariance` of the errors; of a single coordinate an expression."""
+    """The right-hand side of the equation of the filter in continuous time, y' = ..., a column in
+    the symbols of the estimates y, of the outputs z and of P, the `covariance` of the errors; of a
+    single coordinate an expression."""
     symbols = [*parameters, *estimates, *outputs, *sorted(covariance.free_symbols, key=str)]
     for values in in_every_case(allowed_values(symbols, sp.true, COUNT), claim):
-        one, P = processes.numbers(process, values, start=False), processes.array(covariance, values)
+        one, P = (
+            processes.numbers(process, values, start=False),
+            processes.array(covariance, values),
+        )
         y, z = (processes.array(sp.Matrix(names), values) for names in (estimates, outputs))
         gain = processes.gain_of(one, P)
         terms = one.A @ y, gain @ z, -gain @ one.H @ y
-        yield Entries(claim, sum(terms), lambda said, i, j: (
-            f"your rate of change of {estimates[i]} is {number_text(said[i, 0])}{where_text(values)}; the motion and "
-            "the best use of the innovation together change it at another rate"), values, sum(map(abs, terms)))
+        yield Entries(
+            claim,
+            sum(terms),
+            lambda said, i, j: (
+                f"your rate of change of {estimates[i]} is "
+                f"{number_text(said[i, 0])}{where_text(values)}; the motion and "
+                "the best use of the innovation together change it at another rate"
+            ),
+            values,
+            sum(map(abs, terms)),
+        )
     return "the estimate moves like the process, and the innovation is taken in with the best gain"
 
 
 @judged(Matrix("covariance", "parameters", shape=lambda data: data["covariance"].shape))
 def riccati_equation(claim, process, covariance, parameters=()):
-    """The right-hand side of the Riccati equation of the filter as a matrix in the symbols of P, the `covariance`: in
-    continuous time P' = ..., in discrete time what P, the covariance before a measurement, is before the next one."""
+    """The right-hand side of the Riccati equation of the filter as a matrix in the symbols of P,
+    the `covariance`: in continuous time P' = ..., in discrete time what P, the covariance before a
+    measurement, is before the next one."""
     symbols = [*parameters, *sorted(covariance.free_symbols, key=str)]
     for k, values in enumerate(in_every_case(allowed_values(symbols, sp.true, COUNT), claim)):
         values = _definite(covariance, values, sp.Rational(1, 9) if k % 2 else 1)
-        one, P = processes.numbers(process, values, start=False), processes.array(covariance, values)
+        one, P = (
+            processes.numbers(process, values, start=False),
+            processes.array(covariance, values),
+        )
         if one.discrete:
-            terms = one.A @ P @ one.A.T, -one.A @ processes.gain_of(one, P) @ one.H @ P @ one.A.T, one.Q
+            terms = (
+                one.A @ P @ one.A.T,
+                -one.A @ processes.gain_of(one, P) @ one.H @ P @ one.A.T,
+                one.Q,
+            )
             found, does = "your next entry ({}, {})", "give another number"
         else:
             terms = one.A @ P, P @ one.A.T, one.Q, -P @ one.H.T @ processes.gain_of(one, P).T
             found, does = "your rate of change of the entry ({}, {})", "change it at another rate"
-        yield Entries(claim, sum(terms), lambda said, i, j: (
-            f"{found.format(i + 1, j + 1)} is {number_text(said[i, j])}{where_text(values)}; the motion, the noise and "
-            f"the measurement together {does}"), values, sum(map(abs, terms)))
+        yield Entries(
+            claim,
+            sum(terms),
+            lambda said, i, j: (
+                f"{found.format(i + 1, j + 1)} is {number_text(said[i, j])}{where_text(values)}; "
+                "the motion, the noise and "
+                f"the measurement together {does}"
+            ),
+            values,
+            sum(map(abs, terms)),
+        )
     return "the motion, the noise and the measurement change the covariance like this"
 
 
 @judged(Values("parameters", expected="a list or a set of eigenvalues"))
 def error_eigenvalues(claims, process, parameters=(), given=sp.true):
-    """The different eigenvalues of the matrix of the errors of the steady filter, A - K H, in discrete time
-    A (E - K H)."""
+    """The different eigenvalues of the matrix of the errors of the steady filter, A - K H, in
+    discrete time A (E - K H)."""
     for values in in_every_case(allowed_values(parameters, given, COUNT), claims, given):
         one = processes.numbers(process, values, start=False)
         gain = processes.gain_of(one, processes.steady(one)[0])
@@ -152,26 +225,46 @@ def error_eigenvalues(claims, process, parameters=(), given=sp.true):
         def fits(number, other):
             return same(number[1], other, number[0], size, REPEATED)
 
-        yield Members(list(zip(claims, said)), list(np.linalg.eigvals(loop)), fits, lambda number: (
-            f"{number_text(number[1])} is no eigenvalue of the matrix of the errors{where_text(values)}: no error is "
-            "multiplied by it"), lambda *_: f"an error decays by a mode that your answer does not name"
-            f"{where_text(values)}")
+        yield Members(
+            list(zip(claims, said)),
+            list(np.linalg.eigvals(loop)),
+            fits,
+            lambda number: (
+                f"{number_text(number[1])} is no eigenvalue of the matrix of the "
+                f"errors{where_text(values)}: no error is "
+                "multiplied by it"
+            ),
+            lambda *_: (
+                f"an error decays by a mode that your answer does not name{where_text(values)}"
+            ),
+        )
     return "these are the modes by which errors of the steady filter decay"
 
 
 def _definite(covariance, values, size):
-    """The values with those on the diagonal so large that the matrix of symbols is positive definite, times `size`."""
+    """The values with those on the diagonal so large that the matrix of symbols is positive
+    definite, times `size`."""
     rows = covariance.subs(values)
     definite = rows + sp.diag(*[sum(map(abs, rows[k, :])) - rows[k, k] for k in range(rows.rows)])
     return values | dict(zip(covariance, size * definite))
 
 
 def _measured(process, measured, at, claim, parameters, given):
-    """(process, values, measured, at) at numbers; at more of them for a formula in the time asked for."""
+    """(process, values, measured, at) at numbers; at more of them for a formula in the time asked
+    for."""
     count = COUNT * (1 + bool(sp.sympify(at).free_symbols))
     for values in in_every_case(allowed_values(parameters, given, count), claim, given):
-        known = [(time, [float(sp.sympify(z).subs(values)) for z in np.atleast_1d(np.array(value, dtype=object))])
-                 for moment, value in measured for time in _times(sp.sympify(moment).subs(values))]
+        known = [
+            (
+                time,
+                [
+                    float(sp.sympify(z).subs(values))
+                    for z in np.atleast_1d(np.array(value, dtype=object))
+                ],
+            )
+            for moment, value in measured
+            for time in _times(sp.sympify(moment).subs(values))
+        ]
         yield processes.numbers(process, values), values, known, sp.sympify(at).subs(values)
 
 
@@ -184,4 +277,6 @@ def _size(known):
 
 
 def _other(whose, values):
-    return lambda said, i, j: f"the covariance of {whose} is another one{where_text(values)}: {entry_text(said, i, j)}"
+    return lambda said, i, j: (
+        f"the covariance of {whose} is another one{where_text(values)}: {entry_text(said, i, j)}"
+    )

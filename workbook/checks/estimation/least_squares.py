@@ -1,8 +1,9 @@
-"""Estimates by least squares: at the estimate the weighted sum of the squared residuals is the least.
+"""Estimates by least squares: at the estimate the weighted sum of the squared residuals is the
+least.
 
-Measurements are [(quantity, measured value), ...], the quantities linear in the unknowns; `deviations` are the standard
-deviations of their errors, without which all are 1 and independent. A third entry, (quantity, value, count), stands for
-so many measurements with this value.
+Measurements are [(quantity, measured value), ...], the quantities linear in the unknowns;
+`deviations` are the standard deviations of their errors, without which all are 1 and independent. A
+third entry, (quantity, value, count), stands for so many measurements with this value.
 """
 
 import numpy as np
@@ -22,15 +23,21 @@ def least_squares(claims, measured, unknowns, deviations=None, parameters=()):
     """The estimate of the unknowns, in their order."""
     for values in in_every_case(general_values(parameters), claims):
         rows, wanted = _weighted(measured, unknowns, deviations, values)
-        true, said = np.linalg.lstsq(rows, wanted, rcond=None)[0], numbers_at(claims, values, unknowns)
+        true, said = (
+            np.linalg.lstsq(rows, wanted, rcond=None)[0],
+            numbers_at(claims, values, unknowns),
+        )
         uncertain = [uncertain_at(claim, values) for claim in claims]
         if not same(said, true, claims, abs(true).max(), uncertain=uncertain).all():
             residuals = wanted - rows @ said.real
             slopes = rows.T @ residuals
             k = int(np.argmax(abs(slopes)))
-            raise Wrong(f"the weighted sum of the squared residuals is {number_text(residuals @ residuals)} at your "
-                        f"estimate{where_text(values)}, and it falls when {unknowns[k]} alone is made "
-                        f"{'larger' if slopes[k] > 0 else 'smaller'}")
+            raise Wrong(
+                "the weighted sum of the squared residuals is "
+                f"{number_text(residuals @ residuals)} at your "
+                f"estimate{where_text(values)}, and it falls when {unknowns[k]} alone is made "
+                f"{'larger' if slopes[k] > 0 else 'smaller'}"
+            )
     return "no other values have a smaller weighted sum of squared residuals"
 
 
@@ -49,11 +56,20 @@ def error_covariance(claim, measured, unknowns, deviations=None, parameters=()):
     """The covariance matrix of the errors of the estimate."""
     for values in in_every_case(general_values(parameters), claim):
         rows, _ = _weighted(measured, unknowns, deviations, values)
-        # Each estimate is a sum of measurements, whose weighted errors are independent with the variance 1.
+        # Each estimate is a sum of measurements, whose weighted errors are independent with the
+        # variance 1.
         shares = np.linalg.pinv(rows)
-        yield Entries(claim, shares @ shares.T, lambda said, i, j: (
-            f"the entry ({i + 1}, {j + 1}) of your matrix is {number_text(said[i, j])}{where_text(values)}; the errors "
-            "of the measurements, taken through the estimate, give another one"), values, abs(shares) @ abs(shares).T)
+        yield Entries(
+            claim,
+            shares @ shares.T,
+            lambda said, i, j: (
+                f"the entry ({i + 1}, {j + 1}) of your matrix is "
+                f"{number_text(said[i, j])}{where_text(values)}; the errors "
+                "of the measurements, taken through the estimate, give another one"
+            ),
+            values,
+            abs(shares) @ abs(shares).T,
+        )
     return "so the errors of the measurements pass into the estimate"
 
 
@@ -63,7 +79,11 @@ def _weighted(measured, unknowns, deviations, values):
     rest = quantities.subs(dict.fromkeys(unknowns, 0))
     wanted = sp.Matrix([value for _, value, *_ in measured]) - rest
     counts = [sp.sqrt(*count) if count else 1 for _, _, *count in measured]
-    scale = sp.diag(*[count / sp.sympify(s) for count, s in zip(counts, deviations or [1] * len(measured))])
-    rows, wanted = (np.array((scale * part).subs(values).evalf(30), dtype=float)
-                    for part in (quantities.jacobian(unknowns), wanted))
+    scale = sp.diag(
+        *[count / sp.sympify(s) for count, s in zip(counts, deviations or [1] * len(measured))]
+    )
+    rows, wanted = (
+        np.array((scale * part).subs(values).evalf(30), dtype=float)
+        for part in (quantities.jacobian(unknowns), wanted)
+    )
     return rows, wanted[:, 0]

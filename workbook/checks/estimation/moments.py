@@ -1,7 +1,9 @@
-"""Means, covariances and correlations of quantities made of a random vector, from what is known of it.
+"""Means, covariances and correlations of quantities made of a random vector, from what is known of
+it.
 
-Known is either the covariance matrix of the vector, and the quantities are linear in it, or the probabilities of all
-its values, {value: probability}, and the quantities may be any functions of it.
+Known is either the covariance matrix of the vector, and the quantities are linear in it, or the
+probabilities of all its values, {value: probability}, and the quantities may be any functions of
+it.
 """
 
 import functools
@@ -28,15 +30,29 @@ def expectations(claims, quantities, vector, law, parameters=()):
     return "each is the sum over all values, each with its probability"
 
 
-@judged(Matrix("parameters", shape=lambda data: (len(_several(data["first"])), len(_several(data["second"])))))
+@judged(
+    Matrix(
+        "parameters",
+        shape=lambda data: (len(_several(data["first"])), len(_several(data["second"]))),
+    )
+)
 def covariance(claim, first, second, vector, law, parameters=()):
-    """The covariance of two quantities; of two lists of them the matrix of the covariances of each of the first with
-    each of the second."""
+    """The covariance of two quantities; of two lists of them the matrix of the covariances of each
+    of the first with each of the second."""
     rows, columns = _several(first), _several(second)
     for values in in_every_case(general_values(parameters), claim):
-        found, size = (part[:len(rows), len(rows):] for part in _covariances([*rows, *columns], vector, law, values))
+        found, size = (
+            part[: len(rows), len(rows) :]
+            for part in _covariances([*rows, *columns], vector, law, values)
+        )
         for i, j in np.ndindex(claim.shape):
-            yield Same(claim[i, j], found[i, j], f"the covariance of {rows[i]} and {columns[j]}", values, size[i, j])
+            yield Same(
+                claim[i, j],
+                found[i, j],
+                f"the covariance of {rows[i]} and {columns[j]}",
+                values,
+                size[i, j],
+            )
     return "it is the mean of the product of the deviations from the means"
 
 
@@ -45,13 +61,19 @@ def correlation(claim, first, second, vector, law, parameters=()):
     """The correlation coefficient of two quantities."""
     for values in in_every_case(general_values(parameters), claim):
         found, _ = _covariances([first, second], vector, law, values)
-        yield Same(claim, found[0, 1] / np.sqrt(found[0, 0] * found[1, 1]), "the correlation coefficient", values)
+        yield Same(
+            claim,
+            found[0, 1] / np.sqrt(found[0, 0] * found[1, 1]),
+            "the correlation coefficient",
+            values,
+        )
     return "it is the covariance as a share of what it could be at most"
 
 
 @judged(Values(expected="a list of angles"))
 def uncorrelated(claims, first, second, vector, law, angle):
-    """All angles from 0 to pi, without pi itself, at which two quantities, linear in the vector, are not correlated."""
+    """All angles from 0 to pi, without pi itself, at which two quantities, linear in the vector,
+    are not correlated."""
     rows = [sp.Matrix([quantity]).jacobian(vector) for quantity in (first, second)]
     crossed = (rows[0] * sp.Matrix(law) * rows[1].T)[0]
     said = [(claim, value_at(claim, {}, "an angle")) for claim in claims]
@@ -59,19 +81,30 @@ def uncorrelated(claims, first, second, vector, law, angle):
 
     def stranger(one):
         there = complex(crossed.subs(angle, one[1])).real
-        return (f"at {number_text(one[1])} the covariance is {number_text(there)}" if abs(there) > EXACT else
-                f"{number_text(one[1])} does not lie between 0 and pi")
+        return (
+            f"at {number_text(one[1])} the covariance is {number_text(there)}"
+            if abs(there) > EXACT
+            else f"{number_text(one[1])} does not lie between 0 and pi"
+        )
 
-    yield Members(said, true, lambda one, other: same(one[1], other, one[0]), stranger,
-                  lambda count, others: "there is another angle at which the covariance vanishes")
+    yield Members(
+        said,
+        true,
+        lambda one, other: same(one[1], other, one[0]),
+        stranger,
+        lambda count, others: "there is another angle at which the covariance vanishes",
+    )
     exact = all(sp.simplify(crossed.subs(angle, claim)) == 0 for claim in claims)
     return f"there the covariance vanishes, and nowhere else: {'proved' if exact else 'to the digits computed'}"
 
 
 @functools.lru_cache(maxsize=16)
 def _zeros(expression, angle):
-    """The angles from 0 to pi, without pi, at which an expression of the data vanishes: kept for all verdicts."""
-    return tuple(float(zero) for zero in sp.solveset(expression, angle, sp.Interval.Ropen(0, sp.pi)))
+    """The angles from 0 to pi, without pi, at which an expression of the data vanishes: kept for
+    all verdicts."""
+    return tuple(
+        float(zero) for zero in sp.solveset(expression, angle, sp.Interval.Ropen(0, sp.pi))
+    )
 
 
 def _several(quantities):
@@ -79,8 +112,10 @@ def _several(quantities):
 
 
 def _mean(quantity, vector, law, values):
-    terms = [complex(sp.sympify(p * quantity.subs(dict(zip(vector, _entries(at))))).subs(values)).real
-             for at, p in law.items()]
+    terms = [
+        complex(sp.sympify(p * quantity.subs(dict(zip(vector, _entries(at))))).subs(values)).real
+        for at, p in law.items()
+    ]
     return sum(terms), sum(map(abs, terms))
 
 
@@ -91,8 +126,10 @@ def _covariances(quantities, vector, law, values):
         matrix = np.array(sp.Matrix(law).subs(values), dtype=float)
         return rows @ matrix @ rows.T, abs(rows) @ abs(matrix) @ abs(rows).T
     means = [_mean(sp.sympify(q), vector, law, values)[0] for q in quantities]
-    pairs = [[_mean((q - a) * (r - b), vector, law, values) for r, b in zip(quantities, means)]
-             for q, a in zip(quantities, means)]
+    pairs = [
+        [_mean((q - a) * (r - b), vector, law, values) for r, b in zip(quantities, means)]
+        for q, a in zip(quantities, means)
+    ]
     return tuple(np.array([[pair[k] for pair in row] for row in pairs]) for k in (0, 1))
 
 

@@ -1,7 +1,9 @@
-"""Moments of a linear process in the course of time: the mean, the covariance, and what they settle to.
+"""Moments of a linear process in the course of time: the mean, the covariance, and what they settle
+to.
 
-The truth comes at numbers from the exponential of a block matrix (`truths/processes.py`), for times and parameters of
-all sizes; where a covariance settles, and whether it rises, from the signs of determinants.
+The truth comes at numbers from the exponential of a block matrix (`truths/processes.py`), for times
+and parameters of all sizes; where a covariance settles, and whether it rises, from the signs of
+determinants.
 """
 
 import itertools
@@ -29,19 +31,36 @@ LATEST = 1000
 
 @judged(Laid("start", "noises", "parameters", shape=processes.shape_of("mean")))
 def state_by_noise(claim, process, start, noises, parameters=(), given=sp.true):
-    """The state of a process in discrete time after as many steps as there are noises, a column in the symbols of its
-    start and of the noises; of a single coordinate an expression."""
-    columns = [sp.Matrix(list(column) if isinstance(column, (list, tuple)) else [column])
-               for column in (start, *noises)]
-    symbols = list(dict.fromkeys(s for column in columns for s in sorted(column.free_symbols, key=str)))
-    for values in in_every_case(allowed_values([*parameters, *symbols], given, len(TIMES)), claim, given):
-        A, (true, *added) = processes.array(process.A, values), [processes.array(c, values) for c in columns]
+    """The state of a process in discrete time after as many steps as there are noises, a column in
+    the symbols of its start and of the noises; of a single coordinate an expression."""
+    columns = [
+        sp.Matrix(list(column) if isinstance(column, (list, tuple)) else [column])
+        for column in (start, *noises)
+    ]
+    symbols = list(
+        dict.fromkeys(s for column in columns for s in sorted(column.free_symbols, key=str))
+    )
+    for values in in_every_case(
+        allowed_values([*parameters, *symbols], given, len(TIMES)), claim, given
+    ):
+        A, (true, *added) = (
+            processes.array(process.A, values),
+            [processes.array(c, values) for c in columns],
+        )
         size = abs(true)
         for noise in added:
             true, size = A @ true + noise, abs(A) @ size + abs(noise)
-        yield Entries(claim, true, lambda said, i, j: (
-            f"with the start and the noises{where_text(values)} the steps, one after the other, lead to another state: "
-            f"look at component {i + 1}, where yours is {number_text(said[i, 0])}"), values, size)
+        yield Entries(
+            claim,
+            true,
+            lambda said, i, j: (
+                f"with the start and the noises{where_text(values)} the steps, one after the "
+                "other, lead to another state: "
+                f"look at component {i + 1}, where yours is {number_text(said[i, 0])}"
+            ),
+            values,
+            size,
+        )
     return "the steps, one after the other, lead to this state"
 
 
@@ -66,9 +85,13 @@ def covariance_motion(claim, process, time, parameters=(), given=sp.true, times=
     for one, values in _in_time(process, time, claim, parameters, given, times):
         F, N = processes.moved(one, values[time])
         # At the start too terms may cancel that are as large as the noise makes them soon.
-        soon = N if values[time] else processes.moved(one, STEPS[1] if one.discrete else TIMES[1])[1]
+        soon = (
+            N if values[time] else processes.moved(one, STEPS[1] if one.discrete else TIMES[1])[1]
+        )
         size = abs(F) @ abs(one.covariance) @ abs(F).T + abs(soon)
-        yield Entries(claim, F @ one.covariance @ F.T + N, _told("covariance", values), values, size.max())
+        yield Entries(
+            claim, F @ one.covariance @ F.T + N, _told("covariance", values), values, size.max()
+        )
     return "it is the covariance at all times and parameters tried"
 
 
@@ -91,36 +114,52 @@ def correlation_motion(claim, process, time, of, parameters=(), given=sp.true, t
 
 @judged(Expressions("parameters", length=3))
 def shaping_equation(claims, process, parameters=(), given=sp.true):
-    """[a, Q, D] of the equation w' = a w + q, with the intensity Q of q and the variance D of w(0), that makes the
-    noise of a `Coloured` process."""
+    """[a, Q, D] of the equation w' = a w + q, with the intensity Q of q and the variance D of w(0),
+    that makes the noise of a `Coloured` process."""
     for values in in_every_case(allowed_values(parameters, given, len(TIMES)), claims, given):
         D, a = (float(part.subs(values)) for part in processes.variance_and_rate(process))
-        for claim, true, what in zip(claims, (-a, 2 * a * D, D), (
-                "the coefficient", "the intensity", "the variance at the start")):
-            yield Same(claim, true, f"{what} of the equation that keeps the given correlation", values,
-                       max(a, a * D, D))
+        for claim, true, what in zip(
+            claims,
+            (-a, 2 * a * D, D),
+            ("the coefficient", "the intensity", "the variance at the start"),
+        ):
+            yield Same(
+                claim,
+                true,
+                f"{what} of the equation that keeps the given correlation",
+                values,
+                max(a, a * D, D),
+            )
     return "what it makes has the given correlation at all times"
 
 
 @judged(Matrix("parameters", shape=processes.shape_of("A")))
 def settled_covariance(claim, process, parameters=(), given=sp.true):
-    """The covariance matrix that the process settles to, whatever it is at the start, for those parameters with which
-    it does."""
+    """The covariance matrix that the process settles to, whatever it is at the start, for those
+    parameters with which it does."""
     process = processes.plain(process)
     settling = sp.And(joined(given), decays(process.A, process.discrete))
     for values in in_every_case(allowed_values(parameters, settling, len(TIMES)), claim, settling):
         one = processes.numbers(process, values, start=False)
         true = processes.settled(one)
-        yield Entries(claim, true, lambda said, i, j: (
-            f"a process that had your covariance would not keep it{where_text(values)}: by the dispersion equation it "
-            f"changes; {entry_text(said, i, j)}"), values, abs(true).max())
+        yield Entries(
+            claim,
+            true,
+            lambda said, i, j: (
+                f"a process that had your covariance would not keep it{where_text(values)}: by the "
+                "dispersion equation it "
+                f"changes; {entry_text(said, i, j)}"
+            ),
+            values,
+            abs(true).max(),
+        )
     return "the process keeps this covariance, and comes to it from any other"
 
 
 @judged(Values("parameters", expected="a list or a set of exponents"))
 def covariance_exponents(claims, process, parameters=(), given=sp.true):
-    """The different l with e^(l t), in discrete time with l^k, in the covariance of a process that starts anywhere;
-    what the noise makes it keep is not counted."""
+    """The different l with e^(l t), in discrete time with l^k, in the covariance of a process that
+    starts anywhere; what the noise makes it keep is not counted."""
     process = processes.plain(process)
     for values in in_every_case(allowed_values(parameters, given, len(TIMES)), claims, given):
         modes = np.linalg.eigvals(processes.array(process.A, values))
@@ -132,16 +171,26 @@ def covariance_exponents(claims, process, parameters=(), given=sp.true):
         def fits(number, other):
             return same(number[1], other, number[0], size, REPEATED)
 
-        yield Members(list(zip(claims, said)), true, fits, lambda number: (
-            f"no part of the covariance changes with the exponent {number_text(number[1])}{where_text(values)}"),
-            lambda *_: f"a part of the covariance changes with an exponent that your answer does not name"
-            f"{where_text(values)}")
+        yield Members(
+            list(zip(claims, said)),
+            true,
+            fits,
+            lambda number: (
+                "no part of the covariance changes with the exponent "
+                f"{number_text(number[1])}{where_text(values)}"
+            ),
+            lambda *_: (
+                f"a part of the covariance changes with an exponent that your answer does not name"
+                f"{where_text(values)}"
+            ),
+        )
     return "each part of the covariance changes with one of them"
 
 
 @judged
 def settling_region(answer, process, parameters, given=sp.true):
-    """The parameters for which the covariance of the process settles to one matrix, whatever it is at the start."""
+    """The parameters for which the covariance of the process settles to one matrix, whatever it is
+    at the start."""
     process = processes.plain(process)
 
     def told(values):
@@ -150,27 +199,33 @@ def settling_region(answer, process, parameters, given=sp.true):
             return f"the largest modulus of an eigenvalue is {abs(modes).max():.4g} there"
         return f"the largest real part of an eigenvalue is {modes.real.max():.4g} there"
 
-    agreement = compare(answer, parameters, exactly(decays(process.A, process.discrete), given), contrary(told))
+    agreement = compare(
+        answer, parameters, exactly(decays(process.A, process.discrete), given), contrary(told)
+    )
     return f"there and nowhere else what is known of the start is forgotten: {agreement}"
 
 
 @judged
 def covariance_rises(answer, process, parameters, given=sp.true):
-    """The condition on the parameters under which the variance of every combination of the coordinates rises all the
-    time; of a single coordinate: under which its variance does.
+    """The condition on the parameters under which the variance of every combination of the
+    coordinates rises all the time; of a single coordinate: under which its variance does.
 
     The rate of change D(0) decides, as D(t) = F D(0) F^T with the transition matrix F.
     """
     process = processes.plain(process)
     A, P = sp.Matrix(process.A), sp.Matrix(process.covariance)
-    rate = A*P*A.T + process.Q - P if process.discrete else A*P + P*A.T + process.Q
+    rate = A * P * A.T + process.Q - P if process.discrete else A * P + P * A.T + process.Q
     minors = [sp.factor(rate[:k, :k].det()) for k in range(1, A.rows + 1)]
-    rises = sp.And(*(minor > 0 for minor in minors), sp.Ne(A.det(), 0) if process.discrete else sp.true)
+    rises = sp.And(
+        *(minor > 0 for minor in minors), sp.Ne(A.det(), 0) if process.discrete else sp.true
+    )
 
     def told(values):
         at = sp.Matrix(rate.subs(values))
         if at.rows == 1:
-            return f"from the start on the variance changes at the rate {number_text(complex(at[0]))}"
+            return (
+                f"from the start on the variance changes at the rate {number_text(complex(at[0]))}"
+            )
         return f"there the variances change at the rates {', '.join(map(str, at.diagonal()))} at the start"
 
     agreement = compare(answer, parameters, exactly(rises, joined(given)), contrary(told))
@@ -178,13 +233,19 @@ def covariance_rises(answer, process, parameters, given=sp.true):
 
 
 def _in_time(process, time, claim, parameters, given, times):
-    asked = sp.Or(*(sp.Eq(time, moment) for moment in times)) if times else sp.And(time >= 0, time <= LATEST)
+    asked = (
+        sp.Or(*(sp.Eq(time, moment) for moment in times))
+        if times
+        else sp.And(time >= 0, time <= LATEST)
+    )
     times = times or (STEPS if processes.plain(process).discrete else TIMES)
     samples = allowed_values(parameters, given, max(len(times), len(TIMES)))
     # However few the times are, the parameters get as many values as elsewhere.
     count = max(len(times), len(samples))
-    samples = [values | {time: sp.sympify(moment)} for moment, values, _ in zip(
-        itertools.cycle(times), itertools.cycle(samples), range(count))]
+    samples = [
+        values | {time: sp.sympify(moment)}
+        for moment, values, _ in zip(itertools.cycle(times), itertools.cycle(samples), range(count))
+    ]
     for values in in_every_case(samples, claim, sp.And(joined(given), asked)):
         yield processes.numbers(process, values), values
 
@@ -192,7 +253,9 @@ def _in_time(process, time, claim, parameters, given, times):
 def _told(what, values):
     def told(said, i, j):
         if list(values.values())[-1] == 0:
-            return f"at the start the {what} is given, and it is another one: {entry_text(said, i, j)}"
+            return (
+                f"at the start the {what} is given, and it is another one: {entry_text(said, i, j)}"
+            )
         return f"the {what}{where_text(values)} is another one: {entry_text(said, i, j)}"
 
     return told

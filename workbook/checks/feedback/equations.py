@@ -1,9 +1,11 @@
-"""One equation of any order with one control and one output, a record `workbook.systems.Scalar`: its state forms y' =
-Ay + Bu, x = Cy, z = Hy, and feedback by the estimate of such a state, which is the student's own.
+"""One equation of any order with one control and one output, a record `workbook.systems.Scalar`:
+its state forms y' = Ay + Bu, x = Cy, z = Hy, and feedback by the estimate of such a state, which is
+the student's own.
 
-By such a form x^(k) = C A^k y + sum over j < k of C A^(k-1-j) B u^(j), and y, u, u', ... may have any values at one
-moment. It is right if these satisfy the equation and give z, and if x, x', ..., x^(n-1) tell y: then the equation and
-the form have the same motions. A form with the right transfer function alone need not have all of them.
+By such a form x^(k) = C A^k y + sum over j < k of C A^(k-1-j) B u^(j), and y, u, u', ... may have
+any values at one moment. It is right if these satisfy the equation and give z, and if x, x', ...,
+x^(n-1) tell y: then the equation and the form have the same motions. A form with the right transfer
+function alone need not have all of them.
 """
 
 import numpy as np
@@ -21,32 +23,41 @@ from workbook.checks.truths.pairs import pair_of
 
 
 class StateForm(Claim):
-    """A list of matrices named A, B, C, ... of one state space: A is square, a name in ROWS a row, another a column."""
+    """A list of matrices named A, B, C, ... of one state space: A is square, a name in ROWS a row,
+    another a column."""
 
     ROWS = "CHK"
 
     def read(self, answer, data):
         if not isinstance(answer, (list, tuple)) or len(answer) != len(self.names):
-            raise Invalid(f"expected a list of {len(self.names)} matrices, [{', '.join(self.names)}]")
+            raise Invalid(
+                f"expected a list of {len(self.names)} matrices, [{', '.join(self.names)}]"
+            )
         A = as_matrix(answer[0])
         if A.rows != A.cols:
             raise Invalid(f"expected a square matrix A, got the shape {A.shape}")
-        return [A, *(Laid.coerce(part, (), (1, A.rows) if name in self.ROWS else (A.rows, 1))
-                     for name, part in zip(self.names[1:], answer[1:]))]
+        return [
+            A,
+            *(
+                Laid.coerce(part, (), (1, A.rows) if name in self.ROWS else (A.rows, 1))
+                for name, part in zip(self.names[1:], answer[1:])
+            ),
+        ]
 
 
 @judged(StateForm("A", "B", "C", "H"))
 def state_form(claim, equation):
-    """A state form [A, B, C, H] of one equation, y' = Ay + Bu, x = Cy, z = Hy, of its order: in any coordinates, with
-    all motions x(t), z(t) of the equation and no others."""
+    """A state form [A, B, C, H] of one equation, y' = Ay + Bu, x = Cy, z = Hy, of its order: in any
+    coordinates, with all motions x(t), z(t) of the equation and no others."""
     yield from _comparisons(claim, equation)
     return "its motions are those of the equation, all of them, and z is what is measured"
 
 
 @judged(StateForm("A", "B", "C", "H", "K", "L"))
 def equation_gains(claim, equation):
-    """A state form as in `state_form` with the gains of u = K e, e' = Ae + Bu + L(z - He): the list [A, B, C, H, K, L].
-    They stabilise, and where a mode that no gain changes bounds the margin, with the greatest one."""
+    """A state form as in `state_form` with the gains of u = K e, e' = Ae + Bu + L(z - He): the list
+    [A, B, C, H, K, L]. They stabilise, and where a mode that no gain changes bounds the margin,
+    with the greatest one."""
     *form, K, L = claim
     A, B, _, H = form
     yield from _comparisons(form, equation)
@@ -54,8 +65,8 @@ def equation_gains(claim, equation):
     if greatest is not None and greatest <= 0:
         raise ValueError("no feedback stabilises this equation")
     requirement = Requirement(margin=greatest or 0)
-    requirement.hold(lambda gain: A + B*gain, K, "the matrix A + BK of the loop")
-    told = requirement.hold(lambda gain: A - gain*H, L, "the matrix A - LH of the errors")
+    requirement.hold(lambda gain: A + B * gain, K, "the matrix A + BK of the loop")
+    told = requirement.hold(lambda gain: A - gain * H, L, "the matrix A - LH of the errors")
     return f"{told}, and so do those of A + BK"
 
 
@@ -66,17 +77,25 @@ def _comparisons(form, equation):
         raise Wrong("an entry of your form is not real")
     A, B, C, H = (part.real for part in parts)
     if len(A) != n:
-        raise Wrong(f"the equation is of order {n}: so many initial values, of x, x', ..., can be chosen; "
-                    f"your form has {len(A)}")
-    left, right, measured = (np.array([*map(float, row), *[0.0]*(n + 1 - len(row))]) for row in equation.coefficients)
+        raise Wrong(
+            f"the equation is of order {n}: so many initial values, of x, x', ..., can be chosen; "
+            f"your form has {len(A)}"
+        )
+    left, right, measured = (
+        np.array([*map(float, row), *[0.0] * (n + 1 - len(row))]) for row in equation.coefficients
+    )
 
     def motions(A, B, C):
         """Row k: how x^(k) depends on y, and how on u, u', ..."""
         on_state = [C]
         while len(on_state) <= n:
             on_state.append(on_state[-1] @ A)
-        return np.vstack(on_state), np.array([[(on_state[k - 1 - j] @ B)[0, 0] if j < k else 0.0 for j in range(n)]
-                                              for k in range(n + 1)])
+        return np.vstack(on_state), np.array(
+            [
+                [(on_state[k - 1 - j] @ B)[0, 0] if j < k else 0.0 for j in range(n)]
+                for k in range(n + 1)
+            ]
+        )
 
     def sides(A, B, C, H):
         on_state, on_control = motions(A, B, C)
@@ -84,25 +103,62 @@ def _comparisons(form, equation):
 
     on_state, on_control = motions(A, B, C)
     found = left @ on_state, left @ on_control, measured @ on_state
-    sizes = abs(left) @ abs(on_state), abs(left) @ abs(on_control), abs(measured) @ abs(on_state) + abs(H[0])
+    sizes = (
+        abs(left) @ abs(on_state),
+        abs(left) @ abs(on_control),
+        abs(measured) @ abs(on_state) + abs(H[0]),
+    )
     here = sides(A, B, C, H)
-    others = [sides(*other) for other in moved((A, B, C, H), [uncertain_entries(part, {}) for part in form])]
-    allowed = [EXACT*(max(size) + extra) + sum(abs(other[k] - here[k]) for other in others)
-               for k, (size, extra) in enumerate(zip(sizes, (0, max(abs(right)), 0)))]
-    yield Follows(found[0], 0, allowed[0], lambda place: (
-        f"the motion of your form without control from y{place[0] + 1} = 1, the others zero, does not satisfy the "
-        f"equation: its left-hand side begins with {number_text(found[0][place])}"), 1)
-    yield Follows(found[1], right[:-1], allowed[1], lambda place: (
-        f"from rest your form does not satisfy the equation: u{_primes(place[0])} enters its left-hand side with the "
-        f"coefficient {number_text(found[1][place])}, its right-hand side with {number_text(right[place])}"), 1)
+    others = [
+        sides(*other)
+        for other in moved((A, B, C, H), [uncertain_entries(part, {}) for part in form])
+    ]
+    allowed = [
+        EXACT * (max(size) + extra) + sum(abs(other[k] - here[k]) for other in others)
+        for k, (size, extra) in enumerate(zip(sizes, (0, max(abs(right)), 0)))
+    ]
+    yield Follows(
+        found[0],
+        0,
+        allowed[0],
+        lambda place: (
+            f"the motion of your form without control from y{place[0] + 1} = 1, the others zero, "
+            "does not satisfy the "
+            f"equation: its left-hand side begins with {number_text(found[0][place])}"
+        ),
+        1,
+    )
+    yield Follows(
+        found[1],
+        right[:-1],
+        allowed[1],
+        lambda place: (
+            f"from rest your form does not satisfy the equation: u{_primes(place[0])} enters its "
+            "left-hand side with the "
+            f"coefficient {number_text(found[1][place])}, its right-hand side with "
+            f"{number_text(right[place])}"
+        ),
+        1,
+    )
     if pair_of(form[0], form[2]).unseen[0]:
-        raise Wrong("your form satisfies the equation, but does not have all its motions: x = Cy stays zero from some "
-                    "states other than zero, so that fewer initial values of x, x', ... can be chosen than the "
-                    "equation allows")
-    yield Follows(H[0], found[2], allowed[2], lambda place: (
-        f"z is not what is measured: at y{place[0] + 1} = 1, the others zero, your row H gives "
-        f"{number_text(H[0][place])}, and x and its derivatives {number_text(found[2][place])}"), 1)
+        raise Wrong(
+            "your form satisfies the equation, but does not have all its motions: x = Cy stays "
+            "zero from some "
+            "states other than zero, so that fewer initial values of x, x', ... can be chosen than "
+            "the "
+            "equation allows"
+        )
+    yield Follows(
+        H[0],
+        found[2],
+        allowed[2],
+        lambda place: (
+            f"z is not what is measured: at y{place[0] + 1} = 1, the others zero, your row H gives "
+            f"{number_text(H[0][place])}, and x and its derivatives {number_text(found[2][place])}"
+        ),
+        1,
+    )
 
 
 def _primes(order):
-    return "'"*order if order < 4 else f"^({order})"
+    return "'" * order if order < 4 else f"^({order})"

@@ -1,7 +1,8 @@
 """Gains that hold a nonlinear system at its equilibria, for each equilibrium its own.
 
-The first approximation decides. Where it is silent under every gain, since an eigenvalue that none changes lies on the
-imaginary axis, motions that start close to the equilibrium do, as they do for `zero_stability`.
+The first approximation decides. Where it is silent under every gain, since an eigenvalue that none
+changes lies on the imaginary axis, motions that start close to the equilibrium do, as they do for
+`zero_stability`.
 """
 
 import functools
@@ -20,7 +21,8 @@ from workbook.checks.truths.near_rest import by_motions
 from workbook.checks.truths.pairs import pair_of
 from workbook.checks.truths.rest_points import rest_points
 
-#: Loops that are tried at an equilibrium that the first approximation leaves open, and how fast their movable part is.
+#: Loops that are tried at an equilibrium that the first approximation leaves open, and how fast
+#: their movable part is.
 TRIED, DECAY = 3, 0.3
 
 
@@ -28,20 +30,27 @@ class GainsAtPoints(Claim):
     """A list of pairs [point, K]; an empty list in the place of K is None."""
 
     def read(self, answer, data):
-        point, gain = Expressions(length="state"), Gain(shape=lambda d: (len(d["controls"]), len(d["state"])))
-        if not (isinstance(answer, (list, tuple)) and answer
-                and all(isinstance(pair, (list, tuple)) and len(pair) == 2 for pair in answer)):
+        point, gain = (
+            Expressions(length="state"),
+            Gain(shape=lambda d: (len(d["controls"]), len(d["state"]))),
+        )
+        if not (
+            isinstance(answer, (list, tuple))
+            and answer
+            and all(isinstance(pair, (list, tuple)) and len(pair) == 2 for pair in answer)
+        ):
             raise Invalid("expected a list of pairs [point, K], with [] for K where there is none")
         return [(point.read(where, data), gain.read(K, data)) for where, K in answer]
 
 
 @judged(GainsAtPoints())
 def rest_gains(claim, field, state, controls, domain=None, zeros=None):
-    """Pairs [y*, K] for all equilibria y* in the domain that need no control: the first approximation under
-    u = K (y - y*) is asymptotically stable; K is [] where no gain makes y* asymptotically stable.
+    """Pairs [y*, K] for all equilibria y* in the domain that need no control: the first
+    approximation under u = K (y - y*) is asymptotically stable; K is [] where no gain makes y*
+    asymptotically stable.
 
-    Where derivatives vanish at a point as well, `zeros` are functions that have the same zeros as the right-hand sides
-    without a control, all simple.
+    Where derivatives vanish at a point as well, `zeros` are functions that have the same zeros as
+    the right-hand sides without a control, all simple.
     """
     flow = known_field(tuple(field), (*state, *controls))
     at_rest = [sp.sympify(f).subs(dict.fromkeys(controls, 0)) for f in field]
@@ -54,9 +63,12 @@ def rest_gains(claim, field, state, controls, domain=None, zeros=None):
         if not here:
             if any(family.same(place.copy(), rest, written) for rest in rests):
                 raise Wrong(f"the point {point_text(place)} stands twice in your list")
-            rates = flow([*place, *[0.0]*len(controls)])
-            raise Wrong(f"your point {point_text(place)} is no equilibrium: without a control the right-hand sides are "
-                        f"{point_text(np.where(abs(rates) > 1e-12, rates, 0))} there")
+            rates = flow([*place, *[0.0] * len(controls)])
+            raise Wrong(
+                f"your point {point_text(place)} is no equilibrium: without a control the "
+                "right-hand sides are "
+                f"{point_text(np.where(abs(rates) > 1e-12, rates, 0))} there"
+            )
         rest = missed.pop(here[0])
         if gain is None:
             _hold_none(flow, state, rest)
@@ -72,12 +84,21 @@ def _hold(flow, state, rest, gain):
         raise Wrong(f"the gain for {point_text(rest)} is not real")
     A, B = _first_approximation(flow, state, rest)
     eigenvalues = np.linalg.eigvals(A + B @ gain.real)
-    stable, reason = max(eigenvalues.real) < -ON_BORDER, f"the loop has the eigenvalues {roots_text(eigenvalues)}"
-    if not stable and abs(max(eigenvalues.real)) <= ON_BORDER and abs(_slowest_fixed(A, B)) <= ON_BORDER:
+    stable, reason = (
+        max(eigenvalues.real) < -ON_BORDER,
+        f"the loop has the eigenvalues {roots_text(eigenvalues)}",
+    )
+    if (
+        not stable
+        and abs(max(eigenvalues.real)) <= ON_BORDER
+        and abs(_slowest_fixed(A, B)) <= ON_BORDER
+    ):
         found, reason = _by_motions(flow, tuple(state), tuple(rest), tuple(map(tuple, gain.real)))
         stable = found == "asymptotically stable"
     if not stable:
-        raise Wrong(f"with your gain the equilibrium {point_text(rest)} is not as required: {reason}")
+        raise Wrong(
+            f"with your gain the equilibrium {point_text(rest)} is not as required: {reason}"
+        )
 
 
 def _hold_none(flow, state, rest):
@@ -86,24 +107,33 @@ def _hold_none(flow, state, rest):
     if slowest > ON_BORDER:
         return
     if slowest < -ON_BORDER:
-        raise Wrong(f"some gain makes the equilibrium {point_text(rest)} asymptotically stable: no mode that stays the "
-                    "same forbids it")
+        raise Wrong(
+            f"some gain makes the equilibrium {point_text(rest)} asymptotically stable: no mode "
+            "that stays the "
+            "same forbids it"
+        )
     verdicts = {_by_motions(flow, tuple(state), tuple(rest), gain)[0] for gain in _tried(A, B)}
     if "asymptotically stable" in verdicts:
-        raise Wrong(f"some gain makes the equilibrium {point_text(rest)} asymptotically stable: motions that start "
-                    "close to it come back")
+        raise Wrong(
+            f"some gain makes the equilibrium {point_text(rest)} asymptotically stable: motions "
+            "that start "
+            "close to it come back"
+        )
 
 
 def _first_approximation(flow, state, rest):
     n = len(state)
-    matrix = flow.jacobian([*rest, *[0.0]*(len(flow.state) - n)])
-    matrix = np.where(abs(matrix) > 1e-12*max(np.linalg.norm(matrix), 1e-300), matrix, 0.0)
+    matrix = flow.jacobian([*rest, *[0.0] * (len(flow.state) - n)])
+    matrix = np.where(abs(matrix) > 1e-12 * max(np.linalg.norm(matrix), 1e-300), matrix, 0.0)
     return matrix[:, :n], matrix[:, n:]
 
 
 def _fixed(A, B):
     """The different eigenvalues that no gain changes."""
-    A, B = (sp.Matrix(*part.shape, [sp.Rational(str(round(x, 9))) for x in part.ravel()]) for part in (A, B))
+    A, B = (
+        sp.Matrix(*part.shape, [sp.Rational(str(round(x, 9))) for x in part.ravel()])
+        for part in (A, B)
+    )
     return fixed_eigenvalues(pair_of(A.T, B.T))[0]
 
 
@@ -112,10 +142,11 @@ def _slowest_fixed(A, B):
 
 
 def _tried(A, B):
-    """Some gains under which all eigenvalues but those that none changes have clearly negative real parts."""
+    """Some gains under which all eigenvalues but those that none changes have clearly negative real
+    parts."""
     random, found, fixed = np.random.default_rng(7), [], _fixed(A, B)
     for _ in range(2000):
-        gain = 3*random.normal(size=(B.shape[1], len(A)))
+        gain = 3 * random.normal(size=(B.shape[1], len(A)))
         movable = [z for z in np.linalg.eigvals(A + B @ gain) if not (abs(z - fixed) < 1e-6).any()]
         if max((z.real for z in movable), default=-np.inf) < -DECAY:
             found.append(tuple(map(tuple, gain)))
@@ -128,6 +159,6 @@ def _tried(A, B):
 def _by_motions(flow, state, rest, gain):
     """The verdict of motions on the deviations from an equilibrium, and what they show."""
     deviations = sp.Matrix(state)
-    values = dict(zip(flow.state[len(state):], sp.Matrix(gain)*deviations))
+    values = dict(zip(flow.state[len(state) :], sp.Matrix(gain) * deviations))
     values |= {x: x + place for x, place in zip(state, rest)}
     return by_motions(Field([f.subs(values, simultaneous=True) for f in flow.expressions], state))

@@ -1,8 +1,10 @@
-"""Gains, judged by the spectrum of the loop that they close: A - LH, A + BK, A + BKH, or both with an estimate.
+"""Gains, judged by the spectrum of the loop that they close: A - LH, A + BK, A + BKH, or both with
+an estimate.
 
-What is required is data: a characteristic polynomial, whose coefficients may be symbols, or a margin mu, Re lambda <=
--mu (for 0 asymptotic stability, Re lambda < 0), for all values of the parameters that their assumptions allow. Any
-gain that meets it is right. An empty list says that there is none, which is judged by the modes that no gain changes.
+What is required is data: a characteristic polynomial, whose coefficients may be symbols, or a
+margin mu, Re lambda <= -mu (for 0 asymptotic stability, Re lambda < 0), for all values of the
+parameters that their assumptions allow. Any gain that meets it is right. An empty list says that
+there is none, which is judged by the modes that no gain changes.
 """
 
 from dataclasses import dataclass
@@ -25,10 +27,13 @@ from workbook.systems import Linear, Scalar
 
 
 class Gain(Laid):
-    """A matrix of the `shape` given, a vector also lying down or upright; None for an empty list."""
+    """A matrix of the `shape` given, a vector also lying down or upright; None for an empty
+    list."""
 
     def read(self, answer, data):
-        return None if isinstance(answer, (list, tuple)) and not answer else super().read(answer, data)
+        return (
+            None if isinstance(answer, (list, tuple)) and not answer else super().read(answer, data)
+        )
 
 
 class Gains(Claim):
@@ -37,14 +42,20 @@ class Gains(Claim):
     def read(self, answer, data):
         if isinstance(answer, (list, tuple)) and not answer:
             return None
-        pair = Parts(*(Laid(*self.names, shape=lambda data, k=k: self.form["shapes"](data)[k]) for k in range(2)),
-                     expected="a list of two matrices, [K, L], or an empty list")
+        pair = Parts(
+            *(
+                Laid(*self.names, shape=lambda data, k=k: self.form["shapes"](data)[k])
+                for k in range(2)
+            ),
+            expected="a list of two matrices, [K, L], or an empty list",
+        )
         return pair.read(answer, data)
 
 
 @dataclass(frozen=True)
 class Requirement:
-    """What a spectrum has to be where the parameters are as `given`: `polynomial` in `symbol`, or else a `margin`."""
+    """What a spectrum has to be where the parameters are as `given`: `polynomial` in `symbol`, or
+    else a `margin`."""
 
     parameters: tuple = ()
     given: object = sp.true
@@ -59,14 +70,17 @@ class Requirement:
         (others, *_) = self.samples()
         for (values, _), fixed in zip(pair.samples, fixed_eigenvalues(pair)):
             coefficients = self._coefficients(others | values)
-            if any(abs(np.polyval(coefficients, root)) > 1e-7*np.polyval(abs(coefficients), abs(root))
-                   for root in fixed):
+            if any(
+                abs(np.polyval(coefficients, root))
+                > 1e-7 * np.polyval(abs(coefficients), abs(root))
+                for root in fixed
+            ):
                 return True
         return False
 
     def hold(self, loop, gain, what, by="your gain"):
-        """Raise `Wrong` unless the matrix `loop(gain)`, called `what` in a message, meets it; `by` is what the
-        student calls the answer."""
+        """Raise `Wrong` unless the matrix `loop(gain)`, called `what` in a message, meets it; `by`
+        is what the student calls the answer."""
         for values in in_every_case(self.samples(), gain, joined(self.given)):
             if abs(matrix_at(gain, values).imag).max(initial=0) > 0:
                 raise Wrong(f"with {by} {what} is not real{where_text(values)}")
@@ -84,7 +98,9 @@ class Requirement:
 
     def _coefficients(self, values):
         poly = sp.Poly(self.polynomial, self.symbol)
-        return np.array([complex(c.subs(values)) for c in poly.all_coeffs()])/complex(poly.LC().subs(values))
+        return np.array([complex(c.subs(values)) for c in poly.all_coeffs()]) / complex(
+            poly.LC().subs(values)
+        )
 
     def _hold_polynomial(self, loop, gain, what, by, values):
         def found(matrix):
@@ -95,8 +111,10 @@ class Requirement:
         said, true = found(there), self._coefficients(values)
         if len(said) != len(true):
             raise RuntimeError("the required polynomial has not the order of the loop")
-        size = np.linalg.norm(np.array(loop(gain).subs(values).evalf(30).tolist(), dtype=complex)) + 1
-        allowed = EXACT*np.maximum(abs(true), size**np.arange(len(true)))
+        size = (
+            np.linalg.norm(np.array(loop(gain).subs(values).evalf(30).tolist(), dtype=complex)) + 1
+        )
+        allowed = EXACT * np.maximum(abs(true), size ** np.arange(len(true)))
         if in_decimals(gain):
             # Every coefficient is linear in each entry: what its last digit may change.
             left_open = uncertain_entries(gain, values)
@@ -107,9 +125,11 @@ class Requirement:
         wrong = ~(abs(said - true) <= allowed)
         if wrong.any():
             k = int(np.argmax(wrong))
-            raise Wrong(f"with {by} the characteristic polynomial of {what} is not the one required"
-                        f"{where_text(values)}: the coefficient of {self.symbol}^{len(said) - 1 - k} is "
-                        f"{number_text(said[k] if abs(said[k]) > EXACT*size**k else 0)}")
+            raise Wrong(
+                f"with {by} the characteristic polynomial of {what} is not the one required"
+                f"{where_text(values)}: the coefficient of {self.symbol}^{len(said) - 1 - k} is "
+                f"{number_text(said[k] if abs(said[k]) > EXACT * size**k else 0)}"
+            )
 
     def _hold_margin(self, loop, gain, what, by):
         matrix, slack = loop(in_fractions(gain)), 0
@@ -127,32 +147,54 @@ class Requirement:
 
         if self.parameters:
             # A pole of an entry may cancel in the characteristic polynomial.
-            poles = sp.Or(*(sp.Eq(sp.fraction(sp.together(entry))[1], 0) for entry in in_fractions(gain)))
+            poles = sp.Or(
+                *(sp.Eq(sp.fraction(sp.together(entry))[1], 0) for entry in in_fractions(gain))
+            )
             compare(sp.true, self.parameters, exactly(sp.Not(poles), joined(self.given)), told)
-            inside, outside = (Case(sp.And(joined(self.given), case.condition), case.unknowns, case.every)
-                               for case, _ in spectrum.stability.cases)
-            truth = Truth((inside,), (outside,),
-                          lambda values: not undefined(values) and spectrum.is_stable(values) if self._asked(values)
-                          else None)
-            return (f"all eigenvalues of {what} lie where they have to: "
-                    f"{compare(sp.true, self.parameters, truth, told)}")
-        if not _largest_real_part(matrix) <= (slack - self.margin + EXACT if self.margin else -EXACT):
+            inside, outside = (
+                Case(sp.And(joined(self.given), case.condition), case.unknowns, case.every)
+                for case, _ in spectrum.stability.cases
+            )
+            truth = Truth(
+                (inside,),
+                (outside,),
+                lambda values: (
+                    not undefined(values) and spectrum.is_stable(values)
+                    if self._asked(values)
+                    else None
+                ),
+            )
+            return (
+                f"all eigenvalues of {what} lie where they have to: "
+                f"{compare(sp.true, self.parameters, truth, told)}"
+            )
+        if not _largest_real_part(matrix) <= (
+            slack - self.margin + EXACT if self.margin else -EXACT
+        ):
             raise Wrong(told({}, False))
         return f"all eigenvalues of {what} lie where they have to"
 
     def _slack(self, loop, gain):
         """By how much the decimals of a gain may shift the spectrum."""
+
         def rate(entries):
             return _largest_real_part(loop(sp.Matrix(*gain.shape, entries)))
 
         entries = list(in_fractions(gain))
-        moved = ([*entries[:k], entries[k]*(1 + side*sp.Rational(1, 200)), *entries[k + 1:]]
-                 for k in range(len(entries)) for side in (-1, 1))
-        return sp.Rational(sum(abs(rate(other) - rate(entries)) for other in moved)).limit_denominator(10**6)
+        moved = (
+            [*entries[:k], entries[k] * (1 + side * sp.Rational(1, 200)), *entries[k + 1 :]]
+            for k in range(len(entries))
+            for side in (-1, 1)
+        )
+        return sp.Rational(
+            sum(abs(rate(other) - rate(entries)) for other in moved)
+        ).limit_denominator(10**6)
 
 
 def in_fractions(gain):
-    return gain.applyfunc(lambda entry: sp.nsimplify(entry, rational=True) if entry.has(sp.Float) else entry)
+    return gain.applyfunc(
+        lambda entry: sp.nsimplify(entry, rational=True) if entry.has(sp.Float) else entry
+    )
 
 
 def _largest_real_part(matrix):
@@ -166,14 +208,20 @@ def _largest_real_part(matrix):
 def _judge(gain, loop, what, requirement, pair):
     if gain is None:
         if not requirement.impossible(pair):
-            raise Wrong("some gain makes the spectrum as required: no mode that stays the same forbids it")
+            raise Wrong(
+                "some gain makes the spectrum as required: no mode that stays the same forbids it"
+            )
         return "there is no such gain: a mode that no gain changes forbids it"
     # That no gain would do is the answer, and so it is not told.
     told = requirement.hold(loop, gain, what)
     if requirement.polynomial is not None:
         in_general = sp.true if pair is None or not pair.parameters else pair.in_general
-        judge_everywhere(gain, requirement.parameters, lambda: sp.And(joined(requirement.given), in_general),
-                         "an entry of your gain has no value")
+        judge_everywhere(
+            gain,
+            requirement.parameters,
+            lambda: sp.And(joined(requirement.given), in_general),
+            "an entry of your gain has no value",
+        )
     if pair is not None and requirement.impossible(pair):
         raise Wrong(f"with your gain the spectrum of {what} is not as required")
     return told
@@ -195,34 +243,40 @@ def _by_what_is_fed_back(data):
 def loop_of(system):
     """What a gain closes: (what spectrum decides, as a function of the gain, what it is called)."""
     if isinstance(system, Scalar):
-        return lambda k: sp.expand(system.left - k*system.right*system.measured), "the equation of the loop"
+        return lambda k: sp.expand(
+            system.left - k * system.right * system.measured
+        ), "the equation of the loop"
     A, B, H = system.A, system.B, system.H
     if not B:
-        return lambda L: A - L*H, "the matrix A - LH of the errors"
+        return lambda L: A - L * H, "the matrix A - LH of the errors"
     if not H:
-        return lambda K: A + B*K, "the matrix A + BK of the loop"
-    return lambda K: A + B*K*H, "the matrix A + BKH of the loop"
+        return lambda K: A + B * K, "the matrix A + BK of the loop"
+    return lambda K: A + B * K * H, "the matrix A + BKH of the loop"
 
 
 @judged(Gain("parameters", shape=_column))
-def observer_gain(gain, system, parameters=(), given=sp.true, margin=0, polynomial=None, symbol=None):
-    """A gain L of an observer, or an empty list if there is none: the spectrum of A - LH is as required. Of a system
-    `WithError` it belongs to the state with w below it.
+def observer_gain(
+    gain, system, parameters=(), given=sp.true, margin=0, polynomial=None, symbol=None
+):
+    """A gain L of an observer, or an empty list if there is none: the spectrum of A - LH is as
+    required. Of a system `WithError` it belongs to the state with w below it.
 
-    Required is the `margin` for all values of the parameters that are as `given`, or the `polynomial` in `symbol`,
-    whose coefficients are parameters.
+    Required is the `margin` for all values of the parameters that are as `given`, or the
+    `polynomial` in `symbol`, whose coefficients are parameters.
     """
     requirement = Requirement(tuple(parameters), given, margin, polynomial, symbol)
     return _judge(gain, *_watched(system, parameters, requirement))
 
 
 @judged(Gain("parameters", shape=_by_what_is_fed_back))
-def feedback_gain(gain, system, parameters=(), given=sp.true, margin=0, polynomial=None, symbol=None):
-    """A gain K of the feedback u = Kx, of a system with an output of the static feedback u = Kz, or an empty list if
-    there is none.
+def feedback_gain(
+    gain, system, parameters=(), given=sp.true, margin=0, polynomial=None, symbol=None
+):
+    """A gain K of the feedback u = Kx, of a system with an output of the static feedback u = Kz, or
+    an empty list if there is none.
 
-    The requirement is that of `observer_gain`, on A + BK or A + BKH. That no static feedback will do is decided as a
-    condition on the entries of K.
+    The requirement is that of `observer_gain`, on A + BK or A + BKH. That no static feedback will
+    do is decided as a condition on the entries of K.
     """
     requirement = Requirement(tuple(parameters), given, margin, polynomial, symbol)
     if not system.H:
@@ -235,13 +289,17 @@ def feedback_gain(gain, system, parameters=(), given=sp.true, margin=0, polynomi
 def _judge_none_static(system, requirement):
     """Without a gain at some values of the parameters there is none for all of them."""
     shape = system.B.cols, system.H.rows
-    entries = sp.symbols(f"k1:{shape[0]*shape[1] + 1}", real=True, cls=sp.Dummy)
+    entries = sp.symbols(f"k1:{shape[0] * shape[1] + 1}", real=True, cls=sp.Dummy)
     closed, found = loop_of(system)[0](sp.Matrix(*shape, entries)), None
     for values in requirement.samples():
         loop = closed.subs(values)
         try:
-            compare(sp.false, entries, Spectrum(loop, entries, requirement.margin).stability,
-                    lambda *_, where=where_text(values): f"there is a gain that does it{where}")
+            compare(
+                sp.false,
+                entries,
+                Spectrum(loop, entries, requirement.margin).stability,
+                lambda *_, where=where_text(values): f"there is a gain that does it{where}",
+            )
         except Wrong as wrong:
             found = wrong
         else:
@@ -251,10 +309,11 @@ def _judge_none_static(system, requirement):
 
 @judged(Gains("parameters", shapes=lambda data: [_by_state(data), _column(data)]))
 def estimate_gains(gains, system, parameters=(), given=sp.true, margin=0):
-    """The gains [K, L] of a feedback u = K e by the estimate e of an observer; an empty list if there are none.
+    """The gains [K, L] of a feedback u = K e by the estimate e of an observer; an empty list if
+    there are none.
 
-    Of a system `WithError` L belongs to the state with w below it. Required is the margin for all values of the
-    parameters, of the loop and of the errors.
+    Of a system `WithError` L belongs to the state with w below it. Required is the margin for all
+    values of the parameters, of the loop and of the errors.
     """
     requirement = Requirement(tuple(parameters), given, margin)
     parts = [_driven(system, parameters, requirement), _watched(system, parameters, requirement)]

@@ -1,5 +1,5 @@
-"""What gains can do at all: the region of those that stabilise, the margins that can be had, and what stands in the
-way.
+"""What gains can do at all: the region of those that stabilise, the margins that can be had, and
+what stands in the way.
 
 A margin mu is that of Definition 1.5, Re lambda <= -mu for all eigenvalues.
 """
@@ -29,8 +29,9 @@ from workbook.systems import Scalar
 
 @judged
 def gain_region(answer, system, gain, parameters, margin=0):
-    """The condition on `parameters` under which the `gain`, a matrix of symbols, serves: with a control u = Kx, or with
-    an output too u = Kz, stabilises the system; without one the errors of the observer decay, A - LH.
+    """The condition on `parameters` under which the `gain`, a matrix of symbols, serves: with a
+    control u = Kx, or with an output too u = Kz, stabilises the system; without one the errors of
+    the observer decay, A - LH.
 
     Of one equation, `Scalar`, u = `gain` z. With a margin its border counts either way.
     """
@@ -41,17 +42,21 @@ def gain_region(answer, system, gain, parameters, margin=0):
 
 @judged
 def possible_margins(answer, system, mu, parameters=()):
-    """The condition on mu > 0 under which the margin mu can be had; false if there is none at all: with an output alone
-    by some observer, with a control alone by some feedback u = Kx, with both, or for a `Scalar` equation of its full
-    order, by some feedback by an estimate, whose errors are included, and an error of the measurement if it has one.
+    """The condition on mu > 0 under which the margin mu can be had; false if there is none at all:
+    with an output alone by some observer, with a control alone by some feedback u = Kx, with both,
+    or for a `Scalar` equation of its full order, by some feedback by an estimate, whose errors are
+    included, and an error of the measurement if it has one.
 
-    With parameters the condition is on mu and these, so it also says for which values there is no margin.
+    With parameters the condition is on mu and these, so it also says for which values there is no
+    margin.
     """
     if isinstance(system, Scalar):
         what, truth = "feedback by an estimate", up_to(mu, common_margin(system))
     elif not parameters:
         what = "observer" if not system.B else "feedback by an estimate" if system.H else "feedback"
-        pairs = ([reached(system)] if system.B else []) + ([seen(augmented(system))] if system.H else [])
+        pairs = ([reached(system)] if system.B else []) + (
+            [seen(augmented(system))] if system.H else []
+        )
         truth = up_to(mu, *map(greatest_margin, pairs))
     else:
         what, one = ("feedback", system.dual) if by_control(system) else ("observer", system)
@@ -76,27 +81,44 @@ def compare_margins(answer, symbols, truth, what):
 
 @judged
 def observer_obstacle(answer, system, parameters=()):
-    """A motion that forbids an asymptotic observer, {lambda: v}: A v = lambda v, H v = 0, Re lambda >= 0; {} if none.
+    """A motion that forbids an asymptotic observer, {lambda: v}: A v = lambda v, H v = 0, Re lambda
+    >= 0; {} if none.
 
     With parameters: for all their values, zero too where it is allowed.
     """
     if not isinstance(answer, dict):
-        raise Invalid("expected a dictionary {lambda: v}, an empty one if nothing stands in the way")
+        raise Invalid(
+            "expected a dictionary {lambda: v}, an empty one if nothing stands in the way"
+        )
     A, H, pair = system.A, system.H, seen(system, parameters)
-    claims = {coercion.as_expression(value, parameters): sp.Matrix(coercion.as_expressions(vector, parameters, A.rows))
-              for value, vector in answer.items()}
+    claims = {
+        coercion.as_expression(value, parameters): sp.Matrix(
+            coercion.as_expressions(vector, parameters, A.rows)
+        )
+        for value, vector in answer.items()
+    }
     if not claims:
         if slower_than(0, pair):
             raise Wrong("there is a mode that does not decay and that no gain changes")
         return "every mode that no gain changes decays"
     places = [values for values, _ in pair.samples]
     zero = {p: sp.Integer(0) for p in parameters}
-    if parameters and not any(p.is_nonzero for p in parameters) and not sp.Matrix.vstack(A, H).subs(zero).has(sp.zoo):
+    if (
+        parameters
+        and not any(p.is_nonzero for p in parameters)
+        and not sp.Matrix.vstack(A, H).subs(zero).has(sp.zoo)
+    ):
         places.append(zero)
     for value, vector in claims.items():
         for values in in_every_case(places, [value, vector]):
             _hold_mode(value, vector, A, H, values, where_text(values))
-        judge_everywhere(vector, parameters, lambda: sp.true, "your vector v is undefined", "your vector v is zero")
+        judge_everywhere(
+            vector,
+            parameters,
+            lambda: sp.true,
+            "your vector v is undefined",
+            "your vector v is zero",
+        )
     return "it is a mode that does not decay, and nothing can be done about it: A v = lambda v"
 
 
@@ -105,15 +127,21 @@ def _hold_mode(value, vector, A, H, values, where):
     matrix, output = matrix_at(A, values), matrix_at(H, values)
     if not abs(column).max() > 0:
         raise Wrong(f"your vector v is zero{where}")
-    open_, (open_root,) = uncertain_entries(vector, values), *uncertain_entries(sp.Matrix([value]), values)
+    open_, (open_root,) = (
+        uncertain_entries(vector, values),
+        *uncertain_entries(sp.Matrix([value]), values),
+    )
     image = matrix @ column
-    size = (abs(matrix) @ abs(column)).max() + abs(root)*abs(column).max()
-    left_open = abs(matrix) @ open_ + abs(root)*open_ + open_root*abs(column)
-    if not (abs(image - root*column) <= EXACT*size + left_open).all():
+    size = (abs(matrix) @ abs(column)).max() + abs(root) * abs(column).max()
+    left_open = abs(matrix) @ open_ + abs(root) * open_ + open_root * abs(column)
+    if not (abs(image - root * column) <= EXACT * size + left_open).all():
         raise Wrong(f"v and lambda = {number_text(root)} do not satisfy A v = lambda v{where}")
     shown = abs(output) @ abs(column)
-    if not (abs(output @ column) <= EXACT*shown + abs(output) @ open_).all():
+    if not (abs(output @ column) <= EXACT * shown + abs(output) @ open_).all():
         k = int(abs(output @ column).argmax())
-        raise Wrong(f"the output shows it: H v has the component {number_text((output @ column)[k, 0])}{where}, not 0")
+        raise Wrong(
+            "the output shows it: H v has the component "
+            f"{number_text((output @ column)[k, 0])}{where}, not 0"
+        )
     if not root.real > -ON_BORDER:
         raise Wrong(f"a mode with lambda = {number_text(root)} decays{where}, and forbids nothing")

@@ -1,8 +1,10 @@
-"""Laws of least quadratic cost for linear systems, `Quadratic`, and feedback by measurements with noise.
+"""Laws of least quadratic cost for linear systems, `Quadratic`, and feedback by measurements with
+noise.
 
-A gain is judged by its own cost, which is linear algebra: every state decays, and no other gain is better at a first
-moment if what comes later costs what it costs under the gain itself. A gain of which this is true is the best one.
-Where the end is given, or states need not decay, the least cost is found from the data (`truths/regulators.py`).
+A gain is judged by its own cost, which is linear algebra: every state decays, and no other gain is
+better at a first moment if what comes later costs what it costs under the gain itself. A gain of
+which this is true is the best one. Where the end is given, or states need not decay, the least cost
+is found from the data (`truths/regulators.py`).
 """
 
 import numpy as np
@@ -36,12 +38,16 @@ def _square(data):
 
 @judged(Gain("time", "parameters", shape=_gain_shape))
 def best_gain(claim, problem, time=None, parameters=(), given=sp.true):
-    """The gain K of the law u = Kx of least cost, with a given end in the symbol of `time`; an empty list if no law is
-    the best of those that bring every state to zero."""
+    """The gain K of the law u = Kx of least cost, with a given end in the symbol of `time`; an
+    empty list if no law is the best of those that bring every state to zero."""
     if claim is None:
         if problem.anywhere or problem.duration != sp.oo or regulators.exists(problem):
-            raise Wrong("there is a best law: what could forbid it is a mode that does not decay and is not controlled "
-                        "or, if all states are to come to zero, one on the imaginary axis that the cost does not see")
+            raise Wrong(
+                "there is a best law: what could forbid it is a mode that does not decay and is "
+                "not controlled "
+                "or, if all states are to come to zero, one on the imaginary axis that the cost "
+                "does not see"
+            )
         return "no law is the best one: a mode stands in the way that the control or the cost does not reach"
     for values, one, moment in _moments(problem, time, claim, parameters, given):
         if np.isfinite(one.duration) or one.anywhere:
@@ -53,7 +59,8 @@ def best_gain(claim, problem, time=None, parameters=(), given=sp.true):
 
 
 def _improved(claim, one, values):
-    """The best gain for a moment, if afterwards the gain claimed is kept, and the message that it is another one."""
+    """The best gain for a moment, if afterwards the gain claimed is kept, and the message that it
+    is another one."""
     said = matrix_at(claim, values)
     if said.imag.any():
         raise Wrong(f"your gain is not real{where_text(values)}")
@@ -62,29 +69,41 @@ def _improved(claim, one, values):
     try:
         cost = one.cost_of(said)
     except np.linalg.LinAlgError:
-        raise Wrong(f"under your law not every state comes to zero{where_text(values)}: A + BK has the eigenvalue "
-                    f"{number_text(roots[np.argmax(roots.real)])}") from None
+        raise Wrong(
+            f"under your law not every state comes to zero{where_text(values)}: A + BK has the "
+            "eigenvalue "
+            f"{number_text(roots[np.argmax(roots.real)])}"
+        ) from None
     k = int(np.argmax(np.diag(cost)))
     start = point_text(np.eye(len(cost))[k])
 
     def told(values):
-        return lambda *_: (f"under your law every state comes to zero{where_text(values)}, and from x = {start} it "
-                           f"costs {one.factor*cost[k, k]:.4g}; there is a gain with which it costs less from some "
-                           "state, and more from none")
+        return lambda *_: (
+            f"under your law every state comes to zero{where_text(values)}, and from x = {start} "
+            "it "
+            f"costs {one.factor * cost[k, k]:.4g}; there is a gain with which it costs less from "
+            "some "
+            "state, and more from none"
+        )
 
     return one.gain_for(cost), told
 
 
 def _other_control(values):
     def told(said, i, j):
-        return (f"from some states another control than yours leads to the least cost{where_text(values)}: look at the "
-                f"entry ({i + 1}, {j + 1}) of K, where yours is {number_text(said[i, j])}")
+        return (
+            "from some states another control than yours leads to the least "
+            f"cost{where_text(values)}: look at the "
+            f"entry ({i + 1}, {j + 1}) of K, where yours is {number_text(said[i, j])}"
+        )
+
     return told
 
 
 @judged(Matrix("time", "parameters", shape=_square))
 def cost_matrix(claim, problem, time=None, parameters=(), given=sp.true):
-    """The matrix S of the least cost from x, factor x^T S x, with a given end in the symbol of `time`."""
+    """The matrix S of the least cost from x, factor x^T S x, with a given end in the symbol of
+    `time`."""
     for values, one, moment in _moments(problem, time, claim, parameters, given):
         true = one.least(moment)
         yield Entries(claim, true, _other_cost(one, values), values, abs(true).max())
@@ -95,29 +114,51 @@ def _other_cost(one, values):
     def told(said, i, j):
         place, S = where_text(values), said.real
         if np.isfinite(one.duration) or said.imag.any():
-            return (f"the least cost is another one{place}: look at the entry ({i + 1}, {j + 1}), where yours is "
-                    f"{number_text(said[i, j])}")
+            return (
+                f"the least cost is another one{place}: look at the entry ({i + 1}, {j + 1}), "
+                "where yours is "
+                f"{number_text(said[i, j])}"
+            )
         if not abs(S - S.T).max() <= ROUNDED * abs(S).max():
             return f"your matrix is not symmetric{place}, and that of a cost is"
         rate, size = sum(one.rates(S)), sum(map(abs, one.rates(S))).max()
         if not abs(rate).max() <= ROUNDED * size:
             i, j = np.unravel_index(abs(rate).argmax(), rate.shape)
-            return (f"your matrix would not stay constant{place}: by the Riccati equation its entry ({i + 1}, {j + 1}) "
-                    f"changes at the rate {number_text(rate[i, j])}")
-        stays = not one.anywhere and np.linalg.eigvals(one.A + one.B @ one.gain_for(S)).real.max() >= -ON_BORDER
+            return (
+                f"your matrix would not stay constant{place}: by the Riccati equation its entry "
+                f"({i + 1}, {j + 1}) "
+                f"changes at the rate {number_text(rate[i, j])}"
+            )
+        stays = (
+            not one.anywhere
+            and np.linalg.eigvals(one.A + one.B @ one.gain_for(S)).real.max() >= -ON_BORDER
+        )
         return f"your matrix solves the Riccati equation{place}, but " + (
-            "a cost cannot be negative" if np.linalg.eigvalsh(S).min() < -ROUNDED * abs(S).max() else
-            "under its law not every state comes to zero" if stays else "there is a law that costs less")
+            "a cost cannot be negative"
+            if np.linalg.eigvalsh(S).min() < -ROUNDED * abs(S).max()
+            else "under its law not every state comes to zero"
+            if stays
+            else "there is a law that costs less"
+        )
+
     return told
 
 
 @judged(Expression("start", "parameters"))
 def least_quadratic_cost(claim, problem, start, parameters=(), given=sp.true):
     """The least cost from a start at the time 0, in the symbols of the start."""
-    for values in in_every_case(allowed_values([*start, *parameters], given, 2*COUNT), claim, given):
+    for values in in_every_case(
+        allowed_values([*start, *parameters], given, 2 * COUNT), claim, given
+    ):
         one, x = regulators.Regulator(problem, values), np.array([float(values[s]) for s in start])
         least = one.least()
-        yield Same(claim, one.factor*x @ least @ x, "the least cost", values, one.factor*abs(x) @ abs(least) @ abs(x))
+        yield Same(
+            claim,
+            one.factor * x @ least @ x,
+            "the least cost",
+            values,
+            one.factor * abs(x) @ abs(least) @ abs(x),
+        )
     return "there is a law that costs this, and none that costs less"
 
 
@@ -132,69 +173,110 @@ def best_eigenvalues(claims, problem, parameters=(), given=sp.true):
         def fits(number, other, size=np.linalg.norm(loop)):
             return same(number[1], other, number[0], size, REPEATED)
 
-        yield Members(list(zip(claims, said)), list(np.linalg.eigvals(loop)), fits, lambda number: (
-            f"{number_text(number[1])} is no eigenvalue of the loop with the best law{where_text(values)}"),
-            lambda *_: f"the loop with the best law has a mode that your answer does not name{where_text(values)}")
+        yield Members(
+            list(zip(claims, said)),
+            list(np.linalg.eigvals(loop)),
+            fits,
+            lambda number: (
+                f"{number_text(number[1])} is no eigenvalue of the loop with the best "
+                f"law{where_text(values)}"
+            ),
+            lambda *_: (
+                "the loop with the best law has a mode that your answer does not "
+                f"name{where_text(values)}"
+            ),
+        )
     return "these are the modes of the loop with the best law"
 
 
 @judged(Laid("start", "parameters", shape=lambda data: (data["problem"].A.rows, 1)))
 def best_rest(claim, problem, start, parameters=(), given=sp.true):
-    """The state at which the motion under the law of least cost comes to rest, a column in the symbols of its start."""
+    """The state at which the motion under the law of least cost comes to rest, a column in the
+    symbols of its start."""
     from scipy.linalg import null_space
 
     for values in in_every_case(allowed_values([*start, *parameters], given, COUNT), claim, given):
         one = regulators.Regulator(problem, values)
         loop = one.A + one.B @ one.gain_for(one.least())
-        rest, kept = (null_space(matrix, rcond=ON_BORDER) for matrix in (loop, loop.T))  # where it may be, what stays
+        # where it may be, what stays
+        rest, kept = (null_space(matrix, rcond=ON_BORDER) for matrix in (loop, loop.T))
         begin = np.array([[float(values[s])] for s in start])
         true = rest @ np.linalg.solve(kept.T @ rest, kept.T @ begin)
-        yield Entries(claim, true, lambda said, i, j: (
-            f"the motion under the best law{where_text(values)} comes to rest elsewhere: look at component {i + 1}, "
-            f"where yours is {number_text(said[i, 0])}"), values, abs(begin).max())
+        yield Entries(
+            claim,
+            true,
+            lambda said, i, j: (
+                f"the motion under the best law{where_text(values)} comes to rest elsewhere: look "
+                f"at component {i + 1}, "
+                f"where yours is {number_text(said[i, 0])}"
+            ),
+            values,
+            abs(begin).max(),
+        )
     return "the motion under the best law comes to rest there"
 
 
 @judged(Matrix("cost", "parameters", shape=_square))
 def cost_rate(claim, problem, cost, parameters=()):
-    """The right-hand side of the Riccati equation S' = ..., a matrix in the symbols of S, which are the `cost`."""
+    """The right-hand side of the Riccati equation S' = ..., a matrix in the symbols of S, which are
+    the `cost`."""
     symbols = [*parameters, *sorted(cost.free_symbols, key=str)]
     for values in in_every_case(allowed_values(symbols, sp.true, COUNT), claim):
         one, S = regulators.Regulator(problem, values), processes.array(cost, values)
         terms = one.rates(S)
-        yield Entries(claim, sum(terms), lambda said, i, j: (
-            f"with S of these values{where_text(values)} the least cost changes at another rate: your entry ({i + 1}, "
-            f"{j + 1}) is {number_text(said[i, j])}"), values, sum(map(abs, terms)))
+        yield Entries(
+            claim,
+            sum(terms),
+            lambda said, i, j: (
+                f"with S of these values{where_text(values)} the least cost changes at another "
+                f"rate: your entry ({i + 1}, "
+                f"{j + 1}) is {number_text(said[i, j])}"
+            ),
+            values,
+            sum(map(abs, terms)),
+        )
     return "what is left to pay changes like this along the best motion"
 
 
 @judged(Expression("parameters"))
 def steady_cost(claim, problem, process, parameters=(), given=sp.true):
-    """The least value of the limit of factor M[x^T G x + u^T N u], if the noise of a process drives the system and u
-    may depend on its measurements; on the state itself if the process has none."""
+    """The least value of the limit of factor M[x^T G x + u^T N u], if the noise of a process drives
+    the system and u may depend on its measurements; on the state itself if the process has none."""
     from scipy.linalg import solve_continuous_lyapunov
 
     for values in in_every_case(allowed_values(parameters, given, COUNT), claim, given):
         loop, noise, weight = regulators.steady_loop(problem, process, values)
         covariance = solve_continuous_lyapunov(loop, -noise)
         factor = float(sp.sympify(problem.factor).subs(values))
-        yield Same(claim, factor*np.trace(weight @ covariance), "the least mean cost", values)
+        yield Same(claim, factor * np.trace(weight @ covariance), "the least mean cost", values)
     return "the covariance of the whole loop with the best gains has this cost"
 
 
 @judged(Laid("estimates", "outputs", "parameters", shape=lambda data: (data["problem"].A.rows, 1)))
 def controller_equations(claim, problem, process, estimates, outputs, parameters=(), given=sp.true):
-    """The right-hand sides of the equations of the best feedback by measurements, e' = ..., a column in the symbols of
-    the estimates e and of the outputs z, its own control u = Ke put in."""
-    for values in in_every_case(allowed_values([*estimates, *outputs, *parameters], given, COUNT), claim, given):
-        one, noise = regulators.Regulator(problem, values), processes.numbers(process, values, start=False)
+    """The right-hand sides of the equations of the best feedback by measurements, e' = ..., a
+    column in the symbols of the estimates e and of the outputs z, its own control u = Ke put in."""
+    for values in in_every_case(
+        allowed_values([*estimates, *outputs, *parameters], given, COUNT), claim, given
+    ):
+        one, noise = (
+            regulators.Regulator(problem, values),
+            processes.numbers(process, values, start=False),
+        )
         e, z = (processes.array(sp.Matrix(names), values) for names in (estimates, outputs))
         L = processes.gain_of(noise, processes.steady(noise)[0])
         terms = one.A @ e, one.B @ one.gain_for(one.least()) @ e, L @ z, -L @ noise.H @ e
-        yield Entries(claim, sum(terms), lambda said, i, j: (
-            f"your rate of change of {estimates[i]} is {number_text(said[i, 0])}{where_text(values)}; the system with "
-            "its control and the best use of the innovation together change it at another rate"), values,
-            sum(map(abs, terms)))
+        yield Entries(
+            claim,
+            sum(terms),
+            lambda said, i, j: (
+                f"your rate of change of {estimates[i]} is "
+                f"{number_text(said[i, 0])}{where_text(values)}; the system with "
+                "its control and the best use of the innovation together change it at another rate"
+            ),
+            values,
+            sum(map(abs, terms)),
+        )
     return "the estimate moves like the system with its control, and the innovation is taken in with the best gain"
 
 
@@ -206,5 +288,7 @@ def _moments(problem, time, claim, parameters, given):
             yield values, one, 0.0
             continue
         for part in PARTS:
-            moment = sp.Rational(part).limit_denominator(100)*sp.nsimplify(one.duration, rational=True)
+            moment = sp.Rational(part).limit_denominator(100) * sp.nsimplify(
+                one.duration, rational=True
+            )
             yield values | {time: moment}, one, float(moment)

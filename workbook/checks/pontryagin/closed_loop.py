@@ -7,7 +7,8 @@ from workbook.checks.contract.verdict import Wrong
 from workbook.checks.tools.searching import bisected
 from workbook.checks.tools.values import real_function
 
-#: A law may be slower than the optimum by this share: its switching curve may be written in decimals.
+#: A law may be slower than the optimum by this share: its switching curve may be written in
+#: decimals.
 SLOWER = 0.004
 #: How close to the target counts as on it, in units of the size of the state.
 CLOSE = 3e-5
@@ -15,11 +16,12 @@ CLOSE = 3e-5
 ON_CURVE = 1e-6
 #: Two values of a law this close are one.
 SAME = 1e-6
-#: The parts of the fastest time for which a law is followed; whether the rest suffices is asked of the optimum after
-#: each of them, since no law makes up for what was lost.
+#: The parts of the fastest time for which a law is followed; whether the rest suffices is asked of
+#: the optimum after each of them, since no law makes up for what was lost.
 FOLLOWED = (0.12, 0.4, 0.97)
-#: In so many steps it is followed, and asked at so many moments of each; and once more, closely, from where it comes
-#: too late. Next to states from which the target is out of reach it may have to switch within a thousandth of the way.
+#: In so many steps it is followed, and asked at so many moments of each; and once more, closely,
+#: from where it comes too late. Next to states from which the target is out of reach it may have to
+#: switch within a thousandth of the way.
 STEPS, CLOSELY = (48, 1), (480, 16)
 
 
@@ -29,11 +31,17 @@ class Law:
     def __init__(self, expression, truth, curve=None):
         symbols = [*truth.state, *truth.parameters, *([curve[0]] if curve else [])]
         self._function = real_function(symbols, [expression])
-        # What a law says on a curve alone counts where it says nothing beyond, on the border of the starts it is for.
-        self._on_curves = expression.has(sp.Eq) and real_function(symbols, [expression.replace(
-            sp.Eq, lambda a, b: abs(a - b) <= ON_CURVE * (1 + abs(a)))])
-        self._cases = np.array(truth.cases, dtype=float).reshape(len(truth.cases), len(truth.parameters))
-        self._abscissa, self._tables = (curve[1], self._tabulated(curve[2], truth)) if curve else (None, [])
+        # What a law says on a curve alone counts where it says nothing beyond, on the border of the
+        # starts it is for.
+        self._on_curves = expression.has(sp.Eq) and real_function(
+            symbols, [expression.replace(sp.Eq, lambda a, b: abs(a - b) <= ON_CURVE * (1 + abs(a)))]
+        )
+        self._cases = np.array(truth.cases, dtype=float).reshape(
+            len(truth.cases), len(truth.parameters)
+        )
+        self._abscissa, self._tables = (
+            (curve[1], self._tabulated(curve[2], truth)) if curve else (None, [])
+        )
 
     @staticmethod
     def _tabulated(ends, truth):
@@ -48,7 +56,9 @@ class Law:
             places = np.broadcast_to(self._abscissa(*values), len(x))
             ordinate = np.full(len(x), np.nan)
             for k, (first, second) in enumerate(self._tables):
-                ordinate[case == k] = np.interp(places[case == k], first, second, left=np.nan, right=np.nan)
+                ordinate[case == k] = np.interp(
+                    places[case == k], first, second, left=np.nan, right=np.nan
+                )
             values.append(ordinate)
         said = self._function(*values)[0]
         if self._on_curves and np.isnan(said).any():
@@ -63,34 +73,42 @@ def follow(law, truth, lanes):
     # What is in time by a hair's breadth may come out as late: there the distance decides.
     missing = truth.missing(x[late], few.case, left[late], few.inside) if len(late) else np.zeros(0)
     late = late[~(missing <= CLOSE * (1 + np.linalg.norm(few.x, axis=1)))]
-    for late in (late[k:k + 8] for k in range(0, len(late), 8)):
-        # Close to the border of the starts that a law is meant for a switching may have been stepped over.
-        few = lanes.take(late)
+    for first in range(0, len(late), 8):
+        # Close to the border of the starts that a law is meant for a switching may have been
+        # stepped over.
+        few = lanes.take(late[first : first + 8])
         x, slow, left = _late(law, truth, few, CLOSELY)
         # Next to a barrier a thin target may have been missed by the optimum too.
         for k in slow[~truth.beside_barrier(few.take(slow))] if len(slow) else ():
             passed = few.time[k] * (1 + SLOWER) + 1e-3 - left[k]
-            raise Wrong(f"{truth.told(few, k)} the target can be reached in a time of {few.time[k]:.4g}; your law has "
-                        f"brought the state to ({x[k][0]:.4g}, {x[k][1]:.4g}) after {passed:.4g}, and from there it "
-                        f"cannot be reached in the time left")
+            raise Wrong(
+                f"{truth.told(few, k)} the target can be reached in a time of {few.time[k]:.4g}; "
+                "your law has "
+                f"brought the state to ({x[k][0]:.4g}, {x[k][1]:.4g}) after {passed:.4g}, and from "
+                "there it "
+                f"cannot be reached in the time left"
+            )
 
 
 def _late(law, truth, lanes, closeness):
-    """Where the law has brought each start, for which of them the time left does not suffice then, and this time."""
+    """Where the law has brought each start, for which of them the time left does not suffice then,
+    and this time."""
     for x, passed in _closed_loop(law, truth.plant, lanes, *closeness):
         time, left = truth.solve(x, lanes.case).time, lanes.time * (1 + SLOWER) + 1e-3 - passed
-        # On the way the target may seem to be out of reach by a hair's breadth: what is lost can be counted.
+        # On the way the target may seem to be out of reach by a hair's breadth: what is lost can be
+        # counted.
         if (np.isfinite(time) & (time > left)).all():
             break
     return x, np.flatnonzero(~(time <= left)), left
 
 
 def _closed_loop(law, plant, lanes, steps, moments):
-    """Where the law has brought each start after each part of its fastest time: pairs (states, times).
+    """Where the law has brought each start after each part of its fastest time: pairs (states,
+    times).
 
-    The control is held until no value of the law next to the state is the control held: rounding, and what the law says
-    on a curve alone, decide nothing. The law is asked at some moments of each step, and when it switches is found by
-    bisection between two of them.
+    The control is held until no value of the law next to the state is the control held: rounding,
+    and what the law says on a curve alone, decide nothing. The law is asked at some moments of each
+    step, and when it switches is found by bisection between two of them.
     """
     x, case = lanes.x.copy(), lanes.case
     t, h, rest = np.zeros(len(x)), FOLLOWED[-1] * lanes.time / steps, np.full(len(x), -np.inf)
@@ -101,14 +119,17 @@ def _closed_loop(law, plant, lanes, steps, moments):
         return (x[:, None] + (1 + abs(x).max(axis=1))[:, None, None] * around).reshape(-1, 2)
 
     def value(x, case):
-        return np.clip(law(x, case), low, high)  # nan, which equals no control, where the law has no value
+        # nan, which equals no control, where the law has no value
+        return np.clip(law(x, case), low, high)
 
     def holds(x, u, case):
-        return (abs(value(beside(x), np.repeat(case, 5)).reshape(-1, 5) - u[:, None]) < SAME).any(axis=1)
+        return (abs(value(beside(x), np.repeat(case, 5)).reshape(-1, 5) - u[:, None]) < SAME).any(
+            axis=1
+        )
 
     u = value(x, case)
-    # A start whose law switches waits until all others have come to a switching or to the end: one search serves them
-    # together.
+    # A start whose law switches waits until all others have come to a switching or to the end: one
+    # search serves them together.
     waits, turns = np.zeros(len(x), dtype=bool), np.zeros(len(x), dtype=int)
     first, last = np.zeros(len(x)), np.zeros(len(x))
     for end in (part * lanes.time for part in FOLLOWED):
@@ -117,13 +138,17 @@ def _closed_loop(law, plant, lanes, steps, moments):
             if len(busy):
                 turns[busy] += 1
                 step = np.minimum(h[busy], end[busy] - t[busy])
-                # A law that chatters is followed with a small delay; where this delay decides, there is nothing to
-                # search for.
+                # A law that chatters is followed with a small delay; where this delay decides,
+                # there is nothing to search for.
                 early = np.clip(rest[busy] + h[busy] / 40 - t[busy], 0, step)
                 soon = np.flatnonzero(early > 0)
                 asked = np.maximum(step[:, None] * np.arange(moments + 1) / moments, early[:, None])
                 lanes_asked = np.concatenate([np.repeat(busy, moments), busy[soon]])
-                places = plant.move(x[lanes_asked], u[lanes_asked], np.concatenate([asked[:, 1:].ravel(), early[soon]]))
+                places = plant.move(
+                    x[lanes_asked],
+                    u[lanes_asked],
+                    np.concatenate([asked[:, 1:].ravel(), early[soon]]),
+                )
                 said, count = holds(places, u[lanes_asked], case[lanes_asked]), len(busy) * moments
                 held, delayed = said[:count].reshape(-1, moments), np.zeros(len(busy), dtype=bool)
                 delayed[soon] = ~said[count:]
@@ -132,28 +157,42 @@ def _closed_loop(law, plant, lanes, steps, moments):
                 waits[busy] = switching
                 first[busy], last[busy] = before, np.where(delayed, early, after)
                 on = busy[~switching]
-                x[on], t[on] = places[moments - 1:count:moments][~switching], t[on] + step[~switching]
+                x[on], t[on] = (
+                    places[moments - 1 : count : moments][~switching],
+                    t[on] + step[~switching],
+                )
                 continue
             here = np.flatnonzero(waits)
             if not len(here):
                 break
             there = here[first[here] < last[here]]
             if len(there):
+
                 def goes_on(spans, rows, there=there):
                     lanes = there[rows]
                     return holds(plant.move(x[lanes], u[lanes], spans), u[lanes], case[lanes])
 
                 last[there] = bisected(goes_on, first[there], last[there], 40)[1]
-            x[here], t[here], waits[here] = plant.move(x[here], u[here], last[here]), t[here] + last[here], False
+            x[here], t[here], waits[here] = (
+                plant.move(x[here], u[here], last[here]),
+                t[here] + last[here],
+                False,
+            )
             said = law(x[here], case[here])
             for k in np.flatnonzero((said < low - SAME) | (said > high + SAME)):
-                raise Wrong(f"a motion under your law comes to ({x[here[k]][0]:.4g}, {x[here[k]][1]:.4g}), where it "
-                            f"gives {said[k]:.4g}, outside the bounds of the control")
+                raise Wrong(
+                    f"a motion under your law comes to ({x[here[k]][0]:.4g}, {x[here[k]][1]:.4g}), "
+                    "where it "
+                    f"gives {said[k]:.4g}, outside the bounds of the control"
+                )
             u[here], rest[here] = np.clip(said, low, high), t[here]
             for k in here[np.isnan(said)]:
-                near = value(beside(x[k:k + 1]), np.repeat(case[k], 5))
+                near = value(beside(x[k : k + 1]), np.repeat(case[k], 5))
                 if np.isnan(near).all():
-                    raise Wrong(f"a motion under your law comes to ({x[k][0]:.4g}, {x[k][1]:.4g}), where it gives no "
-                                f"real number")
+                    raise Wrong(
+                        f"a motion under your law comes to ({x[k][0]:.4g}, {x[k][1]:.4g}), where "
+                        "it gives no "
+                        f"real number"
+                    )
                 u[k] = near[~np.isnan(near)][0]  # on a curve alone a law need not be defined
         yield x.copy(), t.copy()

@@ -4,8 +4,9 @@ There H_u = 0, and so is its derivative along the equations of motion and of the
 
     u' = -(the derivative of H_u for a fixed u) / H_uu.
 
-H_u and H_uu are linear in the costates. Where H_u = 0, with the costates that transversality says, leaves these free up
-to a factor that does not matter, they can be eliminated; if it leaves more, H = 0 may help where the time is free.
+H_u and H_uu are linear in the costates. Where H_u = 0, with the costates that transversality says,
+leaves these free up to a factor that does not matter, they can be eliminated; if it leaves more, H
+= 0 may help where the time is free.
 """
 
 import numpy as np
@@ -19,7 +20,8 @@ from workbook.checks.tools.values import real_function, value_at
 from workbook.checks.tools.wording import rounded_text
 from workbook.checks.truths.singular_arcs import hamiltonian, known_costates
 
-#: At so many places of states, control and parameters an equation is compared, of so many that are tried.
+#: At so many places of states, control and parameters an equation is compared, of so many that are
+#: tried.
 PLACES, TRIED = 8, 60
 #: So many costates are tried at each place, and u' is the same for all of them up to this share.
 COSTATES, DETERMINED = 6, 1e-7
@@ -27,23 +29,33 @@ COSTATES, DETERMINED = 6, 1e-7
 CURVED = 1e-3
 
 
-@judged(Expression(lambda data: [*data["problem"].state, *data["problem"].control, *data["problem"].parameters]))
+@judged(
+    Expression(
+        lambda data: [*data["problem"].state, *data["problem"].control, *data["problem"].parameters]
+    )
+)
 def control_equation(claim, problem, domain=None):
-    """The right-hand side of u' = ... for a control that makes H greatest inside its bounds, in states, control and
-    parameters, the costates eliminated; for problems with one control."""
+    """The right-hand side of u' = ... for a control that makes H greatest inside its bounds, in
+    states, control and parameters, the costates eliminated; for problems with one control."""
     truth = _Rate(problem)
     places = list(truth.places(domain))
-    told = len({round(true, 6) for _, true, _ in places}) > 1  # the one true number would be the answer itself
+    # the one true number would be the answer itself
+    told = len({round(true, 6) for _, true, _ in places}) > 1
     u = problem.control[0]
     for values, true, size in places:
         said = value_at(claim, values, f"{u}'")
         if same(said, true, claim, size=size, computed=EXACT):
             continue
         if not told:
-            raise Wrong(f"dH/d{u} does not stay zero where your expression gives {u}' the value {said:.4g}")
+            raise Wrong(
+                f"dH/d{u} does not stay zero where your expression gives {u}' the value {said:.4g}"
+            )
         shown = {s: value for s, value in values.items() if s in truth.symbols | claim.free_symbols}
-        raise Wrong(f"for {rounded_text(shown)} dH/d{u} stays zero only if {u}' is {true:.4g}; your expression gives "
-                    f"{said:.4g}")
+        raise Wrong(
+            f"for {rounded_text(shown)} dH/d{u} stays zero only if {u}' is {true:.4g}; your "
+            "expression gives "
+            f"{said:.4g}"
+        )
     return f"under it dH/d{u} stays zero, tried at {PLACES} places"
 
 
@@ -57,18 +69,28 @@ class _Rate:
         costates = sp.symbols(f"psi:{len(problem.state)}", cls=sp.Dummy, real=True)
         H, known = hamiltonian(problem, costates), known_costates(problem, costates)
         slope = sp.diff(H, u)
-        drift = sum((sp.diff(slope, y) * f - sp.diff(slope, psi) * sp.diff(H, y)
-                     for y, f, psi in zip(problem.state, problem.field, costates)), sp.S.Zero)
+        drift = sum(
+            (
+                sp.diff(slope, y) * f - sp.diff(slope, psi) * sp.diff(H, y)
+                for y, f, psi in zip(problem.state, problem.field, costates)
+            ),
+            sp.S.Zero,
+        )
         free = [psi for psi in costates if psi not in known]
         self._count = len(free) + 1
         self._symbols = [*problem.state, u, *problem.parameters]
-        affine = [part for e in (slope, H, drift, sp.diff(slope, u)) for part in _affine(e.subs(known), free)]
+        affine = [
+            part
+            for e in (slope, H, drift, sp.diff(slope, u))
+            for part in _affine(e.subs(known), free)
+        ]
         #: What it depends on.
         self.symbols = set().union(*(part.free_symbols for part in affine))
         self._parts = real_function(self._symbols, affine)
 
     def places(self, domain):
-        """Values of all symbols at which a costate makes H greatest, the rate of the control, the size of its terms."""
+        """Values of all symbols at which a costate makes H greatest, the rate of the control, the
+        size of its terms."""
         random, found = np.random.default_rng(31), 0
         low, high = self._problem.controls[self._problem.control[0]]
         if low.is_number and high.is_number and low.is_finite and high.is_finite:
@@ -105,17 +127,22 @@ class _Rate:
 
 
 def _affine(e, symbols):
-    """An expression that is linear in symbols: its value where they vanish, and its coefficients."""
+    """An expression that is linear in symbols: its value where they vanish, and its
+    coefficients."""
     return [e.subs(dict.fromkeys(symbols, 0)), *(sp.diff(e, s) for s in symbols)]
 
 
 def _solutions(rows, random):
-    """Vectors (1, psi) with rows @ (1, psi) = 0, some of all; None if there are none or only psi = 0."""
+    """Vectors (1, psi) with rows @ (1, psi) = 0, some of all; None if there are none or only psi =
+    0."""
     constant, matrix = rows[:, 0], rows[:, 1:]
     _, sizes, basis = np.linalg.svd(matrix)
     rank = int((sizes > 1e-9 * max(sizes.max(initial=0), np.abs(constant).max())).sum())
     one = np.linalg.lstsq(matrix, -constant, rcond=1e-9)[0]
-    if np.abs(matrix @ one + constant).max() > 1e-9 * (np.abs(constant) + np.abs(matrix) @ np.abs(one)).max():
+    if (
+        np.abs(matrix @ one + constant).max()
+        > 1e-9 * (np.abs(constant) + np.abs(matrix) @ np.abs(one)).max()
+    ):
         return None
     free = random.normal(size=(COSTATES, len(basis) - rank)) @ basis[rank:]
     free = np.vstack([free, -free])  # one of both signs makes H greatest

@@ -1,5 +1,5 @@
-"""Costates along optimal processes, by the conditions of the maximum principle with lambda_0 = 1, and the switching
-function that they give. `problem` and `parameters` are those of `processes`."""
+"""Costates along optimal processes, by the conditions of the maximum principle with lambda_0 = 1,
+and the switching function that they give. `problem` and `parameters` are those of `processes`."""
 
 import numpy as np
 
@@ -17,7 +17,8 @@ KNOWN = 2e-3
 
 @judged(Costates("time", "parameters", problem="problem"))
 def optimal_costate(claims, problem, time, parameters=None):
-    """Costates along the optimal process with lambda_0 = 1, a list in the order of the states, or one expression."""
+    """Costates along the optimal process with lambda_0 = 1, a list in the order of the states, or
+    one expression."""
     costate, sign = InTime(claims, time, parameters), -1 if problem.maximise else 1
     free = np.array(free_at_the_start(problem, parameters))
     for values, best in best_processes(problem, parameters):
@@ -28,77 +29,130 @@ def optimal_costate(claims, problem, time, parameters=None):
             if not np.all(np.isfinite([*psi, *slope])):
                 raise Wrong(f"{where}at t = {t:.4g} your costates are not real")
             # H is the product of this with the rates, the running cost being the last of them.
-            full, along = np.append(psi, -sign), (best, best.states[:, k], best.controls[k], costate.rounding)
+            full, along = (
+                np.append(psi, -sign),
+                (best, best.states[:, k], best.controls[k], costate.rounding),
+            )
             open_psi, open_slope = costate.uncertain(t * (1 - 1e-7), values)
-            _adjoint(full, slope, *along, largest, list(problem.dynamics), f"{where}at t = {t:.4g}",
-                     (open_psi, open_slope))
-            _greatest(full, *along, problem.duration, f"{where}at t = {t:.4g}", np.append(open_psi, 0))
+            _adjoint(
+                full,
+                slope,
+                *along,
+                largest,
+                list(problem.dynamics),
+                f"{where}at t = {t:.4g}",
+                (open_psi, open_slope),
+            )
+            _greatest(
+                full, *along, problem.duration, f"{where}at t = {t:.4g}", np.append(open_psi, 0)
+            )
         _equal_at_jumps(costate, best, values, sign, where)
         _, final, normals = best.jacobians(best.states[:, -1], best.controls[-1])
         psi, begin = costate.values(ENDING * best.duration, values), costate.values(0.0, values)
-        _transversal(psi + sign * final[0], normals, costate.rounding * (largest + np.abs(final).sum()),
-                     f"{where}at the end your costates are {point_text(psi)}",
-                     costate.uncertain(ENDING * best.duration, values)[0])
-        if not np.all(np.abs(begin[free]) <= 10 * costate.rounding * largest
-                      + costate.uncertain(0.0, values)[0][free]):
-            raise Wrong(f"{where}at the beginning your costates are {point_text(begin)}; what is free there has none")
-    return "adjoint equations, maximum condition and transversality hold along the best process found"
+        _transversal(
+            psi + sign * final[0],
+            normals,
+            costate.rounding * (largest + np.abs(final).sum()),
+            f"{where}at the end your costates are {point_text(psi)}",
+            costate.uncertain(ENDING * best.duration, values)[0],
+        )
+        if not np.all(
+            np.abs(begin[free])
+            <= 10 * costate.rounding * largest + costate.uncertain(0.0, values)[0][free]
+        ):
+            raise Wrong(
+                f"{where}at the beginning your costates are {point_text(begin)}; what is free "
+                "there has none"
+            )
+    return (
+        "adjoint equations, maximum condition and transversality hold along the best process found"
+    )
 
 
 @judged(Expression("time"))
 def optimal_switching(claim, problem, time):
-    """The switching function dH/du along a transfer to a line in least or greatest time, with lambda_0 = 1."""
+    """The switching function dH/du along a transfer to a line in least or greatest time, with
+    lambda_0 = 1."""
     function, ((_, best),) = InTime([claim], time, ()), Transfer(problem).samples()
     found = best.switching_function()
     size = max(abs(value) for _, value in found)
     for t, true in found:
         said = function.values(t, {})[0]
         if not abs(said - true) <= 4 * function.rounding * size + function.uncertain(t, {})[0][0]:
-            raise Wrong(f"at t = {t:.4g} your function is {said:.4g}; dH/du has another "
-                        f"{'sign' if said * true < 0 else 'value'} there, if the costate that transversality and H = 0 "
-                        f"determine at the end is followed back along the best process")
+            raise Wrong(
+                f"at t = {t:.4g} your function is {said:.4g}; dH/du has another "
+                f"{'sign' if said * true < 0 else 'value'} there, if the costate that "
+                "transversality and H = 0 "
+                f"determine at the end is followed back along the best process"
+            )
     return "it is dH/du along the best process, with the costate followed back from the end"
 
 
 def _adjoint(full, slope, best, y, u, rounding, largest, state, there, left_open):
     terms = -best.jacobians(y, u)[0].T * full
     size, wanted = np.abs(terms).sum() + largest / best.duration, terms.sum(axis=1)
-    allowed = 10 * rounding * size + left_open[1] + np.abs(best.jacobians(y, u)[0].T) @ np.append(left_open[0], 0)
+    allowed = (
+        10 * rounding * size
+        + left_open[1]
+        + np.abs(best.jacobians(y, u)[0].T) @ np.append(left_open[0], 0)
+    )
     if not np.all(np.abs(slope - wanted) <= allowed):
         j = int(np.argmax(np.abs(slope - wanted)))
-        raise Wrong(f"{there} the adjoint equation for {state[j]} does not hold: the derivative of your costate is "
-                    f"{slope[j]:.4g}, the equation with your costates demands {wanted[j]:.4g}")
+        raise Wrong(
+            f"{there} the adjoint equation for {state[j]} does not hold: the derivative of your "
+            "costate is "
+            f"{slope[j]:.4g}, the equation with your costates demands {wanted[j]:.4g}"
+        )
 
 
 def _greatest(full, best, y, u, rounding, duration, there, left_open):
     here, *others = (full * best.field(np.append(y, 0), v) for v in (u, *_others(best, u)))
     fields = [best.field(np.append(y, 0), v) for v in (u, *_others(best, u))]
-    H, most = here.sum(), max(other.sum() - left_open @ np.abs(field - fields[0])
-                              for other, field in zip(others, fields[1:]))
+    H, most = (
+        here.sum(),
+        max(
+            other.sum() - left_open @ np.abs(field - fields[0])
+            for other, field in zip(others, fields[1:])
+        ),
+    )
     size = max(abs(H), *(abs(other.sum()) for other in others)) + np.abs(here).sum()
     if not H >= most - 10 * rounding * size:
-        raise Wrong(f"{there} the optimal control does not make H greatest with your costates: it gives {H:.4g}, "
-                    f"another one {most:.4g}")
+        raise Wrong(
+            f"{there} the optimal control does not make H greatest with your costates: it gives "
+            f"{H:.4g}, "
+            f"another one {most:.4g}"
+        )
     _stationary(full, best, y, u, left_open, there)
     open_H = left_open @ np.abs(fields[0])
-    if (duration is None or isinstance(duration, tuple)) and not abs(H) <= 10 * rounding * (size + 1) + open_H:
-        raise Wrong(f"{there} H is {H:.4g} with your costates, and not what a free duration demands")
+    if (duration is None or isinstance(duration, tuple)) and not abs(H) <= 10 * rounding * (
+        size + 1
+    ) + open_H:
+        raise Wrong(
+            f"{there} H is {H:.4g} with your costates, and not what a free duration demands"
+        )
 
 
 def _equal_at_jumps(costate, best, values, sign, where):
-    """Where the best control jumps H has to be the same for both of its values. Of the fastest transfers H = 0 says
-    it."""
+    """Where the best control jumps H has to be the same for both of its values. Of the fastest
+    transfers H = 0 says it."""
     for j, *kinds in getattr(best, "changes", list)():
         if None in kinds:
             continue
         t, y = best.times[j], np.append(best.states[:, j], 0)
-        full, left_open = (np.append(part, last) for part, last in (
-            (costate.values(t * (1 - 1e-7), values), -sign), (costate.uncertain(t * (1 - 1e-7), values)[0], 0)))
+        full, left_open = (
+            np.append(part, last)
+            for part, last in (
+                (costate.values(t * (1 - 1e-7), values), -sign),
+                (costate.uncertain(t * (1 - 1e-7), values)[0], 0),
+            )
+        )
         before, after = (best.field(y, u) for u in kinds)
         allowed = 10 * costate.rounding * (np.abs(full) @ (np.abs(before) + np.abs(after)) + 1)
         if not abs(full @ (after - before)) <= allowed + left_open @ np.abs(after - before):
-            raise Wrong(f"{where}where the optimal control jumps H has two values with your costates, "
-                        f"{full @ before:.4g} before the jump and {full @ after:.4g} after it")
+            raise Wrong(
+                f"{where}where the optimal control jumps H has two values with your costates, "
+                f"{full @ before:.4g} before the jump and {full @ after:.4g} after it"
+            )
 
 
 def _stationary(full, best, y, u, left_open, there):
@@ -110,13 +164,20 @@ def _stationary(full, best, y, u, left_open, there):
     rate, bend = (after - before) / (2 * step), after + before - 2 * here
     if np.abs(bend).max() > 1e-2 * np.abs(after - before).max():
         return  # a corner, as of |u| at zero
-    if not abs(full @ rate) <= KNOWN * np.abs(full * rate).sum() + (left_open + KNOWN / 10) @ np.abs(rate):
-        raise Wrong(f"{there} dH/du is {full @ rate:.4g} with your costates, where the optimal control lies between "
-                    "its bounds")
+    if not abs(full @ rate) <= KNOWN * np.abs(full * rate).sum() + (
+        left_open + KNOWN / 10
+    ) @ np.abs(rate):
+        raise Wrong(
+            f"{there} dH/du is {full @ rate:.4g} with your costates, where the optimal control "
+            "lies between "
+            "its bounds"
+        )
 
 
 def _transversal(rest, normals, allowed, what, left_open):
-    along = np.eye(len(rest)) - np.linalg.pinv(normals) @ normals if len(normals) else np.eye(len(rest))
+    along = (
+        np.eye(len(rest)) - np.linalg.pinv(normals) @ normals if len(normals) else np.eye(len(rest))
+    )
     if not np.all(np.abs(along @ rest) <= 10 * allowed + 1e-9 + np.abs(along) @ left_open):
         raise Wrong(f"{what}; the condition of transversality does not hold for them")
 
@@ -126,5 +187,3 @@ def _others(best, u):
     low, high = best.bounds
     around = u + (1 + abs(u)) * np.array([-1, -0.1, 0.1, 1])
     return [*np.clip(around, low, high), *(v for v in (low, high) if np.isfinite(v))]
-
-

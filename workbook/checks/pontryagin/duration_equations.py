@@ -10,14 +10,15 @@ from workbook.checks.tools.values import real_function
 from workbook.checks.tools.wording import rounded_text
 from workbook.checks.truths.optima.best_processes import best_processes
 
-#: At so many shorter durations an equation for the shortest one is tried, up to this part of it, and next to it.
+#: At so many shorter durations an equation for the shortest one is tried, up to this part of it,
+#: and next to it.
 SHORTER, ALMOST, NEXT = 400, 0.99, 1e-2
 
 
 @judged
 def duration_equation(answer, problem, duration, parameters):
-    """An equation whose least positive root is the shortest duration; `duration` is its symbol there, `parameters` a
-    dict from the other symbols to intervals."""
+    """An equation whose least positive root is the shortest duration; `duration` is its symbol
+    there, `parameters` a dict from the other symbols to intervals."""
     symbols = [duration, *parameters]
     sides = answer.args if isinstance(answer, sp.Eq) else (answer, sp.S.Zero)
     left, right = (coercion.as_expression(side, symbols) for side in sides)
@@ -36,6 +37,9 @@ def duration_equation(answer, problem, duration, parameters):
         left = function(shorter, *numbers)[0]
         found = np.flatnonzero(~(left[1:] * left[:-1] > 0))
         if found.size:
-            raise Wrong(f"for {where} your equation has a root near {duration} = {shorter[found[0]]:.4g}, and no "
-                        "admissible process is so short")
+            raise Wrong(
+                f"for {where} your equation has a root near {duration} = {shorter[found[0]]:.4g}, "
+                "and no "
+                "admissible process is so short"
+            )
     return "its least positive root is the shortest duration, for all parameters tried"

@@ -1,9 +1,10 @@
-"""Problems of the calculus of variations, given as a `Functional`: motions on which it is least, its least value, and
-whether there is a best motion at all.
+"""Problems of the calculus of variations, given as a `Functional`: motions on which it is least,
+its least value, and whether there is a best motion at all.
 
-A motion is judged by what defines it: it has the given values at the ends, no variation that keeps them changes the
-functional to first order, which is asked of variations inside and of such that move a free end, and the functional has
-the value there that direct optimisation finds (`functional_optimum`). Euler's equation is not formed.
+A motion is judged by what defines it: it has the given values at the ends, no variation that keeps
+them changes the functional to first order, which is asked of variations inside and of such that
+move a free end, and the functional has the value there that direct optimisation finds
+(`functional_optimum`). Euler's equation is not formed.
 """
 
 import functools
@@ -24,11 +25,13 @@ from workbook.checks.truths.optima.functional_optimum import FunctionalOptimum
 SAMPLES = 4
 #: What the quadrature and direct optimisation leave uncertain, as a share of the terms.
 COMPUTED = 1e-6
-#: Windows in which a motion is varied, as parts of the interval: each overlaps with its neighbours, the last is all.
+#: Windows in which a motion is varied, as parts of the interval: each overlaps with its neighbours,
+#: the last is all.
 WINDOWS = [*((k / 10, (k + 2) / 10) for k in range(9)), (0, 1)]
 #: A rate of change with the duration that is less than this share of value/duration is zero.
 STILL = 1e-7
-#: So far beside a duration in decimals the rates tell where it is zero; up to such a part of that two zeros are one.
+#: So far beside a duration in decimals the rates tell where it is zero; up to such a part of that
+#: two zeros are one.
 BESIDE, DOUBLE = 0.01, 0.1
 #: Durations among which the best one would be seen, from short to long.
 DURATIONS = np.geomspace(0.2, 80, 14)
@@ -43,17 +46,26 @@ class OfMotion(Expression):
 
 @judged(OfMotion())
 def best_motion(claim, functional, parameters=()):
-    """The motion x(t) on which a functional is least, or greatest, as an expression in time and parameters."""
+    """The motion x(t) on which a functional is least, or greatest, as an expression in time and
+    parameters."""
     for values, best in _optima(functional, tuple(parameters)):
         where = f"for {values_text(values)} " if values else ""
         sides = changed(claim) if in_decimals(claim) else []
-        motion = _Motion(claim.subs(values), best, where, share(claim) if sides is None else COMPUTED,
-                         [[_Motion(side.subs(values), best, where) for (side,) in pair] for pair in sides or ()])
+        motion = _Motion(
+            claim.subs(values),
+            best,
+            where,
+            share(claim) if sides is None else COMPUTED,
+            [[_Motion(side.subs(values), best, where) for (side,) in pair] for pair in sides or ()],
+        )
         motion.has_the_given_ends()
         motion.is_stationary()
         motion.is_the_best()
-    return (f"it has the given values at the ends, no variation changes the functional to first order, and its value "
-            f"there is the {_word(functional)} one")
+    return (
+        "it has the given values at the ends, no variation changes the functional to first order, "
+        "and its value "
+        f"there is the {_word(functional)} one"
+    )
 
 
 @judged(Expression("parameters"))
@@ -61,45 +73,62 @@ def best_value(claim, functional, parameters=()):
     """The least, or greatest, value of a functional, as an expression in the parameters."""
     for values, best in _optima(functional, tuple(parameters)):
         if values:
-            yield Same(claim, best.value, f"the {_word(functional)} value", values, computed=COMPUTED)
+            yield Same(
+                claim, best.value, f"the {_word(functional)} value", values, computed=COMPUTED
+            )
             continue
         said = real_function([], [claim])()[0]
         if not same(said, best.value, claim, computed=COMPUTED):
             if not np.isfinite(said):
                 raise Wrong("your value is no real number")
             beyond = (said < best.value) != functional.maximise
-            raise Wrong(f"your value is {said:.4g}; " + ("no motion with the given ends attains it" if beyond else
-                                                         "there is a motion with the given ends that does better"))
+            raise Wrong(
+                f"your value is {said:.4g}; "
+                + (
+                    "no motion with the given ends attains it"
+                    if beyond
+                    else "there is a motion with the given ends that does better"
+                )
+            )
     return f"direct optimisation finds this {_word(functional)} value"
 
 
 @judged(YesNo())
 def best_motion_exists(claim, functional, duration=None):
-    """Whether a functional has a best motion; with `duration`, the symbol in the end of the interval, one that is best
-    among those of all durations.
+    """Whether a functional has a best motion; with `duration`, the symbol in the end of the
+    interval, one that is best among those of all durations.
 
-    For integrands that are at most quadratic. A functional that is strictly convex for the motions with the given ends
-    has a best motion.
+    For integrands that are at most quadratic. A functional that is strictly convex for the motions
+    with the given ends has a best motion.
     """
     word = _word(functional)
     if duration is None:
         exists = _optimum(functional).convex()
-        reason = ("every second variation makes it worse" if exists else "some second variations do not make it worse")
+        reason = (
+            "every second variation makes it worse"
+            if exists
+            else "some second variations do not make it worse"
+        )
         reason += ", tried for steps of a fortieth of the interval"
     else:
         sign = -1 if functional.maximise else 1
-        series = [sign * _optimum(functional.subs({duration: sp.Float(T)})).value for T in DURATIONS]
+        series = [
+            sign * _optimum(functional.subs({duration: sp.Float(T)})).value for T in DURATIONS
+        ]
         exists = int(np.argmin(series)) not in (0, len(series) - 1)
-        reason = (f"its {word} values for {len(series)} durations from {DURATIONS[0]:.3g} to {DURATIONS[-1]:.3g} "
-                  f"{'have a best one among them' if exists else 'only get better towards one side'}")
+        reason = (
+            f"its {word} values for {len(series)} durations from {DURATIONS[0]:.3g} to "
+            f"{DURATIONS[-1]:.3g} "
+            f"{'have a best one among them' if exists else 'only get better towards one side'}"
+        )
     yield Word(claim, exists, reason, "look at how the functional behaves: ")
     return reason
 
 
 @judged(Number())
 def stationary_duration(claim, functional, duration):
-    """A duration at which the best value of a functional is stationary, whether or not it is best there; `duration` is
-    its symbol in the end of the interval."""
+    """A duration at which the best value of a functional is stationary, whether or not it is best
+    there; `duration` is its symbol in the end of the interval."""
     T = float(claim)
     if not 0 < T < DURATIONS[-1]:
         raise Wrong(f"expected a duration between 0 and {DURATIONS[-1]:g}")
@@ -107,17 +136,26 @@ def stationary_duration(claim, functional, duration):
     if abs(rate) <= STILL * size:
         return "the best value does not change with the duration there, to first order"
     if in_decimals(claim):
-        before, after = (_rate(functional, duration, T * (1 + shift))[0] for shift in (-BESIDE, BESIDE))
-        # The zero of the parabola through the three rates; a double one may come out as a pair close to the real line.
+        before, after = (
+            _rate(functional, duration, T * (1 + shift))[0] for shift in (-BESIDE, BESIDE)
+        )
+        # The zero of the parabola through the three rates; a double one may come out as a pair
+        # close to the real line.
         zeros = np.roots([(before + after) / 2 - rate, (after - before) / 2, rate])
-        if any(abs(zero.imag) < DOUBLE and rounds_to(T, T * (1 + BESIDE * zero.real)) for zero in zeros):
+        if any(
+            abs(zero.imag) < DOUBLE and rounds_to(T, T * (1 + BESIDE * zero.real)) for zero in zeros
+        ):
             return "to three digits the best value does not change with the duration there, to first order"
-    raise Wrong(f"at your duration {T:.4g} the {_word(functional)} value changes with the duration at the rate "
-                f"{rate:.4g}")
+    raise Wrong(
+        f"at your duration {T:.4g} the {_word(functional)} value changes with the duration at the "
+        "rate "
+        f"{rate:.4g}"
+    )
 
 
 def _rate(functional, duration, T, step=0.004):
     """How the best value changes with the duration, by central differences, and what size is."""
+
     def value(part):
         return _optimum(functional.subs({duration: sp.Float(T * (1 + part * step))})).value
 
@@ -126,20 +164,29 @@ def _rate(functional, duration, T, step=0.004):
 
 
 class _Motion:
-    """A student's motion for given values of the parameters; `changed` are pairs of motions that its decimals leave
-    open."""
+    """A student's motion for given values of the parameters; `changed` are pairs of motions that
+    its decimals leave open."""
 
     def __init__(self, claim, best, where, rounding=COMPUTED, changed=()):
         self.changed = changed
-        self.functional, self.best, self.where, self.rounding = best.functional, best, where, rounding
+        self.functional, self.best, self.where, self.rounding = (
+            best.functional,
+            best,
+            where,
+            rounding,
+        )
         time, n = self.functional.time, self.functional.order
         self._at = real_function([time], [sp.diff(claim, time, k) for k in range(n + 1)])
         self._claim_at = [real_function([time], [sp.diff(claim, time, k)]) for k in range(n)]
         symbols = [time, *(sp.Dummy(f"x{k}") for k in range(n + 1))]
-        integrand = self.functional.integrand.subs(dict(reversed(list(zip(self.functional.derivatives, symbols[1:])))))
+        integrand = self.functional.integrand.subs(
+            dict(reversed(list(zip(self.functional.derivatives, symbols[1:]))))
+        )
         self._rates = real_function(symbols, [integrand, *(integrand.diff(s) for s in symbols[1:])])
-        end = {d.subs(time, self.functional.interval[2]): s
-               for d, s in zip(self.functional.derivatives, symbols[1:-1])}
+        end = {
+            d.subs(time, self.functional.interval[2]): s
+            for d, s in zip(self.functional.derivatives, symbols[1:-1])
+        }
         final = self.functional.final.subs(end)
         self._final = real_function(symbols[1:-1], [final, *(final.diff(s) for s in symbols[1:-1])])
         self._needed = [k for k, s in enumerate(symbols[1:-1]) if final.has(s)]
@@ -152,9 +199,14 @@ class _Motion:
                     continue
                 said, wanted = self._value(k, place), float(value)
                 size = max(abs(wanted), np.abs(self._along()[1][k]).max())
-                if not abs(said - wanted) <= self.rounding * size + self._open(said, lambda one: one._value(k, place)):
-                    raise Wrong(f"{self.where}{self._name(k)} is {said:.4g} at t = {place:.4g} for your motion, and "
-                                f"{wanted:.4g} is given")
+                if not abs(said - wanted) <= self.rounding * size + self._open(
+                    said, lambda one: one._value(k, place)
+                ):
+                    raise Wrong(
+                        f"{self.where}{self._name(k)} is {said:.4g} at t = {place:.4g} for your "
+                        "motion, and "
+                        f"{wanted:.4g} is given"
+                    )
 
     def is_stationary(self):
         n, span = self.functional.order, self.end - self.begin
@@ -162,10 +214,15 @@ class _Motion:
             a, b = self.begin + first * span, self.begin + last * span
             bump = np.poly1d([-1, a + b, -a * b]) ** n / ((b - a) / 2) ** (2 * n)
             rate, size = self._variation(bump, a, b)
-            if not abs(rate) <= self.rounding * size + self._open(rate, lambda one: one._variation(bump, a, b)[0]):
+            if not abs(rate) <= self.rounding * size + self._open(
+                rate, lambda one: one._variation(bump, a, b)[0]
+            ):
                 part = "" if last - first == 1 else f" between t = {a:.4g} and t = {b:.4g} alone"
-                raise Wrong(f"{self.where}your motion, varied{part} with its ends kept, changes the functional to "
-                            f"first order: the rate is {rate:.4g}. Along an extremal no variation does")
+                raise Wrong(
+                    f"{self.where}your motion, varied{part} with its ends kept, changes the "
+                    "functional to "
+                    f"first order: the rate is {rate:.4g}. Along an extremal no variation does"
+                )
         middle = (self.begin + self.end) / 2
         for place, given in ((self.begin, self.functional.start), (self.end, self.functional.end)):
             for k, value in enumerate(given):
@@ -174,19 +231,27 @@ class _Motion:
                     rate, size = self._moved(move, place, middle, k)
                     left_open = self._open(rate, lambda one: one._moved(move, place, middle, k)[0])
                     if not abs(rate) <= self.rounding * size + left_open:
-                        raise Wrong(f"{self.where}{self._name(k)} is not given at t = {place:.4g}; moved there, the "
-                                    f"functional changes to first order: the rate is {rate:.4g}. So the natural "
-                                    "condition at this end fails")
+                        raise Wrong(
+                            f"{self.where}{self._name(k)} is not given at t = {place:.4g}; moved "
+                            "there, the "
+                            f"functional changes to first order: the rate is {rate:.4g}. So the "
+                            "natural "
+                            "condition at this end fails"
+                        )
 
     def is_the_best(self):
         said, size = self._functional()
         left_open = self._open(said, lambda one: one._functional()[0])
         if not abs(said - self.best.value) <= self.rounding * size + left_open:
-            raise Wrong(f"{self.where}your motion is an extremal and gives the functional the value {said:.4g}, but "
-                        "another motion with the given ends does better")
+            raise Wrong(
+                f"{self.where}your motion is an extremal and gives the functional the value "
+                f"{said:.4g}, but "
+                "another motion with the given ends does better"
+            )
 
     def _open(self, here, quantity):
-        """By how much the decimals leave open a quantity of the motion that is `here` as they are written."""
+        """By how much the decimals leave open a quantity of the motion that is `here` as they are
+        written."""
         return sum(max(abs(quantity(side) - here) for side in pair) for pair in self.changed)
 
     def _functional(self):
@@ -197,7 +262,8 @@ class _Motion:
         return said, max(abs(said), float(weights @ abs(rates)))
 
     def _moved(self, move, place, middle, k):
-        """The first variation along a polynomial that moves a free end, and the size of its terms."""
+        """The first variation along a polynomial that moves a free end, and the size of its
+        terms."""
         rate, size = self._variation(move, min(place, middle), max(place, middle))
         at_end = self._at_end()[1 + k] if place == self.end else 0.0
         return rate + at_end, size + abs(at_end)
@@ -211,25 +277,37 @@ class _Motion:
 
     def _at_end(self):
         """Phi and its derivatives, at the values that it holds; the others are of no account."""
-        values = [self._value(k, self.end) if k in self._needed else 0.0 for k in range(self.functional.order)]
+        values = [
+            self._value(k, self.end) if k in self._needed else 0.0
+            for k in range(self.functional.order)
+        ]
         return self._final(*values)
 
     def _along(self):
-        parts = [_quadrature(self.begin + k / 10 * (self.end - self.begin), self.begin + (k + 1) / 10
-                             * (self.end - self.begin)) for k in range(10)]
+        parts = [
+            _quadrature(
+                self.begin + k / 10 * (self.end - self.begin),
+                self.begin + (k + 1) / 10 * (self.end - self.begin),
+            )
+            for k in range(10)
+        ]
         nodes, weights = (np.concatenate(part) for part in zip(*parts))
         return nodes, self._values(nodes), weights
 
     def _values(self, nodes):
         found = self._at(nodes)
         for t in nodes[~np.isfinite(found).all(axis=0)]:
-            raise Wrong(f"{self.where}your motion, or a derivative of it, is no real number at t = {t:.4g}")
+            raise Wrong(
+                f"{self.where}your motion, or a derivative of it, is no real number at t = {t:.4g}"
+            )
         return found
 
     def _value(self, k, place):
         said = self._claim_at[k](place)[0]
         if not np.isfinite(said):
-            raise Wrong(f"{self.where}{self._name(k)} of your motion is no real number at t = {place:.4g}")
+            raise Wrong(
+                f"{self.where}{self._name(k)} of your motion is no real number at t = {place:.4g}"
+            )
         return said
 
     def _name(self, k):
@@ -238,7 +316,8 @@ class _Motion:
 
 @functools.lru_cache(maxsize=256)
 def _quadrature(a, b, steps=40, reach=3.2):
-    """Nodes and weights on (a, b) by the rule of Takahasi and Mori: ends where an integrand is infinite do no harm."""
+    """Nodes and weights on (a, b) by the rule of Takahasi and Mori: ends where an integrand is
+    infinite do no harm."""
     s = np.linspace(-reach, reach, 2 * steps + 1)
     inner = np.pi / 2 * np.sinh(s)
     nodes = (a + b) / 2 + (b - a) / 2 * np.tanh(inner)
@@ -248,7 +327,8 @@ def _quadrature(a, b, steps=40, reach=3.2):
 
 
 def _reaching(place, middle, k, n):
-    """The polynomial whose k-th derivative is 1 at `place`, all others up to n - 1 zero there and at `middle`."""
+    """The polynomial whose k-th derivative is 1 at `place`, all others up to n - 1 zero there and
+    at `middle`."""
     rows, size = [], 2 * n
     for where in (place, middle):
         for order in range(n):
@@ -270,4 +350,6 @@ def _optimum(functional):
 def _optima(functional, parameters):
     """Pairs of values of the parameters and the optimum there."""
     samples = sample_values(parameters, SAMPLES) if parameters else [{}]
-    return [(values, _optimum(functional.subs(values) if values else functional)) for values in samples]
+    return [
+        (values, _optimum(functional.subs(values) if values else functional)) for values in samples
+    ]

@@ -1,8 +1,9 @@
 """Motions under a law in time that is given up to some constants, and what their ends are.
 
-`problem` is a `pontryagin.Problem` with a given duration and one control, `law` its value as an expression in `time`
-and `parameters`, continuous in time: a dict from symbols to the intervals in which answers are tried. Nothing is
-optimised here: the motion is followed in small steps from the start that the problem gives.
+`problem` is a `pontryagin.Problem` with a given duration and one control, `law` its value as an
+expression in `time` and `parameters`, continuous in time: a dict from symbols to the intervals in
+which answers are tried. Nothing is optimised here: the motion is followed in small steps from the
+start that the problem gives.
 """
 
 import functools
@@ -22,15 +23,21 @@ from workbook.checks.tools.wording import rounded_text, told_for
 STEPS, FOLLOWED = 240, 1e-7
 #: At every so many of these steps an answer is compared.
 APART = 30
-#: From so many values of each unknown its search begins; so many steps it may take, and how well ends are kept, as
-#: a part of the size of the states.
+#: From so many values of each unknown its search begins; so many steps it may take, and how well
+#: ends are kept, as a part of the size of the states.
 BEGINNINGS, SEARCHED, MET = 4, 30, 1e-10
 
 
-@judged(Expressions(lambda data: [data["by"] or data["time"]], "parameters",
-                    length=lambda data: len(data["problem"].state)))
+@judged(
+    Expressions(
+        lambda data: [data["by"] or data["time"]],
+        "parameters",
+        length=lambda data: len(data["problem"].state),
+    )
+)
 def motion_under_law(claims, problem, law, time, parameters, by=None):
-    """All states of the motion as functions of time, or of `by`, the control, which then stands in the place of time.
+    """All states of the motion as functions of time, or of `by`, the control, which then stands in
+    the place of time.
     """
     run, (control,) = _Run(problem, law, time, list(parameters)), problem.control
     variable = time if by is None else control
@@ -43,32 +50,44 @@ def motion_under_law(claims, problem, law, time, parameters, by=None):
             for name, claim, true, scale in zip(problem.state, claims, states[k, :, 0], size[:, 0]):
                 said = value_at(claim, at, str(name))
                 if not same(said, true, claim, size=scale, computed=FOLLOWED):
-                    raise Wrong(f"for {rounded_text(at)} your {name} is {said:.4g}; under the law given the motion "
-                                "that starts as it should " + (f"has {true:.4g} there" if k else "begins otherwise"))
+                    raise Wrong(
+                        f"for {rounded_text(at)} your {name} is {said:.4g}; under the law given "
+                        "the motion "
+                        "that starts as it should "
+                        + (f"has {true:.4g} there" if k else "begins otherwise")
+                    )
     return "it is the motion under the law, at all times and parameters tried"
 
 
 @judged(Expression("parameters"))
 def end_under_law(claim, quantity, problem, law, time, unknown, parameters):
-    """A quantity of the end: an expression in the states there, the unknown constants of the law and the parameters.
+    """A quantity of the end: an expression in the states there, the unknown constants of the law
+    and the parameters.
 
-    `unknown` is a dict from these constants, the duration perhaps among them, to intervals, as many as the problem has
-    conditions at the end: these determine them, one value each in its interval.
+    `unknown` is a dict from these constants, the duration perhaps among them, to intervals, as many
+    as the problem has conditions at the end: these determine them, one value each in its interval.
     """
     names = [*unknown, *parameters]
     wanted = real_function([*problem.state, *names], [sp.sympify(quantity)])
-    for case, found, state, size in _ends(problem, law, time, tuple(unknown.items()), tuple(parameters.items())):
+    for case, found, state, size in _ends(
+        problem, law, time, tuple(unknown.items()), tuple(parameters.items())
+    ):
         values = dict(zip(parameters, case))
         true, said = wanted(*state, *found, *case)[0], value_at(claim, values, str(quantity))
         if not same(said, true, claim, size=size, computed=10 * FOLLOWED):
             # The true number would be the answer itself where there are no parameters.
-            raise Wrong(f"{told_for(values)}your {quantity} is {said:.4g}; if the constants of the law are chosen so "
-                        f"that the conditions at the end hold, it is {f'{true:.4g}' if values else 'another number'}")
+            raise Wrong(
+                f"{told_for(values)}your {quantity} is {said:.4g}; if the constants of the law are "
+                "chosen so "
+                "that the conditions at the end hold, it is "
+                f"{f'{true:.4g}' if values else 'another number'}"
+            )
     return "it is what the conditions at the end make it, for all parameters tried"
 
 
 class _Run:
-    """Motions for arrays of values of the symbols `names`: times, states, controls, one row for each step."""
+    """Motions for arrays of values of the symbols `names`: times, states, controls, one row for
+    each step."""
 
     def __init__(self, problem, law, time, names):
         self._steered = real_function([time, *names], [sp.sympify(law)])
@@ -76,13 +95,15 @@ class _Run:
         self._start = real_function(names, [*problem.initial.values(), problem.duration])
 
     def __call__(self, *numbers):
-        numbers = np.broadcast_arrays(*(np.atleast_1d(np.asarray(number, dtype=float)) for number in numbers))
+        numbers = np.broadcast_arrays(
+            *(np.atleast_1d(np.asarray(number, dtype=float)) for number in numbers)
+        )
         *y, duration = self._start(*numbers)
         y, h = np.array(y), duration / STEPS
         halves = [self._steered(k * h / 2, *numbers)[0] for k in range(2 * STEPS + 1)]
         states = [y]
         for k in range(STEPS):
-            begin, middle, end = halves[2 * k:2 * k + 3]
+            begin, middle, end = halves[2 * k : 2 * k + 3]
             a = self._field(*y, begin, *numbers)
             b = self._field(*(y + h / 2 * a), middle, *numbers)
             c = self._field(*(y + h / 2 * b), middle, *numbers)
@@ -93,13 +114,18 @@ class _Run:
 
 @functools.lru_cache(maxsize=32)
 def _ends(problem, law, time, unknown, parameters):
-    """For each case of the parameters: the case, the constants with which the conditions at the end hold, the state
-    there, the size of the states on the way."""
+    """For each case of the parameters: the case, the constants with which the conditions at the end
+    hold, the state there, the size of the states on the way."""
     unknown, parameters = dict(unknown), dict(parameters)
     names, cases = [*unknown, *parameters], np.array(sample_cases(parameters)).T
-    run, missed = _Run(problem, law, time, names), real_function([*problem.state, *names], list(problem.terminal))
-    low, high = (np.array([float(getattr(domain, side)) for domain in unknown.values()])[:, None]
-                 for side in ("inf", "sup"))
+    run, missed = (
+        _Run(problem, law, time, names),
+        real_function([*problem.state, *names], list(problem.terminal)),
+    )
+    low, high = (
+        np.array([float(getattr(domain, side)) for domain in unknown.values()])[:, None]
+        for side in ("inf", "sup")
+    )
     shares = (np.arange(BEGINNINGS) + 0.5) / BEGINNINGS
     begun = low + (high - low) * np.array(list(itertools.product(shares, repeat=len(unknown)))).T
     at, cases_there = np.tile(begun, cases.shape[1]), np.repeat(cases, begun.shape[1], axis=1)
@@ -110,15 +136,17 @@ def _ends(problem, law, time, unknown, parameters):
 
     met, width = _searched(gap, at, cases_there, low, high), high - low
     found = []
-    for k, case in enumerate(cases.T):
+    for k, _case in enumerate(cases.T):
         part = slice(k * begun.shape[1], (k + 1) * begun.shape[1])
         own = at[:, part][:, met[part]]
         if not own.shape[1] or np.any(np.ptp(own, axis=1) > 1e-6 * width[:, 0]):
             raise RuntimeError(f"the constants of the law are not determined: {own.T.tolist()}")
         found.append(own[:, 0])
     _, states, _ = run(*np.array(found).T, *cases)
-    return [(tuple(case), constants, states[-1, :, k], np.abs(states[:, :, k]).max())
-            for k, (case, constants) in enumerate(zip(cases.T, found))]
+    return [
+        (tuple(case), constants, states[-1, :, k], np.abs(states[:, :, k]).max())
+        for k, (case, constants) in enumerate(zip(cases.T, found))
+    ]
 
 
 def _searched(gap, at, cases, low, high):
@@ -129,10 +157,11 @@ def _searched(gap, at, cases, low, high):
         moved = [at, *(at + nudge * np.eye(unknowns)[:, [j]] for j in range(unknowns))]
         gaps, sizes = gap(np.hstack(moved), np.tile(cases, unknowns + 1))
         here, *beside = np.split(gaps, unknowns + 1, axis=1)
-        met = np.abs(here).max(axis=0) <= MET * sizes[:at.shape[1]]
+        met = np.abs(here).max(axis=0) <= MET * sizes[: at.shape[1]]
         if met.all():
             break
-        slopes = np.array([(one - here) / nudge[j] for j, one in enumerate(beside)])  # unknown, condition, point
+        # unknown, condition, point
+        slopes = np.array([(one - here) / nudge[j] for j, one in enumerate(beside)])
         for k in np.flatnonzero(~met):
             step = np.linalg.lstsq(slopes[:, :, k].T, -here[:, k], rcond=None)[0]
             step = np.clip(step, -0.3 * width[:, 0], 0.3 * width[:, 0])

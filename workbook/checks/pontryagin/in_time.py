@@ -1,6 +1,8 @@
-"""What answers say of time, read once and evaluated at many instants and parameters: controls, motions, costates.
+"""What answers say of time, read once and evaluated at many instants and parameters: controls,
+motions, costates.
 
-A control is an expression, or a list of arcs [value, until]; motions and costates are an expression a state.
+A control is an expression, or a list of arcs [value, until]; motions and costates are an expression
+a state.
 """
 
 import numpy as np
@@ -14,21 +16,27 @@ from workbook.checks.tools.values import real_function
 
 #: What an answer without decimals may be off by: the precision of integrating it.
 INTEGRATED = 1e-5
-#: Where the end is looked at, as a part of the duration: a law may be defined up to the end alone, which is known up to
-#: rounding.
+#: Where the end is looked at, as a part of the duration: a law may be defined up to the end alone,
+#: which is known up to rounding.
 ENDING = 1 - 1e-9
 
 
 class Motion(Claim):
-    """All states as functions of time, or the first of them, where the others are its derivatives: x1' = x2."""
+    """All states as functions of time, or the first of them, where the others are its derivatives:
+    x1' = x2."""
 
     @staticmethod
     def coerce(answer, symbols, problem, time):
         claims, state = _one_or_several(answer, symbols), list(problem.dynamics)
-        while len(claims) < len(state) and problem.dynamics[state[len(claims) - 1]] == state[len(claims)]:
+        while (
+            len(claims) < len(state)
+            and problem.dynamics[state[len(claims) - 1]] == state[len(claims)]
+        ):
             claims.append(_slope(claims[-1], time))
         if len(claims) != len(state):
-            raise Invalid(f"expected the motion as expressions in {time}: {', '.join(map(str, state))}")
+            raise Invalid(
+                f"expected the motion as expressions in {time}: {', '.join(map(str, state))}"
+            )
         return claims
 
 
@@ -39,7 +47,9 @@ class Costates(Claim):
     def coerce(answer, symbols, problem):
         claims = _one_or_several(answer, symbols)
         if len(claims) != len(problem.dynamics):
-            raise Invalid(f"expected a costate for each state: {', '.join(map(str, problem.dynamics))}")
+            raise Invalid(
+                f"expected a costate for each state: {', '.join(map(str, problem.dynamics))}"
+            )
         return claims
 
 
@@ -50,7 +60,10 @@ class InTime:
         symbols = [time, *(parameters or ())]
 
         def compiled(parts):
-            return [real_function(symbols, each) for each in (parts, [_slope(part, time) for part in parts])]
+            return [
+                real_function(symbols, each)
+                for each in (parts, [_slope(part, time) for part in parts])
+            ]
 
         self._values, self._rates = compiled(claims)
         followed = changed(*claims) if in_decimals(*claims) else []
@@ -58,20 +71,22 @@ class InTime:
         self.rounding = share(*claims, computed=INTEGRATED) if followed is None else INTEGRATED
 
     def values(self, times, parameters):
-        """What the expressions are at an instant, or at an array of them: a row for each; nan where not real."""
+        """What the expressions are at an instant, or at an array of them: a row for each; nan where
+        not real."""
         return at_instants(self._values, times, *map(float, parameters.values()))
 
     def rates(self, times, parameters):
         return at_instants(self._rates, times, *map(float, parameters.values()))
 
-
     def uncertain(self, times, parameters):
-        """By how much the decimals of the expressions leave open their values and their rates at an instant, or at an
-        array of them: two arrays, a row for each expression."""
+        """By how much the decimals of the expressions leave open their values and their rates at an
+        instant, or at an array of them: two arrays, a row for each expression."""
         numbers = [float(value) for value in parameters.values()]
         found = [np.zeros_like(part(times, parameters)) for part in (self.values, self.rates)]
         for sides in self._changed:
-            for k, here in enumerate((self.values(times, parameters), self.rates(times, parameters))):
+            for k, here in enumerate(
+                (self.values(times, parameters), self.rates(times, parameters))
+            ):
                 moved = [np.abs(at_instants(side[k], times, *numbers) - here) for side in sides]
                 found[k] = found[k] + np.nan_to_num(np.fmax(*moved))
         return found
@@ -84,10 +99,16 @@ class Control(Claim):
     def coerce(answer, symbols, time):
         if isinstance(answer, (np.ndarray, sp.MatrixBase)):
             answer = answer.tolist()
-        if _is_list(answer) and len(answer) and all(_is_list(arc) and len(arc) == 2 for arc in answer):
+        if (
+            _is_list(answer)
+            and len(answer)
+            and all(_is_list(arc) and len(arc) == 2 for arc in answer)
+        ):
             others = [symbol for symbol in symbols if symbol != time]
-            return [(coercion.as_expression(value, symbols), coercion.as_expression(until, others))
-                    for value, until in answer]
+            return [
+                (coercion.as_expression(value, symbols), coercion.as_expression(until, others))
+                for value, until in answer
+            ]
         return [(coercion.as_expression(answer, symbols), None)]
 
 
@@ -97,44 +118,61 @@ class Steering:
     def __init__(self, arcs, time, parameters, followed=True):
         self.time, self.parameters = time, list(parameters or ())
         self._values = [real_function([time, *self.parameters], [value]) for value, _ in arcs]
-        self._ends = [until if until is None else real_function(self.parameters, [until]) for _, until in arcs]
+        self._ends = [
+            until if until is None else real_function(self.parameters, [until]) for _, until in arcs
+        ]
         parts = [part for arc in arcs for part in arc if part is not None]
         others = changed(*parts) if followed and in_decimals(*parts) else []
         #: Pairs of controls that the decimals of this one leave open.
-        self.changed = [[Steering(_arcs(side, arcs), time, parameters, False) for side in sides]
-                        for sides in others or ()]
+        self.changed = [
+            [Steering(_arcs(side, arcs), time, parameters, False) for side in sides]
+            for sides in others or ()
+        ]
         #: The same with two of them changed, a row for each decimal and one for each after it.
-        self.together = [[Steering(_arcs(both, arcs), time, parameters, False) for both in row]
-                         for row in (changed_together(*parts) if others else ())]
+        self.together = [
+            [Steering(_arcs(both, arcs), time, parameters, False) for both in row]
+            for row in (changed_together(*parts) if others else ())
+        ]
         self.rounding = share(*parts, computed=INTEGRATED) if others is None else INTEGRATED
         self.lasting = (1 if followed else 3) * share(*parts, computed=INTEGRATED)
 
     def ends(self, values):
-        """When the arcs end, one after the other; None for a single expression, which goes on for ever."""
+        """When the arcs end, one after the other; None for a single expression, which goes on for
+        ever."""
         if self._ends == [None]:
             return None
-        ends = [_real(until(*(float(values[p]) for p in self.parameters)), f"the end of your arc number {k}")
-                for k, until in enumerate(self._ends, 1)]
+        ends = [
+            _real(
+                until(*(float(values[p]) for p in self.parameters)),
+                f"the end of your arc number {k}",
+            )
+            for k, until in enumerate(self._ends, 1)
+        ]
         for begin, end in zip([0.0, *ends], ends):
             if not end > begin:
-                raise Wrong(f"your arcs end at times that do not grow: {end:.4g} comes after {begin:.4g}")
+                raise Wrong(
+                    f"your arcs end at times that do not grow: {end:.4g} comes after {begin:.4g}"
+                )
         return ends
 
     def sections(self, values, duration):
-        """Triples (begin, end, function of an array of times) between the jumps, from 0 to the given duration; of arcs
-        as far as they go, which may be less."""
+        """Triples (begin, end, function of an array of times) between the jumps, from 0 to the
+        given duration; of arcs as far as they go, which may be less."""
         numbers = [float(values[p]) for p in self.parameters]
 
         def smooth(value):
             def u(times):
                 said = at_instants(value, times, *numbers)[0]
-                # At a single instant, as between the cases t < 1 and t > 1, a control need not be defined.
+                # At a single instant, as between the cases t < 1 and t > 1, a control need not be
+                # defined.
                 for aside in (1e-9 * duration, -1e-9 * duration):
                     undefined = np.flatnonzero(np.isnan(said))
                     if len(undefined):
                         said[undefined] = at_instants(value, times[undefined] + aside, *numbers)[0]
                 for t in times[np.isnan(said)]:
-                    raise Wrong(f"your control at {self.time} = {t:.4g} is no real number, or not defined")
+                    raise Wrong(
+                        f"your control at {self.time} = {t:.4g} is no real number, or not defined"
+                    )
                 return said
 
             return u
@@ -145,8 +183,11 @@ class Steering:
             # The value at a jump itself is of no account: it is asked a little inside.
             return [(a, b, _inside(u, a, b)) for a, b in zip([0.0, *breaks], [*breaks, duration])]
         ends = self.ends(values)
-        return [(begin, min(end, duration), smooth(value))
-                for begin, end, value in zip([0.0, *ends], ends, self._values) if begin < duration]
+        return [
+            (begin, min(end, duration), smooth(value))
+            for begin, end, value in zip([0.0, *ends], ends, self._values)
+            if begin < duration
+        ]
 
 
 def _arcs(parts, arcs):
@@ -170,8 +211,8 @@ def _one_or_several(answer, symbols):
 
 
 def jumps(u, duration, pieces=360):
-    """The instants of (0, duration) where a function of an array of times jumps, by bisection between neighbours that
-    differ."""
+    """The instants of (0, duration) where a function of an array of times jumps, by bisection
+    between neighbours that differ."""
     times = np.linspace(0, duration, pieces + 1)
     times[0] += 1e-9 * duration
     values = u(times)
@@ -191,7 +232,8 @@ def jumps(u, duration, pieces=360):
 
 
 def at_instants(function, times, *numbers):
-    """What a `real_function` of time gives at an array of times, a row for each of its expressions."""
+    """What a `real_function` of time gives at an array of times, a row for each of its
+    expressions."""
     try:
         return function(times, *numbers)
     except Invalid:  # some functions, such as erf, are known for single numbers alone

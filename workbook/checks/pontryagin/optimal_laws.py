@@ -1,10 +1,11 @@
 """Laws of optimal processes, whatever the cost, and the curves on which they change.
 
-`problem` is a `pontryagin.Problem` with one control, whose start stands in it as symbols: these are among `parameters`,
-a dict from symbols to the intervals in which starts and parameters are tried. The optimum comes from `direct_optimum`,
-which knows nothing of costates. A law has to say what the best process does, at its states and close to them, and next
-to where its control changes above all: what a border of a law that is a little off costs is of second order. Then the
-law is followed from the start, has to keep to the ends, and may cost no more.
+`problem` is a `pontryagin.Problem` with one control, whose start stands in it as symbols: these are
+among `parameters`, a dict from symbols to the intervals in which starts and parameters are tried.
+The optimum comes from `direct_optimum`, which knows nothing of costates. A law has to say what the
+best process does, at its states and close to them, and next to where its control changes above all:
+what a border of a law that is a little off costs is of second order. Then the law is followed from
+the start, has to keep to the ends, and may cost no more.
 """
 
 import copy
@@ -24,21 +25,26 @@ from workbook.checks.truths.optima.direct_optimum import optima
 from workbook.checks.truths.optima.transfer_optima import rk4
 from workbook.checks.truths.scales import TIME, differing, same_at_every_scale, scales
 
-#: A law is followed in so many steps. Where it switches it lags by a step, which costs it this share at most.
+#: A law is followed in so many steps. Where it switches it lags by a step, which costs it this
+#: share at most.
 STEPS, LAGGING = 1500, 2e-3
-#: How far from a change of its control the best process is compared with a law, as a part of the duration, and how
-#: close to a state the law is asked, as a part of its coordinates; each for exact laws and for laws in decimals.
+#: How far from a change of its control the best process is compared with a law, as a part of the
+#: duration, and how close to a state the law is asked, as a part of its coordinates; each for exact
+#: laws and for laws in decimals.
 BEFORE, BESIDE = (3e-4, 2e-3), (5e-5, 5e-3)
 #: Which parts of the way to the next time known are taken besides, where the control varies.
 CLOSER = (0.05, 0.15, 0.25, 0.4)
-#: To what share of the distance of its bounds a control between them is known along the best process, and next to
-#: where it comes to a bound without a jump: the moment of this changes the cost in the third order only.
+#: To what share of the distance of its bounds a control between them is known along the best
+#: process, and next to where it comes to a bound without a jump: the moment of this changes the
+#: cost in the third order only.
 KNOWN, BENT = 2e-4, 1e-3
 #: What is a smaller part of the state than this is next to the origin, where all borders meet.
 AWAY = 0.05
-#: The law on both sides of a border, so close to it in parts of the way across, has to have both values.
+#: The law on both sides of a border, so close to it in parts of the way across, has to have both
+#: values.
 ACROSS = 1e-6
-#: In so many parts the distance of the bounds is divided, so often, to find what control an equation means.
+#: In so many parts the distance of the bounds is divided, so often, to find what control an
+#: equation means.
 PARTS, ROUNDS = 16, 2
 #: To what share of its coordinates the place of a change is found.
 LOCATED = 3e-4
@@ -48,8 +54,8 @@ LOCATED = 3e-4
 def optimal_law(answer, problem, parameters, time=None):
     """A law in the states, parameters and time under which every start gives an optimal process.
 
-    It is an expression, or an equation with the control in it that has one solution between the bounds: with
-    sp.Piecewise one for each region.
+    It is an expression, or an equation with the control in it that has one solution between the
+    bounds: with sp.Piecewise one for each region.
     """
     law = _Law(answer, problem, parameters, time)
     found = list(optima(problem, parameters))
@@ -65,11 +71,11 @@ def optimal_law(answer, problem, parameters, time=None):
 
 @judged(Expression("domain", "parameters"))
 def optimal_change(claim, problem, change, domain, parameters):
-    """The curve in the plane of the states on which the control of the best processes goes over from one kind of arc
-    to another.
+    """The curve in the plane of the states on which the control of the best processes goes over
+    from one kind of arc to another.
 
-    `change` is a pair of "bound" and "inside", before and after; `domain` gives the interval of one state, in which
-    the claim is the other one.
+    `change` is a pair of "bound" and "inside", before and after; `domain` gives the interval of one
+    state, in which the claim is the other one.
     """
     ((given, interval),) = domain.items()
     state = list(problem.dynamics)
@@ -86,8 +92,11 @@ def optimal_change(claim, problem, change, domain, parameters):
             if not np.isfinite(said):
                 raise Wrong(f"for {given} = {y[k]:.4g} your curve gives no real number")
             if not same(said, true, claim, true, LOCATED):
-                raise Wrong(f"for {given} = {y[k]:.4g} your curve gives {state[1 - k]} = {said:.4g}; the control of "
-                            f"the best process {told_for(values)}does not change there")
+                raise Wrong(
+                    f"for {given} = {y[k]:.4g} your curve gives {state[1 - k]} = {said:.4g}; the "
+                    "control of "
+                    f"the best process {told_for(values)}does not change there"
+                )
     if not places:
         raise RuntimeError("on no process that was found the control changes so")
     same_at_every_scale(claim, problem, parameters, places, state[1 - k], str(state[1 - k]))
@@ -105,12 +114,20 @@ class _Law:
         self.state, (self.control,) = list(problem.dynamics), problem.controls
         others = [p for p in parameters if p not in self.state]
         symbols = [*self.state, *others, *([time] if time else [])]
-        self._timed, self._others, self.implicit = time is not None, others, isinstance(answer, sp.Eq)
+        self._timed, self._others, self.implicit = (
+            time is not None,
+            others,
+            isinstance(answer, sp.Eq),
+        )
         if self.implicit:
-            left, right = (coercion.as_expression(side, [self.control, *symbols]) for side in answer.args)
+            left, right = (
+                coercion.as_expression(side, [self.control, *symbols]) for side in answer.args
+            )
             claim = left - right
             if self.control not in claim.free_symbols:
-                raise Invalid(f"expected the law as an expression, or as an equation for {self.control}")
+                raise Invalid(
+                    f"expected the law as an expression, or as an equation for {self.control}"
+                )
             symbols = [self.control, *symbols]
         else:
             claim = coercion.as_expression(answer, symbols)
@@ -118,8 +135,23 @@ class _Law:
         self.none = "no solution between the bounds" if self.implicit else "no real number"
         self.decimals = in_decimals(claim)
         #: Pairs of laws that the decimals of this one leave open; none if there are too many.
-        self.changed = [[_Law(sp.Eq(side, 0, evaluate=False) if self.implicit else side, problem, parameters, time,
-                              False) for (side,) in pair] for pair in changed(claim) or ()] if followed else ()
+        self.changed = (
+            [
+                [
+                    _Law(
+                        sp.Eq(side, 0, evaluate=False) if self.implicit else side,
+                        problem,
+                        parameters,
+                        time,
+                        False,
+                    )
+                    for (side,) in pair
+                ]
+                for pair in changed(claim) or ()
+            ]
+            if followed
+            else ()
+        )
         self.rounding = share(claim, computed=LAGGING)
 
     def wide(self):
@@ -130,18 +162,24 @@ class _Law:
 
     def __call__(self, states, times, values, bounds):
         """The controls at states (n x K) and times (K); nan where there is none."""
-        numbers = [np.broadcast_to(float(v) if np.ndim(v) == 0 else v, len(times))
-                   for v in (values[p] for p in self._others)]
+        numbers = [
+            np.broadcast_to(float(v) if np.ndim(v) == 0 else v, len(times))
+            for v in (values[p] for p in self._others)
+        ]
         known = [*states, *numbers, *([times] if self._timed else [])]
         if not self.implicit:
             return self._function(*known)[0]
         if not np.all(np.isfinite(bounds)):
-            raise Invalid("the control has no bounds, so that an equation may have any solution: write the law as an "
-                          "expression")
+            raise Invalid(
+                "the control has no bounds, so that an equation may have any solution: write the "
+                "law as an "
+                "expression"
+            )
         return self._solved(known, bounds)
 
     def _solved(self, known, bounds):
-        """The solutions between the bounds: brackets, made smaller together, and a chord in the last one."""
+        """The solutions between the bounds: brackets, made smaller together, and a chord in the
+        last one."""
         bounds = [np.broadcast_to(bound, known[0].shape) for bound in bounds]
         low, high = bounds
         allowed, every = max(1e-9, self.rounding / 10), np.arange(low.size)
@@ -155,23 +193,31 @@ class _Law:
                 size = np.nanmax(np.abs(left), axis=0, initial=0)
                 if (changed.sum(axis=0) > 1).any():
                     k = int(np.argmax(changed.sum(axis=0)))
-                    raise Wrong(f"at the state {point_text([v[k] for v in known[:2]])} your equation has several "
-                                f"solutions between the bounds of {self.control}")
+                    raise Wrong(
+                        f"at the state {point_text([v[k] for v in known[:2]])} your equation has "
+                        "several "
+                        f"solutions between the bounds of {self.control}"
+                    )
                 # What ends just beyond a bound is meant to be this bound.
                 ends = np.abs(left[[0, -1]])
-                meant = ~changed.any(axis=0) & (np.nanmin(ends, axis=0, initial=np.inf) <= allowed * size)
+                meant = ~changed.any(axis=0) & (
+                    np.nanmin(ends, axis=0, initial=np.inf) <= allowed * size
+                )
                 bound = np.where(ends[0] <= ends[1], *bounds)
                 none = ~changed.any(axis=0) & ~meant
             first = changed.argmax(axis=0)
             low, high = places[first, every], places[first + 1, every]
             at_low, at_high = left[first, every], left[first + 1, every]
         with np.errstate(all="ignore"):
-            chord = np.where(at_low == at_high, low, low - at_low * (high - low) / (at_high - at_low))
+            chord = np.where(
+                at_low == at_high, low, low - at_low * (high - low) / (at_high - at_low)
+            )
         return np.where(none, np.nan, np.where(meant, bound, np.clip(chord, low, high)))
 
 
 def _says_what_is_best(law, values, best):
-    """Raise `Wrong` where the law differs from the control of the best process in all states around one of it."""
+    """Raise `Wrong` where the law differs from the control of the best process in all states around
+    one of it."""
     roughly = law.decimals and not law.changed
     times, states, controls = _compared(best, BEFORE[roughly])
     low, high = best.bounds
@@ -180,71 +226,114 @@ def _says_what_is_best(law, values, best):
     times, states, controls = times[far], states[:, far], controls[far]
     width = high - low if np.isfinite(high - low) else 1 + np.abs(controls)
     n, (steps,) = len(states), (BESIDE[roughly] * (np.abs(states) + 0.02 * largest)[None],)
-    shifts = np.array([s for s in itertools.product((-1, 0, 1), repeat=n) if n < 3 or np.count_nonzero(s) < 2])
+    shifts = np.array(
+        [s for s in itertools.product((-1, 0, 1), repeat=n) if n < 3 or np.count_nonzero(s) < 2]
+    )
     around = states + shifts[:, :, None] * steps
-    said = law(np.concatenate(list(around), axis=1), np.tile(times, len(shifts)), values, best.bounds)
+    said = law(
+        np.concatenate(list(around), axis=1), np.tile(times, len(shifts)), values, best.bounds
+    )
     said = said.reshape(len(shifts), -1)
     bends = [best.times[j] for j, *kinds in best.changes() if None in kinds]
-    known = np.where([min((abs(t - one) for one in bends), default=np.inf) < AWAY * best.duration for t in times],
-                     BENT, KNOWN)
+    known = np.where(
+        [
+            min((abs(t - one) for one in bends), default=np.inf) < AWAY * best.duration
+            for t in times
+        ],
+        BENT,
+        KNOWN,
+    )
     slack = (known + (law.rounding if roughly else 0)) * width
     for pair in law.changed:
         here, *sides = (one(states, times, values, best.bounds) for one in (law, *pair))
         slack = slack + np.nan_to_num(np.fmax(*(abs(side - here) for side in sides)))
     inside = (np.nanmin(said, axis=0, initial=np.inf) - slack <= controls) & (
-        controls <= np.nanmax(said, axis=0, initial=-np.inf) + slack)
+        controls <= np.nanmax(said, axis=0, initial=-np.inf) + slack
+    )
     for k in np.flatnonzero(~inside)[:1]:
         here = law(states[:, [k]], times[[k]], values, best.bounds)[0]
         gives = f"{here:.4g}" if np.isfinite(here) else law.none
-        raise Wrong(f"{told_for(values)}the best process found comes to {point_text(states[:, k])} at t = "
-                    f"{times[k]:.4g}; there your law gives {gives}, and the best control is another one")
+        raise Wrong(
+            f"{told_for(values)}the best process found comes to {point_text(states[:, k])} at t = "
+            f"{times[k]:.4g}; there your law gives {gives}, and the best control is another one"
+        )
     _jumps_where_it_should(law, values, best)
 
 
 def _same_at_a_scale(law, values, best, factors):
-    """Raise `Wrong` for a law that gives other values in other units, in which the problem is the same."""
+    """Raise `Wrong` for a law that gives other values in other units, in which the problem is the
+    same."""
     times, states, _ = _compared(best, BEFORE[law.decimals])
     weights = [float(factors[x]) for x in law.state]
     there, own = np.array(weights)[:, None] * states, {p: v * factors[p] for p, v in values.items()}
     scale, time = float(factors[law.control]), float(factors[TIME])
     bounds = [scale * bound for bound in best.bounds]
-    said, wanted = law(there, times * time, own, bounds), scale * law(states, times, values, best.bounds)
-    for k in differing(said, wanted, KNOWN, lambda k: law.wide()(there[:, [k]], times[[k]] * time, own, bounds)[0]):
-        raise Wrong(f"{told_for(values)}at {point_text(states[:, k])} your law gives {wanted[k] / scale:.4g}. In other "
-                    f"units the problem is the same, so that {told_for(own)}at {point_text(there[:, k])} it has to "
-                    f"give {wanted[k]:.4g}; it gives {said[k]:.4g}")
+    said, wanted = (
+        law(there, times * time, own, bounds),
+        scale * law(states, times, values, best.bounds),
+    )
+    for k in differing(
+        said, wanted, KNOWN, lambda k: law.wide()(there[:, [k]], times[[k]] * time, own, bounds)[0]
+    ):
+        raise Wrong(
+            f"{told_for(values)}at {point_text(states[:, k])} your law gives "
+            f"{wanted[k] / scale:.4g}. In other "
+            f"units the problem is the same, so that {told_for(own)}at {point_text(there[:, k])} "
+            "it has to "
+            f"give {wanted[k]:.4g}; it gives {said[k]:.4g}"
+        )
 
 
 def _compared(best, share):
-    """Times, states and controls of the best process at which a law is compared, some of them next to the changes."""
+    """Times, states and controls of the best process at which a law is compared, some of them next
+    to the changes."""
     near = share * best.duration
     breaks = [best.times[j] for j, *_ in best.changes()]
-    keep = [k for k, t in enumerate(best.times) if t < best.duration - near / 2
-            and all(abs(t - one) > near / 2 for one in breaks)]
+    keep = [
+        k
+        for k, t in enumerate(best.times)
+        if t < best.duration - near / 2 and all(abs(t - one) > near / 2 for one in breaks)
+    ]
     found = [(best.times[k], best.states[:, k], best.controls[k]) for k in keep]
     ends = [0.0, *breaks, best.duration]
     for (j, *kinds), begin, end in zip(best.changes(), ends, ends[2:]):
         for u, side, room in zip(kinds, (-1, 1), (best.times[j] - begin, end - best.times[j])):
             if u is not None and 2 * near < room:
-                found.append((best.times[j] + side * near, _moved(best, best.states[:, j], u, side * near), u))
+                found.append(
+                    (
+                        best.times[j] + side * near,
+                        _moved(best, best.states[:, j], u, side * near),
+                        u,
+                    )
+                )
             elif u is None:
-                found += [part for part in _close(best, j, side) if abs(part[0] - best.times[j]) > near / 2]
+                found += [
+                    part
+                    for part in _close(best, j, side)
+                    if abs(part[0] - best.times[j]) > near / 2
+                ]
     times, states, controls = zip(*found)
     return np.array(times), np.array(states).T, np.array(controls)
 
 
 def _close(best, j, side):
-    """Times, states and controls between a change and the next time known on an arc with a control that varies."""
+    """Times, states and controls between a change and the next time known on an arc with a control
+    that varies."""
     next_to, kept = best.controls[j + side], best.controls[j] if side < 0 else best.controls[j + 1]
     if side > 0:  # at the change itself the control of the arc before it is known
-        (t, s), (v, w) = best.times[j + 1:j + 3] - best.times[j], best.controls[j + 1:j + 3]
+        (t, s), (v, w) = best.times[j + 1 : j + 3] - best.times[j], best.controls[j + 1 : j + 3]
         kept = v - (w - v) * t / (s - t)
     span, y = best.times[j + side] - best.times[j], np.append(best.states[:, j], 0)
     for part in CLOSER:
+
         def rates(t, z, slope=(next_to - kept) / span):
             return best.field(z, kept + slope * t)
 
-        yield best.times[j] + part * span, rk4(rates, 0, y, part * span)[:-1], kept + part * (next_to - kept)
+        yield (
+            best.times[j] + part * span,
+            rk4(rates, 0, y, part * span)[:-1],
+            kept + part * (next_to - kept),
+        )
 
 
 def _moved(best, y, u, h):
@@ -253,16 +342,21 @@ def _moved(best, y, u, h):
 
 
 def _jumps_where_it_should(law, values, best):
-    """Raise `Wrong` for a law that goes over from one value to another by and by, where the best control jumps.
+    """Raise `Wrong` for a law that goes over from one value to another by and by, where the best
+    control jumps.
 
-    The way across: what is before the jump, and where the motion would come to with the control kept.
+    The way across: what is before the jump, and where the motion would come to with the control
+    kept.
     """
     near = BEFORE[law.decimals] * best.duration
-    low, high = best.bounds
+    _low, _high = best.bounds
     for j, before, after in best.changes():
         if before is None or after is None:
             continue
-        t, (one, other) = best.times[[j]], (_moved(best, best.states[:, j], before, h)[:, None] for h in (-near, near))
+        t, (one, other) = (
+            best.times[[j]],
+            (_moved(best, best.states[:, j], before, h)[:, None] for h in (-near, near)),
+        )
         slack = law.rounding * abs(after - before)
 
         def at(place, one=one, other=other, t=t):
@@ -275,12 +369,16 @@ def _jumps_where_it_should(law, values, best):
             middle = (first + last) / 2
             first, last = (middle, last) if abs(at(middle) - before) <= slack else (first, middle)
         if not abs(at(min(last + ACROSS, 1.0)) - after) <= slack:
-            raise Wrong(f"{told_for(values)}at {point_text(best.states[:, j])} the best control jumps; your law gives "
-                        f"values between")
+            raise Wrong(
+                f"{told_for(values)}at {point_text(best.states[:, j])} the best control jumps; "
+                "your law gives "
+                f"values between"
+            )
 
 
 def _followed(law, found):
-    """Times and states of the motions under a law, all starts together, in small steps with a constant control."""
+    """Times and states of the motions under a law, all starts together, in small steps with a
+    constant control."""
     bests = [best for _, best in found]
     values = {p: np.array([float(one[p]) for one, _ in found]) for p in found[0][0]}
     low, high = bounds = np.array([best.bounds for best in bests]).T
@@ -291,11 +389,19 @@ def _followed(law, found):
     for _ in range(STEPS):
         u = law(y[:, :-1].T, t, values, bounds)
         for k in np.flatnonzero(~((low - slack <= u) & (u <= high + slack))):
-            said = f"{u[k]:.4g}, outside the bounds of the control" if np.isfinite(u[k]) else law.none
-            raise Wrong(f"{told_for(found[k][0])}at t = {t[k]:.4g} the motion under your law is at "
-                        f"{point_text(y[k, :-1])}, and the law gives {said}")
-        y = np.array([rk4(lambda _, z, best=best, v=v: best.field(z, v), 0, *step)
-                      for best, v, *step in zip(bests, u.tolist(), y, h)])
+            said = (
+                f"{u[k]:.4g}, outside the bounds of the control" if np.isfinite(u[k]) else law.none
+            )
+            raise Wrong(
+                f"{told_for(found[k][0])}at t = {t[k]:.4g} the motion under your law is at "
+                f"{point_text(y[k, :-1])}, and the law gives {said}"
+            )
+        y = np.array(
+            [
+                rk4(lambda _, z, best=best, v=v: best.field(z, v), 0, *step)
+                for best, v, *step in zip(bests, u.tolist(), y, h)
+            ]
+        )
         t = t + h
         states.append(y)
         times.append(t)

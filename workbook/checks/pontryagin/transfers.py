@@ -1,10 +1,10 @@
-"""Transfers in least or greatest time: which starts can be brought to the target, in what time, with how many
-switchings.
+"""Transfers in least or greatest time: which starts can be brought to the target, in what time,
+with how many switchings.
 
-`problem` is a `pontryagin.Problem` of which the cost is the time. Its parameters stand in a list; a state without a
-value at the start that is one of them stands for its start. What an optimal control, motion or costate is, and the time
-itself, is judged in `processes`. The optimum comes from `transfer_optima`, where neither the maximum principle nor a
-shooting is used.
+`problem` is a `pontryagin.Problem` of which the cost is the time. Its parameters stand in a list; a
+state without a value at the start that is one of them stands for its start. What an optimal
+control, motion or costate is, and the time itself, is judged in `processes`. The optimum comes from
+`transfer_optima`, where neither the maximum principle nor a shooting is used.
 """
 
 import functools
@@ -26,16 +26,19 @@ from workbook.checks.truths.optima.transfer_optima import CLOSE, SAMPLES, Transf
 
 @judged(Expression("count"))
 def meeting_time(claim, problem, count):
-    """The least, or greatest, time of the meeting number `count` with the target, a start on the target being the
-    meeting number 0."""
+    """The least, or greatest, time of the meeting number `count` with the target, a start on the
+    target being the meeting number 0."""
     transfer = Transfer(problem)
     for number in (0, 1, 2, 3, 7):
         said = real_at(claim, {count: number})
         best = transfer.at({}, meetings=number)
         if said is None or not (_close(said, best.duration, claim) if number else abs(said) < 1e-9):
             if number == 0:
-                raise Wrong(f"the start lies on the target already; for {count} = 0 your expression gives another "
-                            f"time than that of the start")
+                raise Wrong(
+                    f"the start lies on the target already; for {count} = 0 your expression gives "
+                    "another "
+                    f"time than that of the start"
+                )
             told = "no real number" if said is None else f"{said:.4g}; {best.told_duration(said)}"
             raise Wrong(f"for {count} = {number} your time is {told}")
     return "it is the time of this meeting, for several numbers"
@@ -43,39 +46,58 @@ def meeting_time(claim, problem, count):
 
 @judged(Expression("angle", lambda data: list(data["problem"].controls)))
 def turning_rate(claim, problem, angle):
-    """The rate of the polar angle of the state of a planar system, as an expression in the angle and the control."""
+    """The rate of the polar angle of the state of a planar system, as an expression in the angle
+    and the control."""
     (x, y), ((control, bounds),) = problem.dynamics, problem.controls.items()
     random = np.random.default_rng(9)
     for _ in range(20):
-        theta, u, r = random.uniform(-math.pi, math.pi), random.uniform(*map(float, bounds)), random.uniform(0.3, 3)
+        theta, u, r = (
+            random.uniform(-math.pi, math.pi),
+            random.uniform(*map(float, bounds)),
+            random.uniform(0.3, 3),
+        )
         place = {x: r * math.cos(theta), y: r * math.sin(theta), control: u}
         rates = [float(f.subs(place)) for f in problem.dynamics.values()]
         terms = np.array([place[x] * rates[1], -place[y] * rates[0]]) / r**2
-        yield Same(claim, terms.sum(), "the rate at which the direction of the state turns",
-                   {angle: sp.Float(theta, 20), control: sp.Float(u, 20)}, np.abs(terms).max())
+        yield Same(
+            claim,
+            terms.sum(),
+            "the rate at which the direction of the state turns",
+            {angle: sp.Float(theta, 20), control: sp.Float(u, 20)},
+            np.abs(terms).max(),
+        )
     return "it is the rate at which the direction turns, at random states and controls"
 
 
 @judged(Expression(lambda data: list(data["problem"].dynamics)))
 def least_rate(claim, quantity, problem):
-    """The least rate of change of a quantity that an admissible control can give, as an expression in the state."""
+    """The least rate of change of a quantity that an admissible control can give, as an expression
+    in the state."""
     state, ((control, bounds),) = list(problem.dynamics), problem.controls.items()
     slope = sum(sp.diff(quantity, x) * f for x, f in problem.dynamics.items())
     random = np.random.default_rng(3)
     for k in range(20):
-        place = {x: sp.Rational(int(random.integers(2, 60)), 13) * int(random.choice((-1, 1))) for x in state}
+        place = {
+            x: sp.Rational(int(random.integers(2, 60)), 13) * int(random.choice((-1, 1)))
+            for x in state
+        }
         if k >= 16:
             place = {x: value * CLOSE for x, value in place.items()}
         rates = [float(slope.subs(place).subs(control, u)) for u in bounds]
-        yield Same(claim, min(rates), "the least of the rates that the admissible controls give", place,
-                   max(map(abs, rates)))
+        yield Same(
+            claim,
+            min(rates),
+            "the least of the rates that the admissible controls give",
+            place,
+            max(map(abs, rates)),
+        )
     return "it is the least of the rates that the admissible controls give, at random states of both signs"
 
 
 @judged
 def transfer_starts(answer, problem, parameters):
-    """The starts, or parameters, for which the target can be reached; a start on the target may be counted either
-    way."""
+    """The starts, or parameters, for which the target can be reached; a start on the target may be
+    counted either way."""
     transfer, truth = _reachable(problem, tuple(parameters))
     agreement = compare(answer, parameters, truth, contrary(transfer.told_solvable))
     return f"it agrees with what the controls can reach: {agreement}"
@@ -85,46 +107,62 @@ def transfer_starts(answer, problem, parameters):
 def _reachable(problem, parameters):
     """A transfer and from where its target can be reached: found once for all answers."""
     transfer = Transfer(problem, parameters)
-    return transfer, exactly(transfer.solvable_condition(), transfer.off_target(), at=transfer.solvable)
+    return transfer, exactly(
+        transfer.solvable_condition(), transfer.off_target(), at=transfer.solvable
+    )
 
 
 @judged
 def reached_within(answer, problem, duration, parameters):
-    """The condition, in the parameters and the symbol `duration`, for the target to be reached in a time not longer
-    than it."""
+    """The condition, in the parameters and the symbol `duration`, for the target to be reached in a
+    time not longer than it."""
     transfer = Transfer(problem, parameters)
     found = list(transfer.samples())
 
     def points():
         for values, best in found:
             for part in (0.3, 0.999, 1.001, 4):
-                yield {duration: sp.Rational(best.duration * part).limit_denominator(10**9), **values}
+                yield {
+                    duration: sp.Rational(best.duration * part).limit_denominator(10**9),
+                    **values,
+                }
 
     def in_time(place):
         values = {p: place[p] for p in parameters}
         return next(best for known, best in found if known == values).duration <= place[duration]
 
     truth = exactly(transfer.in_time_condition(duration), at=in_time, points=points)
-    agreement = compare(answer, [duration, *parameters], truth, lambda values, holds: (
-        f"for {place_text(values)} the target {'can' if holds else 'cannot'} be reached in time; your condition "
-        f"{'does not hold' if holds else 'holds'}"))
+    agreement = compare(
+        answer,
+        [duration, *parameters],
+        truth,
+        lambda values, holds: (
+            f"for {place_text(values)} the target {'can' if holds else 'cannot'} be reached in "
+            "time; your condition "
+            f"{'does not hold' if holds else 'holds'}"
+        ),
+    )
     return f"it tells the times that suffice from those that do not: {agreement}"
 
 
 @judged(Expression("parameters"))
 def switchings(claim, problem, parameters):
-    """How often the fastest control switches, as an expression in the parameters; not asked where all of them are whole
-    numbers."""
+    """How often the fastest control switches, as an expression in the parameters; not asked where
+    all of them are whole numbers."""
     transfer = Transfer(problem, parameters)
     for values, best in transfer.samples(4 * SAMPLES):
         if all(value.is_integer for value in values.values()):
-            continue  # the number may be another one at exceptional starts: those on a switching curve
+            # the number may be another one at exceptional starts: those on a switching curve
+            continue
         said = real_at(claim, values)
         count = best.switchings()
         if said is None or not abs(said - count) <= 1e-9:
             told = "no real number" if said is None else f"{said:.4g}"
-            raise Wrong(f"for {values_text(values)} the fastest control switches {_times(count)}; your expression "
-                        f"gives {told}")
+            raise Wrong(
+                f"for {values_text(values)} the fastest control switches {_times(count)}; your "
+                "expression "
+                f"gives {told}"
+            )
     return f"it counts the switchings of the fastest control for {4 * SAMPLES} starts"
 
 
@@ -132,31 +170,50 @@ def switchings(claim, problem, parameters):
 def most_switchings(claim, problem, parameters):
     """The greatest number of switchings that a fastest transfer needs."""
     transfer = Transfer(problem, parameters)
-    most = max((best.switchings(), k) for k, (_, best) in enumerate(transfer.samples(4 * SAMPLES)))[0]
+    most = max((best.switchings(), k) for k, (_, best) in enumerate(transfer.samples(4 * SAMPLES)))[
+        0
+    ]
     if claim < most:
-        raise Wrong(f"there are starts from which the fastest control switches more often than {_times(claim)}")
+        raise Wrong(
+            "there are starts from which the fastest control switches more often than "
+            f"{_times(claim)}"
+        )
     if claim > most:
-        raise Wrong(f"among {4 * SAMPLES} starts there is none from which the fastest control switches as often as "
-                    f"{_times(claim)}")
+        raise Wrong(
+            f"among {4 * SAMPLES} starts there is none from which the fastest control switches as "
+            "often as "
+            f"{_times(claim)}"
+        )
     return f"the fastest controls from {4 * SAMPLES} starts confirm it"
 
 
 @judged(Number())
 def switching_interval(claim, problem, parameters):
     """The time between two switchings of fastest controls, where it is the same for all."""
-    intervals = [b - a for _, best in Transfer(problem, parameters).samples(4 * SAMPLES)
-                 for a, b in zip(best.breaks(), best.breaks()[1:])]
+    intervals = [
+        b - a
+        for _, best in Transfer(problem, parameters).samples(4 * SAMPLES)
+        for a, b in zip(best.breaks(), best.breaks()[1:])
+    ]
     if max(intervals) - min(intervals) > 1e-3 * max(intervals):
         raise RuntimeError("the intervals between switchings differ")
-    if not _close(float(claim), float(np.mean(intervals)), claim, 0 if in_decimals(claim) else 4 * max(intervals)):
-        raise Wrong(f"fastest controls from {len(intervals)} starts do not switch at such intervals: yours is too "
-                    + ("short" if float(claim) < min(intervals) else "long"))
+    if not _close(
+        float(claim),
+        float(np.mean(intervals)),
+        claim,
+        0 if in_decimals(claim) else 4 * max(intervals),
+    ):
+        raise Wrong(
+            f"fastest controls from {len(intervals)} starts do not switch at such intervals: yours "
+            "is too " + ("short" if float(claim) < min(intervals) else "long")
+        )
     return f"the fastest controls switch at such intervals, {len(intervals)} times"
 
 
 @judged(Expression("count"))
 def isochrone_radius(claim, problem, duration, count):
-    """The radius of the circle of starts whose least time is `duration`, an expression in the whole number `count`."""
+    """The radius of the circle of starts whose least time is `duration`, an expression in the whole
+    number `count`."""
     transfer = Transfer(problem, list(problem.dynamics))
     for number in range(1, 6):
         said = real_at(claim, {count: number})
@@ -165,10 +222,13 @@ def isochrone_radius(claim, problem, duration, count):
             raise RuntimeError("this isochrone is no circle")
         if said is None or not _close(said, float(np.mean(radii)), claim):
             told = "is no real number" if said is None else f"is {said:.4g}"
-            raise Wrong(f"for {count} = {number} your radius {told}; the farthest starts from which the origin can be "
-                        f"reached in that "
-                        "time lie "
-                        + ("farther out" if said is not None and said < min(radii) else "closer"))
+            raise Wrong(
+                f"for {count} = {number} your radius {told}; the farthest starts from which the "
+                "origin can be "
+                f"reached in that "
+                "time lie "
+                + ("farther out" if said is not None and said < min(radii) else "closer")
+            )
     return "all around the origin the starts that need this time lie at that distance"
 
 

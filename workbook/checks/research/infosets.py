@@ -1,7 +1,8 @@
 """Information sets: convex polygons given by their sides.
 
-A polygon {p: a_i p <= b_i} is judged by its corners, which are found where two sides meet and no other is violated;
-whether it has a point at all by Farkas' lemma, over pairs and triples of sides. Sides are not made tight.
+A polygon {p: a_i p <= b_i} is judged by its corners, which are found where two sides meet and no
+other is violated; whether it has a point at all by Farkas' lemma, over pairs and triples of sides.
+Sides are not made tight.
 """
 
 import functools
@@ -22,27 +23,37 @@ ROUNDING = 1e-9
 
 @judged(Expressions("bounds", length=lambda data: data["directions"].rows))
 def support_values(claims, sides, bounds, directions):
-    """How far {p: sides p <= bounds} reaches in each direction: the greatest n p over it, for the rows n."""
+    """How far {p: sides p <= bounds} reaches in each direction: the greatest n p over it, for the
+    rows n."""
     symbols = _symbols(bounds)
     for values in in_every_case(random_values(symbols, 91), sp.Matrix(claims)):
         corners = _corners(sides, bounds, values)
-        reach = np.array(directions.tolist(), dtype=float)@corners.T
+        reach = np.array(directions.tolist(), dtype=float) @ corners.T
         for k, claim in enumerate(claims):
             row = ", ".join(f"{float(part):.3g}" for part in directions.row(k))
-            yield Same(claim, reach[k].max(), f"how far the polygon reaches in the direction ({row})", values,
-                       np.abs(corners).max())
+            yield Same(
+                claim,
+                reach[k].max(),
+                f"how far the polygon reaches in the direction ({row})",
+                values,
+                np.abs(corners).max(),
+            )
     return "they are the greatest over all corners, for random values of the symbols"
 
 
 @judged
 def common_point(answer, sides, bounds):
-    """Condition for {p: sides p <= bounds} to have a point, for positive values of the symbols of the bounds."""
+    """Condition for {p: sides p <= bounds} to have a point, for positive values of the symbols of
+    the bounds."""
     symbols = _symbols(bounds)
     here = sp.And(*(symbol > 0 for symbol in symbols))
 
     def reason(values, holds):
-        return (f"for {place_text(values)} " + ("some point keeps all bounds, yet your condition fails" if holds else
-                                                "no point keeps all bounds, yet your condition holds"))
+        return f"for {place_text(values)} " + (
+            "some point keeps all bounds, yet your condition fails"
+            if holds
+            else "no point keeps all bounds, yet your condition holds"
+        )
 
     needed = _necessary(sides.as_immutable(), tuple(map(sp.sympify, bounds)))
     agreement = compare(answer, symbols, exactly(needed, here), reason)
@@ -62,7 +73,7 @@ def _corners(sides, bounds, values):
         pair = a[[i, j]]
         if abs(np.linalg.det(pair)) > ROUNDING:
             corner = np.linalg.solve(pair, b[[i, j]])
-            if (a@corner <= b + ROUNDING*(1 + np.abs(b).max())).all():
+            if (a @ corner <= b + ROUNDING * (1 + np.abs(b).max())).all():
                 found.append(corner)
     if not found:
         raise Wrong("for some values of the symbols the polygon has no corner")
@@ -71,16 +82,22 @@ def _corners(sides, bounds, values):
 
 @functools.lru_cache(maxsize=32)
 def _necessary(sides, bounds):
-    """The conditions sum lambda_i b_i >= 0 for all lambda >= 0 of two or three sides with sum lambda_i a_i = 0."""
+    """The conditions sum lambda_i b_i >= 0 for all lambda >= 0 of two or three sides with sum
+    lambda_i a_i = 0."""
     rows = [sides.row(i) for i in range(sides.rows)]
-    turns = {(i, j): sp.simplify(rows[i][0]*rows[j][1] - rows[i][1]*rows[j][0])
-             for i, j in itertools.combinations(range(len(rows)), 2)}
-    found = [sp.simplify(rows[j].norm()*bounds[i] + rows[i].norm()*bounds[j]) >= 0
-             for (i, j), turn in turns.items() if turn == 0 and rows[i].dot(rows[j]) < 0]
+    turns = {
+        (i, j): sp.simplify(rows[i][0] * rows[j][1] - rows[i][1] * rows[j][0])
+        for i, j in itertools.combinations(range(len(rows)), 2)
+    }
+    found = [
+        sp.simplify(rows[j].norm() * bounds[i] + rows[i].norm() * bounds[j]) >= 0
+        for (i, j), turn in turns.items()
+        if turn == 0 and rows[i].dot(rows[j]) < 0
+    ]
     for i, j, k in itertools.combinations(range(len(rows)), 3):
         weights = [turns[j, k], -turns[i, k], turns[i, j]]
         signs = {sp.sign(weight) for weight in weights}
         if len(signs) == 1 and signs != {sp.S.Zero}:
-            total = sum(abs(weight)*bounds[n] for weight, n in zip(weights, (i, j, k)))
-            found.append(sp.simplify(total/abs(weights[0])) >= 0)
+            total = sum(abs(weight) * bounds[n] for weight, n in zip(weights, (i, j, k)))
+            found.append(sp.simplify(total / abs(weights[0])) >= 0)
     return sp.And(*found)

@@ -1,5 +1,5 @@
-"""Formulas that agree with a table of motions: the polynomial of the table is found here by its powers, from linear
-equations, and not by fundamental polynomials."""
+"""Formulas that agree with a table of motions: the polynomial of the table is found here by its
+powers, from linear equations, and not by fundamental polynomials."""
 
 import math
 
@@ -16,16 +16,28 @@ SAMPLES, SEED = 8, 81
 
 @judged(Expression("nodes"))
 def of_interpolant(claim, quantity, motion, nodes, level, slope=None, places=None):
-    """A quantity of the polynomial that agrees with a motion at all nodes, as an expression in their variables. In the
-    quantity `level` stands for the polynomial and `slope` for its derivative by the first variable."""
-    powers, places, names = _powers(motion, nodes), places or {}, [symbol for symbol in (level, slope) if symbol]
-    between = sp.And(*(sp.And(symbol >= min(axis), symbol <= max(axis)) for symbol, axis in nodes.items()))
+    """A quantity of the polynomial that agrees with a motion at all nodes, as an expression in
+    their variables. In the quantity `level` stands for the polynomial and `slope` for its
+    derivative by the first variable."""
+    powers, places, names = (
+        _powers(motion, nodes),
+        places or {},
+        [symbol for symbol in (level, slope) if symbol],
+    )
+    between = sp.And(
+        *(sp.And(symbol >= min(axis), symbol <= max(axis)) for symbol, axis in nodes.items())
+    )
     for values in in_every_case(_inside(nodes), claim, between):
         values = values | places
         found = dict(zip(names, (_polynomial(powers, nodes, values, order) for order in (0, 1))))
         true = complex(sp.sympify(quantity).subs(found | values).evalf())
-        yield Same(claim, true.real if abs(true.imag) < 1e-12 else math.nan, "the quantity that was asked for", values,
-                   abs(true) + max(map(abs, found.values())))
+        yield Same(
+            claim,
+            true.real if abs(true.imag) < 1e-12 else math.nan,
+            "the quantity that was asked for",
+            values,
+            abs(true) + max(map(abs, found.values())),
+        )
     return f"the polynomial through the table gives the same at {SAMPLES} places"
 
 
@@ -37,24 +49,34 @@ def _powers(motion, nodes):
     found = np.array([float(value) for value in exact]).reshape(grid[0].shape)
     for k, axis in enumerate(nodes.values()):
         vandermonde = np.vander([float(node) for node in axis], increasing=True)
-        found = np.moveaxis(np.linalg.solve(vandermonde, np.moveaxis(found, k, 0).reshape(len(axis), -1)).reshape(
-            len(axis), *np.delete(found.shape, k)), 0, k)
+        found = np.moveaxis(
+            np.linalg.solve(vandermonde, np.moveaxis(found, k, 0).reshape(len(axis), -1)).reshape(
+                len(axis), *np.delete(found.shape, k)
+            ),
+            0,
+            k,
+        )
     return found
 
 
 def _exactly(nodes, row):
     """The nodes that a row of decimals stands for."""
-    return [min(axis, key=lambda node: abs(float(node) - place)) for axis, place in zip(nodes.values(), row)]
+    return [
+        min(axis, key=lambda node: abs(float(node) - place))
+        for axis, place in zip(nodes.values(), row)
+    ]
 
 
 def _polynomial(powers, nodes, values, order):
     """Its value, or its derivative by the first variable."""
     found = powers
     for k, symbol in reversed(list(enumerate(nodes))):
-        row = np.array([float(values[symbol])**n for n in range(found.shape[-1])])
+        row = np.array([float(values[symbol]) ** n for n in range(found.shape[-1])])
         if k == 0 and order:
-            row = np.array([n*float(values[symbol])**(n - 1) if n else 0.0 for n in range(found.shape[-1])])
-        found = found@row
+            row = np.array(
+                [n * float(values[symbol]) ** (n - 1) if n else 0.0 for n in range(found.shape[-1])]
+            )
+        found = found @ row
     return float(found)
 
 
@@ -62,4 +84,7 @@ def _inside(nodes):
     """Random places between the nodes."""
     random = np.random.default_rng(SEED)
     for _ in range(SAMPLES):
-        yield {symbol: float(random.uniform(float(min(axis)), float(max(axis)))) for symbol, axis in nodes.items()}
+        yield {
+            symbol: float(random.uniform(float(min(axis)), float(max(axis))))
+            for symbol, axis in nodes.items()
+        }

@@ -12,29 +12,47 @@ from workbook.checks.tools.wording import rounded_text
 
 @judged(Expressions("signal", "nuisance", length=lambda data: len(data["signal"][0])))
 def invariant_weights(claims, signal, nuisance, functional):
-    """The weights of least sum of squares with which the estimate of a number, linear in the coefficients of the
-    signal, is unbiased whatever the coefficients of signal and nuisance are. `functional`: that number for each
-    function of the signal."""
-    claim, symbols = sp.Matrix(list(claims)), sorted(sp.Matrix([*signal, *nuisance]).free_symbols, key=str)
+    """The weights of least sum of squares with which the estimate of a number, linear in the
+    coefficients of the signal, is unbiased whatever the coefficients of signal and nuisance are.
+    `functional`: that number for each function of the signal."""
+    claim, symbols = (
+        sp.Matrix(list(claims)),
+        sorted(sp.Matrix([*signal, *nuisance]).free_symbols, key=str),
+    )
     for values in in_every_case(random_values(symbols, 82), claim):
-        psi, theta = (np.array(sp.Matrix(rows).subs(values).evalf(), dtype=float).reshape(len(rows), claim.rows)
-                      for rows in (signal, nuisance))
+        psi, theta = (
+            np.array(sp.Matrix(rows).subs(values).evalf(), dtype=float).reshape(
+                len(rows), claim.rows
+            )
+            for rows in (signal, nuisance)
+        )
         wanted = np.array([float(sp.sympify(number).subs(values)) for number in functional])
         conditions, right = np.vstack([psi, theta]), np.append(wanted, np.zeros(len(theta)))
-        true = np.linalg.pinv(conditions)@right
+        true = np.linalg.pinv(conditions) @ right
 
         def told(said, i, j):
             weights, where = said[:, 0].real, rounded_text(values)
-            means, passes = psi@weights, theta@weights
-            slack = 1e-6*np.abs(conditions)@np.abs(weights)
-            for k in np.flatnonzero(np.abs(means - wanted) > slack[:len(psi)])[:1]:
-                return (f"for {where}, function {k + 1} of the signal comes out of your weights as {means[k]:.4g}, not "
-                        f"as {wanted[k]:.4g}: the estimate is biased")
-            for k in np.flatnonzero(np.abs(passes) > slack[len(psi):])[:1]:
-                return (f"for {where}, function {k + 1} of the nuisance comes through your weights with the factor "
-                        f"{passes[k]:.4g}")
-            return (f"for {where}, your weights are unbiased and ignore the nuisance, but their sum of squares "
-                    f"{weights@weights:.4g} is not the least")
+            means, passes = psi @ weights, theta @ weights
+            slack = 1e-6 * np.abs(conditions) @ np.abs(weights)
+            for k in np.flatnonzero(np.abs(means - wanted) > slack[: len(psi)])[:1]:
+                return (
+                    f"for {where}, function {k + 1} of the signal comes out of your weights as "
+                    f"{means[k]:.4g}, not "
+                    f"as {wanted[k]:.4g}: the estimate is biased"
+                )
+            for k in np.flatnonzero(np.abs(passes) > slack[len(psi) :])[:1]:
+                return (
+                    f"for {where}, function {k + 1} of the nuisance comes through your weights "
+                    "with the factor "
+                    f"{passes[k]:.4g}"
+                )
+            return (
+                f"for {where}, your weights are unbiased and ignore the nuisance, but their sum of "
+                "squares "
+                f"{weights @ weights:.4g} is not the least"
+            )
 
-        yield Entries(claim, true[:, None], told, values, np.full((true.size, 1), np.abs(true).max()))
+        yield Entries(
+            claim, true[:, None], told, values, np.full((true.size, 1), np.abs(true).max())
+        )
     return "unbiased, blind to the nuisance and of least variance, for random values of the symbols"

@@ -1,10 +1,12 @@
-"""Reconstruction of a motion from samples: the transition of state and costate, small records, continuous measurements.
+"""Reconstruction of a motion from samples: the transition of state and costate, small records,
+continuous measurements.
 
-The motion of least cost is found here by dense least squares in positions and velocities at the samples, where the
-integral of u^2 between two states is a quadratic form; the sweep is not used. Expressions are compared at random values
-of their symbols.
+The motion of least cost is found here by dense least squares in positions and velocities at the
+samples, where the integral of u^2 between two states is a quadratic form; the sweep is not used.
+Expressions are compared at random values of their symbols.
 """
 
+import itertools
 import math
 
 import numpy as np
@@ -26,21 +28,37 @@ PIECES = 16
 
 @judged(Expression("lam", "kappa"))
 def transition_polynomial(claim, transition, lam, kappa):
-    """The characteristic polynomial P(lambda) = det(lambda E - A) of a transition matrix that depends on kappa.
+    """The characteristic polynomial P(lambda) = det(lambda E - A) of a transition matrix that
+    depends on kappa.
 
-    Where `lam` is written with another symbol, w/2 + sqrt(w^2/4 - 1) or exp(i phi), P(lambda)/lambda^(n/2) in this
-    symbol, which is real for a reciprocal polynomial: without the imaginary unit on the unit circle.
+    Where `lam` is written with another symbol, w/2 + sqrt(w^2/4 - 1) or exp(i phi),
+    P(lambda)/lambda^(n/2) in this symbol, which is real for a reciprocal polynomial: without the
+    imaginary unit on the unit circle.
     """
     if lam.has(sp.I) and claim.has(sp.I):
-        raise Wrong("the imaginary unit is left in it: an expression whose sign can be read off was asked for")
+        raise Wrong(
+            "the imaginary unit is left in it: an expression whose sign can be read off was asked "
+            "for"
+        )
     (symbol,), n, random = lam.free_symbols, transition.rows, np.random.default_rng(61)
-    what, power = ("det(lambda E - A)", 0) if lam == symbol else (f"det(lambda E - A)/lambda^{n//2}", n//2)
+    what, power = (
+        ("det(lambda E - A)", 0)
+        if lam == symbol
+        else (f"det(lambda E - A)/lambda^{n // 2}", n // 2)
+    )
     for stiffness in spread(random, 0.1, 9, RECORDS):
         at = random.uniform(-3, 3)
         point = complex(lam.subs(symbol, at))
-        true = np.linalg.det(point*np.eye(n) - _matrix(transition, kappa, stiffness))/point**power
-        yield Same(claim, true.real, what if power == 0 else f"{what} at lambda = {number_text(point)}",
-                   {symbol: at, kappa: stiffness}, abs(true) + 1)
+        true = (
+            np.linalg.det(point * np.eye(n) - _matrix(transition, kappa, stiffness)) / point**power
+        )
+        yield Same(
+            claim,
+            true.real,
+            what if power == 0 else f"{what} at lambda = {number_text(point)}",
+            {symbol: at, kappa: stiffness},
+            abs(true) + 1,
+        )
     return f"it is {what} for random {symbol} and {kappa}"
 
 
@@ -50,12 +68,15 @@ def multiple_eigenvalues(number, transition, kappa):
     claim = float(number)
     if claim <= 0:
         raise Wrong(f"kappa = {claim:.4g} is not positive")
-    rounding = half_unit(claim) if in_decimals(number) else 1e-6*claim
-    low, high = (_split(transition, kappa, claim + side*rounding) for side in (-1, 1))
-    if not low*high <= 0:
+    rounding = half_unit(claim) if in_decimals(number) else 1e-6 * claim
+    low, high = (_split(transition, kappa, claim + side * rounding) for side in (-1, 1))
+    if not low * high <= 0:
         values = np.linalg.eigvals(_matrix(transition, kappa, claim))
         gap = min(abs(a - b) for k, a in enumerate(values) for b in values[:k])
-        raise Wrong(f"for kappa = {claim:.4g} the eigenvalues are different: the nearest two are {gap:.3g} apart")
+        raise Wrong(
+            f"for kappa = {claim:.4g} the eigenvalues are different: the nearest two are {gap:.3g} "
+            "apart"
+        )
     return "here pairs of complex eigenvalues meet on the real axis"
 
 
@@ -66,18 +87,27 @@ def digits_lost(number, transition, kappa, value):
     greatest = np.abs(np.linalg.eigvals(_matrix(transition, kappa, float(value)))).max()
     if not same(claim, math.log10(greatest), number):
         factor = 10**claim if abs(claim) < 300 else math.inf
-        raise Wrong(f"an error would grow by the factor {factor:.4g} with every sample; multiplying a vector many "
-                    f"times by the transition matrix shows another factor")
+        raise Wrong(
+            f"an error would grow by the factor {factor:.4g} with every sample; multiplying a "
+            "vector many "
+            f"times by the transition matrix shows another factor"
+        )
     return "powers of the transition matrix grow by this many digits a sample"
 
 
 @judged(Expression("times", "samples", "rho", "M"))
 def spline_acceleration(claim, times, samples, rho=None, M=None):
-    """The acceleration of the motion of least cost at the middle one of three samples of equal weight rho, without
-    weights of the easiest motion through the samples."""
+    """The acceleration of the motion of least cost at the middle one of three samples of equal
+    weight rho, without weights of the easiest motion through the samples."""
     for values, t, h in _drawn(times, samples, *filter(None, (rho, M))):
         states = _least_cost(t, h, values.get(rho), values.get(M))
-        yield Same(claim, _middle(t, *states), "the acceleration at the middle sample", values, np.abs(h).max()/t[1]**2)
+        yield Same(
+            claim,
+            _middle(t, *states),
+            "the acceleration at the middle sample",
+            values,
+            np.abs(h).max() / t[1] ** 2,
+        )
     which = "easiest motion through the samples" if rho is None else "motion with the least cost"
     return f"it is that of the {which}, for random values of all symbols"
 
@@ -100,25 +130,42 @@ def weight_for_bound(claim, times, samples, rho, D):
         if weight <= 0:
             raise Wrong(f"for {rounded_text(values)} your M = {weight:.4g} is not positive")
         ((open_,),) = uncertain_entries(sp.Matrix([[claim]]), values)
-        greatest, *others = (abs(_middle(t, *_least_cost(t, h, values[rho], max(one, weight/2))))
-                             for one in (weight, weight - open_, weight + open_))
-        if not abs(greatest - values[D]) <= 1e-8*values[D] + max(abs(other - greatest) for other in others):
-            raise Wrong(f"for {rounded_text(values)} the motion of least cost with your M = {weight:.4g} has the "
-                        f"greatest acceleration {greatest:.4g}, not {values[D]:.4g}")
+        greatest, *others = (
+            abs(_middle(t, *_least_cost(t, h, values[rho], max(one, weight / 2))))
+            for one in (weight, weight - open_, weight + open_)
+        )
+        if not abs(greatest - values[D]) <= 1e-8 * values[D] + max(
+            abs(other - greatest) for other in others
+        ):
+            raise Wrong(
+                f"for {rounded_text(values)} the motion of least cost with your M = {weight:.4g} "
+                "has the "
+                f"greatest acceleration {greatest:.4g}, not {values[D]:.4g}"
+            )
     return "the motion of least cost with this weight has the greatest acceleration D, for random samples and bounds"
 
 
 @judged(Expression("times", "samples", "rho", "D"))
 def spline_misfit(claim, times, samples, rho, D):
-    """The misfit rho sum (x_k - h_k)^2 of the motion of least cost whose greatest acceleration is D."""
+    """The misfit rho sum (x_k - h_k)^2 of the motion of least cost whose greatest acceleration is
+    D."""
     for values, t, h in _bounded(times, samples, rho, D):
-        low, high = math.log(values[rho]*t[1]**3) - 30, math.log(values[rho]*t[1]**3) + 30
+        low, high = math.log(values[rho] * t[1] ** 3) - 30, math.log(values[rho] * t[1] ** 3) + 30
         for _ in range(80):
-            middle = (low + high)/2
+            middle = (low + high) / 2
             states = _least_cost(t, h, values[rho], math.exp(middle))
             low, high = (middle, high) if abs(_middle(t, *states)) > values[D] else (low, middle)
-        yield Same(claim, values[rho]*np.sum((states[0] - h)**2), "the misfit", values, values[rho]*np.sum(h**2), 1e-8)
-    return "it is the misfit of the motion whose weight meets the bound, for random samples and bounds"
+        yield Same(
+            claim,
+            values[rho] * np.sum((states[0] - h) ** 2),
+            "the misfit",
+            values,
+            values[rho] * np.sum(h**2),
+            1e-8,
+        )
+    return (
+        "it is the misfit of the motion whose weight meets the bound, for random samples and bounds"
+    )
 
 
 @judged(Expression("times", "samples", "rho", "D"))
@@ -127,15 +174,26 @@ def bounded_misfit(claim, times, samples, rho, D):
     from scipy.optimize import lsq_linear
 
     for values, t, h in _bounded(times, samples, rho, D):
-        knots = np.unique(np.concatenate([np.linspace(a, b, PIECES + 1) for a, b in zip(t, t[1:])]))
+        knots = np.unique(
+            np.concatenate([np.linspace(a, b, PIECES + 1) for a, b in itertools.pairwise(t)])
+        )
         step = np.diff(knots)
         # x at the samples from x0, y0 and constant accelerations on the pieces
         reach = np.clip(t[:, None] - knots[:-1], 0, None)
-        rows = np.column_stack([np.ones(t.size), t - t[0], (reach**2 - np.clip(reach - step, 0, None)**2)/2])
+        rows = np.column_stack(
+            [np.ones(t.size), t - t[0], (reach**2 - np.clip(reach - step, 0, None) ** 2) / 2]
+        )
         free = np.array([np.inf, np.inf])
         limits = np.append(free, np.full(step.size, values[D]))
         found = lsq_linear(rows, h, (-limits, limits), method="bvls", tol=1e-14)
-        yield Same(claim, 2*values[rho]*found.cost, "the least misfit", values, values[rho]*np.sum(h**2), 1e-7)
+        yield Same(
+            claim,
+            2 * values[rho] * found.cost,
+            "the least misfit",
+            values,
+            values[rho] * np.sum(h**2),
+            1e-7,
+        )
     return "no motion within the bound fits better, for random samples and bounds"
 
 
@@ -144,35 +202,43 @@ def filter_gain(claim, omega, rho, M):
     """The factor g with which x = g cos(omega t) solves M x'''' + rho (x - cos(omega t)) = 0."""
     for values in in_every_case(random_values([omega, rho, M], SEED), claim):
         gain = value_at(claim, values, "the factor")
-        left = values[M]*values[omega]**4*gain + values[rho]*(gain - 1)
-        if not abs(left) <= 1e-9*(values[M]*values[omega]**4 + values[rho]):
-            raise Wrong(f"for {rounded_text(values)}, at t = 0, your motion leaves M x'''' + rho (x - h) = {left:.4g}")
+        left = values[M] * values[omega] ** 4 * gain + values[rho] * (gain - 1)
+        if not abs(left) <= 1e-9 * (values[M] * values[omega] ** 4 + values[rho]):
+            raise Wrong(
+                f"for {rounded_text(values)}, at t = 0, your motion leaves M x'''' + rho (x - h) = "
+                f"{left:.4g}"
+            )
     return "x = g h satisfies the equation, for random frequencies and weights"
 
 
 @judged(Expression("rho", "M"))
 def boundary_decay(claim, rho, M):
-    """The rate at which the influence of an end dies out: -Re s of the solutions exp(s t) of M x'''' + rho x = 0 that
-    decay."""
+    """The rate at which the influence of an end dies out: -Re s of the solutions exp(s t) of M
+    x'''' + rho x = 0 that decay."""
     for values in in_every_case(random_values([rho, M], SEED), claim):
         roots = np.roots([values[M], 0, 0, 0, values[rho]])
-        yield Same(claim, -max(root.real for root in roots if root.real < 0), "the rate of decay", values)
+        yield Same(
+            claim, -max(root.real for root in roots if root.real < 0), "the rate of decay", values
+        )
     return "the solutions exp(s t) that decay have -Re s equal to it, for random weights"
 
 
 @judged(Expression("amplitude", "omega", "rho", "D"))
 def weight_of_harmonic(claim, amplitude, omega, rho, D):
-    """The weight M for which the reconstruction of `amplitude` cos(omega t) has the greatest acceleration D."""
+    """The weight M for which the reconstruction of `amplitude` cos(omega t) has the greatest
+    acceleration D."""
     for values in in_every_case(random_values([amplitude, omega, rho, D], SEED), claim):
-        values[D] = values[amplitude]*values[omega]**2*0.8*values[D]/(1 + values[D])
+        values[D] = values[amplitude] * values[omega] ** 2 * 0.8 * values[D] / (1 + values[D])
         weight = value_at(claim, values, "M")
         if weight <= 0:
             raise Wrong(f"for {rounded_text(values)} your M = {weight:.4g} is not positive")
         # x = size cos(omega t) solves the equation
-        size = values[rho]*values[amplitude]/(weight*values[omega]**4 + values[rho])
-        if not abs(size*values[omega]**2 - values[D]) <= 1e-9*values[D]:
-            raise Wrong(f"for {rounded_text(values)} your M = {weight:.4g} gives the greatest acceleration "
-                        f"{size*values[omega]**2:.4g}, not {values[D]:.4g}")
+        size = values[rho] * values[amplitude] / (weight * values[omega] ** 4 + values[rho])
+        if not abs(size * values[omega] ** 2 - values[D]) <= 1e-9 * values[D]:
+            raise Wrong(
+                f"for {rounded_text(values)} your M = {weight:.4g} gives the greatest acceleration "
+                f"{size * values[omega] ** 2:.4g}, not {values[D]:.4g}"
+            )
     return "with this weight the greatest acceleration is D, for random measurements and bounds"
 
 
@@ -181,33 +247,34 @@ def _matrix(transition, kappa, value):
 
 
 def _split(transition, kappa, value):
-    """(w1 - w2)^2 for the two values w of lambda + 1/lambda: its sign changes where pairs of eigenvalues meet."""
+    """(w1 - w2)^2 for the two values w of lambda + 1/lambda: its sign changes where pairs of
+    eigenvalues meet."""
     _, first, second, _, _ = np.poly(_matrix(transition, kappa, value))
-    return first**2 - 4*(second - 2)
+    return first**2 - 4 * (second - 2)
 
 
 def _least_cost(t, h, rho, M):
     """Positions and velocities at the samples; M None: through the samples."""
     n = t.size
-    cost = np.zeros((2*n, 2*n))
+    cost = np.zeros((2 * n, 2 * n))
     for k, tau in enumerate(np.diff(t)):
-        miss = np.zeros((2, 2*n))
-        miss[0, [2*k, 2*k + 1, 2*k + 2]] = -1, -tau, 1
-        miss[1, [2*k + 1, 2*k + 3]] = -1, 1
-        cost += miss.T@np.array([[12/tau**3, -6/tau**2], [-6/tau**2, 4/tau]])@miss
+        miss = np.zeros((2, 2 * n))
+        miss[0, [2 * k, 2 * k + 1, 2 * k + 2]] = -1, -tau, 1
+        miss[1, [2 * k + 1, 2 * k + 3]] = -1, 1
+        cost += miss.T @ np.array([[12 / tau**3, -6 / tau**2], [-6 / tau**2, 4 / tau]]) @ miss
     x, y = slice(0, None, 2), slice(1, None, 2)
     if M is None:
-        return h, np.linalg.solve(cost[y, y], -cost[y, x]@h)
-    right = np.zeros(2*n)
-    right[x] = rho*h
-    states = np.linalg.solve(M*cost + np.diag(np.tile([rho, 0.0], n)), right)
+        return h, np.linalg.solve(cost[y, y], -cost[y, x] @ h)
+    right = np.zeros(2 * n)
+    right[x] = rho * h
+    states = np.linalg.solve(M * cost + np.diag(np.tile([rho, 0.0], n)), right)
     return states[x], states[y]
 
 
 def _middle(t, x, y):
     """The acceleration at the second sample, from the cubic before it."""
     tau = t[1] - t[0]
-    return (6*(x[0] - x[1])/tau + 2*y[0] + 4*y[1])/tau
+    return (6 * (x[0] - x[1]) / tau + 2 * y[0] + 4 * y[1]) / tau
 
 
 def _symbols(times, samples, *more):
@@ -218,13 +285,18 @@ def _symbols(times, samples, *more):
 def _drawn(times, samples, *more):
     """Random positive values of all symbols, with times and samples as arrays."""
     for values in random_values(_symbols(times, samples, *more), SEED):
-        yield values, *(np.array([float(sp.sympify(part).subs(values)) for part in parts])
-                        for parts in (times, samples))
+        yield (
+            values,
+            *(
+                np.array([float(sp.sympify(part).subs(values)) for part in parts])
+                for parts in (times, samples)
+            ),
+        )
 
 
 def _bounded(times, samples, rho, D):
     """The same with a bound D that is active, for the direct method too."""
     random = np.random.default_rng(65)
     for values, t, h in _drawn(times, samples, rho):
-        values[D] = random.uniform(0.1, 0.6)*abs(_middle(t, *_least_cost(t, h, 1.0, None)))
+        values[D] = random.uniform(0.1, 0.6) * abs(_middle(t, *_least_cost(t, h, 1.0, None)))
         yield values, t, h

@@ -1,8 +1,8 @@
 """Solvability: what measurements along a motion determine, and how well.
 
-Motions are found by the matrix exponential at random values of the symbols, errors by solving small systems of
-equations, and what is unseen by applying the measurements to it; conditions are decided in exact rational arithmetic,
-on and off the surfaces where they change.
+Motions are found by the matrix exponential at random values of the symbols, errors by solving small
+systems of equations, and what is unseen by applying the measurements to it; conditions are decided
+in exact rational arithmetic, on and off the surfaces where they change.
 """
 
 import functools
@@ -29,28 +29,46 @@ ZERO = 1e-8
 
 @judged(Expression("system.A", "left_out"))
 def bias_of_estimate(claim, system, unknowns, wanted, left_out):
-    """The error of the estimate of `wanted` when the constant unknown `left_out` is taken for zero."""
+    """The error of the estimate of `wanted` when the constant unknown `left_out` is taken for
+    zero."""
     j, k = list(unknowns).index(wanted), list(unknowns).index(left_out)
     kept = [i for i in range(system.A.rows) if i != k]
     for values in in_every_case(random_values([*_symbols(system.A), left_out], 73), claim):
-        rows = _rows(system.A, system.H, values, np.linspace(0, 4, 3*MOMENTS))
-        found = np.linalg.lstsq(rows[:, kept], rows[:, k]*values[left_out], rcond=None)[0]
-        yield Same(claim, found[kept.index(j)], f"the error of the estimate of {wanted}", values, abs(values[left_out]),
-                   1e-7)
+        rows = _rows(system.A, system.H, values, np.linspace(0, 4, 3 * MOMENTS))
+        found = np.linalg.lstsq(rows[:, kept], rows[:, k] * values[left_out], rcond=None)[0]
+        yield Same(
+            claim,
+            found[kept.index(j)],
+            f"the error of the estimate of {wanted}",
+            values,
+            abs(values[left_out]),
+            1e-7,
+        )
     return "least squares without this unknown is wrong by it, for random values of the symbols"
 
 
 @judged(Expression("system.A", "tau", "delta"))
 def worst_of_three(claim, system, unknowns, wanted, tau, delta):
-    """The greatest error of `wanted` from three measurements at 0, tau, 2 tau with errors up to delta."""
+    """The greatest error of `wanted` from three measurements at 0, tau, 2 tau with errors up to
+    delta."""
     j = list(unknowns).index(wanted)
     for values in in_every_case(random_values([*_symbols(system.A), tau, delta], 74), claim):
         fastest = np.abs(np.linalg.eigvals(_array(system.A, values))).max()
-        values[tau] *= 1.1/fastest                # between an eighth and seven eighths of half a period
-        rows = _rows(system.A, system.H, values, values[tau]*np.arange(3))
-        corners = (np.linalg.solve(rows, np.array(signs)*values[delta])[j]
-                   for signs in itertools.product((-1, 1), repeat=3))
-        yield Same(claim, max(abs(error) for error in corners), f"the greatest error of {wanted}", values, 0, 1e-7)
+        # between an eighth and seven eighths of half a period
+        values[tau] *= 1.1 / fastest
+        rows = _rows(system.A, system.H, values, values[tau] * np.arange(3))
+        corners = (
+            np.linalg.solve(rows, np.array(signs) * values[delta])[j]
+            for signs in itertools.product((-1, 1), repeat=3)
+        )
+        yield Same(
+            claim,
+            max(abs(error) for error in corners),
+            f"the greatest error of {wanted}",
+            values,
+            0,
+            1e-7,
+        )
     return "no errors up to delta do worse, and some do as much, for random values of the symbols"
 
 
@@ -62,30 +80,42 @@ def unseen_by_bearings(answer, relative, t):
         direction = _direction(claim, values)
         for time in np.linspace(0, 2.5, MOMENTS):
             x, y = (float(part.subs(values | {t: time})) for part in relative)
-            dx, dy = direction[:2] + time*direction[2:]
-            turned = (x*dy - y*dx)/(x*x + y*y)
+            dx, dy = direction[:2] + time * direction[2:]
+            turned = (x * dy - y * dx) / (x * x + y * y)
             if not abs(turned) <= ZERO:
-                raise Wrong(f"for {rounded_text(values)}, scaled to length 1, your change turns the bearing at t = "
-                            f"{time:.3g} by {turned:.3g} rad per unit")
+                raise Wrong(
+                    f"for {rounded_text(values)}, scaled to length 1, your change turns the "
+                    "bearing at t = "
+                    f"{time:.3g} by {turned:.3g} rad per unit"
+                )
     (x, y), (dx, dy) = relative, (sp.diff(part, t) for part in relative)
-    judge_everywhere(sp.Matrix(claim), _symbols(sp.Matrix(relative), t), lambda: sp.Ne(sp.expand(x*dy - y*dx), 0),
-                     "your change is undefined", "your change is zero")
+    judge_everywhere(
+        sp.Matrix(claim),
+        _symbols(sp.Matrix(relative), t),
+        lambda: sp.Ne(sp.expand(x * dy - y * dx), 0),
+        "your change is undefined",
+        "your change is zero",
+    )
     return "it changes no bearing to first order, for random motions"
 
 
 @judged
 def bearing_tells_range(answer, relative, t, T, turn):
-    """Condition that one bearing at t > T, after the observer's velocity has changed by `turn`, fixes the range."""
-    symbols = _symbols(sp.Matrix(relative), t) + [t, T, *turn]
-    after = [part - change*(t - T) for part, change in zip(relative, turn)]
-    # the targets left over by the bearings before T are those whose relative motion is `relative` times a factor
-    told = _without(after[0]*relative[1] - after[1]*relative[0], t - T)
+    """Condition that one bearing at t > T, after the observer's velocity has changed by `turn`,
+    fixes the range."""
+    symbols = [*_symbols(sp.Matrix(relative), t), t, T, *turn]
+    after = [part - change * (t - T) for part, change in zip(relative, turn)]
+    # the targets left over by the bearings before T are those whose relative motion is `relative`
+    # times a factor
+    told = _without(after[0] * relative[1] - after[1] * relative[0], t - T)
     here = sp.And(t > T, sp.Or(*(sp.Ne(part, 0) for part in after)))
 
     def reason(values, holds):
-        return (f"for {place_text(values)} a small change of the range " + (
-            "turns the bearing, yet your condition fails" if holds else
-            "does not change the bearing, yet your condition holds"))
+        return f"for {place_text(values)} a small change of the range " + (
+            "turns the bearing, yet your condition fails"
+            if holds
+            else "does not change the bearing, yet your condition holds"
+        )
 
     agreement = compare(answer, symbols, exactly(sp.Ne(told, 0), here), reason)
     return f"it agrees with the change of the bearing: {agreement}"
@@ -93,28 +123,35 @@ def bearing_tells_range(answer, relative, t, T, turn):
 
 @functools.lru_cache(maxsize=16)
 def _without(expression, positive):
-    """Data divided by a factor that is positive, so that there are fewer terms: kept for all verdicts."""
+    """Data divided by a factor that is positive, so that there are fewer terms: kept for all
+    verdicts."""
     factors = sp.Mul.make_args(sp.factor(sp.expand(expression)))
     return sp.Mul(*(factor for factor in factors if factor not in (positive, -positive)))
 
 
 @judged(Expression("relative", "t", "T", "turn", "delta"))
 def range_error(claim, relative, t, T, turn, delta):
-    """The size of the relative error of the range that an error delta of one bearing after the turn causes, to first
-    order."""
-    symbols = _symbols(sp.Matrix(relative), t) + [t, T, *turn, delta]
+    """The size of the relative error of the range that an error delta of one bearing after the turn
+    causes, to first order."""
+    symbols = [*_symbols(sp.Matrix(relative), t), t, T, *turn, delta]
     random = np.random.default_rng(77)
     for values in in_every_case(random_values(symbols, 78), claim):
-        values |= {s: values[s]*float(random.choice((-1, 1))) for s in symbols if s not in (t, T, delta)}
+        values |= {
+            s: values[s] * float(random.choice((-1, 1))) for s in symbols if s not in (t, T, delta)
+        }
         values[t] += values[T]
         before = np.array([float(part.subs(values)) for part in relative])
-        after = before - np.array([values[s] for s in turn])*(values[t] - values[T])
-        slope = (after[0]*before[1] - after[1]*before[0])/(after@after)
+        after = before - np.array([values[s] for s in turn]) * (values[t] - values[T])
+        slope = (after[0] * before[1] - after[1] * before[0]) / (after @ after)
         said = value_at(claim, values, "the error")
         if said < 0:
-            raise Wrong(f"for {rounded_text(values)} your expression is negative; its size was asked for")
-        yield Same(claim, values[delta]/abs(slope), "the relative error of the range", values)
-    return "it is delta over the sensitivity of the bearing to the range, for random motions and turns"
+            raise Wrong(
+                f"for {rounded_text(values)} your expression is negative; its size was asked for"
+            )
+        yield Same(claim, values[delta] / abs(slope), "the relative error of the range", values)
+    return (
+        "it is delta over the sensitivity of the bearing to the range, for random motions and turns"
+    )
 
 
 @judged(Expressions("matrix", "sight", "initial", length=4))
@@ -126,78 +163,125 @@ def modes_of_range(claims, matrix, sight, initial, rate, t):
         w, start = values[rate], np.array([values[s] for s in initial])
         times, towards = np.linspace(0.1, 7, MOMENTS), np.array([values[s] for s in sight])
         for time, move in zip(times, _moves(matrix, values, times)):
-            true = towards@(move@start)[:len(sight)]
-            said = now[0] + now[1]*time + now[2]*math.cos(w*time) + now[3]*math.sin(w*time)
-            if not abs(said - true) <= ZERO*(abs(true) + np.abs(start).max()*(1 + time)):
-                raise Wrong(f"for {rounded_text(values)} the range at {t} = {time:.3g} deviates by {true:.5g}; your "
-                            f"four terms sum up to {said:.5g}")
+            true = towards @ (move @ start)[: len(sight)]
+            said = (
+                now[0] + now[1] * time + now[2] * math.cos(w * time) + now[3] * math.sin(w * time)
+            )
+            if not abs(said - true) <= ZERO * (abs(true) + np.abs(start).max() * (1 + time)):
+                raise Wrong(
+                    f"for {rounded_text(values)} the range at {t} = {time:.3g} deviates by "
+                    f"{true:.5g}; your "
+                    f"four terms sum up to {said:.5g}"
+                )
     return "the four terms sum up to the deviation of the range at all times, for random directions and motions"
 
 
 @judged(Expressions(length=lambda data: len(data["sights"])))
 def numbers_seen(claims, matrix, sights):
-    """How many combinations of the unknowns are determined by ranges along each of the given directions."""
+    """How many combinations of the unknowns are determined by ranges along each of the given
+    directions."""
     values = next(random_values(_symbols(matrix), 81))
     for number, (claim, sight) in enumerate(zip(claims, sights), 1):
         claim = coercion.as_integer(claim)
-        output = sp.Matrix([[*sight, *[0]*(matrix.rows - len(sight))]])
-        rows = _rows(matrix, output, values, np.linspace(0, 9, 5*MOMENTS))
-        values_of = np.linalg.svd(rows/np.maximum(np.linalg.norm(rows, axis=0), 1e-300), compute_uv=False)
-        if claim != int(np.sum(values_of > 1e-9*values_of[0])):
-            raise Wrong(f"direction number {number}: the stacked matrix of many ranges has another rank than {claim}")
+        output = sp.Matrix([[*sight, *[0] * (matrix.rows - len(sight))]])
+        rows = _rows(matrix, output, values, np.linspace(0, 9, 5 * MOMENTS))
+        values_of = np.linalg.svd(
+            rows / np.maximum(np.linalg.norm(rows, axis=0), 1e-300), compute_uv=False
+        )
+        if claim != int(np.sum(values_of > 1e-9 * values_of[0])):
+            raise Wrong(
+                f"direction number {number}: the stacked matrix of many ranges has another rank "
+                f"than {claim}"
+            )
     return "the stacked matrices of many ranges have these ranks"
 
 
 @judged
 def stations_insufficient(answer, matrix, first, second):
-    """Condition on two unit vectors, none of whose components vanish, under which ranges along both leave something
-    unseen."""
+    """Condition on two unit vectors, none of whose components vanish, under which ranges along both
+    leave something unseen."""
     symbols = [*first, *second]
-    given = sp.And(*(sp.Eq(sum(n**2 for n in sight), 1) for sight in (first, second)), *(sp.Ne(n, 0) for n in symbols))
-    unseen = _unseen_along(matrix.subs({s: sp.Rational(2, 3) for s in _symbols(matrix)}), first, second)
+    given = sp.And(
+        *(sp.Eq(sum(n**2 for n in sight), 1) for sight in (first, second)),
+        *(sp.Ne(n, 0) for n in symbols),
+    )
+    unseen = _unseen_along(
+        matrix.subs({s: sp.Rational(2, 3) for s in _symbols(matrix)}), first, second
+    )
 
     def told(values, holds):
-        return (f"for {place_text(values)} the ranges determine "
-                + ("not everything, yet your condition fails" if holds else "everything, yet your condition holds"))
+        return f"for {place_text(values)} the ranges determine " + (
+            "not everything, yet your condition fails"
+            if holds
+            else "everything, yet your condition holds"
+        )
 
-    truth = exactly(unseen, given, points=lambda: (dict(zip(symbols, pair)) for pair in _pairs_of_directions()))
+    truth = exactly(
+        unseen, given, points=lambda: (dict(zip(symbols, pair)) for pair in _pairs_of_directions())
+    )
     agreement = compare(answer, symbols, truth, told)
     return f"it agrees with the rank, for directions in general position and in special ones: {agreement}"
 
 
 def _unseen_along(matrix, *sights):
-    """The condition under which ranges along all of the directions miss a motion of x' = A x (Popov's criterion)."""
-    rows = sp.Matrix([[*sight, *[0]*(matrix.rows - len(sight))] for sight in sights])
+    """The condition under which ranges along all of the directions miss a motion of x' = A x
+    (Popov's criterion)."""
+    rows = sp.Matrix([[*sight, *[0] * (matrix.rows - len(sight))] for sight in sights])
     found = []
     for _, _, vectors in matrix.eigenvects():
-        seen = rows*sp.Matrix.hstack(*vectors)
-        minors = [seen.extract(list(chosen), list(range(seen.cols))).det()
-                  for chosen in itertools.combinations(range(seen.rows), seen.cols)]
-        found.append(sp.And(*(sp.Eq(part, 0) for minor in minors for part in sp.expand(minor).as_real_imag())))
+        seen = rows * sp.Matrix.hstack(*vectors)
+        minors = [
+            seen.extract(list(chosen), list(range(seen.cols))).det()
+            for chosen in itertools.combinations(range(seen.rows), seen.cols)
+        ]
+        found.append(
+            sp.And(
+                *(sp.Eq(part, 0) for minor in minors for part in sp.expand(minor).as_real_imag())
+            )
+        )
     return sp.Or(*found)
 
 
 def _pairs_of_directions(count=48):
-    """Pairs of unit vectors of fractions, none of whose components vanish, each pair in a row: general ones, the same
-    and the opposite direction, mirrored and perpendicular ones, close ones and those with two components in proportion.
+    """Pairs of unit vectors of fractions, none of whose components vanish, each pair in a row:
+    general ones, the same and the opposite direction, mirrored and perpendicular ones, close ones
+    and those with two components in proportion.
     """
     random = np.random.default_rng(82)
 
     def unit(a, b):
         """Stereographic coordinates."""
-        return [2*a/(1 + a*a + b*b), 2*b/(1 + a*a + b*b), (1 - a*a - b*b)/(1 + a*a + b*b)]
+        return [
+            2 * a / (1 + a * a + b * b),
+            2 * b / (1 + a * a + b * b),
+            (1 - a * a - b * b) / (1 + a * a + b * b),
+        ]
 
     def drawn():
-        return sp.Rational(int(random.choice((-1, 1))*random.integers(1, 12)), int(random.integers(13, 17)))
+        return sp.Rational(
+            int(random.choice((-1, 1)) * random.integers(1, 12)), int(random.integers(13, 17))
+        )
 
     for number in range(count):
-        a, b, factor, k = drawn(), drawn(), drawn(), number//8 % 3
+        a, b, factor, k = drawn(), drawn(), drawn(), number // 8 % 3
         one = unit(a, b)
         mirror = [-n if i == k else n for i, n in enumerate(one)]
         # a and b turn about the first one's axis: these are orthonormal
-        across = [1 - 2*a*a/(1 + a*a + b*b), -2*a*b/(1 + a*a + b*b), -2*a/(1 + a*a + b*b)]
-        other = [one, [-n for n in one], mirror, [-n for n in mirror], across, unit(a*sp.Rational(101, 100), b),
-                 unit(factor*a, factor*b), unit(drawn(), drawn())][number % 8]
+        across = [
+            1 - 2 * a * a / (1 + a * a + b * b),
+            -2 * a * b / (1 + a * a + b * b),
+            -2 * a / (1 + a * a + b * b),
+        ]
+        other = [
+            one,
+            [-n for n in one],
+            mirror,
+            [-n for n in mirror],
+            across,
+            unit(a * sp.Rational(101, 100), b),
+            unit(factor * a, factor * b),
+            unit(drawn(), drawn()),
+        ][number % 8]
         turned = [*one[k:], *one[:k]], [*other[k:], *other[:k]]
         if all(turned[0]) and all(turned[1]):
             yield turned[0] + turned[1]
@@ -205,81 +289,100 @@ def _pairs_of_directions(count=48):
 
 @judged(Expressions(length=lambda data: data["matrix"].rows))
 def breaks_bound(claim, matrix, state, factor):
-    """An error e of the measurements for which |dx| exceeds mu |e| |x|/|Z| at least `factor` times, with Z = H x +
-    e."""
+    """An error e of the measurements for which |dx| exceeds mu |e| |x|/|Z| at least `factor` times,
+    with Z = H x + e."""
     e = np.array([float(coercion.as_number(part)) for part in claim])
     H, x = np.array(matrix.tolist(), dtype=float), np.array([float(part) for part in state])
     if not np.abs(e).max() > 0:
         raise Wrong("without an error nothing is wrong: both sides are zero")
     values = np.linalg.svd(H, compute_uv=False)
     found = np.linalg.norm(np.linalg.lstsq(H, e, rcond=None)[0])
-    bound = values[0]/values[-1]*np.linalg.norm(e)/np.linalg.norm(H@x + e)*np.linalg.norm(x)
-    if not found >= float(factor)*bound*(1 - 1e-9):
-        raise Wrong(f"the estimate is wrong by {found:.4g} and the printed bound is {bound:.4g}: it is exceeded "
-                    f"{found/bound:.3g} times, not {float(factor):g} times")
+    bound = (
+        values[0] / values[-1] * np.linalg.norm(e) / np.linalg.norm(H @ x + e) * np.linalg.norm(x)
+    )
+    if not found >= float(factor) * bound * (1 - 1e-9):
+        raise Wrong(
+            f"the estimate is wrong by {found:.4g} and the printed bound is {bound:.4g}: it is "
+            "exceeded "
+            f"{found / bound:.3g} times, not {float(factor):g} times"
+        )
     return "the estimate is wrong by more than the printed bound, as many times as was asked"
 
 
 @judged(Integer())
 def most_rows(n, m, mu, eps):
-    """The greatest number n of rows for which the condition number mu is below the threshold mu*."""
+    """The greatest number n of rows for which the condition number mu is below the threshold
+    mu*."""
     m, mu, eps = int(m), sp.Rational(mu), sp.Rational(eps)
     if n < m:
         raise Wrong(f"{n} rows are fewer than the {m} unknowns")
 
     def threshold(rows):
-        return 1/((sp.sqrt(m)*(2*m - 3)*(4*rows + 27) + 11)*eps)
+        return 1 / ((sp.sqrt(m) * (2 * m - 3) * (4 * rows + 27) + 11) * eps)
 
     for rows, below in ((n, True), (n + 1, False)):
         if bool(mu < threshold(rows)) != below:
-            raise Wrong(f"with {rows} rows the threshold is {float(threshold(rows)):.8g}, so that {rows} is "
-                        + ("too many" if below else "still not too many"))
-    return "with this many rows the condition number is below the threshold, with one more it is not"
+            raise Wrong(
+                f"with {rows} rows the threshold is {float(threshold(rows)):.8g}, so that {rows} "
+                "is " + ("too many" if below else "still not too many")
+            )
+    return (
+        "with this many rows the condition number is below the threshold, with one more it is not"
+    )
 
 
 @judged(Expression("delta"))
 def condition_of_nearly_equal(claim, delta):
-    """The condition number of two columns of length 1 along h and h + delta g, for perpendicular unit vectors h, g."""
+    """The condition number of two columns of length 1 along h and h + delta g, for perpendicular
+    unit vectors h, g."""
     for size in (1.0, 0.3, 0.04, 0.003, 2.5, 9.0):
-        columns = np.array([[1, 1/math.hypot(1, size)], [0, size/math.hypot(1, size)]])
+        columns = np.array([[1, 1 / math.hypot(1, size)], [0, size / math.hypot(1, size)]])
         values = np.linalg.svd(columns, compute_uv=False)
-        yield Same(claim, values[0]/values[-1], "the condition number", {delta: size})
+        yield Same(claim, values[0] / values[-1], "the condition number", {delta: size})
     return "it is the ratio of the singular values, for small and large errors"
 
 
 @judged(Expression("M"))
 def fooling_error(claim, M):
-    """The error of a column that is a multiple of another from which on the condition number is below M."""
+    """The error of a column that is a multiple of another from which on the condition number is
+    below M."""
     for limit in (1.5, 4.0, 30.0, 1e3, 1e5):
         size = value_at(claim, {M: limit}, "the error")
         if size <= 0:
             raise Wrong(f"for M = {limit:g} your error {size:.4g} is not positive")
-        columns = np.array([[1, 1/math.hypot(1, size)], [0, size/math.hypot(1, size)]])
+        columns = np.array([[1, 1 / math.hypot(1, size)], [0, size / math.hypot(1, size)]])
         values = np.linalg.svd(columns, compute_uv=False)
-        if not abs(values[0]/values[-1] - limit) <= 1e-6*limit:
-            raise Wrong(f"for M = {limit:g} your error gives the condition number {values[0]/values[-1]:.6g}")
+        if not abs(values[0] / values[-1] - limit) <= 1e-6 * limit:
+            raise Wrong(
+                f"for M = {limit:g} your error gives the condition number "
+                f"{values[0] / values[-1]:.6g}"
+            )
     return "with this error the condition number is just M, for small and large M"
 
 
 def _rows(matrix, output, values, times):
     """The stacked matrix of the measurements at the given times."""
-    return np.concatenate(_array(output, values)@_moves(matrix, values, times))
+    return np.concatenate(_array(output, values) @ _moves(matrix, values, times))
 
 
 def _moves(matrix, values, times):
-    """The matrices that take the initial state to the states at the given times, stacked along the first axis."""
+    """The matrices that take the initial state to the states at the given times, stacked along the
+    first axis."""
     from scipy.linalg import expm
 
-    return expm(_array(matrix, values)*times[:, None, None])
+    return expm(_array(matrix, values) * times[:, None, None])
 
 
 def _direction(claim, values):
     """The vector at the given values, scaled to length 1."""
-    numbers = np.array([value_at(part, values, f"component {k}") for k, part in enumerate(claim, 1)])
+    numbers = np.array(
+        [value_at(part, values, f"component {k}") for k, part in enumerate(claim, 1)]
+    )
     if not np.abs(numbers).max() > 0:
         raise Wrong(f"for {rounded_text(values)} it is zero: a change that changes nothing")
-    numbers = numbers/np.abs(numbers).max()  # a square of what is very large would be infinite
-    return numbers/np.linalg.norm(numbers)
+    # a square of what is very large would be infinite
+    numbers = numbers / np.abs(numbers).max()
+    return numbers / np.linalg.norm(numbers)
 
 
 def _symbols(matrix, *without):

@@ -1,11 +1,10 @@
-"""Stability of x' = A x where roots lie on the imaginary axis: multiplicities, motions that grow, forms that are
-conserved.
+"""Stability of x' = A x where roots lie on the imaginary axis: multiplicities, motions that grow,
+forms that are conserved.
 
-The matrix is that of the equations in deviations from rest, or, where a `program` is given, from a program motion
-(`workbook.checks.stability.programs`); a `part` of the state picks a subsystem that does not depend on the others.
-What decides is
-computed from the matrix at sampled values of the parameters: clusters of eigenvalues and ranks of A - lambda E, by
-singular values.
+The matrix is that of the equations in deviations from rest, or, where a `program` is given, from a
+program motion (`workbook.checks.stability.programs`); a `part` of the state picks a subsystem that
+does not depend on the others. What decides is computed from the matrix at sampled values of the
+parameters: clusters of eigenvalues and ranks of A - lambda E, by singular values.
 """
 
 import numpy as np
@@ -22,8 +21,8 @@ from workbook.checks.tools.samples import in_every_case, sample_values
 from workbook.checks.tools.values import matrix_at, number_at, numbers_at
 from workbook.checks.tools.wording import number_text, point_text, rounded_text, where_text
 
-#: Eigenvalues closer together than this, relative to the size of the matrix, are one eigenvalue: a Jordan block of
-#: order m spreads its eigenvalue by the m-th root of the rounding error.
+#: Eigenvalues closer together than this, relative to the size of the matrix, are one eigenvalue: a
+#: Jordan block of order m spreads its eigenvalue by the m-th root of the rounding error.
 SPREAD = 2e-5
 
 
@@ -31,47 +30,76 @@ SPREAD = 2e-5
 def eigenvalue_multiplicities(answer, field, state, parameters, program=None, part=None):
     """All eigenvalues, each as [value, algebraic multiplicity, geometric multiplicity].
 
-    The values are judged by the characteristic polynomial, the last number by the rank of A - lambda E.
+    The values are judged by the characteristic polynomial, the last number by the rank of A -
+    lambda E.
     """
     rows = _rows(answer, parameters)
-    for values, matrix in _matrices(field, state, parameters, program, part, [list(row) for row in rows]):
+    for values, matrix in _matrices(
+        field, state, parameters, program, part, [list(row) for row in rows]
+    ):
         n, size = len(matrix), np.linalg.norm(matrix)
-        numbers = [number_at(value, values, f"your eigenvalue number {k}") for k, (value, _, _) in enumerate(rows, 1)]
+        numbers = [
+            number_at(value, values, f"your eigenvalue number {k}")
+            for k, (value, _, _) in enumerate(rows, 1)
+        ]
         for k, number in enumerate(numbers):
             off = min(np.linalg.svd(matrix - number * np.eye(n), compute_uv=False))
             if not off <= 1e-9 * size:
-                raise Wrong(f"your {number_text(number)} is no eigenvalue{where_text(values)}: A - lambda E is "
-                            f"invertible there, its smallest singular value is {off:.3g}")
+                raise Wrong(
+                    f"your {number_text(number)} is no eigenvalue{where_text(values)}: A - lambda "
+                    "E is "
+                    f"invertible there, its smallest singular value is {off:.3g}"
+                )
             if any(abs(number - other) < SPREAD * size for other in numbers[:k]):
-                raise Wrong(f"the eigenvalue {number_text(number)} is listed twice{where_text(values)}; give each "
-                            "eigenvalue once, with its multiplicities")
+                raise Wrong(
+                    f"the eigenvalue {number_text(number)} is listed twice{where_text(values)}; "
+                    "give each "
+                    "eigenvalue once, with its multiplicities"
+                )
         if sum(algebraic for _, algebraic, _ in rows) != n:
-            raise Wrong(f"the algebraic multiplicities that you give add up to {sum(a for _, a, _ in rows)}, and the "
-                        f"characteristic polynomial is of degree {n}")
+            raise Wrong(
+                "the algebraic multiplicities that you give add up to "
+                f"{sum(a for _, a, _ in rows)}, and the "
+                f"characteristic polynomial is of degree {n}"
+            )
         found = np.linalg.eigvals(matrix)
         for number, (_, algebraic, geometric) in zip(numbers, rows):
             if sum(abs(found - number) < SPREAD * size) != algebraic:
-                raise Wrong(f"{number_text(number)} is a root of the characteristic equation, but not of the "
-                            f"multiplicity {algebraic}{where_text(values)}")
+                raise Wrong(
+                    f"{number_text(number)} is a root of the characteristic equation, but not of "
+                    "the "
+                    f"multiplicity {algebraic}{where_text(values)}"
+                )
             if _eigenvectors(matrix, number) != geometric:
-                raise Wrong(f"the number of independent eigenvectors for {number_text(number)} is not "
-                            f"{geometric}{where_text(values)}: look at the rank of A - lambda E")
-    return ("they are all roots of the characteristic equation, as often as you say, and A - lambda E has the ranks "
-            "that go with your numbers of eigenvectors")
+                raise Wrong(
+                    f"the number of independent eigenvectors for {number_text(number)} is not "
+                    f"{geometric}{where_text(values)}: look at the rank of A - lambda E"
+                )
+    return (
+        "they are all roots of the characteristic equation, as often as you say, and A - lambda E "
+        "has the ranks "
+        "that go with your numbers of eigenvectors"
+    )
 
 
 @judged(Choice(words=STABILITY))
 def critical_stability(claim, field, state, parameters, program=None, part=None):
-    """Whether x = 0 of the linear system is asymptotically stable, stable (and no more) or unstable."""
-    verdicts = [(values, matrix, stability(matrix))
-                for values, matrix in _matrices(field, state, parameters, program, part)]
+    """Whether x = 0 of the linear system is asymptotically stable, stable (and no more) or
+    unstable."""
+    verdicts = [
+        (values, matrix, stability(matrix))
+        for values, matrix in _matrices(field, state, parameters, program, part)
+    ]
     if len({verdict for _, _, verdict in verdicts}) > 1:
         raise RuntimeError("the verdict depends on the parameters")
     values, matrix, truth = verdicts[0]
     duration = 20 / np.linalg.norm(matrix)
-    told = (f"motions that start at distance 1 from zero are at distances of up to {_distance(matrix, duration)} "
-            f"after {duration:.3g} units of time and up to {_distance(matrix, 100 * duration)} "
-            f"after {100 * duration:.3g}{where_text(values)}")
+    told = (
+        "motions that start at distance 1 from zero are at distances of up to "
+        f"{_distance(matrix, duration)} "
+        f"after {duration:.3g} units of time and up to {_distance(matrix, 100 * duration)} "
+        f"after {100 * duration:.3g}{where_text(values)}"
+    )
     return (yield Word(claim, truth, told, "this does not agree with the motions: "))
 
 
@@ -83,8 +111,10 @@ def stable_parameters(answer, field, state, parameters, program=None, part=None)
     def told(values):
         matrix = at(values)
         duration = 2000 / np.linalg.norm(matrix)
-        return ("there motions that start at distance 1 from zero are at distances of up to "
-                f"{_distance(matrix, duration)} after {duration:.3g} units of time")
+        return (
+            "there motions that start at distance 1 from zero are at distances of up to "
+            f"{_distance(matrix, duration)} after {duration:.3g} units of time"
+        )
 
     truth = Truth(at=lambda values: stability(at(values)) != "unstable")
     agreement = compare(answer, parameters, truth, contrary(told))
@@ -100,7 +130,10 @@ def growing_motion(answer, field, state, parameters, time, constants=(), program
     random = np.random.default_rng(13)
     for values, matrix in _matrices(field, state, parameters, program, part, motion):
         values = values | {c: sp.Rational(int(random.integers(3, 30)), 11) for c in constants}
-        moments = [values | {time: moment} for moment in (sp.Rational(3, 7), sp.Rational(29, 11), sp.Rational(-13, 9))]
+        moments = [
+            values | {time: moment}
+            for moment in (sp.Rational(3, 7), sp.Rational(29, 11), sp.Rational(-13, 9))
+        ]
         for at in in_every_case(moments, motion):
             moment = at[time]
             x, rate = numbers_at(motion, at, part), numbers_at(rates, at, [f"{s}'" for s in part])
@@ -109,51 +142,80 @@ def growing_motion(answer, field, state, parameters, time, constants=(), program
             if np.linalg.norm(x) == 0:
                 raise Wrong("this is the state of rest; it does not grow")
             off = abs(matrix @ x - rate)
-            if not max(off) <= 1e-9 * (np.linalg.norm(matrix) * np.linalg.norm(x) + np.linalg.norm(rate)) < np.inf:
+            if (
+                not max(off)
+                <= 1e-9 * (np.linalg.norm(matrix) * np.linalg.norm(x) + np.linalg.norm(rate))
+                < np.inf
+            ):
                 k = int(np.argmax(off))
-                raise Wrong(f"the equations are not satisfied: {part[k]}' is {rate[k].real:.4g} along your motion, and "
-                            f"they ask for {(matrix @ x)[k].real:.4g}{where_text(values)}, {time} = {moment}")
-        early, late = (max(_logarithm(motion, values | {time: sp.Integer(moment)}) for moment in moments)
-                       for moments in ((0, 1, 7, 10), (10**6, 10**6 + 1)))
+                raise Wrong(
+                    f"the equations are not satisfied: {part[k]}' is {rate[k].real:.4g} along your "
+                    "motion, and "
+                    f"they ask for {(matrix @ x)[k].real:.4g}{where_text(values)}, {time} = "
+                    f"{moment}"
+                )
+        early, late = (
+            max(_logarithm(motion, values | {time: sp.Integer(moment)}) for moment in moments)
+            for moments in ((0, 1, 7, 10), (10**6, 10**6 + 1))
+        )
         if not late > early + np.log(1e3):
-            raise Wrong(f"it satisfies the equations but does not grow: its distance from zero is at most "
-                        f"{np.exp(early):.4g} for {time} "
-                        f"up to 10 and {np.exp(late):.4g} for {time} = 1000000{where_text(values)}")
-    return ("it satisfies the equations, and its distance from zero exceeds every bound; so does every multiple of it, "
-            "however small its start")
+            raise Wrong(
+                f"it satisfies the equations but does not grow: its distance from zero is at most "
+                f"{np.exp(early):.4g} for {time} "
+                f"up to 10 and {np.exp(late):.4g} for {time} = 1000000{where_text(values)}"
+            )
+    return (
+        "it satisfies the equations, and its distance from zero exceeds every bound; so does every "
+        "multiple of it, "
+        "however small its start"
+    )
 
 
 @judged
 def limit_state(answer, field, state, parameters, start, program=None, part=None):
-    """The state that x(t) tends to for t to infinity, as a linear function of the initial state `start`."""
+    """The state that x(t) tends to for t to infinity, as a linear function of the initial state
+    `start`."""
     part = list(state if part is None else part)
     limit = coercion.as_expressions(answer, [*start, *parameters], len(part))
     for values, matrix in _matrices(field, state, parameters, program, part, limit):
-        late, later = (_exponential(matrix * duration / np.linalg.norm(matrix)) for duration in (3e3, 6e3))
+        late, later = (
+            _exponential(matrix * duration / np.linalg.norm(matrix)) for duration in (3e3, 6e3)
+        )
         if np.linalg.norm(later - late) > 1e-8 * np.linalg.norm(late):
             raise RuntimeError("these motions do not settle")
-        starts = [values | {s: sp.Integer(int(x)) for s, x in zip(start, begin)}
-                  for begin in (*np.eye(len(part)), np.arange(1, len(part) + 1))]
+        starts = [
+            values | {s: sp.Integer(int(x)) for s, x in zip(start, begin)}
+            for begin in (*np.eye(len(part)), np.arange(1, len(part) + 1))
+        ]
         for at in in_every_case(starts, limit):
             begin = np.array([float(at[s]) for s in start])
             said = numbers_at(limit, at, [f"limit of {s}" for s in part])
             true = late @ begin
             if not np.linalg.norm(said - true) <= 1e-7 * np.linalg.norm(begin):
-                raise Wrong(f"the motion from {point_text(begin)} has come to {point_text(true + 0.0)} after a long "
-                            f"time{where_text(values)}; your limit is {point_text(said.real)}")
+                raise Wrong(
+                    f"the motion from {point_text(begin)} has come to {point_text(true + 0.0)} "
+                    "after a long "
+                    f"time{where_text(values)}; your limit is {point_text(said.real)}"
+                )
     return "motions from several starts come to these states"
 
 
 @judged
 def conserved_form(answer, field, state, parameters, program=None, part=None):
-    """A positive definite quadratic form that keeps its value along all motions of the linear system."""
+    """A positive definite quadratic form that keeps its value along all motions of the linear
+    system."""
     part = list(state if part is None else part)
     form = coercion.as_expression(answer, [*part, *parameters])
     for values, matrix in _matrices(field, state, parameters, program, part):
         expanded = sp.expand(form.xreplace(values))
-        if not expanded.is_polynomial(*part) or any(sum(powers) != 2 for powers in sp.Poly(expanded, *part).monoms()):
-            raise Wrong(f"this is no quadratic form in {', '.join(s.name for s in part)}: every term has to be of "
-                        f"second order in them")
+        if not expanded.is_polynomial(*part) or any(
+            sum(powers) != 2 for powers in sp.Poly(expanded, *part).monoms()
+        ):
+            raise Wrong(
+                f"this is no quadratic form in {', '.join(s.name for s in part)}: every term has "
+                "to be of "
+                f"second order in them"
+            )
         weights = matrix_at(sp.hessian(expanded, part), {})
         if abs(weights.imag).max() > 0:
             raise Wrong(f"its coefficients are not real{where_text(values)}")
@@ -161,25 +223,40 @@ def conserved_form(answer, field, state, parameters, program=None, part=None):
         rate = weights @ matrix + (weights @ matrix).T
         if not np.linalg.norm(rate) <= 1e-9 * np.linalg.norm(weights) * np.linalg.norm(matrix):
             row, column = np.unravel_index(np.argmax(abs(rate)), rate.shape)
-            raise Wrong(f"it is not conserved: its derivative along the motions has the term "
-                        f"{part[row]}*{part[column]} with the "
-                        f"coefficient {rate[row, column] / (2 if row == column else 1):.4g}{where_text(values)}")
+            raise Wrong(
+                f"it is not conserved: its derivative along the motions has the term "
+                f"{part[row]}*{part[column]} with the "
+                f"coefficient {rate[row, column] / (2 if row == column else 1):.4g}{where_text(values)}"
+            )
         lowest = np.linalg.eigvalsh(weights)
         if not lowest[0] > 1e-9 * lowest[-1]:
             direction = np.linalg.eigh(weights)[1][:, 0]
             direction = np.where(abs(direction) < 1e-9, 0, direction)
             told = ", ".join(f"{s} = {x:.3g}" for s, x in zip(part, direction))
-            value = "zero" if lowest[0] >= -1e-9 * lowest[-1] else f"{direction @ weights @ direction / 2:.3g}"
-            raise Wrong(f"it is conserved but not positive definite: it is {value} at {told}{where_text(values)}")
-    minors = [sp.hessian(sp.expand(form), part)[:k, :k].det(method="berkowitz") for k in range(1, len(part) + 1)]
+            value = (
+                "zero"
+                if lowest[0] >= -1e-9 * lowest[-1]
+                else f"{direction @ weights @ direction / 2:.3g}"
+            )
+            raise Wrong(
+                f"it is conserved but not positive definite: it is {value} at "
+                f"{told}{where_text(values)}"
+            )
+    minors = [
+        sp.hessian(sp.expand(form), part)[:k, :k].det(method="berkowitz")
+        for k in range(1, len(part) + 1)
+    ]
     _, place = decide(sp.And(*(minor > 0 for minor in minors)), parameters, exactly(sp.true))
     if place:
         raise Wrong(f"it is conserved, but for {place_text(place[0])} it is not positive definite")
-    return "it is positive away from zero, and its derivative along the motions vanishes identically"
+    return (
+        "it is positive away from zero, and its derivative along the motions vanishes identically"
+    )
 
 
 def stability(matrix):
-    """The verdict on x' = A x for a matrix of numbers; on the imaginary axis the ranks of A - lambda E decide."""
+    """The verdict on x' = A x for a matrix of numbers; on the imaginary axis the ranks of A -
+    lambda E decide."""
     size = np.linalg.norm(matrix)
     left, verdict = list(np.linalg.eigvals(matrix)), "asymptotically stable"
     while left:
@@ -187,8 +264,10 @@ def stability(matrix):
         left = [z for z in left if abs(z - left[0]) > SPREAD * size]
         # The mean of a cluster is far more accurate than its members, which a Jordan block spreads.
         centre = np.mean(cluster)
-        if (centre.real > 1e-11 * size or abs(centre.real) <= 1e-11 * size and _eigenvectors(matrix, 1j * centre.imag)
-            < len(cluster)):
+        if centre.real > 1e-11 * size or (
+            abs(centre.real) <= 1e-11 * size
+            and _eigenvectors(matrix, 1j * centre.imag) < len(cluster)
+        ):
             return "unstable"
         if centre.real >= -1e-11 * size:
             verdict = "stable"
@@ -208,9 +287,11 @@ def _matrices(field, state, parameters, program, part, claim=()):
 
 
 def _linear_part(field, state, parameters, program, part):
-    """The matrix of the equations in deviations, or of a part of them, as a function of the values of the
-    parameters."""
-    motion = Motion(field, state, parameters, dict.fromkeys(state, 0) if program is None else program)
+    """The matrix of the equations in deviations, or of a part of them, as a function of the values
+    of the parameters."""
+    motion = Motion(
+        field, state, parameters, dict.fromkeys(state, 0) if program is None else program
+    )
     chosen = [list(state).index(s) for s in (state if part is None else part)]
     others = [k for k in range(len(state)) if k not in chosen]
 
@@ -230,29 +311,42 @@ def _distance(matrix, duration):
 
 
 def _rows(answer, parameters):
-    """Triples (value, algebraic, geometric) from a list of rows, a matrix, a dict {value: (algebraic, geometric)}, or
-    from what SymPy's `eigenvects` returns, with the eigenvectors themselves in the third place."""
+    """Triples (value, algebraic, geometric) from a list of rows, a matrix, a dict {value:
+    (algebraic, geometric)}, or from what SymPy's `eigenvects` returns, with the eigenvectors
+    themselves in the third place."""
     if isinstance(answer, dict):
-        answer = [[value, *(numbers if isinstance(numbers, (list, tuple)) else [numbers])]
-                  for value, numbers in answer.items()]
+        answer = [
+            [value, *(numbers if isinstance(numbers, (list, tuple)) else [numbers])]
+            for value, numbers in answer.items()
+        ]
     if isinstance(answer, (sp.MatrixBase, np.ndarray)):
         answer = answer.tolist()
     if not isinstance(answer, (list, tuple, set, frozenset, sp.FiniteSet)) or not answer:
-        raise Invalid("expected a list of rows [eigenvalue, algebraic multiplicity, geometric multiplicity]")
-    if all(not isinstance(row, (list, tuple, sp.Tuple, sp.MatrixBase, np.ndarray))
-           for row in answer) and len(answer) == 3:
+        raise Invalid(
+            "expected a list of rows [eigenvalue, algebraic multiplicity, geometric multiplicity]"
+        )
+    if (
+        all(
+            not isinstance(row, (list, tuple, sp.Tuple, sp.MatrixBase, np.ndarray))
+            for row in answer
+        )
+        and len(answer) == 3
+    ):
         answer = [answer]
     rows = []
     for row in answer:
         if isinstance(row, (list, tuple)) and len(row) == 3 and isinstance(row[2], (list, tuple)):
             row = [*row[:2], len(row[2])]
         rows.append(coercion.as_expressions(row, parameters, 3))
-    return [(value, *(coercion.as_integer(sp.nsimplify(count, rational=True)) for count in counts))
-            for value, *counts in rows]
+    return [
+        (value, *(coercion.as_integer(sp.nsimplify(count, rational=True)) for count in counts))
+        for value, *counts in rows
+    ]
 
 
 def _exponential(matrix):
-    """exp(A) by scaling and squaring of the power series; matrices here are small and inf is a fair answer."""
+    """exp(A) by scaling and squaring of the power series; matrices here are small and inf is a fair
+    answer."""
     squarings = max(0, int(np.ceil(np.log2(np.linalg.norm(matrix) + 1))) + 3)
     scaled, result, term = matrix / 2.0**squarings, np.eye(len(matrix)), np.eye(len(matrix))
     for k in range(1, 16):
@@ -270,5 +364,8 @@ def _logarithm(motion, at):
     """The logarithm of the distance from zero; the distance itself may be too large for a float."""
     length = sp.sqrt(sum(sp.Abs(e.subs(at).evalf(20)) ** 2 for e in motion))
     if length.is_finite is not True:
-        raise Wrong(f"your motion is infinite or undefined at {rounded_text(at)}, where it should have a value")
+        raise Wrong(
+            f"your motion is infinite or undefined at {rounded_text(at)}, where it should have a "
+            "value"
+        )
     return float(sp.log(length)) if length != 0 else -np.inf

@@ -1,7 +1,8 @@
-"""Planar motions in polar coordinates: the equations, limit cycles, and what becomes of neighbouring motions.
+"""Planar motions in polar coordinates: the equations, limit cycles, and what becomes of
+neighbouring motions.
 
-The closed orbits of these checks are circles around zero. They are found from the field alone: on such a circle the
-radial velocity vanishes at every angle and the angular velocity nowhere.
+The closed orbits of these checks are circles around zero. They are found from the field alone: on
+such a circle the radial velocity vanishes at every angle and the angular velocity nowhere.
 """
 
 import functools
@@ -36,16 +37,21 @@ def polar_form(rates, field, state, polar):
         for name, rate, value in zip(("r'", "phi'"), rates, true):
             said = number_at(rate, dict(zip(polar, (r, phi))), f"your expression for {name}")
             if not abs(said - value) <= 1e-9 * size:
-                raise Wrong(f"at r = {r:.3g}, phi = {phi:.3g} the motion has {name} = {value:.4g}; your expression "
-                            f"gives {said.real:.4g}")
+                raise Wrong(
+                    f"at r = {r:.3g}, phi = {phi:.3g} the motion has {name} = {value:.4g}; your "
+                    "expression "
+                    f"gives {said.real:.4g}"
+                )
     return "both rates agree with the velocity of the motion at random points"
 
 
 @judged(Expression("time", "start"))
 def radial_motion(claim, field, state, time, start):
-    """The distance r(t) from zero of the motion with r(0) = r0, for t >= 0 as long as the motion lasts.
+    """The distance r(t) from zero of the motion with r(0) = r0, for t >= 0 as long as the motion
+    lasts.
 
-    For fields whose r' does not depend on the angle. Judged by substitution: the initial value and the rate of change.
+    For fields whose r' does not depend on the angle. Judged by substitution: the initial value and
+    the rate of change.
     """
     slope = sp.diff(claim, time)
     flow = known_field(tuple(field), tuple(state))
@@ -57,12 +63,21 @@ def radial_motion(claim, field, state, time, start):
             if t == 0 and not abs(r - r0) <= 1e-9 * r0:
                 raise Wrong(f"for r0 = {r0:g} your motion starts at r(0) = {r:.4g}")
             if r <= 0:
-                raise Wrong(f"for r0 = {r0:g} your motion has r = {r:.4g} at t = {t:.3g}; a distance from zero stays "
-                            f"positive here")
-            true, said = _polar_velocity(flow, r, ANGLES[0])[0], value_at(slope, values, "r, differentiated,")
+                raise Wrong(
+                    f"for r0 = {r0:g} your motion has r = {r:.4g} at t = {t:.3g}; a distance from "
+                    "zero stays "
+                    f"positive here"
+                )
+            true, said = (
+                _polar_velocity(flow, r, ANGLES[0])[0],
+                value_at(slope, values, "r, differentiated,"),
+            )
             if not abs(said - true) <= 1e-9 * (abs(true) + r) < math.inf:
-                raise Wrong(f"for r0 = {r0:g} your motion is at r = {r:.4g} when t = {t:.3g} and changes at the rate "
-                            f"{said:.4g} there; the system demands r' = {true:.4g} at this r")
+                raise Wrong(
+                    f"for r0 = {r0:g} your motion is at r = {r:.4g} when t = {t:.3g} and changes "
+                    "at the rate "
+                    f"{said:.4g} there; the system demands r' = {true:.4g} at this r"
+                )
     return "it starts at r0, and everywhere r' is what the system demands of it, for motions from five starts"
 
 
@@ -83,12 +98,23 @@ def limit_cycles(answer, field, state):
             raise Wrong(f"the radius {radius:.4g} is negative")
         if not any(same(radius, other, number, computed=REPEATED) for other in found):
             rates = [_polar_velocity(flow, radius, phi)[0] for phi in ANGLES]
-            raise Wrong(f"the circle r = {radius:.4g} is not a closed orbit: r' = {max(rates, key=abs):.4g} at a "
-                        f"point of it")
-    missed = [other for other in found
-              if not any(same(radius, other, number, computed=REPEATED) for number, radius in zip(numbers, radii))]
+            raise Wrong(
+                f"the circle r = {radius:.4g} is not a closed orbit: r' = "
+                f"{max(rates, key=abs):.4g} at a "
+                f"point of it"
+            )
+    missed = [
+        other
+        for other in found
+        if not any(
+            same(radius, other, number, computed=REPEATED) for number, radius in zip(numbers, radii)
+        )
+    ]
     if missed:
-        raise Wrong("your list does not hold all of them: there is another circle around zero on which r' vanishes")
+        raise Wrong(
+            "your list does not hold all of them: there is another circle around zero on which r' "
+            "vanishes"
+        )
     known = "proved" if _proved(numbers, sp.Matrix(field), state) else "agrees at sample angles"
     return f"on these circles, and on no others, r' vanishes at every angle while phi' does not: {known}"
 
@@ -96,15 +122,17 @@ def limit_cycles(answer, field, state):
 def _proved(radii, field, state):
     """Whether it can be decided, for a polynomial field, that these are the radii of all circles.
 
-    With x = r cos, y = r sin the rates are polynomials in cos and sin, to the first degree in sin; those of r' have to
-    vanish one by one.
+    With x = r cos, y = r sin the rates are polynomials in cos and sin, to the first degree in sin;
+    those of r' have to vanish one by one.
     """
     r, c, s = sp.symbols("r c s")
     rates = field.subs(dict(zip(state, (r * c, r * s))), simultaneous=True).applyfunc(sp.expand)
     if not all(rate.is_polynomial(r, c, s) for rate in rates):
         return False
     f, g = rates
-    outward, around = (sp.Poly(sp.rem(rate, c**2 + s**2 - 1, s), c, s) for rate in (c * f + s * g, c * g - s * f))
+    outward, around = (
+        sp.Poly(sp.rem(rate, c**2 + s**2 - 1, s), c, s) for rate in (c * f + s * g, c * g - s * f)
+    )
     radial = sp.Poly(functools.reduce(sp.gcd, outward.coeffs()), r)
     if not around.is_ground or len(set(radii)) != radial.count_roots(0) - (radial.eval(0) == 0):
         return False
@@ -113,56 +141,88 @@ def _proved(radii, field, state):
 
 @judged
 def cycle_stability(answer, field, state, radius=None):
-    """Whether a limit cycle is stable, unstable or semistable: the only one, or that with the `radius` given.
+    """Whether a limit cycle is stable, unstable or semistable: the only one, or that with the
+    `radius` given.
 
     Judged by motions that start a little inside and a little outside of it.
     """
-    joined = "".join(answer.replace("-", " ").split()) if isinstance(answer, str) else answer  # semi-stable
+    # semi-stable
+    joined = "".join(answer.replace("-", " ").split()) if isinstance(answer, str) else answer
     claim = coercion.as_choice(joined, CYCLES)
     flow = known_field(tuple(field), tuple(state))
     radius = _circle(flow, radius)
     inside, outside = (_tendency(flow, radius, side) for side in (-1, 1))
-    truth = {("to", "to"): "stable", ("from", "from"): "unstable"}.get((inside, outside), "semistable")
+    truth = {("to", "to"): "stable", ("from", "from"): "unstable"}.get(
+        (inside, outside), "semistable"
+    )
     if claim != truth:
         claimed = {"stable": ("to", "to"), "unstable": ("from", "from")}.get(claim)
         if claimed is None:
-            raise Wrong("semistable means that motions on one side move towards the cycle and motions on the other "
-                        f"away from it: try r = {0.95 * radius:g} and r = {1.05 * radius:g}")
-        side, start = ("inside", 0.95 * radius) if inside != claimed[0] else ("outside", 1.05 * radius)
+            raise Wrong(
+                "semistable means that motions on one side move towards the cycle and motions on "
+                "the other "
+                f"away from it: try r = {0.95 * radius:g} and r = {1.05 * radius:g}"
+            )
+        side, start = (
+            ("inside", 0.95 * radius) if inside != claimed[0] else ("outside", 1.05 * radius)
+        )
         does = {"to": "towards", "from": "away from"}[inside if side == "inside" else outside]
-        raise Wrong(f"this does not agree with the neighbouring motions: the one that starts {side}, at r = {start:g}, "
-                    f"moves {does} the cycle")
-    return (f"motions inside move {'towards' if inside == 'to' else 'away from'} it, "
-            f"motions outside {'towards' if outside == 'to' else 'away from'} it")
+        raise Wrong(
+            f"this does not agree with the neighbouring motions: the one that starts {side}, at r "
+            f"= {start:g}, "
+            f"moves {does} the cycle"
+        )
+    return (
+        f"motions inside move {'towards' if inside == 'to' else 'away from'} it, "
+        f"motions outside {'towards' if outside == 'to' else 'away from'} it"
+    )
 
 
 @judged(Number())
 def return_slope(claim, field, state, radius=None):
-    """The slope of the return map r -> P(r) at a limit cycle: by how much one turn multiplies a small deviation.
+    """The slope of the return map r -> P(r) at a limit cycle: by how much one turn multiplies a
+    small deviation.
 
-    Judged by Liouville's formula: in the plane it is exp of the integral of the divergence over one turn.
+    Judged by Liouville's formula: in the plane it is exp of the integral of the divergence over one
+    turn.
     """
     flow = known_field(tuple(field), tuple(state))
     radius = _circle(flow, radius)
     exponent = 0.0
-    for phi in ANGLES:  # the trapezoidal rule is exact here for trigonometric polynomials below degree 24
+    # the trapezoidal rule is exact here for trigonometric polynomials below degree 24
+    for phi in ANGLES:
         x = _place(radius, phi)
-        exponent += np.trace(flow.jacobian(x)) / abs(_polar_velocity(flow, radius, phi)[1]) * 2 * math.pi / len(ANGLES)
+        exponent += (
+            np.trace(flow.jacobian(x))
+            / abs(_polar_velocity(flow, radius, phi)[1])
+            * 2
+            * math.pi
+            / len(ANGLES)
+        )
     if abs(exponent) < 1e-10:
         exponent = 0.0
     slope = math.exp(exponent)
     # A whole number may be one that was rounded: such a slope is large.
     if not same(float(claim), slope, claim) and not (claim.is_Integer and rounds_to(claim, slope)):
         if float(claim) <= 0:
-            raise Wrong("the slope is positive: a motion that starts outside the cycle stays outside, for motions do "
-                        "not cross")
+            raise Wrong(
+                "the slope is positive: a motion that starts outside the cycle stays outside, for "
+                "motions do "
+                "not cross"
+            )
         if rounds_to(claim, slope) and not in_decimals(claim):
-            raise Wrong(f"the expression comes close, but it is not the slope: they differ by the fraction "
-                        f"{abs(float(claim) / slope - 1):.2g}")
+            raise Wrong(
+                f"the expression comes close, but it is not the slope: they differ by the fraction "
+                f"{abs(float(claim) / slope - 1):.2g}"
+            )
         turn = _turn(flow, radius)
-        raise Wrong(f"a small deviation multiplied by {float(claim):.4g} in each turn of {turn:.4g} units of time "
-                    f"would grow at the mean rate {math.log(float(claim)) / turn:.4g}; linearising r' at the cycle "
-                    "gives another rate")
+        raise Wrong(
+            f"a small deviation multiplied by {float(claim):.4g} in each turn of {turn:.4g} units "
+            "of time "
+            f"would grow at the mean rate {math.log(float(claim)) / turn:.4g}; linearising r' at "
+            "the cycle "
+            "gives another rate"
+        )
     return "it agrees with the integral of the divergence over one turn (Liouville's formula)"
 
 
@@ -181,7 +241,8 @@ def _polar_velocity(flow, r, phi):
 def _circles(flow, reach=20.0):
     """Radii, below `reach`, of the circles around zero that are closed orbits.
 
-    Along a ray r' is followed on a fine grid: a cycle is a zero of r' or, where r' keeps its sign, of its derivative.
+    Along a ray r' is followed on a fine grid: a cycle is a zero of r' or, where r' keeps its sign,
+    of its derivative.
     """
     phi = ANGLES[0]
     unit = _place(1.0, phi)
@@ -194,12 +255,16 @@ def _circles(flow, reach=20.0):
 
     grid = np.geomspace(0.013, reach, 400)
     if max(abs(rate(r)) / r for r in grid) < 1e-12:
-        raise RuntimeError("all circles around zero are closed orbits: none of them is a limit cycle")
+        raise RuntimeError(
+            "all circles around zero are closed orbits: none of them is a limit cycle"
+        )
     candidates = _zeros(rate, grid) + _zeros(growth, grid)
     found = []
     for radius in sorted(candidates):
         velocities = [_polar_velocity(flow, radius, angle) for angle in ANGLES]
-        closed = max(abs(v[0]) for v in velocities) < 1e-9 * radius * max(abs(v[1]) for v in velocities)
+        closed = max(abs(v[0]) for v in velocities) < 1e-9 * radius * max(
+            abs(v[1]) for v in velocities
+        )
         turning = min(abs(v[1]) for v in velocities) > 1e-9
         if closed and turning and not any(abs(radius - other) < 1e-5 * radius for other in found):
             found.append(float(radius))
@@ -229,19 +294,23 @@ def _circle(flow, radius):
 
 def _turn(flow, radius):
     """The duration of one turn on a closed orbit."""
-    return sum(2 * math.pi / len(ANGLES) / abs(_polar_velocity(flow, radius, phi)[1]) for phi in ANGLES)
+    return sum(
+        2 * math.pi / len(ANGLES) / abs(_polar_velocity(flow, radius, phi)[1]) for phi in ANGLES
+    )
 
 
 @functools.lru_cache(maxsize=16)
 def _tendency(flow, radius, side):
-    """"to" or "from": where a motion on one side of the cycle goes."""
+    """ "to" or "from": where a motion on one side of the cycle goes."""
     start = radius * (1 + 0.05 * side)
     end = flow.motion([start, 0.0], 60.0, escape=10 * radius)
     if end is None:
         return "from"
     ratio = abs(np.linalg.norm(end) - radius) / abs(start - radius)
     if 0.7 < ratio < 1.4:
-        raise RuntimeError("neighbouring motions keep their distance: this is no limit cycle, or a very slow one")
+        raise RuntimeError(
+            "neighbouring motions keep their distance: this is no limit cycle, or a very slow one"
+        )
     return "to" if ratio < 1 else "from"
 
 

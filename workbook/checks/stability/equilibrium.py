@@ -1,4 +1,5 @@
-"""Positions of equilibrium of an autonomous system, the spectra there, and which of them are stable."""
+"""Positions of equilibrium of an autonomous system, the spectra there, and which of them are
+stable."""
 
 import functools
 
@@ -27,9 +28,11 @@ def equilibria(answer, field, state):
 
 @judged
 def spectra(answer, field, state):
-    """The eigenvalues of the first approximation at every equilibrium: rows of the coordinates, then the eigenvalues.
+    """The eigenvalues of the first approximation at every equilibrium: rows of the coordinates,
+    then the eigenvalues.
 
-    Judged by the characteristic determinant det(lambda E - A) at the numbers given, and by their sum, the trace of A.
+    Judged by the characteristic determinant det(lambda E - A) at the numbers given, and by their
+    sum, the trace of A.
     """
     flow, found = _searched(tuple(field), tuple(state))
     given = []
@@ -39,8 +42,11 @@ def spectra(answer, field, state):
         _judge_spectrum(numbers, flow.jacobian(point), point)
     missed = [point for point in found if not _among(point, given)]
     if missed:
-        raise Wrong("your list does not hold all of them: a search finds an equilibrium for which you give no "
-                    "eigenvalues")
+        raise Wrong(
+            "your list does not hold all of them: a search finds an equilibrium for which you give "
+            "no "
+            "eigenvalues"
+        )
     return "at every equilibrium the numbers are the roots of the characteristic equation, each as often as it is one"
 
 
@@ -57,47 +63,65 @@ def stable_equilibria(answer, field, state):
         if real_part < 0:
             stable.append(point)
         elif any(_is_at(place, point) for place in given):
-            raise Wrong(f"the point {point_text(point)} is listed as stable, but the first approximation there has an "
-                        f"eigenvalue with real part {real_part:.4g}")
+            raise Wrong(
+                f"the point {point_text(point)} is listed as stable, but the first approximation "
+                "there has an "
+                f"eigenvalue with real part {real_part:.4g}"
+            )
     for place in given:
         if not any(_is_at(place, point) for point in stable):
-            raise Wrong(f"your point {point_text(place)} is not an equilibrium: {_values_told(flow, place)}")
+            raise Wrong(
+                f"your point {point_text(place)} is not an equilibrium: {_values_told(flow, place)}"
+            )
     missed = [point for point in stable if not any(_is_at(place, point) for place in given)]
     if missed:
-        raise Wrong("not all asymptotically stable equilibria are there: some equilibrium that you leave out has a "
-                    "first approximation whose eigenvalues all have negative real parts")
+        raise Wrong(
+            "not all asymptotically stable equilibria are there: some equilibrium that you leave "
+            "out has a "
+            "first approximation whose eigenvalues all have negative real parts"
+        )
     return "at these equilibria, and at no others, all eigenvalues of the first approximation have negative real parts"
 
 
 @functools.lru_cache(maxsize=16)
 def _searched(field, state):
-    """The field and its rest points. Several answers of a problem ask about the same system: one search serves them
-    all."""
+    """The field and its rest points. Several answers of a problem ask about the same system: one
+    search serves them all."""
     flow = Field(field, state)
     return flow, flow.rest_points()
 
 
 def _places(answer, state):
-    """The points of a list (or of a single dict, as `solve` gives it) in the order of `state`, lists of numbers."""
+    """The points of a list (or of a single dict, as `solve` gives it) in the order of `state`,
+    lists of numbers."""
     points = [answer] if isinstance(answer, dict) else answer
     if isinstance(points, (list, tuple, set, frozenset, sp.FiniteSet)):
         points = [in_order(point, state) for point in points]
         if len(state) == 1:  # plain numbers for points with a single coordinate
-            points = [point if isinstance(point, (list, tuple, sp.Tuple)) else [point] for point in points]
+            points = [
+                point if isinstance(point, (list, tuple, sp.Tuple)) else [point] for point in points
+            ]
     return [list(point) for point in coercion.as_points(points, len(state))]
 
 
 def _spectra_by_place(answer, state):
-    """Pairs (point, eigenvalues), lists of numbers as they are written, from rows [*coordinates, *eigenvalues]; a row
-    may be a pair of two lists as well."""
+    """Pairs (point, eigenvalues), lists of numbers as they are written, from rows [*coordinates,
+    *eigenvalues]; a row may be a pair of two lists as well."""
     n = len(state)
     if isinstance(answer, sp.MatrixBase):
         answer = answer.tolist()
     if not isinstance(answer, (list, tuple, np.ndarray)):
-        raise Invalid(f"expected a list with a row of {2 * n} numbers for each equilibrium: its coordinates, then the "
-                      f"eigenvalues")
-    rows = ([answer] if len(answer) == 2 * n and not any(isinstance(x, (list, tuple, np.ndarray, sp.MatrixBase))
-                                                         for x in answer) else answer)
+        raise Invalid(
+            f"expected a list with a row of {2 * n} numbers for each equilibrium: its coordinates, "
+            "then the "
+            f"eigenvalues"
+        )
+    rows = (
+        [answer]
+        if len(answer) == 2 * n
+        and not any(isinstance(x, (list, tuple, np.ndarray, sp.MatrixBase)) for x in answer)
+        else answer
+    )
     for row in rows:
         if isinstance(row, (list, tuple)) and len(row) == 2 and n > 1:
             row = [*coercion.as_expressions(row[0], (), n), *coercion.as_expressions(row[1], (), n)]
@@ -107,7 +131,9 @@ def _spectra_by_place(answer, state):
 
 def _judge_spectrum(written, matrix, point):
     """Match the numbers one to one with the eigenvalues."""
-    numbers = numbers_at(written, {}, [f"eigenvalue at {point_text(point)}"] * len(written)).tolist()
+    numbers = numbers_at(
+        written, {}, [f"eigenvalue at {point_text(point)}"] * len(written)
+    ).tolist()
     eigenvalues = list(np.linalg.eigvals(matrix))
     left = list(eigenvalues)
     for number, claim in zip(numbers, written):
@@ -115,12 +141,18 @@ def _judge_spectrum(written, matrix, point):
         near = [value for value in eigenvalues if same(number, value, claim, 1, REPEATED)]
         if not near:
             residual = abs(np.linalg.det(number * np.eye(len(matrix)) - matrix))
-            raise Wrong(f"at {point_text(point)} your number {number_text(number)} is no eigenvalue of the first "
-                        f"approximation: det(lambda E - A) has the modulus {residual:.4g} there, not zero")
+            raise Wrong(
+                f"at {point_text(point)} your number {number_text(number)} is no eigenvalue of the "
+                "first "
+                f"approximation: det(lambda E - A) has the modulus {residual:.4g} there, not zero"
+            )
         close = [value for value in near if value in left]
         if not close:
-            raise Wrong(f"at {point_text(point)} the sum of your eigenvalues is {number_text(sum(numbers))}, "
-                        f"while the sum of the diagonal elements of A is {np.trace(matrix):.4g}")
+            raise Wrong(
+                f"at {point_text(point)} the sum of your eigenvalues is "
+                f"{number_text(sum(numbers))}, "
+                f"while the sum of the diagonal elements of A is {np.trace(matrix):.4g}"
+            )
         left.remove(min(close, key=lambda value: abs(value - number)))
 
 
@@ -128,7 +160,9 @@ def _rest_point(flow, place):
     """The equilibrium at a point as it is written."""
     rest = flow.refine(np.array(place, dtype=float))
     if rest is None or not _is_at(place, rest):
-        raise Wrong(f"your point {point_text(place)} is not an equilibrium: {_values_told(flow, place)}")
+        raise Wrong(
+            f"your point {point_text(place)} is not an equilibrium: {_values_told(flow, place)}"
+        )
     return rest
 
 
@@ -140,9 +174,12 @@ def _values_told(flow, place):
 
 
 def _is_at(place, point):
-    """Whether a point as it is written is one that was searched for; a double zero is found to half of its digits."""
+    """Whether a point as it is written is one that was searched for; a double zero is found to half
+    of its digits."""
     return same(np.array(place, dtype=float), point, place, np.abs(point).max(), REPEATED).all()
 
 
 def _among(point, points):
-    return any(np.linalg.norm(point - other) < 1e-6 * (1 + np.linalg.norm(point)) for other in points)
+    return any(
+        np.linalg.norm(point - other) < 1e-6 * (1 + np.linalg.norm(point)) for other in points
+    )

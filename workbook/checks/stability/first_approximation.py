@@ -22,7 +22,8 @@ FLOOR = 1e-25
 
 @dataclass
 class Rates:
-    """A matrix of equations in deviations says at which rates the right-hand sides change with each of the symbols."""
+    """A matrix of equations in deviations says at which rates the right-hand sides change with each
+    of the symbols."""
 
     claim: sp.MatrixBase
     true: np.ndarray
@@ -38,23 +39,33 @@ class Rates:
 
 @judged
 def first_approximation_unstable(answer, system, parameters):
-    """The parameters for which some eigenvalue of the first approximation in `Deviations` has a positive real part."""
-    return compare_region(answer, matrix_of(system, parameters), parameters,
-                          "unstable by a root with positive real part", unstable=True)
+    """The parameters for which some eigenvalue of the first approximation in `Deviations` has a
+    positive real part."""
+    return compare_region(
+        answer,
+        matrix_of(system, parameters),
+        parameters,
+        "unstable by a root with positive real part",
+        unstable=True,
+    )
 
 
 @judged(Choice(words=STABILITY))
 def zero_stability(claim, field, state):
     """Whether x = 0 is asymptotically stable, stable (and no more) or unstable.
 
-    Decided by the spectrum of the first approximation; where that is silent, by motions that start close to zero.
+    Decided by the spectrum of the first approximation; where that is silent, by motions that start
+    close to zero.
     """
     flow = known_field(tuple(field), tuple(state))
     real_part = max(np.linalg.eigvals(flow.jacobian([0.0] * len(state))).real)
     if abs(real_part) > 1e-9:
         truth = "unstable" if real_part > 0 else "asymptotically stable"
-        reason = f"the first approximation has an eigenvalue with real part {real_part:.4g}" if real_part > 0 else \
-            f"all eigenvalues of the first approximation have real parts of at most {real_part:.4g}"
+        reason = (
+            f"the first approximation has an eigenvalue with real part {real_part:.4g}"
+            if real_part > 0
+            else f"all eigenvalues of the first approximation have real parts of at most {real_part:.4g}"
+        )
     else:
         truth, reason = by_motions(flow)
     return (yield Word(claim, truth, reason, "this does not agree with the motions near zero: "))

@@ -1,4 +1,5 @@
-"""Lyapunov functions: the derivative along the motions, where it vanishes, what stability and what basin it proves."""
+"""Lyapunov functions: the derivative along the motions, where it vanishes, what stability and what
+basin it proves."""
 
 import functools
 from fractions import Fraction
@@ -30,39 +31,59 @@ from workbook.checks.truths.fields import Field
 
 @judged(Expression("state", "parameters"))
 def lyapunov_derivative(claim, function, field, state, parameters=()):
-    """The derivative of V along the motions of x' = f(x) (Definition 1.4), as an expression in the state."""
+    """The derivative of V along the motions of x' = f(x) (Definition 1.4), as an expression in the
+    state."""
     random = np.random.default_rng(4)
     for values in in_every_case(sample_values(parameters), claim):
         flow, level = Field(field, state, values), Field([function], state, values)
-        for at in in_every_case([dict(zip(state, random.normal(size=len(state)))) for _ in range(4)],
-                                claim.xreplace(values)):
+        for at in in_every_case(
+            [dict(zip(state, random.normal(size=len(state)))) for _ in range(4)],
+            claim.xreplace(values),
+        ):
             point = np.array(list(at.values()))
             true = level.derivative(point, flow(point))[0]
             said = number_at(claim, values | dict(zip(state, point)))
-            # The size of the terms of grad V . f, not of their sum, sets the scale: the sum may cancel.
-            size = abs(level.derivative(point, np.ones(len(state)))[0]) * np.linalg.norm(flow(point)) + abs(true)
+            # The size of the terms of grad V . f, not of their sum, sets the scale: the sum may
+            # cancel.
+            size = abs(level.derivative(point, np.ones(len(state)))[0]) * np.linalg.norm(
+                flow(point)
+            ) + abs(true)
             if not abs(said - true) <= 1e-9 * size:
-                where = ", ".join(f"{s} = {v:.3g}"
-                                  for s, v in [*zip(state, point), *((p, float(v)) for p, v in values.items())])
-                raise Wrong(f"at {where} the function changes along the motion at the rate {true:.4g}; "
-                            f"your expression gives {said.real:.4g}")
+                where = ", ".join(
+                    f"{s} = {v:.3g}"
+                    for s, v in [*zip(state, point), *((p, float(v)) for p, v in values.items())]
+                )
+                raise Wrong(
+                    f"at {where} the function changes along the motion at the rate {true:.4g}; "
+                    f"your expression gives {said.real:.4g}"
+                )
     return "it is the rate at which the function changes along the motions, at random states"
 
 
 @judged
 def vanishing_set(answer, function, field, state, parameters=()):
-    """The set of states where the derivative of V along the motions is zero, for parameters that are not zero."""
+    """The set of states where the derivative of V along the motions is zero, for parameters that
+    are not zero."""
     rate = sp.expand(sum(sp.diff(function, x) * f for x, f in zip(state, field)))
     (sample,) = sample_values(parameters, count=1) if parameters else ({},)
     given = sp.And(*(sp.Ne(p, 0) for p in parameters))
     # A factor that is not zero may stay in the equation.
-    kept = [p for p in parameters if p.name in {s.name for s in getattr(answer, "free_symbols", ())}]
-    truth = exactly(sp.Eq(rate, 0), given, tuple(p for p in parameters if p not in kept),
-                    lambda values: sp.simplify(rate.subs(values).subs(sample)) == 0)
+    kept = [
+        p for p in parameters if p.name in {s.name for s in getattr(answer, "free_symbols", ())}
+    ]
+    truth = exactly(
+        sp.Eq(rate, 0),
+        given,
+        tuple(p for p in parameters if p not in kept),
+        lambda values: sp.simplify(rate.subs(values).subs(sample)) == 0,
+    )
 
     def told(values, holds):
-        return (f"at {place_text(values)} the derivative is {'zero' if holds else 'not zero'}, and your set "
-                f"{'does not hold' if holds else 'holds'} this state")
+        return (
+            f"at {place_text(values)} the derivative is {'zero' if holds else 'not zero'}, and "
+            "your set "
+            f"{'does not hold' if holds else 'holds'} this state"
+        )
 
     agreement = compare(answer, [*state, *kept], truth, told)
     return f"the derivative is zero at the states of this set and at no others: {agreement}"
@@ -70,7 +91,8 @@ def vanishing_set(answer, function, field, state, parameters=()):
 
 @judged
 def departure(answer, function, field, state, parameters=()):
-    """The rate of the last state variable where V' vanishes: what takes a motion out of this set (Theorem 1.5).
+    """The rate of the last state variable where V' vanishes: what takes a motion out of this set
+    (Theorem 1.5).
 
     Judged at states of the set alone, so terms that vanish on it may stay or go.
     """
@@ -84,8 +106,11 @@ def departure(answer, function, field, state, parameters=()):
 
     def told(values, holds):
         said = number_at(claim, values)
-        return (f"at {place_text(values)} the derivative of V is zero, and {state[-1]} changes there at the rate "
-                f"{float(true.subs(values)):.4g}; your expression gives {said.real:.4g}")
+        return (
+            f"at {place_text(values)} the derivative of V is zero, and {state[-1]} changes there "
+            "at the rate "
+            f"{float(true.subs(values)):.4g}; your expression gives {said.real:.4g}"
+        )
 
     same = Truth((Case(zero.condition),), (Case(sp.false),), at, lambda: on_borders(zero, symbols))
     agreement = compare(sp.Eq(claim, true), symbols, same, told)
@@ -96,8 +121,9 @@ def departure(answer, function, field, state, parameters=()):
 def proved_stable(answer, function, field, state, parameters):
     """The parameters for which V proves asymptotic stability of zero by Theorem 1.5.
 
-    That is: V > 0 and V' <= 0 near zero, and V' is not identically zero (that no motion stays where it vanishes is for
-    the author of the problem to know). Values that the assumptions of a parameter exclude are left alone.
+    That is: V > 0 and V' <= 0 near zero, and V' is not identically zero (that no motion stays where
+    it vanishes is for the author of the problem to know). Values that the assumptions of a
+    parameter exclude are left alone.
     """
     circle = 0.1 * _directions(len(state))
     level, rate = _numeric(function, state, parameters), _rate(function, field, state, parameters)
@@ -108,9 +134,13 @@ def proved_stable(answer, function, field, state, parameters):
 
     def told(values, holds):
         rates = rate(circle, values.values())
-        return (f"for {place_text(values)} the derivative of V on the circle of radius 0.1 lies between "
-                f"{min(rates):.3g} and {max(rates):.3g}, which {'proves' if holds else 'does not prove'} asymptotic "
-                f"stability")
+        return (
+            f"for {place_text(values)} the derivative of V on the circle of radius 0.1 lies "
+            "between "
+            f"{min(rates):.3g} and {max(rates):.3g}, which "
+            f"{'proves' if holds else 'does not prove'} asymptotic "
+            f"stability"
+        )
 
     near = sum(x**2 for x in state) <= sp.Rational(1, 100)
     truth = Truth(*_proved(function, field, state, near), at)
@@ -122,10 +152,14 @@ def proved_stable(answer, function, field, state, parameters):
 def proved_global(answer, function, field, state, parameters, given=()):
     """The values of `parameters` for which V proves asymptotic stability of zero in the large.
 
-    That is: V > 0 grows without bound in every direction, and V' <= 0 everywhere, but not identically (that no motion
-    stays where it vanishes is for the author of the problem to know). Other symbols get values that satisfy `given`.
+    That is: V > 0 grows without bound in every direction, and V' <= 0 everywhere, but not
+    identically (that no motion stays where it vanishes is for the author of the problem to know).
+    Other symbols get values that satisfy `given`.
     """
-    others = set().union(*(sp.sympify(f).free_symbols for f in [*field, function])) - {*state, *parameters}
+    others = set().union(*(sp.sympify(f).free_symbols for f in [*field, function])) - {
+        *state,
+        *parameters,
+    }
     (sample,) = allowed_values(sorted(others, key=str), given, 1)
     field, function = [sp.sympify(f).subs(sample) for f in field], sp.sympify(function).subs(sample)
     radii = np.geomspace(1e-2, 1e4, 41)
@@ -138,21 +172,35 @@ def proved_global(answer, function, field, state, parameters, given=()):
         rates = rate(points, values.values())
         if min(lowest) <= 0 or np.any(np.diff(lowest) <= 0):
             worst = int(np.argmax((lowest <= 0) | (np.diff(lowest, prepend=0) <= 0)))
-            return ("V does not grow in all directions: "
-                    f"on the circle of radius {radii[worst]:.3g} its least value is {lowest[worst]:.3g}")
+            return (
+                "V does not grow in all directions: "
+                f"on the circle of radius {radii[worst]:.3g} its least value is {lowest[worst]:.3g}"
+            )
         if max(rates) > 1e-12 * max(abs(rates)) or min(rates) == 0:
             return f"the derivative of V takes values between {min(rates):.3g} and {max(rates):.3g}"
         return ""
 
     def at(values):
         # Closer to zero the far ends of V lie beyond the states that are looked at.
-        return None if 0 < max(abs(float(x)) for x in values.values()) < 1e-6 else not reason(values)
+        return (
+            None if 0 < max(abs(float(x)) for x in values.values()) < 1e-6 else not reason(values)
+        )
 
     def told(values, holds):
-        why = "" if holds else reason(values) or "V does not grow, or its derivative is positive, far from zero"
-        return f"for {place_text(values)} " + (f"{why}, which proves nothing in the large" if why else (
-            "V grows without bound in every direction and its derivative is nowhere positive: it proves stability in "
-            "the large"))
+        why = (
+            ""
+            if holds
+            else reason(values) or "V does not grow, or its derivative is positive, far from zero"
+        )
+        return f"for {place_text(values)} " + (
+            f"{why}, which proves nothing in the large"
+            if why
+            else (
+                "V grows without bound in every direction and its derivative is nowhere positive: "
+                "it proves stability in "
+                "the large"
+            )
+        )
 
     grows = sum(x * sp.diff(function, x) for x in state) > 0
     truth = Truth(*_proved(function, field, state, sp.true, grows), at)
@@ -161,59 +209,89 @@ def proved_global(answer, function, field, state, parameters, given=()):
 
 
 def _proved(function, field, state, where, besides=sp.true):
-    """The cases in which V proves stability or does not: V > 0, V' <= 0 and `besides` hold at all states but zero
-    `where` it is asked, and V' is not identically zero."""
+    """The cases in which V proves stability or does not: V > 0, V' <= 0 and `besides` hold at all
+    states but zero `where` it is asked, and V' is not identically zero."""
     rate = sp.expand(sum(sp.diff(function, x) * f for x, f in zip(state, field)))
     if not (rate.is_polynomial(*state) and sp.sympify(function).is_polynomial(*state)):
         return (), ()
     nothing = sp.And(*(sp.Eq(c, 0) for c in sp.Poly(rate, *state).coeffs()))
     asked = sp.And(where, sp.Or(*(sp.Ne(x, 0) for x in state)))
     proved = sp.And(sp.sympify(function) > 0, rate <= 0)
-    inside = Case(sp.And(sp.Not(nothing), sp.Or(sp.Not(asked), sp.And(proved, besides))), tuple(state), every=True)
+    inside = Case(
+        sp.And(sp.Not(nothing), sp.Or(sp.Not(asked), sp.And(proved, besides))),
+        tuple(state),
+        every=True,
+    )
     return (inside,), (Case(sp.And(asked, sp.Not(proved)), tuple(state)), Case(nothing))
 
 
 @judged(Expression("parameters"))
 def basin_level(claim, function, field, state, parameters=(), given=()):
-    """The largest level c for which V proves that the part of {V < c} around zero belongs to the basin of
-    attraction."""
+    """The largest level c for which V proves that the part of {V < c} around zero belongs to the
+    basin of attraction."""
     directions = _directions(len(state))
-    for values, level, others, rate, largest in _stable_systems(function, field, state, parameters, given):
+    for values, level, others, rate, largest in _stable_systems(
+        function, field, state, parameters, given
+    ):
         number = number_at(claim, values, "your level")
         real = abs(number.imag) <= 1e-9 * abs(number)
-        told = (f"for {values_text(values)} " if values
-                else "") + f"your level is {f'{number.real:.4g}' if real else 'not real'}"
+        told = (
+            f"for {values_text(values)} " if values else ""
+        ) + f"your level is {f'{number.real:.4g}' if real else 'not real'}"
         if not real or number.real <= 0:
-            raise Wrong(f"{told}; V is positive near zero, so the level has to be a positive number")
-        low, high = (_border(lambda points, c=c: level(points) < c, directions)
-                     for c in (0.994 * number.real, 1.008 * number.real))
+            raise Wrong(
+                f"{told}; V is positive near zero, so the level has to be a positive number"
+            )
+        low, high = (
+            _border(lambda points, c=c: level(points) < c, directions)
+            for c in (0.994 * number.real, 1.008 * number.real)
+        )
         if not np.all(np.isfinite(low)):
-            raise Wrong(f"{told}: the set V < c around zero is unbounded in the direction "
-                        f"{point_text(directions[np.argmax(~np.isfinite(low))])}")
+            raise Wrong(
+                f"{told}: the set V < c around zero is unbounded in the direction "
+                f"{point_text(directions[np.argmax(~np.isfinite(low))])}"
+            )
         broken = _breaks(rate, directions * low[:, None], others, level, 0.994 * number.real)
         if broken:
             raise Wrong(f"{told}: V does not prove attraction for all of this set: {broken}")
-        if np.all(np.isfinite(high)) and not _breaks(rate, directions * high[:, None], others, level,
-                                                     1.008 * number.real):
-            raise Wrong(f"{told}: V proves attraction up to this level, but also up to a higher one")
+        if np.all(np.isfinite(high)) and not _breaks(
+            rate, directions * high[:, None], others, level, 1.008 * number.real
+        ):
+            raise Wrong(
+                f"{told}: V proves attraction up to this level, but also up to a higher one"
+            )
         true = largest(number.real, directions * low[:, None])
-        if true is not None and not same(number, float(true), claim, uncertain=uncertain_at(claim, values)):
-            raise Wrong(f"{told}: " + ("V does not prove attraction quite up to it" if number.real > true else
-                                       "V proves attraction up to this level, but also up to a higher one"))
-    return ("up to this level the derivative of V is nowhere positive and no other equilibrium is met, and beyond it "
-            "this ends")
+        if true is not None and not same(
+            number, float(true), claim, uncertain=uncertain_at(claim, values)
+        ):
+            raise Wrong(
+                f"{told}: "
+                + (
+                    "V does not prove attraction quite up to it"
+                    if number.real > true
+                    else "V proves attraction up to this level, but also up to a higher one"
+                )
+            )
+    return (
+        "up to this level the derivative of V is nowhere positive and no other equilibrium is met, "
+        "and beyond it "
+        "this ends"
+    )
 
 
 @judged(ConditionOn("state", "parameters"))
 def basin_estimate(condition, function, field, state, parameters=(), given=()):
     """The largest set {V < c} around zero that V proves to belong to the basin of attraction.
 
-    Judged for values of the parameters with an asymptotically stable first approximation: the boundary is a level line
-    of V, inside V' <= 0 and no other equilibrium, and a slightly higher level breaks one of these. The set may contain
-    the parameters; where V < c has parts away from zero, it has to leave them out.
+    Judged for values of the parameters with an asymptotically stable first approximation: the
+    boundary is a level line of V, inside V' <= 0 and no other equilibrium, and a slightly higher
+    level breaks one of these. The set may contain the parameters; where V < c has parts away from
+    zero, it has to leave them out.
     """
     directions = _directions(len(state))
-    for values, level, others, rate, largest in _stable_systems(function, field, state, parameters, given):
+    for values, level, others, rate, largest in _stable_systems(
+        function, field, state, parameters, given
+    ):
         claim = condition.subs(values)
         where = f" (for {values_text(values)})" if values else ""
         reach = _reach(claim, state, directions, where)
@@ -221,53 +299,92 @@ def basin_estimate(condition, function, field, state, parameters=(), given=()):
         heights = level(border)
         if np.ptp(heights) > 0.01 * np.mean(heights):
             low, high = border[np.argmin(heights)], border[np.argmax(heights)]
-            raise Wrong(f"the boundary is no level line of V: V is {min(heights):.4g} at {point_text(low)} "
-                        f"and {max(heights):.4g} at {point_text(high)}{where}")
+            raise Wrong(
+                f"the boundary is no level line of V: V is {min(heights):.4g} at {point_text(low)} "
+                f"and {max(heights):.4g} at {point_text(high)}{where}"
+            )
         height = np.mean(heights)
-        broken = (_breaks(rate, 0.997 * border, others, level, 0.994 * height)
-                  or _holds_equilibrium(condition, field, state, values, others))
+        broken = _breaks(rate, 0.997 * border, others, level, 0.994 * height) or _holds_equilibrium(
+            condition, field, state, values, others
+        )
         if broken:
             raise Wrong(f"V does not prove attraction for all of this set: {broken}{where}")
         _has_no_holes(claim, state, sp.sympify(function).subs(values), height, border, where)
         true = largest(height, border)
         if true is not None:
-            compare(claim, state, _part_around_zero(sp.sympify(function).subs(values), true, state, others, border),
-                    lambda place, holds, where=where: (
-                        f"your set leaves out the state {place_text(place)}, which V proves to be attracted{where}"
-                        if holds else f"your set holds the state {place_text(place)}; V does not prove that it is "
-                        f"attracted{where}"))
+            compare(
+                claim,
+                state,
+                _part_around_zero(sp.sympify(function).subs(values), true, state, others, border),
+                lambda place, holds, where=where: (
+                    f"your set leaves out the state {place_text(place)}, which V proves to be "
+                    f"attracted{where}"
+                    if holds
+                    else f"your set holds the state {place_text(place)}; V does not prove that it is "
+                    f"attracted{where}"
+                ),
+            )
         if not _breaks(rate, 1.004 * border, others, level, 1.008 * height):
-            raise Wrong("the set is contained in the basin, but V proves more: "
-                        f"its derivative is still nowhere positive on a larger level set{where}")
-    return ("its boundary is a level line of V, the derivative is nowhere positive inside, and no higher level has "
-            "this property")
+            raise Wrong(
+                "the set is contained in the basin, but V proves more: "
+                f"its derivative is still nowhere positive on a larger level set{where}"
+            )
+    return (
+        "its boundary is a level line of V, the derivative is nowhere positive inside, and no "
+        "higher level has "
+        "this property"
+    )
 
 
 def _largest_level(height, change, motion, state, others, near, border):
-    """The level c of V that the basin reaches, near one that is known, or None if it cannot be told exactly: an
-    equilibrium stands on it, or V' > 0 at once above it; below neither is so."""
-    exact = [{x: sp.Rational(Fraction(float(v)).limit_denominator(1000)) for x, v in zip(state, point)}
-             for point in others]
+    """The level c of V that the basin reaches, near one that is known, or None if it cannot be told
+    exactly: an equilibrium stands on it, or V' > 0 at once above it; below neither is so."""
+    exact = [
+        {x: sp.Rational(Fraction(float(v)).limit_denominator(1000)) for x, v in zip(state, point)}
+        for point in others
+    ]
     met = {height.subs(point) for point in exact if all(f.subs(point) == 0 for f in motion)}
-    box = sp.And(*(sp.Abs(x) <= 2 * sp.Rational(float(end)).limit_denominator(100)
-                   for x, end in zip(state, np.abs(border).max(axis=0))))
+    box = sp.And(
+        *(
+            sp.Abs(x) <= 2 * sp.Rational(float(end)).limit_denominator(100)
+            for x, end in zip(state, np.abs(border).max(axis=0))
+        )
+    )
 
     def rises_below(level):
-        return decide(sp.true, state, Truth((Case(sp.false),), (Case(sp.And(box, height < level, change > 0)),)))
+        return decide(
+            sp.true,
+            state,
+            Truth((Case(sp.false),), (Case(sp.And(box, height < level, change > 0)),)),
+        )
 
     simple = {sp.Rational(float(near)).limit_denominator(q) for q in (1, 2, 4, 8, 12, 60, 1000)}
     for level in sorted(met | simple, key=lambda c: abs(c - near)):
-        if (abs(level - near) < near / 80 and rises_below(level) == (True, None)
-                and (level in met or rises_below(level * (1 + sp.Rational(1, 10**9)))[1])):
+        if (
+            abs(level - near) < near / 80
+            and rises_below(level) == (True, None)
+            and (level in met or rises_below(level * (1 + sp.Rational(1, 10**9)))[1])
+        ):
             return level
     return None
 
 
 def _part_around_zero(height, level, state, others, border):
-    """The truth that the part of {V < level} around zero is; an equilibrium on its boundary cuts it off from others."""
-    ends = [next((sp.Rational(Fraction(abs(float(v))).limit_denominator(1000)) for v in coordinates
-                  if abs(abs(v) - reach) < reach / 50), sp.Rational(51, 50) * sp.Rational(float(reach)))
-            for reach, coordinates in zip(np.abs(border).max(axis=0), np.reshape(others, (-1, len(state))).T)]
+    """The truth that the part of {V < level} around zero is; an equilibrium on its boundary cuts it
+    off from others."""
+    ends = [
+        next(
+            (
+                sp.Rational(Fraction(abs(float(v))).limit_denominator(1000))
+                for v in coordinates
+                if abs(abs(v) - reach) < reach / 50
+            ),
+            sp.Rational(51, 50) * sp.Rational(float(reach)),
+        )
+        for reach, coordinates in zip(
+            np.abs(border).max(axis=0), np.reshape(others, (-1, len(state))).T
+        )
+    ]
     inside = sp.And(*(sp.Abs(x) < end for x, end in zip(state, ends)))
     beyond = sp.Or(*(sp.Abs(x) > end for x, end in zip(state, ends)))
     return Truth((Case(sp.And(height < level, inside)),), (Case(sp.Or(height > level, beyond)),))
@@ -298,26 +415,37 @@ def _rate(function, field, state, parameters=()):
 
 
 def _stable_systems(function, field, state, parameters, given):
-    """(values, V, other equilibria, V', the exact level near one) for sampled parameters at which the first
-    approximation is stable."""
-    return _sampled(sp.sympify(function), tuple(field), tuple(state), tuple(parameters),
-                    joined(given))
+    """(values, V, other equilibria, V', the exact level near one) for sampled parameters at which
+    the first approximation is stable."""
+    return _sampled(
+        sp.sympify(function), tuple(field), tuple(state), tuple(parameters), joined(given)
+    )
 
 
 @functools.lru_cache(maxsize=16)
 def _sampled(function, field, state, parameters, given):
     systems = []
     for values in allowed_values(parameters, given, 8):
-        # Squares, so that equilibria at roots of parameters are rational and can be put into a condition exactly.
-        values = {p: sp.sign(v) * sp.Rational(sp.ceiling(4 * abs(v)), 4) ** 2 for p, v in values.items()}
+        # Squares, so that equilibria at roots of parameters are rational and can be put into a
+        # condition exactly.
+        values = {
+            p: sp.sign(v) * sp.Rational(sp.ceiling(4 * abs(v)), 4) ** 2 for p, v in values.items()
+        }
         flow = Field(field, state, values)
         if max(np.linalg.eigvals(flow.jacobian(np.zeros(len(state)))).real) >= 0:
             continue
         height, motion = function.subs(values), [sp.sympify(f).subs(values) for f in field]
         change = sum(sp.diff(height, x) * f for x, f in zip(state, motion))
         others = [point for point in flow.rest_points(60) if np.linalg.norm(point) > 1e-6]
-        systems.append((values, _numeric(height, state), others, _rate(height, motion, state),
-                        functools.partial(_largest_level, height, change, motion, state, others)))
+        systems.append(
+            (
+                values,
+                _numeric(height, state),
+                others,
+                _rate(height, motion, state),
+                functools.partial(_largest_level, height, change, motion, state, others),
+            )
+        )
         if len(systems) == 2:
             return systems
     if not systems:
@@ -332,8 +460,11 @@ def _reach(claim, state, directions, where):
         raise Wrong(f"the set does not contain a neighbourhood of zero{where}")
     reach = _border(inside, directions)
     if not np.all(np.isfinite(reach)):
-        raise Wrong(f"the set is unbounded in the direction {point_text(directions[np.argmax(~np.isfinite(reach))])}; "
-                    f"a level set that proves attraction is bounded{where}")
+        raise Wrong(
+            "the set is unbounded in the direction "
+            f"{point_text(directions[np.argmax(~np.isfinite(reach))])}; "
+            f"a level set that proves attraction is bounded{where}"
+        )
     for fraction in np.geomspace(1.001, 50, 300):
         beyond = fraction * reach[:, None] * directions
         again = inside(beyond)
@@ -344,17 +475,24 @@ def _reach(claim, state, directions, where):
 
 
 def _away(place, where):
-    return (f"the set has a part away from zero, at {place} for instance, and motions from there need not come to zero"
-            f"{where}")
+    return (
+        f"the set has a part away from zero, at {place} for instance, and motions from there need "
+        "not come to zero"
+        f"{where}"
+    )
 
 
 def _has_no_holes(claim, state, height, level, border, where):
-    """Raise `Wrong` where the set leaves out a line or a point that rays from zero do not meet, or has a part that they
-    miss."""
-    shrunk, grown = (sp.Rational(factor * level).limit_denominator(10**6) for factor in (0.98, 1.02))
+    """Raise `Wrong` where the set leaves out a line or a point that rays from zero do not meet, or
+    has a part that they miss."""
+    shrunk, grown = (
+        sp.Rational(factor * level).limit_denominator(10**6) for factor in (0.98, 1.02)
+    )
     size = [sp.Rational(float(end)).limit_denominator(10**6) for end in np.abs(border).max(axis=0)]
     inside = sp.And(height < shrunk, *(sp.Abs(x) < end for x, end in zip(state, size)))
-    outside = sp.Or(height > grown, *(sp.Abs(x) > sp.Rational(51, 50) * end for x, end in zip(state, size)))
+    outside = sp.Or(
+        height > grown, *(sp.Abs(x) > sp.Rational(51, 50) * end for x, end in zip(state, size))
+    )
     said, never = readings(claim)[0], (Case(sp.false),)
     _, place = decide(said, state, Truth(never, (Case(outside),)))
     if place:
@@ -365,15 +503,20 @@ def _has_no_holes(claim, state, height, level, border, where):
         # Some other part of {V < c} may lie in the box.
         away = np.linalg.norm(border - point, axis=1)
         if np.linalg.norm(point) <= 1.01 * np.linalg.norm(border[np.argmin(away)]):
-            raise Wrong(f"your set leaves out the state {place_text(place[0])}, where V is smaller than on its boundary"
-                        f"{where}")
+            raise Wrong(
+                f"your set leaves out the state {place_text(place[0])}, where V is smaller than on "
+                "its boundary"
+                f"{where}"
+            )
 
 
 def _border(inside, directions, nearest=1e-2, extent=60.0):
     """The distance along each ray at which it first leaves a set, inf where it does not."""
     # A step of 1.2 per cent: less than the gap that a ray beside a saddle passes through.
     distances = np.geomspace(nearest, extent, 740)
-    grid = inside((distances[:, None, None] * directions).reshape(-1, directions.shape[1])).reshape(len(distances), -1)
+    grid = inside((distances[:, None, None] * directions).reshape(-1, directions.shape[1])).reshape(
+        len(distances), -1
+    )
     first = np.argmin(grid, axis=0)
     outer = distances[first]
     inner = np.where(first > 0, distances[first - 1], 0.0)
@@ -385,7 +528,8 @@ def _border(inside, directions, nearest=1e-2, extent=60.0):
 
 
 def _membership(condition, state):
-    """A condition as a function of many states in floating-point numbers; False where it is not defined."""
+    """A condition as a function of many states in floating-point numbers; False where it is not
+    defined."""
     if condition in (sp.true, sp.false):
         return lambda points: np.full(len(points), bool(condition))
     if isinstance(condition, (sp.And, sp.Or)):
@@ -397,43 +541,62 @@ def _membership(condition, state):
         return lambda points: ~negated(points)
     if not isinstance(condition, Relational):
         raise Invalid("expected inequalities joined by And, Or and Not")
-    # Symbols are the data's own and functions are SymPy's (coercion.as_condition), so the code made is ours.
+    # Symbols are the data's own and functions are SymPy's (coercion.as_condition), so the code made
+    # is ours.
     try:
         difference = _numeric(condition.lhs - condition.rhs, state)
     except NotImplementedError:
-        raise Invalid("the condition cannot be evaluated at many states: write it without integrals and sums") from None
-    compare = {sp.StrictGreaterThan: np.greater, sp.GreaterThan: np.greater_equal, sp.StrictLessThan: np.less,
-               sp.LessThan: np.less_equal, sp.Equality: np.equal, sp.Unequality: np.not_equal}[type(condition)]
+        raise Invalid(
+            "the condition cannot be evaluated at many states: write it without integrals and sums"
+        ) from None
+    compare = {
+        sp.StrictGreaterThan: np.greater,
+        sp.GreaterThan: np.greater_equal,
+        sp.StrictLessThan: np.less,
+        sp.LessThan: np.less_equal,
+        sp.Equality: np.equal,
+        sp.Unequality: np.not_equal,
+    }[type(condition)]
 
     def holds(points):
         try:
             values = difference(points)
         except (OverflowError, TypeError, AttributeError):
-            raise Invalid("the condition cannot be evaluated at numbers: write it without such functions") from None
+            raise Invalid(
+                "the condition cannot be evaluated at numbers: write it without such functions"
+            ) from None
         return compare(values.real, 0) & (np.imag(values) == 0) & np.isfinite(values)
 
     return holds
 
 
 def _breaks(rate, border, others, level, height):
-    """What keeps the set inside `border` from being proved to lie in the basin, or an empty string."""
-    points = np.concatenate([fraction * border for fraction in (0.3, 0.6, 0.8, 0.9, 0.95, 0.98, 1.0)])
+    """What keeps the set inside `border` from being proved to lie in the basin, or an empty
+    string."""
+    points = np.concatenate(
+        [fraction * border for fraction in (0.3, 0.6, 0.8, 0.9, 0.95, 0.98, 1.0)]
+    )
     rates = rate(points)
     worst = int(np.argmax(rates))
     if rates[worst] > 1e-9 * max(abs(rates)):
         return f"at {point_text(points[worst])} the derivative is {rates[worst]:.3g}"
     near = 1.01 * max(np.linalg.norm(border, axis=1))
-    inside = [point for point in others if level(point[None])[0] < height and np.linalg.norm(point) < near]
+    inside = [
+        point for point in others if level(point[None])[0] < height and np.linalg.norm(point) < near
+    ]
     return f"it contains the equilibrium {point_text(inside[0])}" if inside else ""
 
 
 def _holds_equilibrium(claim, field, state, values, others):
-    """The other equilibrium that lies in the claimed set or on a part of its boundary that belongs to it, in words;
-    a boundary in decimals may be rounded to either side of it."""
+    """The other equilibrium that lies in the claimed set or on a part of its boundary that belongs
+    to it, in words; a boundary in decimals may be rounded to either side of it."""
     claims = [reading.subs(values) for reading in readings(claim)]
     for point in others:
-        exact = {x: sp.Rational(Fraction(float(v)).limit_denominator(1000)) for x, v in zip(state, point)}
+        exact = {
+            x: sp.Rational(Fraction(float(v)).limit_denominator(1000)) for x, v in zip(state, point)
+        }
         if all(sp.sympify(f).subs(values).subs(exact) == 0 for f in field) and all(
-                claim.subs(exact) is sp.true for claim in claims):
+            claim.subs(exact) is sp.true for claim in claims
+        ):
             return f"it contains the equilibrium {point_text(point)}"
     return ""

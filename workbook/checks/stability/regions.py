@@ -16,23 +16,29 @@ from workbook.systems import Deviations
 
 @judged
 def stability_region(answer, system, parameters, margin=0):
-    """The set of parameters for which every root has real part below `-margin` (asymptotic stability for 0).
+    """The set of parameters for which every root has real part below `-margin` (asymptotic
+    stability for 0).
 
-    `system` is a characteristic polynomial in one further symbol, a square matrix, a linear differential equation
-    `system` = 0 of an unknown x(t), or `Deviations` from a motion of another one, by their first approximation.
-    Parameters where the order of the equation drops are accepted either way; with a positive margin (Definition 1.5,
-    Re <= -mu) so is the boundary.
+    `system` is a characteristic polynomial in one further symbol, a square matrix, a linear
+    differential equation `system` = 0 of an unknown x(t), or `Deviations` from a motion of another
+    one, by their first approximation. Parameters where the order of the equation drops are accepted
+    either way; with a positive margin (Definition 1.5, Re <= -mu) so is the boundary.
     """
     if isinstance(system, Deviations):
-        return compare_region(answer, matrix_of(system, parameters), parameters, "asymptotically stable", margin)
+        return compare_region(
+            answer, matrix_of(system, parameters), parameters, "asymptotically stable", margin
+        )
     what = "stable" if margin == 0 else "stable with the margin"
     motions = system.atoms(AppliedUndef)
-    return compare_region(answer, characteristic_of(system, *motions) if motions else system, parameters, what, margin)
+    return compare_region(
+        answer, characteristic_of(system, *motions) if motions else system, parameters, what, margin
+    )
 
 
 @functools.lru_cache(maxsize=16)
 def characteristic_of(equation, motion):
-    """The characteristic polynomial of a linear equation: its left-hand side for x(t) = e^(s t), divided by e^(s t)."""
+    """The characteristic polynomial of a linear equation: its left-hand side for x(t) = e^(s t),
+    divided by e^(s t)."""
     (time,) = motion.args
     s = sp.Dummy("s")
     return sp.expand(sp.expand(equation.subs(motion, sp.exp(s * time)).doit()) * sp.exp(-s * time))

@@ -1,10 +1,11 @@
 """Sets of rest points of an equation of second order, decided for all values of the parameters.
 
-That a set of expressions names all stationary values x*, or all that are stable, and no others, is a condition on the
-parameters and one more number: it is a member exactly if the right-hand sides vanish there, and the first approximation
-is as required. Where the equation holds x in sines and cosines of multiples of m x alone, the number is the angle m x,
-and members are compared as points of the circle. Families that do not come back with every such turn are left to
-samples. Where two rest points meet, s = 0, either kind may be said.
+That a set of expressions names all stationary values x*, or all that are stable, and no others, is
+a condition on the parameters and one more number: it is a member exactly if the right-hand sides
+vanish there, and the first approximation is as required. Where the equation holds x in sines and
+cosines of multiples of m x alone, the number is the angle m x, and members are compared as points
+of the circle. Families that do not come back with every such turn are left to samples. Where two
+rest points meet, s = 0, either kind may be said.
 """
 
 import functools
@@ -18,25 +19,36 @@ from workbook.checks.contract.verdict import Wrong
 from workbook.checks.tools.conditions import Case, Truth, decide
 
 #: What the first approximation y'' = s y + r y' has to satisfy, by its coefficients s and r.
-WANTED = {"stationary": lambda slope, friction: sp.true,
-          "asymptotically stable": lambda slope, friction: sp.And(slope < 0, friction < 0),
-          "unstable": lambda slope, friction: sp.Or(slope > 0, friction > 0)}
+WANTED = {
+    "stationary": lambda slope, friction: sp.true,
+    "asymptotically stable": lambda slope, friction: sp.And(slope < 0, friction < 0),
+    "unstable": lambda slope, friction: sp.Or(slope > 0, friction > 0),
+}
 
 
 def agreement(claims, integer, field, state, parameters, given, word):
-    """How it is known that `claims` name all rest points of a kind, a key of `WANTED`, and no others; samples found no
-    difference. `Wrong` where the decision finds one."""
+    """How it is known that `claims` name all rest points of a kind, a key of `WANTED`, and no
+    others; samples found no difference. `Wrong` where the decision finds one."""
     if not in_decimals(*claims) and len(state) == 2 and sp.sympify(field[0]) == state[1]:
         membership = _membership(tuple(claims), integer, sp.sympify(field[1]), tuple(state), word)
         if membership:
             number, member, elsewhere, right, wrong = membership
-            truth = Truth((Case(sp.And(given, right)),), (Case(sp.And(given, elsewhere)), Case(sp.And(given, wrong))))
+            truth = Truth(
+                (Case(sp.And(given, right)),),
+                (Case(sp.And(given, elsewhere)), Case(sp.And(given, wrong))),
+            )
             decided, place = decide(member, [*parameters, number], truth)
             if place:
                 values, holds = place
                 told = ", ".join(f"{p} = {values[p]}" for p in parameters)
-                raise Wrong(f"for {told} your answer " + (f"leaves out one that is {word}" if holds else
-                                                          f"names one that is not {word}"))
+                raise Wrong(
+                    f"for {told} your answer "
+                    + (
+                        f"leaves out one that is {word}"
+                        if holds
+                        else f"names one that is not {word}"
+                    )
+                )
             if decided:
                 return ": proved for all values"
     return ""
@@ -44,13 +56,19 @@ def agreement(claims, integer, field, state, parameters, given, word):
 
 @functools.lru_cache(maxsize=64)
 def _membership(claims, integer, acceleration, state, word):
-    """The number, and the conditions that it is a member of the claims, that it is no rest point, one of the kind, and
-    one of another kind; or None."""
+    """The number, and the conditions that it is a member of the claims, that it is no rest point,
+    one of the kind, and one of another kind; or None."""
     x, rate = state
-    force, slope, friction = (part.subs(rate, 0) for part in (acceleration, acceleration.diff(x),
-                                                              acceleration.diff(rate)))
+    force, slope, friction = (
+        part.subs(rate, 0) for part in (acceleration, acceleration.diff(x), acceleration.diff(rate))
+    )
     number = sp.Dummy("x", real=True)
-    angles = [f.args[0] for part in (force, slope, friction) for f in part.atoms(TrigonometricFunction) if f.has(x)]
+    angles = [
+        f.args[0]
+        for part in (force, slope, friction)
+        for f in part.atoms(TrigonometricFunction)
+        if f.has(x)
+    ]
     if not angles:
         if any(integer is not None and claim.has(integer) for claim in claims):
             return None
@@ -64,19 +82,35 @@ def _membership(claims, integer, acceleration, state, word):
         if None in turned:
             return None
         place = number / m
-        members = [sp.And(*(sp.Eq(f(number), sp.expand_trig(f(sp.expand(m * one)))) for f in (sp.cos, sp.sin)))
-                   for one in sum(turned, [])]
+        members = [
+            sp.And(
+                *(sp.Eq(f(number), sp.expand_trig(f(sp.expand(m * one)))) for f in (sp.cos, sp.sin))
+            )
+            for one in sum(turned, [])
+        ]
     rest, slope, friction = (part.subs(x, place) for part in (force, slope, friction))
-    if angles and any(part.has(number) and part.subs({sp.sin(number): 0, sp.cos(number): 0}).has(number)
-                      for part in map(sp.expand_trig, (rest, slope, friction))):
+    if angles and any(
+        part.has(number) and part.subs({sp.sin(number): 0, sp.cos(number): 0}).has(number)
+        for part in map(sp.expand_trig, (rest, slope, friction))
+    ):
         return None
     kind = WANTED[word](slope, friction)
-    return (number, sp.Or(*members), sp.Ne(rest, 0), sp.And(sp.Eq(rest, 0), kind),
-            sp.And(sp.Eq(rest, 0), sp.Not(kind), sp.Ne(slope, 0)))
+    return (
+        number,
+        sp.Or(*members),
+        sp.Ne(rest, 0),
+        sp.And(sp.Eq(rest, 0), kind),
+        sp.And(sp.Eq(rest, 0), sp.Not(kind), sp.Ne(slope, 0)),
+    )
 
 
 def _in_a_turn(family, integer, m):
-    """The members of a family within a turn of m x, or None for one that does not come back with every turn."""
+    """The members of a family within a turn of m x, or None for one that does not come back with
+    every turn."""
     step = sp.expand(family.subs(integer, integer + 1) - family)
     count = None if step.is_zero or step.free_symbols else 2 * sp.pi / (m * abs(step))
-    return [family.subs(integer, k) for k in range(int(count))] if count is not None and count.is_Integer else None
+    return (
+        [family.subs(integer, k) for k in range(int(count))]
+        if count is not None and count.is_Integer
+        else None
+    )

@@ -1,13 +1,14 @@
-"""Canonical forms by observation (2.5) and by control (2.4), and the changes of variables that lead to them; the matrix
-in the basis b, A b, A^2 b, ...
+"""Canonical forms by observation (2.5) and by control (2.4), and the changes of variables that lead
+to them; the matrix in the basis b, A b, A^2 b, ...
 
-A form is judged by its shape and by its characteristic polynomial; a change of variables by what it makes of the
-equations. The form by control is the other one of the transposed matrix, with rows and columns in reverse order; the
-matrix in the basis of the chain is the form by observation with rows and columns in reverse order.
+A form is judged by its shape and by its characteristic polynomial; a change of variables by what it
+makes of the equations. The form by control is the other one of the transposed matrix, with rows and
+columns in reverse order; the matrix in the basis of the chain is the form by observation with rows
+and columns in reverse order.
 
-Coordinates of the observable part alone are judged by the equations that the form stands for, z = xi1 and xi_k' = (a
-multiple of z) + xi_(k+1), the last one without its second term. With as many rows as the observable part has, the
-multiples are determined.
+Coordinates of the observable part alone are judged by the equations that the form stands for, z =
+xi1 and xi_k' = (a multiple of z) + xi_(k+1), the last one without its second term. With as many
+rows as the observable part has, the multiples are determined.
 """
 
 from collections.abc import Callable
@@ -28,32 +29,47 @@ from workbook.checks.truths.records import by_control, reached, seen
 
 @dataclass(frozen=True)
 class _Form:
-    """The words of one of the forms; `place` names the entry that stands at (i, j) of the form by observation of order
-    n."""
+    """The words of one of the forms; `place` names the entry that stands at (i, j) of the form by
+    observation of order n."""
 
     shape: str
     ones_and_zeros: str
     place: Callable
-    # what a matrix is that has the shape when flipped, when transposed, when its rows and columns are reversed
+    # what a matrix is that has the shape when flipped, when transposed, when its rows and columns
+    # are reversed
     relatives: tuple
 
 
 _BELOW = "your matrix has its ones below the diagonal"
-BY_OBSERVATION = _Form("the shape (2.5)", "ones above the diagonal and zeros elsewhere, but for the first column",
-                       lambda i, j, n: (i + 1, j + 1), ("this has the shape (2.4)", _BELOW, _BELOW))
-BY_CONTROL = _Form("the shape (2.4)", "ones above the diagonal and zeros elsewhere, but for the last row",
-                   lambda i, j, n: (n - j, n - i), ("this has the shape (2.5)", _BELOW, _BELOW))
-OF_CHAIN = _Form("the shape that A g^i = g^(i+1) gives",
-                 "ones below the diagonal and zeros elsewhere, but for the last column",
-                 lambda i, j, n: (n - i, n - j), ("your matrix has its coefficients in the first row",
-                                                  "this has the shape (2.4)",
-                                                  "this has the shape (2.5)"))
+BY_OBSERVATION = _Form(
+    "the shape (2.5)",
+    "ones above the diagonal and zeros elsewhere, but for the first column",
+    lambda i, j, n: (i + 1, j + 1),
+    ("this has the shape (2.4)", _BELOW, _BELOW),
+)
+BY_CONTROL = _Form(
+    "the shape (2.4)",
+    "ones above the diagonal and zeros elsewhere, but for the last row",
+    lambda i, j, n: (n - j, n - i),
+    ("this has the shape (2.5)", _BELOW, _BELOW),
+)
+OF_CHAIN = _Form(
+    "the shape that A g^i = g^(i+1) gives",
+    "ones below the diagonal and zeros elsewhere, but for the last column",
+    lambda i, j, n: (n - i, n - j),
+    (
+        "your matrix has its coefficients in the first row",
+        "this has the shape (2.4)",
+        "this has the shape (2.5)",
+    ),
+)
 
 
 @judged(Matrix("parameters", shape="system.A"))
 def canonical_matrix(claim, system, parameters=()):
-    """The n x n matrix of the canonical form of a system, with an output by observation (2.5), its first column, with a
-    control by control (2.4), its last row: ones above the diagonal, and the eigenvalues of A."""
+    """The n x n matrix of the canonical form of a system, with an output by observation (2.5), its
+    first column, with a control by control (2.4), its last row: ones above the diagonal, and the
+    eigenvalues of A."""
     if by_control(system):
         return judge_form(claim.T[::-1, ::-1], reached(system, parameters), BY_CONTROL)
     return judge_form(claim, seen(system, parameters), BY_OBSERVATION)
@@ -63,23 +79,27 @@ def canonical_matrix(claim, system, parameters=()):
 def canonical_change(claim, system, parameters=()):
     """The change to the canonical form of a system with one output or one control.
 
-    By observation (2.5) it is T of xi = T x: z = xi1, xi1' = alpha_n xi1 + xi2, and so on; by control (2.4) it is P of
-    x = P xi: its last column is b, and A P = P A0.
+    By observation (2.5) it is T of xi = T x: z = xi1, xi1' = alpha_n xi1 + xi2, and so on; by
+    control (2.4) it is P of x = P xi: its last column is b, and A P = P A0.
     """
     orders = range(1, system.A.rows + 1)
     if by_control(system):
-        return _judge_change(claim.T[::-1, :], reached(system, parameters), [f"column {k}" for k in orders[::-1]],
-                             by_rows=False)
+        return _judge_change(
+            claim.T[::-1, :],
+            reached(system, parameters),
+            [f"column {k}" for k in orders[::-1]],
+            by_rows=False,
+        )
     return _judge_change(claim, seen(system, parameters), [f"xi{k}" for k in orders], by_rows=True)
 
 
 @judged(Matrix("parameters", shape="system.A"))
 def chain_basis_matrix(claim, system, parameters=()):
-    """The matrix of a controllable system with one control (A: n x n, B: n x 1) in the basis g^1 = b, g^2 = A b, ...,
-    g^n = A^(n-1) b.
+    """The matrix of a controllable system with one control (A: n x n, B: n x 1) in the basis g^1 =
+    b, g^2 = A b, ..., g^n = A^(n-1) b.
 
-    Column i holds the coordinates of A g^i: ones below the diagonal, and the last column as the eigenvalues of A
-    demand.
+    Column i holds the coordinates of A g^i: ones below the diagonal, and the last column as the
+    eigenvalues of A demand.
     """
     pair = reached(system, parameters)
     if pair.outputs != 1 or any(pair.unseen):
@@ -89,41 +109,62 @@ def chain_basis_matrix(claim, system, parameters=()):
 
 @judged(Matrix("parameters"))
 def canonical_part_coordinates(claim, system, parameters=()):
-    """The matrix F (rank N x n) of coordinates xi = F x in which the observable part of the system has the form (2.5)
-    (A: n x n, H: 1 x n)."""
+    """The matrix F (rank N x n) of coordinates xi = F x in which the observable part of the system
+    has the form (2.5) (A: n x n, H: 1 x n)."""
     if claim.cols != system.A.rows:
-        raise Invalid(f"expected a matrix with {system.A.rows} columns, one for each coordinate of x; the shape of "
-                      f"yours is {claim.shape}")
+        raise Invalid(
+            f"expected a matrix with {system.A.rows} columns, one for each coordinate of x; the "
+            "shape of "
+            f"yours is {claim.shape}"
+        )
     pair = seen(system, parameters)
     if pair.outputs != 1:
         raise ValueError("the canonical form belongs to one output")
     for values, A_there, (h,), unseen in pair.systems_for(claim):
         where, order = where_text(values), pair.order - len(unseen)
         if claim.rows > order:
-            raise Wrong(f"the output and its derivatives do not hold {claim.rows} independent combinations of the "
-                        f"coordinates{where}, so not all of yours are observable")
+            raise Wrong(
+                f"the output and its derivatives do not hold {claim.rows} independent combinations "
+                "of the "
+                f"coordinates{where}, so not all of yours are observable"
+            )
         if claim.rows < order:
-            raise Wrong(f"the output and its derivatives hold more than {claim.rows} independent "
-                        f"combination{'s' if claim.rows != 1 else ''} of the coordinates{where}; yours are too few for "
-                        "them")
-        yield Entries(claim[0, :], h[None, :], lambda said, _, j: (
-            f"z has to be xi1 alone{where}; your xi1 holds {number_text(said[0, j])} x{j + 1}"), values,
-            np.linalg.norm(h))
+            raise Wrong(
+                f"the output and its derivatives hold more than {claim.rows} independent "
+                f"combination{'s' if claim.rows != 1 else ''} of the coordinates{where}; yours are "
+                "too few for "
+                "them"
+            )
+        yield Entries(
+            claim[0, :],
+            h[None, :],
+            lambda said, _, j: (
+                f"z has to be xi1 alone{where}; your xi1 holds {number_text(said[0, j])} x{j + 1}"
+            ),
+            values,
+            np.linalg.norm(h),
+        )
         said = matrix_at(claim, values)
         for k, (row, following) in enumerate(zip(said, [*said[1:], 0 * h])):
             rate = row @ A_there
             rest = rate - following - h * ((rate - following) @ h) / (h @ h)
-            if not np.linalg.norm(rest) <= share(claim) * (np.linalg.norm(rate) + np.linalg.norm(following)):
+            if not np.linalg.norm(rest) <= share(claim) * (
+                np.linalg.norm(rate) + np.linalg.norm(following)
+            ):
                 j = int(np.argmax(abs(rest)))
                 what = f"xi{k + 1}' - xi{k + 2}" if k + 1 < order else f"xi{k + 1}'"
-                raise Wrong(f"{what} has to be a multiple of z{where}; by your rows it differs from the nearest "
-                            f"multiple by terms such as {number_text(rest[j])} x{j + 1}")
+                raise Wrong(
+                    f"{what} has to be a multiple of z{where}; by your rows it differs from the "
+                    "nearest "
+                    f"multiple by terms such as {number_text(rest[j])} x{j + 1}"
+                )
     judge_everywhere(claim, pair.parameters, lambda: pair.in_general, "your matrix is undefined")
     return "z = xi1, and the derivatives are as the form (2.5) says"
 
 
 def judge_form(claim, pair, form):
-    """Shape and characteristic polynomial of a matrix that is to be the form by observation of the pair's A."""
+    """Shape and characteristic polynomial of a matrix that is to be the form by observation of the
+    pair's A."""
     tolerance = share(claim)
     for values, place, _ in pair.samples_for(claim):
         said = matrix_at(claim, values)
@@ -131,17 +172,24 @@ def judge_form(claim, pair, form):
         true = np.array([float(c) for c in characteristic_coefficients(pair.at(place)[0])])
         own = np.array([1, *(0 - said[:, 0])])  # not -said: a zero would be told as -0
         if not same(own[1:], true[1:], list(claim[:, 0]), max(abs(true))).all():
-            at = max((1, -1, 2, -2, 3, 5),  # not 0: the value there is a coefficient, which is asked for
-                     key=lambda x: min(abs(np.polyval(own - true, x)), 0.5 * max(abs(own - true))))
-            raise Wrong(f"the characteristic polynomials differ{where_text(values)}: at lambda = {at} that of A is "
-                        f"{number_text(np.polyval(true, at))}, that of your matrix {number_text(np.polyval(own, at))}")
+            # not 0: the value there is a coefficient, which is asked for
+            at = max(
+                (1, -1, 2, -2, 3, 5),
+                key=lambda x: min(abs(np.polyval(own - true, x)), 0.5 * max(abs(own - true))),
+            )
+            raise Wrong(
+                f"the characteristic polynomials differ{where_text(values)}: at lambda = {at} that "
+                "of A is "
+                f"{number_text(np.polyval(true, at))}, that of your matrix "
+                f"{number_text(np.polyval(own, at))}"
+            )
     judge_everywhere(claim, pair.parameters, lambda: pair.in_general, "your matrix is undefined")
     return f"it has {form.shape} and the characteristic polynomial of A"
 
 
 def shape_of_form(said, tolerance, form, where):
-    """Raise `Wrong` unless a matrix of numbers, turned so that it should be the form by observation, has ones above the
-    diagonal and zeros outside its first column."""
+    """Raise `Wrong` unless a matrix of numbers, turned so that it should be the form by
+    observation, has ones above the diagonal and zeros outside its first column."""
     n = len(said)
     pattern = np.eye(n, k=1)
     if _has_shape(said, pattern, tolerance):
@@ -151,8 +199,11 @@ def shape_of_form(said, tolerance, form, where):
             raise Wrong(f"{relative}{where}; asked is {form.shape}: {form.ones_and_zeros}")
     off = abs(said - pattern) * (np.arange(n) > 0)
     i, j = map(int, np.unravel_index(np.argmax(off), off.shape))
-    raise Wrong(f"the entry {form.place(i, j, n)} of your matrix is {number_text(said[i, j])}{where}; {form.shape} has "
-                f"{form.ones_and_zeros}")
+    raise Wrong(
+        f"the entry {form.place(i, j, n)} of your matrix is {number_text(said[i, j])}{where}; "
+        f"{form.shape} has "
+        f"{form.ones_and_zeros}"
+    )
 
 
 def _has_shape(matrix, pattern, tolerance):
@@ -160,12 +211,14 @@ def _has_shape(matrix, pattern, tolerance):
 
 
 def _judge_change(claim, pair, said_rows, by_rows):
-    """The rows r of a change of variables: r1 = h, and r_k A = alpha r1 + r_(k+1) with the coefficients of A's
-    polynomial."""
+    """The rows r of a change of variables: r1 = h, and r_k A = alpha r1 + r_(k+1) with the
+    coefficients of A's polynomial."""
     n = pair.order
     if any(pair.unseen):
         raise ValueError("there is no canonical form: the system loses an eigenvalue")
-    for (values, A, (h,), _), (_, place, _) in zip(pair.systems_for(claim), pair.samples_for(claim)):
+    for (values, A, (h,), _), (_, place, _) in zip(
+        pair.systems_for(claim), pair.samples_for(claim)
+    ):
         where, true = where_text(values), [h]
         for coefficient in characteristic_coefficients(pair.at(place)[0])[1:-1]:
             true.append(true[-1] @ A + float(coefficient) * h)
@@ -173,21 +226,38 @@ def _judge_change(claim, pair, said_rows, by_rows):
 
         def told(said, k, j):
             own, wanted = (said, true) if by_rows else (said[::-1].T, true[::-1].T)
-            if np.linalg.cond(wanted) < 1e12 and np.linalg.norm(own @ wanted - np.eye(n)) <= 10 * share(claim):
+            if np.linalg.cond(wanted) < 1e12 and np.linalg.norm(
+                own @ wanted - np.eye(n)
+            ) <= 10 * share(claim):
                 return "this is the inverse of the matrix asked: it gives " + (
-                    "x from xi; asked is T in xi = T x" if by_rows else "xi from x; asked is P in x = P xi")
+                    "x from xi; asked is T in xi = T x"
+                    if by_rows
+                    else "xi from x; asked is P in x = P xi"
+                )
             if k == 0:
-                return (f"z has to be xi1 alone{where}, so the first row of T times x has to be z" if by_rows else
-                        f"the control has to enter xi{n}' alone, with the coefficient 1{where}, so the last column is "
-                        "not free") + f"; the entry {j + 1} of yours does not fit"
+                return (
+                    f"z has to be xi1 alone{where}, so the first row of T times x has to be z"
+                    if by_rows
+                    else f"the control has to enter xi{n}' alone, with the coefficient 1{where}, so the last column is "
+                    "not free"
+                ) + f"; the entry {j + 1} of yours does not fit"
             last, own, free = said_rows[k - 1], said_rows[k], f"alpha_{n + 1 - k}"
             if by_rows:
-                return (f"by {last}' = {free} xi1 + {own}, {own} as a combination of x is determined by {last}{where}; "
-                        f"the coefficient of x{j + 1} in your row {k + 1} does not fit")
-            return (f"A times {last} has to be {own} + {free} ({said_rows[0]}){where}; the entry {j + 1} of your {own} "
-                    "does not fit")
+                return (
+                    f"by {last}' = {free} xi1 + {own}, {own} as a combination of x is determined "
+                    f"by {last}{where}; "
+                    f"the coefficient of x{j + 1} in your row {k + 1} does not fit"
+                )
+            return (
+                f"A times {last} has to be {own} + {free} ({said_rows[0]}){where}; the entry "
+                f"{j + 1} of your {own} "
+                "does not fit"
+            )
 
         yield Entries(claim, true, told, values, np.linalg.norm(true, axis=1)[:, None])
     judge_everywhere(claim, pair.parameters, lambda: pair.in_general, "your matrix is undefined")
-    return ("z = xi1 and each derivative is as the form says" if by_rows else
-            "the control enters the last equation alone and the equations are as the form says")
+    return (
+        "z = xi1 and each derivative is as the form says"
+        if by_rows
+        else "the control enters the last equation alone and the equations are as the form says"
+    )

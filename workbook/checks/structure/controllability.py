@@ -1,9 +1,14 @@
-"""Controllability of x' = A x + B u, told as `Linear`, and of a `Mechanical` system: what is asked of observability in
-`observability.py`, of the dual system."""
+"""Controllability of x' = A x + B u, told as `Linear`, and of a `Mechanical` system: what is asked
+of observability in `observability.py`, of the dual system."""
 
 from workbook.checks.contract.claims import Matrix, Vectors, YesNo
 from workbook.checks.contract.verdict import judged
-from workbook.checks.structure.dual_questions import CONTROL, judge_kalman, judge_region, judge_yes_no
+from workbook.checks.structure.dual_questions import (
+    CONTROL,
+    judge_kalman,
+    judge_region,
+    judge_yes_no,
+)
 from workbook.checks.structure.mechanical import DRIVEN, judge_rank
 from workbook.checks.structure.unseen_bases import bases_by_value, judge_basis, judge_where_lost
 from workbook.checks.truths.records import reached
@@ -12,8 +17,8 @@ from workbook.systems import Mechanical
 
 @judged(YesNo())
 def controllable(claim, system, parameters=()):
-    """Whether the system is controllable; with parameters, whether it is for all values that their assumptions
-    allow."""
+    """Whether the system is controllable; with parameters, whether it is for all values that their
+    assumptions allow."""
     if isinstance(system, Mechanical) and not parameters:
         return judge_rank(claim, system.dual, DRIVEN)
     return judge_yes_no(claim, reached(system, parameters), CONTROL)
@@ -21,37 +26,48 @@ def controllable(claim, system, parameters=()):
 
 @judged
 def controllable_parameters(answer, system, parameters):
-    """The condition on the parameters under which the system is controllable: true exactly there, at isolated values
-    too.
+    """The condition on the parameters under which the system is controllable: true exactly there,
+    at isolated values too.
 
-    Where the M of a `Mechanical` system is singular its order drops; what is said of these values does not count.
+    Where the M of a `Mechanical` system is singular its order drops; what is said of these values
+    does not count.
     """
     return judge_region(answer, reached(system, parameters), CONTROL)
 
 
-@judged(Matrix("parameters", shape=lambda data: (data["system"].A.rows,
-                                                 data["system"].A.rows * data["system"].B.cols)))
+@judged(
+    Matrix(
+        "parameters",
+        shape=lambda data: (data["system"].A.rows, data["system"].A.rows * data["system"].B.cols),
+    )
+)
 def controllability_matrix(claim, system, parameters=()):
-    """Kalman's matrix W (n x n s) of Definition 2.4: the columns of B, then those of A B, and so on to A^(n-1) B."""
+    """Kalman's matrix W (n x n s) of Definition 2.4: the columns of B, then those of A B, and so on
+    to A^(n-1) B."""
     return judge_kalman(claim.T, reached(system, parameters), CONTROL)
 
 
 @judged(Vectors("parameters", size="system.unknowns"))
 def uncontrolled_combinations(claim, system, parameters=()):
-    """A basis of the rows w whose combinations w x of the coordinates no control changes; an empty list if every one is
-    changed.
+    """A basis of the rows w whose combinations w x of the coordinates no control changes; an empty
+    list if every one is changed.
 
-    With parameters: for their values in general position, as the assumptions allow; with one, also where the answer
-    might fail.
+    With parameters: for their values in general position, as the assumptions allow; with one, also
+    where the answer might fail.
     """
     return judge_basis(claim, reached(system, parameters), CONTROL)
 
 
 @judged(bases_by_value(CONTROL))
 def uncontrolled_where_lost(claim, system, parameter):
-    """Every real value of the parameter for which the system is not controllable, as {value: basis of the rows w}.
+    """Every real value of the parameter for which the system is not controllable, as {value: basis
+    of the rows w}.
 
     For systems that lose controllability at finitely many values, all of them rational.
     """
-    return judge_where_lost(claim, reached(system, (parameter,)), CONTROL,
-                            lambda value: reached(system.subs(parameter, value)))
+    return judge_where_lost(
+        claim,
+        reached(system, (parameter,)),
+        CONTROL,
+        lambda value: reached(system.subs(parameter, value)),
+    )

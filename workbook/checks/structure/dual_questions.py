@@ -1,8 +1,9 @@
-"""Questions that are asked both of an output and of a control: one judgement serves both, by transposition.
+"""Questions that are asked both of an output and of a control: one judgement serves both, by
+transposition.
 
-What a control cannot reach is what the output B^T y of y' = A^T y does not show: a row w with w A = lambda w and w B =
-0 is a column there. So each function here takes a `Pair`, of (A, H) or of (A^T, B^T), and the `Side` with the words of
-its messages.
+What a control cannot reach is what the output B^T y of y' = A^T y does not show: a row w with w A =
+lambda w and w B = 0 is a column there. So each function here takes a `Pair`, of (A, H) or of (A^T,
+B^T), and the `Side` with the words of its messages.
 """
 
 from collections.abc import Callable
@@ -19,13 +20,19 @@ from workbook.checks.tools.comparisons import Entries, Members, Word
 from workbook.checks.tools.conditions import compare, place_text
 from workbook.checks.tools.values import numbers_at
 from workbook.checks.tools.wording import number_text, where_text
-from workbook.checks.truths.invariant_subspaces import characteristic_coefficients, different_roots, restricted
+from workbook.checks.truths.invariant_subspaces import (
+    characteristic_coefficients,
+    different_roots,
+    restricted,
+)
 
 
 def _output_shows(k, order, number, value):
-    """That a motion is seen: the first derivative of an output that is not zero; `number` is empty for a single
-    output."""
-    name = f"z{number}" + "'" * order if order < 4 else f"the derivative of z{number} of order {order}"
+    """That a motion is seen: the first derivative of an output that is not zero; `number` is empty
+    for a single output."""
+    name = (
+        f"z{number}" + "'" * order if order < 4 else f"the derivative of z{number} of order {order}"
+    )
     return f"the motion from your vector {k} gives {name} = {value} at t = 0, not 0"
 
 
@@ -33,8 +40,11 @@ def _control_changes(k, order, number, value):
     """That a combination w x is changed: the first of its derivatives that holds the control."""
     power = "" if order == 0 else "A " if order == 1 else f"A^{order} "
     which = "the first derivative" if order == 0 else f"the derivative of order {order + 1}"
-    return (f"the control u{number} changes your combination {k}: it enters {which} of w x with the coefficient w "
-            f"{power}b{number} = {value}, not 0")
+    return (
+        f"the control u{number} changes your combination {k}: it enters {which} of w x with the "
+        "coefficient w "
+        f"{power}b{number} = {value}, not 0"
+    )
 
 
 @dataclass(frozen=True)
@@ -60,16 +70,34 @@ class Side:
         return "column" if self.block == "row" else "row"
 
 
-OUTPUT = Side("observable", "not observable", "initial state, not zero, with z = 0 for all time",
-              "no initial state but zero gives z = 0 for all time", "N", "row", "(A - lambda E; H)",
-              "eigenvector v of A with H v = 0")
-CONTROL = Side("controllable", "not controllable", "combination of the coordinates that no control changes",
-               "every combination of the coordinates is changed by some control", "W", "column", "(A - lambda E, B)",
-               "row w with w A = lambda w and w B = 0", left="what no control changes", shows=_control_changes,
-               basis_right="no control changes any of them, they are independent, and there are no more",
-               shows_little="a control changes your combination {k}, though little")
+OUTPUT = Side(
+    "observable",
+    "not observable",
+    "initial state, not zero, with z = 0 for all time",
+    "no initial state but zero gives z = 0 for all time",
+    "N",
+    "row",
+    "(A - lambda E; H)",
+    "eigenvector v of A with H v = 0",
+)
+CONTROL = Side(
+    "controllable",
+    "not controllable",
+    "combination of the coordinates that no control changes",
+    "every combination of the coordinates is changed by some control",
+    "W",
+    "column",
+    "(A - lambda E, B)",
+    "row w with w A = lambda w and w B = 0",
+    left="what no control changes",
+    shows=_control_changes,
+    basis_right="no control changes any of them, they are independent, and there are no more",
+    shows_little="a control changes your combination {k}, though little",
+)
 #: The type of the claim that `judge_eigenvalues` takes.
-EIGENVALUES = Values("parameters", expected="a list or a set of eigenvalues; an empty one if there are none")
+EIGENVALUES = Values(
+    "parameters", expected="a list or a set of eigenvalues; an empty one if there are none"
+)
 
 
 def judge_yes_no(claim, pair, side):
@@ -79,41 +107,61 @@ def judge_yes_no(claim, pair, side):
         return (yield Word(claim, not unseen, left_over(len(unseen), side)))
     holds, reason = True, f"{side.none_free}, for any values of the parameters"
     try:
-        compare(sp.true, pair.parameters, pair.truth(True), lambda values, _: (
-            f"for some values of the parameters {left_over(pair.dimension_at(values), side)}"))
+        compare(
+            sp.true,
+            pair.parameters,
+            pair.truth(True),
+            lambda values, _: (
+                f"for some values of the parameters {left_over(pair.dimension_at(values), side)}"
+            ),
+        )
     except Wrong as found:
         always = min(map(len, pair.unseen))
-        holds, reason = False, f"{left_over(always, side)}, whatever the parameters" if always else str(found)
+        holds, reason = (
+            False,
+            f"{left_over(always, side)}, whatever the parameters" if always else str(found),
+        )
     return (yield Word(claim, holds, reason))
 
 
 def judge_region(answer, pair, side, holds=True):
     """The parameters for which the property holds (or, with `holds` False, fails)."""
+
     def told(values, truth):
         dimension, says = pair.dimension_at(values), "does not hold" if truth else "holds"
         found = f"the system is {side.fails if dimension else side.holds}"
         if truth == holds or not dimension:
             return f"at {place_text(values)} your condition {says}, yet {found} there: {left_over(dimension, side)}"
-        # An exceptional value itself would be the answer: one parameter of those it depends on stays unsaid.
+        # An exceptional value itself would be the answer: one parameter of those it depends on
+        # stays unsaid.
         asked = set().union(*(poly.free_symbols for poly in pair.boundaries))
         hidden = next((p for p in pair.parameters if p in asked), pair.parameters[0])
         shown = " and ".join(f"{p} = {float(x):.4g}" for p, x in values.items() if p != hidden)
-        return (f"{f'with {shown} ' if shown else ''}your condition {says} at a value of {hidden} where {found}: "
-                f"{left_over(dimension, side)}")
+        return (
+            f"{f'with {shown} ' if shown else ''}your condition {says} at a value of {hidden} "
+            f"where {found}: "
+            f"{left_over(dimension, side)}"
+        )
 
     try:
         agreement = compare(answer, pair.parameters, pair.truth(holds), told)
     except Wrong as reason:
-        if not holds and isinstance(answer, (list, tuple)) and any(isinstance(part, Relational) for part in answer[1:]):
-            raise Wrong(f"{reason} (the conditions of a list hold all together; alternatives are joined by `sp.Or`)"
-                        ) from None
+        if (
+            not holds
+            and isinstance(answer, (list, tuple))
+            and any(isinstance(part, Relational) for part in answer[1:])
+        ):
+            raise Wrong(
+                f"{reason} (the conditions of a list hold all together; alternatives are joined by "
+                "`sp.Or`)"
+            ) from None
         raise
     return f"the system is {side.holds if holds else side.fails} exactly there: {agreement}"
 
 
 def judge_kalman(claim, pair, side):
-    """Kalman's matrix of a control, transposed, by its definition: B first, then each block is A times the one
-    before."""
+    """Kalman's matrix of a control, transposed, by its definition: B first, then each block is A
+    times the one before."""
     m, block = pair.outputs, side.block
     for values, A, H, _ in pair.systems_for(claim):
         true = np.vstack([H @ np.linalg.matrix_power(A, k) for k in range(pair.order)])
@@ -122,29 +170,45 @@ def judge_kalman(claim, pair, side):
         def told(said, k, j):
             if said.shape == true.T.shape and same(said.T, true, claim.T, sizes).all():
                 return f"this is the transpose of {side.matrix}"
-            asked = (f"{block} {k + 1} of {side.matrix} has to be A times {block} {k - m + 1}" if k >= m else
-                     f"the first {block} of {side.matrix} has to be B" if m == 1 else
-                     f"the first {m} {block}s of {side.matrix} have to be the {block}s of B")
-            return (f"{asked}{where_text(values)}: {block} {k + 1} of your matrix, with {number_text(said[k, j])} in "
-                    f"{side.across} {j + 1}, does not fit")
+            asked = (
+                f"{block} {k + 1} of {side.matrix} has to be A times {block} {k - m + 1}"
+                if k >= m
+                else f"the first {block} of {side.matrix} has to be B"
+                if m == 1
+                else f"the first {m} {block}s of {side.matrix} have to be the {block}s of B"
+            )
+            return (
+                f"{asked}{where_text(values)}: {block} {k + 1} of your matrix, with "
+                f"{number_text(said[k, j])} in "
+                f"{side.across} {j + 1}, does not fit"
+            )
 
         yield Entries(claim, true, told, values, sizes)
     return f"the {block}s are those of the definition, each block A times the one before"
 
 
 def judge_eigenvalues(claims, pair, side):
-    """The different eigenvalues at which the rank of Popov's criterion falls: those of A on the unseen states."""
-    lost = [different_roots(characteristic_coefficients(restricted(pair.at(place)[0], unseen))) if unseen
-            else np.array([]) for _, place, unseen in pair.samples_for(claims)]
-    spectra = [(values, found, np.linalg.eigvals(A))
-               for found, (values, A, _, _) in zip(lost, pair.systems_for(claims))]
+    """The different eigenvalues at which the rank of Popov's criterion falls: those of A on the
+    unseen states."""
+    lost = [
+        different_roots(characteristic_coefficients(restricted(pair.at(place)[0], unseen)))
+        if unseen
+        else np.array([])
+        for _, place, unseen in pair.samples_for(claims)
+    ]
+    spectra = [
+        (values, found, np.linalg.eigvals(A))
+        for found, (values, A, _, _) in zip(lost, pair.systems_for(claims))
+    ]
     return compare_eigenvalues(claims, spectra, side)
 
 
 def compare_eigenvalues(claims, spectra, side, equation=None):
-    """Compare a set of numbers with those where the rank falls; `spectra` are (values, these, all eigenvalues).
+    """Compare a set of numbers with those where the rank falls; `spectra` are (values, these, all
+    eigenvalues).
 
-    `equation` = (symbol, polynomial whose roots are these numbers) lets the verdict say whether it is proved.
+    `equation` = (symbol, polynomial whose roots are these numbers) lets the verdict say whether it
+    is proved.
     """
     for values, lost, every in spectra:
         scale, where = max([1e-30, *abs(every)]), where_text(values)
@@ -155,13 +219,26 @@ def compare_eigenvalues(claims, spectra, side, equation=None):
         def stranger(one):
             number = number_text(one[1])
             if any(fits(one, other, 1e-7) for other in every):
-                return (f"{number} is {_a(side.spectrum)}{where}, but the rank of {side.pencil} does not fall there: "
-                        f"there is no {side.vector}")
-            return f"{number} is no {side.spectrum}{where}, so the rank of {side.pencil} is full there"
+                return (
+                    f"{number} is {_a(side.spectrum)}{where}, but the rank of {side.pencil} does "
+                    "not fall there: "
+                    f"there is no {side.vector}"
+                )
+            return (
+                f"{number} is no {side.spectrum}{where}, so the rank of {side.pencil} is full there"
+            )
 
         numbers = numbers_at(claims, values, [f"value {k}" for k in range(1, len(claims) + 1)])
-        yield Members(list(zip(claims, numbers)), list(lost), fits, stranger, lambda *_: (
-            f"the rank of {side.pencil} falls at a value of lambda that your answer does not name{where}"))
+        yield Members(
+            list(zip(claims, numbers)),
+            list(lost),
+            fits,
+            stranger,
+            lambda *_: (
+                f"the rank of {side.pencil} falls at a value of lambda that your answer does not "
+                f"name{where}"
+            ),
+        )
     known = f": {known_roots(claims, *equation)}" if equation else ""
     if not claims:
         return f"the rank of {side.pencil} is full at every {side.spectrum}{known}"
@@ -169,12 +246,18 @@ def compare_eigenvalues(claims, spectra, side, equation=None):
 
 
 def known_roots(claims, symbol, polynomial):
-    """How it is known, for the end of a sentence, that numbers which name all roots at sample values are the roots.
+    """How it is known, for the end of a sentence, that numbers which name all roots at sample
+    values are the roots.
 
-    It is proved if each is one identically: then they are different roots in general position, and all there are.
+    It is proved if each is one identically: then they are different roots in general position, and
+    all there are.
     """
     left = [sp.numer(sp.together(polynomial.as_expr().subs(symbol, claim))) for claim in claims]
-    return "proved" if all(sp.expand(part) == 0 for part in left) else "to the digits computed, for sample values"
+    return (
+        "proved"
+        if all(sp.expand(part) == 0 for part in left)
+        else "to the digits computed, for sample values"
+    )
 
 
 def left_over(count, side):

@@ -1,9 +1,10 @@
-"""A measurement with an error of a known kind and an unknown size, told as `WithError`: z = H x + c w, w' = S w,
-w(0) = C (start): the system of both together, and C by the output.
+"""A measurement with an error of a known kind and an unknown size, told as `WithError`: z = H x + c
+w, w' = S w, w(0) = C (start): the system of both together, and C by the output.
 
-What z determines of x(0) and C is asked in `observability.py`: a pair (x(0), C) that gives z = 0 for all time cannot
-be told from nothing at all. These pairs come from the largest invariant subspace that z does not show (`known_starts`),
-and not from the rank of an augmented matrix, which allows errors of any start w(0).
+What z determines of x(0) and C is asked in `observability.py`: a pair (x(0), C) that gives z = 0
+for all time cannot be told from nothing at all. These pairs come from the largest invariant
+subspace that z does not show (`known_starts`), and not from the rank of an augmented matrix, which
+allows errors of any start w(0).
 """
 
 import numpy as np
@@ -22,37 +23,67 @@ from workbook.checks.truths.records import augmented, seen
 
 @judged
 def augmented_system(answer, system, parameters=(), own=False):
-    """[A', H']: the system of x together with coordinates of the error, as few as it has, in any scale and combination;
-    or those of S and c themselves, where these are the error's `own`."""
+    """[A', H']: the system of x together with coordinates of the error, as few as it has, in any
+    scale and combination; or those of S and c themselves, where these are the error's `own`."""
     if not isinstance(answer, (list, tuple)) or len(answer) != 2:
-        raise Invalid("expected a list [A', H'] of the matrix of the augmented system and the row of its output")
+        raise Invalid(
+            "expected a list [A', H'] of the matrix of the augmented system and the row of its "
+            "output"
+        )
     n, outputs, pair = system.A.rows, system.H.rows, seen(system, parameters)
     matrix = coercion.as_matrix(answer[0], parameters)
     if matrix.rows != matrix.cols or matrix.rows <= n:
-        raise Invalid(f"expected a square matrix A' of more than {n} rows, since the coordinates of the error come "
-                      f"after those of x; the shape of yours is {matrix.shape}")
+        raise Invalid(
+            f"expected a square matrix A' of more than {n} rows, since the coordinates of the "
+            "error come "
+            f"after those of x; the shape of yours is {matrix.shape}"
+        )
     row = coercion.as_matrix(answer[1], parameters)
     # A single row is a vector, whichever way it is written.
-    row = coercion.as_matrix(row.T if outputs == 1 == row.cols else row, parameters, (outputs, matrix.rows))
+    row = coercion.as_matrix(
+        row.T if outputs == 1 == row.cols else row, parameters, (outputs, matrix.rows)
+    )
     for values, place, _ in pair.samples_for([matrix, row]):
         where = where_text(values)
         true_A, true_H = (to_floats(rows, pair.order) for rows in pair.at(place))
         said_A, said_H = matrix_at(matrix, values), matrix_at(row, values)
         x, w = slice(0, n), slice(n, None)
         for claim, block, true, what in (
-                (matrix, (x, x), true_A[x, x], "the rows and columns of x in A' are those of A"),
-                (matrix, (x, w), 0, "the error does not act on the motion: this part of A' is zero"),
-                (matrix, (w, x), 0, "the motion does not act on the error: this part of A' is zero"),
-                (row, (slice(None), x), true_H[:, x], "the columns of x in H' are those of H")):
+            (matrix, (x, x), true_A[x, x], "the rows and columns of x in A' are those of A"),
+            (matrix, (x, w), 0, "the error does not act on the motion: this part of A' is zero"),
+            (matrix, (w, x), 0, "the motion does not act on the error: this part of A' is zero"),
+            (row, (slice(None), x), true_H[:, x], "the columns of x in H' are those of H"),
+        ):
             said = (said_A if claim is matrix else said_H)[block]
             _compare_block(said, true + 0 * said, claim[block], what, where)
         if own and matrix.rows == pair.order:
-            _compare_block(said_A[w, w], true_A[w, w], matrix[w, w], "the last coordinate is the error itself", where)
-            _compare_block(said_H[:, w], true_H[:, w], row[:, w], "the last coordinate is the error itself", where)
+            _compare_block(
+                said_A[w, w],
+                true_A[w, w],
+                matrix[w, w],
+                "the last coordinate is the error itself",
+                where,
+            )
+            _compare_block(
+                said_H[:, w],
+                true_H[:, w],
+                row[:, w],
+                "the last coordinate is the error itself",
+                where,
+            )
         open_ = uncertain_entries(matrix, values)[w, w], uncertain_entries(row, values)[:, w]
-        _compare_errors(said_A[w, w], said_H[:, w], open_, _error_derivatives(pair, place, n, matrix.rows), where)
-    return ("its outputs are those of the motions with every error of the kind, and no coordinate of the error can be "
-            "spared")
+        _compare_errors(
+            said_A[w, w],
+            said_H[:, w],
+            open_,
+            _error_derivatives(pair, place, n, matrix.rows),
+            where,
+        )
+    return (
+        "its outputs are those of the motions with every error of the kind, and no coordinate of "
+        "the error can be "
+        "spared"
+    )
 
 
 @judged(Expression("outputs", "time"))
@@ -65,7 +96,10 @@ def amplitude_from_output(claim, system, outputs, time):
     random = np.random.default_rng(17)
     moments = [{time: moment} for moment in (0.2, 0.55, 0.9, 1.3, 1.7, 2.4)]
     for moment in (values[time] for values in in_every_case(moments, claim, time >= 0)):
-        x, amplitude = random.normal(size=system.A.rows), random.choice([-1, 1]) * random.uniform(0.5, 3)
+        x, amplitude = (
+            random.normal(size=system.A.rows),
+            random.choice([-1, 1]) * random.uniform(0.5, 3),
+        )
         state = expm(moment * matrix) @ [*x, *(amplitude * float(s) for s in system.start)]
         values = {time: moment}
         for symbol in outputs:
@@ -83,7 +117,8 @@ def _compare_block(said, true, claim, what, where):
 
 
 def _error_derivatives(pair, place, n, count):
-    """The derivatives of the error with C = 1 at t = 0, exact: as many as tell two equations of these orders apart."""
+    """The derivatives of the error with C = 1 at t = 0, exact: as many as tell two equations of
+    these orders apart."""
     A, H = pair.at(place)
     state, found = [row[-1] for row in pair.starts], []
     for _ in range(count + pair.order):
@@ -93,14 +128,18 @@ def _error_derivatives(pair, place, n, count):
 
 
 def _compare_errors(S, c, left_open, derivatives, where):
-    """Whether w' = S w, z = c w makes the error from some start, and whether it needs all its coordinates; `left_open`
-    is by how much the decimals of S and c leave them open."""
+    """Whether w' = S w, z = c w makes the error from some start, and whether it needs all its
+    coordinates; `left_open` is by how much the decimals of S and c leave them open."""
     size, count = len(S), len(derivatives)
     half = count // 2
-    order = len(echelon([[x for entry in derivatives[i:i + half] for x in entry] for i in range(half)])[1])
+    order = len(
+        echelon([[x for entry in derivatives[i : i + half] for x in entry] for i in range(half)])[1]
+    )
     if size > order:
-        raise Wrong(f"your error has {size} coordinates, but fewer are enough for a linear equation of its "
-                    f"own{where}; what is superfluous could not be observed, and would not matter")
+        raise Wrong(
+            f"your error has {size} coordinates, but fewer are enough for a linear equation of its "
+            f"own{where}; what is superfluous could not be observed, and would not matter"
+        )
     rate = max(1.0, np.linalg.norm(S, 2))
     weights = np.repeat(rate ** -np.arange(count, dtype=float), len(c))
     wanted = np.array([float(x) for entry in derivatives for x in entry]) * weights
@@ -118,5 +157,8 @@ def _compare_errors(S, c, left_open, derivatives, where):
     here = rest(S, c)
     allowed = sum(np.linalg.norm(rest(*other) - here) for other in moved((S, c), left_open))
     if not np.linalg.norm(here) <= 10 * EXACT * np.linalg.norm(wanted) + allowed:
-        raise Wrong(f"from no start do your coordinates of the error give the error of the statement{where}: the "
-                    f"derivatives of z at t = 0 do not agree")
+        raise Wrong(
+            "from no start do your coordinates of the error give the error of the "
+            f"statement{where}: the "
+            f"derivatives of z at t = 0 do not agree"
+        )

@@ -1,9 +1,10 @@
-"""Mechanical systems M x'' + D x' + K x = L u, z = H1 x + H2 x', told as `Mechanical`: the ranks of Theorems 2.5, and
-2.6 by the dual system, which need no states.
+"""Mechanical systems M x'' + D x' + K x = L u, z = H1 x + H2 x', told as `Mechanical`: the ranks of
+Theorems 2.5, and 2.6 by the dual system, which need no states.
 
-A rank falls exactly where all maximal minors of its matrix vanish together, so the values of lambda are the roots of
-their greatest common divisor, a polynomial with rational coefficients. That holds for a singular M too. What else is
-asked of these systems is judged in the states (x, x'), in `observability.py` and `controllability.py`.
+A rank falls exactly where all maximal minors of its matrix vanish together, so the values of lambda
+are the roots of their greatest common divisor, a polynomial with rational coefficients. That holds
+for a singular M too. What else is asked of these systems is judged in the states (x, x'), in
+`observability.py` and `controllability.py`.
 """
 
 import dataclasses
@@ -28,24 +29,38 @@ from workbook.checks.truths.records import seen
 
 LAMBDA = sp.Symbol("lambda")
 PENCIL = "root of det(M lambda^2 + D lambda + K) = 0"
-SEEN = dataclasses.replace(OUTPUT, pencil="(M lambda^2 + D lambda + K; H1 + lambda H2)", spectrum=PENCIL,
-                           vector="vector v other than 0 with (M lambda^2 + D lambda + K) v = 0 and (H1 + lambda H2) "
-                                  "v = 0")
-DRIVEN = dataclasses.replace(CONTROL, pencil="(M lambda^2 + D lambda + K, L)", spectrum=PENCIL,
-                             vector="row w other than 0 with w (M lambda^2 + D lambda + K) = 0 and w L = 0")
-#: A root is a value at which the square matrix loses its rank: the question of Theorem 2.5 with an output that shows
-#: nothing.
-ALONE = dataclasses.replace(OUTPUT, pencil="M lambda^2 + D lambda + K", spectrum=PENCIL,
-                            vector="vector v other than 0 with (M lambda^2 + D lambda + K) v = 0")
+SEEN = dataclasses.replace(
+    OUTPUT,
+    pencil="(M lambda^2 + D lambda + K; H1 + lambda H2)",
+    spectrum=PENCIL,
+    vector="vector v other than 0 with (M lambda^2 + D lambda + K) v = 0 and (H1 + lambda H2) "
+    "v = 0",
+)
+DRIVEN = dataclasses.replace(
+    CONTROL,
+    pencil="(M lambda^2 + D lambda + K, L)",
+    spectrum=PENCIL,
+    vector="row w other than 0 with w (M lambda^2 + D lambda + K) = 0 and w L = 0",
+)
+#: A root is a value at which the square matrix loses its rank: the question of Theorem 2.5 with an
+#: output that shows nothing.
+ALONE = dataclasses.replace(
+    OUTPUT,
+    pencil="M lambda^2 + D lambda + K",
+    spectrum=PENCIL,
+    vector="vector v other than 0 with (M lambda^2 + D lambda + K) v = 0",
+)
 
 
 @judged(EIGENVALUES)
 def mechanical_roots(claim, system, parameters=()):
-    """The different roots of det(M lambda^2 + D lambda + K), also complex ones, with invertible M; with parameters for
-    their values in general position."""
+    """The different roots of det(M lambda^2 + D lambda + K), also complex ones, with invertible M;
+    with parameters for their values in general position."""
     pair = seen(system, parameters)
     samples = pair.samples_for(claim)
-    roots = [different_roots(characteristic_coefficients(pair.at(place)[0])) for _, place, _ in samples]
+    roots = [
+        different_roots(characteristic_coefficients(pair.at(place)[0])) for _, place, _ in samples
+    ]
     spectra = [(values, found, found) for (values, *_), found in zip(samples, roots)]
     yield from compare_eigenvalues(claim, spectra, ALONE)
     known = known_roots(claim, LAMBDA, _pencil(system).det())
@@ -53,7 +68,8 @@ def mechanical_roots(claim, system, parameters=()):
 
 
 def judge_rank(claim, system, side):
-    """Whether the rank of Theorem 2.5 is full everywhere, of a system without parameters; M may be singular."""
+    """Whether the rank of Theorem 2.5 is full everywhere, of a system without parameters; M may be
+    singular."""
     ((_, lost, _),) = _spectra(system, ())
     falls = "falls at some lambda" if len(lost) else f"is full at every {side.spectrum}"
     return (yield Word(claim, not len(lost), f"the rank of {side.pencil} {falls}"))
@@ -61,12 +77,14 @@ def judge_rank(claim, system, side):
 
 def judge_roots(claim, system, parameters, side):
     """The different values of lambda at which it falls."""
-    return compare_eigenvalues(claim, _spectra(system, parameters, claim), side, (LAMBDA, _polynomials(system)[0]))
+    return compare_eigenvalues(
+        claim, _spectra(system, parameters, claim), side, (LAMBDA, _polynomials(system)[0])
+    )
 
 
 def _spectra(system, parameters, claim=()):
-    """(values, those of lambda where the rank of Theorem 2.5 falls, all roots of the characteristic equation), each
-    once."""
+    """(values, those of lambda where the rank of Theorem 2.5 falls, all roots of the characteristic
+    equation), each once."""
     samples = in_every_case(general_values(parameters), claim)
     return [(values, *_known_spectra(system.subs(values))) for values in samples]
 
@@ -78,13 +96,18 @@ def _known_spectra(system):
 
 @functools.lru_cache(maxsize=64)
 def _polynomials(system):
-    """The polynomials in lambda that vanish where the rank of Theorem 2.5 falls, and where the square matrix alone
-    loses its rank."""
+    """The polynomials in lambda that vanish where the rank of Theorem 2.5 falls, and where the
+    square matrix alone loses its rank."""
     rows = _pencil(system).col_join((system.H1 + LAMBDA * system.H2).applyfunc(_exact))
-    minors = [sp.Poly(rows.extract(list(chosen), list(range(rows.cols))).det(method="berkowitz"), LAMBDA)
-              for chosen in itertools.combinations(range(rows.rows), rows.cols)]
+    minors = [
+        sp.Poly(rows.extract(list(chosen), list(range(rows.cols))).det(method="berkowitz"), LAMBDA)
+        for chosen in itertools.combinations(range(rows.rows), rows.cols)
+    ]
     if minors[0].is_zero:
-        raise ValueError("det(M lambda^2 + D lambda + K) vanishes identically: the equations do not determine a motion")
+        raise ValueError(
+            "det(M lambda^2 + D lambda + K) vanishes identically: the equations do not determine a "
+            "motion"
+        )
     return functools.reduce(sp.gcd, minors), minors[0]
 
 
@@ -97,5 +120,8 @@ def _exact(x):
 
 
 def _roots(poly):
-    return (np.array([complex(root) for root in poly.sqf_part().nroots(n=20, maxsteps=200)]) if poly.degree() > 0
-            else np.array([]))
+    return (
+        np.array([complex(root) for root in poly.sqf_part().nroots(n=20, maxsteps=200)])
+        if poly.degree() > 0
+        else np.array([])
+    )

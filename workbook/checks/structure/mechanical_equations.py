@@ -1,7 +1,8 @@
-"""The equations of small motions of a mechanical system, M q'' + K q = L u, in whatever way they are combined.
+"""The equations of small motions of a mechanical system, M q'' + K q = L u, in whatever way they
+are combined.
 
-Equations may be added, multiplied by numbers and written in any order: what they say is q'' = -M^-1 K q + M^-1 L u,
-and this is compared.
+Equations may be added, multiplied by numbers and written in any order: what they say is q'' = -M^-1
+K q + M^-1 L u, and this is compared.
 """
 
 import numpy as np
@@ -21,21 +22,46 @@ def _like(name):
     return Matrix("parameters", shape=lambda data: getattr(data["system"], name).shape)
 
 
-@judged(Parts(_like("M"), _like("K"), _like("L"),
-              expected="a list of three matrices, [M, K, L] of M q'' + K q = L u"))
+@judged(
+    Parts(
+        _like("M"),
+        _like("K"),
+        _like("L"),
+        expected="a list of three matrices, [M, K, L] of M q'' + K q = L u",
+    )
+)
 def mechanical_equations(claim, system, parameters=()):
-    """The list [M, K, L] of equations M q'' + K q = L u with the accelerations of the `Mechanical` system."""
+    """The list [M, K, L] of equations M q'' + K q = L u with the accelerations of the `Mechanical`
+    system."""
     for values in in_every_case(general_values(parameters), claim):
         mass, *said = (matrix_at(part, values) for part in claim)
         if not np.linalg.cond(mass) < 1e12:
-            raise Wrong(f"your equations do not determine the accelerations: M has no inverse{where_text(values)}")
-        true_mass, *true = (np.array(part.subs(values), dtype=float) for part in (system.M, system.K, system.L))
+            raise Wrong(
+                "your equations do not determine the accelerations: M has no "
+                f"inverse{where_text(values)}"
+            )
+        true_mass, *true = (
+            np.array(part.subs(values), dtype=float) for part in (system.M, system.K, system.L)
+        )
         for own, wanted, name, sign in zip(said, true, "qu", (-1, 1)):
             own, wanted = np.linalg.solve(mass, own), np.linalg.solve(true_mass, wanted)
-            yield Follows(own, wanted, max(abs(wanted).max(), 1e-300), lambda place: (
-                f"by your equations {name}{place[1] + 1 if own.shape[1] > 1 or name == 'q' else ''} enters the "
-                f"acceleration of q{place[0] + 1} with the coefficient {number_text(sign * own[place])}"
-                f"{where_text(values)}, and that is not what the energies give"), share(*claim))
-    judge_everywhere(claim[0], parameters, lambda: sp.true, "your equations are undefined",
-                     "your equations do not determine the accelerations, since M has no inverse,")
+            yield Follows(
+                own,
+                wanted,
+                max(abs(wanted).max(), 1e-300),
+                lambda place: (
+                    f"by your equations {name}{place[1] + 1 if own.shape[1] > 1 or name == 'q' else ''} enters the "
+                    f"acceleration of q{place[0] + 1} with the coefficient "
+                    f"{number_text(sign * own[place])}"
+                    f"{where_text(values)}, and that is not what the energies give"
+                ),
+                share(*claim),
+            )
+    judge_everywhere(
+        claim[0],
+        parameters,
+        lambda: sp.true,
+        "your equations are undefined",
+        "your equations do not determine the accelerations, since M has no inverse,",
+    )
     return "solved for the accelerations they are the equations that the energies give"

@@ -1,9 +1,9 @@
 """What a scalar measurement means: which of several known quantities it can be.
 
-A measurement z = H x along the motions of x' = A x is a solution of a linear equation p(d/dt) z = 0, and every solution
-of the equation of lowest order occurs. So a measurement and a coordinate of another system can be the same quantity
-only if these equations agree; they are found as the first dependence among the rows H, H A, H A^2, ..., in exact
-arithmetic.
+A measurement z = H x along the motions of x' = A x is a solution of a linear equation p(d/dt) z =
+0, and every solution of the equation of lowest order occurs. So a measurement and a coordinate of
+another system can be the same quantity only if these equations agree; they are found as the first
+dependence among the rows H, H A, H A^2, ..., in exact arithmetic.
 """
 
 import sympy as sp
@@ -16,18 +16,26 @@ from workbook.checks.truths.records import matrix_of, row_of
 
 @judged(Choice(words="quantities"))
 def measured_quantity(claim, system, known, quantities):
-    """Which of the `quantities` {name: row} of the system `known` the measurement z = H x of x' = A x is; of one in
-    `Deviations` they are {name: expression in its state}, and their deviations are meant."""
-    equations = {name: _equation(matrix_of(known), row_of(known, quantity)) for name, quantity in quantities.items()}
+    """Which of the `quantities` {name: row} of the system `known` the measurement z = H x of x' = A
+    x is; of one in `Deviations` they are {name: expression in its state}, and their deviations are
+    meant."""
+    equations = {
+        name: _equation(matrix_of(known), row_of(known, quantity))
+        for name, quantity in quantities.items()
+    }
     A, H = system.A, system.H
     seen = _equation(A, H)
     if list(equations.values()).count(seen) != 1:
         raise RuntimeError("the equations do not tell the quantities apart")
     if equations[claim] != seen:
-        raise Wrong(f"the {claim} satisfies the linear equation {_told(equations[claim])} and none of lower order, in "
-                    f"all motions; what is measured has motions that do not" if _breaks(equations[claim], A, H) else
-                    f"the {claim} has motions that break {_told(seen)}, an equation that holds for what is measured "
-                    f"in all motions")
+        raise Wrong(
+            f"the {claim} satisfies the linear equation {_told(equations[claim])} and none of "
+            "lower order, in "
+            f"all motions; what is measured has motions that do not"
+            if _breaks(equations[claim], A, H)
+            else f"the {claim} has motions that break {_told(seen)}, an equation that holds for what is measured "
+            f"in all motions"
+        )
     return f"both satisfy {_told(seen)} and no equation of lower order, and no other of the quantities does"
 
 
@@ -36,7 +44,12 @@ def _equation(A, H):
     rows = [sp.Matrix(H)]
     while True:
         following = rows[-1] * sp.Matrix(A)
-        relations = DomainMatrix.from_Matrix(sp.Matrix.vstack(*rows, following).T).to_field().nullspace().to_Matrix()
+        relations = (
+            DomainMatrix.from_Matrix(sp.Matrix.vstack(*rows, following).T)
+            .to_field()
+            .nullspace()
+            .to_Matrix()
+        )
         if relations.rows:
             return tuple(relations[0, :] / relations[0, len(rows)])
         rows.append(following)
@@ -54,5 +67,7 @@ def _told(equation):
     """The equation for z, its derivatives with primes."""
     order = len(equation) - 1
     names = ["z", *("z" + "'" * k for k in range(1, order + 1))]
-    terms = [name if c == 1 else f"{c} {name}" for c, name in reversed(list(zip(equation, names))) if c]
+    terms = [
+        name if c == 1 else f"{c} {name}" for c, name in reversed(list(zip(equation, names))) if c
+    ]
     return " + ".join(terms).replace("+ -", "- ") + " = 0"

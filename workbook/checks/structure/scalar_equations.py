@@ -1,10 +1,12 @@
-"""One scalar equation in place of x' = A x + b u: of order n, between y = c x, the control and their derivatives.
+"""One scalar equation in place of x' = A x + b u: of order n, between y = c x, the control and
+their derivatives.
 
-At one moment x, u, u', ... may have any values, and the system then says what y, y', ..., y^(n) are. An equation is
-right if it is linear with constant coefficients, of order n, and satisfied by all of these values. So neither the
-arrangement of its sides nor a factor matters. Where y is not given as a combination of x it is the first coordinate of
-the canonical form by control (2.4): the combination with y' = xi2, y'' = xi3, ..., into whose n-th derivative the
-control enters with the coefficient 1, and not before.
+At one moment x, u, u', ... may have any values, and the system then says what y, y', ..., y^(n)
+are. An equation is right if it is linear with constant coefficients, of order n, and satisfied by
+all of these values. So neither the arrangement of its sides nor a factor matters. Where y is not
+given as a combination of x it is the first coordinate of the canonical form by control (2.4): the
+combination with y' = xi2, y'' = xi3, ..., into whose n-th derivative the control enters with the
+coefficient 1, and not before.
 """
 
 import numpy as np
@@ -25,8 +27,9 @@ LARGEST_ORDER = 12
 
 @judged
 def scalar_equation(answer, system, motion, control, parameters=()):
-    """The equation of order n between the control and y, the output or else the first coordinate of the canonical form
-    by control (2.4); `motion` and `control` are functions of time such as y(t), u(t)."""
+    """The equation of order n between the control and y, the output or else the first coordinate of
+    the canonical form by control (2.4); `motion` and `control` are functions of time such as y(t),
+    u(t)."""
     claim, canonical = _LinearEquation(answer, motion, control, parameters), not system.H
     for values in general_values(list(parameters)):
         there = system.subs(values)
@@ -34,15 +37,17 @@ def scalar_equation(answer, system, motion, control, parameters=()):
         claim.judge(there.A, there.B, row, values, canonical=canonical)
     pair = reached(system, parameters) if canonical else seen(system, parameters)
     claim.judge_everywhere(system.A.rows, parameters, lambda: pair.in_general)
-    return ("it is linear, of the order of the system, and "
-            + ("the first canonical coordinate satisfies it at random states and controls" if canonical else
-               "satisfied at random states and controls"))
+    return "it is linear, of the order of the system, and " + (
+        "the first canonical coordinate satisfies it at random states and controls"
+        if canonical
+        else "satisfied at random states and controls"
+    )
 
 
 @judged(Expressions("parameters", length="system.A"))
 def canonical_coordinate(claim, system, parameters=()):
-    """The row c (of n entries) for which y = c x is the first coordinate of the canonical form by control (2.4), with
-    one control."""
+    """The row c (of n entries) for which y = c x is the first coordinate of the canonical form by
+    control (2.4), with one control."""
     for values in in_every_case(general_values(list(parameters)), claim):
         there, b = system.A.subs(values), system.B.subs(values)
         row = numbers_at(claim, values, [f"coefficient of x{k}" for k in range(1, there.rows + 1)])
@@ -53,55 +58,88 @@ def canonical_coordinate(claim, system, parameters=()):
 
 
 def _explain_row(row, A, b, tolerance, where):
-    """Which derivative of y = `row` x the control enters too early, or at last with another coefficient than 1."""
+    """Which derivative of y = `row` x the control enters too early, or at last with another
+    coefficient than 1."""
     n = len(row)
     for order in range(1, n + 1):
         enters = row @ b
         if order == n or not abs(enters) <= tolerance * np.linalg.norm(row) * np.linalg.norm(b):
-            raise Wrong(f"the control enters {_derivative('y', order)} with the coefficient "
-                        f"{number_text(enters)}{where}; in the form "
-                        "(2.4) " + ("it is 1" if order == n else f"it enters {_derivative('y', n)} first"))
+            raise Wrong(
+                f"the control enters {_derivative('y', order)} with the coefficient "
+                f"{number_text(enters)}{where}; in the form "
+                "(2.4) " + ("it is 1" if order == n else f"it enters {_derivative('y', n)} first")
+            )
         row = row @ A
 
 
 class _LinearEquation:
-    """An answer as left - right = sum of a_k y^(k) + sum of b_k u^(k), with coefficients in the parameters."""
+    """An answer as left - right = sum of a_k y^(k) + sum of b_k u^(k), with coefficients in the
+    parameters."""
 
     def __init__(self, answer, motion, control, parameters):
         (self.time,), self.names = motion.args, (motion.func.__name__, control.func.__name__)
-        sides = [self._own_functions(side, motion, control, parameters) for side in self._sides(answer)]
-        self.derivatives = [[sp.Dummy(f"{name}{k}") for k in range(LARGEST_ORDER + 1)] for name in self.names]
-        known = {function.diff(self.time, k): symbol for function, symbols in zip((motion, control), self.derivatives)
-                 for k, symbol in enumerate(symbols)}
+        sides = [
+            self._own_functions(side, motion, control, parameters) for side in self._sides(answer)
+        ]
+        self.derivatives = [
+            [sp.Dummy(f"{name}{k}") for k in range(LARGEST_ORDER + 1)] for name in self.names
+        ]
+        known = {
+            function.diff(self.time, k): symbol
+            for function, symbols in zip((motion, control), self.derivatives)
+            for k, symbol in enumerate(symbols)
+        }
         left, right = (side.xreplace(known) for side in sides)
         difference = sp.expand(left - right)
-        self.coefficients = [[self._coefficient(difference, symbol) for symbol in symbols]
-                             for symbols in self.derivatives]
+        self.coefficients = [
+            [self._coefficient(difference, symbol) for symbol in symbols]
+            for symbols in self.derivatives
+        ]
         rest = difference.xreplace(dict.fromkeys(sum(self.derivatives, []), sp.S.Zero))
-        if rest.has(sp.nan, sp.zoo, sp.oo, -sp.oo, self.time) or rest != 0 and sp.simplify(rest) != 0:
-            raise Wrong(f"beside the terms with {self.names[0]}, {self.names[1]} and their derivatives your equation "
-                        f"has another one, so that it fails at rest without control")
+        if rest.has(sp.nan, sp.zoo, sp.oo, -sp.oo, self.time) or (
+            rest != 0 and sp.simplify(rest) != 0
+        ):
+            raise Wrong(
+                f"beside the terms with {self.names[0]}, {self.names[1]} and their derivatives "
+                "your equation "
+                f"has another one, so that it fails at rest without control"
+            )
 
     def judge_everywhere(self, order, parameters, given):
-        """That the equation is defined, and its highest derivative does not fall out, wherever `given()`."""
+        """That the equation is defined, and its highest derivative does not fall out, wherever
+        `given()`."""
         of_motion, of_control = self.coefficients
-        judge_everywhere(sp.Matrix([of_motion + of_control]), parameters, given, "your equation is undefined")
-        judge_everywhere(sp.Matrix([of_motion[order]]), parameters, given, "your equation is undefined",
-                         "the highest derivative falls out of your equation")
+        judge_everywhere(
+            sp.Matrix([of_motion + of_control]), parameters, given, "your equation is undefined"
+        )
+        judge_everywhere(
+            sp.Matrix([of_motion[order]]),
+            parameters,
+            given,
+            "your equation is undefined",
+            "the highest derivative falls out of your equation",
+        )
 
     def judge(self, A, b, c, values, canonical=False):
-        """That the equation has the order of the system and holds for y = c x, in exact matrices of numbers; `values`
-        for messages."""
+        """That the equation has the order of the system and holds for y = c x, in exact matrices of
+        numbers; `values` for messages."""
         n, where = A.rows, where_text(values)
-        numbers = [[number_at(a, values, "a coefficient of your equation") if a != 0 else 0 for a in row]
-                   for row in self.coefficients]
-        self.uncertain = [uncertain_entries(sp.Matrix([row]), values)[0] for row in self.coefficients]
+        numbers = [
+            [number_at(a, values, "a coefficient of your equation") if a != 0 else 0 for a in row]
+            for row in self.coefficients
+        ]
+        self.uncertain = [
+            uncertain_entries(sp.Matrix([row]), values)[0] for row in self.coefficients
+        ]
         size = max(abs(a) for row in numbers for a in row)
         present = [[k for k, a in enumerate(row) if abs(a) > 1e-9 * size] for row in numbers]
-        y, u = self.names
+        y, _u = self.names
         if not present[0] or max(present[0]) != n:
-            found = (f"its highest derivative of {y} is of order {max(present[0])}" if present[0]
-                     else f"{y} does not occur in it")
+            found = (
+                f"its highest derivative of {y} is of order {max(present[0])}"
+                if present[0]
+                else f"{y} does not occur in it"
+            )
             raise Wrong(f"the equation has to be of order {n}, as the system is; {found}")
         highest = max(max(present[1], default=0), n - 1)
         rows = [c]
@@ -111,13 +149,19 @@ class _LinearEquation:
         if told.det() == 0:
             raise ValueError("y does not tell the state: its equation is not the system")
         # y^(k) in terms of x and of u, u', ..., u^(highest)
-        driven = sp.Matrix(n + 1, highest + 1, lambda k, j: (rows[k - 1 - j] * b)[0] if j < k else 0)
+        driven = sp.Matrix(
+            n + 1, highest + 1, lambda k, j: (rows[k - 1 - j] * b)[0] if j < k else 0
+        )
         to_all = np.array(sp.Matrix.vstack(*rows).row_join(driven).tolist(), dtype=float)
-        # The states at which y, ..., y^(n-1), u, u', ... vanish but for one of them: there no other term hides a wrong
-        # one.
+        # The states at which y, ..., y^(n-1), u, u', ... vanish but for one of them: there no other
+        # term hides a wrong one.
         back = told.inv()
-        states = np.array((back.row_join(-back * driven[:n, :])).col_join(
-            sp.zeros(highest + 1, n).row_join(sp.eye(highest + 1))).tolist(), dtype=float)
+        states = np.array(
+            (back.row_join(-back * driven[:n, :]))
+            .col_join(sp.zeros(highest + 1, n).row_join(sp.eye(highest + 1)))
+            .tolist(),
+            dtype=float,
+        )
         failing = [k for k, state in enumerate(states.T) if self._fails(numbers, to_all, state)]
         if failing:
             self._explain(numbers, to_all, highest, failing, where, canonical, present[1])
@@ -126,34 +170,58 @@ class _LinearEquation:
         n, (y, u) = len(to_all) - 1, self.names
         if failing[0] >= n and canonical:
             if max(controls, default=0) > 0:
-                raise Wrong(f"a derivative of {u} stands in your equation{where}; into that of the first coordinate "
-                            f"of the form (2.4) {u} enters alone")
+                raise Wrong(
+                    f"a derivative of {u} stands in your equation{where}; into that of the first "
+                    "coordinate "
+                    f"of the form (2.4) {u} enters alone"
+                )
             if controls:
-                raise Wrong(f"without control your equation is right{where}, but {u} has the wrong coefficient; in the "
-                            f"form (2.4) {u} enters the last equation with the coefficient 1, and {y} is the first "
-                            "coordinate of that form, no multiple")
+                raise Wrong(
+                    f"without control your equation is right{where}, but {u} has the wrong "
+                    "coefficient; in the "
+                    f"form (2.4) {u} enters the last equation with the coefficient 1, and {y} is "
+                    "the first "
+                    "coordinate of that form, no multiple"
+                )
         random, free = np.random.default_rng(220), failing[0] < n
         for _ in range(20):
-            state = random.integers(1, 6, n + highest + 1) * random.choice((-1.0, 1.0), n + highest + 1)
+            state = random.integers(1, 6, n + highest + 1) * random.choice(
+                (-1.0, 1.0), n + highest + 1
+            )
             if free:
                 state[n:] = 0
             if self._fails(numbers, to_all, state):
                 break
         x = ", ".join(number_text(s) for s in state[:n])
-        control = f"{u} = 0" if free else ", ".join(
-            f"{_derivative(u, k)} = {number_text(s)}" for k, s in enumerate(state[n:]))
+        control = (
+            f"{u} = 0"
+            if free
+            else ", ".join(
+                f"{_derivative(u, k)} = {number_text(s)}" for k, s in enumerate(state[n:])
+            )
+        )
         difference = sum(self._terms(numbers, to_all, state))
         hint = "" if free else "without control it is right; "
-        raise Wrong(f"{hint}at x = ({x}) and {control}{where} the derivatives of {y} do not satisfy your equation: "
-                    f"its two sides differ by {number_text(abs(difference))}")
+        raise Wrong(
+            f"{hint}at x = ({x}) and {control}{where} the derivatives of {y} do not satisfy your "
+            "equation: "
+            f"its two sides differ by {number_text(abs(difference))}"
+        )
 
     def _terms(self, numbers, to_all, state):
         n = to_all.shape[0] - 1
-        return np.concatenate([np.array(numbers[0][:n + 1]) * (to_all @ state),
-                               np.array(numbers[1])[:len(state) - n] * state[n:]])
+        return np.concatenate(
+            [
+                np.array(numbers[0][: n + 1]) * (to_all @ state),
+                np.array(numbers[1])[: len(state) - n] * state[n:],
+            ]
+        )
 
     def _fails(self, numbers, to_all, state):
-        terms, open_ = self._terms(numbers, to_all, state), self._terms(self.uncertain, to_all, state)
+        terms, open_ = (
+            self._terms(numbers, to_all, state),
+            self._terms(self.uncertain, to_all, state),
+        )
         return not abs(sum(terms)) <= EXACT * sum(abs(terms)) + sum(abs(open_))
 
     def _sides(self, answer):
@@ -163,41 +231,67 @@ class _LinearEquation:
             sides = (answer, sp.S.Zero)  # what is to be zero
         else:
             y, u = (f"{name}({self.time})" for name in self.names)
-            raise Invalid(f"expected an equation `sp.Eq(left, right)` between `{y}`, `{u}` and their derivatives, "
-                          f"such as `{y}.diff({self.time})`; with `==` Python compares the sides at once")
-        if any(not isinstance(side, sp.Expr) or isinstance(side, sp.MatrixBase)
-               or side.has(sp.nan, sp.zoo, sp.oo, -sp.oo)
-               for side in sides):
-            raise Invalid("both sides of the equation have to be expressions, without anything undefined or infinite")
+            raise Invalid(
+                f"expected an equation `sp.Eq(left, right)` between `{y}`, `{u}` and their "
+                "derivatives, "
+                f"such as `{y}.diff({self.time})`; with `==` Python compares the sides at once"
+            )
+        if any(
+            not isinstance(side, sp.Expr)
+            or isinstance(side, sp.MatrixBase)
+            or side.has(sp.nan, sp.zoo, sp.oo, -sp.oo)
+            for side in sides
+        ):
+            raise Invalid(
+                "both sides of the equation have to be expressions, without anything undefined or "
+                "infinite"
+            )
         return sides
 
     def _own_functions(self, side, motion, control, parameters):
-        """The side in the data's functions and symbols, matched by name, with all derivatives carried out."""
+        """The side in the data's functions and symbols, matched by name, with all derivatives
+        carried out."""
         known = {symbol.name: symbol for symbol in (self.time, *parameters)}
         foreign = {s.name for s in side.free_symbols if s.name not in known}
         side = side.xreplace({s: known[s.name] for s in side.free_symbols if s.name in known})
         functions = {}
         for function in side.atoms(AppliedUndef):
-            own = [f for f in (motion, control) if f.func.__name__ == function.func.__name__
-                   and f.args == function.args]
+            own = [
+                f
+                for f in (motion, control)
+                if f.func.__name__ == function.func.__name__ and f.args == function.args
+            ]
             functions |= {function: own[0]} if own else {}
             foreign |= set() if own else {str(function)}
         if foreign:
             allowed = ", ".join([str(motion), str(control), *(s.name for s in parameters)])
-            raise Invalid(f"the equation contains {', '.join(sorted(foreign))}; expected only {allowed} and "
-                          f"derivatives with respect to {self.time}")
+            raise Invalid(
+                f"the equation contains {', '.join(sorted(foreign))}; expected only {allowed} and "
+                f"derivatives with respect to {self.time}"
+            )
         side = side.xreplace(functions)
         derivatives = side.atoms(sp.Derivative)
-        if any(v != self.time or not count.is_Integer for d in derivatives for v, count in d.variable_count):
-            raise Invalid(f"a derivative is not one with respect to {self.time}, a definite number of times")
+        if any(
+            v != self.time or not count.is_Integer
+            for d in derivatives
+            for v, count in d.variable_count
+        ):
+            raise Invalid(
+                f"a derivative is not one with respect to {self.time}, a definite number of times"
+            )
         side = self._carried_out(side)
-        if any(d.derivative_count > LARGEST_ORDER for d in side.atoms(sp.Derivative)) or side.has(sp.Integral):
-            raise Invalid(f"expected an equation without integrals, with derivatives up to the order {LARGEST_ORDER}")
+        if any(d.derivative_count > LARGEST_ORDER for d in side.atoms(sp.Derivative)) or side.has(
+            sp.Integral
+        ):
+            raise Invalid(
+                "expected an equation without integrals, with derivatives up to the order "
+                f"{LARGEST_ORDER}"
+            )
         return side
 
     def _carried_out(self, expression):
-        """With the derivatives of sums and multiples carried out; SymPy's own `doit` may take minutes for powers and
-        products."""
+        """With the derivatives of sums and multiples carried out; SymPy's own `doit` may take
+        minutes for powers and products."""
         if not expression.has(sp.Derivative):
             return expression
         if not isinstance(expression, sp.Derivative):
@@ -207,15 +301,20 @@ class _LinearEquation:
         total = []
         for term in sp.Add.make_args(sp.expand(self._carried_out(expression.expr))):
             factor, function = term.as_independent(AppliedUndef, sp.Derivative, as_Add=False)
-            if factor.has(self.time) or not (function == 1 or isinstance(function, (AppliedUndef, sp.Derivative))):
+            if factor.has(self.time) or not (
+                function == 1 or isinstance(function, (AppliedUndef, sp.Derivative))
+            ):
                 raise Wrong(self._not_linear())
             if function != 1:
                 total.append(factor * function.diff((self.time, expression.derivative_count)))
         return sp.Add(*total)
 
     def _not_linear(self):
-        return (f"your equation is not linear with constant coefficients in {self.names[0]}, {self.names[1]} and "
-                f"their derivatives")
+        return (
+            f"your equation is not linear with constant coefficients in {self.names[0]}, "
+            f"{self.names[1]} and "
+            f"their derivatives"
+        )
 
     def _coefficient(self, difference, symbol):
         if not difference.has(symbol):
@@ -224,8 +323,11 @@ class _LinearEquation:
         if found.has(*others, self.time):
             found = sp.simplify(found)
         if found.has(*others, self.time):
-            raise Wrong(self._not_linear() if found.has(*others) else
-                        f"a coefficient of your equation depends on {self.time}; those of the system do not")
+            raise Wrong(
+                self._not_linear()
+                if found.has(*others)
+                else f"a coefficient of your equation depends on {self.time}; those of the system do not"
+            )
         return found
 
 

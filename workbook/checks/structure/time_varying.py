@@ -1,5 +1,6 @@
-"""An output z = H x of x' = A x in the course of time; where its row H(t) changes, told as `Varying`: its derivatives,
-its Gramian, the trap of frozen rows. What it never shows is asked in `observability.py`."""
+"""An output z = H x of x' = A x in the course of time; where its row H(t) changes, told as
+`Varying`: its derivatives, its Gramian, the trap of frozen rows. What it never shows is asked in
+`observability.py`."""
 
 from math import comb
 
@@ -17,8 +18,8 @@ from workbook.checks.tools.wording import number_text, rounded_text
 
 @judged(Expression("time", "start", "parameters"))
 def measured_motion(claim, system, start, time, parameters=()):
-    """The single output z(t) along the motion from the start, an expression in the symbols of the start, the time and
-    the parameters; its row may change with the time."""
+    """The single output z(t) along the motion from the start, an expression in the symbols of the
+    start, the time and the parameters; its row may change with the time."""
     from scipy.linalg import expm
 
     for values in in_every_case(signed_values([time, *start, *parameters], positive=[time]), claim):
@@ -31,21 +32,39 @@ def measured_motion(claim, system, start, time, parameters=()):
 
 @judged(Matrix("system.time", "parameters", shape="system.A"))
 def derivative_rows(claim, system, parameters):
-    """The n x n matrix of the rows N0, ..., N(n-1) with z = N0 x, z' = N1 x, ... along all motions (H: 1 x n)."""
+    """The n x n matrix of the rows N0, ..., N(n-1) with z = N0 x, z' = N1 x, ... along all motions
+    (H: 1 x n)."""
     n = system.A.rows
     slopes = [system.H.diff(system.time, k) if k else system.H for k in range(n)]
-    for values in in_every_case(signed_values([system.time, *parameters], positive=[system.time]), claim):
-        rows, powers = _at(sp.Matrix.vstack(*slopes), values), [_at(system.A**k, values) for k in range(n)]
+    for values in in_every_case(
+        signed_values([system.time, *parameters], positive=[system.time]), claim
+    ):
+        rows, powers = (
+            _at(sp.Matrix.vstack(*slopes), values),
+            [_at(system.A**k, values) for k in range(n)],
+        )
         # The derivative of order k of the product H(t) x(t), by the rule of Leibniz.
         terms = [[comb(k, j) * rows[j] @ powers[k - j] for j in range(k + 1)] for k in range(n)]
 
         def told(said, k, j):
             if k and np.allclose(said[k], terms[k][0], rtol=0, atol=1e-6 * sizes[k]):
-                return (f"row {k + 1} of your matrix leaves out that H changes with time: the derivative of z = H(t) x "
-                        "has one term more")
-            what = "z itself" if k == 0 else "the derivative of z" if k == 1 else f"the derivative of z of order {k}"
-            return (f"row {k + 1} times x has to be {what}; at {rounded_text(values)} it is not, in column {j + 1}: "
-                    f"there your matrix has {number_text(said[k, j])}")
+                return (
+                    f"row {k + 1} of your matrix leaves out that H changes with time: the "
+                    "derivative of z = H(t) x "
+                    "has one term more"
+                )
+            what = (
+                "z itself"
+                if k == 0
+                else "the derivative of z"
+                if k == 1
+                else f"the derivative of z of order {k}"
+            )
+            return (
+                f"row {k + 1} times x has to be {what}; at {rounded_text(values)} it is not, in "
+                f"column {j + 1}: "
+                f"there your matrix has {number_text(said[k, j])}"
+            )
 
         sizes = np.array([sum(map(np.linalg.norm, row)) for row in terms])
         yield Entries(claim, list(map(sum, terms)), told, values, sizes[:, None])
@@ -54,38 +73,58 @@ def derivative_rows(claim, system, parameters):
 
 @judged(Matrix("parameters", shape="system.A"))
 def output_gramian(claim, system, duration, parameters):
-    """The n x n matrix G with x(0)^T G x(0) = the integral of z^2 over 0 <= t <= `duration` (A: n x n, H: 1 x n), for
-    parameters in general position."""
+    """The n x n matrix G with x(0)^T G x(0) = the integral of z^2 over 0 <= t <= `duration` (A: n x
+    n, H: 1 x n), for parameters in general position."""
     from scipy.linalg import expm
 
     nodes, weights = np.polynomial.legendre.leggauss(160)
     moments, weights = (nodes + 1) / 2 * float(duration), weights / 2 * float(duration)
     for values in in_every_case(signed_values(parameters), claim):
         matrix = _at(system.A, values)
-        row = sp.lambdify(system.time, list(system.H.subs(values)), "numpy")  # of the data, never of an answer
+        # of the data, never of an answer
+        row = sp.lambdify(system.time, list(system.H.subs(values)), "numpy")
         measured = np.array([np.broadcast_to(entry, moments.shape) for entry in row(moments)]).T
         rows = np.einsum("ti,tij->tj", measured, expm(moments[:, None, None] * matrix))
         true = rows.T @ (weights[:, None] * rows)
-        yield Entries(claim, true, lambda said, i, j: (
-            f"for {rounded_text(values)} the entry ({i + 1}, {j + 1}) of your matrix is {number_text(said[i, j])}; the "
-            f"integral is {true[i, j]:.4g}" if values else  # the true number would be the answer itself
-            f"the entry ({i + 1}, {j + 1}) of your matrix is {number_text(said[i, j])}, and the integral is not"),
-            values, np.linalg.norm(true))
+        yield Entries(
+            claim,
+            true,
+            lambda said, i, j: (
+                f"for {rounded_text(values)} the entry ({i + 1}, {j + 1}) of your matrix is "
+                f"{number_text(said[i, j])}; the "
+                # the true number would be the answer itself
+                f"integral is {true[i, j]:.4g}"
+                if values
+                else f"the entry ({i + 1}, {j + 1}) of your matrix is {number_text(said[i, j])}, "
+                "and the integral is not"
+            ),
+            values,
+            np.linalg.norm(true),
+        )
     return "the entries are the integrals, for all parameters tried"
 
 
 @judged(Expression("system.time", "parameters"))
 def frozen_determinant(claim, system, parameters):
-    """The determinant of the rows H(t), H(t) A, ..., H(t) A^(n-1) of one moment, with H taken as it is then."""
-    for values in in_every_case(signed_values([system.time, *parameters], positive=[system.time]), claim):
+    """The determinant of the rows H(t), H(t) A, ..., H(t) A^(n-1) of one moment, with H taken as it
+    is then."""
+    for values in in_every_case(
+        signed_values([system.time, *parameters], positive=[system.time]), claim
+    ):
         matrix, row = _at(system.A, values), _at(system.H, values)
         rows = [(row @ np.linalg.matrix_power(matrix, k))[0] for k in range(system.A.rows)]
-        scale, said = np.prod([np.linalg.norm(r) for r in rows]), value_at(claim, values, "this determinant")
+        scale, said = (
+            np.prod([np.linalg.norm(r) for r in rows]),
+            value_at(claim, values, "this determinant"),
+        )
         if not abs(said - np.linalg.det(rows)) <= share(claim) * scale:
             # The rows and not their determinant, which may be the answer itself.
             told = ", ".join(f"({', '.join(map(number_text, r))})" for r in rows)
-            raise Wrong(f"at one of the moments tried the rows are {told}; {number_text(said)}, which your expression "
-                        f"gives, is not their determinant")
+            raise Wrong(
+                f"at one of the moments tried the rows are {told}; {number_text(said)}, which your "
+                "expression "
+                f"gives, is not their determinant"
+            )
     return "it is the determinant at all moments and parameters tried"
 
 

@@ -1,1 +1,2 @@
-"""What checks of several themes use: values at places, samples, conditions, places of parameters, words."""
+"""What checks of several themes use: values at places, samples, conditions, places of parameters,
+words."""

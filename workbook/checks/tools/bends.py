@@ -1,25 +1,28 @@
-"""Where an expression bends: places between others at which it goes over from one form to another, by a corner, by a
-jump, or quickly. Next to them an answer may be wrong that is right at all other places."""
+"""Where an expression bends: places between others at which it goes over from one form to another,
+by a corner, by a jump, or quickly. Next to them an answer may be wrong that is right at all other
+places."""
 
 import numpy as np
 
 from workbook.checks.contract.verdict import Invalid
 from workbook.checks.tools.values import is_slow, real_function
 
-#: In so many parts the way from one place to the next is divided, so often; the strongest bends of so many ways count,
-#: by what they are after so many rounds, unless they are a smaller share of the values than this.
+#: In so many parts the way from one place to the next is divided, so often; the strongest bends of
+#: so many ways count, by what they are after so many rounds, unless they are a smaller share of the
+#: values than this.
 PARTS, ROUNDS, MOST, JUDGED, NONE = 32, 8, 2, 3, 1e-11
 #: Differences of this order are small where an expression is smooth.
 ORDER = 4
-#: How far from a bend, as a part of the way, its two sides are looked at, and up to which share of it a value is the
-#: same on both: then one of them will do.
+#: How far from a bend, as a part of the way, its two sides are looked at, and up to which share of
+#: it a value is the same on both: then one of them will do.
 ASIDE, SAME = 1e-7, 1e-6
 
 
 def next_to_bends(claim, places):
-    """Places at the strongest bends of an expression, on the ways from each of the places, dicts from the same symbols
-    to real numbers, to the next one; on both sides of a bend if the values there differ. None where it has no bends, or
-    is too slow to be asked so often, as an integral is."""
+    """Places at the strongest bends of an expression, on the ways from each of the places, dicts
+    from the same symbols to real numbers, to the next one; on both sides of a bend if the values
+    there differ. None where it has no bends, or is too slow to be asked so often, as an integral
+    is."""
     if is_slow(claim):
         return []
     symbols = list(places[0])
@@ -42,9 +45,12 @@ def next_to_bends(claim, places):
         top = differences.argmax(axis=1)
         strength.append(differences[every, top] / np.nanmax(np.abs(said), axis=1, initial=1e-300))
         first, width = parts[every, top], ORDER * width / PARTS
-    # Looked at so much closer, what is smooth bends less by the power ORDER, a corner by the first or the second one.
-    bent = (strength[1] > strength[0] * (ORDER / PARTS)**2.5) & (strength[1] > NONE)
+    # Looked at so much closer, what is smooth bends less by the power ORDER, a corner by the first
+    # or the second one.
+    bent = (strength[1] > strength[0] * (ORDER / PARTS) ** 2.5) & (strength[1] > NONE)
     at, said = values(np.clip((first + width / 2)[:, None] + [-ASIDE, ASIDE], 0, 1))
-    return [dict(zip(symbols, at[k, side].tolist()))
-            for k in sorted(np.flatnonzero(bent), key=lambda k: -strength[JUDGED][k])[:MOST]
-            for side in range(1 if abs(said[k, 1] - said[k, 0]) <= SAME * abs(said[k, 0]) else 2)]
+    return [
+        dict(zip(symbols, at[k, side].tolist()))
+        for k in sorted(np.flatnonzero(bent), key=lambda k: -strength[JUDGED][k])[:MOST]
+        for side in range(1 if abs(said[k, 1] - said[k, 0]) <= SAME * abs(said[k, 0]) else 2)
+    ]

@@ -1,8 +1,8 @@
 """What a check yields: comparisons of an answer with the truth.
 
-`judged` does them one after the other. Here the answer gets its values, has to be finite there, is compared to the
-precision that `contract.tolerance` knows, and the first difference is told with its place. What a comparison found on
-the way it gives back: `said = yield Entries(...)`.
+`judged` does them one after the other. Here the answer gets its values, has to be finite there, is
+compared to the precision that `contract.tolerance` knows, and the first difference is told with its
+place. What a comparison found on the way it gives back: `said = yield Entries(...)`.
 
 - `Same`: an expression has a value, `Entries`: a matrix has its entries, at values of the symbols.
 - `Agrees`: a condition is as true as a property, at values of the symbols.
@@ -26,8 +26,9 @@ from workbook.checks.tools.wording import apart, rounded_text
 
 @dataclass
 class Same:
-    """An expression has the value `true` of the quantity `what`; `size` is that of the terms, which may cancel. A value
-    that is `constant`, the same for all values of the symbols, is not told: it would be the answer itself."""
+    """An expression has the value `true` of the quantity `what`; `size` is that of the terms, which
+    may cancel. A value that is `constant`, the same for all values of the symbols, is not told: it
+    would be the answer itself."""
 
     claim: sp.Expr
     true: float
@@ -41,18 +42,29 @@ class Same:
         said = value_at(self.claim, self.values, self.what)
         if not cmath.isfinite(self.true):
             raise RuntimeError(f"{self.what} could not be computed")
-        if not same(said, self.true, self.claim, self.size, self.computed, uncertain_at(self.claim, self.values)):
+        if not same(
+            said,
+            self.true,
+            self.claim,
+            self.size,
+            self.computed,
+            uncertain_at(self.claim, self.values),
+        ):
             if self.constant or not self.values:
                 raise Wrong(f"{self.what} is another number than {said:.4g}")
             true, said = apart(self.true, said)
-            raise Wrong(f"for {rounded_text(self.values)}, {self.what} is {true}; your expression gives {said}")
+            raise Wrong(
+                f"for {rounded_text(self.values)}, {self.what} is {true}; your expression gives "
+                f"{said}"
+            )
 
 
 @dataclass
 class Entries:
     """A matrix has the entries `true`; `size` is that of the terms of each, of each row, or of all.
 
-    `told(said, i, j)` is the message on the worst entry of the first wrong row. Gives back the numbers said.
+    `told(said, i, j)` is the message on the worst entry of the first wrong row. Gives back the
+    numbers said.
     """
 
     claim: sp.MatrixBase
@@ -64,12 +76,20 @@ class Entries:
 
     def judge(self):
         said, true = matrix_at(self.claim, self.values), np.asarray(self.true)
-        uncertain = [[uncertain_at(self.claim[i, j], self.values) for j in range(self.claim.cols)]
-                     for i in range(self.claim.rows)] if in_decimals(*self.claim) else None
+        uncertain = (
+            [
+                [uncertain_at(self.claim[i, j], self.values) for j in range(self.claim.cols)]
+                for i in range(self.claim.rows)
+            ]
+            if in_decimals(*self.claim)
+            else None
+        )
         right = same(said, true, self.claim, self.size, self.computed, uncertain)
         if not right.all():
             row = int(np.argmin(right.all(axis=1)))
-            raise Wrong(self.told(said, row, int(np.argmax(abs(said[row] - true[row]) * ~right[row]))))
+            raise Wrong(
+                self.told(said, row, int(np.argmax(abs(said[row] - true[row]) * ~right[row])))
+            )
         return said
 
 
@@ -84,17 +104,20 @@ class Agrees:
 
     def judge(self):
         if truth_at(self.claim, self.values) != self.true:
-            raise Wrong(f"for {rounded_text(self.values)} {self.told}, yet your condition "
-                        f"{'fails' if self.true else 'holds'}")
+            raise Wrong(
+                f"for {rounded_text(self.values)} {self.told}, yet your condition "
+                f"{'fails' if self.true else 'holds'}"
+            )
 
 
 @dataclass
 class Members:
-    """Of `true` things all are named and no more, in any order; `fits(one, other)` says whether one named is another.
+    """Of `true` things all are named and no more, in any order; `fits(one, other)` says whether one
+    named is another.
 
-    `stranger(one)` is the message on one that belongs not, `missing(count, others)` that on so many named where others
-    are left out, `twice(one)` that on one named before; without it things may be named again. Gives back what the named
-    ones are.
+    `stranger(one)` is the message on one that belongs not, `missing(count, others)` that on so many
+    named where others are left out, `twice(one)` that on one named before; without it things may be
+    named again. Gives back what the named ones are.
     """
 
     said: list
@@ -121,7 +144,8 @@ class Members:
 
 @dataclass
 class Word:
-    """A word is the `true` one. The reason is told either way, after the words `contrary` if it is not, and given back.
+    """A word is the `true` one. The reason is told either way, after the words `contrary` if it is
+    not, and given back.
     """
 
     claim: object
@@ -137,7 +161,8 @@ class Word:
 
 @dataclass
 class Follows:
-    """Two sides of a law, numbers or arrays of them, are equal up to a `share` of the `size` of their terms.
+    """Two sides of a law, numbers or arrays of them, are equal up to a `share` of the `size` of
+    their terms.
 
     `told(k)` is the message, with the place of the largest difference where there are several.
     """

@@ -4,12 +4,12 @@ import numpy as np
 
 
 def largest(function, centre, width, steps, enough=np.inf):
-    """The place of the largest value within centre +- width, each row its own, by golden section; values above `enough`
-    will do.
+    """The place of the largest value within centre +- width, each row its own, by golden section;
+    values above `enough` will do.
 
-    `function(places, rows)` gives the values of these rows at these places, one of each. Of few rows many places are
-    asked for in one call, until they are as close together as so many steps bring them: for few rows it is the call
-    that takes the time.
+    `function(places, rows)` gives the values of these rows at these places, one of each. Of few
+    rows many places are asked for in one call, until they are as close together as so many steps
+    bring them: for few rows it is the call that takes the time.
     """
     ratio, low, high = (np.sqrt(5) - 1) / 2, centre - width, centre + width
     count = 15 if len(centre) <= 16 else 7 if len(centre) <= 40 else 2
@@ -39,25 +39,37 @@ def largest(function, centre, width, steps, enough=np.inf):
 
 
 def bisected(like_first, first, last, turns):
-    """(first, last) after so many halvings, each row its own; `like_first(places, rows)` says at which places all is as
-    at the first.
+    """(first, last) after so many halvings, each row its own; `like_first(places, rows)` says at
+    which places all is as at the first.
 
-    The middles that the next few halvings may come to are asked about in one call: for few rows it is the call that
-    takes the time.
+    The middles that the next few halvings may come to are asked about in one call: for few rows it
+    is the call that takes the time.
     """
     rows = np.arange(len(first))
     while turns > 0:
-        depth = min(turns, 6 if len(rows) < 4 else 4 if len(rows) < 10 else 3 if len(rows) < 30 else 2
-                    if len(rows) < 120 else 1)
+        depth = min(
+            turns,
+            6
+            if len(rows) < 4
+            else 4
+            if len(rows) < 10
+            else 3
+            if len(rows) < 30
+            else 2
+            if len(rows) < 120
+            else 1,
+        )
         parts = 2**depth
         ends = np.empty((len(rows), parts + 1, *np.shape(first)[1:]))
         ends[:, 0], ends[:, -1] = first, last
-        for width in parts // 2**np.arange(depth):
-            ends[:, width // 2::width] = (ends[:, :-1:width] + ends[:, width::width]) / 2
+        for width in parts // 2 ** np.arange(depth):
+            ends[:, width // 2 :: width] = (ends[:, :-1:width] + ends[:, width::width]) / 2
         asked = ends[:, 1:-1].reshape(-1, *np.shape(first)[1:])
-        like = np.asarray(like_first(asked, np.repeat(rows, parts - 1))).reshape(len(rows), parts - 1)
+        like = np.asarray(like_first(asked, np.repeat(rows, parts - 1))).reshape(
+            len(rows), parts - 1
+        )
         at = np.zeros(len(rows), dtype=int)
-        for width in parts // 2**np.arange(1, depth + 1):
+        for width in parts // 2 ** np.arange(1, depth + 1):
             at += width * like[rows, at + width - 1]
         first, last = ends[rows, at], ends[rows, at + 1]
         turns -= depth

@@ -1,7 +1,9 @@
-"""What measurements z = h(x) of constant unknowns determine locally: all of them where the Jacobian has full rank.
+"""What measurements z = h(x) of constant unknowns determine locally: all of them where the Jacobian
+has full rank.
 
-The unknowns are a state that does not move, and the rows of the Jacobian its output; so the truth is that of `pairs`.
-Each row is freed of its denominators and roots first, which do not change what it shows.
+The unknowns are a state that does not move, and the rows of the Jacobian its output; so the truth
+is that of `pairs`. Each row is freed of its denominators and roots first, which do not change what
+it shows.
 """
 
 import functools
@@ -20,8 +22,8 @@ def constants_of(jacobian, parameters):
 
 
 class _Constants(Pair):
-    """The rows of a Jacobian as the output of a state that does not move; decided by its minors one by one, which are
-    simpler than the sum of their squares."""
+    """The rows of a Jacobian as the output of a state that does not move; decided by its minors one
+    by one, which are simpler than the sum of their squares."""
 
     def __init__(self, rows, parameters):
         super().__init__(sp.zeros(rows.cols), rows, parameters)
@@ -33,14 +35,20 @@ class _Constants(Pair):
 
     @functools.cached_property
     def _lost(self):
-        minors = {sp.factor(self._rows.extract(list(some), list(range(self.order))).det(method="berkowitz"))
-                  for some in itertools.combinations(range(self.outputs), self.order)}
+        minors = {
+            sp.factor(
+                self._rows.extract(list(some), list(range(self.order))).det(method="berkowitz")
+            )
+            for some in itertools.combinations(range(self.outputs), self.order)
+        }
         return sp.And(*(sp.Eq(_plain(minor), 0) for minor in minors))
 
 
 def _plain(product):
     """The product of the different factors."""
-    return sp.prod([factor for factor, _ in sp.factor_list(product)[1]]) if product != 0 else product
+    return (
+        sp.prod([factor for factor, _ in sp.factor_list(product)[1]]) if product != 0 else product
+    )
 
 
 def _cleared(row):

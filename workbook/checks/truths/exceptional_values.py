@@ -1,5 +1,6 @@
-"""Where an answer with parameters fails though it is right in general: where a denominator, a pivot or a determinant of
-it vanishes, at values of the parameters at which the truth is what it is elsewhere. All values are looked at, exactly.
+"""Where an answer with parameters fails though it is right in general: where a denominator, a pivot
+or a determinant of it vanishes, at values of the parameters at which the truth is what it is
+elsewhere. All values are looked at, exactly.
 """
 
 import itertools
@@ -15,66 +16,98 @@ MOST_OPERATIONS = 600
 
 
 def judge_everywhere(matrix, parameters, given, undefined, dependent=None):
-    """Raise `Wrong` at values of the parameters where a matrix is `undefined`, as the message says, or its columns are
-    `dependent`, under the condition `given()`, which is asked for only if the matrix holds a parameter."""
+    """Raise `Wrong` at values of the parameters where a matrix is `undefined`, as the message says,
+    or its columns are `dependent`, under the condition `given()`, which is asked for only if the
+    matrix holds a parameter."""
     used = [p for p in parameters if matrix.has(p)]
     if not used or matrix.has(sp.nan, sp.zoo, sp.oo) or sp.count_ops(matrix) > MOST_OPERATIONS:
         return
     # As it is written: with (k**2 - 1)/(k - 1) in the place of k + 1 it has no value for k = 1.
     below = [sp.denom(sp.together(sp.nsimplify(entry, rational=True))) for entry in matrix]
-    matrix = matrix.applyfunc(lambda entry: sp.cancel(sp.nsimplify(entry, rational=True))
-                              if entry.is_rational_function(*used) else entry)
-    conditions, vanishing = {undefined: sp.And(*(sp.Ne(part, 0) for part in below))}, [(undefined, sp.Mul(*set(below)))]
+    matrix = matrix.applyfunc(
+        lambda entry: (
+            sp.cancel(sp.nsimplify(entry, rational=True))
+            if entry.is_rational_function(*used)
+            else entry
+        )
+    )
+    conditions, vanishing = (
+        {undefined: sp.And(*(sp.Ne(part, 0) for part in below))},
+        [(undefined, sp.Mul(*set(below)))],
+    )
     if dependent:
-        minors = [matrix.extract(list(rows), list(range(matrix.cols))).det(method="berkowitz")
-                  for rows in itertools.combinations(range(matrix.rows), matrix.cols)]
+        minors = [
+            matrix.extract(list(rows), list(range(matrix.cols))).det(method="berkowitz")
+            for rows in itertools.combinations(range(matrix.rows), matrix.cols)
+        ]
         if not matrix.has(*_JUMPING):
-            shared = set.intersection(*(set(sp.Mul.make_args(sp.factor(minor))) for minor in minors if minor != 0))
+            shared = set.intersection(
+                *(set(sp.Mul.make_args(sp.factor(minor))) for minor in minors if minor != 0)
+            )
             vanishing.append((dependent, sp.Mul(*shared)))
         conditions[dependent] = sp.Or(*(sp.Ne(sp.numer(sp.together(minor)), 0) for minor in minors))
     for failure, function in vanishing:
         if not (function.is_rational_function(*used) or function.has(*_JUMPING)):
             for values in _sign_changes(function, used):
                 if given().subs(values) == sp.true:
-                    raise Wrong(f"{failure} for a value near {place_text(values)}, where the answer is to serve too")
+                    raise Wrong(
+                        f"{failure} for a value near {place_text(values)}, where the answer is to "
+                        "serve too"
+                    )
     for failure, condition in conditions.items():
         if condition != sp.true:
-            compare(condition, parameters, exactly(sp.true, given()),
-                    lambda values, holds: f"{failure} for {place_text(values)}, where the answer is to serve too")
+            compare(
+                condition,
+                parameters,
+                exactly(sp.true, given()),
+                lambda values, holds: (
+                    f"{failure} for {place_text(values)}, where the answer is to serve too"
+                ),
+            )
 
 
 def judge_factors(expressions, variables, domain, failure):
-    """Raise `Wrong` at values of the other symbols where expressions that are not zero all vanish, whatever the
-    variables are, by a factor that they share."""
-    shared = [{power.as_base_exp()[0] for power in sp.Mul.make_args(sp.factor(e))} for e in expressions
-              if e != 0 and sp.count_ops(e) <= MOST_OPERATIONS]
+    """Raise `Wrong` at values of the other symbols where expressions that are not zero all vanish,
+    whatever the variables are, by a factor that they share."""
+    shared = [
+        {power.as_base_exp()[0] for power in sp.Mul.make_args(sp.factor(e))}
+        for e in expressions
+        if e != 0 and sp.count_ops(e) <= MOST_OPERATIONS
+    ]
     for factor in sorted(set.intersection(*shared) if shared else (), key=sp.default_sort_key):
         symbols = sorted(factor.free_symbols, key=str)
         if symbols and not factor.has(*variables):
             given = sp.And(*(domain[s].as_relational(s) for s in symbols if domain and s in domain))
             _, place = decide(sp.Ne(factor, 0), symbols, exactly(sp.true, given))
             if place:
-                raise Wrong(f"{failure} for {place_text(place[0])}, where the answer is to serve too")
+                raise Wrong(
+                    f"{failure} for {place_text(place[0])}, where the answer is to serve too"
+                )
 
 
 def _sign_changes(function, symbols):
-    """Places beside which a function that is no quotient of polynomials goes through zero: one of its symbols runs, the
-    others have general values. Between two signs a continuous function is zero; at a pole or a jump it does not become
-    small.
+    """Places beside which a function that is no quotient of polynomials goes through zero: one of
+    its symbols runs, the others have general values. Between two signs a continuous function is
+    zero; at a pole or a jump it does not become small.
     """
     general = dict(zip(symbols, map(sp.Rational, ("17/10", "23/10", "29/10", "31/10", "37/10"))))
     # Without powers: a square has a zero without a change of sign.
     factors = {factor.as_base_exp()[0] for factor in sp.Mul.make_args(sp.factor(function))}
     for factor, symbol in itertools.product(sorted(factors, key=sp.default_sort_key), symbols):
-        value = sp.lambdify(symbol, factor.subs({s: v for s, v in general.items() if s != symbol}), "mpmath")
-        grid = itertools.pairwise(_HALF if symbol.is_nonnegative else [-x for x in _HALF[::-1]] + _HALF)
-        for left, right in sorted(grid, key=lambda ends: abs(ends[0])):  # small numbers are told first
+        value = sp.lambdify(
+            symbol, factor.subs({s: v for s, v in general.items() if s != symbol}), "mpmath"
+        )
+        grid = itertools.pairwise(
+            _HALF if symbol.is_nonnegative else [-x for x in _HALF[::-1]] + _HALF
+        )
+        # small numbers are told first
+        for left, right in sorted(grid, key=lambda ends: abs(ends[0])):
             root = _root(lambda x: value(mpmath.mpf(x)), left, right)
             if root is not None:
                 yield general | {symbol: sp.Rational(round(root, 6))}
 
 
-_HALF = [k/8 + 0.01 for k in range(160)] + [20.01 * 1.3**k for k in range(20)]
+_HALF = [k / 8 + 0.01 for k in range(160)] + [20.01 * 1.3**k for k in range(20)]
 #: Functions that jump: one may avoid a zero by a value of its own just there.
 _JUMPING = (sp.Piecewise, sp.sign, sp.Heaviside, sp.floor, sp.ceiling)
 
@@ -83,12 +116,15 @@ def _root(value, left, right):
     """Where a function changes its sign between two numbers, or None."""
     try:
         ends = value(left), value(right)
-        if not all(mpmath.isfinite(end) and mpmath.im(end) == 0 for end in ends) or ends[0]*ends[1] >= 0:
+        if (
+            not all(mpmath.isfinite(end) and mpmath.im(end) == 0 for end in ends)
+            or ends[0] * ends[1] >= 0
+        ):
             return None
         for _ in range(60):
-            middle = (left + right)/2
+            middle = (left + right) / 2
             at = value(middle)
-            left, right = (left, middle) if at*ends[0] <= 0 else (middle, right)
+            left, right = (left, middle) if at * ends[0] <= 0 else (middle, right)
     except (ValueError, TypeError, ZeroDivisionError, OverflowError, NameError):
         return None
-    return middle if abs(at) <= 1e-9*max(map(abs, ends)) else None
+    return middle if abs(at) <= 1e-9 * max(map(abs, ends)) else None

@@ -9,13 +9,15 @@ from contextlib import suppress
 import numpy as np
 import sympy as sp
 
-#: Step of the complex-step derivative: no subtraction, so the result is exact to rounding (Squire and Trapp, 1998).
+#: Step of the complex-step derivative: no subtraction, so the result is exact to rounding (Squire
+#: and Trapp, 1998).
 STEP = 1e-30
 
 
 @functools.lru_cache(maxsize=16)
 def known_field(field, state):
-    """The `Field` of the data, given as tuples: the same for the same data, so that what is found of it can be kept."""
+    """The `Field` of the data, given as tuples: the same for the same data, so that what is found
+    of it can be kept."""
     return Field(field, state)
 
 
@@ -33,11 +35,16 @@ class Field:
     def __call__(self, point):
         """f at a point; nan where it is not defined."""
         with np.errstate(all="ignore"):
-            return np.array([complex(value) if np.iscomplexobj(point) else value for value in self._function(*point)])
+            return np.array(
+                [
+                    complex(value) if np.iscomplexobj(point) else value
+                    for value in self._function(*point)
+                ]
+            )
 
     def velocity(self, _, point):
-        """f at a real point and any time, for an integration: Python's own numbers take a third of the time of
-        NumPy's."""
+        """f at a real point and any time, for an integration: Python's own numbers take a third of
+        the time of NumPy's."""
         try:
             values = np.array(self._function(*point.tolist()))
         except (ZeroDivisionError, OverflowError):  # where NumPy's are infinite
@@ -51,17 +58,22 @@ class Field:
     def _at(self, points):
         """f at many points, the columns of an array."""
         with np.errstate(all="ignore"):
-            return np.array([np.broadcast_to(value, points.shape[1:]) for value in self._function(*points)])
+            return np.array(
+                [np.broadcast_to(value, points.shape[1:]) for value in self._function(*points)]
+            )
 
     def _jacobians(self, points):
-        """The matrices of partial derivatives at the columns of an array, stacked along the first axis."""
+        """The matrices of partial derivatives at the columns of an array, stacked along the first
+        axis."""
         # the last axis: along which variable
         steps = points[:, :, None] + 1j * STEP * np.eye(len(self.state))[:, None, :]
         return self._at(steps).imag.transpose(1, 0, 2) / STEP
 
     def derivative(self, point, direction):
         """The derivative of f at a point along a direction."""
-        return self(np.asarray(point, dtype=complex) + 1j * STEP * np.asarray(direction)).imag / STEP
+        return (
+            self(np.asarray(point, dtype=complex) + 1j * STEP * np.asarray(direction)).imag / STEP
+        )
 
     def refine(self, start):
         """The rest point that a damped Newton iteration reaches from `start`, or None."""
@@ -77,23 +89,31 @@ class Field:
                 left = left[np.isfinite(value[:, left]).all(axis=0)]
                 move, solved = _solved(self._jacobians(x[:, left]), -value[:, left])
                 left, move = left[solved], move[:, solved]
-                arrived = np.linalg.norm(move, axis=0) < 1e-13 * (1 + np.linalg.norm(x[:, left], axis=0))
+                arrived = np.linalg.norm(move, axis=0) < 1e-13 * (
+                    1 + np.linalg.norm(x[:, left], axis=0)
+                )
                 for k in left[arrived]:
                     found[k] = x[:, k].copy()
                 left, move = left[~arrived], move[:, ~arrived]
                 if not len(left):
                     break
-                x[:, left] += self._shortened(move, x[:, left], np.linalg.norm(value[:, left], axis=0))
+                x[:, left] += self._shortened(
+                    move, x[:, left], np.linalg.norm(value[:, left], axis=0)
+                )
                 value[:, left] = self._at(x[:, left])
-        # Steps that do not shrink lead nowhere, however small the field has become: exp(x) falls without end.
+        # Steps that do not shrink lead nowhere, however small the field has become: exp(x) falls
+        # without end.
         return found
 
     def _shortened(self, move, x, size):
-        """Steps of Newton's method halved until the field has become no larger than `size`, at most 30 times."""
+        """Steps of Newton's method halved until the field has become no larger than `size`, at most
+        30 times."""
         move, long = move.copy(), np.arange(move.shape[1])
         for _ in range(30):
             trial = self._at(x[:, long] + move[:, long])
-            smaller = np.isfinite(trial).all(axis=0) & (np.linalg.norm(trial, axis=0) < size[long] * (1 + 1e-9))
+            smaller = np.isfinite(trial).all(axis=0) & (
+                np.linalg.norm(trial, axis=0) < size[long] * (1 + 1e-9)
+            )
             long = long[~smaller]
             if not len(long):
                 break
@@ -101,20 +121,27 @@ class Field:
         return move
 
     def rest_points(self, starts=240, seed=3, reach=None):
-        """The rest points that a search finds, sorted: from many starts at several scales, or evenly within `reach`."""
+        """The rest points that a search finds, sorted: from many starts at several scales, or
+        evenly within `reach`."""
         random, n = np.random.default_rng(seed), len(self.state)
-        places = [random.normal(scale=(0.5, 2, 8)[k % 3], size=n) if reach is None
-                  else random.uniform(-reach, reach, size=n)
-                  for k in range(starts)]
+        places = [
+            random.normal(scale=(0.5, 2, 8)[k % 3], size=n)
+            if reach is None
+            else random.uniform(-reach, reach, size=n)
+            for k in range(starts)
+        ]
         found = []
         for point in self._refined(np.array(places).T):
-            if point is not None and all(np.linalg.norm(point - other) > 1e-6 * (1 + np.linalg.norm(other))
-                                         for other in found):
+            if point is not None and all(
+                np.linalg.norm(point - other) > 1e-6 * (1 + np.linalg.norm(other))
+                for other in found
+            ):
                 found.append(point)
         return sorted(found, key=tuple)
 
     def motion(self, start, duration, escape=1e3):
-        """The state after `duration`, or None if the motion leaves the ball of radius `escape` before."""
+        """The state after `duration`, or None if the motion leaves the ball of radius `escape`
+        before."""
         from scipy.integrate import solve_ivp
 
         def outside(_, x):
@@ -122,16 +149,25 @@ class Field:
 
         outside.terminal = True
         with np.errstate(all="ignore"):
-            path = solve_ivp(self.velocity, (0, duration), start, method="DOP853", rtol=1e-9, atol=1e-12,
-                             events=outside)
+            path = solve_ivp(
+                self.velocity,
+                (0, duration),
+                start,
+                method="DOP853",
+                rtol=1e-9,
+                atol=1e-12,
+                events=outside,
+            )
         return None if path.t[-1] < duration else path.y[:, -1]
 
 
 def _solved(matrices, sides):
-    """Solutions of systems of linear equations, in columns as their right-hand sides are, and which of them have
-    one."""
+    """Solutions of systems of linear equations, in columns as their right-hand sides are, and which
+    of them have one."""
     try:
-        return np.linalg.solve(matrices, sides.T[:, :, None])[:, :, 0].T, np.ones(len(matrices), dtype=bool)
+        return np.linalg.solve(matrices, sides.T[:, :, None])[:, :, 0].T, np.ones(
+            len(matrices), dtype=bool
+        )
     except np.linalg.LinAlgError:
         pass
     # A singular matrix among them: the others count all the same.

@@ -1,8 +1,9 @@
-"""States that an output never shows, exactly: the largest subspace of ker H that A maps into itself.
+"""States that an output never shows, exactly: the largest subspace of ker H that A maps into
+itself.
 
-A motion x' = A x keeps z = H x equal to zero for all time exactly if it starts in this subspace. It is found by leaving
-out of ker H what A carries away, again and again, in exact elimination of fractions. What a control cannot reach is the
-same for the transposed matrices.
+A motion x' = A x keeps z = H x equal to zero for all time exactly if it starts in this subspace. It
+is found by leaving out of ker H what A carries away, again and again, in exact elimination of
+fractions. What a control cannot reach is the same for the transposed matrices.
 """
 
 from fractions import Fraction
@@ -14,15 +15,17 @@ ZERO, ONE = Fraction(0), Fraction(1)
 
 
 def unseen_subspace(A, H):
-    """A basis, a list of vectors, of the states from which H x stays zero; A and H are lists of rows."""
+    """A basis, a list of vectors, of the states from which H x stays zero; A and H are lists of
+    rows."""
     basis = kernel(H, len(A))
     while basis:
         images = [product(A, vector) for vector in basis]
-        # Which combinations of the basis stay in its span: those for which images * c = basis * d has a solution.
+        # Which combinations of the basis stay in its span: those for which images * c = basis * d
+        # has a solution.
         relations = kernel(list(zip(*images, *basis)), 2 * len(basis))
         if len(relations) == len(basis):
             break
-        basis = [combined(relation[:len(basis)], basis) for relation in relations]
+        basis = [combined(relation[: len(basis)], basis) for relation in relations]
     return basis
 
 
@@ -47,7 +50,8 @@ def kernel(rows, columns):
 
 
 def echelon(rows):
-    """(rows, pivots): the reduced echelon form without its zero rows, and the columns of its pivots."""
+    """(rows, pivots): the reduced echelon form without its zero rows, and the columns of its
+    pivots."""
     left, done, pivots = [list(row) for row in rows], [], []
     for column in range(len(left[0]) if left else 0):
         chosen = next((row for row in left if row[column]), None)
@@ -56,8 +60,13 @@ def echelon(rows):
         left.remove(chosen)
         inverse = ONE / chosen[column]
         chosen = [inverse * entry for entry in chosen]
-        left, done = ([[a - row[column] * b for a, b in zip(row, chosen)] if row[column] else row for row in part]
-                      for part in (left, done))
+        left, done = (
+            [
+                [a - row[column] * b for a, b in zip(row, chosen)] if row[column] else row
+                for row in part
+            ]
+            for part in (left, done)
+        )
         done.append(chosen)
         pivots.append(column)
     return done, pivots
@@ -74,12 +83,15 @@ def combined(weights, vectors):
 
 
 def characteristic_coefficients(rows):
-    """The coefficients of det(lambda E - rows), from the highest power down, by Leverrier's recursion."""
+    """The coefficients of det(lambda E - rows), from the highest power down, by Leverrier's
+    recursion."""
     n, power, found = len(rows), None, [ONE]
     for k in range(1, n + 1):
         # power = rows * (power + found[-1] * E), with the first one being the matrix itself.
-        inner = [[(power[i][j] if power else ZERO) + (found[-1] if i == j else ZERO) for j in range(n)]
-                 for i in range(n)]
+        inner = [
+            [(power[i][j] if power else ZERO) + (found[-1] if i == j else ZERO) for j in range(n)]
+            for i in range(n)
+        ]
         columns = [product(rows, column) for column in zip(*inner)]
         power = [list(row) for row in zip(*columns)]
         found.append(-sum((power[i][i] for i in range(n)), ZERO) / k)
@@ -87,8 +99,8 @@ def characteristic_coefficients(rows):
 
 
 def different_roots(coefficients):
-    """The different complex roots of a polynomial with fractions as coefficients; a multiple root comes once, without
-    loss of digits."""
+    """The different complex roots of a polynomial with fractions as coefficients; a multiple root
+    comes once, without loss of digits."""
     poly = sp.Poly([sp.Rational(c.numerator, c.denominator) for c in coefficients], sp.Symbol("s"))
     simple = [float(c) for c in poly.sqf_part().all_coeffs()]
     roots = np.roots(simple)

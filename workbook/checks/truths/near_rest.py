@@ -1,4 +1,5 @@
-"""Stability of a rest point from motions that start close to it, where the first approximation is silent."""
+"""Stability of a rest point from motions that start close to it, where the first approximation is
+silent."""
 
 import functools
 
@@ -7,11 +8,13 @@ import numpy as np
 
 @functools.lru_cache(maxsize=16)
 def by_motions(flow, radius=0.05, duration=200.0):
-    """Stability of zero from motions that start on a small sphere, for fields whose first approximation is critical.
+    """Stability of zero from motions that start on a small sphere, for fields whose first
+    approximation is critical.
 
-    What decides is whether the motions still shrink or grow after the fast parts have died out: the largest distance
-    in a late stretch of time against that in an earlier one. Distance is measured in the coordinates of the
-    eigenvectors, in which the linear terms change the amplitude of no critical part.
+    What decides is whether the motions still shrink or grow after the fast parts have died out: the
+    largest distance in a late stretch of time against that in an earlier one. Distance is measured
+    in the coordinates of the eigenvectors, in which the linear terms change the amplitude of no
+    critical part.
     """
     _, vectors = np.linalg.eig(flow.jacobian([0.0] * len(flow.state)))
     measure = np.linalg.inv(vectors) if np.linalg.cond(vectors) < 1e6 else np.eye(len(flow.state))
@@ -19,13 +22,20 @@ def by_motions(flow, radius=0.05, duration=200.0):
     trends = []
     for _ in range(2):
         start = random.normal(size=len(flow.state))
-        for side in (radius, -radius):  # a motion may come to zero from one side and leave it on the other
+        # a motion may come to zero from one side and leave it on the other
+        for side in (radius, -radius):
             trends.append(_trend(flow, measure, side * start / np.linalg.norm(start), duration))
     low, high = min(trends) - 1, max(trends) - 1
     if high == np.inf:
-        return "unstable", f"a motion that starts at distance {radius} from zero leaves the ball of radius 1"
-    told = (f"in motions that start at distance {radius} the amplitude changes by {100 * low:.2g} to {100 * high:.2g} "
-            f"per cent between the times {duration / 2:g} and {duration:g}")
+        return (
+            "unstable",
+            f"a motion that starts at distance {radius} from zero leaves the ball of radius 1",
+        )
+    told = (
+        f"in motions that start at distance {radius} the amplitude changes by {100 * low:.2g} to "
+        f"{100 * high:.2g} "
+        f"per cent between the times {duration / 2:g} and {duration:g}"
+    )
     if low > 1e-4:
         return "unstable", told
     if high < -1e-4:
@@ -36,7 +46,8 @@ def by_motions(flow, radius=0.05, duration=200.0):
 
 
 def _trend(flow, measure, start, duration, escape=1.0):
-    """The amplitude of a motion near the end of `duration` divided by that near its middle; inf if it runs away."""
+    """The amplitude of a motion near the end of `duration` divided by that near its middle; inf if
+    it runs away."""
     from scipy.integrate import solve_ivp
 
     def outside(_, x):
@@ -45,8 +56,16 @@ def _trend(flow, measure, start, duration, escape=1.0):
     outside.terminal = True
     times = np.concatenate([np.linspace(end - 0.1, end, 600) for end in (0.5, 1.0)]) * duration
     with np.errstate(all="ignore"):
-        path = solve_ivp(flow.velocity, (0, duration), start, method="DOP853", rtol=1e-9, atol=1e-12, t_eval=times,
-                         events=outside)
+        path = solve_ivp(
+            flow.velocity,
+            (0, duration),
+            start,
+            method="DOP853",
+            rtol=1e-9,
+            atol=1e-12,
+            t_eval=times,
+            events=outside,
+        )
     if path.t_events[0].size:
         return np.inf
     amplitudes = np.linalg.norm(measure @ path.y, axis=0)

@@ -1,8 +1,10 @@
-"""Linear random processes at numbers: what their moments become with time, and what measurements leave of them.
+"""Linear random processes at numbers: what their moments become with time, and what measurements
+leave of them.
 
-Moments at any set of times come at once, from a matrix exponential, and measurements are taken all together, by the
-conditional moments of a Gaussian vector: no dispersion equation is integrated and no filter is run.
-Steady filters come from the invariant subspaces of their Hamiltonian or symplectic pencils (SciPy).
+Moments at any set of times come at once, from a matrix exponential, and measurements are taken all
+together, by the conditional moments of a Gaussian vector: no dispersion equation is integrated and
+no filter is run. Steady filters come from the invariant subspaces of their Hamiltonian or
+symplectic pencils (SciPy).
 """
 
 import functools
@@ -32,7 +34,8 @@ class Numbers:
 
 
 def numbers(process, values, start=True):
-    """The process at values of its symbols, as arrays; without its `start` with zeros as its first moments."""
+    """The process at values of its symbols, as arrays; without its `start` with zeros as its first
+    moments."""
     process = plain(process)
     arrays = _arrays(process, tuple(values.items()), start)
     return Numbers(*(part.copy() for part in arrays), process.discrete)
@@ -42,21 +45,30 @@ def numbers(process, values, start=True):
 def _arrays(process, values, start):
     """Every claim about a process is tried at the same values."""
     values = dict(values)
-    start = (process.mean, process.covariance) if start else (process.mean * 0, process.covariance * 0)
-    return [array(matrix, values) for matrix in (process.A, process.Q, process.H, process.R, *start)]
+    start = (
+        (process.mean, process.covariance) if start else (process.mean * 0, process.covariance * 0)
+    )
+    return [
+        array(matrix, values) for matrix in (process.A, process.Q, process.H, process.R, *start)
+    ]
 
 
 @functools.lru_cache(maxsize=32)
 def plain(process):
-    """The `Process` of x and, below it, the noise w of a `Coloured` one, or that of `FilterErrors`, which at the start
-    are those of the mean; any other as it is.
+    """The `Process` of x and, below it, the noise w of a `Coloured` one, or that of `FilterErrors`,
+    which at the start are those of the mean; any other as it is.
 
-    A correlation D exp(-a delay) belongs to w' = -a w + q with the intensity 2 a D, from w(0) with the variance D on.
+    A correlation D exp(-a delay) belongs to w' = -a w + q with the intensity 2 a D, from w(0) with
+    the variance D on.
     """
     if isinstance(process, FilterErrors):
         one, gain = plain(process.process), process.gain
-        return Process(one.A - gain * one.H, one.Q + gain * one.R * gain.T, covariance=one.covariance,
-                       discrete=one.discrete)
+        return Process(
+            one.A - gain * one.H,
+            one.Q + gain * one.R * gain.T,
+            covariance=one.covariance,
+            discrete=one.discrete,
+        )
     if not isinstance(process, Coloured):
         return process
     D, a = variance_and_rate(process)
@@ -82,11 +94,14 @@ def variance_and_rate(process):
 
 
 def array(matrix, values):
-    return np.array(sp.Matrix(matrix).subs(values).evalf(30).tolist(), dtype=float).reshape(matrix.shape)
+    return np.array(sp.Matrix(matrix).subs(values).evalf(30).tolist(), dtype=float).reshape(
+        matrix.shape
+    )
 
 
 def moved(one, duration):
-    """(F, N) with x(t + duration) = F x(t) + a vector of the covariance N that is independent of x(t)."""
+    """(F, N) with x(t + duration) = F x(t) + a vector of the covariance N that is independent of
+    x(t)."""
     n = len(one.A)
     if one.discrete:
         powers = [np.linalg.matrix_power(one.A, k) for k in range(round(duration) + 1)]
@@ -96,12 +111,14 @@ def moved(one, duration):
 
 @functools.lru_cache(maxsize=256)
 def _moved(A, Q, n, duration):
-    """The same in continuous time: it is asked again with every answer, and takes longer than all else."""
+    """The same in continuous time: it is asked again with every answer, and takes longer than all
+    else."""
     from scipy.linalg import expm
 
     A, Q = (np.frombuffer(part).reshape(n, n) for part in (A, Q))
-    # The linear equation of the n^2 entries of N, with 1 as one more: what decays stays small here. The exponential of
-    # the block matrix of -A, Q and A^T (Van Loan 1978) grows with it and leaves N few digits.
+    # The linear equation of the n^2 entries of N, with 1 as one more: what decays stays small here.
+    # The exponential of the block matrix of -A, Q and A^T (Van Loan 1978) grows with it and leaves
+    # N few digits.
     sums = np.kron(A, np.eye(n)) + np.kron(np.eye(n), A)
     block = np.block([[sums, Q.reshape(-1, 1)], [np.zeros((1, n * n + 1))]])
     noise = expm(duration * block)[:-1, -1].reshape(n, n)
@@ -125,8 +142,8 @@ def jointly(one, times):
         for k, late in enumerate(times):
             if early <= late:
                 block = moved(one, late - early)[0] @ found[i][1]
-                covariance[k*n:(k + 1)*n, i*n:(i + 1)*n] = block
-                covariance[i*n:(i + 1)*n, k*n:(k + 1)*n] = block.T
+                covariance[k * n : (k + 1) * n, i * n : (i + 1) * n] = block
+                covariance[i * n : (i + 1) * n, k * n : (k + 1) * n] = block.T
     return np.vstack([mean for mean, _ in found]), covariance
 
 
@@ -149,11 +166,16 @@ def settled(one):
     """The covariance that x tends to, whatever it is at the start."""
     from scipy.linalg import solve_continuous_lyapunov, solve_discrete_lyapunov
 
-    return solve_discrete_lyapunov(one.A, one.Q) if one.discrete else solve_continuous_lyapunov(one.A, -one.Q)
+    return (
+        solve_discrete_lyapunov(one.A, one.Q)
+        if one.discrete
+        else solve_continuous_lyapunov(one.A, -one.Q)
+    )
 
 
 def steady(one):
-    """The covariance of the errors of the steady filter, in discrete time before a measurement and after it.
+    """The covariance of the errors of the steady filter, in discrete time before a measurement and
+    after it.
 
     Raises `numpy.linalg.LinAlgError` where no filter settles to one whose errors decay.
     """
@@ -168,13 +190,15 @@ def steady(one):
 
 
 def gain_of(one, covariance):
-    """The gain K of the best correction K (z - Hx) at this covariance of the errors, before a measurement."""
+    """The gain K of the best correction K (z - Hx) at this covariance of the errors, before a
+    measurement."""
     spread = one.H @ covariance @ one.H.T + one.R if one.discrete else one.R
     return np.linalg.solve(spread.T, one.H @ covariance.T).T
 
 
 def erring(one, gain):
-    """The covariance that the errors x - y of y' = A y + L (z - H y) settle to, in discrete time those of predictions.
+    """The covariance that the errors x - y of y' = A y + L (z - H y) settle to, in discrete time
+    those of predictions.
     """
     loop = one.A - gain @ one.H
     largest = np.linalg.eigvals(loop)
@@ -186,22 +210,26 @@ def erring(one, gain):
 def steady_exists(process):
     """The `Truth`, in the symbols of the process, that there is a steady filter whose errors decay.
 
-    By the test of Popov, for every number s = u + i w: the columns of s - A above H are independent unless s is that of
-    a mode that decays, and those of s - A^T above Q unless it decays or grows.
+    By the test of Popov, for every number s = u + i w: the columns of s - A above H are independent
+    unless s is that of a mode that decays, and those of s - A^T above Q unless it decays or grows.
     """
     u, w = sp.symbols("u w", real=True, cls=sp.Dummy)
     process = plain(process)
     size = u**2 + w**2 - 1 if process.discrete else u
-    hidden, quiet = (_dependent(u + sp.I*w, matrix, below) for matrix, below in (
-        (process.A, process.H), (process.A.T, process.Q)))
+    hidden, quiet = (
+        _dependent(u + sp.I * w, matrix, below)
+        for matrix, below in ((process.A, process.H), (process.A.T, process.Q))
+    )
     spoiled = sp.Or(sp.And(size >= 0, hidden), sp.And(sp.Eq(size, 0), quiet))
 
     def at(values):
         if not all(value.is_Rational for value in values.values()):
             return None
         one = process.subs(values)
-        hidden, quiet = (np.concatenate(fixed_eigenvalues(pair_of(matrix, below))) for matrix, below in (
-            (one.A, one.H), (one.A.T, one.Q)))
+        hidden, quiet = (
+            np.concatenate(fixed_eigenvalues(pair_of(matrix, below)))
+            for matrix, below in ((one.A, one.H), (one.A.T, one.Q))
+        )
         rates = [abs(found) - 1 if process.discrete else found.real for found in (hidden, quiet)]
         return not ((rates[0] > -ON_BORDER).any() or (abs(rates[1]) < ON_BORDER).any())
 
@@ -210,7 +238,9 @@ def steady_exists(process):
 
 def _dependent(s, A, below):
     """Whether the columns of s - A above a matrix are dependent, for a complex s."""
-    pencil = (s*sp.eye(A.rows) - A).col_join(below)
-    minors = (pencil.extract(list(rows), list(range(A.rows))).det(method="berkowitz")
-              for rows in itertools.combinations(range(pencil.rows), A.rows))
+    pencil = (s * sp.eye(A.rows) - A).col_join(below)
+    minors = (
+        pencil.extract(list(rows), list(range(A.rows))).det(method="berkowitz")
+        for rows in itertools.combinations(range(pencil.rows), A.rows)
+    )
     return sp.And(*(sp.Eq(part, 0) for minor in minors for part in sp.expand(minor).as_real_imag()))

@@ -1,5 +1,5 @@
-"""What the output of a system shows that is told as a record (`workbook.systems`), and what its control reaches, as a
-`Pair`."""
+"""What the output of a system shows that is told as a record (`workbook.systems`), and what its
+control reaches, as a `Pair`."""
 
 import functools
 
@@ -8,13 +8,23 @@ import sympy as sp
 from workbook.checks.truths.constant_unknowns import constants_of
 from workbook.checks.truths.known_starts import starts_of, starts_of_varying
 from workbook.checks.truths.pairs import pair_of
-from workbook.systems import Deviations, Linear, Measurements, Mechanical, Process, Varying, WithError
+from workbook.systems import (
+    Deviations,
+    Linear,
+    Measurements,
+    Mechanical,
+    Process,
+    Varying,
+    WithError,
+)
 
 
 @functools.singledispatch
 def seen(system, parameters=()):
     """The `Pair` of what an output shows; its unknowns are the numbers that a start consists of."""
-    raise TypeError(f"system: expected a record of a system with an output, got {type(system).__name__}")
+    raise TypeError(
+        f"system: expected a record of a system with an output, got {type(system).__name__}"
+    )
 
 
 @seen.register(Linear)
@@ -57,20 +67,31 @@ def augmented(system):
     if not isinstance(system, WithError):
         return system
     k, s = system.S.rows, system.B.cols
-    return Linear(sp.diag(system.A, system.S), system.B.col_join(sp.zeros(k, s)), system.H.row_join(system.c))
+    return Linear(
+        sp.diag(system.A, system.S), system.B.col_join(sp.zeros(k, s)), system.H.row_join(system.c)
+    )
 
 
 def matrix_of(system, parameters=()):
     """The matrix of the equations."""
-    return row_of(system, *system.field, parameters=parameters) if isinstance(system, Deviations) else system.A
+    return (
+        row_of(system, *system.field, parameters=parameters)
+        if isinstance(system, Deviations)
+        else system.A
+    )
 
 
 def row_of(system, *quantities, parameters=()):
-    """What quantities of the state are in x: rows of numbers as they are, in deviations expressions by their
-    derivatives on the motion, which hold the parameters alone."""
+    """What quantities of the state are in x: rows of numbers as they are, in deviations expressions
+    by their derivatives on the motion, which hold the parameters alone."""
     if not isinstance(system, Deviations):
         return sp.Matrix.vstack(*quantities)
-    found = sp.Matrix(quantities).jacobian(list(system.state)).subs(system.motion).applyfunc(sp.simplify)
+    found = (
+        sp.Matrix(quantities)
+        .jacobian(list(system.state))
+        .subs(system.motion)
+        .applyfunc(sp.simplify)
+    )
     if not found.free_symbols <= set(parameters):
         raise ValueError("the equations in deviations are not constant")
     return found
@@ -88,9 +109,16 @@ def by_control(system):
 
 
 def _in_states(system):
-    """A `Mechanical` system, with invertible M, as the `Linear` one of the state (x, x'); others as they are."""
+    """A `Mechanical` system, with invertible M, as the `Linear` one of the state (x, x'); others as
+    they are."""
     if not isinstance(system, Mechanical):
         return system
     n, inverse = system.M.rows, system.M.inv(method="ADJ")
-    A = sp.zeros(n).row_join(sp.eye(n)).col_join((-inverse * system.K).row_join(-inverse * system.D))
-    return Linear(A, sp.zeros(n, system.L.cols).col_join(inverse * system.L), system.H1.row_join(system.H2))
+    A = (
+        sp.zeros(n)
+        .row_join(sp.eye(n))
+        .col_join((-inverse * system.K).row_join(-inverse * system.D))
+    )
+    return Linear(
+        A, sp.zeros(n, system.L.cols).col_join(inverse * system.L), system.H1.row_join(system.H2)
+    )

@@ -1,9 +1,11 @@
-"""Linear regulators with a quadratic cost at numbers, given as a `Quadratic`: what a law costs, and what costs least.
+"""Linear regulators with a quadratic cost at numbers, given as a `Quadratic`: what a law costs, and
+what costs least.
 
-A regulator is a steady filter of the dual process (`truths/processes.py`), whose errors have the transposed matrix of
-its loop; so what a gain costs comes from a linear equation, of Lyapunov, and the least cost from an invariant subspace.
-With a given end it comes from the exponential of the Hamiltonian matrix, with what the cost does not see left out it is
-that of the rest. No Riccati equation is integrated.
+A regulator is a steady filter of the dual process (`truths/processes.py`), whose errors have the
+transposed matrix of its loop; so what a gain costs comes from a linear equation, of Lyapunov, and
+the least cost from an invariant subspace. With a given end it comes from the exponential of the
+Hamiltonian matrix, with what the cost does not see left out it is that of the rest. No Riccati
+equation is integrated.
 """
 
 import numpy as np
@@ -26,7 +28,8 @@ class Regulator:
         self._dual = processes.numbers(dual(problem), values, start=False)
 
     def cost_of(self, gain):
-        """The matrix X of what u = gain x costs from x, factor x^T X x; raises LinAlgError if a state does not decay.
+        """The matrix X of what u = gain x costs from x, factor x^T X x; raises LinAlgError if a
+        state does not decay.
         """
         return processes.erring(self._dual, -gain.T)
 
@@ -49,19 +52,28 @@ class Regulator:
         from scipy.linalg import expm
 
         push = self.B @ np.linalg.solve(self.N, self.B.T)
-        both = expm(-left*np.block([[self.A, -push], [-self.G, -self.A.T]])) @ np.vstack([np.eye(len(self.A)), self.F])
+        both = expm(-left * np.block([[self.A, -push], [-self.G, -self.A.T]])) @ np.vstack(
+            [np.eye(len(self.A)), self.F]
+        )
         n = len(self.A)
         found = np.linalg.solve(both[:n].T, both[n:].T)
-        return (found + found.T)/2
+        return (found + found.T) / 2
 
     def _of_what_is_seen(self):
-        exact = [sp.Matrix(matrix).applyfunc(lambda x: sp.nsimplify(x, rational=True)) for matrix in (self.A, self.G)]
+        exact = [
+            sp.Matrix(matrix).applyfunc(lambda x: sp.nsimplify(x, rational=True))
+            for matrix in (self.A, self.G)
+        ]
         unseen = np.array(pair_of(*exact).unseen[0], dtype=float).reshape(-1, len(self.A))
-        seen = np.linalg.svd(unseen)[2][len(unseen):] if len(unseen) else np.eye(len(self.A))
+        seen = np.linalg.svd(unseen)[2][len(unseen) :] if len(unseen) else np.eye(len(self.A))
         if not len(seen):
-            return 0*self.A
-        rest = Quadratic(*map(sp.Matrix, (seen @ self.A @ seen.T, seen @ self.B, _even(seen @ self.G @ seen.T),
-                                          self.N)))
+            return 0 * self.A
+        rest = Quadratic(
+            *map(
+                sp.Matrix,
+                (seen @ self.A @ seen.T, seen @ self.B, _even(seen @ self.G @ seen.T), self.N),
+            )
+        )
         return seen.T @ Regulator(rest, {}).least() @ seen
 
 
@@ -71,13 +83,14 @@ def dual(problem):
 
 
 def exists(problem):
-    """Whether a law of least cost brings every state to zero, at general values of the symbols: Popov's test."""
+    """Whether a law of least cost brings every state to zero, at general values of the symbols:
+    Popov's test."""
     return processes.steady_exists(dual(problem)).at({})
 
 
 def steady_loop(problem, process, values):
-    """The matrix and the noise of (x, e) for the best feedback by the measurements of a process, and the weight of
-    (x, e) in its cost; without measurements those of x, the state being known."""
+    """The matrix and the noise of (x, e) for the best feedback by the measurements of a process,
+    and the weight of (x, e) in its cost; without measurements those of x, the state being known."""
     one, noise = Regulator(problem, values), processes.numbers(process, values, start=False)
     K = one.gain_for(one.least())
     if not len(noise.H):
@@ -86,9 +99,12 @@ def steady_loop(problem, process, values):
     n = len(K.T)
     loop = np.block([[one.A, one.B @ K], [L @ noise.H, one.A + one.B @ K - L @ noise.H]])
     zero = np.zeros((n, n))
-    return (loop, np.block([[noise.Q, zero], [zero, L @ noise.R @ L.T]]),
-            np.block([[one.G, zero], [zero, K.T @ one.N @ K]]))
+    return (
+        loop,
+        np.block([[noise.Q, zero], [zero, L @ noise.R @ L.T]]),
+        np.block([[one.G, zero], [zero, K.T @ one.N @ K]]),
+    )
 
 
 def _even(matrix):
-    return (matrix + matrix.T)/2
+    return (matrix + matrix.T) / 2

@@ -1,8 +1,9 @@
-"""Stationary angles of phi'' = f(phi, phi'), f of period 2 pi in phi, for values of the parameters: all of them, in an
-instant, from the signs of f(phi, 0) on a grid; where they cease to exist, and where two of them meet.
+"""Stationary angles of phi'' = f(phi, phi'), f of period 2 pi in phi, for values of the parameters:
+all of them, in an instant, from the signs of f(phi, 0) on a grid; where they cease to exist, and
+where two of them meet.
 
-Rest points of other fields are searched for by Newton's method: in `fields` for a field with numbers, in `rest_points`
-for one with parameters, for many values at once.
+Rest points of other fields are searched for by Newton's method: in `fields` for a field with
+numbers, in `rest_points` for one with parameters, for many values at once.
 """
 
 import functools
@@ -14,13 +15,15 @@ import sympy as sp
 
 from workbook.checks.tools.samples import in_every_case, sample_values
 
-#: For how many sets of parameter values the stationary angles are kept: a verdict asks for a thousand, mostly the same.
+#: For how many sets of parameter values the stationary angles are kept: a verdict asks for a
+#: thousand, mostly the same.
 MOST_KEPT = 5000
 
 
 @functools.lru_cache(maxsize=16)
 def stationary_angles(field, state, parameters):
-    """The `RestAngles` of the data, the same for the same data: what it has found serves the next verdict too."""
+    """The `RestAngles` of the data, the same for the same data: what it has found serves the next
+    verdict too."""
     return RestAngles(field, state, parameters)
 
 
@@ -83,8 +86,16 @@ class RestAngles:
     @functools.cached_property
     def samples(self):
         """Five sets of values of the parameters for which there are stationary angles."""
-        found = list(itertools.islice((values for values in sample_values(self.parameters, 300)
-                                       if len(self.rest(values))), 5))
+        found = list(
+            itertools.islice(
+                (
+                    values
+                    for values in sample_values(self.parameters, 300)
+                    if len(self.rest(values))
+                ),
+                5,
+            )
+        )
         if not found:
             raise RuntimeError("no parameters with stationary angles were met")
         return found
@@ -99,24 +110,38 @@ class RestAngles:
         return [pair for values in self.samples[:2] for pair in self.border(values)]
 
     def border(self, values):
-        """Pairs (values close to the border of existence, values on it or None), along each parameter from `values`."""
+        """Pairs (values close to the border of existence, values on it or None), along each
+        parameter from `values`."""
         for p in self.parameters:
             inside, outside = values[p], 64 * values[p]
             if self.exist(values | {p: outside}):
                 continue
             for _ in range(60):
                 middle = (inside + outside) / 2
-                inside, outside = (middle, outside) if self.exist(values | {p: middle}) else (inside, middle)
+                inside, outside = (
+                    (middle, outside) if self.exist(values | {p: middle}) else (inside, middle)
+                )
             edge = sp.Rational(*Fraction(float(inside)).limit_denominator(2000).as_integer_ratio())
-            exact = values | {p: edge} if abs(edge - inside) < 1e-9 and self.exist(values | {p: edge}) else None
-            yield values | {p: sp.Rational(*float(inside * (1 - sp.Rational(1, 10**3))).as_integer_ratio())}, exact
+            exact = (
+                values | {p: edge}
+                if abs(edge - inside) < 1e-9 and self.exist(values | {p: edge})
+                else None
+            )
+            yield (
+                values
+                | {p: sp.Rational(*float(inside * (1 - sp.Rational(1, 10**3))).as_integer_ratio())},
+                exact,
+            )
 
     def double(self, values):
         """The angles where f and its slope vanish together."""
         numbers = self._numbers(values)
         size = max(map(abs, self.extremes(values)))
-        return [phi for phi in self._zeros(self._slope, self._curvature, numbers) if abs(self._force(phi, *numbers))
-                < 1e-9 * size]
+        return [
+            phi
+            for phi in self._zeros(self._slope, self._curvature, numbers)
+            if abs(self._force(phi, *numbers)) < 1e-9 * size
+        ]
 
     def _zeros(self, function, derivative, numbers):
         values = function(self.GRID, *numbers) + 0 * self.GRID

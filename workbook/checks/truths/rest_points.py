@@ -1,7 +1,8 @@
 """Stationary points of fields that contain parameters, for many sets of values at once.
 
-The truth is found from the field alone, for sample values of the parameters, by Newton's method from many starts at
-once. An interval of length 2 pi makes a state variable an angle, for which values modulo 2 pi are the same.
+The truth is found from the field alone, for sample values of the parameters, by Newton's method
+from many starts at once. An interval of length 2 pi makes a state variable an angle, for which
+values modulo 2 pi are the same.
 """
 
 import functools
@@ -11,21 +12,35 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.tolerance import same
-from workbook.checks.tools.samples import cases, draw, ends, in_every_case, interval_of, lies_inside, simple_rational
+from workbook.checks.tools.samples import (
+    cases,
+    draw,
+    ends,
+    in_every_case,
+    interval_of,
+    lies_inside,
+    simple_rational,
+)
 from workbook.checks.tools.wording import sample_text
 
 #: How many starts Newton's method gets.
 STARTS = 48
-#: For how many sets of parameter values a field's stationary points are kept: a verdict asks for some thirty, mostly
-#: the same.
+#: For how many sets of parameter values a field's stationary points are kept: a verdict asks for
+#: some thirty, mostly the same.
 MOST_KEPT = 200
 #: Closer to an open end of the domain than this, a rest point counts as lying on the end.
 END = 1e-7
 
 
 def rest_points(field, state, parameters, domain):
-    """The `RestPoints` of the data, the same for the same data: what it has found serves the next verdict too."""
-    return _known(tuple(map(sp.sympify, field)), tuple(state), tuple(parameters), tuple(dict(domain or {}).items()))
+    """The `RestPoints` of the data, the same for the same data: what it has found serves the next
+    verdict too."""
+    return _known(
+        tuple(map(sp.sympify, field)),
+        tuple(state),
+        tuple(parameters),
+        tuple(dict(domain or {}).items()),
+    )
 
 
 @functools.lru_cache(maxsize=16)
@@ -34,7 +49,8 @@ def _known(field, state, parameters, domain):
 
 
 class RestPoints:
-    """A field with parameters: its values, first approximation and stationary points for arrays of parameter values."""
+    """A field with parameters: its values, first approximation and stationary points for arrays of
+    parameter values."""
 
     def __init__(self, field, state, parameters, domain):
         self.state, self.parameters, self.domain = list(state), list(parameters), dict(domain or {})
@@ -45,16 +61,27 @@ class RestPoints:
         self.field = expressions
         self._square = len(expressions) == len(self.state)
         self._function = self._compiled(expressions)
-        # The numerators have the same zeros inside the domain, and Newton's method likes them better.
-        self._numerators = self._compiled([sp.numer(sp.together(component)) for component in expressions])
-        self._angles = [x in self.domain and self.domain[x].measure == 2 * sp.pi for x in self.state]
+        # The numerators have the same zeros inside the domain, and Newton's method likes them
+        # better.
+        self._numerators = self._compiled(
+            [sp.numer(sp.together(component)) for component in expressions]
+        )
+        self._angles = [
+            x in self.domain and self.domain[x].measure == 2 * sp.pi for x in self.state
+        ]
         self._intervals = [ends(x, self.domain) for x in self.state]
         random = np.random.default_rng(14)
-        self._starts = np.array([[draw(random, x, self.domain) for x in self.state] for _ in range(STARTS)]).T
+        self._starts = np.array(
+            [[draw(random, x, self.domain) for x in self.state] for _ in range(STARTS)]
+        ).T
         self._settled = {}
 
     def _compiled(self, expressions):
-        slopes = [sp.diff(component, x) for component in expressions for x in self.state] if self._square else []
+        slopes = (
+            [sp.diff(component, x) for component in expressions for x in self.state]
+            if self._square
+            else []
+        )
         return sp.lambdify([*self.state, *self.parameters], expressions + slopes, "numpy", cse=True)
 
     def __call__(self, place, numbers):
@@ -64,12 +91,12 @@ class RestPoints:
 
     def jacobian(self, place, numbers):
         """The partial derivatives, axes (component, variable, ...)."""
-        values = _evaluated(self._function, place, numbers)[len(self.state):]
+        values = _evaluated(self._function, place, numbers)[len(self.state) :]
         return values.reshape(len(self.state), len(self.state), *values.shape[1:])
 
     def settle(self, numbers, starts, steps):
-        """Newton's method from many starts for every column of parameter values: places (n, columns, starts) and which
-        of them are stationary points in the domain."""
+        """Newton's method from many starts for every column of parameter values: places (n,
+        columns, starts) and which of them are stationary points in the domain."""
         asked = (numbers.tobytes(), numbers.shape, starts, steps)
         if asked not in self._settled:
             if len(self._settled) == MOST_KEPT:
@@ -87,10 +114,20 @@ class RestPoints:
                 if self._angles[k]:
                     trial[k] = x[k] + np.clip(trial[k] - x[k], -1, 1)
                 else:
-                    trial[k] = np.maximum(trial[k], low + (x[k] - low) / 4) if low > -math.inf else trial[k]
-                    trial[k] = np.minimum(trial[k], high - (high - x[k]) / 4) if high < math.inf else trial[k]
+                    trial[k] = (
+                        np.maximum(trial[k], low + (x[k] - low) / 4)
+                        if low > -math.inf
+                        else trial[k]
+                    )
+                    trial[k] = (
+                        np.minimum(trial[k], high - (high - x[k]) / 4)
+                        if high < math.inf
+                        else trial[k]
+                    )
             x = trial
-        settled = np.all(abs(_newton(_evaluated(self._function, x, fixed))) < 1e-9 * (1 + abs(x)), axis=0)
+        settled = np.all(
+            abs(_newton(_evaluated(self._function, x, fixed))) < 1e-9 * (1 + abs(x)), axis=0
+        )
         x = self.reduced(x)
         return x, settled & self.inside(x)
 
@@ -100,7 +137,8 @@ class RestPoints:
         return [_different(x[:, j, good[j]]) for j in range(x.shape[1])]
 
     def first_rests(self, numbers):
-        """The stationary point for every column of parameter values (n, columns), and where there is one."""
+        """The stationary point for every column of parameter values (n, columns), and where there
+        is one."""
         x, good = self.settle(numbers, starts=32, steps=40)
         first = np.take_along_axis(x, np.argmax(good, axis=1)[None, :, None], axis=2)
         if np.any(good & (abs(x - first) > 1e-5 * (1 + abs(first))).any(axis=0)):
@@ -112,7 +150,8 @@ class RestPoints:
         places = np.array(places, dtype=float)
         for k, (low, high) in enumerate(self._intervals):
             if self._angles[k]:
-                # Rounding must not throw an angle from the closed end of its interval to the open one.
+                # Rounding must not throw an angle from the closed end of its interval to the open
+                # one.
                 margin = END if self.domain[self.state[k]].left_open else -END
                 places[k] = low + margin + (places[k] - low - margin) % (high - low)
         return places
@@ -128,50 +167,79 @@ class RestPoints:
         return result
 
     def same(self, place, rest, written, uncertain=None):
-        """Whether a claimed place is this rest point: to three significant digits if it is written in decimals, which
-        may leave open the coordinates by so much."""
+        """Whether a claimed place is this rest point: to three significant digits if it is written
+        in decimals, which may leave open the coordinates by so much."""
         difference = place - rest
         for k, angle in enumerate(self._angles):
             if angle:
                 difference[k] = (difference[k] + math.pi) % (2 * math.pi) - math.pi
         size = max(np.abs(rest).max(), 1e-12)
         uncertain = [None] * len(rest) if uncertain is None else uncertain
-        return all(same(r + d, r, expression, size, uncertain=open_)
-                   for d, r, expression, open_ in zip(difference, rest, written, uncertain))
+        return all(
+            same(r + d, r, expression, size, uncertain=open_)
+            for d, r, expression, open_ in zip(difference, rest, written, uncertain)
+        )
 
     def samples(self, claim=(), count=7, need_rest=True, alone=True):
-        """Triples (exact values, their floats, the stationary point), or unless `alone` with all points of the domain,
-        for values too for which there is none; more of them where the answer distinguishes cases that these do not
-        meet."""
+        """Triples (exact values, their floats, the stationary point), or unless `alone` with all
+        points of the domain, for values too for which there is none; more of them where the answer
+        distinguishes cases that these do not meet."""
         tries, numbers = self._tries
         rests = self._rests_of_tries if need_rest else [[None]] * len(tries)
         chosen = [k for k, found in enumerate(rests) if found]
         if not chosen:
-            raise RuntimeError("no sample values of the parameters have a stationary point in the domain")
+            raise RuntimeError(
+                "no sample values of the parameters have a stationary point in the domain"
+            )
         # Samples with the most points first: these are the ones where a point can be missed.
         most = sorted(chosen, key=lambda k: -len(rests[k]))[:count]
         without = [k for k, found in enumerate(rests) if not found]
-        taken = [({p: sp.Rational(x.numerator, x.denominator) for p, x in zip(self.parameters, tries[k])},
-                  numbers[:, k], rests[k]) for k in (most if alone else [*most, *chosen[:count], *without[:count]])]
+        taken = [
+            (
+                {
+                    p: sp.Rational(x.numerator, x.denominator)
+                    for p, x in zip(self.parameters, tries[k])
+                },
+                numbers[:, k],
+                rests[k],
+            )
+            for k in (most if alone else [*most, *chosen[:count], *without[:count]])
+        ]
         known = [values for values, *_ in taken]
-        for values in in_every_case(known, claim, self.given)[len(known):] if cases(claim) else ():
+        for values in in_every_case(known, claim, self.given)[len(known) :] if cases(claim) else ():
             column = self.numbers(values)
             found = [] if column is None else self.rests(column)[0] if need_rest else [None]
             if column is not None and (found or not alone):
                 taken.append((values, column[:, 0], found))
         for values, column, found in taken:
             if alone and len(found) > 1:
-                raise RuntimeError(f"there are {len(found)} stationary points in the domain for {sample_text(values)}")
+                raise RuntimeError(
+                    f"there are {len(found)} stationary points in the domain for "
+                    f"{sample_text(values)}"
+                )
             yield values, column, found[0] if alone else found
 
     @functools.cached_property
     def _tries(self):
-        """Rational values of the parameters to choose samples from, in rows, and their floats, in columns."""
+        """Rational values of the parameters to choose samples from, in rows, and their floats, in
+        columns."""
         count = 30 if self.parameters else 1
-        # Multiples of irrational numbers are spread evenly, every few of them that follow one another.
-        shares = np.outer(np.arange(1, count + 1), np.sqrt([2, 3, 5, 7, 11, 13, 17, 19])[:len(self.parameters)]) % 1
-        tries = [[simple_rational(draw(None, p, self.domain, share), p, self.domain)
-                  for p, share in zip(self.parameters, row)] for row in shares]
+        # Multiples of irrational numbers are spread evenly, every few of them that follow one
+        # another.
+        shares = (
+            np.outer(
+                np.arange(1, count + 1),
+                np.sqrt([2, 3, 5, 7, 11, 13, 17, 19])[: len(self.parameters)],
+            )
+            % 1
+        )
+        tries = [
+            [
+                simple_rational(draw(None, p, self.domain, share), p, self.domain)
+                for p, share in zip(self.parameters, row)
+            ]
+            for row in shares
+        ]
         return tries, np.array(tries, dtype=float).T.reshape(len(self.parameters), len(tries))
 
     @functools.cached_property
@@ -186,12 +254,15 @@ class RestPoints:
     @functools.cached_property
     def at_rest(self):
         """That a state lies in the domain and the right-hand sides vanish there, as a condition."""
-        return sp.And(*(_within(x, interval_of(x, self.domain)) for x in self.state),
-                      *(sp.Eq(component, 0) for component in self.field))
+        return sp.And(
+            *(_within(x, interval_of(x, self.domain)) for x in self.state),
+            *(sp.Eq(component, 0) for component in self.field),
+        )
 
     @functools.cached_property
     def invariants(self):
-        """Trace, determinant and discriminant of the first approximation in the plane, as expressions."""
+        """Trace, determinant and discriminant of the first approximation in the plane, as
+        expressions."""
         matrix = sp.Matrix(self.field).jacobian(self.state)
         trace, determinant = sp.expand(matrix.trace()), sp.expand(matrix.det())
         return trace, determinant, sp.expand(trace**2 - 4 * determinant)
@@ -204,10 +275,14 @@ class RestPoints:
 
 
 def _within(symbol, interval):
-    """That a number lies in an interval; of an angle, by the signs of its sine and cosine, where they tell."""
-    turns = {sp.Interval.Lopen(-sp.pi, sp.pi): sp.true, sp.Interval.open(0, sp.pi): sp.sin(symbol) > 0,
-             sp.Interval.open(-sp.pi, 0): sp.sin(symbol) < 0,
-             sp.Interval.open(-sp.pi / 2, sp.pi / 2): sp.cos(symbol) > 0}
+    """That a number lies in an interval; of an angle, by the signs of its sine and cosine, where
+    they tell."""
+    turns = {
+        sp.Interval.Lopen(-sp.pi, sp.pi): sp.true,
+        sp.Interval.open(0, sp.pi): sp.sin(symbol) > 0,
+        sp.Interval.open(-sp.pi, 0): sp.sin(symbol) < 0,
+        sp.Interval.open(-sp.pi / 2, sp.pi / 2): sp.cos(symbol) > 0,
+    }
     return turns[interval] if interval in turns else interval.as_relational(symbol)
 
 
@@ -217,22 +292,29 @@ def _different(places):
     while places.shape[1]:
         first = places[:, 0]
         found.append(first)
-        places = places[:, ~(np.linalg.norm(places - first[:, None], axis=0) < 1e-6 * (1 + np.linalg.norm(first)))]
+        places = places[
+            :,
+            ~(np.linalg.norm(places - first[:, None], axis=0) < 1e-6 * (1 + np.linalg.norm(first))),
+        ]
     return found
 
 
 def _evaluated(function, place, numbers):
-    """Values of a compiled list of expressions at places and parameter values that broadcast with them."""
+    """Values of a compiled list of expressions at places and parameter values that broadcast with
+    them."""
     with np.errstate(all="ignore"):
         values = function(*place, *numbers)
-    result = np.empty((len(values), *np.broadcast_shapes(*(np.shape(x) for x in (*place, *numbers)))))
+    result = np.empty(
+        (len(values), *np.broadcast_shapes(*(np.shape(x) for x in (*place, *numbers))))
+    )
     for k, value in enumerate(values):
         result[k] = value
     return result
 
 
 def _newton(values):
-    """The step -J^-1 f of Newton's method from the values of f and of its derivatives, for one or two equations."""
+    """The step -J^-1 f of Newton's method from the values of f and of its derivatives, for one or
+    two equations."""
     with np.errstate(all="ignore"):
         if len(values) == 2:
             return -values[:1] / values[1:]

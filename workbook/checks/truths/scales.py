@@ -1,8 +1,10 @@
-"""Other units in which a problem is the same: x'' = u with |u| <= 1 is so if times are halved and places quartered.
+"""Other units in which a problem is the same: x'' = u with |u| <= 1 is so if times are halved and
+places quartered.
 
-Then all that is asked of it is known at every scale as soon as it is known at one: next to a corner of the answer as
-well as far out, where a smooth imitation such as tanh(1000 x) for the sign of x is seen however steep it is. Each
-symbol has a weight w, and is multiplied by (a number)^w; the weights solve linear equations, which the statement gives.
+Then all that is asked of it is known at every scale as soon as it is known at one: next to a corner
+of the answer as well as far out, where a smooth imitation such as tanh(1000 x) for the sign of x is
+seen however steep it is. Each symbol has a weight w, and is multiplied by (a number)^w; the weights
+solve linear equations, which the statement gives.
 """
 
 import functools
@@ -15,7 +17,8 @@ from workbook.checks.contract.verdict import Wrong
 from workbook.checks.tools.values import real_function, wide_function
 from workbook.checks.tools.wording import told_for
 
-#: The numbers of which powers are taken: close to the corner, closer, and far out. Most roots of them are rational.
+#: The numbers of which powers are taken: close to the corner, closer, and far out. Most roots of
+#: them are rational.
 SCALES = (sp.Rational(1, 2**6), sp.Rational(1, 2**18), sp.Rational(1, 2**36), sp.Integer(2**6))
 
 #: What is a smaller part than this of the other numbers is zero.
@@ -25,10 +28,15 @@ TIME, COST = sp.Dummy("time"), sp.Dummy("cost")
 
 
 def scales(problem, parameters):
-    """Dicts from the symbols of a `pontryagin.Problem`, its parameters, `TIME` and `COST` to factors that leave the
-    problem as it is; none if no factors but 1 do."""
-    stated = (*(tuple(table.items()) for table in (problem.dynamics, problem.controls, problem.initial)),
-              tuple(problem.terminal), problem.running, problem.final, problem.duration)
+    """Dicts from the symbols of a `pontryagin.Problem`, its parameters, `TIME` and `COST` to
+    factors that leave the problem as it is; none if no factors but 1 do."""
+    stated = (
+        *(tuple(table.items()) for table in (problem.dynamics, problem.controls, problem.initial)),
+        tuple(problem.terminal),
+        problem.running,
+        problem.final,
+        problem.duration,
+    )
     return _scales(stated, tuple(parameters or ()))
 
 
@@ -37,47 +45,69 @@ def _scales(stated, parameters):
     dynamics, controls, initial, terminal, running, final, duration = stated
     symbols = [*(x for x, _ in dynamics), *(u for u, _ in controls), *parameters, TIME, COST]
     weights = _Weights(symbols)
-    pairs = [*((f, w - weights[TIME]) for (_, f), w in zip(dynamics, map(weights.of, symbols))),
-             *((bound, weights[u]) for u, pair in controls for bound in pair if bound is not None),
-             *((value, weights[x]) for x, value in initial if value is not None),
-             *((part, None) for part in terminal), (running, weights[COST] - weights[TIME]), (final, weights[COST]),
-             *((end, weights[TIME]) for end in (duration if isinstance(duration, tuple) else (duration,))
-               if end is not None)]
+    pairs = [
+        *((f, w - weights[TIME]) for (_, f), w in zip(dynamics, map(weights.of, symbols))),
+        *((bound, weights[u]) for u, pair in controls for bound in pair if bound is not None),
+        *((value, weights[x]) for x, value in initial if value is not None),
+        *((part, None) for part in terminal),
+        (running, weights[COST] - weights[TIME]),
+        (final, weights[COST]),
+        *(
+            (end, weights[TIME])
+            for end in (duration if isinstance(duration, tuple) else (duration,))
+            if end is not None
+        ),
+    ]
     try:
         for expression, weight in pairs:
             weights.equate(sp.sympify(expression), weight)
     except _Other:
         return []
-    return [{s: scale**w for s, w in zip(weights, found)} for found in weights.solutions() for scale in SCALES]
+    return [
+        {s: scale**w for s, w in zip(weights, found)}
+        for found in weights.solutions()
+        for scale in SCALES
+    ]
 
 
 def same_at_every_scale(claim, problem, parameters, places, weight, what):
-    """Raise `Wrong` for an expression that is not the same in other units: its values have to change by the factor of
-    the symbol `weight`; `places` are dicts from the symbols in it to numbers."""
+    """Raise `Wrong` for an expression that is not the same in other units: its values have to
+    change by the factor of the symbol `weight`; `places` are dicts from the symbols in it to
+    numbers."""
     found = scales(problem, parameters)
     if not found:
         return
     symbols = [s for s in places[0] if s in claim.free_symbols]
-    roughly = any(power.exp.is_Float and not float(4 * power.exp).is_integer() for power in claim.atoms(sp.Pow))
+    roughly = any(
+        power.exp.is_Float and not float(4 * power.exp).is_integer()
+        for power in claim.atoms(sp.Pow)
+    )
     function, wide = (kind(symbols, [claim]) for kind in (real_function, wide_function))
     at = np.array([[float(place[s]) for s in symbols] for place in places])
     said = function(*at.T)[0]
     # An exponent in decimals has three digits: over many powers of ten they tell nothing.
-    for factors in found[::len(SCALES) if roughly else 1]:
+    for factors in found[:: len(SCALES) if roughly else 1]:
         other = at * [float(factors[s]) for s in symbols]
         there, wanted = function(*other.T)[0], said * float(factors[weight])
-        for k in differing(there, wanted, DECIMALS if roughly else EXACT, lambda k, other=other: wide(*other[k])[0]):
+        for k in differing(
+            there, wanted, DECIMALS if roughly else EXACT, lambda k, other=other: wide(*other[k])[0]
+        ):
             gives = f"it is {there[k]:.6g}" if np.isfinite(there[k]) else "it is no real number"
-            raise Wrong(f"{told_for(dict(zip(symbols, at[k])))}your {what} is {said[k]:.6g}. In other units the "
-                        f"problem is the same, so that {told_for(dict(zip(symbols, other[k])))}it has to be "
-                        f"{wanted[k]:.6g}; {gives}")
+            raise Wrong(
+                f"{told_for(dict(zip(symbols, at[k])))}your {what} is {said[k]:.6g}. In other "
+                "units the "
+                f"problem is the same, so that {told_for(dict(zip(symbols, other[k])))}it has to "
+                "be "
+                f"{wanted[k]:.6g}; {gives}"
+            )
 
 
 def differing(said, wanted, share, wide):
-    """The index of the first of the numbers `said` that is not the one wanted, up to a share of it and to what is mere
-    rounding beside the rest; an empty list if there is none.
+    """The index of the first of the numbers `said` that is not the one wanted, up to a share of it
+    and to what is mere rounding beside the rest; an empty list if there is none.
 
-    What was computed in other units may have been too much for floats: `wide(k)` says it anew, as in `wide_function`.
+    What was computed in other units may have been too much for floats: `wide(k)` says it anew, as
+    in `wide_function`.
     """
     size = np.abs(wanted)
     slack = share * np.maximum(size, ROUNDING * np.nanmax(size, initial=0))
@@ -108,7 +138,8 @@ class _Weights(dict):
             self._equations.append(found - weight)
 
     def of(self, expression):
-        """The weight of an expression in those of its symbols; sums and functions ask for equal ones."""
+        """The weight of an expression in those of its symbols; sums and functions ask for equal
+        ones."""
         if expression.is_number:
             return sp.S.Zero
         if expression in self:
@@ -122,7 +153,11 @@ class _Weights(dict):
         if not isinstance(expression, (sp.Add, sp.Function, sp.Pow)):
             raise _Other
         first, *others = map(self.of, expression.args)
-        self._equations += [other - first for other in others] if isinstance(expression, sp.Add) else [first, *others]
+        self._equations += (
+            [other - first for other in others]
+            if isinstance(expression, sp.Add)
+            else [first, *others]
+        )
         return first if isinstance(expression, sp.Add) else sp.S.Zero
 
     def solutions(self):

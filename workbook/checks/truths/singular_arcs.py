@@ -1,9 +1,11 @@
-"""Points of singular arcs, found as numbers: states and costates at which H does not depend on a control for a while.
+"""Points of singular arcs, found as numbers: states and costates at which H does not depend on a
+control for a while.
 
-The problem is a `pontryagin.Problem`, of which the statement alone is used, with lambda_0 = 1. For a control u that
-enters H linearly, S = dH/du and its derivatives along the trajectories vanish on a singular arc, up to the order 2q of
-the first that contains u, and H does if the duration is free. The other controls make H greatest. Where all of this
-holds with no costate but zero, it is not a singular arc.
+The problem is a `pontryagin.Problem`, of which the statement alone is used, with lambda_0 = 1. For
+a control u that enters H linearly, S = dH/du and its derivatives along the trajectories vanish on a
+singular arc, up to the order 2q of the first that contains u, and H does if the duration is free.
+The other controls make H greatest. Where all of this holds with no costate but zero, it is not a
+singular arc.
 """
 
 import functools
@@ -26,16 +28,27 @@ VANISHES = 1e-6
 def hamiltonian(problem, costates):
     """H with lambda_0 = 1."""
     sign = -1 if problem.maximise else 1
-    return sum((psi * f for psi, f in zip(costates, problem.field)), sp.S.Zero) - sign * problem.running
+    return (
+        sum((psi * f for psi, f in zip(costates, problem.field)), sp.S.Zero)
+        - sign * problem.running
+    )
 
 
 def known_costates(problem, costates):
-    """{costate: value} for the states that enter neither the equations nor the target, and the final cost linearly:
-    their costates do not change, and the end says what they are."""
+    """{costate: value} for the states that enter neither the equations nor the target, and the
+    final cost linearly: their costates do not change, and the end says what they are."""
     sign = -1 if problem.maximise else 1
-    entered = set().union(*(e.free_symbols for e in (*problem.field, problem.running, *problem.terminal)))
-    slopes = {psi: -sign * sp.diff(problem.final, y) for psi, y in zip(costates, problem.state) if y not in entered}
-    return {psi: slope for psi, slope in slopes.items() if not slope.free_symbols & set(problem.state)}
+    entered = set().union(
+        *(e.free_symbols for e in (*problem.field, problem.running, *problem.terminal))
+    )
+    slopes = {
+        psi: -sign * sp.diff(problem.final, y)
+        for psi, y in zip(costates, problem.state)
+        if y not in entered
+    }
+    return {
+        psi: slope for psi, slope in slopes.items() if not slope.free_symbols & set(problem.state)
+    }
 
 
 @functools.lru_cache(maxsize=32)
@@ -47,8 +60,8 @@ def singular_arcs(problem, control, costates):
 class SingularArcs:
     """The singular arcs of one control.
 
-    `derivatives`: S, S', ... up to the last that does not hold the control; `order`: q, or None if none holds it;
-    `highest`: the derivative of order 2q, or None.
+    `derivatives`: S, S', ... up to the last that does not hold the control; `order`: q, or None if
+    none holds it; `highest`: the derivative of order 2q, or None.
     """
 
     def __init__(self, problem, control, costates):
@@ -56,7 +69,9 @@ class SingularArcs:
         self.state, self.parameters = list(problem.state), list(problem.parameters)
         self.others = [u for u in problem.control if u != control]
         H = hamiltonian(problem, costates)
-        self._flow = dict(problem.dynamics) | {psi: -sp.diff(H, y) for psi, y in zip(costates, self.state)}
+        self._flow = dict(problem.dynamics) | {
+            psi: -sp.diff(H, y) for psi, y in zip(costates, self.state)
+        }
         self._known = known_costates(problem, costates)
         self.derivatives, self.highest = self._derivatives(sp.expand(sp.diff(H, control)))
         self.order = None if self.highest is None else len(self.derivatives) // 2
@@ -65,59 +80,88 @@ class SingularArcs:
             equations.append(H.subs(control, 0))
         self._equations = [e for e in (sp.expand(e.subs(self._known)) for e in equations) if e != 0]
         self._unknown = [s for s in (*self.state, *self.costates) if s not in self._known]
-        #: Whether the equations say nothing of the size of the costates, which may be any then, but not zero.
-        self._scalable = bool(self._equations) and not any(self._known.values()) and all(
-            e.subs(dict.fromkeys(self.costates, 0)) == 0 for e in self._equations)
+        #: Whether the equations say nothing of the size of the costates, which may be any then, but
+        #: not zero.
+        self._scalable = (
+            bool(self._equations)
+            and not any(self._known.values())
+            and all(e.subs(dict.fromkeys(self.costates, 0)) == 0 for e in self._equations)
+        )
         self._costate = np.array([s in self.costates for s in self._unknown])
         given = [*self.parameters, *self.others]
         self._values = real_function([*self._unknown, *given], self._equations)
-        self._slopes = real_function([*self._unknown, *given],
-                                     [sp.diff(e, s) for e in self._equations for s in self._unknown])
-        self._gain = real_function([*self._unknown, *given], [sp.diff(H, u).subs(self._known) for u in self.others])
+        self._slopes = real_function(
+            [*self._unknown, *given],
+            [sp.diff(e, s) for e in self._equations for s in self._unknown],
+        )
+        self._gain = real_function(
+            [*self._unknown, *given], [sp.diff(H, u).subs(self._known) for u in self.others]
+        )
         #: The derivative of order 2q without the control, and the factor of the control in it.
-        last = [sp.S.Zero, sp.S.One] if self.highest is None else [self.highest.subs(control, 0),
-                                                                   sp.diff(self.highest, control)]
+        last = (
+            [sp.S.Zero, sp.S.One]
+            if self.highest is None
+            else [self.highest.subs(control, 0), sp.diff(self.highest, control)]
+        )
         self._last = real_function([*self._unknown, *given], last)
 
     @found_once
     def points(self, domain=None):
-        """Values {symbol: number} of states, costates, parameters and other controls at points of singular arcs, at
-        most `ENOUGH`; the symbols range over the intervals of `domain`, or what their assumptions allow."""
+        """Values {symbol: number} of states, costates, parameters and other controls at points of
+        singular arcs, at most `ENOUGH`; the symbols range over the intervals of `domain`, or what
+        their assumptions allow."""
         random, found = np.random.default_rng(17), []
         for k in range(STARTS):
             values = {p: draw(random, p, domain) for p in self.parameters}
-            ends = [tuple(None if b.is_finite is False else float(b.subs(values)) for b in self.problem.controls[u])
-                    for u in self.others]
+            ends = [
+                tuple(
+                    None if b.is_finite is False else float(b.subs(values))
+                    for b in self.problem.controls[u]
+                )
+                for u in self.others
+            ]
             start = [draw(random, s, domain) for s in self._unknown]
             # Neither bound of the other controls always comes first.
-            for others in list(itertools.product(*ends))[::(-1) ** k]:
-                point = self._near(start, [*values.values(), *others]) if None not in others else None
+            for others in list(itertools.product(*ends))[:: (-1) ** k]:
+                point = (
+                    self._near(start, [*values.values(), *others]) if None not in others else None
+                )
                 if point is None or not self._inside(point, domain):
                     continue
                 gains = self._gain(*point, *values.values(), *others)
                 rest, factor = self._last(*point, *values.values(), *others)
                 if abs(factor) <= VANISHES * (1 + abs(rest)) and abs(rest) > VANISHES:
                     continue  # no control keeps S at zero here
-                if all((gain >= -1e-9) == (u == high) for gain, u, (_, high) in zip(gains, others, ends)):
+                if all(
+                    (gain >= -1e-9) == (u == high)
+                    for gain, u, (_, high) in zip(gains, others, ends)
+                ):
                     values |= dict(zip(self._unknown, point)) | dict(zip(self.others, others))
-                    found.append(values | {s: float(e.subs(values)) for s, e in self._known.items()})
+                    found.append(
+                        values | {s: float(e.subs(values)) for s, e in self._known.items()}
+                    )
                     break
             if len(found) == ENOUGH:
                 break
         return found
 
     def multipliers_exist(self, values, share):
-        """Whether costates belong to a state that make it a point of a singular arc: `values` holds all but these."""
+        """Whether costates belong to a state that make it a point of a singular arc: `values` holds
+        all but these."""
         left = [s for s in self._unknown if s in self.costates]
-        for others in itertools.product(*([float(b.subs(values)) for b in self.problem.controls[u]]
-                                          for u in self.others)):
+        for others in itertools.product(
+            *([float(b.subs(values)) for b in self.problem.controls[u]] for u in self.others)
+        ):
             point = [0.0 if s in left else values[s] for s in self._unknown]
             given = [*(values[p] for p in self.parameters), *others]
             constant = self._values(*point, *given)
             slopes = self._slopes(*point, *given).reshape(len(constant), -1)
             matrix = slopes[:, [self._unknown.index(s) for s in left]]
-            # An equation between states alone, or nearly, is as large as it may become next to the place.
-            general = self._slopes(*(1.0 if s in left else values[s] for s in self._unknown), *given)
+            # An equation between states alone, or nearly, is as large as it may become next to the
+            # place.
+            general = self._slopes(
+                *(1.0 if s in left else values[s] for s in self._unknown), *given
+            )
             size = np.abs(general.reshape(slopes.shape)).max(axis=1) + np.abs(constant)
             matrix, constant = matrix / size[:, None], constant / size
             if self._scalable:
@@ -127,22 +171,26 @@ class SingularArcs:
             found = np.linalg.lstsq(matrix, -constant, rcond=1e-9)[0]
             rest = matrix @ found + constant
             if np.all(np.abs(rest) <= share * (1 + np.abs(matrix) @ np.abs(found))) and self._kept(
-                    matrix, constant, point, given, left, share):
+                matrix, constant, point, given, left, share
+            ):
                 return True
         return False
 
     def _scaled(self, matrix, point, given, left, share):
-        """Whether costates of length 1 satisfy equations that are linear in them, and a control keeps S at zero."""
+        """Whether costates of length 1 satisfy equations that are linear in them, and a control
+        keeps S at zero."""
         costates = np.linalg.svd(matrix)[2][-1]
         full = np.array(point, dtype=float)
         full[[self._unknown.index(s) for s in left]] = costates
         rest, factor = self._last(*full, *given)
-        return bool(np.all(np.abs(matrix @ costates) <= share * (np.abs(matrix) @ np.abs(costates)))
-                    and (abs(factor) > share * (1 + abs(rest)) or abs(rest) <= share))
+        return bool(
+            np.all(np.abs(matrix @ costates) <= share * (np.abs(matrix) @ np.abs(costates)))
+            and (abs(factor) > share * (1 + abs(rest)) or abs(rest) <= share)
+        )
 
     def _kept(self, matrix, constant, point, given, left, share):
-        """Whether among the costates for which the equations hold there are some with which a control keeps S at
-        zero."""
+        """Whether among the costates for which the equations hold there are some with which a
+        control keeps S at zero."""
         at = [self._unknown.index(s) for s in left]
 
         def last(costates):
@@ -154,7 +202,7 @@ class SingularArcs:
         slopes = np.array([last(row) - zero for row in np.eye(len(left))]).reshape(len(left), 2)
         found = np.linalg.lstsq(matrix, -constant, rcond=1e-9)[0]
         _, sizes, basis = np.linalg.svd(matrix)
-        free = basis[int((sizes > 1e-9 * max(sizes.max(initial=0), 1e-300)).sum()):]
+        free = basis[int((sizes > 1e-9 * max(sizes.max(initial=0), 1e-300)).sum()) :]
         (rest, factor), turns = zero + found @ slopes, free @ slopes
         size = 1 + np.abs(slopes).max(initial=0)
         if max(abs(factor), np.abs(turns[:, 1]).max(initial=0)) > share * size:
@@ -164,8 +212,12 @@ class SingularArcs:
     def _derivatives(self, first):
         derivatives = [first]
         for _ in range(2 * len(self.state)):
-            following = sp.expand(sum((sp.diff(derivatives[-1], s) * rate for s, rate in self._flow.items()),
-                                      sp.S.Zero))
+            following = sp.expand(
+                sum(
+                    (sp.diff(derivatives[-1], s) * rate for s, rate in self._flow.items()),
+                    sp.S.Zero,
+                )
+            )
             entered = sp.simplify(sp.diff(following, self.control).subs(self._known)) != 0
             if entered and len(derivatives) % 2 == 0:
                 return derivatives, following.subs(self._known)
@@ -173,14 +225,18 @@ class SingularArcs:
         return derivatives, None
 
     def _near(self, start, given):
-        """The point where the equations hold that is next to a start, by steps of least length; None for none."""
+        """The point where the equations hold that is next to a start, by steps of least length;
+        None for none."""
         point = np.array(start, dtype=float)
         for _ in range(STEPS):
             rest = self._values(*point, *given)
             slopes = self._slopes(*point, *given).reshape(len(rest), -1)
             if self._scalable:
                 costates = np.where(self._costate, point, 0.0)
-                rest, slopes = np.append(rest, costates @ costates - 1), np.vstack([slopes, 2 * costates])
+                rest, slopes = (
+                    np.append(rest, costates @ costates - 1),
+                    np.vstack([slopes, 2 * costates]),
+                )
             if not (np.isfinite(rest).all() and np.isfinite(slopes).all()):
                 return None
             if np.all(np.abs(rest) <= SOLVED * (np.abs(slopes) @ (1 + np.abs(point)))):
@@ -189,11 +245,12 @@ class SingularArcs:
         return None
 
     def _inside(self, point, domain):
-        """Whether the states lie where they are to be; the point is not to be the limit of an escape either."""
+        """Whether the states lie where they are to be; the point is not to be the limit of an
+        escape either."""
         for s, value in zip(self._unknown, point):
             interval = (domain or {}).get(s)
             if interval is not None and not float(interval.inf) < value < float(interval.sup):
                 return False
-            if s.is_positive and value <= 1e-9 or s.is_negative and value >= -1e-9:
+            if (s.is_positive and value <= 1e-9) or (s.is_negative and value >= -1e-9):
                 return False
         return bool(np.abs(point).max(initial=0) < 1e3)

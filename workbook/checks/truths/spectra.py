@@ -1,8 +1,8 @@
 """The spectrum of a linear system with parameters, and where in their space it is stable.
 
-The truth is polynomial: Hurwitz's determinants for asymptotic stability, and for a root to the right of the border that
-some u + i w with u > 0 satisfies the characteristic equation. Where a claim is not, it is compared at points, with
-Routh's reduction in exact fractions.
+The truth is polynomial: Hurwitz's determinants for asymptotic stability, and for a root to the
+right of the border that some u + i w with u > 0 satisfies the characteristic equation. Where a
+claim is not, it is compared at points, with Routh's reduction in exact fractions.
 """
 
 import functools
@@ -20,9 +20,11 @@ PLACES = 8192
 
 
 def compare_region(answer, system, parameters, what, margin=0, unstable=False):
-    """Compare a claimed region with the stable polynomials, or the `unstable` ones; `what` is the word for a message.
+    """Compare a claimed region with the stable polynomials, or the `unstable` ones; `what` is the
+    word for a message.
 
-    With a margin both sides of the border are right, the border being where the largest real part is -margin.
+    With a margin both sides of the border are right, the border being where the largest real part
+    is -margin.
     """
     if isinstance(system, sp.MatrixBase):
         system = system.as_immutable()
@@ -30,24 +32,29 @@ def compare_region(answer, system, parameters, what, margin=0, unstable=False):
     truth = spectrum.instability if unstable else spectrum.stability
 
     def told(values, holds):
-        says = f"outside your region, yet it is {what}" if holds else f"inside your region, yet it is not {what}"
+        says = (
+            f"outside your region, yet it is {what}"
+            if holds
+            else f"inside your region, yet it is not {what}"
+        )
         return f"the point {place_text(values)} lies {says}: {spectrum.describe(values)}"
 
     return f"agrees with the roots: {compare(answer, parameters, truth, told)}"
 
 
 def decays(A, discrete=False):
-    """The condition on the symbols of A that all motions of x' = A x, in discrete time x(k + 1) = A x(k), decay.
+    """The condition on the symbols of A that all motions of x' = A x, in discrete time x(k + 1) = A
+    x(k), decay.
 
-    There z = (1 + s)/(1 - s) makes the left half-plane of the inside of the circle; where z = -1 is an eigenvalue, the
-    polynomial in s loses its order.
+    There z = (1 + s)/(1 - s) makes the left half-plane of the inside of the circle; where z = -1 is
+    an eigenvalue, the polynomial in s loses its order.
     """
     symbol = sp.Dummy("s")
     coefficients = A.charpoly().all_coeffs()
     if discrete:
-        powers = [(1 + symbol)**(A.rows - k) * (1 - symbol)**k for k in range(A.rows + 1)]
+        powers = [(1 + symbol) ** (A.rows - k) * (1 - symbol) ** k for k in range(A.rows + 1)]
     else:
-        powers = [symbol**(A.rows - k) for k in range(A.rows + 1)]
+        powers = [symbol ** (A.rows - k) for k in range(A.rows + 1)]
     polynomial = sp.expand(sum(c * power for c, power in zip(coefficients, powers)))
     if sp.degree(polynomial, symbol) < A.rows:
         return sp.false
@@ -62,11 +69,17 @@ def _spectrum(system, parameters, margin):
 
 
 def _rational(matrix):
-    """A matrix with a symbol for each entry that is no rational function, a modulus for instance, and what the symbols
-    mean: SymPy cannot order the factors of its characteristic polynomial otherwise."""
-    others = {entry: sp.Dummy("entry", real=True) for entry in matrix
-              if entry.free_symbols and not entry.is_rational_function(*entry.free_symbols)}
-    return matrix.applyfunc(lambda entry: others.get(entry, entry)), {symbol: entry for entry, symbol in others.items()}
+    """A matrix with a symbol for each entry that is no rational function, a modulus for instance,
+    and what the symbols mean: SymPy cannot order the factors of its characteristic polynomial
+    otherwise."""
+    others = {
+        entry: sp.Dummy("entry", real=True)
+        for entry in matrix
+        if entry.free_symbols and not entry.is_rational_function(*entry.free_symbols)
+    }
+    return matrix.applyfunc(lambda entry: others.get(entry, entry)), {
+        symbol: entry for entry, symbol in others.items()
+    }
 
 
 class Spectrum:
@@ -84,14 +97,17 @@ class Spectrum:
         shifted = sp.Poly(sp.expand(polynomial.subs(symbol, symbol - self.margin)), symbol)
         self._terms = [sp.nsimplify(c, rational=True) for c in shifted.all_coeffs()]
         self.root = sp.symbols("u w", real=True, cls=sp.Dummy)
-        self._stable_at = functools.lru_cache(maxsize=PLACES)(self._decide)  # all claims are tried at like places
+        # all claims are tried at like places
+        self._stable_at = functools.lru_cache(maxsize=PLACES)(self._decide)
 
     @functools.cached_property
     def stability(self):
         """The `Truth` that all roots have real parts below -margin."""
         stable = sp.And(*self.order_kept, self.hurwitz)
         unstable = Case(sp.And(*self.order_kept, sp.Not(self.hurwitz)))
-        return Truth((Case(stable),), (self.some_root_right if self.margin else unstable,), self.is_stable)
+        return Truth(
+            (Case(stable),), (self.some_root_right if self.margin else unstable,), self.is_stable
+        )
 
     @functools.cached_property
     def instability(self):
@@ -107,34 +123,49 @@ class Spectrum:
     def hurwitz(self):
         """All Hurwitz determinants have the sign that goes with the leading coefficient."""
         n, signs = len(self._terms) - 1, []
-        hurwitz = sp.Matrix(n, n, lambda i, j: self._terms[2 * j - i + 1] if 0 <= 2 * j - i + 1 <= n else 0)
+        hurwitz = sp.Matrix(
+            n, n, lambda i, j: self._terms[2 * j - i + 1] if 0 <= 2 * j - i + 1 <= n else 0
+        )
         minors = [self._terms[0]]
         for k in range(1, n + 1):
             rational, meant = _rational(hurwitz[:k, :k])
             matrix = DomainMatrix.from_Matrix(rational)
-            # The characteristic polynomial of a matrix of order k ends with (-1)^k times its determinant.
-            minors.append(sp.expand((-1)**k * matrix.domain.to_sympy(matrix.charpoly()[-1]).xreplace(meant)))
+            # The characteristic polynomial of a matrix of order k ends with (-1)^k times its
+            # determinant.
+            minors.append(
+                sp.expand((-1) ** k * matrix.domain.to_sympy(matrix.charpoly()[-1]).xreplace(meant))
+            )
         for sign in (1, -1):
-            signs.append(sp.And(*(sign**(k + (k == 0)) * minor > 0 for k, minor in enumerate(minors))))
+            signs.append(
+                sp.And(*(sign ** (k + (k == 0)) * minor > 0 for k, minor in enumerate(minors)))
+            )
         return sp.Or(*signs)
 
     @property
     def some_root_right(self):
         """u + i w with u > 0 is a root."""
         real, imaginary = self._value
-        return Case(sp.And(*self.order_kept, self.root[0] > 0, sp.Eq(real, 0), sp.Eq(imaginary, 0)), self.root)
+        return Case(
+            sp.And(*self.order_kept, self.root[0] > 0, sp.Eq(real, 0), sp.Eq(imaginary, 0)),
+            self.root,
+        )
 
     @property
     def no_root_right(self):
         real, imaginary = self._value
-        return Case(sp.And(*self.order_kept, sp.Or(self.root[0] <= 0, sp.Ne(real, 0), sp.Ne(imaginary, 0))), self.root,
-                    every=True)
+        return Case(
+            sp.And(*self.order_kept, sp.Or(self.root[0] <= 0, sp.Ne(real, 0), sp.Ne(imaginary, 0))),
+            self.root,
+            every=True,
+        )
 
     @property
     def _value(self):
         u, w = self.root
         n = len(self._terms) - 1
-        return sp.expand(sum(c * (u + sp.I * w)**(n - k) for k, c in enumerate(self._terms))).as_real_imag()
+        return sp.expand(
+            sum(c * (u + sp.I * w) ** (n - k) for k, c in enumerate(self._terms))
+        ).as_real_imag()
 
     def _coefficients(self, values):
         """The coefficients at values of the parameters: fractions where all is rational."""
@@ -145,7 +176,8 @@ class Spectrum:
 
     @functools.cached_property
     def _in_fractions(self):
-        """The coefficients as a function of fractions, or None where they are no rational polynomials."""
+        """The coefficients as a function of fractions, or None where they are no rational
+        polynomials."""
         try:
             polys = [sp.Poly(c, *self.parameters) for c in self._terms]
         except BasePolynomialError:
@@ -155,11 +187,13 @@ class Spectrum:
         # Whole coefficients, so that fractions stay fractions in the code that is made of them.
         wholes, cleared = zip(*(poly.clear_denoms(convert=True) for poly in polys))
         function = sp.lambdify(self.parameters, [poly.as_expr() for poly in cleared], [])
-        return lambda *place: [Fraction(value) / int(whole) for value, whole in zip(function(*place), wholes)]
+        return lambda *place: [
+            Fraction(value) / int(whole) for value, whole in zip(function(*place), wholes)
+        ]
 
     def is_stable(self, values):
-        """Whether all roots have negative real parts: by Routh's reduction in exact arithmetic; None where the order
-        drops, or on the border of a margin."""
+        """Whether all roots have negative real parts: by Routh's reduction in exact arithmetic;
+        None where the order drops, or on the border of a margin."""
         return self._stable_at(tuple(values[p] for p in self.parameters))
 
     def _decide(self, place):
@@ -174,8 +208,10 @@ class Spectrum:
             if any(c <= 0 for c in current):
                 return False
             ratio = current[0] / current[1]
-            current = [c - ratio * (current[k + 1] if k % 2 == 0 and k + 1 < len(current) else 0)
-                       for k, c in enumerate(current)][1:]
+            current = [
+                c - ratio * (current[k + 1] if k % 2 == 0 and k + 1 < len(current) else 0)
+                for k, c in enumerate(current)
+            ][1:]
         return True
 
     def is_unstable(self, values):
@@ -189,10 +225,12 @@ class Spectrum:
 
     def describe(self, values):
         try:
-            largest = max(np.roots([float(c) for c in self._coefficients(values)]).real) - float(self.margin)
+            largest = max(np.roots([float(c) for c in self._coefficients(values)]).real) - float(
+                self.margin
+            )
         except OverflowError:
             return "so says Routh's scheme, with coefficients beyond 1e308"
-        # Roots computed in floating point: below this the place lies on the imaginary axis, which without a margin
-        # Routh has decided.
+        # Roots computed in floating point: below this the place lies on the imaginary axis, which
+        # without a margin Routh has decided.
         told = f"{largest:.4g}" if abs(largest) >= 1e-7 else "0" if self.margin else "exactly 0"
         return f"the largest real part of a root is {told}"

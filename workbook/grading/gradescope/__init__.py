@@ -1,1 +1,2 @@
-"""The same grading inside Gradescope: a bundle to upload, and what runs there for each submission."""
+"""The same grading inside Gradescope: a bundle to upload, and what runs there for each
+submission."""

@@ -1,7 +1,8 @@
 """What runs on Gradescope for one submission: read /autograder/submission, grade, write
 /autograder/results/results.json.
 
-Gradescope keeps due dates itself; which attempt counts is as assignment.toml says, from the scores of earlier ones.
+Gradescope keeps due dates itself; which attempt counts is as assignment.toml says, from the scores
+of earlier ones.
 """
 
 import dataclasses
@@ -42,14 +43,29 @@ def main(root=Path("/autograder")):
     with tempfile.TemporaryDirectory() as scratch:
         found, aside, remarks = _submitted(root / "submission", Path(scratch), homework)
         attempts = _graded(found)
-    # All that was handed in at once is one attempt: of two notebooks for a problem the better one counts.
-    score = of_student("student", dataclasses.replace(homework, attempt="best", attempts=None, due=None), attempts,
-                       {}, aside)
-    hinted = {(answer.problem, answer.answer): len(hints(answer, exercises.find(answer.problem).about))
-              for answer in score.answers if answer.problem in score.counted}
-    remarks += [f"{problem}: {remark}" for problem, attempt in score.counted.items() for remark in attempt.remarks]
+    # All that was handed in at once is one attempt: of two notebooks for a problem the better one
+    # counts.
+    score = of_student(
+        "student",
+        dataclasses.replace(homework, attempt="best", attempts=None, due=None),
+        attempts,
+        {},
+        aside,
+    )
+    hinted = {
+        (answer.problem, answer.answer): len(hints(answer, exercises.find(answer.problem).about))
+        for answer in score.answers
+        if answer.problem in score.counted
+    }
+    remarks += [
+        f"{problem}: {remark}"
+        for problem, attempt in score.counted.items()
+        for remark in attempt.remarks
+    ]
     points, said = _that_counts(homework, earlier, score.points)
-    text = exporting.gradescope_json(score, hinted, [*said, *remarks], points, time.monotonic() - begun)
+    text = exporting.gradescope_json(
+        score, hinted, [*said, *remarks], points, time.monotonic() - begun
+    )
     record.put(root / "results" / "results.json", text)
 
 
@@ -57,24 +73,35 @@ def _earlier(path):
     """The points of earlier submissions, oldest first; one on which the grader failed is none."""
     with suppress(OSError, ValueError, KeyError, TypeError, AttributeError):
         previous = json.loads(path.read_text(encoding="utf-8"))["previous_submissions"]
-        return [float(one["score"] or 0) for one in previous if (one.get("results") or {}).get("tests")]
+        return [
+            float(one["score"] or 0) for one in previous if (one.get("results") or {}).get("tests")
+        ]
     return []
 
 
 def _that_counts(homework, earlier, now):
     """(points, what is said of them) by the rule of the assignment."""
-    counting = [*earlier, now][:homework.attempts]
+    counting = [*earlier, now][: homework.attempts]
     points = max(counting) if homework.attempt == "best" else counting[-1]
     if homework.attempts is not None and len(earlier) >= homework.attempts:
-        return points, [f"This is attempt {len(earlier) + 1}; the first {homework.attempts} count. Your points are "
-                        f"{points:g}."]
-    return points, [f"An earlier attempt of yours was better and counts: {points:g} points."] if points > now else []
+        return points, [
+            f"This is attempt {len(earlier) + 1}; the first {homework.attempts} count. Your points "
+            "are "
+            f"{points:g}."
+        ]
+    return points, [
+        f"An earlier attempt of yours was better and counts: {points:g} points."
+    ] if points > now else []
 
 
 def _submitted(folder, scratch, homework):
-    """(submissions with the problem they are for, what was left aside, sentences on that), each notebook once."""
-    # As in a course's folder: student/assignment/notebook. Names that meet, from different folders, stay apart.
-    for k, path in enumerate(sorted(path for path in folder.rglob("*") if path.suffix.lower() == ".ipynb")):
+    """(submissions with the problem they are for, what was left aside, sentences on that), each
+    notebook once."""
+    # As in a course's folder: student/assignment/notebook. Names that meet, from different folders,
+    # stay apart.
+    for k, path in enumerate(
+        sorted(path for path in folder.rglob("*") if path.suffix.lower() == ".ipynb")
+    ):
         place = scratch / "student" / f"{k:05d}" / path.name
         place.parent.mkdir(parents=True)
         if stat.S_ISREG(path.lstat().st_mode):
@@ -83,7 +110,9 @@ def _submitted(folder, scratch, homework):
             place.symlink_to("/nowhere")  # named as what it is, and not followed
     found, aside = {}, []
     for one in submissions.find(scratch):
-        problem = one if isinstance(one, submissions.Aside) else belonging.problem_for(one, homework)
+        problem = (
+            one if isinstance(one, submissions.Aside) else belonging.problem_for(one, homework)
+        )
         if isinstance(problem, submissions.Aside):
             aside.append(problem)
         else:
@@ -97,7 +126,9 @@ def _submitted(folder, scratch, homework):
 def _graded(found):
     """Run and judge each notebook; an `Attempt` for each."""
     if os.getuid() != 0:
-        raise SystemExit("run_autograder has to run as root, so that it can run notebooks as another user")
+        raise SystemExit(
+            "run_autograder has to run as root, so that it can run notebooks as another user"
+        )
     _make_ready()
     limits, bounds = _shares(len(found))
     attempts = []
@@ -108,10 +139,25 @@ def _graded(found):
                 judgement = unreadable(exercise, one.trouble)
             else:
                 data = [source for _, source in exercise.code("data")]
-                judgement = judge(exercise, sandbox.run(exercise.to_run(one.cells), exercise.about["answers"],
-                                                        before=data), bounds)
-            attempts.append(Attempt(number, "student", "", problem, one.content, one.submitted, None,
-                                    judgement.verdicts, judgement.answers, judgement.remarks))
+                judgement = judge(
+                    exercise,
+                    sandbox.run(exercise.to_run(one.cells), exercise.about["answers"], before=data),
+                    bounds,
+                )
+            attempts.append(
+                Attempt(
+                    number,
+                    "student",
+                    "",
+                    problem,
+                    one.content,
+                    one.submitted,
+                    None,
+                    judgement.verdicts,
+                    judgement.answers,
+                    judgement.remarks,
+                )
+            )
     return attempts
 
 
@@ -120,8 +166,15 @@ def _shares(count):
     share = SECONDS / max(count, 1)
     wall = min(share / 2, 180)
     judging = min(share / 6, 60)
-    return (Limits(cpu_seconds=min(wall, 60), wall_seconds=wall, withheld_seconds=0, memory_megabytes=MEGABYTES),
-            Bounds(seconds=judging, answer_seconds=judging / 3))
+    return (
+        Limits(
+            cpu_seconds=min(wall, 60),
+            wall_seconds=wall,
+            withheld_seconds=0,
+            memory_megabytes=MEGABYTES,
+        ),
+        Bounds(seconds=judging, answer_seconds=judging / 3),
+    )
 
 
 def _make_ready():
@@ -129,6 +182,7 @@ def _make_ready():
     import sympy  # noqa: F401
 
     from workbook import checks
+
     for name in checks.__all__:
         getattr(checks, name)
 

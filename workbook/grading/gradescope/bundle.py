@@ -1,5 +1,5 @@
-"""Make the archive that is uploaded to Gradescope as an autograder. It holds no solutions, as the wheel
-itself holds none."""
+"""Make the archive that is uploaded to Gradescope as an autograder. It holds no solutions, as the
+wheel itself holds none."""
 
 import base64
 import hashlib
@@ -22,41 +22,65 @@ DATE = (2012, 1, 1, 0, 0, 0)
 
 
 def make(folder, name, out):
-    """Write the bundle for the homework `folder`/`name` to the file `out`; returns the `Assignment`."""
+    """Write the bundle for the homework `folder`/`name` to the file `out`; returns the
+    `Assignment`."""
     file = Path(folder) / name / "assignment.toml"
     homework = assignments.read(file)
     if Path(out).suffix != ".zip":
         raise AssignmentError(f"{out}: Gradescope takes a .zip")
     wheel_name, wheel = _wheel()
-    put_bytes(Path(out), _zip({"setup.sh": (HERE / "setup.sh").read_bytes(),
-                               "run_autograder": (HERE / "run_autograder").read_bytes(),
-                               "assignment.toml": file.read_bytes(), "constraints.txt": _constraints().encode(),
-                               wheel_name: wheel}))
+    put_bytes(
+        Path(out),
+        _zip(
+            {
+                "setup.sh": (HERE / "setup.sh").read_bytes(),
+                "run_autograder": (HERE / "run_autograder").read_bytes(),
+                "assignment.toml": file.read_bytes(),
+                "constraints.txt": _constraints().encode(),
+                wheel_name: wheel,
+            }
+        ),
+    )
     return homework
 
 
 def _wheel():
-    """(name, bytes) of a wheel of trajlib as it is installed here, from a checkout or from a wheel, with its
-    exercises."""
+    """(name, bytes) of a wheel of trajlib as it is installed here, from a checkout or from a wheel,
+    with its exercises."""
     ours = metadata.distribution("trajlib")
     about = f"trajlib-{ours.version}.dist-info"
-    files = {path.relative_to(HOME).as_posix(): path.read_bytes() for package in OURS
-             for path in sorted((HOME / package).rglob("*"))
-             if path.is_file() and not {"__pycache__", "_exercises"} & set(path.relative_to(HOME).parts)}
+    files = {
+        path.relative_to(HOME).as_posix(): path.read_bytes()
+        for package in OURS
+        for path in sorted((HOME / package).rglob("*"))
+        if path.is_file() and not {"__pycache__", "_exercises"} & set(path.relative_to(HOME).parts)
+    }
     notebooks = [exercise.path for exercise in exercises.read_all()]
     with_mistakes = [*notebooks, *filter(Path.is_file, map(file_beside, notebooks))]
-    files |= {f"workbook/_exercises/{path.parent.name}/{path.name}": path.read_bytes() for path in with_mistakes}
-    files |= {f"{about}/{name}": ours.read_text(name).encode() for name in ("METADATA", "entry_points.txt")}
-    files[f"{about}/WHEEL"] = b"Wheel-Version: 1.0\nGenerator: trajlib\nRoot-Is-Purelib: true\nTag: py3-none-any\n"
+    files |= {
+        f"workbook/_exercises/{path.parent.name}/{path.name}": path.read_bytes()
+        for path in with_mistakes
+    }
+    files |= {
+        f"{about}/{name}": ours.read_text(name).encode()
+        for name in ("METADATA", "entry_points.txt")
+    }
+    files[f"{about}/WHEEL"] = (
+        b"Wheel-Version: 1.0\nGenerator: trajlib\nRoot-Is-Purelib: true\nTag: py3-none-any\n"
+    )
     listed = [f"{name},sha256={_digest(data)},{len(data)}\n" for name, data in files.items()]
     files[f"{about}/RECORD"] = "".join([*listed, f"{about}/RECORD,,\n"]).encode()
     return f"trajlib-{ours.version}-py3-none-any.whl", _zip(files)
 
 
 def _constraints():
-    """The versions here of what trajlib and workbook use, so that Gradescope judges with the same."""
-    named = [requirement for requirement in metadata.distribution("trajlib").requires or ()
-             if "extra ==" not in requirement or "extra == 'workbook'" in requirement.replace('"', "'")]
+    """The versions here of what trajlib and workbook use, so that Gradescope judges with the
+    same."""
+    named = [
+        requirement
+        for requirement in metadata.distribution("trajlib").requires or ()
+        if "extra ==" not in requirement or "extra == 'workbook'" in requirement.replace('"', "'")
+    ]
     names = sorted(requirement.split(";")[0].rstrip("0123456789.,<>=!~ ") for requirement in named)
     return "".join(f"{name}=={metadata.version(name)}\n" for name in names)
 
@@ -71,6 +95,8 @@ def _zip(files):
         for name, data in files.items():
             entry = zipfile.ZipInfo(name, DATE)
             entry.compress_type = zipfile.ZIP_DEFLATED
-            entry.external_attr = (0o100755 if name in ("setup.sh", "run_autograder") else 0o100644) << 16
+            entry.external_attr = (
+                0o100755 if name in ("setup.sh", "run_autograder") else 0o100644
+            ) << 16
             file.writestr(entry, data)
     return archive.getvalue()

@@ -1,8 +1,8 @@
 """A notebook under a user of its own, for containers in which no sandbox can be had.
 
-Limits, the watching of them and the filter of system calls are those of the sandbox. In place of its empty file system
-stand the permissions of files, and in place of its empty network the filter, which here denies all sockets but those
-of the machine itself.
+Limits, the watching of them and the filter of system calls are those of the sandbox. In place of
+its empty file system stand the permissions of files, and in place of its empty network the filter,
+which here denies all sockets but those of the machine itself.
 """
 
 import os
@@ -24,14 +24,23 @@ class OwnUser(Sandbox):
         self._user = user
 
     def __enter__(self):
-        return self  # started with the first notebook, and tried again if the machine is too slow at first
+        # started with the first notebook, and tried again if the machine is too slow at first
+        return self
 
     def _spawn(self):
-        start = (f"from workbook.grading.gradescope import own_user; own_user.keep({self._user.pw_uid}, "
-                 f"{self._user.pw_gid}, {asdict(self.limits)!r}, {list(self._modules)!r})")
-        return subprocess.Popen([sys.executable, "-I", "-c", start], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
-                                stderr=subprocess.PIPE,
-                                close_fds=True, start_new_session=True, env=isolation.ENVIRONMENT)
+        start = (
+            f"from workbook.grading.gradescope import own_user; own_user.keep({self._user.pw_uid}, "
+            f"{self._user.pw_gid}, {asdict(self.limits)!r}, {list(self._modules)!r})"
+        )
+        return subprocess.Popen(
+            [sys.executable, "-I", "-c", start],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            close_fds=True,
+            start_new_session=True,
+            env=isolation.ENVIRONMENT,
+        )
 
     def _stop(self):
         started = self._worker is not None
@@ -56,8 +65,8 @@ class OwnUser(Sandbox):
 
 
 def keep(user, group, limits, modules):
-    """As root: run the worker, for a notebook within the limits that finds `modules` imported, as another user, who
-    cannot reach this process, and end as the worker ends."""
+    """As root: run the worker, for a notebook within the limits that finds `modules` imported, as
+    another user, who cannot reach this process, and end as the worker ends."""
     isolation.system_call("prctl", worker.PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
     this, child = os.getpid(), os.fork()
     if child == 0:

@@ -1,4 +1,5 @@
-"""A region of stability with the roots moving beside it: the point of the plane is pulled, the roots follow."""
+"""A region of stability with the roots moving beside it: the point of the plane is pulled, the
+roots follow."""
 
 import numpy as np
 import sympy as sp
@@ -15,9 +16,9 @@ RANGE, REACH = (-2.0, 4.0), 3.0
 def region_of_stability(problem="1.15", item="a"):
     """The region of an item in the plane of its two parameters; click into it, or move the sliders.
 
-    `problem`: a number whose data have a polynomial `a_poly` or a matrix `a_matrix` with two parameters, such as
-    "1.15", "1.16", "1.18"; `item`: its letter. Where the problem sets a margin, the line that the roots must not
-    cross is moved by it.
+    `problem`: a number whose data have a polynomial `a_poly` or a matrix `a_matrix` with two
+    parameters, such as "1.15", "1.16", "1.18"; `item`: its letter. Where the problem sets a margin,
+    the line that the roots must not cross is moved by it.
     """
     polynomial, s, (k1, k2), margin = _asked(problem, item)
     holds = _region(polynomial, (k1, k2), s, margin)
@@ -25,7 +26,13 @@ def region_of_stability(problem="1.15", item="a"):
     plane, complex_plane = stage.axes
     plotting.region(holds, (k1, k2), RANGE, RANGE, ax=plane)
     plane.set_title(f"problem {problem}, item {item}")
-    complex_plane.set(xlim=(-REACH, REACH), ylim=(-REACH, REACH), xlabel="Re $s$", ylabel="Im $s$", title="the roots")
+    complex_plane.set(
+        xlim=(-REACH, REACH),
+        ylim=(-REACH, REACH),
+        xlabel="Re $s$",
+        ylabel="Im $s$",
+        title="the roots",
+    )
     complex_plane.axvspan(-REACH, -margin, color=plotting.SKY, alpha=0.2, linewidth=0)
     complex_plane.axvline(-margin, color=plotting.BLACK, linewidth=1.6)
     complex_plane.axhline(0, color=plotting.GREY, linewidth=0.8)
@@ -49,8 +56,10 @@ def region_of_stability(problem="1.15", item="a"):
         unstable.set_data(*_parts(roots[~inside]))
         if abs(leading) < 1e-12:
             return "the leading coefficient is 0: a root has gone to infinity"
-        return (f"{inside.sum()} of {len(roots)} roots lie left of the line; the greatest real part is "
-                f"{roots.real.max():.3g}")
+        return (
+            f"{inside.sum()} of {len(roots)} roots lie left of the line; the greatest real part is "
+            f"{roots.real.max():.3g}"
+        )
 
     controls = {str(k): slider(str(k), *RANGE, value) for k, value in ((k1, 2.0), (k2, 1.0))}
 
@@ -72,8 +81,11 @@ def _asked(problem, item):
     symbols = sorted(given[0].free_symbols - {data.get("s")}, key=str) if given else []
     if len(symbols) != 2:
         items = sorted(name[0] for name in data if name[1:] in ("_poly", "_matrix"))
-        raise LiveError(f"problem {problem} has no item {item} with a polynomial or a matrix in two parameters; "
-                        + (f"there is {', '.join(items)}" if items else "1.15, 1.16 and 1.18 have"))
+        raise LiveError(
+            f"problem {problem} has no item {item} with a polynomial or a matrix in two "
+            "parameters; "
+            + (f"there is {', '.join(items)}" if items else "1.15, 1.16 and 1.18 have")
+        )
     s = data.get("s", sp.Symbol("s"))
     polynomial = given[0] if isinstance(given[0], sp.Expr) else given[0].charpoly(s).as_expr()
     return polynomial, s, symbols, data.get("margin", 0)

@@ -1,14 +1,16 @@
-"""Pictures that move in a notebook: a Matplotlib figure of which only some artists are drawn anew in each frame.
+"""Pictures that move in a notebook: a Matplotlib figure of which only some artists are drawn anew
+in each frame.
 
-What stands (axes, words, regions) is drawn once and kept as pixels; a frame is these, the moving artists on top, and a
-JPEG of the whole without coarser colours, which `ipywidgets.Image` shows. `benchmarks/live.py` compares the ways: a
-frame takes 5 ms, drawn whole and as PNG 25 times as long, as SVG 30 times; a PNG of the same pixels takes three times
-as long as the JPEG, and a BMP is twelve times as large.
+What stands (axes, words, regions) is drawn once and kept as pixels; a frame is these, the moving
+artists on top, and a JPEG of the whole without coarser colours, which `ipywidgets.Image` shows.
+`benchmarks/live.py` compares the ways: a frame takes 5 ms, drawn whole and as PNG 25 times as long,
+as SVG 30 times; a PNG of the same pixels takes three times as long as the JPEG, and a BMP is twelve
+times as large.
 
-Clicks and strokes come from a transparent layer over the picture. Its handlers stand in its own HTML and write where
-the pointer is into a hidden text field, which ipywidgets tells the kernel: no other host is asked, and no package
-beside ipywidgets. While the kernel draws, ipywidgets holds back all but the newest value: a slow frame is passed over,
-never waited for in a queue.
+Clicks and strokes come from a transparent layer over the picture. Its handlers stand in its own
+HTML and write where the pointer is into a hidden text field, which ipywidgets tells the kernel: no
+other host is asked, and no package beside ipywidgets. While the kernel draws, ipywidgets holds back
+all but the newest value: a slow frame is passed over, never waited for in a queue.
 """
 
 import html
@@ -23,7 +25,8 @@ from trajlib.typesetting import typeset
 from workbook.live.subjects import LiveError
 
 WIDTH, DPI, QUALITY = 11.5, 100, 93
-#: Where the pointer has been since it was pressed, in parts of the picture from its lower left corner.
+#: Where the pointer has been since it was pressed, in parts of the picture from its lower left
+#: corner.
 MOVED = """
 if (event.type === 'pointerdown') { this.stroke = []; this.setPointerCapture(event.pointerId); }
 else if (!(event.buttons & 1) || !this.stroke) return;
@@ -60,7 +63,8 @@ class Stage:
         self._moving, self._still = [], None
 
     def moving(self, *artists):
-        """Artists that are drawn in each frame, those given later above the others; returns the last one."""
+        """Artists that are drawn in each frame, those given later above the others; returns the
+        last one."""
         for artist in artists:
             artist.set_animated(True)
             self._moving.append(artist)
@@ -82,13 +86,15 @@ class Stage:
         for artist in self._moving:
             artist.axes.draw_artist(artist)
         size, told = self._canvas.get_width_height(), io.BytesIO()
-        Image.frombuffer("RGBA", size, self._canvas.buffer_rgba(), "raw", "RGBA", 0, 1).convert("RGB").save(
-            told, "jpeg", quality=QUALITY, subsampling=0)
+        Image.frombuffer("RGBA", size, self._canvas.buffer_rgba(), "raw", "RGBA", 0, 1).convert(
+            "RGB"
+        ).save(told, "jpeg", quality=QUALITY, subsampling=0)
         return told.getvalue()
 
     def at(self, x, y):
-        """(the axes, points of shape (N, 2) in its data) where parts of the picture are; None beside all axes."""
-        pixels = np.column_stack([x, y])*self.figure.bbox.size
+        """(the axes, points of shape (N, 2) in its data) where parts of the picture are; None
+        beside all axes."""
+        pixels = np.column_stack([x, y]) * self.figure.bbox.size
         for axes in self.axes:
             if axes.bbox.contains(*pixels[0]):
                 return axes, axes.transData.inverted().transform(pixels)
@@ -96,11 +102,13 @@ class Stage:
 
 
 class Explorer(ipywidgets.VBox):
-    """A stage with its controls. `draw(**values of the controls)` puts the moving artists where they belong and returns
-    a line of words; `pointed(axes, points)` says what a stroke does, of which the last point is where the pointer is.
+    """A stage with its controls. `draw(**values of the controls)` puts the moving artists where
+    they belong and returns a line of words; `pointed(axes, points)` says what a stroke does, of
+    which the last point is where the pointer is.
 
-    `controls`: {name: a widget with a value}; `beside`: widgets that stand with them; `words`: a line above. `frames`
-    counts the pictures drawn so far, `pulled` says whether the pointer does anything.
+    `controls`: {name: a widget with a value}; `beside`: widgets that stand with them; `words`: a
+    line above. `frames` counts the pictures drawn so far, `pulled` says whether the pointer does
+    anything.
     """
 
     def __init__(self, stage, controls, draw, pointed=None, words="", beside=()):
@@ -116,12 +124,18 @@ class Explorer(ipywidgets.VBox):
         if self.pulled:
             self._pointer.observe(self._touched, "value")
         handler = html.escape(" ".join(MOVED.split()), quote=True)
-        layer = ipywidgets.HTML(f'<div class="workbook-layer" onpointerdown="{handler}" onpointermove="{handler}"></div>'
-                                if self.pulled else "")
+        layer = ipywidgets.HTML(
+            f'<div class="workbook-layer" onpointerdown="{handler}" '
+            f'onpointermove="{handler}"></div>'
+            if self.pulled
+            else ""
+        )
         place = ipywidgets.Box([self._image, layer])
         place.add_class("workbook-stage")
         row = ipywidgets.HBox([*beside, *controls.values()], layout={"flex_flow": "row wrap"})
-        about = ipywidgets.HTML(STYLE + (f'<div class="workbook-words">{typeset(words)}</div>' if words else ""))
+        about = ipywidgets.HTML(
+            STYLE + (f'<div class="workbook-words">{typeset(words)}</div>' if words else "")
+        )
         super().__init__([about, row, place, self._words, self._pointer])
         self.add_class("workbook-explorer")
         self.show()
@@ -147,20 +161,24 @@ class Explorer(ipywidgets.VBox):
         self.show()
 
     def set(self, **values):
-        """Give controls their values; raises `LiveError` for an unknown one, and outside of its range."""
+        """Give controls their values; raises `LiveError` for an unknown one, and outside of its
+        range."""
         with self.together():
             for name, value in values.items():
                 self._set(name, value)
 
     def _set(self, name, value):
         if name not in self.controls:
-            raise LiveError(f"there is no parameter {name}; there is {', '.join(self.controls) or 'none'}")
+            raise LiveError(
+                f"there is no parameter {name}; there is {', '.join(self.controls) or 'none'}"
+            )
         control = self.controls[name]
         try:
             value = float(value)
         except (TypeError, ValueError):
             raise LiveError(f"{name}: expected a number, got {value}") from None
-        low, high = getattr(control, "min", 0), getattr(control, "max", 1)  # a switch has neither
+        # a switch has neither
+        low, high = getattr(control, "min", 0), getattr(control, "max", 1)
         if not low <= value <= high:
             raise LiveError(f"{name} = {value:g}: it goes from {low:g} to {high:g} here")
         control.value = type(control.value)(value)
@@ -179,8 +197,15 @@ class Explorer(ipywidgets.VBox):
 
 def slider(name, low, high, value, step=None):
     """A slider for a number, with 200 steps."""
-    return ipywidgets.FloatSlider(value, min=low, max=high, step=step or (high - low)/200, description=name,
-                                  readout_format=".3g", layout={"width": "480px"})
+    return ipywidgets.FloatSlider(
+        value,
+        min=low,
+        max=high,
+        step=step or (high - low) / 200,
+        description=name,
+        readout_format=".3g",
+        layout={"width": "480px"},
+    )
 
 
 def near(control, value):

@@ -7,8 +7,9 @@ TURN = {y1: sp.Interval.Lopen(-pi, pi)}
 # A pendulum with a push: hanging at 0, standing at pi.
 PENDULUM = ([y2, -sp.sin(y1) + u], [y1, y2], [u], TURN)
 HANGING, STANDING = [(0, 0), [0, -1]], [(pi, 0), [-3, -2]]
-# y1 is out of reach, with an eigenvalue 0, and comes back by its cube, or drifts away by its square.
-CUBE = ([-y1**3, y2 + u], [y1, y2], [u], None, [y1, y2])
+# y1 is out of reach, with an eigenvalue 0, and comes back by its cube, or drifts away by its
+# square.
+CUBE = ([-(y1**3), y2 + u], [y1, y2], [u], None, [y1, y2])
 SQUARE = ([y1**2, y2 + u], [y1, y2], [u], None, [y1, y2])
 # y1 grows out of reach, or decays.
 GROWS, DECAYS = ([y1, y2 + u], [y1, y2], [u]), ([-y1, y2 + u], [y1, y2], [u])
@@ -16,19 +17,38 @@ ZERO = (0, 0)
 
 CASES = [
     Case("rest_gains", [HANGING, STANDING], PENDULUM, "right", "a pair for each point"),
-    Case("rest_gains", [[(-pi, 0.0), M([[-3.5, -2]])], [M([0, 0]), (1 / sp.Integer(2), -1)]], PENDULUM, "right",
-         "another order, a turn away, matrices and decimals"),
-    Case("rest_gains", [[ZERO, [0, -1]]], CUBE, "right", "critical, and the terms of third order bring it back"),
+    Case(
+        "rest_gains",
+        [[(-pi, 0.0), M([[-3.5, -2]])], [M([0, 0]), (1 / sp.Integer(2), -1)]],
+        PENDULUM,
+        "right",
+        "another order, a turn away, matrices and decimals",
+    ),
+    Case(
+        "rest_gains",
+        [[ZERO, [0, -1]]],
+        CUBE,
+        "right",
+        "critical, and the terms of third order bring it back",
+    ),
     Case("rest_gains", [[ZERO, []]], SQUARE, "right", "critical, and no gain keeps it"),
     Case("rest_gains", [[ZERO, []]], GROWS, "right", "a growing mode out of reach"),
     Case("rest_gains", [[ZERO, [5, -2]]], DECAYS, "right", "a decaying mode out of reach"),
-    Case("rest_gains", [HANGING, [(pi, 0), [0, -1]]], PENDULUM, "wrong", "the gain of the other point"),
+    Case(
+        "rest_gains",
+        [HANGING, [(pi, 0), [0, -1]]],
+        PENDULUM,
+        "wrong",
+        "the gain of the other point",
+    ),
     Case("rest_gains", [[(0, 0), [0, 1]], STANDING], PENDULUM, "wrong", "the sign of the friction"),
     Case("rest_gains", [[(0, 0), [-1, 0]], STANDING], PENDULUM, "wrong", "an oscillation for ever"),
     Case("rest_gains", [HANGING, [(pi, 0), []]], PENDULUM, "wrong", "there is a gain"),
     Case("rest_gains", [HANGING], PENDULUM, "wrong", "a point left out"),
     Case("rest_gains", [HANGING, STANDING, [(pi / 2, 0), []]], PENDULUM, "wrong", "no equilibrium"),
-    Case("rest_gains", [HANGING, STANDING, [(-pi, 0), [-3, -2]]], PENDULUM, "wrong", "a point twice"),
+    Case(
+        "rest_gains", [HANGING, STANDING, [(-pi, 0), [-3, -2]]], PENDULUM, "wrong", "a point twice"
+    ),
     Case("rest_gains", [[ZERO, []]], CUBE, "wrong", "critical, and some gain does"),
     Case("rest_gains", [[ZERO, [0, -2]]], SQUARE, "wrong", "critical, and the motions run away"),
     Case("rest_gains", [[ZERO, []]], DECAYS, "wrong", "what is out of reach decays"),
@@ -37,7 +57,16 @@ CASES = [
     Case("rest_gains", [HANGING, [(pi, 0), ...]], PENDULUM, "missing", "half of it"),
     Case("rest_gains", [0, -1], PENDULUM, "invalid", "one gain"),
     Case("rest_gains", [HANGING, [(pi, 0), [1, 2, 3]]], PENDULUM, "invalid", "three entries"),
-    Case("rest_gains", [HANGING, [(pi, 0), [y1, -2]]], PENDULUM, "invalid", "a gain that is no number"),
+    Case(
+        "rest_gains",
+        [HANGING, [(pi, 0), [y1, -2]]],
+        PENDULUM,
+        "invalid",
+        "a gain that is no number",
+    ),
 ]
-LIMITS = ["A gain at which the loop has eigenvalues on the imaginary axis is refused, unless no gain moves them; then "
-          "motions that start at the distance 0.05 decide, and for an empty list those under three gains."]
+LIMITS = [
+    "A gain at which the loop has eigenvalues on the imaginary axis is refused, unless no gain "
+    "moves them; then "
+    "motions that start at the distance 0.05 decide, and for an empty list those under three gains."
+]

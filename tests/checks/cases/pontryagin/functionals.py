@@ -9,33 +9,50 @@ v = x(t).diff(t)
 w = v.diff(t)
 HALF = sp.Rational(1, 2)
 
-GROWTH = Functional(v**2 + x(t)**2, x(t), (t, 0, 1), start=[1], final=-x(1)**2)
-ROOT = Functional(x(t)**2 * v**2, x(t), (t, 0, 1), start=[1], final=x(1)**2)
+GROWTH = Functional(v**2 + x(t) ** 2, x(t), (t, 0, 1), start=[1], final=-(x(1) ** 2))
+ROOT = Functional(x(t) ** 2 * v**2, x(t), (t, 0, 1), start=[1], final=x(1) ** 2)
 FALL = Functional(v**2 - x(t), x(t), (t, 0, T), start=[0], end=[2])
 LOADED = Functional(t**2 * x(t) - v**2, x(t), (t, 0, 1), start=[0], end=[0], maximise=True)
 BEAM = Functional(w**2 - 48 * x(t), x(t), (t, 0, 1), start=[0, 0])
-TENSE = Functional(v**2 - x(t)**2, x(t), (t, 0, 5), start=[0], end=[0])
+TENSE = Functional(v**2 - x(t) ** 2, x(t), (t, 0, 5), start=[0], end=[0])
 CHAIN = Functional(v**2 + 1, x(t), (t, 0, T), start=[0], end=[1])
 PUSH = Functional(w**2 / 2, x(t), (t, 0, T), start=[0, 0], end=[6, 3])
-PARABOLA = -t**2 / 4 + (2 / T + T / 4) * t
+PARABOLA = -(t**2) / 4 + (2 / T + T / 4) * t
 BENT = t**4 - 4 * t**3 + 6 * t**2
 
 CASES = [
     Case("best_motion", sp.exp(t), (GROWTH,), "right", "a free end with a cost"),
-    Case("best_motion", 2.718**sp.Symbol("t"), (GROWTH,), "right", "decimals, a plain symbol"),
+    Case("best_motion", 2.718 ** sp.Symbol("t"), (GROWTH,), "right", "decimals, a plain symbol"),
     Case("best_motion", sp.sqrt(1 - t), (ROOT,), "right", "a velocity without bound at the end"),
     Case("best_motion", PARABOLA, (FALL, [T]), "right", "with a parameter"),
     Case("best_motion", BENT, (BEAM,), "right", "second derivatives"),
     Case("best_motion", (t - t**4) / 24, (LOADED,), "right", "the greatest"),
     Case("best_motion", 2.745**t, (GROWTH,), "wrong", "decimals one per cent off"),
     Case("best_motion", sp.cosh(t), (GROWTH,), "wrong", "the natural condition forgotten"),
-    Case("best_motion", 1 + (sp.E - 1) * t, (GROWTH,), "wrong", "both ends right, straight between"),
-    Case("best_motion", sp.Piecewise((sp.exp(t), t < HALF), (sp.exp(t) + t - HALF, True)), (GROWTH,), "wrong",
-         "a corner"),
+    Case(
+        "best_motion", 1 + (sp.E - 1) * t, (GROWTH,), "wrong", "both ends right, straight between"
+    ),
+    Case(
+        "best_motion",
+        sp.Piecewise((sp.exp(t), t < HALF), (sp.exp(t) + t - HALF, True)),
+        (GROWTH,),
+        "wrong",
+        "a corner",
+    ),
     Case("best_motion", sp.Integer(1), (ROOT,), "wrong", "at rest"),
-    Case("best_motion", sp.sqrt(1 - 2 * t), (ROOT,), "wrong", "no real number on a part of the way"),
-    Case("best_motion", sp.Piecewise((sp.sqrt(1 - 2 * t), t < HALF), (0, True)), (ROOT,), "wrong", "stopped early"),
-    Case("best_motion", -t**2 / 4 + t, (FALL, [T]), "wrong", "right for one value of the parameter"),
+    Case(
+        "best_motion", sp.sqrt(1 - 2 * t), (ROOT,), "wrong", "no real number on a part of the way"
+    ),
+    Case(
+        "best_motion",
+        sp.Piecewise((sp.sqrt(1 - 2 * t), t < HALF), (0, True)),
+        (ROOT,),
+        "wrong",
+        "stopped early",
+    ),
+    Case(
+        "best_motion", -(t**2) / 4 + t, (FALL, [T]), "wrong", "right for one value of the parameter"
+    ),
     Case("best_motion", BENT - t**2, (BEAM,), "wrong", "the natural condition of the velocity"),
     Case("best_motion", sp.Eq(x(t), sp.exp(t)), (GROWTH,), "invalid", "an equation"),
     Case("best_value", -1, (GROWTH,), "right", "a number"),
@@ -64,9 +81,12 @@ CASES = [
     Case("stationary_duration", T, (CHAIN, T), "invalid", "a symbol"),
 ]
 LIMITS = [
-    "A motion is varied in nine overlapping windows, as a whole, and at its free ends; with parameters for four sets "
+    "A motion is varied in nine overlapping windows, as a whole, and at its free ends; with "
+    "parameters for four sets "
     "of values.",
-    "That there is a best motion is decided for integrands that are at most quadratic, on forty intervals; a best "
+    "That there is a best motion is decided for integrands that are at most quadratic, on forty "
+    "intervals; a best "
     "duration is looked for among fourteen from 0.2 to 80.",
-    "A motion that is written with decimals may leave half a percent of the terms of the first variation.",
+    "A motion that is written with decimals may leave half a percent of the terms of the first "
+    "variation.",
 ]

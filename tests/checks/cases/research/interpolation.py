@@ -3,40 +3,72 @@ from case import Case
 
 t, x0, x, rate = sp.symbols("t x0 x rate", real=True)
 half = sp.Rational(1, 2)
-MOTION = x0/(1 + x0*t)
+MOTION = x0 / (1 + x0 * t)
 NODES = {t: [0, half, 1], x0: [1, 2]}
 BUMP = sp.Piecewise((1, sp.Eq(t, half)), (0, True))
-FORMULA = (2 - x0)*(1 - 5*t/6 + t**2/3) + (x0 - 1)*(2 - 8*t/3 + 4*t**2/3)
+FORMULA = (2 - x0) * (1 - 5 * t / 6 + t**2 / 3) + (x0 - 1) * (2 - 8 * t / 3 + 4 * t**2 / 3)
 MIDDLE = (x, BUMP, {t: [0, half, 1]}, x)
 TABLE = (x, MOTION, NODES, x)
 ERROR = (x - MOTION, MOTION, NODES, x, None, {x0: 1})
 DEFECT = (rate + x**2, MOTION, NODES, x, rate, {t: 0})
 DECIMALS = (x, sp.exp(-t), {t: [0, sp.Float("0.1"), sp.Rational(1, 3)]}, x)
-found = sp.interpolate([(0, 1), (0.1, sp.exp(-0.1)), (1/3, sp.exp(-1/3))], t)
+found = sp.interpolate([(0, 1), (0.1, sp.exp(-0.1)), (1 / 3, sp.exp(-1 / 3))], t)
 
 CASES = [
-    Case("of_interpolant", 4*t*(1 - t), MIDDLE, "right", "by its zeros"),
-    Case("of_interpolant", 1 - (2*t - 1)**2, MIDDLE, "right", "by its vertex"),
-    Case("of_interpolant", t*(1 - t), MIDDLE, "wrong", "not 1 at its own node"),
+    Case("of_interpolant", 4 * t * (1 - t), MIDDLE, "right", "by its zeros"),
+    Case("of_interpolant", 1 - (2 * t - 1) ** 2, MIDDLE, "right", "by its vertex"),
+    Case("of_interpolant", t * (1 - t), MIDDLE, "wrong", "not 1 at its own node"),
     Case("of_interpolant", BUMP, MIDDLE, "wrong", "right at the nodes alone"),
     Case("of_interpolant", FORMULA, TABLE, "right", "two curves joined by straight lines"),
     Case("of_interpolant", sp.expand(FORMULA), TABLE, "right", "by powers"),
-    Case("of_interpolant", FORMULA.subs({t: sp.Symbol("t"), x0: sp.Symbol("x0")}), TABLE, "right", "plain symbols"),
+    Case(
+        "of_interpolant",
+        FORMULA.subs({t: sp.Symbol("t"), x0: sp.Symbol("x0")}),
+        TABLE,
+        "right",
+        "plain symbols",
+    ),
     Case("of_interpolant", MOTION, TABLE, "wrong", "the motion itself"),
-    Case("of_interpolant", FORMULA + t*(1 - t)*(1 - 2*t), TABLE, "wrong",
-         "it agrees at all nodes, but is of too high a degree"),
+    Case(
+        "of_interpolant",
+        FORMULA + t * (1 - t) * (1 - 2 * t),
+        TABLE,
+        "wrong",
+        "it agrees at all nodes, but is of too high a degree",
+    ),
     Case("of_interpolant", FORMULA.subs(x0, 1), TABLE, "wrong", "one of the curves"),
-    Case("of_interpolant", t*(1 - t)*(1 - 2*t)/(6*(1 + t)), ERROR, "right", "with the zeros at the nodes"),
+    Case(
+        "of_interpolant",
+        t * (1 - t) * (1 - 2 * t) / (6 * (1 + t)),
+        ERROR,
+        "right",
+        "with the zeros at the nodes",
+    ),
     Case("of_interpolant", FORMULA - MOTION, ERROR, "right", "with the start left in it"),
-    Case("of_interpolant", -t*(1 - t)*(1 - 2*t)/(6*(1 + t)), ERROR, "wrong", "with the other sign"),
-    Case("of_interpolant", 1 - 11*x0/6 + x0**2, DEFECT, "right", "by powers of the start"),
-    Case("of_interpolant", 1 - 11*x0/6, DEFECT, "wrong", "the rate alone"),
+    Case(
+        "of_interpolant",
+        -t * (1 - t) * (1 - 2 * t) / (6 * (1 + t)),
+        ERROR,
+        "wrong",
+        "with the other sign",
+    ),
+    Case("of_interpolant", 1 - 11 * x0 / 6 + x0**2, DEFECT, "right", "by powers of the start"),
+    Case("of_interpolant", 1 - 11 * x0 / 6, DEFECT, "wrong", "the rate alone"),
     Case("of_interpolant", found, DECIMALS, "right", "nodes in decimals"),
     Case("of_interpolant", sp.exp(-t), DECIMALS, "wrong", "the function itself"),
-    Case("of_interpolant", sp.Symbol("y")*t, TABLE, "invalid", "a symbol that is not among the data"),
-    Case("of_interpolant", FORMULA/(t - t), TABLE, "invalid", "undefined"),
+    Case(
+        "of_interpolant",
+        sp.Symbol("y") * t,
+        TABLE,
+        "invalid",
+        "a symbol that is not among the data",
+    ),
+    Case("of_interpolant", FORMULA / (t - t), TABLE, "invalid", "undefined"),
     Case("of_interpolant", [FORMULA, FORMULA], TABLE, "invalid", "two expressions"),
     Case("of_interpolant", ..., TABLE, "missing", "the untouched stub"),
 ]
-LIMITS = ["Agreement is tried at eight places between the nodes; two polynomials of these degrees that agree there are "
-          "taken for equal."]
+LIMITS = [
+    "Agreement is tried at eight places between the nodes; two polynomials of these degrees that "
+    "agree there are "
+    "taken for equal."
+]

@@ -7,16 +7,23 @@ t, g, R, tau, delta, omega, T, M = sp.symbols("t g R tau delta omega T M", posit
 v0, phi0, eps, b = sp.symbols("v0 phi0 eps b", real=True)
 x, y, z, vx, vy, vz, u, w, p, q = sp.symbols("x y z vx vy vz u w p q", real=True)
 n1, n2, n3, k1, k2, k3 = sp.symbols("n1 n2 n3 k1 k2 k3", real=True)
-PLATFORM = sp.Matrix([[0, -g, 0, 1], [1/R, 0, 1, 0], [0, 0, 0, 0], [0, 0, 0, 0]])
+PLATFORM = sp.Matrix([[0, -g, 0, 1], [1 / R, 0, 1, 0], [0, 0, 0, 0], [0, 0, 0, 0]])
 SPEED = sp.Matrix([[1, 0, 0, 0]])
 UNKNOWNS = [v0, phi0, eps, b]
-ORBIT = sp.Matrix([[0, 0, 0, 1, 0, 0], [0, 0, 0, 0, 1, 0], [0, 0, 0, 0, 0, 1], [3*omega**2, 0, 0, 0, 2*omega, 0],
-                   [0, 0, 0, -2*omega, 0, 0],
-                   [0, 0, -omega**2, 0, 0, 0]])
+ORBIT = sp.Matrix(
+    [
+        [0, 0, 0, 1, 0, 0],
+        [0, 0, 0, 0, 1, 0],
+        [0, 0, 0, 0, 0, 1],
+        [3 * omega**2, 0, 0, 0, 2 * omega, 0],
+        [0, 0, 0, -2 * omega, 0, 0],
+        [0, 0, -(omega**2), 0, 0, 0],
+    ]
+)
 SIGHT, SECOND = [n1, n2, n3], [k1, k2, k3]
 BIAS = (Linear(PLATFORM, H=SPEED), UNKNOWNS, phi0, b)
 WORST = (Linear(PLATFORM[:3, :3], H=SPEED[:, :3]), UNKNOWNS[:3], eps, tau, delta)
-RELATIVE = [x + u*t, y + w*t]
+RELATIVE = [x + u * t, y + w * t]
 BEARINGS = (RELATIVE, t)
 TURN = (RELATIVE, t, T, [p, q])
 ERROR = (*TURN, delta)
@@ -25,58 +32,122 @@ AXES = (ORBIT, [[1, 0, 0], [0, 1, 0], [0, 0, 1]])
 STATIONS = (ORBIT, SIGHT, SECOND)
 BOUND = (sp.Matrix([[1, 0], [0, sp.Rational(1, 100)], [0, 0]]), [1, 0], 5)
 ROWS = (6, 10**9, sp.Rational(22, 10**17))
-f = sp.sqrt(g/R)
-k = sp.cos(f*tau)
-X = 4*x + 2*vy/omega
-cross = p*(y + w*t) - q*(x + u*t)
-far = (x + u*t - p*(t - T))**2 + (y + w*t - q*(t - T))**2
+f = sp.sqrt(g / R)
+k = sp.cos(f * tau)
+X = 4 * x + 2 * vy / omega
+cross = p * (y + w * t) - q * (x + u * t)
+far = (x + u * t - p * (t - T)) ** 2 + (y + w * t - q * (t - T)) ** 2
 
 CASES = [
-    Case("bias_of_estimate", -b/g, BIAS, "right", "exact"),
-    Case("bias_of_estimate", -1.0*b/g, BIAS, "right", "a decimal factor"),
-    Case("bias_of_estimate", b/g, BIAS, "wrong", "truth minus estimate"),
+    Case("bias_of_estimate", -b / g, BIAS, "right", "exact"),
+    Case("bias_of_estimate", -1.0 * b / g, BIAS, "right", "a decimal factor"),
+    Case("bias_of_estimate", b / g, BIAS, "wrong", "truth minus estimate"),
     Case("bias_of_estimate", 0, BIAS, "wrong", "no error"),
-    Case("bias_of_estimate", phi0 - b/g, BIAS, "invalid", "the estimate instead of its error"),
+    Case("bias_of_estimate", phi0 - b / g, BIAS, "invalid", "the estimate instead of its error"),
     Case("bias_of_estimate", ..., BIAS, "missing", "the untouched stub"),
-    Case("worst_of_three", delta*(1 + sp.Abs(k))/(R*(1 - k)), WORST, "right", "by the cosine"),
-    Case("worst_of_three", delta*(1 + sp.sqrt(k**2))/(2*R*sp.sin(f*tau/2)**2), WORST, "right", "by the half angle"),
-    Case("worst_of_three", delta/R, WORST, "wrong", "for late measurements only"),
-    Case("worst_of_three", 4*delta/(g*tau**2), WORST, "wrong", "for early measurements only"),
-    Case("worst_of_three", delta*(1 + k)/(R*(1 - k)), WORST, "wrong", "without the absolute value"),
+    Case(
+        "worst_of_three", delta * (1 + sp.Abs(k)) / (R * (1 - k)), WORST, "right", "by the cosine"
+    ),
+    Case(
+        "worst_of_three",
+        delta * (1 + sp.sqrt(k**2)) / (2 * R * sp.sin(f * tau / 2) ** 2),
+        WORST,
+        "right",
+        "by the half angle",
+    ),
+    Case("worst_of_three", delta / R, WORST, "wrong", "for late measurements only"),
+    Case("worst_of_three", 4 * delta / (g * tau**2), WORST, "wrong", "for early measurements only"),
+    Case(
+        "worst_of_three",
+        delta * (1 + k) / (R * (1 - k)),
+        WORST,
+        "wrong",
+        "without the absolute value",
+    ),
     Case("worst_of_three", sp.Lt(delta, 1), WORST, "invalid", "a condition"),
     Case("worst_of_three", ..., WORST, "missing", "the untouched stub"),
     Case("unseen_by_bearings", [x, y, u, w], BEARINGS, "right", "along the line of sight"),
-    Case("unseen_by_bearings", (-2*x, -2*y, -2*u, -2*w), BEARINGS, "right", "a multiple"),
-    Case("unseen_by_bearings", [x/u, y/u, 1, w/u], BEARINGS, "wrong", "undefined for u = 0"),
+    Case("unseen_by_bearings", (-2 * x, -2 * y, -2 * u, -2 * w), BEARINGS, "right", "a multiple"),
+    Case("unseen_by_bearings", [x / u, y / u, 1, w / u], BEARINGS, "wrong", "undefined for u = 0"),
     Case("unseen_by_bearings", [x, y, 0, 0], BEARINGS, "wrong", "along the first line of sight"),
     Case("unseen_by_bearings", [-y, x, -w, u], BEARINGS, "wrong", "across"),
-    Case("unseen_by_bearings", [x + u*t, y + w*t, u, w], BEARINGS, "invalid", "with the time"),
+    Case("unseen_by_bearings", [x + u * t, y + w * t, u, w], BEARINGS, "invalid", "with the time"),
     Case("unseen_by_bearings", ..., BEARINGS, "missing", "the untouched stub"),
     Case("bearing_tells_range", sp.Ne(cross, 0), TURN, "right", "the cross product"),
     Case("bearing_tells_range", cross**2 > 0, TURN, "right", "its square"),
     Case("bearing_tells_range", sp.Or(sp.Ne(p, 0), sp.Ne(q, 0)), TURN, "wrong", "any turn"),
-    Case("bearing_tells_range", sp.And(sp.Ne(cross, 0), sp.Ne(p, 0)), TURN, "wrong", "a turn along y left out"),
-    Case("bearing_tells_range", sp.Ne(p**2*(y + w*t)**2, q**2*(x + u*t)**2), TURN, "wrong", "squared"),
+    Case(
+        "bearing_tells_range",
+        sp.And(sp.Ne(cross, 0), sp.Ne(p, 0)),
+        TURN,
+        "wrong",
+        "a turn along y left out",
+    ),
+    Case(
+        "bearing_tells_range",
+        sp.Ne(p**2 * (y + w * t) ** 2, q**2 * (x + u * t) ** 2),
+        TURN,
+        "wrong",
+        "squared",
+    ),
     Case("bearing_tells_range", cross > 0, TURN, "wrong", "one sign only"),
     Case("bearing_tells_range", True, TURN, "wrong", "always"),
     Case("bearing_tells_range", cross, TURN, "invalid", "an expression"),
     Case("bearing_tells_range", ..., TURN, "missing", "the untouched stub"),
-    Case("range_error", delta*far/((t - T)*sp.Abs(cross)), ERROR, "right", "by the way aside"),
-    Case("range_error", sp.Abs(delta*sp.expand(far)/((t - T)*cross)), ERROR, "right",
-         "the absolute value of the whole"),
-    Case("range_error", delta*far/((t - T)*cross), ERROR, "wrong", "with a sign"),
-    Case("range_error", delta*(t - T)*sp.Abs(cross)/far, ERROR, "wrong", "turned over"),
+    Case(
+        "range_error", delta * far / ((t - T) * sp.Abs(cross)), ERROR, "right", "by the way aside"
+    ),
+    Case(
+        "range_error",
+        sp.Abs(delta * sp.expand(far) / ((t - T) * cross)),
+        ERROR,
+        "right",
+        "the absolute value of the whole",
+    ),
+    Case("range_error", delta * far / ((t - T) * cross), ERROR, "wrong", "with a sign"),
+    Case("range_error", delta * (t - T) * sp.Abs(cross) / far, ERROR, "wrong", "turned over"),
     Case("range_error", "small", ERROR, "invalid", "a word"),
     Case("range_error", ..., ERROR, "missing", "the untouched stub"),
-    Case("modes_of_range", [n1*X + n2*(y - 2*vx/omega), -3*n2*(vy + 2*omega*x), n1*(x - X) + 2*n2*vx/omega + n3*z,
-                            (n1*vx + n3*vz)/omega - 2*n2*(x - X)], MODES, "right", "by the mean height"),
-    Case("modes_of_range", sp.Matrix([4*n1*x + 2*n1*vy/omega + n2*y - 2*n2*vx/omega, -3*n2*vy - 6*n2*omega*x,
-                                      2*n2*vx/omega - 3*n1*x - 2*n1*vy/omega + n3*z,
-                                      n1*vx/omega + 6*n2*x + 4*n2*vy/omega + n3*vz/omega]), MODES, "right",
-         "multiplied out, a column"),
-    Case("modes_of_range", [n1*x + n2*y + n3*z, n1*vx + n2*vy + n3*vz, 0, 0], MODES, "wrong", "a free motion"),
-    Case("modes_of_range", [n1*X, -3*n2*(vy + 2*omega*x), n1*(x - X), n1*vx/omega], MODES, "wrong",
-         "without the other coordinates"),
+    Case(
+        "modes_of_range",
+        [
+            n1 * X + n2 * (y - 2 * vx / omega),
+            -3 * n2 * (vy + 2 * omega * x),
+            n1 * (x - X) + 2 * n2 * vx / omega + n3 * z,
+            (n1 * vx + n3 * vz) / omega - 2 * n2 * (x - X),
+        ],
+        MODES,
+        "right",
+        "by the mean height",
+    ),
+    Case(
+        "modes_of_range",
+        sp.Matrix(
+            [
+                4 * n1 * x + 2 * n1 * vy / omega + n2 * y - 2 * n2 * vx / omega,
+                -3 * n2 * vy - 6 * n2 * omega * x,
+                2 * n2 * vx / omega - 3 * n1 * x - 2 * n1 * vy / omega + n3 * z,
+                n1 * vx / omega + 6 * n2 * x + 4 * n2 * vy / omega + n3 * vz / omega,
+            ]
+        ),
+        MODES,
+        "right",
+        "multiplied out, a column",
+    ),
+    Case(
+        "modes_of_range",
+        [n1 * x + n2 * y + n3 * z, n1 * vx + n2 * vy + n3 * vz, 0, 0],
+        MODES,
+        "wrong",
+        "a free motion",
+    ),
+    Case(
+        "modes_of_range",
+        [n1 * X, -3 * n2 * (vy + 2 * omega * x), n1 * (x - X), n1 * vx / omega],
+        MODES,
+        "wrong",
+        "without the other coordinates",
+    ),
     Case("modes_of_range", [x, y, z], MODES, "invalid", "three of four"),
     Case("modes_of_range", [x, ..., z, y], MODES, "missing", "filled in part"),
     Case("numbers_seen", [3, 4, 2], AXES, "right", "a list"),
@@ -86,19 +157,58 @@ CASES = [
     Case("numbers_seen", [3, 4, 2.5], AXES, "invalid", "not whole"),
     Case("numbers_seen", [3, 4], AXES, "invalid", "two of three"),
     Case("numbers_seen", ..., AXES, "missing", "the untouched stub"),
-    Case("stations_insufficient", sp.And(sp.Eq(n1*k3, n3*k1), sp.Eq(n2*k3, n3*k2)), STATIONS, "right", "parallel"),
-    Case("stations_insufficient", sp.Eq((n1/n3 - k1/k3)**2 + 4*(n2/n3 - k2/k3)**2, 0), STATIONS, "right",
-         "the determinant"),
-    Case("stations_insufficient", sp.Eq((n1*k1 + n2*k2 + n3*k3)**2, 1), STATIONS, "right", "unit vectors at 0 or 180"),
-    Case("stations_insufficient", sp.Eq(n1*k1 + n2*k2 + n3*k3, 1), STATIONS, "wrong", "without opposite directions"),
-    Case("stations_insufficient", sp.Eq(n1*k3, n3*k1), STATIONS, "wrong", "one equality"),
-    Case("stations_insufficient", sp.And(sp.Eq(n1**2, k1**2), sp.Eq(n2**2, k2**2), sp.Eq(n3**2, k3**2)), STATIONS,
-         "wrong", "mirrored directions"),
-    Case("stations_insufficient", sp.Or(sp.Eq((n1*k1 + n2*k2 + n3*k3)**2, 1), sp.Eq(n1*k1 + n2*k2 + n3*k3, 0)),
-         STATIONS, "wrong", "perpendicular directions"),
-    Case("stations_insufficient", sp.Or(sp.Eq(n1*k3, n3*k1), sp.Eq(n2*k3, n3*k2)), STATIONS, "wrong", "either"),
+    Case(
+        "stations_insufficient",
+        sp.And(sp.Eq(n1 * k3, n3 * k1), sp.Eq(n2 * k3, n3 * k2)),
+        STATIONS,
+        "right",
+        "parallel",
+    ),
+    Case(
+        "stations_insufficient",
+        sp.Eq((n1 / n3 - k1 / k3) ** 2 + 4 * (n2 / n3 - k2 / k3) ** 2, 0),
+        STATIONS,
+        "right",
+        "the determinant",
+    ),
+    Case(
+        "stations_insufficient",
+        sp.Eq((n1 * k1 + n2 * k2 + n3 * k3) ** 2, 1),
+        STATIONS,
+        "right",
+        "unit vectors at 0 or 180",
+    ),
+    Case(
+        "stations_insufficient",
+        sp.Eq(n1 * k1 + n2 * k2 + n3 * k3, 1),
+        STATIONS,
+        "wrong",
+        "without opposite directions",
+    ),
+    Case("stations_insufficient", sp.Eq(n1 * k3, n3 * k1), STATIONS, "wrong", "one equality"),
+    Case(
+        "stations_insufficient",
+        sp.And(sp.Eq(n1**2, k1**2), sp.Eq(n2**2, k2**2), sp.Eq(n3**2, k3**2)),
+        STATIONS,
+        "wrong",
+        "mirrored directions",
+    ),
+    Case(
+        "stations_insufficient",
+        sp.Or(sp.Eq((n1 * k1 + n2 * k2 + n3 * k3) ** 2, 1), sp.Eq(n1 * k1 + n2 * k2 + n3 * k3, 0)),
+        STATIONS,
+        "wrong",
+        "perpendicular directions",
+    ),
+    Case(
+        "stations_insufficient",
+        sp.Or(sp.Eq(n1 * k3, n3 * k1), sp.Eq(n2 * k3, n3 * k2)),
+        STATIONS,
+        "wrong",
+        "either",
+    ),
     Case("stations_insufficient", False, STATIONS, "wrong", "never"),
-    Case("stations_insufficient", n1*k3 - n3*k1, STATIONS, "invalid", "an expression"),
+    Case("stations_insufficient", n1 * k3 - n3 * k1, STATIONS, "invalid", "an expression"),
     Case("stations_insufficient", ..., STATIONS, "missing", "the untouched stub"),
     Case("breaks_bound", [0, 5, 0], BOUND, "right", "just enough"),
     Case("breaks_bound", [1, -200, 3], BOUND, "right", "much more"),
@@ -114,25 +224,44 @@ CASES = [
     Case("most_rows", 3, ROWS, "wrong", "fewer than the unknowns"),
     Case("most_rows", 51539.2, ROWS, "invalid", "not whole"),
     Case("most_rows", ..., ROWS, "missing", "the untouched stub"),
-    Case("condition_of_nearly_equal", (1 + sp.sqrt(1 + delta**2))/delta, (delta,), "right", "a root"),
-    Case("condition_of_nearly_equal", sp.cot(sp.atan(delta)/2), (delta,), "right", "by the angle"),
-    Case("condition_of_nearly_equal", 2/delta, (delta,), "wrong", "leading term"),
-    Case("condition_of_nearly_equal", (1 + sp.sqrt(1 + delta**2))**2/delta**2, (delta,), "wrong", "squared"),
+    Case(
+        "condition_of_nearly_equal",
+        (1 + sp.sqrt(1 + delta**2)) / delta,
+        (delta,),
+        "right",
+        "a root",
+    ),
+    Case(
+        "condition_of_nearly_equal", sp.cot(sp.atan(delta) / 2), (delta,), "right", "by the angle"
+    ),
+    Case("condition_of_nearly_equal", 2 / delta, (delta,), "wrong", "leading term"),
+    Case(
+        "condition_of_nearly_equal",
+        (1 + sp.sqrt(1 + delta**2)) ** 2 / delta**2,
+        (delta,),
+        "wrong",
+        "squared",
+    ),
     Case("condition_of_nearly_equal", M, (delta,), "invalid", "another symbol"),
     Case("condition_of_nearly_equal", ..., (delta,), "missing", "the untouched stub"),
-    Case("fooling_error", 2*M/(M**2 - 1), (M,), "right", "a fraction"),
-    Case("fooling_error", 1/(M - 1) + 1/(M + 1), (M,), "right", "partial fractions"),
-    Case("fooling_error", 2/M, (M,), "wrong", "leading term"),
-    Case("fooling_error", -2*M/(M**2 - 1), (M,), "wrong", "negative"),
+    Case("fooling_error", 2 * M / (M**2 - 1), (M,), "right", "a fraction"),
+    Case("fooling_error", 1 / (M - 1) + 1 / (M + 1), (M,), "right", "partial fractions"),
+    Case("fooling_error", 2 / M, (M,), "wrong", "leading term"),
+    Case("fooling_error", -2 * M / (M**2 - 1), (M,), "wrong", "negative"),
     Case("fooling_error", [M], (M,), "invalid", "a list"),
     Case("fooling_error", ..., (M,), "missing", "the untouched stub"),
 ]
 LIMITS = [
-    "Motions are compared at six random places with positive values of all symbols; an expression that is right there "
+    "Motions are compared at six random places with positive values of all symbols; an expression "
+    "that is right there "
     "and wrong for other "
-    "signs would pass. Times reach a few units, so that a difference that shows much later is not seen.",
+    "signs would pass. Times reach a few units, so that a difference that shows much later is not "
+    "seen.",
     "What bearings do not see is tried at twelve moments.",
-    "The greatest error of three measurements is judged for tau between 0.4 and 2.8 divided by the fastest frequency.",
-    "Conditions are tried at rational places in general position and on the surface where they change, nowhere else.",
-    "An error that breaks the printed bound may be any that does so; it is measured by least squares.",
+    "The greatest error of three measurements is judged for tau between 0.4 and 2.8 divided by the "
+    "fastest frequency.",
+    "Conditions are tried at rational places in general position and on the surface where they "
+    "change, nowhere else.",
+    "An error that breaks the printed bound may be any that does so; it is measured by least "
+    "squares.",
 ]

@@ -14,7 +14,10 @@ SEEN = (Mechanical([[2, 1], [1, 2]], 0, [[0, -1], [-1, 0]], H1=[[1, 0]], H2=[[1,
 SINGULAR = (Mechanical([[3, 0], [0, 0]], [[0, -1], [1, 1]], [[-2, 1], [1, -1]], H2=[[1, 2]]),)
 # Motion near a circular orbit.
 ORBIT = {"M": sp.eye(2), "D": [[0, 2 * W / r], [-2 * W * r, 0]], "K": sp.diag(0, -3 * W**2)}
-ALONG, ACROSS = (Mechanical(**ORBIT, H1=[[1, 0]]), [W, r]), (Mechanical(**ORBIT, H1=[[0, 1]]), [W, r])
+ALONG, ACROSS = (
+    (Mechanical(**ORBIT, H1=[[1, 0]]), [W, r]),
+    (Mechanical(**ORBIT, H1=[[0, 1]]), [W, r]),
+)
 TANGENT, NORMAL = (Mechanical(**ORBIT, L=[1, 0]), [W, r]), (Mechanical(**ORBIT, L=[0, 1]), [W, r])
 VALUE = (Mechanical([[1, 1], [1, 2]], 0, [[1, 1], [3, b]], L=[1, 3]), [b])
 FREE = (Mechanical(sp.eye(2), 0, sp.diag(1, b), L=[1, 1]), [b])
@@ -25,7 +28,10 @@ SPRINGS = (Mechanical(sp.eye(2), 0, STIFFNESS),)
 SUM = (Mechanical(sp.eye(2), 0, STIFFNESS, H1=[[1, 1]]),)
 FIRST = (Mechanical(sp.eye(2), 0, STIFFNESS, H1=[[1, 0]]),)
 # One mass repelled, displacement and velocity measured together: e^-t is lost.
-REPELLED, MIXED = (Mechanical([[2]], 0, [[-2]]),), (Mechanical([[2]], 0, [[-2]], H1=[[1]], H2=[[1]]),)
+REPELLED, MIXED = (
+    (Mechanical([[2]], 0, [[-2]]),),
+    (Mechanical([[2]], 0, [[-2]], H1=[[1]], H2=[[1]]),),
+)
 # Free masses with friction on the first: a triple root zero.
 SLIDING = (Mechanical(sp.eye(2), sp.diag(1, 0), 0),)
 i, root3 = sp.I, sp.sqrt(3)
@@ -62,8 +68,13 @@ CASES = [
     Case("controllable", "yes", VALUE, "wrong", "one value overlooked"),
     Case("controllable", sp.Ne(b, 3), VALUE, "invalid", "the condition where yes or no is asked"),
     Case("controllable_parameters", sp.Ne(b, 3), VALUE, "right", "one value left out"),
-    Case("controllable_parameters", sp.Ne(sp.Symbol("beta"), 1), FREE, "right",
-         "equal frequencies, a plain symbol"),
+    Case(
+        "controllable_parameters",
+        sp.Ne(sp.Symbol("beta"), 1),
+        FREE,
+        "right",
+        "equal frequencies, a plain symbol",
+    ),
     Case("controllable_parameters", sp.S.Reals - sp.FiniteSet(3), VALUE, "right", "a set"),
     Case("controllable_parameters", sp.Ne(b, 0), VALUE, "wrong", "another value"),
     Case("controllable_parameters", b > 1, FREE, "wrong", "one side only"),
@@ -75,22 +86,54 @@ CASES = [
     Case("lost_eigenvalues", [sp.I * W], NORMAL, "wrong", "a root that is controlled"),
     Case("lost_eigenvalues", [], NORMAL, "wrong", "overlooked"),
     Case("lost_eigenvalues", "0", NORMAL, "invalid", "text"),
-
     Case("mechanical_roots", [i, -i, i * root3, -i * root3], SPRINGS, "right", "exact"),
-    Case("mechanical_roots", {1j, -1j, 1.732j, -1.732j}, SPRINGS, "right", "decimals in a Python set"),
-    Case("mechanical_roots", sp.FiniteSet(i, -i, i * root3, -i * root3), SPRINGS, "right", "a SymPy set"),
+    Case(
+        "mechanical_roots", {1j, -1j, 1.732j, -1.732j}, SPRINGS, "right", "decimals in a Python set"
+    ),
+    Case(
+        "mechanical_roots",
+        sp.FiniteSet(i, -i, i * root3, -i * root3),
+        SPRINGS,
+        "right",
+        "a SymPy set",
+    ),
     Case("mechanical_roots", np.roots([1, 0, 4, 0, 3]), SPRINGS, "right", "an array"),
     Case("mechanical_roots", {1: 1, -1: 1}, REPELLED, "right", "as sp.roots gives them"),
     Case("mechanical_roots", [0, -1], SLIDING, "right", "a multiple root once"),
-    Case("mechanical_roots", [0, 0, 0, -1], SLIDING, "right", "a multiple root as often as it is one"),
-    Case("mechanical_roots", [sp.sqrt(-stiff), -sp.sqrt(-stiff)], TUNED, "right", "with a parameter"),
-    Case("mechanical_roots", [i * sp.sqrt(stiff), -i * sp.sqrt(stiff)], TUNED, "right",
-         "the same with the imaginary unit"),
-    Case("mechanical_roots", [sp.sqrt(stiff), -sp.sqrt(stiff)], TUNED, "wrong", "the sign of the stiffness"),
-    Case("mechanical_roots", [i * sp.sqrt(sp.Abs(stiff - 4) + 4), -i * sp.sqrt(sp.Abs(stiff - 4) + 4)], TUNED, "wrong",
-         "right for stiff springs alone"),
-    Case("mechanical_roots", [i * sp.sqrt(4 - sp.Abs(stiff - 4)), -i * sp.sqrt(4 - sp.Abs(stiff - 4))], TUNED, "wrong",
-         "right for soft springs alone"),
+    Case(
+        "mechanical_roots", [0, 0, 0, -1], SLIDING, "right", "a multiple root as often as it is one"
+    ),
+    Case(
+        "mechanical_roots", [sp.sqrt(-stiff), -sp.sqrt(-stiff)], TUNED, "right", "with a parameter"
+    ),
+    Case(
+        "mechanical_roots",
+        [i * sp.sqrt(stiff), -i * sp.sqrt(stiff)],
+        TUNED,
+        "right",
+        "the same with the imaginary unit",
+    ),
+    Case(
+        "mechanical_roots",
+        [sp.sqrt(stiff), -sp.sqrt(stiff)],
+        TUNED,
+        "wrong",
+        "the sign of the stiffness",
+    ),
+    Case(
+        "mechanical_roots",
+        [i * sp.sqrt(sp.Abs(stiff - 4) + 4), -i * sp.sqrt(sp.Abs(stiff - 4) + 4)],
+        TUNED,
+        "wrong",
+        "right for stiff springs alone",
+    ),
+    Case(
+        "mechanical_roots",
+        [i * sp.sqrt(4 - sp.Abs(stiff - 4)), -i * sp.sqrt(4 - sp.Abs(stiff - 4))],
+        TUNED,
+        "wrong",
+        "right for soft springs alone",
+    ),
     Case("mechanical_roots", [i, -i], SPRINGS, "wrong", "two overlooked"),
     Case("mechanical_roots", [1, root3], SPRINGS, "wrong", "the frequencies"),
     Case("mechanical_roots", [-1, -3], SPRINGS, "wrong", "the squares"),
@@ -101,10 +144,23 @@ CASES = [
     Case("mechanical_roots", ..., SPRINGS, "missing", "the untouched stub"),
     Case("mechanical_roots", "i", SPRINGS, "invalid", "text"),
     Case("mechanical_roots", [sp.Symbol("s")], SPRINGS, "invalid", "a symbol"),
-    Case("unseen_states", [[1, -1, 0, 0], [0, 0, 1, -1]], SUM, "right",
-         "a whole mode: displacement and velocity"),
-    Case("unseen_states", [[1, -1, 2, -2], [1, -1, -2.0, 2.0]], SUM, "right", "another basis, in decimals"),
-    Case("unseen_states", sp.Matrix([[1, 0], [-1, 0], [0, 1], [0, -1]]), SUM, "right", "as columns"),
+    Case(
+        "unseen_states",
+        [[1, -1, 0, 0], [0, 0, 1, -1]],
+        SUM,
+        "right",
+        "a whole mode: displacement and velocity",
+    ),
+    Case(
+        "unseen_states",
+        [[1, -1, 2, -2], [1, -1, -2.0, 2.0]],
+        SUM,
+        "right",
+        "another basis, in decimals",
+    ),
+    Case(
+        "unseen_states", sp.Matrix([[1, 0], [-1, 0], [0, 1], [0, -1]]), SUM, "right", "as columns"
+    ),
     Case("unseen_states", [[1, -1]], MIXED, "right", "one decreasing motion"),
     Case("unseen_states", [], FIRST, "right", "an observable system"),
     Case("unseen_states", [[1, -1, 0, 0]], SUM, "wrong", "displacements only"),
@@ -119,8 +175,10 @@ CASES = [
 ]
 LIMITS = [
     "The roots and the unseen states (x, x') are asked of systems with invertible M alone.",
-    "Where M is singular for some values of the parameters, these values are left out; where it is singular for all, "
+    "Where M is singular for some values of the parameters, these values are left out; where it is "
+    "singular for all, "
     "only systems without parameters are judged.",
-    "Values of lambda that depend on parameters are compared at eight values of them in general position, two of them "
+    "Values of lambda that depend on parameters are compared at eight values of them in general "
+    "position, two of them "
     "large.",
 ]

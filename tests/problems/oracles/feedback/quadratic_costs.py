@@ -1,4 +1,5 @@
-"""Oracles of the checks of quadratic costs: eigenvalues in any order, and again, are the same ones."""
+"""Oracles of the checks of quadratic costs: eigenvalues in any order, and again, are the same
+ones."""
 
 from oracles.structure.linear_systems import same_numbers
 

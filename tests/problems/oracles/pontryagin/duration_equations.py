@@ -6,10 +6,13 @@ from scipy.optimize import brentq
 
 
 def same_least_root(mutant, reference, problem, duration, parameters):
-    """True if two equations for a duration have the same least positive root, for random values of the parameters."""
+    """True if two equations for a duration have the same least positive root, for random values of
+    the parameters."""
     random = np.random.default_rng(5)
-    functions = [sp.lambdify([duration, *parameters], e.lhs - e.rhs if isinstance(e, sp.Eq) else e)
-                 for e in (mutant, reference)]
+    functions = [
+        sp.lambdify([duration, *parameters], e.lhs - e.rhs if isinstance(e, sp.Eq) else e)
+        for e in (mutant, reference)
+    ]
     for _ in range(12):
         values = [random.uniform(float(part.inf), float(part.sup)) for part in parameters.values()]
         one, other = (_least_root(lambda T, f=f: f(T, *values)) for f in functions)
@@ -25,7 +28,11 @@ def _least_root(function):
         return None
     signs = np.sign(np.real(values))
     changes = np.flatnonzero(signs[1:] * signs[:-1] <= 0)
-    return brentq(lambda T: float(function(T)), *grid[changes[0]:changes[0] + 2], xtol=1e-14) if changes.size else None
+    return (
+        brentq(lambda T: float(function(T)), *grid[changes[0] : changes[0] + 2], xtol=1e-14)
+        if changes.size
+        else None
+    )
 
 
 ORACLES = {"duration_equation": same_least_root}

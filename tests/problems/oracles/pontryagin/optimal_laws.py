@@ -8,15 +8,24 @@ from oracles.sameness import compiled
 
 
 def same_law(mutant, reference, problem, parameters, time=None):
-    """True if two laws agree at random states; of equations the solutions between the bounds count."""
+    """True if two laws agree at random states; of equations the solutions between the bounds
+    count."""
     if not any(isinstance(one, sp.Eq) for one in (mutant, reference)):
         return not isinstance(mutant, (list, tuple)) and same_transfer(mutant, reference)
     ((control, bounds),) = problem.controls.items()
-    sides = [one.lhs - one.rhs if isinstance(one, sp.Eq) else control - one if isinstance(one, sp.Expr) else None
-             for one in (mutant, reference)]
+    sides = [
+        one.lhs - one.rhs
+        if isinstance(one, sp.Eq)
+        else control - one
+        if isinstance(one, sp.Expr)
+        else None
+        for one in (mutant, reference)
+    ]
     if None in sides:
         return False
-    symbols = tuple(sorted(set(problem.dynamics) | sides[0].free_symbols | sides[1].free_symbols, key=str))
+    symbols = tuple(
+        sorted(set(problem.dynamics) | sides[0].free_symbols | sides[1].free_symbols, key=str)
+    )
     grid, random = np.linspace(*map(float, bounds), 2001), np.random.default_rng(31)
     functions = [compiled(symbols, side) for side in sides]
     for _ in range(60):
@@ -24,12 +33,19 @@ def same_law(mutant, reference, problem, parameters, time=None):
         found = []
         for function in functions:
             with np.errstate(all="ignore"):
-                left = np.broadcast_to(np.asarray(function(*(values | {control: grid}).values()), complex), grid.shape)
+                left = np.broadcast_to(
+                    np.asarray(function(*(values | {control: grid}).values()), complex), grid.shape
+                )
             zeros = np.flatnonzero((left[:-1] * left[1:]).real <= 0)
-            found.append(sorted({round(k / 20) for k in zeros}) if np.abs(left.imag).max() < 1e-9 else None)
+            found.append(
+                sorted({round(k / 20) for k in zeros}) if np.abs(left.imag).max() < 1e-9 else None
+            )
         if found[0] is None or found[0] != found[1]:
             return False
     return True
 
 
-ORACLES = {"optimal_law": same_law, "optimal_change": lambda mutant, reference, *_: same_transfer(mutant, reference)}
+ORACLES = {
+    "optimal_law": same_law,
+    "optimal_change": lambda mutant, reference, *_: same_transfer(mutant, reference),
+}

@@ -6,23 +6,39 @@ from oracles.sameness import compiled, same_value
 
 
 def same_transfer(mutant, reference, *_):
-    """True if two functions of time and parameters agree at random values: at single instants, of switchings, they may
-    differ."""
+    """True if two functions of time and parameters agree at random values: at single instants, of
+    switchings, they may differ."""
     if isinstance(mutant, (list, tuple)) or isinstance(reference, (list, tuple)):
         return same_value(mutant, reference)
-    random, symbols = np.random.default_rng(29), tuple(sorted(mutant.free_symbols | reference.free_symbols, key=str))
+    random, symbols = (
+        np.random.default_rng(29),
+        tuple(sorted(mutant.free_symbols | reference.free_symbols, key=str)),
+    )
     functions = [compiled(symbols, e) for e in (mutant, reference)]
     for _ in range(60):
-        values = [int(random.integers(1, 9)) if s.is_integer
-                  else random.uniform(0.05, 4) * (1 if s.is_positive else random.choice((-1, 1)))
-                  for s in symbols]
+        values = [
+            int(random.integers(1, 9))
+            if s.is_integer
+            else random.uniform(0.05, 4) * (1 if s.is_positive else random.choice((-1, 1)))
+            for s in symbols
+        ]
         with np.errstate(all="ignore"):
             one, other = (complex(function(*values)) for function in functions)
-        if not (np.isclose(one, other, rtol=1e-9, atol=1e-9) or np.isnan(one) and np.isnan(other)):
+        if not (
+            np.isclose(one, other, rtol=1e-9, atol=1e-9) or (np.isnan(one) and np.isnan(other))
+        ):
             return False
     return True
 
 
-ORACLES = dict.fromkeys((
-    "optimal_switching", "meeting_time", "switchings", "isochrone_radius", "least_rate", "turning_rate",
-), same_transfer)
+ORACLES = dict.fromkeys(
+    (
+        "optimal_switching",
+        "meeting_time",
+        "switchings",
+        "isochrone_radius",
+        "least_rate",
+        "turning_rate",
+    ),
+    same_transfer,
+)

@@ -9,7 +9,8 @@ from oracles.sameness import LOGIC, holds, same_condition
 
 
 def breaks_bound(mutant, reference, matrix, state, factor):
-    """True for every error for which |dx|^2 |H x + e|^2 >= factor^2 mu^2 |e|^2 |x|^2, in exact arithmetic."""
+    """True for every error for which |dx|^2 |H x + e|^2 >= factor^2 mu^2 |e|^2 |x|^2, in exact
+    arithmetic."""
     if len(mutant) != matrix.rows:
         return False
     e, x = sp.Matrix(mutant).applyfunc(sp.nsimplify), sp.Matrix(state)
@@ -21,8 +22,8 @@ def breaks_bound(mutant, reference, matrix, state, factor):
 
 
 def stations_insufficient(mutant, reference, matrix, first, second):
-    """As `same_condition`, at parallel directions and at those parallel in two components too, which chance does not
-    meet."""
+    """As `same_condition`, at parallel directions and at those parallel in two components too,
+    which chance does not meet."""
     if not isinstance(mutant, LOGIC) or not same_condition(mutant, reference):
         return False
     random, symbols = Random(18), [*first, *second]

@@ -8,11 +8,14 @@ from workbook.systems import Deviations
 
 
 def stability_region(mutant, reference, system, parameters, margin=0):
-    """As `same_condition`, with the two conventions: where the order drops, and on the boundary of a margin."""
+    """As `same_condition`, with the two conventions: where the order drops, and on the boundary of
+    a margin."""
     if not isinstance(mutant, LOGIC):
         return False
     if isinstance(system, Deviations):
-        system = sp.Matrix([[sp.diff(f, x).subs(system.motion) for x in system.state] for f in system.field])
+        system = sp.Matrix(
+            [[sp.diff(f, x).subs(system.motion) for x in system.state] for f in system.field]
+        )
     if isinstance(system, sp.MatrixBase):
         leading, polynomial = sp.S.One, system.charpoly()
     else:
@@ -23,7 +26,9 @@ def stability_region(mutant, reference, system, parameters, margin=0):
 
     def convention(point):
         # A condition that is true or false everywhere has no symbols: any values will do for it.
-        values = dict.fromkeys(parameters, 0) | {p: sp.Rational(v.numerator, v.denominator) for p, v in point.items()}
+        values = dict.fromkeys(parameters, 0) | {
+            p: sp.Rational(v.numerator, v.denominator) for p, v in point.items()
+        }
         if leading.xreplace(values) == 0:
             return True
         if margin == 0:
@@ -42,8 +47,12 @@ def _polynomial(equation):
     (motion,) = motions
     time, s = motion.args[0], sp.Symbol("s")
     order = max((d.derivative_count for d in equation.atoms(sp.Derivative)), default=0)
-    return sp.Add(*(sp.diff(equation, sp.Derivative(motion, (time, k)) if k else motion) * s**k
-                    for k in range(order + 1)))
+    return sp.Add(
+        *(
+            sp.diff(equation, sp.Derivative(motion, (time, k)) if k else motion) * s**k
+            for k in range(order + 1)
+        )
+    )
 
 
 ORACLES = {"stability_region": stability_region}

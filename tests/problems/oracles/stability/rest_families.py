@@ -9,11 +9,15 @@ from oracles.sameness import excluded, same_value
 
 
 def same_family(mutant, reference, field, state, parameters=(), given=(), integer=None):
-    """True if two lists of expressions in an integer have the same members, whatever their order and counting."""
+    """True if two lists of expressions in an integer have the same members, whatever their order
+    and counting."""
     random, left_out, compared = Random(12), excluded(given), 0
     while compared < 3:
-        point = {p: Fraction(random.randint(1, 40), 12) * (1 if p.is_positive else random.choice((-1, 1)))
-                 for p in parameters}
+        point = {
+            p: Fraction(random.randint(1, 40), 12)
+            * (1 if p.is_positive else random.choice((-1, 1)))
+            for p in parameters
+        }
         if left_out(point):
             continue
         compared += 1
@@ -26,17 +30,24 @@ def same_family(mutant, reference, field, state, parameters=(), given=(), intege
 
 def _family_members(answer, values, integer):
     """The members between -20 and 20, rounded."""
-    numbers = {complex(sp.sympify(family).subs(values | ({} if integer is None else {integer: k})).evalf())
-               for family in answer
-               for k in (range(-40, 41) if integer is not None else (0,))}
+    numbers = {
+        complex(sp.sympify(family).subs(values | ({} if integer is None else {integer: k})).evalf())
+        for family in answer
+        for k in (range(-40, 41) if integer is not None else (0,))
+    }
     return {(round(x.real, 6) + 0.0, round(x.imag, 6) + 0.0) for x in numbers if abs(x) < 20}
 
 
 def same_matrices(mutant, reference, *_, **__):
     """True if two lists hold the same matrices, in any order."""
-    return (all(any(same_value(a, b) for b in reference) for a in mutant)
-            and all(any(same_value(a, b) for a in mutant) for b in reference))
+    return all(any(same_value(a, b) for b in reference) for a in mutant) and all(
+        any(same_value(a, b) for a in mutant) for b in reference
+    )
 
 
-ORACLES = {"rest_values": same_family, "stable_rest_values": same_family, "unstable_rest_values": same_family,
-           "deviation_matrices": same_matrices}
+ORACLES = {
+    "rest_values": same_family,
+    "stable_rest_values": same_family,
+    "unstable_rest_values": same_family,
+    "deviation_matrices": same_matrices,
+}

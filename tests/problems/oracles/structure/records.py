@@ -1,5 +1,5 @@
-"""What the derivatives of z at t = 0 say of the unknowns of a system, as the rows of a matrix N: those with N v = 0 are
-not seen. By Kalman's matrix, or by the product rule."""
+"""What the derivatives of z at t = 0 say of the unknowns of a system, as the rows of a matrix N:
+those with N v = 0 are not seen. By Kalman's matrix, or by the product rule."""
 
 import functools
 
@@ -29,7 +29,11 @@ def in_states(system):
         return system.A, getattr(system, "B", None), system.H
     n, solve = system.M.rows, system.M.LUsolve
     A = sp.Matrix(sp.BlockMatrix([[sp.zeros(n), sp.eye(n)], [-solve(system.K), -solve(system.D)]]))
-    return A, sp.zeros(n, system.L.cols).col_join(solve(system.L)), sp.Matrix.hstack(system.H1, system.H2)
+    return (
+        A,
+        sp.zeros(n, system.L.cols).col_join(solve(system.L)),
+        sp.Matrix.hstack(system.H1, system.H2),
+    )
 
 
 def kalman(A, H):
@@ -44,8 +48,12 @@ def _kalman(A, H):
 
 def _with_error(system):
     """The rows for (x(0), C), as many as decide whether z vanishes."""
-    return sp.Matrix.vstack(*((system.H * system.A**k).row_join(system.c * system.S**k * system.start)
-                              for k in range(system.A.rows + system.S.rows)))
+    return sp.Matrix.vstack(
+        *(
+            (system.H * system.A**k).row_join(system.c * system.S**k * system.start)
+            for k in range(system.A.rows + system.S.rows)
+        )
+    )
 
 
 def _varying(A, H, time):

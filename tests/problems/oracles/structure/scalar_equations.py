@@ -1,4 +1,5 @@
-"""Oracle of scalar equations: another equation is the same one if it is the reference times a constant."""
+"""Oracle of scalar equations: another equation is the same one if it is the reference times a
+constant."""
 
 import sympy as sp
 from sympy.core.function import AppliedUndef
@@ -7,8 +8,8 @@ from oracles.sameness import vanishes
 
 
 def scalar_equation(mutant, reference, system, motion, control, parameters=()):
-    """Left less right, as a linear form in the derivatives, is that of the reference times a factor that is not
-    zero."""
+    """Left less right, as a linear form in the derivatives, is that of the reference times a factor
+    that is not zero."""
     if not isinstance(mutant, sp.Eq):
         return False
     one, other = (sp.expand((side.lhs - side.rhs).doit()) for side in (mutant, reference))

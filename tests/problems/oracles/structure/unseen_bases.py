@@ -8,12 +8,17 @@ from oracles.structure.records import reached, seen
 
 def where_lost(rows):
     """At the same values, bases of what the derivatives of z send to zero there."""
+
     def oracle(mutant, reference, system, parameter):
-        if not isinstance(mutant, dict) or {sp.sympify(value) for value in mutant} != {sp.sympify(value)
-                                                                                       for value in reference}:
+        if not isinstance(mutant, dict) or {sp.sympify(value) for value in mutant} != {
+            sp.sympify(value) for value in reference
+        }:
             return False
         N = rows(system)
-        return all(is_basis(basis, N.subs(parameter, value).as_immutable()) for value, basis in mutant.items())
+        return all(
+            is_basis(basis, N.subs(parameter, value).as_immutable())
+            for value, basis in mutant.items()
+        )
 
     return oracle
 

@@ -1,7 +1,9 @@
-"""Whether a condition is as the truth at all places, decided by z3 (nlsat, Jovanovic and de Moura 2012).
+"""Whether a condition is as the truth at all places, decided by z3 (nlsat, Jovanovic and de Moura
+2012).
 
-A question has a fixed number of z3's own steps, so the same one always ends the same way. What z3 names as a difference
-is evaluated again, exactly, before it is told: "wrong" never rests on a solver.
+A question has a fixed number of z3's own steps, so the same one always ends the same way. What z3
+names as a difference is evaluated again, exactly, before it is told: "wrong" never rests on a
+solver.
 """
 
 import functools
@@ -14,16 +16,17 @@ from sympy.core.relational import Relational
 from workbook.checks.tools.conditions.evaluation import HOW, allowed, prepared, sign
 from workbook.checks.tools.conditions.plain import Plain, Undecidable
 
-#: z3's own steps before a question counts as undecided: so many, or more where its polynomials are small, so many times
-#: their size; and its megabytes. What is decided takes hundreds of them, at most some 40,000. With large polynomials a
-#: single step may take so long that minutes would go by.
+#: z3's own steps before a question counts as undecided: so many, or more where its polynomials are
+#: small, so many times their size; and its megabytes. What is decided takes hundreds of them, at
+#: most some 40,000. With large polynomials a single step may take so long that minutes would go by.
 STEPS, TIMES_SIZE, MEGABYTES = 200_000, 5_000_000, 300
 #: Terms larger than this a solver is not asked about.
 LARGEST_DEGREE, MOST_TERMS, MOST_WRITTEN_OUT = 40, 4000, 20_000
 
 
 def find_difference(readings, parameters, truth, besides=sp.true):
-    """(decided, place): a place where all readings of a claim are wrong, as (values, what holds), or None."""
+    """(decided, place): a place where all readings of a claim are wrong, as (values, what holds),
+    or None."""
     try:
         if not truth.inside or not truth.outside:
             raise Undecidable
@@ -38,9 +41,10 @@ def find_difference(readings, parameters, truth, besides=sp.true):
 
 
 def _confirmed(place, readings, parameters, case, holds, truth):
-    """Whether at a place, numbers of the parameters and the unknowns, all readings are wrong: by exact evaluation."""
+    """Whether at a place, numbers of the parameters and the unknowns, all readings are wrong: by
+    exact evaluation."""
     symbols = [*parameters, *case.unknowns]
-    here = place[:len(parameters)]
+    here = place[: len(parameters)]
     if not all(allowed(p, sign(x)) for p, x in zip(symbols, place)):
         return False
     if any(prepared(reading, tuple(parameters)).holds(here) == holds for reading in readings):
@@ -51,16 +55,18 @@ def _confirmed(place, readings, parameters, case, holds, truth):
 
 
 def _simplified(place, readings, parameters, case, holds, truth):
-    """The values of the parameters, as simple as they can be, at a difference that exact evaluation confirms."""
-    confirm = functools.partial(_confirmed, readings=readings, parameters=parameters, case=case, holds=holds,
-                                truth=truth)
+    """The values of the parameters, as simple as they can be, at a difference that exact evaluation
+    confirms."""
+    confirm = functools.partial(
+        _confirmed, readings=readings, parameters=parameters, case=case, holds=holds, truth=truth
+    )
     if not confirm(place):
         return None
     # With unknowns every coordinate hangs on the others, so the place stays as it is.
     for k, x in enumerate(place if not case.unknowns or case.every else ()):
         for q in (1, 2, 10, 100, 1000):
             near = sp.Rational(round(float(x) * q), q) if abs(float(x)) < 1e12 else x
-            simpler = (*place[:k], near, *place[k + 1:])
+            simpler = (*place[:k], near, *place[k + 1 :])
             if near == x or confirm(simpler):
                 place = simpler
                 break
@@ -68,14 +74,15 @@ def _simplified(place, readings, parameters, case, holds, truth):
 
 
 class _Question:
-    """One question to z3: is there a place where all readings of a claim are wrong in one case? It has a context of
-    its own, so that no earlier question changes the count of steps."""
+    """One question to z3: is there a place where all readings of a claim are wrong in one case? It
+    has a context of its own, so that no earlier question changes the count of steps."""
 
     def __init__(self, parameters, case):
         try:
             import z3  # here, since only a verdict on a condition needs it
         except ImportError:
-            raise Undecidable from None  # where it does not run, as in some browsers, samples have to do
+            # where it does not run, as in some browsers, samples have to do
+            raise Undecidable from None
         self.z3, self.context, self.parameters, self.case = z3, z3.Context(), parameters, case
         self.names, self.plain, self.size = {}, Plain(case.angles), 10
 
@@ -106,8 +113,14 @@ class _Question:
 
     def _model(self, question, quantified):
         z3 = self.z3
-        names = ("simplify", "nlqsat") if quantified else ("simplify", "propagate-values", "qfnra-nlsat")
-        solver = z3.Then(*(z3.Tactic(name, self.context) for name in names), ctx=self.context).solver()
+        names = (
+            ("simplify", "nlqsat")
+            if quantified
+            else ("simplify", "propagate-values", "qfnra-nlsat")
+        )
+        solver = z3.Then(
+            *(z3.Tactic(name, self.context) for name in names), ctx=self.context
+        ).solver()
         solver.set("rlimit", max(STEPS, TIMES_SIZE // self.size))
         solver.set("max_memory", MEGABYTES)
         solver.add(question)
@@ -128,13 +141,20 @@ class _Question:
             side = above if isinstance(node, (sp.Eq, sp.Ne)) else above * below
             return z3.And(below != 0, HOW[type(node)](side, 0))
         parts = [self._formula(part) for part in node.args]
-        join = {sp.And: z3.And, sp.Or: z3.Or, sp.Not: z3.Not, sp.ITE: z3.If,
-                sp.Xor: lambda *parts: functools.reduce(z3.Xor, parts)}[type(node)]
+        join = {
+            sp.And: z3.And,
+            sp.Or: z3.Or,
+            sp.Not: z3.Not,
+            sp.ITE: z3.If,
+            sp.Xor: lambda *parts: functools.reduce(z3.Xor, parts),
+        }[type(node)]
         return join(*parts)
 
     def _polynomial(self, expression):
         terms, found = [], _terms(expression)
-        self.size = max(self.size, len(found) * max((len(symbols) for _, symbols in found), default=0))
+        self.size = max(
+            self.size, len(found) * max((len(symbols) for _, symbols in found), default=0)
+        )
         for coefficient, symbols in found:
             term = self.z3.RealVal(coefficient, self.context)
             for symbol in symbols:
@@ -150,9 +170,19 @@ class _Question:
         return self.names[symbol]
 
     def _assumed(self, symbol):
-        return self._and([how(self.names[symbol], 0) for assumed, how in (
-            (symbol.is_positive, operator.gt), (symbol.is_negative, operator.lt), (symbol.is_nonnegative, operator.ge),
-            (symbol.is_nonpositive, operator.le), (symbol.is_nonzero, operator.ne)) if assumed])
+        return self._and(
+            [
+                how(self.names[symbol], 0)
+                for assumed, how in (
+                    (symbol.is_positive, operator.gt),
+                    (symbol.is_negative, operator.lt),
+                    (symbol.is_nonnegative, operator.ge),
+                    (symbol.is_nonpositive, operator.le),
+                    (symbol.is_nonzero, operator.ne),
+                )
+                if assumed
+            ]
+        )
 
     def _and(self, parts):
         return self.z3.And(self.z3.BoolVal(True, self.context), *parts)
@@ -172,7 +202,8 @@ class _Question:
 
 @functools.lru_cache(maxsize=128)  # the same truth is asked about again and again
 def _plain_truth(condition, angles):
-    """A condition made plain, and what made it: the same symbols each time, so that their polynomials are known."""
+    """A condition made plain, and what made it: the same symbols each time, so that their
+    polynomials are known."""
     plain = Plain(angles)
     return plain, plain.condition(condition)
 
@@ -189,10 +220,16 @@ def _terms(expression):
     if not expression.is_polynomial(*symbols) or _size(expression) > MOST_WRITTEN_OUT:
         raise Undecidable
     poly = sp.Poly(expression, *symbols or [sp.Dummy()])
-    if poly.domain not in (sp.ZZ, sp.QQ) or poly.total_degree() > LARGEST_DEGREE or len(poly.terms()) > MOST_TERMS:
+    if (
+        poly.domain not in (sp.ZZ, sp.QQ)
+        or poly.total_degree() > LARGEST_DEGREE
+        or len(poly.terms()) > MOST_TERMS
+    ):
         raise Undecidable
-    return [(str(coefficient), [symbol for symbol, power in zip(symbols, powers) for _ in range(power)])
-            for powers, coefficient in poly.terms()]
+    return [
+        (str(coefficient), [symbol for symbol, power in zip(symbols, powers) for _ in range(power)])
+        for powers, coefficient in poly.terms()
+    ]
 
 
 def _size(expression):

@@ -1,4 +1,5 @@
-"""The truth value of a condition at one place, exactly: by fractions, by algebraic numbers, else to sixty digits."""
+"""The truth value of a condition at one place, exactly: by fractions, by algebraic numbers, else to
+sixty digits."""
 
 import functools
 import math
@@ -22,8 +23,14 @@ LARGEST_FIELD = 8
 GRID = np.concatenate([-np.geomspace(1e6, 1e-3, 200), np.geomspace(1e-3, 1e6, 200)])
 #: The "sign" of a number that is not real.
 NOT_REAL = "not real"
-HOW = {sp.Gt: operator.gt, sp.Ge: operator.ge, sp.Lt: operator.lt, sp.Le: operator.le, sp.Eq: operator.eq,
-       sp.Ne: operator.ne}
+HOW = {
+    sp.Gt: operator.gt,
+    sp.Ge: operator.ge,
+    sp.Lt: operator.lt,
+    sp.Le: operator.le,
+    sp.Eq: operator.eq,
+    sp.Ne: operator.ne,
+}
 
 
 class Condition:
@@ -31,16 +38,26 @@ class Condition:
 
     def __init__(self, condition, symbols):
         self.symbols = list(symbols)
-        self.condition = sp.to_nnf(condition, simplify=False) if condition.has(sp.Implies, sp.Equivalent) else condition
-        self._atoms = {atom: _relation_sign(atom, tuple(self.symbols)) for atom in self.condition.atoms(Relational)}
+        self.condition = (
+            sp.to_nnf(condition, simplify=False)
+            if condition.has(sp.Implies, sp.Equivalent)
+            else condition
+        )
+        self._atoms = {
+            atom: _relation_sign(atom, tuple(self.symbols))
+            for atom in self.condition.atoms(Relational)
+        }
 
     def holds(self, place):
-        """The truth value at a place, exact numbers in a row; where a term is undefined the condition does not hold."""
+        """The truth value at a place, exact numbers in a row; where a term is undefined the
+        condition does not hold."""
         return self._truth(self.condition, tuple(place))
 
     def borders(self, base, varied):
         """Where a term can change its sign along one symbol from `base`: floats."""
-        return sorted({root for sign in self._atoms.values() for root in sign.roots(tuple(base), varied)})
+        return sorted(
+            {root for sign in self._atoms.values() for root in sign.roots(tuple(base), varied)}
+        )
 
     def _truth(self, node, place):
         if node in (sp.true, sp.false):
@@ -68,17 +85,26 @@ def prepared(condition, symbols):
 
 def place_text(values):
     """A place for a message: `k1 = 1/2, k2 = -3`."""
-    return ", ".join(f"{p} = {x if x.is_Rational and x.q < 1000 else f'{float(x):.6g}'}" for p, x in values.items())
+    return ", ".join(
+        f"{p} = {x if x.is_Rational and x.q < 1000 else f'{float(x):.6g}'}"
+        for p, x in values.items()
+    )
 
 
 def allowed(symbol, sign):
     """Whether a value of this sign agrees with what is assumed of a symbol."""
-    return not (symbol.is_positive and sign <= 0 or symbol.is_negative and sign >= 0 or symbol.is_nonnegative
-                and sign < 0 or symbol.is_nonpositive and sign > 0 or symbol.is_nonzero and sign == 0)
+    return not (
+        (symbol.is_positive and sign <= 0)
+        or (symbol.is_negative and sign >= 0)
+        or (symbol.is_nonnegative and sign < 0)
+        or (symbol.is_nonpositive and sign > 0)
+        or (symbol.is_nonzero and sign == 0)
+    )
 
 
 class _Sign:
-    """The sign of the difference of the sides of a relation, -1, 0 or 1, NOT_REAL, or None where it is undefined."""
+    """The sign of the difference of the sides of a relation, -1, 0 or 1, NOT_REAL, or None where it
+    is undefined."""
 
     def __init__(self, relation, symbols):
         self.symbols, self._numeric, self._parts = symbols, None, None
@@ -86,13 +112,15 @@ class _Sign:
         if difference.is_rational_function(*symbols):
             parts = sp.fraction(sp.together(difference))
             if all(sp.Poly(part, *symbols).domain in (sp.ZZ, sp.QQ) for part in parts):
-                # Whole coefficients, so that fractions stay fractions in the code that is made of them.
+                # Whole coefficients, so that fractions stay fractions in the code that is made of
+                # them.
                 cleared = [sp.Poly(part, *symbols).clear_denoms(convert=True) for part in parts]
                 self._factor = sp.prod([whole for whole, _ in cleared])
                 self._polys = [poly for _, poly in cleared]
                 self._parts = [sp.lambdify(symbols, poly.as_expr(), []) for poly in self._polys]
         if self._parts is None:
-            # Symbols are the data's own and functions are SymPy's (coercion.with_symbols), so the code made is ours.
+            # Symbols are the data's own and functions are SymPy's (coercion.with_symbols), so the
+            # code made is ours.
             self._numeric, self._difference = sp.lambdify(symbols, difference, "mpmath"), difference
 
     def __call__(self, place):
@@ -102,13 +130,19 @@ class _Sign:
             return None if below == 0 else sign(above) * sign(below)
         try:
             with mpmath.workdps(DIGITS):
-                at = [mpmath.mpf(x.p) / x.q if x.is_Rational else mpmath.mpmathify(x.evalf(DIGITS)) for x in place]
+                at = [
+                    mpmath.mpf(x.p) / x.q if x.is_Rational else mpmath.mpmathify(x.evalf(DIGITS))
+                    for x in place
+                ]
                 if self._parts is not None:
-                    above, below = (self._exactly(k, place, part(*at)) for k, part in enumerate(self._parts))
+                    above, below = (
+                        self._exactly(k, place, part(*at)) for k, part in enumerate(self._parts)
+                    )
                     return None if below == 0 else above * below
                 number = mpmath.mpmathify(self._numeric(*at))
         except (ZeroDivisionError, ValueError, TypeError, OverflowError):
-            # TypeError: a Piecewise without a case for this place gives None, and complex numbers have no order.
+            # TypeError: a Piecewise without a case for this place gives None, and complex numbers
+            # have no order.
             return None
         if mpmath.isnan(number):
             return None
@@ -118,12 +152,19 @@ class _Sign:
         return 0 if abs(number) < NOTHING else sign(mpmath.re(number))
 
     def _exactly(self, k, place, number):
-        """The sign of a polynomial at algebraic numbers: a value close to zero has to have the minimal polynomial x."""
+        """The sign of a polynomial at algebraic numbers: a value close to zero has to have the
+        minimal polynomial x."""
         if abs(number) >= NOTHING:
             return sign(number)
-        if math.prod(number.poly.degree() for number in sp.Tuple(*place).atoms(sp.CRootOf)) > LARGEST_FIELD:
+        if (
+            math.prod(number.poly.degree() for number in sp.Tuple(*place).atoms(sp.CRootOf))
+            > LARGEST_FIELD
+        ):
             raise ArithmeticError("algebraic numbers of so high a degree are not computed with")
-        x, value = sp.Dummy("x"), self._polys[k].as_expr().subs(dict(zip(self.symbols, place)), simultaneous=True)
+        x, value = (
+            sp.Dummy("x"),
+            self._polys[k].as_expr().subs(dict(zip(self.symbols, place)), simultaneous=True),
+        )
         if value != 0 and value.is_algebraic and sp.minimal_polynomial(value, x) != x:
             raise ArithmeticError("a number that is not zero could not be told from it")
         return 0
@@ -138,8 +179,13 @@ class _Sign:
             line = sp.Poly(poly.as_expr().subs(place, simultaneous=True), t)
             coefficients = [float(c) for c in line.all_coeffs()]
             if len(coefficients) > 1 and np.isfinite(coefficients).all():
-                # A double root comes back as a close complex pair; its real part still separates the cells.
-                yield from (float(r.real) for r in np.roots(coefficients) if abs(r.imag) < 1e-5 * (1 + abs(r)))
+                # A double root comes back as a close complex pair; its real part still separates
+                # the cells.
+                yield from (
+                    float(r.real)
+                    for r in np.roots(coefficients)
+                    if abs(r.imag) < 1e-5 * (1 + abs(r))
+                )
 
     def _crossings(self, base, varied):
         """Where the difference goes through zero or infinity between two neighbours of a grid."""
@@ -147,14 +193,18 @@ class _Sign:
 
         def values(x):
             with np.errstate(all="ignore"):
-                found = self._floats(*others[:varied], x, *others[varied + 1:])
+                found = self._floats(*others[:varied], x, *others[varied + 1 :])
             return np.broadcast_to(np.where(np.isreal(found), np.real(found), np.nan), x.shape)
 
         try:
             signs = np.sign(values(GRID))
             change = np.flatnonzero(signs[:-1] * signs[1:] < 0)
-            _, found = bisected(lambda x, rows: np.sign(values(x)) == signs[change][rows], GRID[change],
-                                GRID[change + 1], 60)
+            _, found = bisected(
+                lambda x, rows: np.sign(values(x)) == signs[change][rows],
+                GRID[change],
+                GRID[change + 1],
+                60,
+            )
         except (TypeError, ValueError, NameError, AttributeError, ZeroDivisionError, OverflowError):
             return  # a function that NumPy does not have
         yield from map(float, [*found, *GRID[signs == 0]])

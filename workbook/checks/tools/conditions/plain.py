@@ -20,9 +20,9 @@ class Undecidable(Exception):
 
 
 class Plain:
-    """Conditions as polynomial ones in more symbols: a root, an absolute value, a point of the circle for an angle, a
-    number such as pi each become a symbol; `sides` say what they are. The order of `angles`, which run from 0 to 2 pi,
-    is that of points on the circle."""
+    """Conditions as polynomial ones in more symbols: a root, an absolute value, a point of the
+    circle for an angle, a number such as pi each become a symbol; `sides` say what they are. The
+    order of `angles`, which run from 0 to 2 pi, is that of points on the circle."""
 
     def __init__(self, angles=()):
         self.sides, self.circles, self._known, self._bare, self._angles = [], {}, {}, set(), angles
@@ -43,7 +43,11 @@ class Plain:
             for angle in difference.free_symbols.intersection(self._angles):
                 other = angle - difference / difference.coeff(angle)
                 if difference.coeff(angle).is_number and not other.has(angle):
-                    how = node.func if difference.coeff(angle) > 0 else REVERSED.get(node.func, node.func)
+                    how = (
+                        node.func
+                        if difference.coeff(angle) > 0
+                        else REVERSED.get(node.func, node.func)
+                    )
                     ordered = self._ordered(angle, how, other, defined)
                     return sp.And(*defined, ordered)
             squares = _squares(difference) if isinstance(node, (sp.Eq, sp.Ne)) else None
@@ -59,14 +63,25 @@ class Plain:
         return node.func(*map(self.condition, node.args))
 
     def _not_equal(self, terms, defined):
-        """That a difference with a root is not zero: where the root is not real, it is not, if nothing else is added to
-        or multiplied with it that is not."""
+        """That a difference with a root is not zero: where the root is not real, it is not, if
+        nothing else is added to or multiplied with it that is not."""
         under = [part for part in defined if isinstance(part, sp.Ge)]
         others = [part for part in defined if part not in under]
-        w = next((w for key, w in self._known.items() if isinstance(key, tuple) and key[:2] == ("root", under[0].lhs)),
-                 None)
-        if (w is None or not len(terms) == len(under) == 1 or not terms[0].is_polynomial(w)
-                or sp.degree(terms[0], w) != 1 or not terms[0].expand().coeff(w).is_number):
+        w = next(
+            (
+                w
+                for key, w in self._known.items()
+                if isinstance(key, tuple) and key[:2] == ("root", under[0].lhs)
+            ),
+            None,
+        )
+        if (
+            w is None
+            or not len(terms) == len(under) == 1
+            or not terms[0].is_polynomial(w)
+            or sp.degree(terms[0], w) != 1
+            or not terms[0].expand().coeff(w).is_number
+        ):
             raise Undecidable
         return sp.And(*others, sp.Or(sp.Not(under[0]), sp.Ne(terms[0], 0)))
 
@@ -87,22 +102,42 @@ class Plain:
             if q == 1:
                 return base**p
             defined.append(base >= 0)
-            return self._symbol(("root", base, q), base, lambda w: (sp.And(sp.Eq(w**q, base), w >= 0), sp.Eq(w, 0)))**p
+            return (
+                self._symbol(
+                    ("root", base, q),
+                    base,
+                    lambda w: (sp.And(sp.Eq(w**q, base), w >= 0), sp.Eq(w, 0)),
+                )
+                ** p
+            )
         if isinstance(node, sp.Abs):
             base = self._term(node.args[0], defined)
             return self._symbol(("size", base), base, lambda w: (sp.Eq(w, base), sp.Eq(w, -base)))
         if isinstance(node, sp.sign):
             base = self._term(node.args[0], defined)
-            return self._symbol(("sign", base), base, lambda w: (
-                sp.Or(sp.And(base > 0, sp.Eq(w, 1)), sp.And(sp.Eq(base, 0), sp.Eq(w, 0))), sp.Eq(w, -1)))
+            return self._symbol(
+                ("sign", base),
+                base,
+                lambda w: (
+                    sp.Or(sp.And(base > 0, sp.Eq(w, 1)), sp.And(sp.Eq(base, 0), sp.Eq(w, 0))),
+                    sp.Eq(w, -1),
+                ),
+            )
         if isinstance(node, (sp.Max, sp.Min)):
             if len(node.args) > MOST_COMPARED:
                 raise Undecidable
             sign = 1 if isinstance(node, sp.Max) else -1
-            return self._term(functools.reduce(lambda a, b: (a + b + sign * sp.Abs(a - b)) / 2, node.args), defined)
+            return self._term(
+                functools.reduce(lambda a, b: (a + b + sign * sp.Abs(a - b)) / 2, node.args),
+                defined,
+            )
         if node.is_number and node.is_real:
-            # A number known to so many digits tells from zero what a student writes; a difference is evaluated again.
-            near, w = sp.Rational(str(node.evalf(50))), self._known.setdefault(node, sp.Dummy("number", real=True))
+            # A number known to so many digits tells from zero what a student writes; a difference
+            # is evaluated again.
+            near, w = (
+                sp.Rational(str(node.evalf(50))),
+                self._known.setdefault(node, sp.Dummy("number", real=True)),
+            )
             self.sides += [w > near - sp.Rational(1, 10**45), w < near + sp.Rational(1, 10**45)]
             return w
         if isinstance(node, (sp.cos, sp.sin, sp.tan)):
@@ -110,33 +145,49 @@ class Plain:
         raise Undecidable
 
     def _ordered(self, angle, how, other, defined):
-        """The relation of an angle from 0 to 2 pi to another one, in the coordinates of their points on the circle."""
+        """The relation of an angle from 0 to 2 pi to another one, in the coordinates of their
+        points on the circle."""
         low, high = _range(other)
         if other.is_number and not 0 <= low < 2 * math.pi:
             return sp.sympify(HOW[how](0, low))
         # Both from 0 to pi and beyond pi the order is that of the cosines.
-        c, s, cosine, sine = (self._term(sp.expand_trig(f(part)), defined) for part in (angle, other)
-                              for f in (sp.cos, sp.sin))
+        c, s, cosine, sine = (
+            self._term(sp.expand_trig(f(part)), defined)
+            for part in (angle, other)
+            for f in (sp.cos, sp.sin)
+        )
         same = sp.And(sp.Eq(c, cosine), sp.Eq(s, sine))
         above = sp.And(sine >= 0, sp.Or(low <= 0, sp.Ne(cosine, 1)))  # no zero but a whole turn
-        less = sp.Or(sp.And(s >= 0, sp.Not(above)), sp.And(s >= 0, above, c > cosine),
-                     sp.And(s < 0, sp.Not(above), c < cosine))
+        less = sp.Or(
+            sp.And(s >= 0, sp.Not(above)),
+            sp.And(s >= 0, above, c > cosine),
+            sp.And(s < 0, sp.Not(above), c < cosine),
+        )
         if -math.pi < low < 0 and high < math.pi:
             less, same = sp.And(sine >= 0, less), sp.And(sine >= 0, same)
         elif math.pi < low and 2 * math.pi < high < 3 * math.pi:
             less, same = sp.Or(sine >= 0, less), sp.And(sine < 0, same)
         elif not (0 <= low and high <= 2 * math.pi):
             raise Undecidable
-        return {sp.Lt: less, sp.Le: sp.Or(less, same), sp.Gt: sp.Not(sp.Or(less, same)), sp.Ge: sp.Not(less),
-                sp.Eq: same, sp.Ne: sp.Not(same)}[how]
+        return {
+            sp.Lt: less,
+            sp.Le: sp.Or(less, same),
+            sp.Gt: sp.Not(sp.Or(less, same)),
+            sp.Ge: sp.Not(less),
+            sp.Eq: same,
+            sp.Ne: sp.Not(same),
+        }[how]
 
     def _symbol(self, key, base, where):
-        """The symbol for something of `base`, `where(w)` where that is not negative and where it is."""
+        """The symbol for something of `base`, `where(w)` where that is not negative and where it
+        is."""
         if key not in self._known:
             w = self._known[key] = sp.Dummy("w", real=True)
             positive, negative = where(w)
             below = sp.fraction(sp.together(base))[1]
-            self.sides.append(sp.Or(sp.And(base >= 0, positive), sp.And(base < 0, negative), sp.Eq(below, 0)))
+            self.sides.append(
+                sp.Or(sp.And(base >= 0, positive), sp.And(base < 0, negative), sp.Eq(below, 0))
+            )
         return self._known[key]
 
     def _turned(self, node, defined):
@@ -158,15 +209,23 @@ class Plain:
 
 
 def _squares(expression):
-    """The bases of a sum of even powers with positive factors, which vanishes where all of them do; otherwise None."""
+    """The bases of a sum of even powers with positive factors, which vanishes where all of them do;
+    otherwise None."""
     parts = [part.as_coeff_Mul() for part in sp.Add.make_args(expression)]
-    even = all(factor > 0 and power.is_Pow and power.exp.is_Integer and power.exp > 0 and power.exp % 2 == 0
-               for factor, power in parts)
+    even = all(
+        factor > 0
+        and power.is_Pow
+        and power.exp.is_Integer
+        and power.exp > 0
+        and power.exp % 2 == 0
+        for factor, power in parts
+    )
     return [power.base for _, power in parts] if even else None
 
 
 def _range(angle):
-    """The least and the greatest value of a number, or of a number and one inverse function: floats."""
+    """The least and the greatest value of a number, or of a number and one inverse function:
+    floats."""
     inverse = angle.atoms(sp.acos, sp.asin, sp.atan)
     for function in inverse:
         sign, number = angle.coeff(function), angle - angle.coeff(function) * function
@@ -184,7 +243,7 @@ def is_finite(relation):
 
 def _beyond_all(relation):
     """A comparison with infinity, which every number is below."""
-    found = relation.subs({s: 0 for s in relation.free_symbols})
+    found = relation.subs(dict.fromkeys(relation.free_symbols, 0))
     if found not in (sp.true, sp.false):
         raise Undecidable
     return found

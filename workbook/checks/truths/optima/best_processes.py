@@ -1,9 +1,11 @@
-"""The best processes of a `pontryagin.Problem`, found without the maximum principle: in the way that suits the problem.
+"""The best processes of a `pontryagin.Problem`, found without the maximum principle: in the way
+that suits the problem.
 
-Of a transfer in least or greatest time whose kind `transfer_optima` or `thrust_optima` knows the optimum has a formula
-or a search of its own; of any other problem it comes from `direct_optimum`, or, with more than one control, from
-`several_controls`, which tells durations and arcs alone. The others give it with the same attributes: `duration`,
-`cost`, `times`, `states` (a column for each time), `controls`, `start`, `bounds`, `field`, `gap`, `total`, `jacobians`.
+Of a transfer in least or greatest time whose kind `transfer_optima` or `thrust_optima` knows the
+optimum has a formula or a search of its own; of any other problem it comes from `direct_optimum`,
+or, with more than one control, from `several_controls`, which tells durations and arcs alone. The
+others give it with the same attributes: `duration`, `cost`, `times`, `states` (a column for each
+time), `controls`, `start`, `bounds`, `field`, `gap`, `total`, `jacobians`.
 """
 
 from workbook.checks.truths.optima.direct_optimum import optima
@@ -15,8 +17,9 @@ from workbook.checks.truths.optima.transfer_optima import SAMPLES, Transfer, Unk
 def best_processes(problem, parameters=None, count=SAMPLES):
     """Pairs ({parameter: value}, optimum).
 
-    `parameters` is a dict from symbols to the intervals in which answers are tried, or, where `transfer_optima` knows
-    the optimum, a list of symbols: then it draws `count` sets of values for which the target can be reached.
+    `parameters` is a dict from symbols to the intervals in which answers are tried, or, where
+    `transfer_optima` knows the optimum, a list of symbols: then it draws `count` sets of values for
+    which the target can be reached.
     """
     if len(problem.controls) > 1:
         return optima_of_several(problem, parameters)
@@ -33,7 +36,8 @@ def best_processes(problem, parameters=None, count=SAMPLES):
 
 
 def best_processes_at(problem, parameters, places):
-    """The same at given places, dicts from the parameters to numbers between the bounds of their intervals."""
+    """The same at given places, dicts from the parameters to numbers between the bounds of their
+    intervals."""
     if len(problem.controls) > 1:
         return optima_of_several(problem, parameters, places)
     found = thrust_optima(problem, parameters, places)

@@ -1,12 +1,13 @@
-"""Convex targets of the plane by their support functions: points, segments, lines, strips, ellipses, parabolas."""
+"""Convex targets of the plane by their support functions: points, segments, lines, strips,
+ellipses, parabolas."""
 
 import numpy as np
 import sympy as sp
 
 
 class ConvexTarget:
-    """A convex set D = {g <= 0}, or the hull of some points, by its support function; one for each case of the
-    parameters."""
+    """A convex set D = {g <= 0}, or the hull of some points, by its support function; one for each
+    case of the parameters."""
 
     def __init__(self, target, state, names, cases):
         target = list(target) if isinstance(target, (list, tuple, sp.MatrixBase)) else [target]
@@ -27,7 +28,12 @@ class ConvexTarget:
     def points(cls, points):
         """A single point for each case, given by numbers."""
         made = cls.__new__(cls)
-        made.g, made.point, made.kind, made._corners = None, True, "hull", np.asarray(points, dtype=float)[:, None, :]
+        made.g, made.point, made.kind, made._corners = (
+            None,
+            True,
+            "hull",
+            np.asarray(points, dtype=float)[:, None, :],
+        )
         return made
 
     def corner(self, case):
@@ -39,14 +45,21 @@ class ConvexTarget:
         if any(v.free_symbols & set(state) for v in hessian):
             raise ValueError("a target of degree one or two is expected")
         gradient, constant = gradient.subs(zero), g.subs(zero)
-        numbers = [[np.array(sp.Matrix(part).subs(dict(zip(names, case))), dtype=float)
-                    for part in (hessian, gradient, [constant])]
-                   for case in cases]
+        numbers = [
+            [
+                np.array(sp.Matrix(part).subs(dict(zip(names, case))), dtype=float)
+                for part in (hessian, gradient, [constant])
+            ]
+            for case in cases
+        ]
         sign = -1.0 if np.linalg.eigvalsh(numbers[0][0]).min() < -1e-12 else 1.0
         self._H, self._c, self._d = (sign * np.array([n[k] for n in numbers]) for k in range(3))
         self._c, self._d = self._c[:, :, 0], self._d[:, 0, 0]
-        self.g = lambda x, case: (np.einsum("ni,nij,nj->n", x, self._H[case], x) / 2 + (self._c[case] * x).sum(axis=1)
-                                  + self._d[case])
+        self.g = lambda x, case: (
+            np.einsum("ni,nij,nj->n", x, self._H[case], x) / 2
+            + (self._c[case] * x).sum(axis=1)
+            + self._d[case]
+        )
         self.slope = lambda x, case: np.einsum("nij,nj->ni", self._H[case], x) + self._c[case]
         values, vectors = np.linalg.eigh(self._H[0])
         if values.max() < 1e-12:
@@ -62,7 +75,11 @@ class ConvexTarget:
 
     def inside(self, x, case):
         """True where the start lies inside D, whose border is the target."""
-        return np.zeros(len(x), dtype=bool) if self.g is None or self.kind == "line" else self.g(x, case) < 0
+        return (
+            np.zeros(len(x), dtype=bool)
+            if self.g is None or self.kind == "line"
+            else self.g(x, case) < 0
+        )
 
     def angles(self):
         """The directions to be tried: (angles, spacing); spacing 0 where no others matter."""
@@ -77,7 +94,8 @@ class ConvexTarget:
         return np.arange(112) * (2 * np.pi / 112), 2 * np.pi / 112
 
     def support(self, p, case, start):
-        """sup p.y over D, for rows of directions; a line has D on its other side, seen from the rows `start`."""
+        """sup p.y over D, for rows of directions; a line has D on its other side, seen from the
+        rows `start`."""
         if self.kind == "hull":
             return np.einsum("nki,ni->nk", self._corners[case], p).max(axis=1)
         if self.kind == "line":
@@ -88,7 +106,10 @@ class ConvexTarget:
         if self.kind == "ellipse":
             spread = np.einsum("ni,nij,nj->n", p, self._inverse[case], p)
             return (p * self._centre[case]).sum(axis=1) + np.sqrt(2 * self._level[case] * spread)
-        across, curvature = p @ self._across, np.einsum("i,nij,j->n", self._across, self._H[case], self._across)
+        across, curvature = (
+            p @ self._across,
+            np.einsum("i,nij,j->n", self._across, self._H[case], self._across),
+        )
         bend = self._c[case] @ self._across
         if self.kind == "strip":
             middle = -bend / curvature
@@ -96,8 +117,11 @@ class ConvexTarget:
             return across * middle + width
         with np.errstate(all="ignore"):
             scale = (p @ self._along) / (self._c[case] @ self._along)
-            return np.where(scale > 0, (across - scale * bend)**2 / (2 * scale * curvature) - scale * self._d[case],
-                            np.inf)
+            return np.where(
+                scale > 0,
+                (across - scale * bend) ** 2 / (2 * scale * curvature) - scale * self._d[case],
+                np.inf,
+            )
 
     def around(self, random, case, count):
         """Points near the target, on both sides."""
@@ -109,17 +133,33 @@ class ConvexTarget:
         p = np.column_stack([np.cos(angle), np.sin(angle)])
         if self.kind == "ellipse":
             q = p @ self._inverse[case]
-            on = self._centre[case] + q * np.sqrt(2 * self._level[case] / np.maximum((p * q).sum(axis=1),
-                                                                                     1e-12))[:, None]
-            return self._centre[case] + (on - self._centre[case]) * random.uniform(0.5, 1.6, count)[:, None] + 0.02 * p
+            on = (
+                self._centre[case]
+                + q
+                * np.sqrt(2 * self._level[case] / np.maximum((p * q).sum(axis=1), 1e-12))[:, None]
+            )
+            return (
+                self._centre[case]
+                + (on - self._centre[case]) * random.uniform(0.5, 1.6, count)[:, None]
+                + 0.02 * p
+            )
         if self.kind == "line":
             c = self._c[case]
             along = np.array([-c[1], c[0]]) / np.linalg.norm(c)
-            on = (-self._d[case] / (c @ c)) * c + np.outer(random.normal(scale=2, size=count), along)
+            on = (-self._d[case] / (c @ c)) * c + np.outer(
+                random.normal(scale=2, size=count), along
+            )
             return on + random.normal(scale=0.5, size=(count, 2))
         across = random.uniform(-2.5, 2.5, count)
-        middle = ((self._c[case] @ self._across) * across
-                  + 0.5 * (self._across @ self._H[case] @ self._across) * across**2 + self._d[case])
+        middle = (
+            (self._c[case] @ self._across) * across
+            + 0.5 * (self._across @ self._H[case] @ self._across) * across**2
+            + self._d[case]
+        )
         slope = self._c[case] @ self._along
         along = -middle / slope if self.kind == "parabola" else random.normal(scale=3, size=count)
-        return np.outer(across, self._across) + np.outer(along, self._along) + random.normal(scale=0.4, size=(count, 2))
+        return (
+            np.outer(across, self._across)
+            + np.outer(along, self._along)
+            + random.normal(scale=0.4, size=(count, 2))
+        )

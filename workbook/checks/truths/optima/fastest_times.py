@@ -1,13 +1,15 @@
-"""The shortest time from any start to a convex target, by support functions: an optimum that knows no law.
+"""The shortest time from any start to a convex target, by support functions: an optimum that knows
+no law.
 
-The plant is x' = Ax + bu with u between two bounds, the state is a point of the plane, and the target is a point, a
-segment, a line, or the border of a convex set. Before the first moment at which the set R(T) of reachable states meets
-a convex D there is a line between the two; so the shortest time is the first T at which, for every direction p,
+The plant is x' = Ax + bu with u between two bounds, the state is a point of the plane, and the
+target is a point, a segment, a line, or the border of a convex set. Before the first moment at
+which the set R(T) of reachable states meets a convex D there is a line between the two; so the
+shortest time is the first T at which, for every direction p,
 
     min p.y over R(T) = p.e^{AT}x0 + int_0^T min_u (p.e^{As}b u) ds  <=  sup p.y over D.
 
-From inside D the border is met when for some direction the farthest point of R(T) is as far as that of D. Both are
-exact, and neither a law nor a shooting comes in.
+From inside D the border is met when for some direction the farthest point of R(T) is as far as that
+of D. Both are exact, and neither a law nor a shooting comes in.
 """
 
 import functools
@@ -16,18 +18,21 @@ import numpy as np
 
 from workbook.checks.tools.searching import largest
 
-#: Times up to this one are looked at closely, and up to twenty times as long roughly, where it is asked whether a
-#: target is in reach.
+#: Times up to this one are looked at closely, and up to twenty times as long roughly, where it is
+#: asked whether a target is in reach.
 HORIZON = 20.0
-NEAR, FAR = HORIZON * (np.arange(1, 131) / 130)**1.6, HORIZON * 1.1**np.arange(1, 33)
+NEAR, FAR = HORIZON * (np.arange(1, 131) / 130) ** 1.6, HORIZON * 1.1 ** np.arange(1, 33)
 TIMES = np.concatenate([NEAR, FAR])
-#: Directions up to this angle from a good one are searched for a better: nearly the half of all that can separate.
+#: Directions up to this angle from a good one are searched for a better: nearly the half of all
+#: that can separate.
 WIDE = 1.5705
-#: Times further apart than this are so far apart that the best line may have turned away in between.
+#: Times further apart than this are so far apart that the best line may have turned away in
+#: between.
 LONG = 0.3
 #: How many starts are looked at together: fewer take nearly the same time, more need much memory.
 TOGETHER = 640
-#: What is found from each start; starts that agree to so many decimals are the same, and so many are kept.
+#: What is found from each start; starts that agree to so many decimals are the same, and so many
+#: are kept.
 FOUND, SAME, KEPT = ("time", "control", "switching", "angle"), 12, 5_000
 
 
@@ -42,7 +47,12 @@ class Lanes:
 
     @staticmethod
     def joined(parts):
-        return Lanes(**{name: np.concatenate([part.__dict__[name] for part in parts]) for name in parts[0].__dict__})
+        return Lanes(
+            **{
+                name: np.concatenate([part.__dict__[name] for part in parts])
+                for name in parts[0].__dict__
+            }
+        )
 
 
 class FastestTimes:
@@ -51,7 +61,8 @@ class FastestTimes:
     def __init__(self, plant, convex):
         self.plant, self.convex = plant, convex
         self._angles, self._spacing = convex.angles()
-        #: What has been found from a start, since the same law in other words leads through the same states.
+        #: What has been found from a start, since the same law in other words leads through the
+        #: same states.
         self._known = {}
 
     @functools.cached_property
@@ -64,21 +75,23 @@ class FastestTimes:
 
     def _moments(self, far):
         yield from self._near
-        # An oscillator's control switches often in long times: they cost more than all the near ones, and are seldom
-        # needed.
+        # An oscillator's control switches often in long times: they cost more than all the near
+        # ones, and are seldom needed.
         yield from self._far if far else ()
 
     def _carried(self, times):
-        """For each time T, in all directions p: (T, p.e^{AT}, the least and the largest p.y that are reached from the
-        origin)."""
+        """For each time T, in all directions p: (T, p.e^{AT}, the least and the largest p.y that
+        are reached from the origin)."""
         p = directions(self._angles)
         rows = np.tile(p, (len(times), 1)), np.repeat(times, len(p))
         least, most = (self.plant.extreme(*rows, sign).reshape(len(times), -1) for sign in (-1, 1))
-        return list(zip(times, np.einsum("ki,tij->tkj", p, self.plant.exponential(times)), least, most))
+        return list(
+            zip(times, np.einsum("ki,tij->tkj", p, self.plant.exponential(times)), least, most)
+        )
 
     def solve(self, x, case, far=False):
-        """The optimum from each start: `time` (inf where out of reach), `control` it begins with, `switching` function
-        there.
+        """The optimum from each start: `time` (inf where out of reach), `control` it begins with,
+        `switching` function there.
 
         `far`: times beyond the horizon count too.
         """
@@ -87,7 +100,9 @@ class FastestTimes:
         starts = [(far, *start) for start in np.column_stack([x.round(SAME), case]).tolist()]
         if len(self._known) > KEPT:
             self._known.clear()
-        fresh = np.array([k for k, start in enumerate(starts) if start not in self._known], dtype=int)
+        fresh = np.array(
+            [k for k, start in enumerate(starts) if start not in self._known], dtype=int
+        )
         for group in np.split(fresh, range(TOGETHER, len(fresh), TOGETHER)) if len(fresh) else ():
             found = self._solve(x[group], case[group], inside[group], far)
             rows = np.column_stack([getattr(found, name) for name in FOUND]).tolist()
@@ -100,7 +115,11 @@ class FastestTimes:
         low, high, theta, second = self._first_met(*starts, far, careful)
         self._shorten(low, high, theta, *starts)
         time, met = np.full(len(x), np.inf), np.isfinite(high)
-        apart = [] if careful else self._still_apart(np.flatnonzero(met & ~inside), high, theta, *starts)
+        apart = (
+            []
+            if careful
+            else self._still_apart(np.flatnonzero(met & ~inside), high, theta, *starts)
+        )
         met[apart] = False
         time[met], theta[met] = self._refine(*_rows(met, *starts, low, high, theta))
         self._try_elsewhere(np.flatnonzero(met & inside), low, second, time, theta, *starts)
@@ -109,17 +128,32 @@ class FastestTimes:
             time[apart], theta[apart] = closer.time, closer.angle
         impulse = self.plant.response(np.where(np.isfinite(time), time, 0))[0]
         switching = (impulse * directions(theta)).sum(axis=1) * np.where(inside, -1, 1)
-        return Lanes(x=x, case=case, inside=inside, time=time, control=np.where(switching > 0, *self.plant.bounds),
-                     switching=switching, angle=theta)
+        return Lanes(
+            x=x,
+            case=case,
+            inside=inside,
+            time=time,
+            control=np.where(switching > 0, *self.plant.bounds),
+            switching=switching,
+            angle=theta,
+        )
 
     def _first_met(self, x, case, inside, far, careful):
-        """(low, high, theta, second): R(T) meets D first between two of the times looked at, low and high.
+        """(low, high, theta, second): R(T) meets D first between two of the times looked at, low
+        and high.
 
-        From outside, theta is the last line that separates; from inside, the direction in which R(T) gets through D
-        first, and second another one, if there is one. `careful`: lines between the directions tried count too.
+        From outside, theta is the last line that separates; from inside, the direction in which
+        R(T) gets through D first, and second another one, if there is one. `careful`: lines between
+        the directions tried count too.
         """
         n, p = len(x), directions(self._angles)
-        low, high, theta, second, todo = np.full(n, np.inf), np.full(n, np.inf), np.zeros(n), np.zeros(n), np.arange(n)
+        low, high, theta, second, todo = (
+            np.full(n, np.inf),
+            np.full(n, np.inf),
+            np.zeros(n),
+            np.zeros(n),
+            np.arange(n),
+        )
         support, outward, state = self._supports(p, x, case), inside, x.T
         before, suspects = p @ state - support, []
         line = self._middle(before) if careful else None
@@ -127,26 +161,51 @@ class FastestTimes:
         apart = np.array([np.full(n, np.inf), before.max(axis=0)])
         for j, (T, carried, least, most) in enumerate(self._moments(far)):
             gap = carried @ state - support
-            gap += np.where(outward, most[:, None], least[:, None]) if outward.any() else least[:, None]
+            gap += (
+                np.where(outward, most[:, None], least[:, None])
+                if outward.any()
+                else least[:, None]
+            )
             best = gap.argmax(axis=0)
             distance = largest = gap[best, np.arange(len(todo))]
             if careful:
                 largest, line_before = distance.copy(), line
                 line = np.where(outward, self._angles[best], self._middle(gap))
-                self._look_between(np.flatnonzero(~outward & (largest <= 0)), T, line_before, largest, line,
-                                   *_rows(todo, x, case, inside))
+                self._look_between(
+                    np.flatnonzero(~outward & (largest <= 0)),
+                    T,
+                    line_before,
+                    largest,
+                    line,
+                    *_rows(todo, x, case, inside),
+                )
             hit = np.where(outward, largest >= 0, largest <= 0)
             if j and not self.convex.point:
-                # A distance that falls and rises again may have been zero in between, if it does so steeply enough.
-                drop, rise = np.where(np.isfinite(apart[0]), apart[0], apart[1]) - apart[1], distance - apart[1]
-                dip = np.flatnonzero(~outward & (drop >= 0) & (rise > 0) & (apart[1] <= 2 * np.maximum(drop, rise)))
-                suspects.append((todo[dip], np.full(len(dip), TIMES[j - 2] if j > 1 else 0.0), np.full(len(dip), T)))
+                # A distance that falls and rises again may have been zero in between, if it does so
+                # steeply enough.
+                drop, rise = (
+                    np.where(np.isfinite(apart[0]), apart[0], apart[1]) - apart[1],
+                    distance - apart[1],
+                )
+                dip = np.flatnonzero(
+                    ~outward & (drop >= 0) & (rise > 0) & (apart[1] <= 2 * np.maximum(drop, rise))
+                )
+                suspects.append(
+                    (
+                        todo[dip],
+                        np.full(len(dip), TIMES[j - 2] if j > 1 else 0.0),
+                        np.full(len(dip), T),
+                    )
+                )
             apart = np.array([apart[1], distance])
             if hit.any():
                 here, out = todo[hit], outward[hit]
                 high[here] = T
-                # From inside, a direction between those tried may have got through one or two of the times before.
-                low[here] = np.where(out, TIMES[j - 3] if j > 2 else 0.0, TIMES[j - 1] if j else 0.0)
+                # From inside, a direction between those tried may have got through one or two of
+                # the times before.
+                low[here] = np.where(
+                    out, TIMES[j - 3] if j > 2 else 0.0, TIMES[j - 1] if j else 0.0
+                )
                 theta[here] = line_before[hit] if careful else self._middle(before[:, hit])
                 if out.any():
                     through, now, then = here[out], gap[:, hit][:, out], before[:, hit][:, out]
@@ -155,7 +214,13 @@ class FastestTimes:
                     theta[through] = self._angles[share.argmin(axis=0)]
                     second[through] = self._angles[self._other_top(now, theta[through])]
                 on = ~hit
-                todo, support, outward, state, gap = todo[on], support[:, on], outward[on], state[:, on], gap[:, on]
+                todo, support, outward, state, gap = (
+                    todo[on],
+                    support[:, on],
+                    outward[on],
+                    state[:, on],
+                    gap[:, on],
+                )
                 apart, line = apart[:, on], line[on] if careful else None
                 if not len(todo):
                     break
@@ -169,26 +234,30 @@ class FastestTimes:
         return self.convex.support(*rows).reshape(len(p), len(x))
 
     def _look_between(self, maybe, T, line, largest, angle, *starts):
-        """Put into largest and angle, for the rows `maybe`, a line between the directions tried that separates still:
-        the last one, one close to it, or one close to the best of those tried."""
+        """Put into largest and angle, for the rows `maybe`, a line between the directions tried
+        that separates still: the last one, one close to it, or one close to the best of those
+        tried."""
         tried = angle[maybe].copy()
         starts, T = _rows(maybe, *starts), np.full(len(maybe), T)
         angle[maybe], largest[maybe] = line[maybe], self._gap(line[maybe], T, *starts)
         for around in (line[maybe], tried):
             left = np.flatnonzero(largest[maybe] <= 0)
-            angle[maybe[left]], largest[maybe[left]] = self._best(around[left], *_rows(left, T, *starts),
-                                                                  np.full(len(left), WIDE), 30, enough=0)
+            angle[maybe[left]], largest[maybe[left]] = self._best(
+                around[left], *_rows(left, T, *starts), np.full(len(left), WIDE), 30, enough=0
+            )
 
     def _still_apart(self, here, high, theta, *starts):
-        """Those rows for which a line between the directions tried separates at the time high still: for them all times
-        have to be looked at more closely."""
+        """Those rows for which a line between the directions tried separates at the time high
+        still: for them all times have to be looked at more closely."""
         if not self._spacing or not len(here):
             return here[:0]
-        return here[self._best(*_rows(here, theta, high, *starts), np.full(len(here), WIDE), 26)[1] > 0]
+        return here[
+            self._best(*_rows(here, theta, high, *starts), np.full(len(here), WIDE), 26)[1] > 0
+        ]
 
     def _try_elsewhere(self, here, low, second, time, theta, *starts):
-        """Put into time and theta where R(T) gets through the border in another place, at nearly the same time, but
-        sooner."""
+        """Put into time and theta where R(T) gets through the border in another place, at nearly
+        the same time, but sooner."""
         if not self._spacing or not len(here):
             return
         width = np.full(len(here), 0.2)
@@ -196,52 +265,76 @@ class FastestTimes:
         if len(here):
             other, angle = self._refine(*_rows(here, *starts, low, time, second))
             sooner = (self._gap(angle, other, *_rows(here, *starts)) > -1e-6) & (other < time[here])
-            time[here], theta[here] = np.where(sooner, other, time[here]), np.where(sooner, angle, theta[here])
+            time[here], theta[here] = (
+                np.where(sooner, other, time[here]),
+                np.where(sooner, angle, theta[here]),
+            )
 
     def _dips(self, suspects, low, high, theta, x, case, inside):
-        """Put into low, high and theta where R(T) meets a thin D between two of the times only: there the distance has
-        a dip."""
+        """Put into low, high and theta where R(T) meets a thin D between two of the times only:
+        there the distance has a dip."""
         if not any(len(here) for here, *_ in suspects):
             return
         here, first, last = (np.concatenate(column) for column in zip(*suspects))
         K, (x, case, inside) = len(self._angles), _rows(here, x, case, inside)
 
         def gaps_of(T, rows=slice(None)):
-            starts = (np.tile(part[rows], (K, 1) if part.ndim > 1 else K) for part in (x, case, inside))
-            return self._gap(np.repeat(self._angles, len(T)), np.tile(T, K), *starts).reshape(K, len(T))
+            starts = (
+                np.tile(part[rows], (K, 1) if part.ndim > 1 else K) for part in (x, case, inside)
+            )
+            return self._gap(np.repeat(self._angles, len(T)), np.tile(T, K), *starts).reshape(
+                K, len(T)
+            )
 
         def distance(T, rows=slice(None)):
             gaps = gaps_of(T, rows)
             if not self._spacing:
                 return gaps.max(axis=0)
             angle = self._angles[gaps.argmax(axis=0)]
-            best = self._best(angle, T, x[rows], case[rows], inside[rows], np.full(len(T), WIDE), 16)[1]
+            best = self._best(
+                angle, T, x[rows], case[rows], inside[rows], np.full(len(T), WIDE), 16
+            )[1]
             return np.maximum(best, gaps.max(axis=0))
 
-        closest = largest(lambda T, rows: -distance(T, rows), (first + last) / 2, (last - first) / 2, 12)
+        closest = largest(
+            lambda T, rows: -distance(T, rows), (first + last) / 2, (last - first) / 2, 12
+        )
         line, through = self._middle(gaps_of(first)), distance(closest) <= 0
         for k in np.flatnonzero(through)[::-1]:  # the earliest last
             if not closest[k] > high[here[k]]:
                 low[here[k]], high[here[k]], theta[here[k]] = first[k], closest[k], line[k]
 
     def _other_top(self, gap, angle):
-        """The index of the direction away from a given one in which the gap is largest, and larger than next to it."""
+        """The index of the direction away from a given one in which the gap is largest, and larger
+        than next to it."""
         top = (gap >= np.roll(gap, 1, axis=0)) & (gap >= np.roll(gap, -1, axis=0))
-        return np.where(top & (np.cos(self._angles[:, None] - angle) < 0.95), gap, -np.inf).argmax(axis=0)
+        return np.where(top & (np.cos(self._angles[:, None] - angle) < 0.95), gap, -np.inf).argmax(
+            axis=0
+        )
 
     def _likely(self, T, x, case, inside):
-        """Of every fourth direction that in which the gap is largest: the best line is close to it."""
+        """Of every fourth direction that in which the gap is largest: the best line is close to
+        it."""
         angles, n = self._angles[::4], len(x)
         rows = np.tile(np.arange(n), len(angles))
-        gaps = self._gap(np.repeat(angles, n), T[rows], x[rows], case[rows], inside[rows]).reshape(len(angles), n)
+        gaps = self._gap(np.repeat(angles, n), T[rows], x[rows], case[rows], inside[rows]).reshape(
+            len(angles), n
+        )
         return angles[gaps.argmax(axis=0)]
 
     def _shorten(self, low, high, theta, x, case, inside):
         """Halve long times in low and high, until the best line cannot turn away in between."""
-        while len(here := np.flatnonzero(~inside & np.isfinite(high) & (high - low > LONG))) and self._spacing:
+        while (
+            len(here := np.flatnonzero(~inside & np.isfinite(high) & (high - low > LONG)))
+            and self._spacing
+        ):
             T, starts = (low[here] + high[here]) / 2, (x[here], case[here], inside[here])
-            angles, gaps = zip(*(self._best(around, T, *starts, np.full(len(T), WIDE), 26)
-                                 for around in (theta[here], self._likely(T, *starts))))
+            angles, gaps = zip(
+                *(
+                    self._best(around, T, *starts, np.full(len(T), WIDE), 26)
+                    for around in (theta[here], self._likely(T, *starts))
+                )
+            )
             apart = np.maximum(*gaps) > 0
             low[here], high[here] = np.where(apart, T, low[here]), np.where(apart, high[here], T)
             theta[here] = np.where(apart, np.where(gaps[0] > gaps[1], *angles), theta[here])
@@ -253,15 +346,20 @@ class FastestTimes:
 
     def _gap(self, theta, T, x, case, inside):
         p, moved = directions(theta), self.plant.free(x, T)
-        return (p[:, 0] * moved[:, 0] + p[:, 1] * moved[:, 1] + self.plant.extreme(p, T, np.where(inside, 1, -1))
-                - self.convex.support(p, case, x))
+        return (
+            p[:, 0] * moved[:, 0]
+            + p[:, 1] * moved[:, 1]
+            + self.plant.extreme(p, T, np.where(inside, 1, -1))
+            - self.convex.support(p, case, x)
+        )
 
     def _best(self, theta, T, x, case, inside, width, steps, enough=np.inf):
-        """(direction near theta in which the gap is largest, this gap); or any gap that is large enough.
+        """(direction near theta in which the gap is largest, this gap); or any gap that is large
+        enough.
 
-        From outside, min p.y over R(T) less sup p.y over D is concave in p: along the tangent of the unit circle at
-        p(theta) it has one top, and its sign there tells whether any line separates. From inside the unit vectors
-        themselves are compared.
+        From outside, min p.y over R(T) less sup p.y over D is concave in p: along the tangent of
+        the unit circle at p(theta) it has one top, and its sign there tells whether any line
+        separates. From inside the unit vectors themselves are compared.
         """
         if not self._spacing:
             return theta, self._gap(theta, T, x, case, inside)
@@ -271,7 +369,12 @@ class FastestTimes:
         def gap(turn, rows):
             p, y = directions(theta[rows] + turn), moved[rows]
             reached = self.plant.extreme(p, T[rows], sign[rows], whole[rows])
-            return p[:, 0] * y[:, 0] + p[:, 1] * y[:, 1] + reached - self.convex.support(p, case[rows], x[rows])
+            return (
+                p[:, 0] * y[:, 0]
+                + p[:, 1] * y[:, 1]
+                + reached
+                - self.convex.support(p, case[rows], x[rows])
+            )
 
         def seen(turn, rows):
             return gap(turn, rows) / np.where(inside[rows], 1, np.cos(turn))
@@ -280,7 +383,8 @@ class FastestTimes:
         return theta + turn, gap(turn, slice(None))
 
     def _refine(self, x, case, inside, low, high, theta):
-        """The first time between low and high at which no line separates, and the last separating direction.
+        """The first time between low and high at which no line separates, and the last separating
+        direction.
 
         From inside: at which R(T) gets through the border, and the direction in which it does.
         """
@@ -290,12 +394,14 @@ class FastestTimes:
         doubtful = np.flatnonzero(~sure)
         if len(doubtful):
             found = self._halved(*_rows(doubtful, x, case, inside, low, high, theta))
-            time[doubtful], angle[doubtful] = self._closer(*found, *_rows(doubtful, x, case, inside))
+            time[doubtful], angle[doubtful] = self._closer(
+                *found, *_rows(doubtful, x, case, inside)
+            )
         return time, angle
 
     def _closer(self, time, angle, x, case, inside, step=1e-6):
-        """The same to more digits from outside D, also where the best line belongs to a corner of R(T): in turn the
-        best line at a time, and the time at which this line separates no more."""
+        """The same to more digits from outside D, also where the best line belongs to a corner of
+        R(T): in turn the best line at a time, and the time at which this line separates no more."""
         T, theta, width = time, angle, np.where(inside, 0, WIDE)
         with np.errstate(all="ignore"):
             for _ in range(3):
@@ -306,18 +412,20 @@ class FastestTimes:
         return np.where(good, T, time), np.where(good, theta, angle)
 
     def _touching(self, x, case, inside, low, high, theta, step=1e-5):
-        """The same by Newton's iteration, in turn for the time at which a line separates no more and for the best line
-        then.
+        """The same by Newton's iteration, in turn for the time at which a line separates no more
+        and for the best line then.
 
-        The third result says where this was proved, to the precision of the halvings: before, that line separates, and
-        after, none.
+        The third result says where this was proved, to the precision of the halvings: before, that
+        line separates, and after, none.
         """
         start, T, rows = theta, (low + high) / 2, np.arange(len(x))
 
         def gaps(*places):
             repeated = np.tile(rows, len(places))
             angles, times = (np.concatenate(column) for column in zip(*places))
-            return self._gap(angles, times, x[repeated], case[repeated], inside[repeated]).reshape(len(places), -1)
+            return self._gap(angles, times, x[repeated], case[repeated], inside[repeated]).reshape(
+                len(places), -1
+            )
 
         with np.errstate(all="ignore"):
             for _ in range(6):
@@ -325,14 +433,19 @@ class FastestTimes:
                 T = np.clip(T - np.nan_to_num(now * step / (later - now)), low, high)
                 # Seen along the tangent of the unit circle, as in `_best`.
                 left, middle, right = gaps((theta - step, T), (theta, T), (theta + step, T))
-                left, right = (np.where(inside, side, side / np.cos(step)) for side in (left, right))
+                left, right = (
+                    np.where(inside, side, side / np.cos(step)) for side in (left, right)
+                )
                 turn = np.nan_to_num((right - left) / 2 * step / (2 * middle - left - right))
                 theta = theta + np.clip(turn, -0.3, 0.3)
             apart = np.where(inside, 1, -1) * (high - low) / 2**24
             separates = self._gap(theta, T + apart, x, case, inside) > 0
             sure = np.flatnonzero(separates & (~inside | (abs(theta - start) < 0.15)))
             x, case, inside, after = (part[sure] for part in (x, case, inside, T - apart))
-            none = self._best(theta[sure], after, x, case, inside, np.where(inside, 0.15, WIDE), 24)[1] <= 0
+            none = (
+                self._best(theta[sure], after, x, case, inside, np.where(inside, 0.15, WIDE), 24)[1]
+                <= 0
+            )
         return T, theta, np.isin(rows, sure[none])
 
     def _halved(self, x, case, inside, low, high, theta):
@@ -340,11 +453,20 @@ class FastestTimes:
         centre = theta
         for turn in range(18):
             middle = (low + high) / 2
-            # The best line may jump from one side of a cone to the other, so at first the whole cone is searched each
-            # time.
-            around, width, steps = (centre, WIDE, 24) if turn < 8 else (theta, 0.04 * 0.85**turn, 10)
-            angle, gap = self._best(around, middle, x, case, inside, np.where(inside, np.minimum(width, 0.15), width),
-                                    steps)
+            # The best line may jump from one side of a cone to the other, so at first the whole
+            # cone is searched each time.
+            around, width, steps = (
+                (centre, WIDE, 24) if turn < 8 else (theta, 0.04 * 0.85**turn, 10)
+            )
+            angle, gap = self._best(
+                around,
+                middle,
+                x,
+                case,
+                inside,
+                np.where(inside, np.minimum(width, 0.15), width),
+                steps,
+            )
             met = np.where(inside, gap >= 0, gap <= 0)
             low, high = np.where(met, low, middle), np.where(met, middle, high)
             theta = np.where(met & ~inside, theta, angle)
@@ -358,7 +480,11 @@ class FastestTimes:
         support = self._supports(p, x, case)
         for T in left * (np.arange(1, steps + 1) / steps)[:, None]:
             moved = self.plant.free(x, T)
-            gaps = p @ moved.T + self.plant.extreme(rows, np.tile(T, len(p)), sign).reshape(len(p), n) - support
+            gaps = (
+                p @ moved.T
+                + self.plant.extreme(rows, np.tile(T, len(p)), sign).reshape(len(p), n)
+                - support
+            )
             top = np.where(inside, -gaps.max(axis=0), gaps.max(axis=0))
             better = top < best
             best, when = np.where(better, top, best), np.where(better, T, when)

@@ -1,9 +1,10 @@
-"""The least (or greatest) value of a functional of a motion and its derivatives, found by direct optimisation: neither
-Euler's equation nor natural conditions are used.
+"""The least (or greatest) value of a functional of a motion and its derivatives, found by direct
+optimisation: neither Euler's equation nor natural conditions are used.
 
-On N equal intervals the n-th derivative is constant on each, lower ones follow by the rule of the trapezium, and the
-integrand is taken in the middles; IPOPT makes this least over all values at the nodes, with the given ends. What is
-found has an error in even powers of the step, and three grids remove the first two of them.
+On N equal intervals the n-th derivative is constant on each, lower ones follow by the rule of the
+trapezium, and the integrand is taken in the middles; IPOPT makes this least over all values at the
+nodes, with the given ends. What is found has an error in even powers of the step, and three grids
+remove the first two of them.
 """
 
 import functools
@@ -15,13 +16,21 @@ import sympy as sp
 
 #: Intervals of the three grids.
 GRIDS = (20, 40, 80)
-#: How far apart the last two steps of the extrapolation may be, as a share, for a value to count as known.
+#: How far apart the last two steps of the extrapolation may be, as a share, for a value to count as
+#: known.
 KNOWN = 1e-6
-SOLVER = {"ipopt.print_level": 0, "print_time": False, "ipopt.sb": "yes", "ipopt.tol": 1e-11, "ipopt.max_iter": 200}
+SOLVER = {
+    "ipopt.print_level": 0,
+    "print_time": False,
+    "ipopt.sb": "yes",
+    "ipopt.tol": 1e-11,
+    "ipopt.max_iter": 200,
+}
 
 
 class FunctionalOptimum:
-    """The optimum for given values of all parameters: `value`, on the interval from `begin` of length `duration`."""
+    """The optimum for given values of all parameters: `value`, on the interval from `begin` of
+    length `duration`."""
 
     def __init__(self, functional):
         self.functional = functional
@@ -36,13 +45,14 @@ class FunctionalOptimum:
         return -value if self.functional.maximise else value
 
     def convex(self, count=40):
-        """Whether the discrete functional, with its sign, is strictly convex along all motions with the given ends; for
-        integrands that are at most quadratic this says whether there is an optimum."""
+        """Whether the discrete functional, with its sign, is strictly convex along all motions with
+        the given ends; for integrands that are at most quadratic this says whether there is an
+        optimum."""
         programme = _programme(self._form, count)
         rows = programme.equations(self._guess(count), self._numbers).full()
         curvature = programme.hessian(self._guess(count), self._numbers).full()
         _, sizes, directions = np.linalg.svd(rows)
-        free = directions[np.sum(sizes > 1e-10 * sizes[0]):].T
+        free = directions[np.sum(sizes > 1e-10 * sizes[0]) :].T
         return bool(np.linalg.eigvalsh(free.T @ curvature @ free)[0] > 0)
 
     def _on(self, count):
@@ -56,28 +66,51 @@ class FunctionalOptimum:
     def _form(self):
         functional = self.functional
         motion = dict(zip(functional.derivatives, _places(functional.order)))
-        at_end = {d.subs(functional.time, functional.interval[2]): place for d, place in motion.items()}
-        return _Form(functional.time, functional.integrand.subs(dict(reversed(motion.items()))),
-                     functional.final.subs(at_end), functional.order, -1 if functional.maximise else 1,
-                     *(tuple(k for k, value in enumerate(ends) if value is not None)
-                       for ends in (functional.start, functional.end)))
+        at_end = {
+            d.subs(functional.time, functional.interval[2]): place for d, place in motion.items()
+        }
+        return _Form(
+            functional.time,
+            functional.integrand.subs(dict(reversed(motion.items()))),
+            functional.final.subs(at_end),
+            functional.order,
+            -1 if functional.maximise else 1,
+            *(
+                tuple(k for k, value in enumerate(ends) if value is not None)
+                for ends in (functional.start, functional.end)
+            ),
+        )
 
     @functools.cached_property
     def _numbers(self):
-        """What fills the form: the begin, the duration and the values that are given at both ends."""
-        return [self.begin, self.duration, *(float(value) for value in (*self.functional.start, *self.functional.end)
-                                             if value is not None)]
+        """What fills the form: the begin, the duration and the values that are given at both
+        ends."""
+        return [
+            self.begin,
+            self.duration,
+            *(
+                float(value)
+                for value in (*self.functional.start, *self.functional.end)
+                if value is not None
+            ),
+        ]
 
     def _guess(self, count):
         n = self.functional.order
-        level = next((float(ends[0]) for ends in (self.functional.start, self.functional.end)
-                      if ends[0] is not None), 0.0)
+        level = next(
+            (
+                float(ends[0])
+                for ends in (self.functional.start, self.functional.end)
+                if ends[0] is not None
+            ),
+            0.0,
+        )
         return np.concatenate([np.tile([level] + [0.0] * (n - 1), count + 1), np.zeros(count)])
 
 
 class _Form(NamedTuple):
-    """A functional but for its interval and the values at its ends: which ones are given, the orders of derivatives
-    tell. What it depends on is written in `_places`."""
+    """A functional but for its interval and the values at its ends: which ones are given, the
+    orders of derivatives tell. What it depends on is written in `_places`."""
 
     time: sp.Symbol
     integrand: sp.Expr
@@ -89,8 +122,8 @@ class _Form(NamedTuple):
 
 
 class _Programme(NamedTuple):
-    """IPOPT's solver, the Hessian of the functional and the Jacobian of the conditions, of the values at the nodes and
-    of the numbers that fill the form."""
+    """IPOPT's solver, the Hessian of the functional and the Jacobian of the conditions, of the
+    values at the nodes and of the numbers that fill the form."""
 
     solver: ca.Function
     hessian: ca.Function
@@ -104,7 +137,8 @@ def _places(order):
 
 
 def _extrapolated(values):
-    """What three grids tend to, each twice as fine as the one before, and what the last two alone do."""
+    """What three grids tend to, each twice as fine as the one before, and what the last two alone
+    do."""
     coarse, middle, fine = values
     first, second = middle + (middle - coarse) / 3, fine + (fine - middle) / 3
     return second + (second - first) / 15, second
@@ -125,10 +159,18 @@ def _programme(form, count):
         conditions += [nodes[k, column] - values[j] for j, k in enumerate(given)]
     integrand = sp.lambdify([form.time, *places], form.integrand, ca)
     final = sp.lambdify(places[:-1], form.final, ca)
-    total = sum(h * integrand(begin + (k + 0.5) * h, *ca.vertsplit(middle[:, k]), top[k]) for k in range(count))
+    total = sum(
+        h * integrand(begin + (k + 0.5) * h, *ca.vertsplit(middle[:, k]), top[k])
+        for k in range(count)
+    )
     total = form.sign * (total + final(*ca.vertsplit(nodes[:, count])))
     unknown, conditions = ca.vertcat(ca.vec(nodes), ca.vec(top)), ca.vertcat(*conditions)
     numbers = ca.vertcat(begin, duration, starts, ends)
-    solver = ca.nlpsol("functional", "ipopt", {"x": unknown, "p": numbers, "f": total, "g": conditions}, SOLVER)
-    return _Programme(solver, ca.Function("hessian", [unknown, numbers], [ca.hessian(total, unknown)[0]]),
-                      ca.Function("equations", [unknown, numbers], [ca.jacobian(conditions, unknown)]))
+    solver = ca.nlpsol(
+        "functional", "ipopt", {"x": unknown, "p": numbers, "f": total, "g": conditions}, SOLVER
+    )
+    return _Programme(
+        solver,
+        ca.Function("hessian", [unknown, numbers], [ca.hessian(total, unknown)[0]]),
+        ca.Function("equations", [unknown, numbers], [ca.jacobian(conditions, unknown)]),
+    )

@@ -1,4 +1,5 @@
-"""A plane linear plant x' = Ax + bu by closed formulas: motions, and how far directions can be carried."""
+"""A plane linear plant x' = Ax + bu by closed formulas: motions, and how far directions can be
+carried."""
 
 import numpy as np
 import sympy as sp
@@ -10,20 +11,28 @@ class Plant:
     def __init__(self, field, state, control, bounds):
         field = sp.Matrix([sp.sympify(component) for component in field])
         A, b = field.jacobian(state), field.diff(control)
-        if len(state) != 2 or (field - A * sp.Matrix(state) - b * control).applyfunc(sp.expand) != sp.zeros(2, 1):
+        if len(state) != 2 or (field - A * sp.Matrix(state) - b * control).applyfunc(
+            sp.expand
+        ) != sp.zeros(2, 1):
             raise ValueError("the plant has to be linear in two state variables and the control")
         self.A, self.b = np.array(A, dtype=float), np.array(b, dtype=float).ravel()
         self.bounds = tuple(float(bound) for bound in bounds)
         self.mean, self.half = sum(self.bounds) / 2, (self.bounds[1] - self.bounds[0]) / 2
-        self._trace, self._determinant = np.trace(self.A), self.A[0, 0] * self.A[1, 1] - self.A[0, 1] * self.A[1, 0]
-        self._square = (self._trace / 2)**2 - self._determinant
+        self._trace, self._determinant = (
+            np.trace(self.A),
+            self.A[0, 0] * self.A[1, 1] - self.A[0, 1] * self.A[1, 0],
+        )
+        self._square = (self._trace / 2) ** 2 - self._determinant
         self._root = np.sqrt(abs(self._square))
         self._turned = self.A @ self.b - self._trace / 2 * self.b
         self._deviator = self.A - self._trace / 2 * np.eye(2)
         #: Where A has an inverse, the integral of e^{As}b is found with it.
         self._inverse = np.linalg.inv(self.A) if abs(self._determinant) > 1e-12 else None
-        pushed = ((self.b, self.A @ self.b) if self._inverse is None
-                  else (self._inverse @ self.b, self._inverse @ self._turned))
+        pushed = (
+            (self.b, self.A @ self.b)
+            if self._inverse is None
+            else (self._inverse @ self.b, self._inverse @ self._turned)
+        )
         self._vectors = np.column_stack([self.b, self._turned, *pushed])
 
     def exponential(self, s):
@@ -54,7 +63,8 @@ class Plant:
         return growth * even, growth * odd
 
     def _waves(self, s):
-        """The functions e, o of time with e^{As} = e^{cs}(e E + o (A - cE)), where 2c is the trace of A."""
+        """The functions e, o of time with e^{As} = e^{cs}(e E + o (A - cE)), where 2c is the trace
+        of A."""
         if self._square > 1e-14:
             return np.cosh(self._root * s), np.sinh(self._root * s) / self._root
         if self._square < -1e-14:
@@ -75,37 +85,49 @@ class Plant:
         even, odd = self._grown(*self._waves(s), s)
         free = self._turned_on(x, even, odd)
         if self._inverse is not None:
-            return free + u[:, None] * ((even * self.b + odd * self._turned - self.b) @ self._inverse.T)
+            return free + u[:, None] * (
+                (even * self.b + odd * self._turned - self.b) @ self._inverse.T
+            )
         return free + u[:, None] * (s * self.b + self._second(s) * (self.A @ self.b))
 
     def extreme(self, p, T, sign, whole=None):
-        """The integral over [0, T] of the least (sign -1) or largest (+1) value of p.e^{As}b u; rows of p and T.
+        """The integral over [0, T] of the least (sign -1) or largest (+1) value of p.e^{As}b u;
+        rows of p and T.
 
         `whole` is the integral of e^{As}b, if it is known already.
         """
-        # Thousands of times some hundred rows come here, so all is said by numbers a row: p.b, p.(A - cE)b and the two
-        # of `_carried`.
+        # Thousands of times some hundred rows come here, so all is said by numbers a row: p.b, p.(A
+        # - cE)b and the two of `_carried`.
         start, other, *along = (p @ self._vectors).T
         zeros = self._zeros(start, other, T)
-        last = self._carried(T, *along) if whole is None else whole[:, 0] * p[:, 0] + whole[:, 1] * p[:, 1]
+        last = (
+            self._carried(T, *along)
+            if whole is None
+            else whole[:, 0] * p[:, 0] + whole[:, 1] * p[:, 1]
+        )
         if zeros.shape[1] == 1:
             inner = self._carried(zeros[:, 0], *along)
             absolute = abs(inner) + abs(last - inner)
         else:
             inner = self._carried(zeros, *(part[:, None] for part in along))
-            absolute = abs(inner[:, 0]) + abs(last - inner[:, -1]) + abs(inner[:, 1:] - inner[:, :-1]).sum(axis=1)
+            absolute = (
+                abs(inner[:, 0])
+                + abs(last - inner[:, -1])
+                + abs(inner[:, 1:] - inner[:, :-1]).sum(axis=1)
+            )
         return self.mean * last + sign * self.half * absolute
 
     def _carried(self, s, first, second):
-        """p.(the integral of e^{Ar}b from 0 to s), from the last two columns of p @ self._vectors."""
+        """p.(the integral of e^{Ar}b from 0 to s), from the last two columns of p @
+        self._vectors."""
         if self._inverse is None:
             return s * first + self._second(s) * second
         even, odd = self._grown(*self._waves(s), s)
         return even * first + odd * second - first
 
     def farthest(self, p, T, sign):
-        """The integral over [0, T] of e^{As}b u with the u for which p.e^{As}b u is least (sign -1) or largest (+1);
-        rows of p and T.
+        """The integral over [0, T] of e^{As}b u with the u for which p.e^{As}b u is least (sign -1)
+        or largest (+1); rows of p and T.
 
         So the state farthest against p, or along it, that is reached from the origin in the time T.
         """
@@ -119,11 +141,13 @@ class Plant:
         return self._zeros(p @ self.b, p @ self._turned, T)
 
     def first_zero(self, p, T):
-        """(the first zero of p.e^{As}b after s = 0, or T if there is none before, its sign until then), for rows of
-        p."""
+        """(the first zero of p.e^{As}b after s = 0, or T if there is none before, its sign until
+        then), for rows of p."""
         start, other = p @ self.b, p @ self._turned
         start[abs(start) < 1e-12] = 0
-        return self._zeros(start, other, np.full(len(p), T)).min(axis=1), np.sign(np.where(start, start, other))
+        return self._zeros(start, other, np.full(len(p), T)).min(axis=1), np.sign(
+            np.where(start, start, other)
+        )
 
     def _zeros(self, start, other, T):
         with np.errstate(all="ignore"):

@@ -1,42 +1,52 @@
-"""Where a control can bring the state, as conditions on the symbols: what closed forms say of linear systems.
+"""Where a control can bring the state, as conditions on the symbols: what closed forms say of
+linear systems.
 
-The controls of x' = Ax + bu lie between two bounds. With zero between them, and (A, b) controllable, the starts that
-can be brought to the origin are all those whose parts along the growing modes are small enough (Brammer 1972; Sontag
-1984): for a left eigenvector w of an eigenvalue lambda > 0 they are the w.x0 between -max w.bu/lambda and
--min w.bu/lambda, ends left out, since w.x0 = -int e^{-lambda s} w.bu ds.
+The controls of x' = Ax + bu lie between two bounds. With zero between them, and (A, b)
+controllable, the starts that can be brought to the origin are all those whose parts along the
+growing modes are small enough (Brammer 1972; Sontag 1984): for a left eigenvector w of an
+eigenvalue lambda > 0 they are the w.x0 between -max w.bu/lambda and -min w.bu/lambda, ends left
+out, since w.x0 = -int e^{-lambda s} w.bu ds.
 """
 
 import sympy as sp
 
 
 def on_a_line(dynamics, control, bounds, start, end):
-    """Where x' = f(x, u), linear in both, comes from `start` to `end`, or None for what is not linear.
+    """Where x' = f(x, u), linear in both, comes from `start` to `end`, or None for what is not
+    linear.
 
     It does if the rate towards the end is positive at both, and so between them.
     """
-    (x, rate), = dynamics.items()
+    ((x, rate),) = dynamics.items()
     if not linear([rate], [x, control]):
         return None
     most, least = _extremes(rate, control, bounds)
 
     def moves(way, rate):
-        return sp.And(way * (end - start) > 0, *(way * rate.subs(x, place) > 0 for place in (start, end)))
+        return sp.And(
+            way * (end - start) > 0, *(way * rate.subs(x, place) > 0 for place in (start, end))
+        )
 
     return sp.Or(moves(1, most), moves(-1, least))
 
 
 def in_time(dynamics, control, bounds, start, end, duration):
-    """Where x' = f(u) comes from `start` to `end` within the duration, or None where the rate depends on the state."""
-    (x, rate), = dynamics.items()
+    """Where x' = f(u) comes from `start` to `end` within the duration, or None where the rate
+    depends on the state."""
+    ((x, rate),) = dynamics.items()
     if rate.has(x) or not linear([rate], [control]):
         return None
     most, least = _extremes(rate, control, bounds)
-    return sp.Or(sp.Eq(start, end), sp.And(end > start, duration * most >= end - start),
-                 sp.And(end < start, duration * least <= end - start))
+    return sp.Or(
+        sp.Eq(start, end),
+        sp.And(end > start, duration * most >= end - start),
+        sp.And(end < start, duration * least <= end - start),
+    )
 
 
 def to_origin(A, b, bounds, start):
-    """Where the plane system x' = Ax + bu can be brought to the origin, or None if no closed form is known here."""
+    """Where the plane system x' = Ax + bu can be brought to the origin, or None if no closed form
+    is known here."""
     low, high = bounds
     chain = sp.Matrix.hstack(b, A * b)
     if chain.det() == 0 or not (low.is_number and high.is_number):
@@ -44,19 +54,27 @@ def to_origin(A, b, bounds, start):
     if not any(A**2):
         row = sp.Matrix([[0, 1]]) * chain.inv()  # z1 = row.x has z1' = z2, z2' = u
         return _braked(*(row * sp.Matrix(start)), *(row * A * sp.Matrix(start)), low, high)
-    modes = [(value, left) for value, _, vectors in A.T.eigenvects() for left in vectors if sp.re(value) > 0]
+    modes = [
+        (value, left)
+        for value, _, vectors in A.T.eigenvects()
+        for left in vectors
+        if sp.re(value) > 0
+    ]
     if not (low < 0 < high) or len(modes) > 1 or any(not value.is_real for value, _ in modes):
         return None
     inside = []
     for value, left in modes:
-        ends, along = sorted((left.T * b)[0] * end / value for end in bounds), (left.T * sp.Matrix(start))[0]
+        ends, along = (
+            sorted((left.T * b)[0] * end / value for end in bounds),
+            (left.T * sp.Matrix(start))[0],
+        )
         inside += [ends[0] < -along, -along < ends[1]]
     return sp.And(*inside)
 
 
 def _braked(z, speed, low, high):
-    """Where z'' = u can be brought to rest at zero: with pushes to one side alone only what comes from that side, from
-    between the distances of braking with the one bound and with the other."""
+    """Where z'' = u can be brought to rest at zero: with pushes to one side alone only what comes
+    from that side, from between the distances of braking with the one bound and with the other."""
     if low < 0 < high:
         return sp.true
     if high <= 0:
@@ -65,18 +83,24 @@ def _braked(z, speed, low, high):
 
 
 def arrivals(field, state, control, bounds, target, ends):
-    """The least rate of the target's expression at the points `ends`: a motion arrives from where it is positive if the
-    rate is negative, and none does where it is positive."""
+    """The least rate of the target's expression at the points `ends`: a motion arrives from where
+    it is positive if the rate is negative, and none does where it is positive."""
     at = dict(zip(state, ends))
-    rates = [sum(sp.diff(target, x) * f.subs(control, u) for x, f in zip(state, field)).subs(at, simultaneous=True)
-             for u in bounds]
+    rates = [
+        sum(sp.diff(target, x) * f.subs(control, u) for x, f in zip(state, field)).subs(
+            at, simultaneous=True
+        )
+        for u in bounds
+    ]
     middle, half = (rates[0] + rates[1]) / 2, (rates[1] - rates[0]) / 2
     return sp.expand(middle) - sp.Abs(sp.factor(half))
 
 
 def touching(field, state, control, bounds, target):
-    """Where a motion touches the border of the target from the side where its expression is positive, while no other
-    control brings it closer: a condition on the state, and a wider one with what lies on the border."""
+    """Where a motion touches the border of the target from the side where its expression is
+    positive, while no other control brings it closer: a condition on the state, and a wider one
+    with what lies on the border."""
+
     def rate(part, u):
         return sum(sp.diff(part, x) * f.subs(control, u) for x, f in zip(state, field))
 
@@ -85,15 +109,19 @@ def touching(field, state, control, bounds, target):
         on = sp.And(sp.Eq(target, 0), sp.Eq(rate(target, u), 0))
         worse, bend = sp.expand(rate(target, other) - rate(target, u)), rate(rate(target, u), u)
         touched.append(sp.And(on, worse > 0, bend > 0))
-        almost.append(sp.And(on, sp.Or(sp.And(worse > 0, bend > 0), sp.And(worse >= 0, sp.Eq(bend, 0)))))
+        almost.append(
+            sp.And(on, sp.Or(sp.And(worse > 0, bend > 0), sp.And(worse >= 0, sp.Eq(bend, 0))))
+        )
     return sp.Or(*touched), sp.Or(*almost)
 
 
 def beyond_line(A, b, bounds, state, line, time):
-    """How far beyond the line c.x + d = 0, to either side, the farthest states reached at a time lie: two polynomials
-    in state and time. None where they are none, or the control that goes farthest switches.
+    """How far beyond the line c.x + d = 0, to either side, the farthest states reached at a time
+    lie: two polynomials in state and time. None where they are none, or the control that goes
+    farthest switches.
 
-    The costate at the end of an extremal is normal to the line, so it ends where one of these crosses zero upwards.
+    The costate at the end of an extremal is normal to the line, so it ends where one of these
+    crosses zero upwards.
     """
     normal = sp.Matrix([line]).jacobian(state)
     effect = sp.expand((normal * (sp.eye(2) + A * time) * b)[0])
@@ -101,13 +129,18 @@ def beyond_line(A, b, bounds, state, line, time):
     if any(A**2) or len(signs) != 1 or not all(bound.is_number for bound in bounds):
         return None
     free = sp.expand(line + (normal * A * sp.Matrix(state))[0] * time)
-    pushed = sorted((bound * sp.integrate(effect, (time, 0, time)) for bound in bounds),
-                    key=lambda push: push.subs(time, 1))
+    pushed = sorted(
+        (bound * sp.integrate(effect, (time, 0, time)) for bound in bounds),
+        key=lambda push: push.subs(time, 1),
+    )
     return sp.expand(free + pushed[1]), sp.expand(-free - pushed[0])
 
 
 def linear(expressions, symbols):
-    return all(sp.expand(e).is_polynomial(*symbols) and sp.Poly(e, *symbols).total_degree() <= 1 for e in expressions)
+    return all(
+        sp.expand(e).is_polynomial(*symbols) and sp.Poly(e, *symbols).total_degree() <= 1
+        for e in expressions
+    )
 
 
 def _extremes(rate, control, bounds):

@@ -12,7 +12,8 @@ LONGEST = 12.0
 
 
 class TargetFamily:
-    """A family of points of the target, numbered by a variable, and the optimal motions that end there."""
+    """A family of points of the target, numbered by a variable, and the optimal motions that end
+    there."""
 
     def __init__(self, field, state, control, bounds, target, ends, variable, domain, start):
         self.plant, self.variable = Plant(field, state, control, bounds), variable
@@ -23,13 +24,16 @@ class TargetFamily:
         symbols = [variable, *self.parameters]
         along = dict(zip(state, ends))
         gradient = [sp.diff(target, v).subs(along, simultaneous=True) for v in state]
-        self._point, self._gradient = sp.lambdify(symbols, list(ends), "numpy"), sp.lambdify(symbols, gradient, "numpy")
+        self._point, self._gradient = (
+            sp.lambdify(symbols, list(ends), "numpy"),
+            sp.lambdify(symbols, gradient, "numpy"),
+        )
         self._target = state, control, bounds, field, target, ends
         self.side = 1 if start is None else self._starts_side(target, state, start, along, gradient)
 
     def _starts_side(self, target, state, start, along, gradient):
         """1 if the starts lie where the target's expression is positive."""
-        probe = {p: v for p, v in zip(self.parameters, self._cases[0])}
+        probe = dict(zip(self.parameters, self._cases[0]))
         place = {self.variable: self.places(self._cases[0], count=3)[1]}
         point = {s: sp.sympify(e).subs(place).subs(probe) for s, e in along.items()}
         slope = [sp.sympify(g).subs(place).subs(probe) for g in gradient]
@@ -37,11 +41,13 @@ class TargetFamily:
         return 1 if start.subs(probe).subs(ahead) is sp.true else -1
 
     def reached(self):
-        """Where optimal motions end, and where no motion can arrive: two conditions; between the two lie the ends of
-        arcs."""
+        """Where optimal motions end, and where no motion can arrive: two conditions; between the
+        two lie the ends of arcs."""
         state, control, bounds, field, target, ends = self._target
         rate = reach.arrivals(field, state, control, bounds, self.side * target, ends)
-        within = sp.And(*(interval.as_relational(symbol) for symbol, interval in self._domain.items()))
+        within = sp.And(
+            *(interval.as_relational(symbol) for symbol, interval in self._domain.items())
+        )
         return sp.And(within, rate < 0), sp.And(within, rate > 0)
 
     @property
@@ -53,15 +59,18 @@ class TargetFamily:
 
     @property
     def interval(self):
-        return tuple(float(end) if end.is_finite else np.sign(float(end)) * 6
-                     for end in (self._interval.inf, self._interval.sup))
+        return tuple(
+            float(end) if end.is_finite else np.sign(float(end)) * 6
+            for end in (self._interval.inf, self._interval.sup)
+        )
 
     def samples(self):
         return self._cases
 
     def places(self, values, count=181):
         low, high = self.interval
-        return low + (high - low) * (np.arange(count) + 0.47) / count  # off the middle, which may be a special point
+        # off the middle, which may be a special point
+        return low + (high - low) * (np.arange(count) + 0.47) / count
 
     def point(self, places, values):
         return self._columns(self._point, places, values)
@@ -69,20 +78,28 @@ class TargetFamily:
     def _columns(self, function, places, values):
         with np.errstate(all="ignore"):
             parts = function(places, *values)
-        return np.column_stack([np.broadcast_to(np.asarray(part, dtype=float), places.shape) for part in parts])
+        return np.column_stack(
+            [np.broadcast_to(np.asarray(part, dtype=float), places.shape) for part in parts]
+        )
 
     def _towards(self, places, values):
         """The normals of the target on the side of the starts."""
         return self.side * self._columns(self._gradient, places, values)
 
     def rates(self, places, values):
-        """The least rate along the normal towards the starts: where it is positive, no motion can arrive."""
+        """The least rate along the normal towards the starts: where it is positive, no motion can
+        arrive."""
         y, n = self.point(places, values), self._towards(places, values)
         push = n @ self.plant.b
-        return (n * (y @ self.plant.A.T)).sum(axis=1) + self.plant.mean * push - self.plant.half * abs(push)
+        return (
+            (n * (y @ self.plant.A.T)).sum(axis=1)
+            + self.plant.mean * push
+            - self.plant.half * abs(push)
+        )
 
     def arrives(self, place):
-        """Whether optimal motions end at a place given by the values of the symbols, None for the end of an arc."""
+        """Whether optimal motions end at a place given by the values of the symbols, None for the
+        end of an arc."""
         (rate,) = self.rates(*self._numbers(place))
         return None if rate == 0 else bool(rate < 0)
 
@@ -102,8 +119,8 @@ class TargetFamily:
         return (one + other) / 2
 
     def switchings(self, places, values):
-        """(points, times before the end, controls after): where the extremals that end at `places` switch for the last
-        time."""
+        """(points, times before the end, controls after): where the extremals that end at `places`
+        switch for the last time."""
         y, n = self.point(places, values), self._towards(places, values)
         time, sign = self.plant.first_zero(n, LONGEST)
         after = np.where(sign > 0, *self.plant.bounds)
@@ -123,13 +140,20 @@ class TargetFamily:
     def table(self, values):
         """The switching curve as two arrays, the first of them increasing."""
         low, high = self.interval
-        share = np.concatenate([np.geomspace(1e-12, 0.2, 2500), np.linspace(0.2, 0.8, 2500),
-                                1 - np.geomspace(1e-12, 0.2, 2500)])
+        share = np.concatenate(
+            [
+                np.geomspace(1e-12, 0.2, 2500),
+                np.linspace(0.2, 0.8, 2500),
+                1 - np.geomspace(1e-12, 0.2, 2500),
+            ]
+        )
         share = np.unique(share)
         points, times, _ = self.switchings(low + (high - low) * share, values)
         points = points[np.isfinite(times)]
         return tuple(points[np.argsort(points[:, 0])].T)
 
     def told(self, values, place):
-        named = [f"{p} = {v:.4g}" for p, v in zip(self.parameters, values)] + [f"{self.variable} = {place:.4g}"]
+        named = [f"{p} = {v:.4g}" for p, v in zip(self.parameters, values)] + [
+            f"{self.variable} = {place:.4g}"
+        ]
         return "for " + ", ".join(named)

@@ -1,14 +1,16 @@
-"""The fastest transfers of a point by a thrust of given size and free direction: x'' = a cos u + g, y'' = a sin u + h.
+"""The fastest transfers of a point by a thrust of given size and free direction: x'' = a cos u + g,
+y'' = a sin u + h.
 
-To a place, with any velocity: in the time T the thrust can move the point to all places of a disc of radius a T^2/2
-about where it would come without thrust, and to no others. The least time is the first at which the disc holds the
-target, and then the direction of the thrust does not change.
+To a place, with any velocity: in the time T the thrust can move the point to all places of a disc
+of radius a T^2/2 about where it would come without thrust, and to no others. The least time is the
+first at which the disc holds the target, and then the direction of the thrust does not change.
 
-To rest, without g and h: the direction is that of a vector e(sigma) = sigma p + d q, where p and q are orthogonal unit
-vectors and sigma is the time left but for a constant. If directions of this kind bring the point to rest on the target,
-the time is the least: e and its rate tell a plane between the target and all states that can be reached a little
-earlier, and what can be reached does not shrink with time, since a thrust that turns about fast enough holds the point
-where it rests. If place and velocity lie on one line through the target, all of the motion is on it.
+To rest, without g and h: the direction is that of a vector e(sigma) = sigma p + d q, where p and q
+are orthogonal unit vectors and sigma is the time left but for a constant. If directions of this
+kind bring the point to rest on the target, the time is the least: e and its rate tell a plane
+between the target and all states that can be reached a little earlier, and what can be reached does
+not shrink with time, since a thrust that turns about fast enough holds the point where it rests. If
+place and velocity lie on one line through the target, all of the motion is on it.
 """
 
 import functools
@@ -20,42 +22,66 @@ from workbook.checks.tools.samples import sample_cases
 
 #: At so many instants a process is told, and how well the equations of its ends are solved.
 INSTANTS, SOLVED = 40, 1e-11
-#: From so many directions, and from so many times the shortest time that may be thought of, a search begins.
+#: From so many directions, and from so many times the shortest time that may be thought of, a
+#: search begins.
 DIRECTIONS, SPANS = 8, (1.5, 2.5, 4.0)
 #: As a part of their sizes, how little place and velocity may be off one line.
 ON_A_LINE = 1e-12
 
 
 def thrust_optima(problem, parameters=None, places=None):
-    """Pairs ({parameter: value}, `ThrustOptimum`) for sample values of the parameters, a dict from symbols to
-    intervals, or for the values that `places` are, dicts from the same symbols; None for a problem of another kind."""
+    """Pairs ({parameter: value}, `ThrustOptimum`) for sample values of the parameters, a dict from
+    symbols to intervals, or for the values that `places` are, dicts from the same symbols; None for
+    a problem of another kind."""
     read = _read(problem)
     if read is None:
         return None
     names = list(parameters or {})
     numbers = sp.lambdify(names, list(read[:-1]), "math")
-    return [(dict(zip(names, case)), ThrustOptimum(np.array(numbers(*case), dtype=float), problem, read[-1]))
-            for case in (sample_cases(parameters or {}) if places is None else (tuple(p.values()) for p in places))]
+    return [
+        (
+            dict(zip(names, case)),
+            ThrustOptimum(np.array(numbers(*case), dtype=float), problem, read[-1]),
+        )
+        for case in (
+            sample_cases(parameters or {})
+            if places is None
+            else (tuple(p.values()) for p in places)
+        )
+    ]
 
 
 def _read(problem):
     """(start, target, thrust, constant accelerations, whether the end is at rest), or None."""
-    if (len(problem.state) != 4 or len(problem.control) != 1 or problem.running != 1 or problem.final != 0
-            or problem.duration is not None or problem.maximise or problem.first_return
-            or None in problem.initial.values()):
+    if (
+        len(problem.state) != 4
+        or len(problem.control) != 1
+        or problem.running != 1
+        or problem.final != 0
+        or problem.duration is not None
+        or problem.maximise
+        or problem.first_return
+        or None in problem.initial.values()
+    ):
         return None
-    (u, bounds), = problem.controls.items()
+    ((u, bounds),) = problem.controls.items()
     x, y, v, w = problem.state
     f = [sp.sympify(e) for e in problem.field]
     thrust = sp.diff(f[2], u, 2).subs(u, 0) * -1
     rest = [sp.expand(f[2] - thrust * sp.cos(u)), sp.expand(f[3] - thrust * sp.sin(u))]
-    if (any(b.is_finite is not False for b in bounds) or f[:2] != [v, w]
-            or any(e.free_symbols & {u, *problem.state} for e in (thrust, *rest))):
+    if (
+        any(b.is_finite is not False for b in bounds)
+        or f[:2] != [v, w]
+        or any(e.free_symbols & {u, *problem.state} for e in (thrust, *rest))
+    ):
         return None
     target = sp.solve(problem.terminal, list(problem.state), dict=True)
     held = len(problem.terminal) == 4
-    if len(target) != 1 or set(target[0]) != ({x, y, v, w} if held else {x, y}) or any(
-            e.free_symbols & set(problem.state) for e in target[0].values()):
+    if (
+        len(target) != 1
+        or set(target[0]) != ({x, y, v, w} if held else {x, y})
+        or any(e.free_symbols & set(problem.state) for e in target[0].values())
+    ):
         return None
     if held and any(e != 0 for e in (target[0][v], target[0][w], *rest)):
         return None
@@ -68,7 +94,12 @@ class ThrustOptimum:
     bounds, MISSED = (-np.inf, np.inf), 0.0
 
     def __init__(self, numbers, problem, held):
-        self.begin, self.target, self.thrust, self.pull = numbers[:4], numbers[4:6], numbers[6], numbers[7:]
+        self.begin, self.target, self.thrust, self.pull = (
+            numbers[:4],
+            numbers[4:6],
+            numbers[6],
+            numbers[7:],
+        )
         self.held, self.start = held, np.append(self.begin, 0.0)
 
     # The process.
@@ -81,12 +112,21 @@ class ThrustOptimum:
             return self._to_a_place(place, speed)
         across = place[0] * speed[1] - place[1] * speed[0]
         straight = abs(across) <= ON_A_LINE * np.linalg.norm(place) * np.linalg.norm(speed)
-        return (self._on_a_line if straight else self._to_rest)(place / self.thrust, speed / self.thrust)
+        return (self._on_a_line if straight else self._to_rest)(
+            place / self.thrust, speed / self.thrust
+        )
 
     def _to_a_place(self, place, speed):
         half = self.pull / 2
-        roots = np.roots([half @ half - self.thrust**2 / 4, 2 * half @ speed, speed @ speed + 2 * half @ place,
-                          2 * speed @ place, place @ place])
+        roots = np.roots(
+            [
+                half @ half - self.thrust**2 / 4,
+                2 * half @ speed,
+                speed @ speed + 2 * half @ place,
+                2 * speed @ place,
+                place @ place,
+            ]
+        )
         real = roots.real[(abs(roots.imag) <= 1e-7 * abs(roots)) & (roots.real > 0)]
         if not real.size:
             raise RuntimeError("the thrust does not bring the point to its target")
@@ -95,8 +135,12 @@ class ThrustOptimum:
         force = self.thrust * miss / np.linalg.norm(miss)
 
         def states(t):
-            return np.vstack([self.begin[:2, None] + np.outer(speed, t) + np.outer(half + force / 2, t**2),
-                              speed[:, None] + np.outer(2 * half + force, t)])
+            return np.vstack(
+                [
+                    self.begin[:2, None] + np.outer(speed, t) + np.outer(half + force / 2, t**2),
+                    speed[:, None] + np.outer(2 * half + force, t),
+                ]
+            )
 
         return T, lambda t: np.full(np.shape(t), np.arctan2(force[1], force[0])), states
 
@@ -114,24 +158,39 @@ class ThrustOptimum:
         def states(t):
             after = np.maximum(t - first, 0)
             moved = np.outer(back, t**2 / 2 - after**2), np.outer(back, t - 2 * after)
-            return np.vstack([self.begin[:2, None] + np.outer(self.begin[2:], t) + self.thrust * moved[0],
-                              self.begin[2:, None] + self.thrust * moved[1]])
+            return np.vstack(
+                [
+                    self.begin[:2, None] + np.outer(self.begin[2:], t) + self.thrust * moved[0],
+                    self.begin[2:, None] + self.thrust * moved[1],
+                ]
+            )
 
         return T, lambda t: np.where(np.asarray(t) < first, early, late), states
 
     def _to_rest(self, place, speed):
         from scipy.optimize import fsolve
 
-        shortest = max(np.linalg.norm(speed), np.sqrt(2 * np.linalg.norm(place)) - np.linalg.norm(speed), 1e-6)
+        shortest = max(
+            np.linalg.norm(speed), np.sqrt(2 * np.linalg.norm(place)) - np.linalg.norm(speed), 1e-6
+        )
         for span in SPANS:
             for k in range(DIRECTIONS):
                 for d in (0.3, -0.3):
-                    guess = [2 * np.pi * k / DIRECTIONS, d * span * shortest, span * shortest / 2, span * shortest]
-                    z, _, done, _ = fsolve(_ends, guess, args=(place, speed), full_output=True, xtol=1e-14)
+                    guess = [
+                        2 * np.pi * k / DIRECTIONS,
+                        d * span * shortest,
+                        span * shortest / 2,
+                        span * shortest,
+                    ]
+                    z, _, _done, _ = fsolve(
+                        _ends, guess, args=(place, speed), full_output=True, xtol=1e-14
+                    )
                     missed = np.abs(_ends(z, place, speed)).max()
                     if z[3] > 0 and missed <= SOLVED * (np.abs(place).max() + np.abs(speed).max()):
                         return z[3], *self._turning(z)
-        raise RuntimeError("the directions that bring the point to rest on its target were not found")
+        raise RuntimeError(
+            "the directions that bring the point to rest on its target were not found"
+        )
 
     def _turning(self, z):
         _, d, middle, T = z
@@ -145,8 +204,12 @@ class ThrustOptimum:
         def states(t):
             rows = [_pushed(z, T - one) for one in t]
             still = self.begin[:2, None] + np.outer(self.begin[2:], t)
-            return np.vstack([still + self.thrust * np.array([far for _, far in rows]).T,
-                              self.begin[2:, None] + self.thrust * np.array([fast for fast, _ in rows]).T])
+            return np.vstack(
+                [
+                    still + self.thrust * np.array([far for _, far in rows]).T,
+                    self.begin[2:, None] + self.thrust * np.array([fast for fast, _ in rows]).T,
+                ]
+            )
 
         return angle, states
 
@@ -183,11 +246,14 @@ class ThrustOptimum:
     def jacobians(self, y, u):
         rates = np.zeros((5, 4))
         rates[0, 2] = rates[1, 3] = 1
-        return rates, np.zeros((1, 4)), np.eye(4)[:4 if self.held else 2]
+        return rates, np.zeros((1, 4)), np.eye(4)[: 4 if self.held else 2]
 
     def told_duration(self, said):
-        return ("the point can come there earlier" if said > self.duration
-                else "no direction of the thrust brings the point there so early, or it misses then")
+        return (
+            "the point can come there earlier"
+            if said > self.duration
+            else "no direction of the thrust brings the point there so early, or it misses then"
+        )
 
     def size(self):
         return float(max(1e-9, np.abs(self.states).max(), np.abs(self.begin).max()))
@@ -201,7 +267,8 @@ def _frame(angle):
 
 
 def _pushed(z, left):
-    """What a thrust of size 1 along sigma p + d q adds to velocity and place, from the beginning to the time left."""
+    """What a thrust of size 1 along sigma p + d q adds to velocity and place, from the beginning to
+    the time left."""
     angle, d, middle, T = z
     along, across = _frame(angle)
     ends = np.array([left, T]) - middle

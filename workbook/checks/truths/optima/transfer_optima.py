@@ -1,12 +1,13 @@
 """The fastest or slowest transfer of a system to its target, found without the maximum principle.
 
 - one state: the time is the integral of dx/(greatest rate towards the target);
-- a system homogeneous of first degree in two states, a line through zero as the target: the direction (angle) obeys an
-  equation of its own, and the time is the integral of dtheta/(greatest or least rate); the process ends when the line
-  is met for the first time after the start;
-- a linear system x' = Ax + bu with two states, the origin as the target: the least time is that of `fastest_times`.
-  Whether there is one at all is told by time running back: x0 can be brought to the origin within T exactly if, for
-  every direction q, q.x0 <= S_T(q) := int_0^T max_u(-q.e^{-As}b u) ds.
+- a system homogeneous of first degree in two states, a line through zero as the target: the
+  direction (angle) obeys an equation of its own, and the time is the integral of dtheta/(greatest
+  or least rate); the process ends when the line is met for the first time after the start;
+- a linear system x' = Ax + bu with two states, the origin as the target: the least time is that of
+  `fastest_times`. Whether there is one at all is told by time running back: x0 can be brought to
+  the origin within T exactly if, for every direction q, q.x0 <= S_T(q) := int_0^T max_u(-q.e^{-As}b
+  u) ds.
 """
 
 import functools
@@ -33,18 +34,34 @@ class Unknown(RuntimeError):
 
 
 class Transfer:
-    """The transfers of a `pontryagin.Problem` in least or greatest time, for all values of the parameters; raises
-    `Unknown` for another problem. A state that is free at the start and stands among the parameters is the start
-    itself."""
+    """The transfers of a `pontryagin.Problem` in least or greatest time, for all values of the
+    parameters; raises `Unknown` for another problem. A state that is free at the start and stands
+    among the parameters is the start itself."""
 
     def __init__(self, problem, parameters=()):
-        self.dynamics, self.slowest, self.parameters = problem.dynamics, problem.maximise, list(parameters)
-        self.initial = [x if value is None and x in self.parameters else value for x, value in problem.initial.items()]
+        self.dynamics, self.slowest, self.parameters = (
+            problem.dynamics,
+            problem.maximise,
+            list(parameters),
+        )
+        self.initial = [
+            x if value is None and x in self.parameters else value
+            for x, value in problem.initial.items()
+        ]
         self.terminal, state = list(problem.terminal), list(problem.dynamics)
         bounds = [bound for pair in problem.controls.values() for bound in pair]
-        if (problem.running != 1 or problem.final != 0 or problem.duration is not None or len(bounds) != 2
-                or any(bound.is_infinite for bound in bounds) or None in self.initial):
-            raise Unknown("the independent optimum of this kind is known where the cost is the time of one control")
+        if (
+            problem.running != 1
+            or problem.final != 0
+            or problem.duration is not None
+            or len(bounds) != 2
+            or any(bound.is_infinite for bound in bounds)
+            or None in self.initial
+        ):
+            raise Unknown(
+                "the independent optimum of this kind is known where the cost is the time of one "
+                "control"
+            )
         (self.control,), self.bounds = problem.controls, bounds
         self._decided, self._found = _kept(self._key())
         scale = sp.Dummy("scale", positive=True)
@@ -52,33 +69,45 @@ class Transfer:
             self._kind = _Line
         elif self._linear() and set(self.terminal) == set(state):
             self._kind = _Linear
-        elif len(state) == 2 and len(self.terminal) == 1 and self.terminal[0].subs({x: 0 for x in state}) == 0 and all(
+        elif (
+            len(state) == 2
+            and len(self.terminal) == 1
+            and self.terminal[0].subs(dict.fromkeys(state, 0)) == 0
+            and all(
                 sp.expand(f.subs({x: scale * x for x in state}, simultaneous=True) - scale * f) == 0
-                for f in [*self.dynamics.values(), *self.terminal]):
+                for f in [*self.dynamics.values(), *self.terminal]
+            )
+        ):
             self._kind = _Turn
         else:
             raise Unknown("no independent optimum is known for a transfer of this kind")
 
     def _linear(self):
         symbols = [*self.dynamics, self.control]
-        return (len(self.dynamics) == 2 and all(sp.diff(f, x).free_symbols == set() for f in self.dynamics.values()
-                                                for x in symbols))
+        return len(self.dynamics) == 2 and all(
+            sp.diff(f, x).free_symbols == set() for f in self.dynamics.values() for x in symbols
+        )
 
     def at(self, values, **options):
         """The optimum for given values of the parameters."""
+
         def put(e):
             return e.subs(values, simultaneous=True)
 
         start = np.array([float(put(e)) for e in self.initial])
-        # State symbols that stand for the start are values of parameters, never to be replaced in the dynamics.
+        # State symbols that stand for the start are values of parameters, never to be replaced in
+        # the dynamics.
         free = {p: v for p, v in values.items() if p not in self.dynamics}
-        parts = (tuple(e.subs(free) for e in expressions)
-                 for expressions in (self.dynamics.values(), self.bounds, self.terminal))
+        parts = (
+            tuple(e.subs(free) for e in expressions)
+            for expressions in (self.dynamics.values(), self.bounds, self.terminal)
+        )
         system = _system(self._kind, tuple(self.dynamics), self.control, *parts)
         return _Optimum(system, start, self.slowest, **options)
 
     def samples(self, count=SAMPLES):
-        """Sets of parameters for which the target can be reached, with the optimum: of several sizes and both signs."""
+        """Sets of parameters for which the target can be reached, with the optimum: of several
+        sizes and both signs."""
         if not self.parameters:
             return [({}, self.at({}))]
         if count not in self._found:
@@ -88,21 +117,38 @@ class Transfer:
     def _sampled(self, count):
         solvable, found = filter(self.solvable, _drawn(self.parameters, 400 * count)), []
         while len(found) < count:
-            fresh = [(values, self.at(values)) for values in itertools.islice(solvable, count - len(found))]
+            fresh = [
+                (values, self.at(values))
+                for values in itertools.islice(solvable, count - len(found))
+            ]
             if not fresh:
                 raise RuntimeError("too few starts from which the target can be reached were met")
             for system in {best.system for _, best in fresh}:
                 system.foresee([best.begin for _, best in fresh if best.system is system])
-            found += [(values, best) for values, best in fresh if math.isfinite(best.duration) and best.duration > 0]
-        if self._kind is _Line:  # next to zero too: a smooth function is not the sign of its argument there
-            near = ({p: v if p.is_positive or p.is_integer else v * CLOSE for p, v in values.items()}
-                    for values, _ in found[:2])
+            found += [
+                (values, best)
+                for values, best in fresh
+                if math.isfinite(best.duration) and best.duration > 0
+            ]
+        # next to zero too: a smooth function is not the sign of its argument there
+        if self._kind is _Line:
+            near = (
+                {p: v if p.is_positive or p.is_integer else v * CLOSE for p, v in values.items()}
+                for values, _ in found[:2]
+            )
             found += [(values, self.at(values)) for values in near if self.solvable(values)]
         return found
 
     def _key(self):
-        return (tuple(self.dynamics.items()), self.control, tuple(self.bounds), tuple(self.initial),
-                tuple(self.terminal), tuple(self.parameters), self.slowest)
+        return (
+            tuple(self.dynamics.items()),
+            self.control,
+            tuple(self.bounds),
+            tuple(self.initial),
+            tuple(self.terminal),
+            tuple(self.parameters),
+            self.slowest,
+        )
 
     def solvable(self, values):
         """Whether the target can be reached, None for a start that lies on it."""
@@ -112,7 +158,9 @@ class Transfer:
         return self._decided[place]
 
     def _decide(self, values):
-        start = [values[e] if e in values else e.subs(values, simultaneous=True) for e in self.initial]
+        start = [
+            values[e] if e in values else e.subs(values, simultaneous=True) for e in self.initial
+        ]
         # Thousands of starts are asked about: what SymPy need not look at is left out.
         at = dict(zip(self.dynamics, start))
         gaps = ((at[g] if g in at else g.xreplace(at)) for g in self.terminal)
@@ -123,7 +171,8 @@ class Transfer:
         return self._modes_allow(start) and self._system().holds(np.array(start, dtype=float))
 
     def solvable_condition(self):
-        """The condition on the parameters under which the target can be reached from a start off it, or None."""
+        """The condition on the parameters under which the target can be reached from a start off
+        it, or None."""
         if self._kind is _Line:
             return reach.on_a_line(self.dynamics, self.control, self.bounds, *self._ends())
         matrix, column, constant = _linear_parts(self.dynamics, self.control)
@@ -138,8 +187,11 @@ class Transfer:
 
     def in_time_condition(self, duration):
         """The condition under which the target is reached within the duration, or None."""
-        return (reach.in_time(self.dynamics, self.control, self.bounds, *self._ends(), duration)
-                if self._kind is _Line else None)
+        return (
+            reach.in_time(self.dynamics, self.control, self.bounds, *self._ends(), duration)
+            if self._kind is _Line
+            else None
+        )
 
     def _ends(self):
         """The start and the target of a transfer with one state."""
@@ -147,26 +199,39 @@ class Transfer:
         return self.initial[0], sp.solve(gap, x)[0]
 
     def told_solvable(self, values):
-        return "from there the target " + ("can be reached" if self.solvable(values)
-                                           else "cannot be reached, whatever the control")
+        return "from there the target " + (
+            "can be reached" if self.solvable(values) else "cannot be reached, whatever the control"
+        )
 
     def reach(self, duration):
-        """Distances from zero of the starts from which `duration` is the least time, in many directions."""
+        """Distances from zero of the starts from which `duration` is the least time, in many
+        directions."""
         return self._system().radii(duration)
 
     def _system(self):
-        return _system(_Linear, tuple(self.dynamics), self.control, tuple(self.dynamics.values()), tuple(self.bounds),
-                       tuple(self.terminal))
+        return _system(
+            _Linear,
+            tuple(self.dynamics),
+            self.control,
+            tuple(self.dynamics.values()),
+            tuple(self.bounds),
+            tuple(self.terminal),
+        )
 
     def _modes_allow(self, start):
-        """Exactly: the part of the start along each mode that does not decay must lie in what the control can undo."""
-        return all(low < -sum(map(operator.mul, left, start)) < high for left, low, high in self._modes)
+        """Exactly: the part of the start along each mode that does not decay must lie in what the
+        control can undo."""
+        return all(
+            low < -sum(map(operator.mul, left, start)) < high for left, low, high in self._modes
+        )
 
     @functools.cached_property
     def _modes(self):
-        """Left eigenvectors w of modes that do not decay, with the ends of the open interval in which -w.x0 has to lie.
+        """Left eigenvectors w of modes that do not decay, with the ends of the open interval in
+        which -w.x0 has to lie.
 
-        -w.x0 = int e^{-lambda s} w.b u ds, and the ends would need an infinite time, or one extreme control throughout.
+        -w.x0 = int e^{-lambda s} w.b u ds, and the ends would need an infinite time, or one extreme
+        control throughout.
         """
         matrix, column, constant = _linear_parts(self.dynamics, self.control)
         if any(constant):
@@ -176,15 +241,22 @@ class Transfer:
             for left in vectors if value.is_real and value >= 0 else ():
                 effect = (left.T * column)[0]
                 pushes = [effect * b for b in self.bounds]
-                found.append((left, *sorted(push / value if value else sp.oo * sp.sign(push) if push else 0
-                                            for push in pushes)))
+                found.append(
+                    (
+                        left,
+                        *sorted(
+                            push / value if value else sp.oo * sp.sign(push) if push else 0
+                            for push in pushes
+                        ),
+                    )
+                )
         return found
 
 
 @functools.lru_cache(maxsize=64)
 def _kept(key):
-    """What is known of a transfer: which starts can reach the target, as far as it has been asked, and its samples.
-    Every answer is tried at the same ones."""
+    """What is known of a transfer: which starts can reach the target, as far as it has been asked,
+    and its samples. Every answer is tried at the same ones."""
     return {}, {}
 
 
@@ -194,15 +266,20 @@ def _drawn(parameters, count):
         scale = (sp.S.One, sp.Rational(1, 4), sp.Integer(3))[k % 3]
         values = {}
         for p in parameters:
-            size = (sp.Integer(int(random.integers(1, 6))) if p.is_integer
-                    else scale * sp.Rational(int(random.integers(3, 40)), 13))
-            values[p] = size if p.is_positive or not (p.is_negative or random.integers(2)) else -size
+            size = (
+                sp.Integer(int(random.integers(1, 6)))
+                if p.is_integer
+                else scale * sp.Rational(int(random.integers(3, 40)), 13)
+            )
+            values[p] = (
+                size if p.is_positive or not (p.is_negative or random.integers(2)) else -size
+            )
         yield values
 
 
 class _Optimum:
-    """The fastest or slowest transfer of a system from one start, with the attributes of `direct_optimum.Optimum`: the
-    last entry of `start` and `field` is the time that has passed."""
+    """The fastest or slowest transfer of a system from one start, with the attributes of
+    `direct_optimum.Optimum`: the last entry of `start` and `field` is the time that has passed."""
 
     def __init__(self, system, start, slowest, meetings=1):
         self.system, self.begin, self.slowest, self.meetings = system, start, slowest, meetings
@@ -225,7 +302,9 @@ class _Optimum:
 
     def size(self):
         """The size of the states of this transfer."""
-        return float(np.linalg.norm(self.begin) + np.linalg.norm(self.system.gap(self.begin))) or 1.0
+        return (
+            float(np.linalg.norm(self.begin) + np.linalg.norm(self.system.gap(self.begin))) or 1.0
+        )
 
     def left(self):
         """States on the way, and the time that is left there."""
@@ -256,7 +335,11 @@ class _Optimum:
 
     def jacobians(self, y, u):
         n = len(y)
-        return np.vstack([self.system.jacobian(y, u), np.zeros(n)]), np.zeros((1, n)), self.system.normals()
+        return (
+            np.vstack([self.system.jacobian(y, u), np.zeros(n)]),
+            np.zeros((1, n)),
+            self.system.normals(),
+        )
 
     @functools.cached_property
     def _path(self):
@@ -280,7 +363,9 @@ class _System:
         self.bounds = tuple(map(float, bounds))
         symbols = [*state, control]
         self._field = sp.lambdify(symbols, field, "math")
-        self._jacobian = sp.lambdify(symbols, sp.Matrix(field).jacobian(list(state)).tolist(), "math")
+        self._jacobian = sp.lambdify(
+            symbols, sp.Matrix(field).jacobian(list(state)).tolist(), "math"
+        )
         self._gap = sp.lambdify(list(state), terminal, "math")
         self._normals = np.array(sp.Matrix(terminal).jacobian(list(state)), dtype=float)
 
@@ -316,7 +401,12 @@ class _System:
             h = (right - left) / steps
             for k in range(steps):
                 middle = left + (k + 0.5) * h
-                y = rk4(lambda s, z: self.field(z, self.law(z, middle, start, duration, slowest)), left + k * h, y, h)
+                y = rk4(
+                    lambda s, z: self.field(z, self.law(z, middle, start, duration, slowest)),
+                    left + k * h,
+                    y,
+                    h,
+                )
         return y
 
     def breaks(self, start, duration):
@@ -349,7 +439,13 @@ class _Line(_System):
             return 0.0
         if not self.possible(start):
             return math.inf
-        return quad(lambda x: 1 / self._rate(x, way), *sorted((begin, end)), epsabs=0, epsrel=1e-11, limit=200)[0]
+        return quad(
+            lambda x: 1 / self._rate(x, way),
+            *sorted((begin, end)),
+            epsabs=0,
+            epsrel=1e-11,
+            limit=200,
+        )[0]
 
     def law(self, y, t, start, duration, slowest):
         way = np.sign(self._target() - float(start[0]))
@@ -365,7 +461,8 @@ class _Line(_System):
 
 
 class _Turn(_System):
-    """Two states, homogeneous of the first degree: the direction theta of the state obeys an equation of its own."""
+    """Two states, homogeneous of the first degree: the direction theta of the state obeys an
+    equation of its own."""
 
     def possible(self, start):
         return True
@@ -383,12 +480,15 @@ class _Turn(_System):
         return math.copysign(1, rates[0])
 
     def _angle(self, start, meetings):
-        """The angle from the start to the meeting with the target, later than the start, in the sense of turning."""
+        """The angle from the start to the meeting with the target, later than the start, in the
+        sense of turning."""
         normal = self._normals[0]
         line = math.atan2(normal[0], -normal[1])
         theta = math.atan2(start[1], start[0])
         first = (self._sense * (line - theta)) % math.pi
-        return (math.pi if first < 1e-12 or first > math.pi - 1e-12 else first) + math.pi * (meetings - 1)
+        return (math.pi if first < 1e-12 or first > math.pi - 1e-12 else first) + math.pi * (
+            meetings - 1
+        )
 
     def _speed(self, theta, slowest):
         return (min if slowest else max)(map(abs, self._rates(theta)))
@@ -398,28 +498,52 @@ class _Turn(_System):
 
         theta, sense = math.atan2(start[1], start[0]), self._sense
         angle = self._angle(start, meetings)
-        return quad(lambda a: 1 / self._speed(theta + sense * a, slowest), 0, angle, epsabs=0, epsrel=1e-11,
-                    limit=400)[0]
+        return quad(
+            lambda a: 1 / self._speed(theta + sense * a, slowest),
+            0,
+            angle,
+            epsabs=0,
+            epsrel=1e-11,
+            limit=400,
+        )[0]
 
     def law(self, y, t, start, duration, slowest):
         rates = [abs(r) for r in self._rates(math.atan2(y[1], y[0]))]
         return self.bounds[(np.argmin if slowest else np.argmax)(rates)]
 
     def switching_function(self, start, duration, slowest, steps=240):
-        h, y, states = duration / steps, np.array(start, dtype=float), [np.array(start, dtype=float)]
+        h, y, states = (
+            duration / steps,
+            np.array(start, dtype=float),
+            [np.array(start, dtype=float)],
+        )
         for k in range(steps):
-            y = rk4(lambda t, z: self.field(z, self.law(z, t, start, duration, slowest)), k * h, y, h)
+            y = rk4(
+                lambda t, z: self.field(z, self.law(z, t, start, duration, slowest)), k * h, y, h
+            )
             states.append(y)
-        # At the end psi is normal to the target, and psi.f = 1 (-1 for the slowest) gives its length.
+        # At the end psi is normal to the target, and psi.f = 1 (-1 for the slowest) gives its
+        # length.
         u = self.law(y, duration, start, duration, slowest)
         normal = self._normals[0]
         psi = normal * (-1 if slowest else 1) / (normal @ self.field(y, u))
         found = []
         for k in range(steps, 0, -2):
             first, middle, last = states[k], states[k - 1], states[k - 2]
-            slopes = [self.jacobian(z, self.law(z, 0, start, duration, slowest)).T for z in (first, middle, last)]
-            found.append((k * h, float(psi @ (self.field(first, self.bounds[1]) - self.field(first, self.bounds[0])))
-                          / (self.bounds[1] - self.bounds[0])))
+            slopes = [
+                self.jacobian(z, self.law(z, 0, start, duration, slowest)).T
+                for z in (first, middle, last)
+            ]
+            found.append(
+                (
+                    k * h,
+                    float(
+                        psi
+                        @ (self.field(first, self.bounds[1]) - self.field(first, self.bounds[0]))
+                    )
+                    / (self.bounds[1] - self.bounds[0]),
+                )
+            )
             a = slopes[0] @ psi
             b = slopes[1] @ (psi + h * a)
             c = slopes[1] @ (psi + h * b)
@@ -431,24 +555,33 @@ class _Turn(_System):
         """The angle turned by the fastest or slowest control in a given time."""
         theta, sense = math.atan2(start[1], start[0]), self._sense
         angle = 0.0
-        for k in range(steps):
-            angle = rk4(lambda _, a: self._speed(theta + sense * a, slowest), 0, angle, duration / steps)
+        for _k in range(steps):
+            angle = rk4(
+                lambda _, a: self._speed(theta + sense * a, slowest), 0, angle, duration / steps
+            )
         return angle
 
     def told_time(self, start, said, true):
         if not 0 < said < 100 * true:
-            return ("the process ends at a positive time" if said <= 0
-                    else "by then every admissible control has met the target long before")
+            return (
+                "the process ends at a positive time"
+                if said <= 0
+                else "by then every admissible control has met the target long before"
+            )
         least, most = (self.turned(start, said, s) for s in (True, False))
-        return (f"by then the direction of (x, x') has turned by {least:.4g} at least and {most:.4g} at most, "
-                "depending on the control: compare this with the angle from the start to the target")
+        return (
+            f"by then the direction of (x, x') has turned by {least:.4g} at least and {most:.4g} "
+            "at most, "
+            "depending on the control: compare this with the angle from the start to the target"
+        )
 
 
 class _Linear(_System):
     """x' = Ax + bu in the plane, the origin as the target.
 
-    Time runs back here: what can be brought to the origin within T is what x' = -Ax - bu reaches from there, and it
-    only grows with T. The least times are those of `fastest_times`, to more digits.
+    Time runs back here: what can be brought to the origin within T is what x' = -Ax - bu reaches
+    from there, and it only grows with T. The least times are those of `fastest_times`, to more
+    digits.
     """
 
     DIRECTIONS = 720
@@ -468,8 +601,8 @@ class _Linear(_System):
         return self._optimum(start)[0]
 
     def _optimum(self, start):
-        """(least time, angle of a direction p for which no state that can be brought to the origin in this time has a
-        smaller p.x)."""
+        """(least time, angle of a direction p for which no state that can be brought to the origin
+        in this time has a smaller p.x)."""
         self.foresee([start])
         return self._found[tuple(start)]
 
@@ -478,28 +611,42 @@ class _Linear(_System):
         if not starts:
             return
         x, case = np.array(starts), np.arange(len(starts))
-        lanes = FastestTimes(self._back, ConvexTarget.points(x)).solve(np.zeros_like(x), case, far=True)
+        lanes = FastestTimes(self._back, ConvexTarget.points(x)).solve(
+            np.zeros_like(x), case, far=True
+        )
         time, angle, reached = lanes.time, lanes.angle, np.isfinite(lanes.time)
         time[reached], angle[reached] = self._closer(x[reached], time[reached], angle[reached])
         self._found.update(zip(starts, zip(time.tolist(), angle.tolist())))
 
     def _closer(self, x, time, angle, step=1e-6):
-        """The same to about ten digits, by Newton's iteration for the motion, time running back, to end at the start
-        x."""
+        """The same to about ten digits, by Newton's iteration for the motion, time running back, to
+        end at the start x."""
+
         def miss(time, angle):
             return self._back.farthest(directions(angle), time, -1) - x
 
         def slopes(time, angle):
-            return np.stack([miss(time + step, angle) - miss(time - step, angle), miss(time, angle + step)
-                             - miss(time, angle - step)],
-                            axis=2) / (2 * step)
+            return np.stack(
+                [
+                    miss(time + step, angle) - miss(time - step, angle),
+                    miss(time, angle + step) - miss(time, angle - step),
+                ],
+                axis=2,
+            ) / (2 * step)
 
         better, turned = time, angle
         for _ in range(5):
-            # Without a switching the end does not depend on the angle, and the least step leaves the angle as it is.
-            change = np.einsum("nij,nj->ni", np.linalg.pinv(slopes(better, turned), rcond=1e-9), miss(better, turned))
+            # Without a switching the end does not depend on the angle, and the least step leaves
+            # the angle as it is.
+            change = np.einsum(
+                "nij,nj->ni",
+                np.linalg.pinv(slopes(better, turned), rcond=1e-9),
+                miss(better, turned),
+            )
             better, turned = better - change[:, 0], turned - change[:, 1]
-        closer = np.linalg.norm(miss(better, turned), axis=1) <= np.linalg.norm(miss(time, angle), axis=1)
+        closer = np.linalg.norm(miss(better, turned), axis=1) <= np.linalg.norm(
+            miss(time, angle), axis=1
+        )
         good = closer & (abs(better - time) < 1e-3 * time)
         return np.where(good, better, time), np.where(good, turned, angle)
 
@@ -522,20 +669,27 @@ class _Linear(_System):
         support = self._support(normals, duration)
         # The set {q.x <= S(q) for all q} is met along a direction d at the least S(q)/q.d.
         along = normals @ normals.T
-        return np.min(np.where(along > 1e-9, support[:, None] / np.where(along > 1e-9, along, 1), np.inf), axis=0)
+        return np.min(
+            np.where(along > 1e-9, support[:, None] / np.where(along > 1e-9, along, 1), np.inf),
+            axis=0,
+        )
 
     def breaks(self, start, duration):
         return self._plan(start, duration)[0]
 
     def _plan(self, start, duration):
-        """The switching times of the fastest control and its first value: time running back, it makes p.y least at the
-        end."""
+        """The switching times of the fastest control and its first value: time running back, it
+        makes p.y least at the end."""
         key = tuple(start)
         if key not in self._plans:
             p = directions(np.array([self._optimum(start)[1]]))
-            # A zero next to an end belongs to a start on the switching curve, or to the target: no switching.
-            inner = [t for t in self._back.zeros(p, np.array([duration]))[0] if 1e-4 * duration < t
-                     < (1 - 1e-4) * duration]
+            # A zero next to an end belongs to a start on the switching curve, or to the target: no
+            # switching.
+            inner = [
+                t
+                for t in self._back.zeros(p, np.array([duration]))[0]
+                if 1e-4 * duration < t < (1 - 1e-4) * duration
+            ]
             pushed = float(p[0] @ self._back.response(duration * 2e-4)[0])
             self._plans[key] = inner, self.bounds[1] if pushed < 0 else self.bounds[0]
         return self._plans[key]
@@ -548,14 +702,17 @@ class _Linear(_System):
         return first if sum(b < t for b in breaks) % 2 == 0 else sum(self.bounds) - first
 
     def told_time(self, start, said, true):
-        return ("that is not enough for any admissible control" if said < true
-                else "an admissible control arrives earlier")
+        return (
+            "that is not enough for any admissible control"
+            if said < true
+            else "an admissible control arrives earlier"
+        )
 
 
 def _linear_parts(dynamics, control):
     state = list(dynamics)
     field = sp.Matrix(list(dynamics.values()))
-    zero = {x: 0 for x in [*state, control]}
+    zero = dict.fromkeys([*state, control], 0)
     return field.jacobian(state), field.jacobian([control]), list(field.subs(zero))
 
 
