@@ -15,7 +15,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from workbook.checks.contract.encoding import decode
-from workbook.grading import judging, lanes, nursery
+from workbook.grading import forkserver, judging, worker_pool
 from workbook.grading.sandbox import Sandbox
 
 SPENT = "workbook_spent"
@@ -30,7 +30,7 @@ def main(log, *arguments):
     from workbook import cli
 
     folder = str(Path(__file__).resolve().parent)
-    nursery.START = (
+    forkserver.START = (
         f"import sys; sys.path.insert(0, {folder!r}); import cell_clock; "
         f"cell_clock.serve({str(Path(log).resolve())!r}, {{control}}, {{modules!r}})"
     )
@@ -39,9 +39,9 @@ def main(log, *arguments):
 
 
 def serve(log, control, modules):
-    """What a nursery of the grader does; the lanes that it forks have a clock."""
-    nursery._KINDS["lane"] = lambda *given: work(log, *given)
-    nursery.main(control, modules)
+    """What a forkserver of the grader does; the lanes that it forks have a clock."""
+    forkserver._KINDS["lane"] = lambda *given: work(log, *given)
+    forkserver.main(control, modules)
 
 
 def work(log, *given):
@@ -74,7 +74,7 @@ def work(log, *given):
         clocked_outcome,
         clocked_judge_answers,
     )
-    lanes.work(*given)
+    worker_pool.work(*given)
 
 
 def note(log, seconds):

@@ -16,7 +16,7 @@ is with students (four times as many) and processes.
 What is left of our overhead is mostly the price of importing, and of a process for each notebook.
 To see where it goes, in processor time: `perf record -g` over a run, summed by process, and by
 phase where each phase gives its process another name (`prctl`, PR_SET_NAME). For 48 notebooks more
-than half is spent once, whatever their number: a nursery that imports SymPy, IPython, NumPy and
+than half is spent once, whatever their number: a forkserver that imports SymPy, IPython, NumPy and
 what the homework uses (SciPy's `integrate` alone takes half as long as SymPy), and the command's
 own imports, of which Typer's of pydantic are the greatest. Of what each notebook takes, more than
 half is the kernel's: a fork of what is loaded, whose price grows with the number of mapped files

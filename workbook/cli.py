@@ -500,7 +500,7 @@ def _put(folder, numbers):
 
 def _grade_course(*given):
     # Also what is to be imported is inside: that takes long enough for somebody to press Ctrl-C.
-    from workbook.grading.stopping import ctrl_c_heeded
+    from workbook.grading.interrupts import ctrl_c_heeded
 
     with ctrl_c_heeded():
         from workbook.grading.commands import grade_course

@@ -10,15 +10,15 @@ import sympy as sp
 
 from workbook import checks
 from workbook.checks.contract.verdict import Wrong
-from workbook.checks.tools.conditions import Case, Condition, Truth, compare, decision, exactly
-from workbook.checks.truths.invariant_subspaces import (
+from workbook.checks.references.invariant_subspaces import (
     characteristic_coefficients,
     kernel,
     restricted,
     unseen_subspace,
 )
-from workbook.checks.truths.pairs import pair_of
-from workbook.checks.truths.spectra import Spectrum
+from workbook.checks.references.pairs import pair_of
+from workbook.checks.references.spectra import Spectrum
+from workbook.checks.tools.conditions import Case, Condition, Truth, compare, decision, exactly
 from workbook.systems import Linear
 
 x, y = sp.symbols("x y", real=True)

@@ -5,10 +5,10 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from workbook.checks.truths.optima.convex_targets import ConvexTarget
-from workbook.checks.truths.optima.fastest_times import FastestTimes
-from workbook.checks.truths.optima.linear_plant import Plant
-from workbook.checks.truths.optima.sampled_optimum import sampled_optimum
+from workbook.checks.references.optima.convex_targets import ConvexTarget
+from workbook.checks.references.optima.fastest_times import FastestTimes
+from workbook.checks.references.optima.linear_plant import Plant
+from workbook.checks.references.optima.sampled_optimum import sampled_optimum
 
 x1, x2, u = STATE = sp.symbols("x1 x2 u", real=True)
 #: How far from a curve a start lies, as a share of the size of its state.

@@ -9,7 +9,7 @@ import sympy as sp
 
 from trajlib.pontryagin import Problem
 from workbook import checks
-from workbook.checks.truths.optima import several_controls
+from workbook.checks.references.optima import several_controls
 
 x, y, angle = sp.symbols("x y angle")
 t, T, a, b = sp.symbols("t T a b", positive=True)

@@ -6,9 +6,9 @@ import pytest
 import sympy as sp
 
 from trajlib.pontryagin import Problem
-from workbook.checks.truths.optima import reach
-from workbook.checks.truths.optima.linear_plant import Plant
-from workbook.checks.truths.optima.transfer_optima import Transfer
+from workbook.checks.references.optima import reach
+from workbook.checks.references.optima.linear_plant import Plant
+from workbook.checks.references.optima.transfer_optima import Transfer
 
 x1, x2, u, t = sp.symbols("x1 x2 u t", real=True)
 STATE = [x1, x2]

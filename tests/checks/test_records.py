@@ -4,7 +4,7 @@ of every kind."""
 import pytest
 import sympy as sp
 
-from workbook.checks.truths.records import augmented, by_control, matrix_of, reached, seen
+from workbook.checks.references.records import augmented, by_control, matrix_of, reached, seen
 from workbook.systems import (
     Deviations,
     Linear,

@@ -7,8 +7,8 @@ import sympy as sp
 from scipy.optimize import minimize
 
 from trajlib.pontryagin import Problem
-from workbook.checks.truths.optima.direct_optimum import optima
-from workbook.checks.truths.optima.thrust_optima import thrust_optima
+from workbook.checks.references.optima.direct_optimum import optima
+from workbook.checks.references.optima.thrust_optima import thrust_optima
 
 x, y, v, w, u = sp.symbols("x y v w u")
 RANDOM = np.random.default_rng(2).integers(-300, 300, (12, 4)).tolist()

@@ -26,7 +26,8 @@ from clusters import CERTIFICATES, COMMANDS, a_cluster, command_of
 from guide import like
 from test_nothing_lost import count, grades, outliving, submit_a_course
 
-from workbook.grading import bench, cluster, cluster_lanes, course
+from workbook.grading import course, grader
+from workbook.grading.cluster import coordinator, dask_worker
 from workbook.grading.isolation import NoIsolation
 from workbook.grading.judging import Bounds
 from workbook.grading.preloading import ALWAYS
@@ -106,7 +107,7 @@ def wait_for_results(process, out, number):
 
 
 def our_cluster(dask, **options):
-    return cluster.Cluster(
+    return coordinator.Cluster(
         dask.address,
         *(dask.here / name for name in ("ca.pem", "grader.pem", "grader-key.pem")),
         **options,
@@ -182,13 +183,13 @@ def test_whatever_ends_in_the_midst_costs_nothing(dask, expected, tmp_path):
 
 def test_nothing_runs_on_after_the_grader_has_stopped(dask):
     def begun():
-        return {one for one in dask.lanes() - before if b"nursery.main" in command_of(one[0])}
+        return {one for one in dask.lanes() - before if b"forkserver.main" in command_of(one[0])}
 
     before = dask.lanes()  # a killed grader's lanes end by themselves, a little later
     endless = a_unit(1, answers={"a_region": "[None for _ in iter(int, 1)]"})
     with closing(
-        cluster.grade_all(
-            [a_unit(0), endless], bench.settings(Limits(), Bounds()), our_cluster(dask)
+        coordinator.grade_all(
+            [a_unit(0), endless], grader.settings(Limits(), Bounds()), our_cluster(dask)
         )
     ) as results:
         key, result = next(results)
@@ -246,7 +247,11 @@ def test_a_worker_without_a_sandbox_refuses(dask, tmp_path):
     with pytest.raises(
         NoIsolation, match=r"worker tls://127.0.0.1:\d+: bubblewrap is not installed"
     ):
-        next(cluster.grade_all([a_unit(0)], bench.settings(Limits(), Bounds()), our_cluster(dask)))
+        next(
+            coordinator.grade_all(
+                [a_unit(0)], grader.settings(Limits(), Bounds()), our_cluster(dask)
+            )
+        )
     dask.remove(worker)
 
 
@@ -261,18 +266,18 @@ def test_a_worker_without_a_sandbox_refuses(dask, tmp_path):
     ],
 )
 def test_what_differs_is_said(changes, said, monkeypatch):
-    known = cluster_lanes.library(["1.15"])
-    monkeypatch.setattr(cluster_lanes, "_library_now", cluster_lanes.library)
-    cluster_lanes._compare(known)
-    with pytest.raises(cluster_lanes.Unfit, match=said):
-        cluster_lanes._compare(known | changes)
+    known = dask_worker.library(["1.15"])
+    monkeypatch.setattr(dask_worker, "_library_now", dask_worker.library)
+    dask_worker._compare(known)
+    with pytest.raises(dask_worker.Unfit, match=said):
+        dask_worker._compare(known | changes)
 
 
 def test_the_library_that_counts_is_all_that_grades():
     """Both what runs and judges a notebook and what is below its checks."""
     from workbook.notebooks.dependencies import module_closure
 
-    closure = module_closure("import workbook.grading.cluster_lanes")
+    closure = module_closure("import workbook.grading.cluster.dask_worker")
     assert {
         f"workbook.{name}"
         for name in (
@@ -377,11 +382,11 @@ def test_a_key_that_notebooks_could_read_is_refused(monkeypatch, tmp_path):
 
     monkeypatch.setattr(distributed, "get_worker", Worker)
     with pytest.raises(
-        cluster_lanes.Unfit, match="it keeps /usr/bin/env in /usr, which every notebook can read"
+        dask_worker.Unfit, match="it keeps /usr/bin/env in /usr, which every notebook can read"
     ):
-        cluster_lanes._look_around()
+        dask_worker._look_around()
     Worker.security.tls_worker_key = str(tmp_path / "key.pem")
-    cluster_lanes._look_around()
+    dask_worker._look_around()
 
 
 def addresses(dask):
@@ -436,23 +441,23 @@ def test_plain_tcp_is_said_and_works(tmp_path):
     ],
 )
 def test_an_address_that_cannot_be_is_refused(address, said):
-    with pytest.raises(cluster.ClusterError, match=re.escape(said)):
-        cluster.check(cluster.Cluster(address))
+    with pytest.raises(coordinator.ClusterError, match=re.escape(said)):
+        coordinator.check(coordinator.Cluster(address))
 
 
 def test_certificates_that_cannot_be_used_are_refused(dask, tmp_path):
     def files(ca="ca.pem", cert="grader.pem", key="grader-key.pem"):
-        return cluster.Cluster(dask.address, dask.here / ca, dask.here / cert, dask.here / key)
+        return coordinator.Cluster(dask.address, dask.here / ca, dask.here / cert, dask.here / key)
 
-    cluster.check(files())
+    coordinator.check(files())
     with pytest.raises(
-        cluster.ClusterError, match="--tls-key .*nowhere.pem: there is no such file"
+        coordinator.ClusterError, match="--tls-key .*nowhere.pem: there is no such file"
     ):
-        cluster.check(files(key="nowhere.pem"))
+        coordinator.check(files(key="nowhere.pem"))
     with pytest.raises(
-        cluster.ClusterError, match="these certificates cannot be used: .*KEY_VALUES_MISMATCH"
+        coordinator.ClusterError, match="these certificates cannot be used: .*KEY_VALUES_MISMATCH"
     ):
-        cluster.check(files(cert="worker.pem"))
+        coordinator.check(files(cert="worker.pem"))
     subprocess.run(
         [
             "openssl",
@@ -474,13 +479,13 @@ def test_certificates_that_cannot_be_used_are_refused(dask, tmp_path):
         timeout=60,
     )
     with pytest.raises(
-        cluster.ClusterError,
+        coordinator.ClusterError,
         match="no scheduler can be reached at tls://127.0.0.1:.*signed by the same CA",
     ):
         next(
-            cluster.grade_all(
+            coordinator.grade_all(
                 [a_unit(0)],
-                bench.settings(Limits(), Bounds()),
+                grader.settings(Limits(), Bounds()),
                 files(cert=tmp_path / "x.pem", key=tmp_path / "key.pem"),
             )
         )
@@ -489,15 +494,16 @@ def test_certificates_that_cannot_be_used_are_refused(dask, tmp_path):
 @pytest.mark.parametrize("seconds", [0.2, 1.5])
 def test_nobody_at_the_address(monkeypatch, seconds):
     """However Dask's last try before the time is up ended."""
-    monkeypatch.setattr(cluster, "TO_CONNECT", seconds)
+    monkeypatch.setattr(coordinator, "TO_CONNECT", seconds)
     with pytest.raises(
-        cluster.ClusterError, match="no scheduler can be reached at tcp://127.0.0.1:1: .*refused"
+        coordinator.ClusterError,
+        match="no scheduler can be reached at tcp://127.0.0.1:1: .*refused",
     ):
         next(
-            cluster.grade_all(
+            coordinator.grade_all(
                 [a_unit(0)],
-                bench.settings(Limits(), Bounds()),
-                cluster.Cluster("tcp://127.0.0.1:1"),
+                grader.settings(Limits(), Bounds()),
+                coordinator.Cluster("tcp://127.0.0.1:1"),
             )
         )
 
@@ -505,7 +511,10 @@ def test_nobody_at_the_address(monkeypatch, seconds):
 def test_somebody_else_at_the_address(tmp_path):
     """The command ends, though Dask would wait for ever for the first word."""
     hand_in(tmp_path, "ada", "1.15", RIGHT_1_15)
-    shorter = "from workbook import cli\nfrom workbook.grading import cluster\ncluster.TO_CONNECT = 1\ncli.main()"
+    shorter = (
+        "from workbook import cli\nfrom workbook.grading.cluster import coordinator\n"
+        "coordinator.TO_CONNECT = 1\ncli.main()"
+    )
     with socket.create_server(("127.0.0.1", 0)) as silent:
         address = f"tcp://127.0.0.1:{silent.getsockname()[1]}"
         done = subprocess.run(
@@ -536,10 +545,10 @@ def test_somebody_else_at_the_address(tmp_path):
 def test_without_dask_one_line(monkeypatch):
     monkeypatch.setitem(sys.modules, "distributed", None)
     with pytest.raises(
-        cluster.ClusterError,
+        coordinator.ClusterError,
         match="needs Dask, which is not installed here: pip install distributed",
     ):
-        cluster.check(cluster.Cluster("tls://host:8786"))
+        coordinator.check(coordinator.Cluster("tls://host:8786"))
 
 
 @pytest.mark.parametrize(
@@ -568,9 +577,9 @@ def test_bad_options_end_in_one_line_and_code_2(tmp_path, options, said):
 
 def test_grading_on_one_machine_loads_nothing_of_dask():
     code = (
-        "import sys, workbook.cli, workbook.grading.commands, workbook.grading.lanes, "
-        "workbook.grading.worker, "
-        "workbook.grading.cluster\n"
+        "import sys, workbook.cli, workbook.grading.commands, workbook.grading.worker_pool, "
+        "workbook.grading.notebook_worker, "
+        "workbook.grading.cluster.coordinator\n"
         "print([name for name in sys.modules if name.split('.')[0] in ('dask', 'distributed')])"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
@@ -583,19 +592,19 @@ def test_grading_on_one_machine_loads_nothing_of_dask():
 def test_a_lane_ends_with_its_thread_and_outlives_others(monkeypatch):
     """The kernel's signal at a parent's death is one at the death of the thread that started the
     child."""
-    monkeypatch.setattr(cluster_lanes, "_compare", lambda expected: None)
-    monkeypatch.setattr(cluster_lanes, "_look_around", lambda: None)
+    monkeypatch.setattr(dask_worker, "_compare", lambda expected: None)
+    monkeypatch.setattr(dask_worker, "_look_around", lambda: None)
     given = json.dumps(
-        bench.settings(Limits(), Bounds())
+        grader.settings(Limits(), Bounds())
         | {"run": "x", "library": {}, "lanes": 1, "modules": {"notebooks": ALWAYS, "checks": []}}
     ).encode()
     with concurrent.futures.ThreadPoolExecutor(1) as lasting:
-        assert lasting.submit(cluster_lanes.ready, given).result() == b"{}"
-        (lane,) = cluster_lanes._all
-        passing = threading.Thread(target=cluster_lanes.ready, args=(given,))
+        assert lasting.submit(dask_worker.ready, given).result() == b"{}"
+        (lane,) = dask_worker._all
+        passing = threading.Thread(target=dask_worker.ready, args=(given,))
         passing.start()
         passing.join(timeout=60)
-        (other,) = cluster_lanes._all - {lane}
+        (other,) = dask_worker._all - {lane}
         give_up = time.monotonic() + 60
         while other.alive() and time.monotonic() < give_up:
             time.sleep(0.01)
@@ -603,17 +612,17 @@ def test_a_lane_ends_with_its_thread_and_outlives_others(monkeypatch):
         # What comes in is bytes, and so is what goes out; the lane is the same one, and its limits
         # are told.
         told = json.loads(
-            lasting.submit(cluster_lanes.grade, given, json.dumps(a_unit(0)).encode()).result()
+            lasting.submit(dask_worker.grade, given, json.dumps(a_unit(0)).encode()).result()
         )
         assert (
             told["result"]["final"] == "yes"
             and told["limits"]["memory_megabytes"] <= Limits().memory_megabytes
         )
-        assert lane.alive() and cluster_lanes._all == {lane, other}
-        cluster_lanes._end("x")
-        assert not lane.alive() and not cluster_lanes._all
+        assert lane.alive() and dask_worker._all == {lane, other}
+        dask_worker._end("x")
+        assert not lane.alive() and not dask_worker._all
         # A worker that was slow to get ready hears of the end first.
         assert (
-            b"the run has ended" in lasting.submit(cluster_lanes.ready, given).result()
-            and not cluster_lanes._all
+            b"the run has ended" in lasting.submit(dask_worker.ready, given).result()
+            and not dask_worker._all
         )

@@ -6,7 +6,7 @@ from collections import Counter
 
 import pytest
 
-from workbook.grading import cluster, cluster_lanes
+from workbook.grading.cluster import coordinator, dask_worker
 
 
 class Dask:
@@ -40,7 +40,7 @@ class Dask:
         self.cancelled += len(futures)
 
     def run(self, function, run, on_error):
-        assert function is cluster_lanes.end and on_error == "ignore"
+        assert function is dask_worker.end and on_error == "ignore"
 
 
 class Call:
@@ -69,7 +69,7 @@ class Call:
 def quick(monkeypatch):
     """No second is waited for anything."""
     for name, value in (("BETWEEN_LOOKS", 0.0), ("TO_COME", 0.2), ("TO_GET_READY", 0.2)):
-        monkeypatch.setattr(cluster, name, value)
+        monkeypatch.setattr(coordinator, name, value)
 
 
 def run_of(dask, number, told=None):
@@ -83,11 +83,11 @@ def run_of(dask, number, told=None):
         }
         for key in range(number)
     ]
-    return cluster._Run(
+    return coordinator._Run(
         dask,
         units_,
         {"run": "x"},
-        cluster.Cluster("tls://10.0.0.0:1", tell=(told if told is not None else []).append),
+        coordinator.Cluster("tls://10.0.0.0:1", tell=(told if told is not None else []).append),
     )
 
 
@@ -130,7 +130,10 @@ def test_only_so_many_are_on_their_way_and_nothing_else_of_the_students(quick):
     assert sorted(key for key, _ in results) == list(range(50)) and all(
         result["graded"] == [str(key)] for key, result in results
     )
-    assert most == {"tls://10.0.0.1:1": 2 + cluster.AHEAD, "tls://10.0.0.2:1": 1 + cluster.AHEAD}
+    assert most == {
+        "tls://10.0.0.1:1": 2 + coordinator.AHEAD,
+        "tls://10.0.0.2:1": 1 + coordinator.AHEAD,
+    }
     assert {frozenset(call.unit) for call in dask.calls if call.unit} == {
         frozenset({"problem", "sources"})
     }
@@ -153,7 +156,7 @@ def test_a_notebook_at_which_processes_end_is_given_up_after_three_workers(quick
         "grader: it failed on this notebook (one of its processes ended)",
     )
     tried = [call.address for call in dask.calls if call.unit and call.unit["sources"] == ["4"]]
-    assert len(tried) == len(set(tried)) == cluster.MOST_TRIES, "each time another one"
+    assert len(tried) == len(set(tried)) == coordinator.MOST_TRIES, "each time another one"
 
 
 def test_what_a_worker_had_that_is_gone_goes_to_others_and_counts_once(quick):
@@ -197,17 +200,18 @@ def test_who_comes_later_gets_notebooks_if_it_is_fit(quick):
 
 def test_no_worker_and_no_scheduler_are_said(quick):
     with pytest.raises(
-        cluster.ClusterError, match="the scheduler at tls://10.0.0.0:1 has no workers"
+        coordinator.ClusterError, match="the scheduler at tls://10.0.0.0:1 has no workers"
     ):
         following(Dask(), run_of(Dask(), 1), graded)
     dask = Dask(a=1)
     with pytest.raises(
-        cluster.ClusterError, match="no worker of tls://10.0.0.0:1 was ready to grade within 0.2 s"
+        coordinator.ClusterError,
+        match="no worker of tls://10.0.0.0:1 was ready to grade within 0.2 s",
     ):
         following(dask, run_of(dask, 1), lambda call: None)
     dask = Dask(a=1)
     with pytest.raises(
-        cluster.ClusterError,
+        coordinator.ClusterError,
         match="no worker is left at tls://10.0.0.0:1; what is graded is stored",
     ):
         following(
@@ -217,7 +221,7 @@ def test_no_worker_and_no_scheduler_are_said(quick):
         )
     dask = Dask(a=1)
     with pytest.raises(
-        cluster.ClusterError,
+        coordinator.ClusterError,
         match="the scheduler at tls://10.0.0.0:1 has gone; what is graded is stored",
     ):
         following(

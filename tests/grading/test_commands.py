@@ -18,7 +18,7 @@ from classroom import RIGHT_1_15, hand_in, write_assignment
 from guide import like, steps
 
 from workbook.checks.contract.encoding import decode, describe
-from workbook.grading import bench, commands, lanes
+from workbook.grading import commands, grader
 from workbook.grading.assignment import BadInput
 from workbook.grading.judging import Judgement
 from workbook.notebooks import exercises
@@ -50,7 +50,7 @@ def here(monkeypatch):
     """Notebooks of ours run without lanes and sandbox: these tests are about what is made of the
     verdicts."""
 
-    def grade_all(waiting, count, settings, nursery=None):
+    def grade_all(waiting, count, settings, forkserver=None):
         for unit in waiting:
             ran.append(unit["problem"])
             exercise = exercises.find(unit["problem"])
@@ -59,10 +59,10 @@ def here(monkeypatch):
             )
             verdicts = judge(exercise.code("data", "check"), run, unit["names"])
             texts = {name: describe(decode(data)) for name, data in run.encoded.items()}
-            yield unit["key"], bench.as_plain(Judgement(verdicts, texts, ()))
+            yield unit["key"], grader.as_plain(Judgement(verdicts, texts, ()))
 
     ran = []
-    monkeypatch.setattr(lanes, "grade_all", grade_all)
+    monkeypatch.setattr(worker_pool, "grade_all", grade_all)
     return ran
 
 

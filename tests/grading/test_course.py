@@ -12,7 +12,14 @@ sys.path.insert(0, str(Path(__file__).parent))
 from classroom import RIGHT_1_15, hand_in, write_assignment
 
 from workbook.checks.contract.verdict import Verdict
-from workbook.grading import bench, commands, course, fingerprint, lanes, nursery, preloading
+from workbook.grading import (
+    commands,
+    course,
+    fingerprint,
+    forkserver,
+    grader,
+    preloading,
+)
 from workbook.grading.assignment import BadInput
 from workbook.grading.judging import Judgement, failed
 from workbook.grading.sandbox import Limits
@@ -31,7 +38,7 @@ def broken_lanes(monkeypatch):
     """Lanes that die on every unit of the students named."""
     unlucky = set()
 
-    def grade_all(given, count, settings, nursery=None):
+    def grade_all(given, count, settings, forkserver=None):
         for unit in given:
             broken = any(name in "".join(unit["sources"]) for name in unlucky)
             judgement = (
@@ -39,9 +46,9 @@ def broken_lanes(monkeypatch):
                 if broken
                 else Judgement({name: Verdict("right", "yes") for name in unit["names"]}, {}, ())
             )
-            yield unit["key"], bench.as_plain(judgement)
+            yield unit["key"], grader.as_plain(judgement)
 
-    monkeypatch.setattr(lanes, "grade_all", grade_all)
+    monkeypatch.setattr(worker_pool, "grade_all", grade_all)
     return unlucky
 
 
@@ -76,7 +83,9 @@ def test_a_first_run_imports_while_it_reads_and_a_later_one_only_what_is_needed(
     class Stub:
         load = close = lambda *_: None
 
-    monkeypatch.setattr(course.Nursery, "start", lambda modules: started.append(modules) or Stub())
+    monkeypatch.setattr(
+        course.Forkserver, "start", lambda modules: started.append(modules) or Stub()
+    )
     hand_in(tmp_path, "ada", "1.15", RIGHT_1_15)
     course.grade(tmp_path / "submitted", tmp_path)
     course.grade(tmp_path / "submitted", tmp_path)
@@ -86,11 +95,11 @@ def test_a_first_run_imports_while_it_reads_and_a_later_one_only_what_is_needed(
 def test_a_lane_that_dies_is_replaced(tmp_path, monkeypatch):
     """For real: every lane ends itself at the first notebook of its life that says so."""
     monkeypatch.setattr(
-        nursery,
+        forkserver,
         "START",
-        "import os\nfrom workbook.grading import bench\nreal = bench.Bench.grade\n"
-        "bench.Bench.grade = lambda bench, unit: os._exit(1) if 'DIE' in ''.join(unit['sources']) "
-        "else real(bench, unit)\n" + nursery.START,
+        "import os\nfrom workbook.grading import bench\nreal = grader.Bench.grade\n"
+        "grader.Bench.grade = lambda bench, unit: os._exit(1) if 'DIE' in ''.join(unit['sources']) "
+        "else real(bench, unit)\n" + forkserver.START,
     )
     for student, answers in (
         ("ada", RIGHT_1_15),
@@ -152,17 +161,17 @@ DUE = 1577923200.0
 def by_content(monkeypatch):
     """Lanes that find right what says GOOD."""
 
-    def grade_all(given, count, settings, nursery=None):
+    def grade_all(given, count, settings, forkserver=None):
         for unit in given:
             status = "right" if "GOOD" in "".join(unit["sources"]) else "wrong"
             yield (
                 unit["key"],
-                bench.as_plain(
+                grader.as_plain(
                     Judgement({name: Verdict(status, "") for name in unit["names"]}, {}, ())
                 ),
             )
 
-    monkeypatch.setattr(lanes, "grade_all", grade_all)
+    monkeypatch.setattr(worker_pool, "grade_all", grade_all)
 
 
 def late(out, known):

@@ -15,7 +15,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 from classroom import RIGHT_1_15, notebook
 
 from workbook.grading import submissions
-from workbook.grading.bench import Bench, _lacking
+from workbook.grading.grader import Bench, _lacking
 from workbook.grading.preloading import ALWAYS
 from workbook.grading.sandbox import Limits
 from workbook.notebooks import exercises

@@ -266,9 +266,6 @@ def test_any_bytes_are_judged():
 def _fuzz(count):
     import z3  # noqa: F401, which is loaded when the first condition is judged
 
-    import workbook.mistakes.likeness  # and these when the first answer is wrong
-    import workbook.mistakes.sealing  # noqa: F401
-
     found = []
     cells = EXERCISE.code("data", "check")
     judge_cells(cells, {}, {}, NAMES)  # what our own cells import, they have imported
@@ -594,7 +591,7 @@ def _remembered():
 
 
 HOW_A_BENCH_ENDS = """
-from workbook.grading.bench import Bench
+from workbook.grading.grader import Bench
 from workbook.grading.preloading import ALWAYS
 with Bench(modules=ALWAYS) as bench:
     graded = bench.grade({"problem": "1.15", "sources": ["a_region = 1"]})

@@ -23,8 +23,8 @@ from workbook.checks.contract.encoding import decode, describe, encode
 from workbook.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG, Verdict
 from workbook.grading import assignment as assignments
 from workbook.grading import judging
-from workbook.grading.bench import as_plain, from_plain
 from workbook.grading.feedback import feedback
+from workbook.grading.grader import as_plain, from_plain
 from workbook.grading.sandbox import Outcome
 from workbook.grading.scores import of_student, scores
 from workbook.grading.store import Attempt

@@ -11,16 +11,16 @@ from unittest.mock import patch
 
 import pytest
 
-from workbook.grading import bench, lanes
+from workbook.grading import grader, worker_pool
+from workbook.grading.forkserver import Forkserver
 from workbook.grading.isolation import NotStarted
 from workbook.grading.judging import Bounds
-from workbook.grading.nursery import Nursery
 from workbook.grading.preloading import ALWAYS, LIBRARIES, needed
 from workbook.grading.sandbox import STARTS, Limits
 from workbook.notebooks import exercises
 
 #: Of lanes that import nothing beforehand.
-SETTINGS = bench.settings(Limits(), Bounds()) | {"modules": {"notebooks": [], "checks": []}}
+SETTINGS = grader.settings(Limits(), Bounds()) | {"modules": {"notebooks": [], "checks": []}}
 
 
 def loaded(problems, sources):
@@ -134,22 +134,22 @@ def test_a_nursery_has_nothing_of_the_grader(monkeypatch):
     notebook's process."""
     monkeypatch.setenv("COURSE_SECRET", "Tycho-1572")
     assert exercises.read_all(), "the grader has read things"
-    nursery = Nursery.start(["json", "a_library_that_is_not_here"])
+    forkserver = Forkserver.start(["json", "a_library_that_is_not_here"])
     try:
-        nursery.ended(nursery.fork("worker", ["nothing", {}, None, ""], []), within=60)
-        with open(f"/proc/{nursery_process(nursery)}/environ", "rb") as file:
+        forkserver.ended(forkserver.fork("worker", ["nothing", {}, None, ""], []), within=60)
+        with open(f"/proc/{nursery_process(forkserver)}/environ", "rb") as file:
             assert b"Tycho" not in file.read()
-        folder = f"/proc/{nursery_process(nursery)}/fd"
+        folder = f"/proc/{nursery_process(forkserver)}/fd"
         opened = [os.readlink(f"{folder}/{number}") for number in os.listdir(folder)]
         # A later libffi keeps its own file open.
         opened = [name for name in opened if not re.search(r"/libffi\.so[.\d]*$", name)]
         assert len(opened) == 4, "input, output, messages to people, and where it is asked"
     finally:
-        nursery.close()
-    assert not nursery.alive()
+        forkserver.close()
+    assert not forkserver.alive()
 
 
-def nursery_process(nursery):
+def nursery_process(forkserver):
     (number,) = [number for number in os.listdir("/proc") if number.isdigit() and _is_its(number)]
     return number
 
@@ -157,7 +157,7 @@ def nursery_process(nursery):
 def _is_its(number):
     try:
         with open(f"/proc/{number}/cmdline", "rb") as file:
-            return parent_of(number) == os.getpid() and b"nursery.main" in file.read()
+            return parent_of(number) == os.getpid() and b"forkserver.main" in file.read()
     except OSError:
         return False
 
@@ -165,34 +165,34 @@ def _is_its(number):
 def test_a_nursery_that_ends_while_lanes_begin_is_started_again():
     """Also where some lanes have begun and others have not; if it happens every time, that is told
     by an error."""
-    fork = Nursery.fork
+    fork = Forkserver.fork
 
     def killed(begun, times):
-        def killed_after_one(nursery, kind, *given):
+        def killed_after_one(forkserver, kind, *given):
             if kind == "lane" and len(begun) % 2 and len(begun) < 2 * times:
-                os.kill(int(nursery_process(nursery)), signal.SIGKILL)
+                os.kill(int(nursery_process(forkserver)), signal.SIGKILL)
             begun.extend([kind] * (kind == "lane"))
-            return fork(nursery, kind, *given)
+            return fork(forkserver, kind, *given)
 
-        return patch.object(Nursery, "fork", killed_after_one)
+        return patch.object(Forkserver, "fork", killed_after_one)
 
-    nursery, begun = Nursery.start([]), []
+    forkserver, begun = Forkserver.start([]), []
     with killed(begun, times=1):
-        assert not list(lanes.grade_all([], 3, SETTINGS, nursery))
-    assert len(begun) == 2 + 3 and not nursery.alive()
-    nursery, begun = Nursery.start([]), []
+        assert not list(worker_pool.grade_all([], 3, SETTINGS, forkserver))
+    assert len(begun) == 2 + 3 and not forkserver.alive()
+    forkserver, begun = Forkserver.start([]), []
     with killed(begun, times=99), pytest.raises(NotStarted, match="ended|gone"):
-        next(lanes.grade_all([], 3, SETTINGS, nursery))
-    assert len(begun) == 2 * STARTS and not nursery.alive()
+        next(worker_pool.grade_all([], 3, SETTINGS, forkserver))
+    assert len(begun) == 2 * STARTS and not forkserver.alive()
 
 
 def test_no_lane_is_an_ancestor_of_a_sandbox():
     """So that nothing a lane has heard is in the memory of a notebook's process."""
-    nursery, begun = Nursery.start([]), []
+    forkserver, begun = Forkserver.start([]), []
     try:
-        lanes.begin(begun, 1, SETTINGS, nursery)
+        worker_pool.begin(begun, 1, SETTINGS, forkserver)
         begun[0].greeted()
-        number = int(nursery_process(nursery))
+        number = int(nursery_process(forkserver))
         lane, sandboxes = begun[0]._number, begun[0]._sandboxes
         parents = {parent_of(each) for each in os.listdir("/proc") if each.isdigit()}
         assert parent_of(lane) == parent_of(sandboxes) == number
@@ -200,7 +200,7 @@ def test_no_lane_is_an_ancestor_of_a_sandbox():
         assert lane not in parents, "nothing comes from a lane but judges"
     finally:
         begun[0].stop()
-        nursery.close()
+        forkserver.close()
 
 
 def parent_of(number):

@@ -20,7 +20,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 import ordinary
 from hostile.reading import READING
 
-from workbook.grading import framing, isolation, watching
+from workbook.grading import framing, isolation, watchdog
 from workbook.grading import sandbox as sandbox_module
 from workbook.grading.preloading import ALWAYS
 from workbook.grading.sandbox import Limits, Outcome, Sandbox, Trusting
@@ -137,7 +137,7 @@ def test_sees_no_exercise_whatever_the_installation(layout):
             timeout=120,
         )
         assert done.returncode == 0, done.stderr
-        assert "workbook/grading/worker.py" in done.stdout
+        assert "workbook/grading/notebook_worker.py" in done.stdout
         for ours in ("exercises/ch", "solutions/ch", "/tests/", ".ipynb"):
             assert ours not in done.stdout, done.stdout
     finally:
@@ -304,9 +304,9 @@ def test_who_wants_to_compute(source, wants):
             time.sleep(0.5)
             proc = os.open("/proc", os.O_RDONLY | os.O_DIRECTORY)
             below = [
-                one for one in watching._descendants(os.getpid(), proc) if one.number == process.pid
+                one for one in watchdog._descendants(os.getpid(), proc) if one.number == process.pid
             ]
-            assert (b"R" in watching._states(below, proc)) == wants
+            assert (b"R" in watchdog._states(below, proc)) == wants
         finally:
             os.close(proc)
             process.kill()
@@ -697,4 +697,4 @@ def test_shared_memory_is_counted_once():
             """,
         )
     assert answers(outcome) == {"a": 1}
-    assert watching.INTERVAL < 0.5
+    assert watchdog.INTERVAL < 0.5

@@ -13,7 +13,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 from classroom import hand_in, notebook
 
 from workbook.grading import submissions, submitted_file
-from workbook.grading.printable import printable, printable_name
+from workbook.grading.sanitising import printable, printable_name
 from workbook.grading.submissions import Aside, Submission, find, students
 
 

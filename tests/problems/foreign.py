@@ -9,8 +9,6 @@ from contextlib import suppress
 import scipy.optimize  # noqa: F401, so that nothing is left to be imported under the watch
 import sympy as sp
 
-import workbook.mistakes.likeness
-import workbook.mistakes.sealing  # noqa: F401
 from workbook.checks.contract.encoding import encode
 from workbook.checks.contract.verdict import RIGHT, UNCHECKED
 from workbook.grading import judging

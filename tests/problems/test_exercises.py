@@ -29,7 +29,7 @@ def master(request):
 
 @pytest.fixture(scope="module")
 def links():
-    from workbook.authoring.converting import baseurl
+    from workbook.authoring.student_notebook import baseurl
 
     return Links(ROOT, baseurl(ROOT))
 

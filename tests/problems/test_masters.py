@@ -24,12 +24,12 @@ from roundings import roundings
 from sympy.logic.boolalg import Boolean
 
 from workbook.authoring import master_paths, read
-from workbook.authoring.beginning import PLACEHOLDER
 from workbook.authoring.mistakes import question_of, sealed, sentence
+from workbook.authoring.scaffold import PLACEHOLDER
 from workbook.authoring.trials import trials_file
 from workbook.checks.contract.encoding import decode, encode
 from workbook.mistakes import file_beside, name_of
-from workbook.mistakes.likeness import Unlike, in_cases, likenesses
+from workbook.mistakes.signature import Unlike, in_cases, signatures
 from workbook.notebooks import exercises
 from workbook.notebooks.execution import in_child, judge_cells
 
@@ -372,8 +372,8 @@ def _told(bench):
 def _alike(bench, name, value):
     question = question_of(bench.master, name, [bench.reference[name]])
     with suppress(Unlike):
-        return not set(likenesses(value, question)).isdisjoint(
-            likenesses(bench.reference[name], question)
+        return not set(signatures(value, question)).isdisjoint(
+            signatures(bench.reference[name], question)
         )
 
 

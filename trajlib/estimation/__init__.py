@@ -27,7 +27,11 @@ _EXPORTS = {
         "satellite_observability",
     ],
     "markov": ["DiscreteModel", "continuous_moments", "discrete_moments", "discretised"],
-    "limits": ["StationaryCovariance", "discrete_stationary_covariance", "stationary_covariance"],
+    "stationary_covariance": [
+        "StationaryCovariance",
+        "discrete_stationary_covariance",
+        "stationary_covariance",
+    ],
     "correction": ["Correction", "corrected"],
     "discrete_filter": ["FilterRun", "KalmanFilter"],
     "continuous_filter": ["ContinuousFilter", "ContinuousRun"],

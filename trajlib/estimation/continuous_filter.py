@@ -14,15 +14,15 @@ from typing import NamedTuple
 import numpy as np
 import sympy as sp
 
-from trajlib.estimation.covariances import Moments
-from trajlib.estimation.linear import solve, symmetric
-from trajlib.estimation.matrices import (
+from trajlib.estimation.arguments import (
     in_floats,
     read_covariance,
     read_matrix,
     read_square,
     read_vector,
 )
+from trajlib.estimation.covariances import Moments
+from trajlib.estimation.exact_or_float import solve, symmetric
 from trajlib.estimation.modes import Modes, continuous_basis, exact_spectrum
 from trajlib.estimation.simulation import Paths, equal_steps, simulate_continuous
 from trajlib.estimation.stationary_filters import stationary_filter

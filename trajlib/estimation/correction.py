@@ -11,9 +11,9 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
+from trajlib.estimation.arguments import in_floats, read_covariance, read_measurement, read_vector
 from trajlib.estimation.covariances import trusted_moments
-from trajlib.estimation.linear import identity_like, latex, solve, symmetric, tidy
-from trajlib.estimation.matrices import in_floats, read_covariance, read_measurement, read_vector
+from trajlib.estimation.exact_or_float import identity_like, latex, solve, symmetric, tidy
 
 
 @dataclass(frozen=True)

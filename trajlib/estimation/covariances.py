@@ -9,8 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from trajlib.estimation.linear import latex, symmetric, tidy
-from trajlib.estimation.matrices import in_floats, read_covariance, read_matrix, read_vector
+from trajlib.estimation.arguments import in_floats, read_covariance, read_matrix, read_vector
+from trajlib.estimation.exact_or_float import latex, symmetric, tidy
 from trajlib.stability.regions import latex_condition
 
 

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trajlib.estimation.matrices import (
+from trajlib.estimation.arguments import (
     ROUNDING,
     in_floats,
     read_covariance,

@@ -12,9 +12,12 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from trajlib.estimation.limits import discrete_stationary_covariance, stationary_covariance
-from trajlib.estimation.linear import identity_like, latex, symmetric
-from trajlib.estimation.matrices import in_floats, read_covariance, read_matrix, read_square
+from trajlib.estimation.arguments import in_floats, read_covariance, read_matrix, read_square
+from trajlib.estimation.exact_or_float import identity_like, latex, symmetric
+from trajlib.estimation.stationary_covariance import (
+    discrete_stationary_covariance,
+    stationary_covariance,
+)
 from trajlib.stability.systems import read_symbols
 
 

@@ -18,9 +18,9 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from trajlib.estimation.linear import latex, tidy
+from trajlib.estimation.arguments import in_floats, read_matrix, read_vector
+from trajlib.estimation.exact_or_float import latex, tidy
 from trajlib.estimation.linear_fit import least_squares
-from trajlib.estimation.matrices import in_floats, read_matrix, read_vector
 from trajlib.stability.systems import as_prose
 from trajlib.structure import exact
 

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from trajlib.estimation.linear import latex, solve
-from trajlib.estimation.matrices import in_floats, read_covariance, read_vector
+from trajlib.estimation.arguments import in_floats, read_covariance, read_vector
+from trajlib.estimation.exact_or_float import latex, solve
 from trajlib.stability.systems import exact_decimals, read_expression, read_symbols
 
 

@@ -13,10 +13,10 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
+from trajlib.estimation.arguments import in_floats, read_measurement
 from trajlib.estimation.correction import corrected
 from trajlib.estimation.covariances import Moments
-from trajlib.estimation.linear import latex, solve, symmetric, tidy
-from trajlib.estimation.matrices import in_floats, read_measurement
+from trajlib.estimation.exact_or_float import latex, solve, symmetric, tidy
 from trajlib.structure import exact
 
 

@@ -12,9 +12,9 @@ from typing import NamedTuple
 import numpy as np
 import sympy as sp
 
+from trajlib.estimation.arguments import in_floats, read_covariance, read_square, read_vector
 from trajlib.estimation.covariances import trusted_moments
-from trajlib.estimation.linear import identity_like, symmetric
-from trajlib.estimation.matrices import in_floats, read_covariance, read_square, read_vector
+from trajlib.estimation.exact_or_float import identity_like, symmetric
 from trajlib.estimation.modes import (
     Modes,
     continuous_basis,

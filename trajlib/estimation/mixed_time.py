@@ -9,10 +9,10 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
+from trajlib.estimation.arguments import in_floats, read_matrix, read_square
 from trajlib.estimation.correction import corrected
 from trajlib.estimation.covariances import Moments
 from trajlib.estimation.markov import continuous_moments
-from trajlib.estimation.matrices import in_floats, read_matrix, read_square
 from trajlib.stability.systems import exact_decimals
 
 

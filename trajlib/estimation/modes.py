@@ -13,7 +13,7 @@ breaks where one is missing.
 
 import sympy as sp
 
-from trajlib.estimation.linear import tidy, tidy_entry
+from trajlib.estimation.exact_or_float import tidy, tidy_entry
 from trajlib.stability.inequalities import equation
 from trajlib.stability.systems import vanishes
 

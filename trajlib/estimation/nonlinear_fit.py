@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from trajlib.estimation.matrices import read_covariance, read_vector
+from trajlib.estimation.arguments import read_covariance, read_vector
 from trajlib.stability.systems import exact_decimals, read_expression, read_symbols
 
 #: How often a step is shortened before the misfit counts as no longer falling.

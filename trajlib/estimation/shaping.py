@@ -10,8 +10,8 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from trajlib.estimation.linear import stack
-from trajlib.estimation.matrices import in_floats, read_matrix, read_square
+from trajlib.estimation.arguments import in_floats, read_matrix, read_square
+from trajlib.estimation.exact_or_float import stack
 from trajlib.stability.systems import exact_decimals, read_expression, read_symbols
 
 

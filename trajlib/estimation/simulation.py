@@ -10,8 +10,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from trajlib.estimation.arguments import read_covariance, read_matrix, read_square, read_vector
 from trajlib.estimation.markov import discretised
-from trajlib.estimation.matrices import read_covariance, read_matrix, read_square, read_vector
 
 
 @dataclass(frozen=True, repr=False)

@@ -15,8 +15,8 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from trajlib.estimation.linear import identity_like, latex, solve, symmetric
-from trajlib.estimation.matrices import in_floats, read_covariance, read_matrix, read_square
+from trajlib.estimation.arguments import in_floats, read_covariance, read_matrix, read_square
+from trajlib.estimation.exact_or_float import identity_like, latex, solve, symmetric
 from trajlib.estimation.riccati import Stabilising, continuous_hamiltonian, discrete_hamiltonian
 from trajlib.stability.regions import latex_condition
 from trajlib.stability.systems import as_prose

@@ -17,9 +17,9 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
+from trajlib.estimation.arguments import in_floats, read_covariance, read_matrix, read_square
 from trajlib.estimation.continuous_filter import ContinuousFilter
-from trajlib.estimation.linear import latex, symmetric, tidy
-from trajlib.estimation.matrices import in_floats, read_covariance, read_matrix, read_square
+from trajlib.estimation.exact_or_float import latex, symmetric, tidy
 from trajlib.estimation.stationary_filters import StationaryFilter, stationary_filter
 from trajlib.stability.regions import latex_condition
 from trajlib.stability.systems import as_prose

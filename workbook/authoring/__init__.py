@@ -10,11 +10,11 @@ from trajlib._lazy import lazy_names
 __getattr__, __dir__, __all__ = lazy_names(
     __name__,
     {
-        "beginning": ["begin"],
+        "scaffold": ["begin"],
         "errors": ["MasterError"],
         "master": ["Answer", "Cell", "Master", "master_paths", "read", "read_all"],
         "trials": ["Trial"],
-        "converting": ["student_notebook", "write_exercises"],
+        "student_notebook": ["student_notebook", "write_exercises"],
         "links": ["Links"],
     },
 )

@@ -1,7 +1,7 @@
 """Seals the mistakes of a master for the students' copy: the wrong trials whose comment is a
 sentence to the student.
 
-A trial of which the likeness is that of a right answer, or that of another mistake with another
+A trial of which the signature is that of a right answer, or that of another mistake with another
 sentence, stays without a name.
 """
 
@@ -10,8 +10,8 @@ import json
 import re
 
 from trajlib.typesetting import plain
-from workbook.mistakes.likeness import Question, Unlike, in_cases, likenesses
 from workbook.mistakes.sealing import seal
+from workbook.mistakes.signature import Question, Unlike, in_cases, signatures
 from workbook.notebooks.execution import in_child
 
 #: A question or a pointer, and perhaps the number of the hint that belongs to it.
@@ -92,13 +92,13 @@ def question_of(master, name, values):
 
 def _like(value, question):
     try:
-        return list(likenesses(value, question))
+        return list(signatures(value, question))
     except Unlike:
         return []
 
 
 def _each_like(value, question):
-    """The likenesses of a value, and of arcs those of the cases that they are for themselves."""
+    """The signatures of a value, and of arcs those of the cases that they are for themselves."""
     cases = [_like(form, question) for form in in_cases(value, question.kind)]
     return [[one for one in _like(value, question) if one not in sum(cases, [])], *cases]
 

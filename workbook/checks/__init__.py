@@ -6,7 +6,7 @@
 import sys
 
 from trajlib._lazy import lazy_names
-from workbook.checks.contract import first_aid
+from workbook.checks.contract import error_hints
 
 __getattr__, __dir__, __all__ = lazy_names(
     __name__,
@@ -15,7 +15,7 @@ __getattr__, __dir__, __all__ = lazy_names(
         "contract.verdict": ["Unusable", "Verdict", "judged"],
         "stability.regions": ["stability_region"],
         "stability.equilibrium": ["equilibria", "spectra", "stable_equilibria"],
-        "stability.first_approximation": ["first_approximation_unstable", "zero_stability"],
+        "stability.linearisation": ["first_approximation_unstable", "zero_stability"],
         "stability.lyapunov": [
             "basin_estimate",
             "basin_level",
@@ -25,7 +25,7 @@ __getattr__, __dir__, __all__ = lazy_names(
             "proved_stable",
             "vanishing_set",
         ],
-        "stability.rest_families": [
+        "stability.equilibrium_families": [
             "deviation_matrices",
             "growth_rate",
             "rest_kinds",
@@ -67,7 +67,7 @@ __getattr__, __dir__, __all__ = lazy_names(
             "limit_state",
             "stable_parameters",
         ],
-        "stability.programs": [
+        "stability.nominal_motions": [
             "angle_deviations",
             "focus_parameters",
             "input_matrix_along",
@@ -257,4 +257,4 @@ __getattr__, __dir__, __all__ = lazy_names(
 # are watched.
 _shell = sys.modules["IPython"].get_ipython() if "IPython" in sys.modules else None
 if _shell is not None:
-    first_aid.start(_shell)
+    error_hints.start(_shell)

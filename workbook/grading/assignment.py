@@ -19,7 +19,7 @@ import tomllib
 from dataclasses import dataclass
 from pathlib import Path
 
-from workbook.grading.printable import person_or_homework
+from workbook.grading.sanitising import person_or_homework
 from workbook.notebooks import exercises
 
 #: No homework has such a name: these stand in the folder of results, beside a folder for each

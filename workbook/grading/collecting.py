@@ -18,7 +18,7 @@ from pathlib import Path
 
 from workbook.grading import assignment as assignments
 from workbook.grading.assignment import BadInput
-from workbook.grading.printable import printable_name
+from workbook.grading.sanitising import printable_name
 from workbook.grading.submitted_file import LARGEST
 
 #: Bytes; a file beside another of its name gets a number too.

@@ -10,7 +10,7 @@ from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
 from workbook.grading import assignment as assignments
-from workbook.grading import canvas, course, exporting, record, submissions, telling
+from workbook.grading import canvas, console_summary, course, exporting, record, submissions
 from workbook.grading.assignment import BadInput
 from workbook.grading.feedback import feedback
 from workbook.grading.pages import count
@@ -36,7 +36,7 @@ def grade_course(
 
     `roster` is a gradebook exported from Canvas (a file), `site` the address of the student edition
     of the site, `cluster` the options (address, ca_file, cert, key) of a
-    `workbook.grading.cluster.Cluster`.
+    `workbook.grading.cluster.coordinator.Cluster`.
     """
     submitted, out, console = (
         Path(submitted),
@@ -97,9 +97,9 @@ def grade_course(
             }
             result["changes"][name] = [vars(change) for change in changes]
             result["not in the roster"][name] = strangers
-            telling.tell(console, out / name, assignment, graded, changes, files.get(name))
+            console_summary.tell(console, out / name, assignment, graded, changes, files.get(name))
             if roster is not None:
-                telling.tell_of_roster(console, assignment, roster, strangers)
+                console_summary.tell_of_roster(console, assignment, roster, strangers)
     return result
 
 
@@ -175,7 +175,7 @@ def page_name(student):
 
 def _cluster(options, console):
     # Only here, since grading on this machine needs nothing of it.
-    from workbook.grading.cluster import Cluster, check
+    from workbook.grading.cluster.coordinator.coordinator import Cluster, check
 
     cluster = Cluster(
         **options, tell=lambda line: console.print(line, markup=False, style="yellow")

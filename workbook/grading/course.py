@@ -8,10 +8,10 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from workbook.grading import assignment as assignments
-from workbook.grading import belonging, bench, isolation, lanes, preloading, submissions
+from workbook.grading import grader, isolation, matching, preloading, submissions, worker_pool
 from workbook.grading.fingerprint import fingerprint
+from workbook.grading.forkserver import Forkserver
 from workbook.grading.judging import FINAL, NOT_FINAL, WITHIN_LIMITS, Bounds
-from workbook.grading.nursery import Nursery
 from workbook.grading.sandbox import Limits
 from workbook.grading.store import Store
 from workbook.grading.submissions import Aside, Submission
@@ -49,7 +49,7 @@ def grade(
     What has a result by the very same exercise and library is not graded again, so a killed run
     goes on where it stopped, and a changed exercise regrades only what it changed; so do other
     limits what met the former ones. Each result is stored as soon as it is there. With `trusting`
-    there is no sandbox; with a `workbook.grading.cluster.Cluster` its workers grade, not this
+    there is no sandbox; with a `workbook.grading.cluster.coordinator.Cluster` its workers grade, not this
     machine.
     """
     out = Path(out)
@@ -66,19 +66,23 @@ def grade(
             raise CourseError(
                 f"{folder} lies in {shown}, which every notebook can read: move it elsewhere"
             )
-    with _alone(out), _nursery(out, cluster) as nursery, Store(out / "grades.sqlite") as store:
+    with (
+        _alone(out),
+        _forkserver(out, cluster) as forkserver,
+        Store(out / "grades.sqlite") as store,
+    ):
         found = list(submissions.find(submitted))
         files = assignments.files(assignment_folder)
         known, alone = _homeworks(found, files)
         count = count or len(os.sched_getaffinity(0))
         if cluster is None:  # or else each worker sees what fits it
-            limits, bounds = bench.fitting(limits, count), bench.fitting(bounds, count)
+            limits, bounds = grader.fitting(limits, count), grader.fitting(bounds, count)
         with store.together():
             plan = _plan(*_by_attempt(found, known, alone, files), known, store, limits)
         progress(0, len(plan.pending))
         failed = 0
         with closing(
-            _judgements(plan.pending, count, limits, bounds, trusting, cluster, nursery)
+            _judgements(plan.pending, count, limits, bounds, trusting, cluster, forkserver)
         ) as judgements:
             for done, (unit, judgement, within) in enumerate(judgements, start=1):
                 store.record(
@@ -111,21 +115,21 @@ def _alone(out):
 
 
 @contextmanager
-def _nursery(out, cluster):
+def _forkserver(out, cluster):
     """In a first run, where something is sure to be graded, it imports what all need while
     submissions are read."""
     if cluster is not None or (out / "grades.sqlite").exists():
         yield None
         return
-    with closing(Nursery.start(preloading.ALWAYS)) as nursery:
-        yield nursery
+    with closing(Forkserver.start(preloading.ALWAYS)) as forkserver:
+        yield forkserver
 
 
-def _judgements(pending, count, limits, bounds, trusting, cluster, nursery=None):
+def _judgements(pending, count, limits, bounds, trusting, cluster, forkserver=None):
     """(unit, its judgement, the limits it had) in the order they are done."""
     for unit in pending:
         if unit["trouble"]:
-            yield unit, bench.unreadable(exercises.find(unit["problem"]), unit["trouble"]), limits
+            yield unit, grader.unreadable(exercises.find(unit["problem"]), unit["trouble"]), limits
     by_key = {unit["key"]: unit for unit in pending if not unit["trouble"]}
     if not by_key:
         return
@@ -133,18 +137,20 @@ def _judgements(pending, count, limits, bounds, trusting, cluster, nursery=None)
         {unit["problem"] for unit in by_key.values()},
         [source for unit in by_key.values() for source in unit["sources"]],
     )
-    settings = bench.settings(limits, bounds, trusting) | {"modules": modules}
+    settings = grader.settings(limits, bounds, trusting) | {"modules": modules}
     if cluster is None:
-        grading = lanes.grade_all(by_key.values(), min(count, len(by_key)), settings, nursery)
+        grading = worker_pool.grade_all(
+            by_key.values(), min(count, len(by_key)), settings, forkserver
+        )
     else:
-        from workbook.grading.cluster import grade_all
+        from workbook.grading.cluster.coordinator.coordinator import grade_all
 
         grading = grade_all(by_key.values(), settings, cluster)
     with closing(grading) as results:
         for key, result in results:
             yield (
                 by_key[key],
-                bench.from_plain(result),
+                grader.from_plain(result),
                 Limits(**result["limits"]) if "limits" in result else limits,
             )
 
@@ -209,9 +215,9 @@ def _by_attempt(found, known, alone, files):
             aside.append(one if one.assignment in known else replace(one, assignment=""))
             continue
         if one.assignment not in known:
-            aside.append(Aside(one.path, belonging.no_homework(one, files), one.student))
+            aside.append(Aside(one.path, matching.no_homework(one, files), one.student))
             continue
-        problem = belonging.problem_for(one, known[one.assignment])
+        problem = matching.problem_for(one, known[one.assignment])
         if (one.assignment, one.problem) in alone:
             aside.append(
                 Aside(one.path, alone[one.assignment, one.problem], one.student, one.assignment)
@@ -234,6 +240,6 @@ def _homeworks(found, files):
             # it would be a homework of its own, and a silent zero in the one that was meant
             pass
         elif any(isinstance(one, Submission) and one.assignment == name for one in found):
-            known[name], whys = belonging.unwritten(name, found)
+            known[name], whys = matching.unwritten(name, found)
             alone |= {(name, problem): why for problem, why in whys.items()}
     return known, alone

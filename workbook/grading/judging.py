@@ -25,7 +25,7 @@ from functools import lru_cache
 from workbook.checks.contract.encoding import describe
 from workbook.checks.contract.verdict import MISSING, UNCHECKED, Unusable, Verdict
 from workbook.grading.isolation import end_with_parent, loaded
-from workbook.grading.printable import printable
+from workbook.grading.sanitising import printable
 from workbook.grading.submitted_file import MOST_CELLS
 from workbook.notebooks.execution import CONTEXT, Child, TimeLimit, decoded, judge_answers, run_cell
 

@@ -10,10 +10,10 @@ from contextlib import suppress
 from dataclasses import asdict, dataclass
 from functools import partial
 
-from workbook.grading import framing, isolation, watching
-from workbook.grading.nursery import Nursery
+from workbook.grading import framing, isolation, watchdog
+from workbook.grading.forkserver import Forkserver
+from workbook.grading.notebook_worker import NOT_NESTED
 from workbook.grading.preloading import ALWAYS, LIBRARIES
-from workbook.grading.worker import NOT_NESTED
 
 #: Seconds that a worker may take to get ready, and how often it is started before that is given up.
 STARTING, STARTS = 60.0, 3
@@ -61,14 +61,14 @@ class Sandbox:
 
     Raises `isolation.NoIsolation` where none can be had. Use as a context manager. Where the system
     allows no namespaces inside a sandbox, each notebook gets a sandbox of its own (`once`).
-    Notebooks find `modules` imported, and what `nursery` has imported if one is given.
+    Notebooks find `modules` imported, and what `forkserver` has imported if one is given.
     """
 
     _own_network = True
 
-    def __init__(self, limits=Limits(), once=False, nursery=None, modules=(*ALWAYS, *LIBRARIES)):
+    def __init__(self, limits=Limits(), once=False, forkserver=None, modules=(*ALWAYS, *LIBRARIES)):
         self.limits, self._modules = limits, modules
-        self._once, self._nursery, self._own_nursery = once, nursery, None
+        self._once, self._forkserver, self._own_forkserver = once, forkserver, None
         self._worker = self._proc = self._place = None
         self._greeted = False
 
@@ -79,9 +79,9 @@ class Sandbox:
 
     def __exit__(self, *_):
         self._stop()
-        if self._own_nursery is not None:
-            self._own_nursery.close()
-            self._own_nursery = None
+        if self._own_forkserver is not None:
+            self._own_forkserver.close()
+            self._own_forkserver = None
 
     def run(self, sources, names, before=()):
         """Run code cells, those of `before` first, and collect the answers `names`; returns an
@@ -123,7 +123,7 @@ class Sandbox:
                 requests, results, below = self._place.requests, self._place.results, self._below
                 self._place.number = self._worker.children.forked()
                 wake = partial(self._worker.children.wake, self._place.number)
-            self._watch = watching.Watch(
+            self._watch = watchdog.Watch(
                 below, results, asdict(self.limits), self._proc, self._own_network, wake
             )
             self._watch.prepared()
@@ -253,19 +253,21 @@ class Sandbox:
     def _spawn(self):
         if self._once:
             bwrap = (
-                self._nursery.bubblewrap if self._nursery is not None else isolation.bubblewrap()
+                self._forkserver.bubblewrap
+                if self._forkserver is not None
+                else isolation.bubblewrap()
             )
             return isolation.spawn_once(bwrap, asdict(self.limits), self._modules)
-        nursery = self._forks()
-        return Forked(nursery, "nested", asdict(self.limits), nursery.bubblewrap, "/tmp")
+        forkserver = self._forks()
+        return Forked(forkserver, "nested", asdict(self.limits), forkserver.bubblewrap, "/tmp")
 
     def _forks(self):
-        """The nursery: the one that was given, or else one of its own."""
-        if self._nursery is not None:
-            return self._nursery
-        if self._own_nursery is None or not self._own_nursery.alive():
-            self._own_nursery = Nursery.start(self._modules)
-        return self._own_nursery
+        """The forkserver: the one that was given, or else one of its own."""
+        if self._forkserver is not None:
+            return self._forkserver
+        if self._own_forkserver is None or not self._own_forkserver.alive():
+            self._own_forkserver = Forkserver.start(self._modules)
+        return self._own_forkserver
 
     def _stop(self):
         if self._worker is not None:
@@ -307,18 +309,18 @@ class _Place:
 
 
 class Forked:
-    """A worker forked from a nursery, to be used like a `subprocess.Popen`; itself the nursery of
+    """A worker forked from a forkserver, to be used like a `subprocess.Popen`; itself the forkserver of
     its `children`."""
 
-    def __init__(self, nursery, *given):
-        self._nursery, self.returncode = nursery, None
+    def __init__(self, forkserver, *given):
+        self._forkserver, self.returncode = forkserver, None
         self.stdin, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
-        self.children = Nursery(self.stdin)
+        self.children = Forkserver(self.stdin)
         pipes = [os.pipe() for _ in range(2)]
         inside = [pipes[0][1], pipes[1][1]]
         try:
             with theirs:
-                self.pid = nursery.fork("worker", given, [theirs.fileno(), *inside])
+                self.pid = forkserver.fork("worker", given, [theirs.fileno(), *inside])
         finally:
             for descriptor in inside:
                 os.close(descriptor)
@@ -326,7 +328,7 @@ class Forked:
 
     def wait(self, timeout=None):
         if self.returncode is None:
-            self.returncode = self._nursery.ended(self.pid, 60 if timeout is None else timeout)
+            self.returncode = self._forkserver.ended(self.pid, 60 if timeout is None else timeout)
             if self.returncode is None and timeout is not None:
                 raise subprocess.TimeoutExpired("worker", timeout)
         return self.returncode
@@ -336,7 +338,7 @@ class Forked:
         and forget it."""
         self.stdin.close()
         with suppress(isolation.NotStarted):
-            self.returncode = self._nursery.end(self.pid, within=1)
+            self.returncode = self._forkserver.end(self.pid, within=1)
 
 
 class Trusting(Sandbox):

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from workbook.grading import submitted_file
 from workbook.grading.assignment import TAKEN
-from workbook.grading.printable import person_or_homework, printable_name
+from workbook.grading.sanitising import person_or_homework, printable_name
 
 #: Folders that systems leave beside people's, besides hidden ones.
 OF_SYSTEMS = {"__MACOSX", "@eaDir", "System Volume Information", "$RECYCLE.BIN", "lost+found"}

@@ -34,7 +34,7 @@ LIBRARIES = (
     "scipy.ndimage",
     "workbook.authoring.master",
     "workbook.authoring.mistakes",
-    "workbook.authoring.converting",
+    "workbook.authoring.student_notebook",
     "workbook.live.catching_up",
     "workbook.display.results",
     "trajlib.plotting",

@@ -9,6 +9,6 @@ class _NoLinks:
 
 def prose(text, number=""):
     """MyST Markdown as any Jupyter shows it."""
-    from workbook.authoring.converting import plain_markdown
+    from workbook.authoring.student_notebook import plain_markdown
 
     return plain_markdown(text, _NoLinks(), number)[0]

@@ -2,7 +2,7 @@
 to its giver.
 
 The masters hold wrong answers, each with its misconception. Of those a student's copy gets, beside
-the notebook, only fingerprints (`sealing`) of what they are whatever their form (`likeness`): an
+the notebook, only fingerprints (`sealing`) of what they are whatever their form (`signature`): an
 answer that a check has found wrong is looked up there, and opens the sentence that was written for
 it.
 """
@@ -15,8 +15,8 @@ from workbook.notebooks import exercises
 def name_of(problem, answer, value):
     """The sentence for a wrong value of an answer, with a hint below it if one belongs to it; "" if
     there is none."""
-    from workbook.mistakes.likeness import Question, Unlike, likenesses
     from workbook.mistakes.sealing import find
+    from workbook.mistakes.signature import Question, Unlike, signatures
 
     file = file_beside(exercises.place(problem))
     asked = (
@@ -30,7 +30,7 @@ def name_of(problem, answer, value):
         return find(
             asked["told"],
             f"{problem} {answer}",
-            likenesses(value, Question(asked["kind"], asked["symbols"])),
+            signatures(value, Question(asked["kind"], asked["symbols"])),
         )
     except Unlike:
         return ""

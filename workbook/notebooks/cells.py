@@ -13,7 +13,7 @@ import sys
 import time
 from contextlib import contextmanager, redirect_stderr, redirect_stdout
 
-from workbook.checks.contract.first_aid import advice
+from workbook.checks.contract.error_hints import advice
 
 #: Of all encoded answers together: far above any honest notebook, within one message of the
 #: sandbox.

@@ -19,7 +19,7 @@ from sphinx.util.index_entries import split_index_msg
 from sphinx_exercise.nodes import exercise_node
 
 from workbook.authoring.contract import in_words, item_of
-from workbook.authoring.converting import SENTENCE_END, core_text
+from workbook.authoring.student_notebook import SENTENCE_END, core_text
 from workbook.notebooks import exercises
 from workbook_site import catalogue
 from workbook_site.boxes import details, summary

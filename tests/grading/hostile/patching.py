@@ -56,7 +56,7 @@ PATCHING = [
         (
             """
                import sympy
-               from workbook.checks.truths import spectra
+               from workbook.checks.references import spectra
                sympy.Poly.all_coeffs = lambda self: [sympy.Integer(1), *sorted(self.free_symbols_in_domain, key=str)]
                spectra._spectrum.cache_clear()  # what was found for those before, with the true coefficients
                """,

@@ -11,7 +11,7 @@ from contextvars import ContextVar
 from dataclasses import replace
 
 from trajlib.typesetting import typeset
-from workbook.checks.contract import first_aid
+from workbook.checks.contract import error_hints
 from workbook.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG, Verdict
 from workbook.display.results import in_notebook
 
@@ -60,11 +60,11 @@ def report(problem="", /, **verdicts):
             verdicts[name] = Verdict(
                 UNCHECKED, "the check cell was changed: it hands over no verdict"
             )
-        elif name in first_aid.stopped:
+        elif name in error_hints.stopped:
             verdicts[name] = Verdict(
                 MISSING,
                 "not judged: the cell that assigns it stopped with "
-                f"{first_aid.stopped[name]}; mend that first",
+                f"{error_hints.stopped[name]}; mend that first",
             )
         elif problem and verdict.status == WRONG:
             verdicts[name] = replace(

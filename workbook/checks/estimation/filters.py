@@ -17,12 +17,12 @@ import sympy as sp
 from workbook.checks.contract.claims import Laid, Matrix, Values
 from workbook.checks.contract.tolerance import REPEATED, same
 from workbook.checks.contract.verdict import judged
+from workbook.checks.references import processes
 from workbook.checks.tools.comparisons import Entries, Members
 from workbook.checks.tools.conditions import compare, place_text
 from workbook.checks.tools.samples import allowed_values, in_every_case
 from workbook.checks.tools.values import numbers_at
 from workbook.checks.tools.wording import entry_text, number_text, part_text, where_text
-from workbook.checks.truths import processes
 
 COUNT = 6
 BEFORE, AFTER = "before", "after"

@@ -14,13 +14,13 @@ import sympy as sp
 from workbook.checks.contract.claims import Expression, Expressions, Laid, Matrix, Values
 from workbook.checks.contract.tolerance import REPEATED, same
 from workbook.checks.contract.verdict import judged
+from workbook.checks.references import processes
+from workbook.checks.references.spectra import decays
 from workbook.checks.tools.comparisons import Entries, Members, Same
 from workbook.checks.tools.conditions import compare, contrary, exactly
 from workbook.checks.tools.samples import allowed_values, in_every_case, joined
 from workbook.checks.tools.values import numbers_at
 from workbook.checks.tools.wording import entry_text, number_text, where_text
-from workbook.checks.truths import processes
-from workbook.checks.truths.spectra import decays
 
 #: The times that answers are tried at, with other values of the parameters each.
 TIMES = (0, sp.Rational(1, 2), 1, sp.Rational(7, 5), 2, 3)

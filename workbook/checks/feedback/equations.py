@@ -15,11 +15,11 @@ from workbook.checks.contract.coercion import as_matrix
 from workbook.checks.contract.tolerance import EXACT
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.feedback.loops import Requirement
+from workbook.checks.references.fixed_modes import common_margin
+from workbook.checks.references.pairs import pair_of
 from workbook.checks.tools.comparisons import Follows
 from workbook.checks.tools.values import matrix_at, moved, uncertain_entries
 from workbook.checks.tools.wording import number_text
-from workbook.checks.truths.fixed_modes import common_margin
-from workbook.checks.truths.pairs import pair_of
 
 
 class StateForm(Claim):

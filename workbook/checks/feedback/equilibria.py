@@ -13,13 +13,13 @@ import sympy as sp
 from workbook.checks.contract.claims import Claim, Expressions
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.feedback.loops import Gain
+from workbook.checks.references.fields import Field, known_field
+from workbook.checks.references.fixed_modes import ON_BORDER, fixed_eigenvalues
+from workbook.checks.references.near_equilibrium import by_motions
+from workbook.checks.references.pairs import pair_of
+from workbook.checks.references.stationary_points import rest_points
 from workbook.checks.tools.values import matrix_at, numbers_at
 from workbook.checks.tools.wording import point_text, roots_text
-from workbook.checks.truths.fields import Field, known_field
-from workbook.checks.truths.fixed_modes import ON_BORDER, fixed_eigenvalues
-from workbook.checks.truths.near_rest import by_motions
-from workbook.checks.truths.pairs import pair_of
-from workbook.checks.truths.rest_points import rest_points
 
 #: Loops that are tried at an equilibrium that the first approximation leaves open, and how fast
 #: their movable part is.

@@ -15,14 +15,14 @@ import sympy as sp
 from workbook.checks.contract.claims import Claim, Laid, Parts
 from workbook.checks.contract.tolerance import EXACT, in_decimals
 from workbook.checks.contract.verdict import Wrong, judged
+from workbook.checks.references.exceptional_values import judge_everywhere
+from workbook.checks.references.fixed_modes import fixed_eigenvalues, slower_than
+from workbook.checks.references.records import augmented, reached, seen
+from workbook.checks.references.spectra import Spectrum
 from workbook.checks.tools.conditions import Case, Truth, compare, exactly
 from workbook.checks.tools.samples import general_values, in_every_case, joined
 from workbook.checks.tools.values import matrix_at, uncertain_entries
 from workbook.checks.tools.wording import number_text, where_text
-from workbook.checks.truths.exceptional_values import judge_everywhere
-from workbook.checks.truths.fixed_modes import fixed_eigenvalues, slower_than
-from workbook.checks.truths.records import augmented, reached, seen
-from workbook.checks.truths.spectra import Spectrum
 from workbook.systems import Linear, Scalar
 
 

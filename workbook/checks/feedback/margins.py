@@ -10,20 +10,20 @@ from workbook.checks.contract import coercion
 from workbook.checks.contract.tolerance import EXACT
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.feedback.loops import loop_of
-from workbook.checks.tools.conditions import compare, exactly, place_text
-from workbook.checks.tools.samples import in_every_case
-from workbook.checks.tools.values import matrix_at, number_at, uncertain_entries
-from workbook.checks.tools.wording import number_text, where_text
-from workbook.checks.truths.exceptional_values import judge_everywhere
-from workbook.checks.truths.fixed_modes import (
+from workbook.checks.references.exceptional_values import judge_everywhere
+from workbook.checks.references.fixed_modes import (
     ON_BORDER,
     common_margin,
     greatest_margin,
     margins_with_parameters,
     slower_than,
 )
-from workbook.checks.truths.records import augmented, by_control, reached, seen
-from workbook.checks.truths.spectra import compare_region
+from workbook.checks.references.records import augmented, by_control, reached, seen
+from workbook.checks.references.spectra import compare_region
+from workbook.checks.tools.conditions import compare, exactly, place_text
+from workbook.checks.tools.samples import in_every_case
+from workbook.checks.tools.values import matrix_at, number_at, uncertain_entries
+from workbook.checks.tools.wording import number_text, where_text
 from workbook.systems import Scalar
 
 

@@ -14,12 +14,12 @@ from workbook.checks.contract.claims import Expression, Laid, Matrix, Values
 from workbook.checks.contract.tolerance import REPEATED, same
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.feedback.loops import Gain
+from workbook.checks.references import processes, regulators
+from workbook.checks.references.fixed_modes import ON_BORDER
 from workbook.checks.tools.comparisons import Entries, Members, Same
 from workbook.checks.tools.samples import allowed_values, in_every_case
 from workbook.checks.tools.values import matrix_at, numbers_at
 from workbook.checks.tools.wording import number_text, point_text, where_text
-from workbook.checks.truths import processes, regulators
-from workbook.checks.truths.fixed_modes import ON_BORDER
 
 COUNT = 6
 #: What rounding leaves of a zero.

@@ -15,10 +15,10 @@ import sympy as sp
 from workbook.checks.contract.claims import Expression
 from workbook.checks.contract.tolerance import EXACT, same
 from workbook.checks.contract.verdict import Wrong, judged
+from workbook.checks.references.singular_arcs import hamiltonian, known_costates
 from workbook.checks.tools.samples import draw
 from workbook.checks.tools.values import real_function, value_at
 from workbook.checks.tools.wording import rounded_text
-from workbook.checks.truths.singular_arcs import hamiltonian, known_costates
 
 #: At so many places of states, control and parameters an equation is compared, of so many that are
 #: tried.

@@ -7,9 +7,9 @@ from workbook.checks.contract.claims import Expression
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.pontryagin.followed import point_text
 from workbook.checks.pontryagin.in_time import ENDING, Costates, InTime
+from workbook.checks.references.optima.best_processes import best_processes, free_at_the_start
+from workbook.checks.references.optima.transfer_optima import Transfer
 from workbook.checks.tools.wording import told_for
-from workbook.checks.truths.optima.best_processes import best_processes, free_at_the_start
-from workbook.checks.truths.optima.transfer_optima import Transfer
 
 #: To which share a control between its bounds is known.
 KNOWN = 2e-3

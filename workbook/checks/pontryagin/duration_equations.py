@@ -6,9 +6,9 @@ import sympy as sp
 from workbook.checks.contract import coercion
 from workbook.checks.contract.tolerance import share
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
+from workbook.checks.references.optima.best_processes import best_processes
 from workbook.checks.tools.values import real_function
 from workbook.checks.tools.wording import rounded_text
-from workbook.checks.truths.optima.best_processes import best_processes
 
 #: At so many shorter durations an equation for the shortest one is tried, up to this part of it,
 #: and next to it.

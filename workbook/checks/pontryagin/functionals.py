@@ -15,11 +15,11 @@ import sympy as sp
 from workbook.checks.contract.claims import Expression, Number, YesNo
 from workbook.checks.contract.tolerance import changed, in_decimals, rounds_to, same, share
 from workbook.checks.contract.verdict import Wrong, judged
+from workbook.checks.references.optima.functional_optimum import FunctionalOptimum
 from workbook.checks.tools.comparisons import Same, Word
 from workbook.checks.tools.samples import sample_values
 from workbook.checks.tools.values import real_function
 from workbook.checks.tools.wording import values_text
-from workbook.checks.truths.optima.functional_optimum import FunctionalOptimum
 
 #: Sets of parameters that an answer is tried for.
 SAMPLES = 4

@@ -19,6 +19,8 @@ from workbook.checks.contract.tolerance import DECIMALS, EXACT, changed, in_deci
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.pontryagin.followed import reach
 from workbook.checks.pontryagin.in_time import Control, Steering
+from workbook.checks.references.optima.transfer_optima import rk4
+from workbook.checks.references.singular_arcs import hamiltonian, known_costates, singular_arcs
 from workbook.checks.tools.comparisons import Word
 from workbook.checks.tools.conditions import decide, exactly, place_text
 from workbook.checks.tools.samples import draw, ends, found_once, sample_cases
@@ -31,8 +33,6 @@ from workbook.checks.tools.values import (
     value_at,
 )
 from workbook.checks.tools.wording import rounded_text
-from workbook.checks.truths.optima.transfer_optima import rk4
-from workbook.checks.truths.singular_arcs import hamiltonian, known_costates, singular_arcs
 
 #: At so many places an identity is tried, and with so many other controls a greatest value is
 #: compared.

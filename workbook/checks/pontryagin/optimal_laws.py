@@ -19,11 +19,11 @@ from workbook.checks.contract.claims import Expression
 from workbook.checks.contract.tolerance import changed, in_decimals, same, share
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.pontryagin.followed import does_as_well, point_text
+from workbook.checks.references.optima.direct_optimum import optima
+from workbook.checks.references.optima.transfer_optima import rk4
+from workbook.checks.references.scales import TIME, differing, same_at_every_scale, scales
 from workbook.checks.tools.values import real_function, wide_function
 from workbook.checks.tools.wording import told_for
-from workbook.checks.truths.optima.direct_optimum import optima
-from workbook.checks.truths.optima.transfer_optima import rk4
-from workbook.checks.truths.scales import TIME, differing, same_at_every_scale, scales
 
 #: A law is followed in so many steps. Where it switches it lags by a step, which costs it this
 #: share at most.

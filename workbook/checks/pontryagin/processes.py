@@ -36,17 +36,17 @@ from workbook.checks.pontryagin.in_time import (
     Steering,
     jumps,
 )
-from workbook.checks.tools.bends import next_to_bends
-from workbook.checks.tools.searching import bisected
-from workbook.checks.tools.values import real_function, uncertain_at_all, value_at, values_at_all
-from workbook.checks.tools.wording import told_for
-from workbook.checks.truths.optima.best_processes import (
+from workbook.checks.references.optima.best_processes import (
     best_processes,
     best_processes_at,
     free_at_the_start,
 )
-from workbook.checks.truths.optima.transfer_optima import SAMPLES
-from workbook.checks.truths.scales import COST, TIME, same_at_every_scale
+from workbook.checks.references.optima.transfer_optima import SAMPLES
+from workbook.checks.references.scales import COST, TIME, same_at_every_scale
+from workbook.checks.tools.kinks import next_to_bends
+from workbook.checks.tools.searching import bisected
+from workbook.checks.tools.values import real_function, uncertain_at_all, value_at, values_at_all
+from workbook.checks.tools.wording import told_for
 
 #: Where rates are no linear functions of the control, it is tried at so many places between its
 #: bounds, then closer to the best of them, so often; and so far to both sides where it has no

@@ -21,19 +21,19 @@ from workbook.checks.contract.claims import ConditionOn, Expression, Expressions
 from workbook.checks.contract.tolerance import changed, in_decimals, same, share
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.pontryagin.closed_loop import SAME, Law, follow
-from workbook.checks.tools.conditions import Case, Truth, compare, place_text, readings
-from workbook.checks.tools.samples import spread_over
-from workbook.checks.tools.searching import bisected
-from workbook.checks.tools.values import real_function
-from workbook.checks.truths.optima import reach
-from workbook.checks.truths.optima.fastest_times import Lanes
-from workbook.checks.truths.optima.sampled_optimum import (
+from workbook.checks.references.optima import reach
+from workbook.checks.references.optima.fastest_times import Lanes
+from workbook.checks.references.optima.sampled_optimum import (
     BESIDE,
     BESIDE_DECIMALS,
     frozen,
     sampled_optimum,
 )
-from workbook.checks.truths.optima.target_families import TargetFamily
+from workbook.checks.references.optima.target_families import TargetFamily
+from workbook.checks.tools.conditions import Case, Truth, compare, place_text, readings
+from workbook.checks.tools.samples import spread_over
+from workbook.checks.tools.searching import bisected
+from workbook.checks.tools.values import real_function
 
 #: To what share of its coordinates a switching curve is found.
 LOCATED = 1e-4

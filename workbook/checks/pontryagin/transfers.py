@@ -17,11 +17,11 @@ from workbook.checks.contract.claims import Expression, Integer, Number
 from workbook.checks.contract.tolerance import in_decimals, same
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.pontryagin.in_time import INTEGRATED
+from workbook.checks.references.optima.transfer_optima import CLOSE, SAMPLES, Transfer
 from workbook.checks.tools.comparisons import Same
 from workbook.checks.tools.conditions import compare, contrary, exactly, place_text
 from workbook.checks.tools.values import real_at
 from workbook.checks.tools.wording import values_text
-from workbook.checks.truths.optima.transfer_optima import CLOSE, SAMPLES, Transfer
 
 
 @judged(Expression("count"))

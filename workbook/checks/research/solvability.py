@@ -15,12 +15,12 @@ import sympy as sp
 from workbook.checks.contract import coercion
 from workbook.checks.contract.claims import Expression, Expressions, Integer
 from workbook.checks.contract.verdict import Wrong, judged
+from workbook.checks.references.exceptional_values import judge_everywhere
 from workbook.checks.tools.comparisons import Same
 from workbook.checks.tools.conditions import compare, exactly, place_text
 from workbook.checks.tools.samples import in_every_case, random_values
 from workbook.checks.tools.values import value_at
 from workbook.checks.tools.wording import rounded_text
-from workbook.checks.truths.exceptional_values import judge_everywhere
 
 MOMENTS = 12
 #: What counts as nothing beside numbers of size one.

@@ -2,7 +2,7 @@
 forms that are conserved.
 
 The matrix is that of the equations in deviations from rest, or, where a `program` is given, from a
-program motion (`workbook.checks.stability.programs`); a `part` of the state picks a subsystem that
+program motion (`workbook.checks.stability.nominal_motions`); a `part` of the state picks a subsystem that
 does not depend on the others. What decides is computed from the matrix at sampled values of the
 parameters: clusters of eigenvalues and ranks of A - lambda E, by singular values.
 """
@@ -13,8 +13,8 @@ import sympy as sp
 from workbook.checks.contract import coercion
 from workbook.checks.contract.claims import Choice
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
-from workbook.checks.stability.first_approximation import STABILITY
-from workbook.checks.stability.programs import Motion
+from workbook.checks.stability.linearisation import STABILITY
+from workbook.checks.stability.nominal_motions import Motion
 from workbook.checks.tools.comparisons import Word
 from workbook.checks.tools.conditions import Truth, compare, contrary, decide, exactly, place_text
 from workbook.checks.tools.samples import in_every_case, sample_values

@@ -17,8 +17,8 @@ from workbook.checks.contract.claims import Expression, Expressions, Number
 from workbook.checks.contract.members import NUMBERS, members
 from workbook.checks.contract.tolerance import REPEATED, in_decimals, rounds_to, same
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
+from workbook.checks.references.fields import known_field
 from workbook.checks.tools.values import number_at, value_at
-from workbook.checks.truths.fields import known_field
 
 CYCLES = ("stable", "unstable", "semistable")
 #: Angles at which a circle is tried; not multiples of pi/2, where single terms of a field vanish.

@@ -10,9 +10,9 @@ from workbook.checks.contract import coercion
 from workbook.checks.contract.members import in_order
 from workbook.checks.contract.tolerance import REPEATED, same
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
+from workbook.checks.references.fields import Field
 from workbook.checks.tools.values import numbers_at
 from workbook.checks.tools.wording import number_text, point_text
-from workbook.checks.truths.fields import Field
 
 
 @judged

@@ -12,6 +12,7 @@ from workbook.checks.contract import coercion
 from workbook.checks.contract.claims import ConditionOn, Expression
 from workbook.checks.contract.tolerance import same
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
+from workbook.checks.references.fields import Field
 from workbook.checks.tools.conditions import (
     Case,
     Condition,
@@ -26,7 +27,6 @@ from workbook.checks.tools.conditions import (
 from workbook.checks.tools.samples import allowed_values, in_every_case, joined, sample_values
 from workbook.checks.tools.values import number_at, uncertain_at
 from workbook.checks.tools.wording import point_text, values_text
-from workbook.checks.truths.fields import Field
 
 
 @judged(Expression("state", "parameters"))

@@ -9,8 +9,8 @@ import sympy as sp
 from sympy.core.function import AppliedUndef
 
 from workbook.checks.contract.verdict import judged
-from workbook.checks.truths.records import matrix_of
-from workbook.checks.truths.spectra import compare_region
+from workbook.checks.references.records import matrix_of
+from workbook.checks.references.spectra import compare_region
 from workbook.systems import Deviations
 
 

@@ -21,12 +21,12 @@ from workbook.checks.contract.claims import Choice, Expression
 from workbook.checks.contract.members import VECTORS, in_order
 from workbook.checks.contract.tolerance import changed, half_unit, in_decimals, same
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
+from workbook.checks.references.exceptional_values import judge_factors
+from workbook.checks.references.stationary_points import rest_points
 from workbook.checks.tools.conditions import Case, Truth, compare, exactly, place_text
 from workbook.checks.tools.samples import draw, drawn, ends
 from workbook.checks.tools.values import real_at, uncertain_at
 from workbook.checks.tools.wording import other_rate, point_text, roots_text, sample_text
-from workbook.checks.truths.exceptional_values import judge_factors
-from workbook.checks.truths.rest_points import rest_points
 
 STABILITY = ("asymptotically stable", "stable", "unstable")
 TYPES = tuple(

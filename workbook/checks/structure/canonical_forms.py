@@ -19,12 +19,12 @@ import numpy as np
 from workbook.checks.contract.claims import Matrix
 from workbook.checks.contract.tolerance import same, share
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
+from workbook.checks.references.exceptional_values import judge_everywhere
+from workbook.checks.references.invariant_subspaces import characteristic_coefficients
+from workbook.checks.references.records import by_control, reached, seen
 from workbook.checks.tools.comparisons import Entries
 from workbook.checks.tools.values import matrix_at
 from workbook.checks.tools.wording import number_text, where_text
-from workbook.checks.truths.exceptional_values import judge_everywhere
-from workbook.checks.truths.invariant_subspaces import characteristic_coefficients
-from workbook.checks.truths.records import by_control, reached, seen
 
 
 @dataclass(frozen=True)

@@ -3,6 +3,7 @@ of observability in `observability.py`, of the dual system."""
 
 from workbook.checks.contract.claims import Matrix, Vectors, YesNo
 from workbook.checks.contract.verdict import judged
+from workbook.checks.references.records import reached
 from workbook.checks.structure.dual_questions import (
     CONTROL,
     judge_kalman,
@@ -10,8 +11,11 @@ from workbook.checks.structure.dual_questions import (
     judge_yes_no,
 )
 from workbook.checks.structure.mechanical import DRIVEN, judge_rank
-from workbook.checks.structure.unseen_bases import bases_by_value, judge_basis, judge_where_lost
-from workbook.checks.truths.records import reached
+from workbook.checks.structure.unobservable_bases import (
+    bases_by_value,
+    judge_basis,
+    judge_where_lost,
+)
 from workbook.systems import Mechanical
 
 

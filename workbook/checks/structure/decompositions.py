@@ -31,13 +31,13 @@ from workbook.checks.contract import coercion
 from workbook.checks.contract.claims import Matrix
 from workbook.checks.contract.tolerance import EXACT, half_unit, share
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
+from workbook.checks.references.exceptional_values import judge_everywhere
+from workbook.checks.references.invariant_subspaces import echelon, product, unseen_subspace
+from workbook.checks.references.pairs import pair_of
+from workbook.checks.references.records import by_control, matrix_of, reached, seen
 from workbook.checks.structure.canonical_forms import BY_OBSERVATION, shape_of_form
 from workbook.checks.tools.values import matrix_at, uncertain_entries
 from workbook.checks.tools.wording import number_text, where_text
-from workbook.checks.truths.exceptional_values import judge_everywhere
-from workbook.checks.truths.invariant_subspaces import echelon, product, unseen_subspace
-from workbook.checks.truths.pairs import pair_of
-from workbook.checks.truths.records import by_control, matrix_of, reached, seen
 
 
 @dataclass(frozen=True)

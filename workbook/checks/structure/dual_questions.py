@@ -16,15 +16,15 @@ from sympy.core.relational import Relational
 from workbook.checks.contract.claims import Values
 from workbook.checks.contract.tolerance import EXACT, same
 from workbook.checks.contract.verdict import Wrong
-from workbook.checks.tools.comparisons import Entries, Members, Word
-from workbook.checks.tools.conditions import compare, place_text
-from workbook.checks.tools.values import numbers_at
-from workbook.checks.tools.wording import number_text, where_text
-from workbook.checks.truths.invariant_subspaces import (
+from workbook.checks.references.invariant_subspaces import (
     characteristic_coefficients,
     different_roots,
     restricted,
 )
+from workbook.checks.tools.comparisons import Entries, Members, Word
+from workbook.checks.tools.conditions import compare, place_text
+from workbook.checks.tools.values import numbers_at
+from workbook.checks.tools.wording import number_text, where_text
 
 
 def _output_shows(k, order, number, value):

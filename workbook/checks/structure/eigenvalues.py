@@ -2,9 +2,9 @@
 Theorem 2.3, with a control by Theorem 2.4, and by Theorems 2.5 and 2.6 of a mechanical one."""
 
 from workbook.checks.contract.verdict import judged
+from workbook.checks.references.records import by_control, reached, seen
 from workbook.checks.structure.dual_questions import CONTROL, EIGENVALUES, OUTPUT, judge_eigenvalues
 from workbook.checks.structure.mechanical import DRIVEN, SEEN, judge_roots
-from workbook.checks.truths.records import by_control, reached, seen
 from workbook.systems import Mechanical
 
 

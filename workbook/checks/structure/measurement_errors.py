@@ -13,12 +13,12 @@ from workbook.checks.contract import coercion
 from workbook.checks.contract.claims import Expression
 from workbook.checks.contract.tolerance import EXACT, same
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
+from workbook.checks.references.invariant_subspaces import echelon, product, to_floats
+from workbook.checks.references.records import augmented, seen
 from workbook.checks.tools.comparisons import Same
 from workbook.checks.tools.samples import in_every_case
 from workbook.checks.tools.values import matrix_at, moved, uncertain_entries
 from workbook.checks.tools.wording import number_text, where_text
-from workbook.checks.truths.invariant_subspaces import echelon, product, to_floats
-from workbook.checks.truths.records import augmented, seen
 
 
 @judged

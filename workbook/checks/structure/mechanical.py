@@ -15,6 +15,11 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.verdict import judged
+from workbook.checks.references.invariant_subspaces import (
+    characteristic_coefficients,
+    different_roots,
+)
+from workbook.checks.references.records import seen
 from workbook.checks.structure.dual_questions import (
     CONTROL,
     EIGENVALUES,
@@ -24,8 +29,6 @@ from workbook.checks.structure.dual_questions import (
 )
 from workbook.checks.tools.comparisons import Word
 from workbook.checks.tools.samples import general_values, in_every_case
-from workbook.checks.truths.invariant_subspaces import characteristic_coefficients, different_roots
-from workbook.checks.truths.records import seen
 
 LAMBDA = sp.Symbol("lambda")
 PENCIL = "root of det(M lambda^2 + D lambda + K) = 0"

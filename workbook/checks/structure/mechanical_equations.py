@@ -11,11 +11,11 @@ import sympy as sp
 from workbook.checks.contract.claims import Matrix, Parts
 from workbook.checks.contract.tolerance import share
 from workbook.checks.contract.verdict import Wrong, judged
+from workbook.checks.references.exceptional_values import judge_everywhere
 from workbook.checks.tools.comparisons import Follows
 from workbook.checks.tools.samples import general_values, in_every_case
 from workbook.checks.tools.values import matrix_at
 from workbook.checks.tools.wording import number_text, where_text
-from workbook.checks.truths.exceptional_values import judge_everywhere
 
 
 def _like(name):

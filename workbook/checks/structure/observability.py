@@ -4,11 +4,15 @@ constants as `Measurements`, locally. For the `parameters` (a list of symbols) i
 
 from workbook.checks.contract.claims import Vectors, YesNo
 from workbook.checks.contract.verdict import judged
+from workbook.checks.references.records import seen
 from workbook.checks.structure.dual_questions import OUTPUT, judge_region, judge_yes_no
 from workbook.checks.structure.mechanical import SEEN, judge_rank
-from workbook.checks.structure.unseen_bases import bases_by_value, judge_basis, judge_where_lost
-from workbook.checks.structure.words import PARTS, words
-from workbook.checks.truths.records import seen
+from workbook.checks.structure.phrases import PARTS, words
+from workbook.checks.structure.unobservable_bases import (
+    bases_by_value,
+    judge_basis,
+    judge_where_lost,
+)
 from workbook.systems import Mechanical
 
 

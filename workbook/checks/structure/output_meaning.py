@@ -11,7 +11,7 @@ from sympy.polys.matrices import DomainMatrix
 
 from workbook.checks.contract.claims import Choice
 from workbook.checks.contract.verdict import Wrong, judged
-from workbook.checks.truths.records import matrix_of, row_of
+from workbook.checks.references.records import matrix_of, row_of
 
 
 @judged(Choice(words="quantities"))

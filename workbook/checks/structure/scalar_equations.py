@@ -16,11 +16,11 @@ from sympy.core.function import AppliedUndef
 from workbook.checks.contract.claims import Expressions
 from workbook.checks.contract.tolerance import EXACT, same, share
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
+from workbook.checks.references.exceptional_values import judge_everywhere
+from workbook.checks.references.records import reached, seen
 from workbook.checks.tools.samples import general_values, in_every_case
 from workbook.checks.tools.values import number_at, numbers_at, uncertain_entries
 from workbook.checks.tools.wording import number_text, where_text
-from workbook.checks.truths.exceptional_values import judge_everywhere
-from workbook.checks.truths.records import reached, seen
 
 LARGEST_ORDER = 12
 

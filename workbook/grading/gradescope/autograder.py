@@ -17,13 +17,13 @@ from contextlib import suppress
 from pathlib import Path
 
 from workbook.grading import assignment as assignments
-from workbook.grading import belonging, exporting, record, submissions
-from workbook.grading.bench import unreadable
+from workbook.grading import exporting, matching, record, submissions
 from workbook.grading.feedback import hints
+from workbook.grading.grader import unreadable
 from workbook.grading.gradescope.own_user import OwnUser
 from workbook.grading.judging import Bounds, judge
-from workbook.grading.printable import printable
 from workbook.grading.sandbox import Limits
+from workbook.grading.sanitising import printable
 from workbook.grading.scores import of_student
 from workbook.grading.store import Attempt
 from workbook.notebooks import exercises
@@ -110,9 +110,7 @@ def _submitted(folder, scratch, homework):
             place.symlink_to("/nowhere")  # named as what it is, and not followed
     found, aside = {}, []
     for one in submissions.find(scratch):
-        problem = (
-            one if isinstance(one, submissions.Aside) else belonging.problem_for(one, homework)
-        )
+        problem = one if isinstance(one, submissions.Aside) else matching.problem_for(one, homework)
         if isinstance(problem, submissions.Aside):
             aside.append(problem)
         else:

@@ -12,7 +12,7 @@ import subprocess
 import sys
 from dataclasses import asdict
 
-from workbook.grading import isolation, system_calls, worker
+from workbook.grading import isolation, notebook_worker, seccomp
 from workbook.grading.sandbox import Outcome, Sandbox
 
 
@@ -67,7 +67,7 @@ class OwnUser(Sandbox):
 def keep(user, group, limits, modules):
     """As root: run the worker, for a notebook within the limits that finds `modules` imported, as
     another user, who cannot reach this process, and end as the worker ends."""
-    isolation.system_call("prctl", worker.PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
+    isolation.system_call("prctl", notebook_worker.PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
     this, child = os.getpid(), os.fork()
     if child == 0:
         try:
@@ -77,8 +77,8 @@ def keep(user, group, limits, modules):
             isolation.end_with_parent(this)
             os.umask(0o077)
             # No namespace confines the network here.
-            system_calls.FAMILIES = (socket.AF_UNIX,)
-            worker.once(limits, modules)
+            seccomp.FAMILIES = (socket.AF_UNIX,)
+            notebook_worker.once(limits, modules)
         except BaseException as error:
             print(repr(error), file=sys.stderr, flush=True)  # the grader reads the last line
         finally:

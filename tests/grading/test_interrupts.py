@@ -1,0 +1,81 @@
+"""Ctrl-C that arrives while Python finalizes something stops the grader all the same."""
+
+import signal
+import sys
+import threading
+import time
+import weakref
+
+import pytest
+
+from workbook.grading.interrupts import ctrl_c_heeded
+
+
+class Disturbed:
+    """Ctrl-C arrives in the midst of its finalizer."""
+
+    def __del__(self):
+        signal.raise_signal(signal.SIGINT)
+
+
+def in_del():
+    Disturbed()
+
+
+def in_a_callback():
+    class Thing:
+        pass
+
+    thing = Thing()
+    kept = weakref.ref(thing, lambda _: signal.raise_signal(signal.SIGINT))
+    del thing
+    assert kept() is None
+
+
+@pytest.fixture(autouse=True)
+def heeding():
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
+
+
+@pytest.fixture
+def ignored(monkeypatch):
+    """What Python tells that it ignores."""
+    told = []
+    monkeypatch.setattr(sys, "unraisablehook", lambda one: told.append(one.exc_type))
+    return told
+
+
+@pytest.mark.parametrize("finalizing", [in_del, in_a_callback])
+class TestFinalizers:
+    def test_unguarded_it_is_lost(self, finalizing, ignored):
+        finalizing()
+        assert ignored == [KeyboardInterrupt]
+
+    def test_it_comes_again_while_the_grader_waits(self, finalizing, ignored):
+        reached = []
+        with pytest.raises(KeyboardInterrupt), ctrl_c_heeded():
+            finalizing()
+            reached.append("went on")
+            time.sleep(20)
+            reached.append("was not stopped")
+        assert reached == ["went on"] and not ignored
+
+    def test_at_the_latest_at_the_end(self, finalizing, ignored):
+        with pytest.raises(KeyboardInterrupt), ctrl_c_heeded():
+            finalizing()
+        assert not ignored
+        time.sleep(0.2)  # and not once more after that
+
+
+def test_whatever_else_is_ignored_is_told_as_before(ignored):
+    class Broken:
+        def __del__(self):
+            raise ValueError
+
+    hook = sys.unraisablehook
+    with ctrl_c_heeded():
+        Broken()
+    assert ignored == [ValueError] and sys.unraisablehook is hook
+    assert not [thread for thread in threading.enumerate() if isinstance(thread, threading.Timer)]

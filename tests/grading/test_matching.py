@@ -1,0 +1,139 @@
+"""For which problem of a homework a notebook counts, and what a homework without a file asks
+for."""
+
+import json
+import sys
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parent))
+from classroom import an_assignment, hand_in
+
+from workbook.grading import matching, submissions, submitted_file
+from workbook.grading.gradescope import autograder
+
+
+def without_metadata(path):
+    given = json.loads(path.read_text())
+    path.write_text(json.dumps(given | {"metadata": {}}))
+    return path
+
+
+def found(folder):
+    return list(submissions.find(folder / "submitted"))
+
+
+@pytest.mark.parametrize(
+    "problem, name, named, meant",
+    [
+        ("1.15", "ch1-p15.ipynb", True, "1.15"),
+        ("1.17", "ch1-p17.ipynb", True, None),
+        ("1.17", "mine.ipynb", True, None),
+        ("1.17", "ch1-p17.ipynb", False, None),
+        ("1.15", "mine.ipynb", False, "1.15"),
+        ("1.17", "ch99-p98.ipynb", False, "1.15"),
+    ],
+)
+def test_a_homework_of_one_problem(tmp_path, problem, name, named, meant):
+    """What names another problem of the workbook is not taken for an attempt at the only one that
+    is asked for."""
+    homework = an_assignment(tmp_path, 'problems = ["1.15"]')
+    path = hand_in(tmp_path, "ann", problem, {}, name=name)
+    if not named:
+        without_metadata(path)
+    (one,) = found(tmp_path)
+    answer = matching.problem_for(one, homework)
+    assert (
+        answer == meant
+        if meant
+        else answer
+        == submissions.Aside(
+            one.path,
+            "it is for problem 1.17, which this homework does not ask for",
+            "ann",
+            "hw1",
+            "1.17",
+        )
+    )
+
+
+def test_on_gradescope_too(tmp_path):
+    homework = an_assignment(tmp_path, 'problems = ["1.15"]')
+    stray = hand_in(tmp_path, "ann", "1.17", {})
+    (tmp_path / "scratch").mkdir()
+    graded, aside, remarks = autograder._submitted(stray.parent, tmp_path / "scratch", homework)
+    assert graded == [] and len(aside) == 1
+    assert (
+        remarks[0]
+        == "left aside: ch1-p17.ipynb: it is for problem 1.17, which this homework does not ask for"
+    )
+
+
+def test_a_file_that_gradescope_cannot_read_is_named(tmp_path, monkeypatch):
+    homework = an_assignment(tmp_path, 'problems = ["1.15"]')
+    path = hand_in(tmp_path, "ann", "1.15", {})
+    (tmp_path / "scratch").mkdir()
+    monkeypatch.setattr(
+        submitted_file,
+        "content",
+        lambda path: (_ for _ in ()).throw(OSError(5, "Input/output error")),
+    )
+    graded, _, remarks = autograder._submitted(path.parent, tmp_path / "scratch", homework)
+    assert (
+        graded == []
+        and "left aside: ch1-p15.ipynb: this file cannot be read (Input/output error)" in remarks
+    )
+
+
+@pytest.mark.parametrize(
+    "name, number",
+    [
+        ("ch1-p15", "1.15"),
+        ("Copy of ch1-p15", "1.15"),
+        ("Able_Ann_12345_ch1-p15", "1.15"),
+        ("ch1-p15 (1)", "1.15"),
+        ("123_45_ch1-p15", "1.15"),
+        ("ann-ch1-p15", "1.15"),
+        ("ch1-p15-Copy1", "1.15"),
+        ("Ch1-P04", "1.4"),
+        ("ch2_5", "2.5"),
+        ("ch1p15", "1.15"),
+        ("1.15", "1.15"),
+        ("1_15-final", "1.15"),
+        ("ch1-p15 and ch1-p17", None),
+        ("notes", None),
+        ("Able_1_15", None),
+        ("branch1-p15", None),
+        ("ch1-p1500", None),
+    ],
+)
+def test_names(name, number):
+    assert submitted_file.number_of_name(name) == number
+
+
+def hands_in(folder, **problems):
+    for student, numbers in problems.items():
+        for number in numbers:
+            hand_in(folder, student, number, {})
+
+
+@pytest.mark.parametrize(
+    "problems, asked, alone",
+    [
+        ({"ann": ["1.15"], "bob": ["1.15"], "cid": ["1.15", "1.17"]}, ("1.15",), ["1.17"]),
+        ({"ann": ["1.15", "1.17"], "bob": ["1.15", "1.17"], "cid": ["1.15"]}, ("1.15", "1.17"), []),
+        ({"ann": ["1.15"], "bob": ["1.15", "1.17"]}, ("1.15", "1.17"), []),
+        ({"ann": ["1.4"], "bob": ["1.15"], "cid": ["1.17"]}, ("1.4", "1.15", "1.17"), []),
+    ],
+)
+def test_a_stray_in_a_homework_without_a_file(tmp_path, problems, asked, alone):
+    hands_in(tmp_path, **problems)
+    homework, whys = matching.unwritten("hw1", found(tmp_path))
+    assert homework.problems == asked and list(whys) == alone
+    for why in whys.values():
+        assert why == (
+            "only cid handed in problem 1.17, while others share 1.15: it is not taken for part of "
+            "hw1; "
+            "an assignment.toml would say what is"
+        )

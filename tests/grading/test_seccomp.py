@@ -1,0 +1,157 @@
+"""The filter of system calls: what it denies, in a process of its own, and that computing goes on
+as before."""
+
+import ctypes
+import errno
+import platform
+import socket
+import struct
+
+import pytest
+
+from workbook.grading import seccomp
+from workbook.grading.isolation import NoIsolation, system_call
+from workbook.grading.notebook_worker import PR_SET_NO_NEW_PRIVS
+from workbook.notebooks.execution import in_child
+
+
+def _under_the_filter(function):
+    system_call("prctl", PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0)
+    seccomp.forbid()
+    return function()
+
+
+def _denied():
+    """Each denied call, tried with arguments of zero: the number of its error."""
+    libc = ctypes.CDLL(None, use_errno=True)
+    column = seccomp.ARCHITECTURES[platform.machine()][1]
+    found = {}
+    for name, numbers in seccomp.DENIED.items():
+        ctypes.set_errno(0)
+        found[name] = [libc.syscall(numbers[column], 0, 0, 0, 0, 0, 0), ctypes.get_errno()]
+    return found
+
+
+def test_denied():
+    assert in_child(_under_the_filter, _denied, timeout=60) == dict.fromkeys(
+        seccomp.DENIED, [-1, errno.EPERM]
+    )
+
+
+def _settings():
+    """What a process may ask about itself, and what it may not set: the error's number."""
+    libc = ctypes.CDLL(None, use_errno=True)
+    column = seccomp.ARCHITECTURES[platform.machine()][1]
+    limit, action = ctypes.create_string_buffer(16), ctypes.create_string_buffer(152)
+    found = []
+    for call, arguments in (
+        (seccomp.PRLIMIT, (0, 0, None, limit)),
+        (seccomp.PRLIMIT, (0, 0, limit, None)),
+        (seccomp.SIGACTION, (17, None, action, 8)),
+        (seccomp.SIGACTION, (17, action, None, 8)),
+        (seccomp.SIGACTION, (10, action, None, 8)),
+    ):
+        ctypes.set_errno(0)
+        found.append([libc.syscall(call[column], *arguments), ctypes.get_errno()])
+    return found
+
+
+def test_limits_and_the_end_of_children_can_be_asked_but_not_set():
+    asked, denied = [0, 0], [-1, errno.EPERM]
+    assert in_child(_under_the_filter, _settings, timeout=60) == [
+        asked,
+        denied,
+        asked,
+        denied,
+        asked,
+    ]
+
+
+def _clones():
+    libc = ctypes.CDLL(None, use_errno=True)
+    column = seccomp.ARCHITECTURES[platform.machine()][1]
+    found = []
+    for flag in (0x20000, 0x2000000, 0x4000000, 0x8000000, 0x10000000, 0x20000000, 0x40000000):
+        found.append(
+            [libc.syscall(seccomp.CLONE[column], flag | 17, 0, 0, 0, 0), ctypes.get_errno()]
+        )
+    found.append([libc.syscall(seccomp.CLONE3[column], 0, 0), ctypes.get_errno()])
+    return found
+
+
+def test_no_clone_with_a_new_namespace():
+    assert in_child(_under_the_filter, _clones, timeout=60) == [[-1, errno.EPERM]] * 7 + [
+        [-1, errno.ENOSYS]
+    ]
+
+
+def _sockets():
+    found = {}
+    for name, number in {
+        "unix": 1,
+        "inet": 2,
+        "inet6": 10,
+        "netlink": 16,
+        "packet": 17,
+        "bluetooth": 31,
+        "alg": 38,
+        "vsock": 40,
+    }.items():
+        try:
+            socket.socket(
+                number, socket.SOCK_RAW if name in ("netlink", "packet") else socket.SOCK_STREAM
+            ).close()
+            found[name] = 0
+        except OSError as error:
+            found[name] = error.errno
+    return found
+
+
+def test_sockets_of_confined_families_only():
+    found = in_child(_under_the_filter, _sockets, timeout=60)
+    assert found.pop("unix") == found.pop("inet") == 0
+    found.pop("inet6")  # allowed; not every machine has it
+    assert set(found.values()) == {errno.EAFNOSUPPORT}
+
+
+def _ordinary_work():
+    import subprocess
+    import threading
+
+    import numpy
+    from scipy.integrate import solve_ivp
+
+    threads = [threading.Thread(target=numpy.linalg.eig, args=(numpy.eye(50),)) for _ in range(3)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join(timeout=30)
+    solve_ivp(lambda t, x: -x, (0, 1), [1.0], method="LSODA")
+    socket.socketpair()
+    called = []
+    ctypes.CFUNCTYPE(None)(lambda: called.append(1))()
+    return [
+        subprocess.run(["/bin/echo", "fine"], capture_output=True, text=True, timeout=30).stdout,
+        called,
+    ]
+
+
+def test_computing_goes_on():
+    assert in_child(_under_the_filter, _ordinary_work, timeout=60) == ["fine\n", [1]]
+
+
+@pytest.mark.parametrize("machine", seccomp.ARCHITECTURES)
+def test_every_jump_of_the_program_stays_within(machine):
+    program = seccomp._program(machine)
+    steps = [struct.unpack("HBBI", program[k : k + 8]) for k in range(0, len(program), 8)]
+    assert len(steps) < 4096, "as long as the kernel takes"
+    for k, (code, if_true, if_false, _) in enumerate(steps):
+        if code & 7 == 5:
+            assert k + 1 + max(if_true, if_false) < len(steps)
+    assert steps[-1] == (6, 0, 0, seccomp.ALLOW)
+
+
+def test_unknown_machines_are_refused(monkeypatch):
+    monkeypatch.setattr(platform, "machine", lambda: "pdp11")
+    with pytest.raises(NoIsolation, match="pdp11"):
+        seccomp.check_known()

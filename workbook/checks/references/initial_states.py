@@ -1,0 +1,160 @@
+"""Outputs z = H e^(At) L u of unknown numbers u: which u the output never shows, for all values of
+the parameters, exactly.
+
+Where a start is known in part, as with an error C sin(omega t) whose amplitude alone is unknown,
+only some motions of x' = A x come into question: those from x(0) = L u. Such a motion is unseen
+exactly if L u lies in the largest invariant subspace of ker H.
+
+Where a row H(t) consists of sines, cosines, exponentials and powers of t, the products of these
+functions with the coordinates obey linear equations with constant coefficients. So z = H(t) x is an
+output of a constant system of higher order, from known starts for every x(0). No derivative rows
+are needed.
+"""
+
+import functools
+
+import numpy as np
+import sympy as sp
+from sympy.polys.matrices import DomainMatrix
+
+from workbook.checks.references.invariant_subspaces import ONE, echelon, kernel, to_floats
+from workbook.checks.references.pairs import Pair
+from workbook.checks.tools.conditions import Case
+
+#: More functions than this a row H(t) of a problem does not need for its derivatives.
+MOST_FUNCTIONS = 16
+
+
+def starts_of(A, H, L, parameters=(), of=None):
+    """The `Starts` of matrices as the data give them; `of` are the positions of the u that is asked
+    for, if not all of it."""
+    return _known_starts(
+        sp.ImmutableMatrix(A), sp.ImmutableMatrix(H), sp.ImmutableMatrix(L), tuple(parameters), of
+    )
+
+
+def starts_of_varying(A, H, time, parameters=()):
+    """The products of the functions in H(t) with the coordinates of x as one constant system, from
+    its starts for every x(0)."""
+    functions, rates, rows = _functions(H, time)
+    n, E = A.rows, sp.eye(len(functions))
+    matrix = sp.kronecker_product(rates, sp.eye(n)) + sp.kronecker_product(E, A)
+    begin = sp.Matrix([f.subs(time, 0) for f in functions])
+    return starts_of(
+        matrix, sp.Matrix.hstack(*rows), sp.kronecker_product(begin, sp.eye(n)), parameters
+    )
+
+
+@functools.lru_cache(maxsize=64)
+def _known_starts(A, H, L, parameters, of):
+    return Starts(A, H, L, parameters, of)
+
+
+class Starts(Pair):
+    """A pair (A, H) of rational functions of the parameters with the matrix L of numbers: `unseen`
+    are now vectors u."""
+
+    def __init__(self, A, H, L, parameters, of=None):
+        super().__init__(A, H, parameters)
+        if L.rows != A.rows:
+            raise ValueError(f"starts of shape {L.shape} belong to no system of order {A.rows}")
+        self.unknowns, self._of = L.cols, of
+        self.starts = [[_fraction(entry) for entry in L.row(i)] for i in range(L.rows)]
+
+    def unseen_at(self, place):
+        """A basis of the u (or of what is asked of them) from which the output stays zero; None
+        where an entry is not defined."""
+        hidden = super().unseen_at(place)
+        if hidden is None:
+            return None
+        # Combinations L u = (hidden) d; the columns of `hidden` are independent, so every one has
+        # its own u.
+        relations = kernel(
+            [[*row, *(vector[i] for vector in hidden)] for i, row in enumerate(self.starts)],
+            self.unknowns + len(hidden),
+        )
+        found = [relation[: self.unknowns] for relation in relations]
+        return (
+            found
+            if self._of is None
+            else echelon([[vector[i] for i in self._of] for vector in found])[0]
+        )
+
+    @functools.cached_property
+    def _seen(self):
+        """Of what is asked for alone: no u that is unseen has a part in it."""
+        if self._of is None:
+            return super()._seen
+        u = sp.symbols(f"u:{self.unknowns}", real=True, cls=sp.Dummy)
+        unseen = sp.And(
+            self._given,
+            *(sp.Eq(row, 0) for row in self._derivative_rows().to_Matrix() * sp.Matrix(u)),
+        )
+        asked = sp.Or(*(sp.Ne(u[i], 0) for i in self._of))
+        return Case(sp.And(self._given, sp.Not(sp.And(unseen, asked))), u, every=True), Case(
+            sp.And(unseen, asked), u
+        )
+
+    def dimension_at(self, values):
+        if self._of is None or all(value.is_Rational for value in values.values()):
+            return super().dimension_at(values)
+        rows = self._rows_at(values)
+        others = [i for i in range(self.unknowns) if i not in self._of]
+        rank = int(np.linalg.matrix_rank(rows, tol=1e-9))
+        return (
+            len(self._of)
+            - rank
+            + (int(np.linalg.matrix_rank(rows[:, others], tol=1e-9)) if others else 0)
+        )
+
+    def state_of(self, vector):
+        return to_floats(self.starts, self.unknowns) @ vector
+
+    def _derivative_rows(self):
+        """The rows H L, H A L, ..., which say what the derivatives of z at t = 0 tell of u."""
+        told = super()._derivative_rows()
+        return told * DomainMatrix(
+            [
+                [told.domain.from_sympy(sp.Rational(x.numerator, x.denominator)) for x in row]
+                for row in self.starts
+            ],
+            (self.order, self.unknowns),
+            told.domain,
+        )
+
+
+def _fraction(entry):
+    entry = sp.nsimplify(entry, rational=True)
+    if not entry.is_Rational:
+        raise ValueError(f"a start has to be given by rational numbers, not by {entry}")
+    return ONE * int(entry.p) / int(entry.q)
+
+
+def _functions(H, time):
+    """Functions f of time with f' = R f and H = f1 H1 + f2 H2 + ...: (f, R, [H1, H2, ...])."""
+    parts = [_split(entry, time) for entry in H]
+    functions = list(dict.fromkeys(f for part in parts for f in part))
+    slopes = []
+    while len(slopes) < len(functions):
+        slopes.append(_split(functions[len(slopes)].diff(time), time))
+        functions += [f for f in slopes[-1] if f not in functions]
+        if len(functions) > MOST_FUNCTIONS:
+            raise ValueError(
+                "H(t) has to consist of sines, cosines, exponentials and powers of the time"
+            )
+    rates = sp.Matrix(len(functions), len(functions), lambda i, j: slopes[i].get(functions[j], 0))
+    return (
+        functions,
+        rates,
+        [sp.Matrix(*H.shape, [part.get(f, 0) for part in parts]) for f in functions],
+    )
+
+
+def _split(expression, time):
+    """{function of time: its coefficient} of a sum."""
+    found = {}
+    for term in sp.Add.make_args(sp.expand(expression)):
+        coefficient, function = term.as_independent(time, as_Add=False)
+        if coefficient != 0:
+            found[function] = found.get(function, 0) + coefficient
+    return found

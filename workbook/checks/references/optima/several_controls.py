@@ -1,0 +1,296 @@
+"""The fastest process with several controls: constant on a few arcs of free lengths, found without
+costates.
+
+Each arc has a length and its controls, within their bounds; the states are followed in small steps.
+Of many random processes those that come closest to the target in a short time are improved by
+IPOPT. Then a short arc with other controls is put in wherever this saves time, as long as there is
+such a place; the best process counts. Processes whose controls vary on an arc are not among those
+compared. The problem is a `pontryagin.Problem` in least time from a given start; only its statement
+is used.
+"""
+
+import functools
+import itertools
+
+import casadi as ca
+import numpy as np
+import sympy as sp
+
+from workbook.checks.references.optima.transfer_optima import rk4
+
+#: Arcs at first and at most, and steps of each: where processes are only compared, and where they
+#: are improved.
+ARCS, MOST, QUICK, STEPS = 3, 5, 4, 12
+#: So many random processes, so many of them improved, and so many values of the parameters.
+TRIED, IMPROVED, CASES = 1500, 3, 24
+#: No arc of a random process is longer than this.
+LONGEST = 4.0
+#: How often arcs are put in, of what length, and what a unit of it has to save.
+ROUNDS, INSERTED, SAVED = 5, 1e-4, 1e-3
+#: Which part of the duration an arc has to take to be one.
+SHORT = 1e-4
+SOLVER = {
+    "ipopt.print_level": 0,
+    "print_time": False,
+    "ipopt.sb": "yes",
+    "ipopt.tol": 1e-10,
+    "ipopt.max_iter": 60,
+    "ipopt.bound_relax_factor": 0.0,
+    "ipopt.acceptable_iter": 0,
+    "show_eval_warnings": False,
+    "error_on_fail": False,
+    "calc_lam_p": False,
+}
+
+
+def optima(problem, parameters=None, places=None):
+    """Pairs ({parameter: value}, `Optimum`) for values of the parameters, a dict from symbols to
+    bounded intervals, or for the values that `places` are, dicts from the same symbols."""
+    if (
+        not problem.time_optimal
+        or problem.maximise
+        or problem.first_return
+        or None in problem.initial.values()
+    ):
+        raise ValueError(
+            "with several controls the cost has to be the least time from a given start"
+        )
+    stated = (
+        *(tuple(table.items()) for table in (problem.dynamics, problem.controls, problem.initial)),
+        tuple(problem.terminal),
+    )
+    if places is None:
+        return _optima(stated, tuple((parameters or {}).items()))
+    return [(place, _search(stated, tuple(place)).best(list(place.values()))) for place in places]
+
+
+class Optimum:
+    """A fastest process: `duration`, which is the `cost`, and `arcs`, pairs (length, values of the
+    controls)."""
+
+    #: What an arc is worth that is too short to be put in, as a share.
+    MISSED = 1e-5
+
+    def __init__(self, lengths, controls):
+        self.duration = self.cost = float(sum(lengths))
+        self.arcs = [(h, u) for h, u in zip(lengths, controls) if h > SHORT * self.duration]
+
+    def told_duration(self, said):
+        return "the best process found ends " + ("earlier" if said > self.duration else "later")
+
+    def cost_size(self):
+        return self.duration
+
+
+@functools.lru_cache(maxsize=16)
+def _optima(stated, parameters):
+    names, random = tuple(symbol for symbol, _ in parameters), np.random.default_rng(19)
+    count = CASES if names else 1
+    search, cases = _search(stated, names), []
+    for _, domain in parameters:
+        # Each parameter takes values all over its interval.
+        shares = (random.permutation(count) + random.uniform(size=count)) / count
+        cases.append(
+            [
+                sp.Rational(round(1000 * value), 1000)
+                for value in float(domain.inf) + (float(domain.sup) - float(domain.inf)) * shares
+            ]
+        )
+    return [
+        (dict(zip(names, case)), search.best([float(value) for value in case]))
+        for case in (zip(*cases) if names else [()])
+    ]
+
+
+@functools.lru_cache(maxsize=16)
+def _search(stated, names):
+    return _Search(stated, names)
+
+
+class _Search:
+    def __init__(self, stated, names):
+        dynamics, controls, self._initial, terminal = stated
+        state, field = zip(*dynamics)
+        own, bounds = zip(*controls)
+        if any(b is None or b.is_finite is False for pair in bounds for b in pair):
+            raise ValueError("with several controls each has to have bounds")
+        self._bounds = sp.lambdify(names, list(bounds), "math")
+        self._start = sp.lambdify(names, [value for _, value in self._initial], "math")
+        self._size = len(own)
+        symbols = [*state, *own, *names]
+        self._rates = sp.lambdify(symbols, list(field), ca)
+        self._gap = sp.lambdify([*state, *names], list(terminal), ca)
+        self._counts = len(state), len(names)
+        # Made once, and kept with this search alone, so that they go when it goes.
+        self._left, self._programme, self._arc = map(
+            functools.cache, (self._left, self._programme, self._arc)
+        )
+
+    def best(self, case):
+        """The best process found for values of the parameters."""
+        random, known = (
+            np.random.default_rng(23),
+            np.array([*self._start(*case), *case], dtype=float),
+        )
+        bounds = np.array(self._bounds(*case), dtype=float).T
+        shares = random.integers(0, 3, (TRIED, ARCS, self._size)) / 2
+        lengths = LONGEST * random.uniform(size=(TRIED, ARCS)) ** 2
+        tried = np.concatenate(
+            [lengths, (bounds[0] + np.ptp(bounds, axis=0) * shares).reshape(TRIED, -1)], axis=1
+        )
+        order = np.argsort(
+            lengths.sum(axis=1) + 4 * np.linalg.norm(self._ends(tried, known), axis=1)
+        )
+        # No two guesses have the same controls at first.
+        kinds = shares[order, 0] @ 3 ** np.arange(self._size)
+        order, found = order[np.sort(np.unique(kinds, return_index=True)[1])], []
+        begun = 0
+        for guess in tried[order]:
+            for _ in range(ROUNDS):
+                one = self._improved(guess, known, bounds)
+                if one is None:
+                    break
+                found.append(one[:2])
+                guess = self._with_an_arc(*one, known, bounds)
+                if guess is None:
+                    break
+            begun += one is not None
+            if begun == IMPROVED:
+                break
+        if not found:
+            raise RuntimeError("no process that satisfies the conditions was found")
+        return Optimum(*min(found, key=lambda one: one[0].sum()))
+
+    def _improved(self, guess, known, bounds):
+        """(Lengths, controls, what the target's conditions are worth) of IPOPT's optimum from a
+        guess, or None."""
+        count = len(guess) // (1 + self._size)
+        solver, states = self._programme(count)
+        lower, upper = (
+            np.concatenate([np.full(count, end), np.tile(own, count)])
+            for end, own in zip((0.0, np.inf), bounds)
+        )
+        guess, free = np.clip(guess, lower, upper), np.full(count * self._counts[0], np.inf)
+        one = solver(
+            x0=np.concatenate([guess, np.array(states(guess, known)).ravel("F")]),
+            p=known,
+            lbg=0,
+            ubg=0,
+            lbx=np.concatenate([lower, -free]),
+            ubx=np.concatenate([upper, free]),
+        )
+        if solver.stats()["return_status"] != "Solve_Succeeded":
+            return None
+        found, worth = (np.array(one[name]).ravel() for name in ("x", "lam_g"))
+        return (
+            found[:count],
+            found[count : len(guess)].reshape(count, self._size),
+            worth[len(free) :],
+        )
+
+    def _with_an_arc(self, lengths, controls, worth, known, bounds):
+        """The process with the arc put in that saves most, or None if none does."""
+        kept = [(h, u) for h, u in zip(lengths, controls) if h > SHORT * lengths.sum()]
+        if len(kept) >= MOST:
+            return None
+        plain, best, chosen = self._ends(_packed(kept)[None], known), -SAVED, None
+        # Between arcs, and inside of one, which it divides.
+        for base, places in (
+            (kept, range(len(kept) + 1)),
+            *(
+                (
+                    [
+                        *kept[:k],
+                        *[(kept[k][0] * part, kept[k][1]) for part in (share, 1 - share)],
+                        *kept[k + 1 :],
+                    ],
+                    [k + 1],
+                )
+                for k in range(len(kept))
+                for share in (0.5, 0.9)
+            ),
+        ):
+            guesses = [
+                _packed([*base[:place], (INSERTED, np.array(rival)), *base[place:]])
+                for place in places
+                for rival in itertools.product(*bounds.T)
+            ]
+            rates = 1 + (self._ends(np.array(guesses), known) - plain) @ worth / INSERTED
+            if rates.min() < best:
+                best, chosen = rates.min(), guesses[int(np.argmin(rates))]
+        return None if chosen is None else np.where(chosen == INSERTED, 0.1 * lengths.sum(), chosen)
+
+    def _ends(self, processes, known):
+        """What is left at the end of each of many processes, a row each."""
+        left = self._left(processes.shape[1] // (1 + self._size))
+        return np.array(left(processes.T, np.repeat(known[:, None], len(processes), axis=1))).T
+
+    def _left(self, arcs):
+        """What is left of the target's conditions at the end of so many arcs."""
+        process, known = self._unknown(arcs)
+        return ca.Function(
+            "left", [process, known], [self._missed(self._ends_of(process, known, QUICK), known)]
+        )
+
+    def _programme(self, arcs):
+        """For so many arcs, IPOPT's function, to which the states at their ends are unknown too,
+        and these states."""
+        process, known = self._unknown(arcs)
+        y = ca.SX.sym("y", self._counts[0], arcs)
+        begun = self._ends_of(
+            process, known, STEPS, ca.horzcat(known[: self._counts[0]], y[:, :-1])
+        )
+        programme = {
+            "x": ca.vertcat(process, ca.vec(y)),
+            "p": known,
+            "f": ca.sum1(process[:arcs]),
+            "g": ca.vertcat(ca.vec(begun - y), self._missed(y, known)),
+        }
+        return (
+            ca.nlpsol("several", "ipopt", programme, SOLVER),
+            ca.Function("states", [process, known], [self._ends_of(process, known, STEPS)]),
+        )
+
+    def _unknown(self, arcs):
+        """Symbols of the lengths and controls of arcs, and of what is given: the start and the
+        parameters."""
+        return ca.SX.sym("x", arcs * (1 + self._size)), ca.SX.sym("p", sum(self._counts))
+
+    def _ends_of(self, process, known, steps, begins=None):
+        """The states at the ends of arcs, a column each: they begin in those of `begins`, or one
+        where another ends."""
+        arcs, n, y = process.numel() // (1 + self._size), self._counts[0], []
+        controls = ca.reshape(process[arcs:], self._size, arcs)
+        for k in range(arcs):
+            begin = begins[:, k] if begins is not None else y[-1] if y else known[:n]
+            y.append(self._arc(steps)(begin, process[k], controls[:, k], known[n:]))
+        return ca.horzcat(*y)
+
+    def _missed(self, states, known):
+        """What is left of the target's conditions in the last state."""
+        n = self._counts[0]
+        return ca.vertcat(
+            *self._gap(
+                *ca.vertsplit(states[:, -1]), *map(known.__getitem__, range(n, known.numel()))
+            )
+        )
+
+    def _arc(self, steps):
+        """The state at the end of an arc, by the method of Runge and Kutta in so many steps."""
+        n, size, count = self._counts[0], self._size, self._counts[1]
+        y, length, u, p = (
+            ca.SX.sym(*symbol) for symbol in (("y", n), ("T", 1), ("u", size), ("p", count))
+        )
+        held = [u[k] for k in range(size)] + [p[k] for k in range(count)]
+
+        def rates(_, z):
+            return ca.vertcat(*self._rates(*ca.vertsplit(z), *held))
+
+        end = y
+        for _ in range(steps):
+            end = rk4(rates, 0, end, length / steps)
+        return ca.Function("arc", [y, length, u, p], [end])
+
+
+def _packed(parts):
+    return np.concatenate([[h for h, _ in parts], *(u for _, u in parts)])

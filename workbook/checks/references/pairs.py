@@ -1,0 +1,237 @@
+"""A matrix A and an output z = H x whose entries hold parameters: what the output never shows, at
+any place of the parameters.
+
+For all places at once the property is that Kalman's determinant is not zero, or for several outputs
+the sum of the squares of all its minors; at one place it is decided, exactly, by
+`invariant_subspaces`.
+"""
+
+import functools
+from fractions import Fraction
+
+import numpy as np
+import sympy as sp
+from sympy.polys.matrices import DomainMatrix
+
+from workbook.checks.references.invariant_subspaces import to_floats, unseen_subspace
+from workbook.checks.tools.conditions import Case, Truth, allowed
+from workbook.checks.tools.samples import cases, general_values, in_every_case
+
+
+@functools.lru_cache(maxsize=64)
+def known_pair(A, H, parameters):
+    """The `Pair` of the data, given as immutable matrices and a tuple: what has been found of it is
+    kept."""
+    return Pair(A, H, parameters)
+
+
+def pair_of(A, H, parameters=()):
+    """The `Pair` of matrices as a data cell gives them."""
+    return known_pair(sp.ImmutableMatrix(A), sp.ImmutableMatrix(H), tuple(parameters))
+
+
+class Pair:
+    """A square matrix A and the matrix H of an output, both of rational functions of the
+    parameters."""
+
+    def __init__(self, A, H, parameters):
+        if A.rows != A.cols or H.cols != A.cols:
+            raise ValueError(f"matrices of the shapes {A.shape} and {H.shape} make no system")
+        self.order, self.outputs, self.parameters = A.rows, H.rows, list(parameters)
+        self.unknowns = self.order  # what is asked for is the whole state
+        self._quotients = [[self._quotient(entry) for entry in matrix] for matrix in (A, H)]
+
+    def _quotient(self, entry):
+        entry = sp.nsimplify(entry, rational=True) if entry.has(sp.Float) else sp.sympify(entry)
+        polys = [
+            sp.Poly(part, *(self.parameters or [sp.Dummy()]), domain="QQ")
+            for part in sp.fraction(sp.together(entry))
+        ]
+        return polys
+
+    def at(self, place):
+        """(A, H) as lists of rows at a place, or None where an entry is not defined."""
+        n, found = self.order, []
+        for quotients in self._quotients:
+            numbers = []
+            for numerator, denominator in quotients:
+                below = _value(denominator, place)
+                if not below:
+                    return None
+                numbers.append(_value(numerator, place) / below)
+            found.append([numbers[k : k + n] for k in range(0, len(numbers), n)])
+        return found
+
+    def unseen_at(self, place):
+        """A basis of the states from which the output stays zero, or None where an entry is not
+        defined."""
+        rows = self.at(place)
+        return None if rows is None else unseen_subspace(*rows)
+
+    def state_of(self, vector):
+        """The initial state that a vector of the unknowns stands for."""
+        return vector
+
+    @functools.cached_property
+    def samples(self):
+        """Pairs (values, place) for the parameters in general position, as their assumptions allow;
+        one empty pair without parameters."""
+        found = [(values, place_of(values)) for values in general_values(self.parameters)]
+        return [(values, place) for values, place in found if self.at(place) is not None]
+
+    def samples_for(self, claim):
+        """Triples (values, place, unseen): the samples, and more in general position where an
+        answer distinguishes cases that these do not meet."""
+        found = [
+            (values, place, unseen) for (values, place), unseen in zip(self.samples, self.unseen)
+        ]
+        if not cases(claim):
+            return found
+        known = [values for values, _ in self.samples]
+        more = [
+            (values, place_of(values))
+            for values in in_every_case(known, claim, self.in_general)[len(known) :]
+        ]
+        return found + [
+            (values, place, self.unseen_at(place))
+            for values, place in more
+            if self.at(place) is not None
+        ]
+
+    @functools.cached_property
+    def unseen(self):
+        """The basis of the unseen states at every sample."""
+        return [self.unseen_at(place) for _, place in self.samples]
+
+    @functools.cached_property
+    def in_general(self):
+        """The condition on the parameters under which the matrices are defined and as much is
+        unseen as in general."""
+        dimensions = set(map(len, self.unseen))
+        rank = self.unknowns - min(dimensions)
+        told = self._derivative_rows()
+        # This coefficient is the sum of the squares of all minors of that size.
+        minors = (told.transpose() * told).charpoly()[rank]
+        return sp.And(
+            *(sp.Ne(poly.as_expr(), 0) for poly in self._denominators),
+            sp.Ne(told.domain.to_sympy(minors), 0),
+        )
+
+    @functools.cached_property
+    def systems(self):
+        """(values, A, H, unseen) at every sample: arrays of floats, a basis of the unseen states in
+        the rows of the last."""
+        return self.systems_for(())
+
+    def systems_for(self, claim):
+        """The same at every one of `samples_for` an answer."""
+        return [
+            (
+                values,
+                *(to_floats(rows, self.order) for rows in self.at(place)),
+                to_floats(unseen, self.unknowns),
+            )
+            for values, place, unseen in self.samples_for(claim)
+        ]
+
+    @functools.cached_property
+    def boundaries(self):
+        """Polynomials in the parameters: only where one of them vanishes can the output show fewer
+        states than in general."""
+        return [poly for poly in {*self._denominators, self._determinant} if not poly.is_ground]
+
+    @functools.cached_property
+    def _denominators(self):
+        return {denominator for quotients in self._quotients for _, denominator in quotients}
+
+    @functools.cached_property
+    def _determinant(self):
+        """Zero where the output does not show all unknowns: Kalman's, or the sum of the squares of
+        all its minors."""
+        told = self._derivative_rows()
+        square = told if told.shape[0] == told.shape[1] else told.transpose() * told
+        return sp.Poly(square.domain.to_sympy(square.charpoly()[-1]), *self.parameters, domain="QQ")
+
+    def truth(self, holds):
+        """The `Truth` of a condition on the parameters under which all unknowns are seen, or with
+        `holds` False are not."""
+        all_seen, something_unseen = self._seen
+        inside, outside = (all_seen, something_unseen) if holds else (something_unseen, all_seen)
+
+        def at(values):
+            return (
+                None
+                if self._given.subs(values) is sp.false
+                else (self.dimension_at(values) == 0) == holds
+            )
+
+        return Truth((inside,), (outside,), at)
+
+    @functools.cached_property
+    def _given(self):
+        """That the matrices are defined, as a condition."""
+        return sp.And(*(sp.Ne(poly.as_expr(), 0) for poly in self._denominators))
+
+    @functools.cached_property
+    def _seen(self):
+        """The `Case` in which all unknowns are seen, and the one in which something is not."""
+        zero = sp.Eq(self._determinant.as_expr(), 0)
+        return Case(sp.And(self._given, sp.Not(zero))), Case(sp.And(self._given, zero))
+
+    def dimension_at(self, values):
+        """The number of independent unseen states at exact values of the parameters."""
+        if all(value.is_Rational for value in values.values()):
+            return len(self.unseen_at(place_of(values)))
+        return self.unknowns - int(np.linalg.matrix_rank(self._rows_at(values), tol=1e-9))
+
+    def _rows_at(self, values):
+        rows = np.array(self._derivative_rows().to_Matrix().subs(values).evalf(30), dtype=float)
+        return rows / np.maximum(np.linalg.norm(rows, axis=1, keepdims=True), 1e-300)
+
+    def _derivative_rows(self):
+        """Kalman's matrix: what the output and its derivatives at t = 0 tell of the unknowns,
+        without denominators."""
+        A, H = (self._cleared(quotients) for quotients in self._quotients)
+        rows = [H]
+        while len(rows) < self.order:
+            rows.append(rows[-1] * A)
+        return rows[0].vstack(*rows[1:])
+
+    def _cleared(self, quotients):
+        """The matrix times its common denominator, over the ring of polynomials."""
+        ring = sp.QQ[tuple(self.parameters)]
+        common = functools.reduce(
+            lambda one, other: one.lcm(other), (below for _, below in quotients)
+        )
+        entries = [
+            ring.from_sympy((above * common.quo(below)).as_expr()) for above, below in quotients
+        ]
+        rows = [entries[k : k + self.order] for k in range(0, len(entries), self.order)]
+        return DomainMatrix(rows, (len(rows), self.order), ring)
+
+
+def place_of(values):
+    """Rational values of the parameters as a place: fractions in a row."""
+    return tuple(Fraction(int(x.p), int(x.q)) for x in values.values())
+
+
+def special_values(polynomials, parameter):
+    """The rational values of a single parameter, as its assumptions allow, at which one of the
+    polynomials vanishes."""
+    roots = {root for poly in polynomials if not poly.is_ground for root in poly.ground_roots()}
+    return sorted(root for root in roots if allowed(parameter, int(sp.sign(root))))
+
+
+def _value(poly, place):
+    factor, numerator = _compiled(poly)
+    return (numerator if isinstance(numerator, Fraction) else Fraction(numerator(*place))) / factor
+
+
+@functools.lru_cache(maxsize=512)
+def _compiled(poly):
+    """A polynomial with rational coefficients as whole ones over a number: fractions stay fractions
+    in its code."""
+    factor, whole = poly.clear_denoms(convert=True)
+    return Fraction(int(factor)), Fraction(int(whole.LC())) if whole.is_ground else sp.lambdify(
+        poly.gens, whole.as_expr(), []
+    )

@@ -1,0 +1,246 @@
+"""Linear random processes at numbers: what their moments become with time, and what measurements
+leave of them.
+
+Moments at any set of times come at once, from a matrix exponential, and measurements are taken all
+together, by the conditional moments of a Gaussian vector: no dispersion equation is integrated and
+no filter is run. Steady filters come from the invariant subspaces of their Hamiltonian or
+symplectic pencils (SciPy).
+"""
+
+import functools
+import itertools
+from dataclasses import dataclass, replace
+
+import numpy as np
+import sympy as sp
+
+from workbook.checks.references.fixed_modes import ON_BORDER, fixed_eigenvalues
+from workbook.checks.references.pairs import pair_of
+from workbook.checks.tools.conditions import Case, Truth
+from workbook.systems import Coloured, FilterErrors, Process
+
+
+@dataclass(frozen=True)
+class Numbers:
+    """A `Process` at values of its symbols: arrays of floats."""
+
+    A: np.ndarray
+    Q: np.ndarray
+    H: np.ndarray
+    R: np.ndarray
+    mean: np.ndarray
+    covariance: np.ndarray
+    discrete: bool
+
+
+def numbers(process, values, start=True):
+    """The process at values of its symbols, as arrays; without its `start` with zeros as its first
+    moments."""
+    process = plain(process)
+    arrays = _arrays(process, tuple(values.items()), start)
+    return Numbers(*(part.copy() for part in arrays), process.discrete)
+
+
+@functools.lru_cache(maxsize=256)
+def _arrays(process, values, start):
+    """Every claim about a process is tried at the same values."""
+    values = dict(values)
+    start = (
+        (process.mean, process.covariance) if start else (process.mean * 0, process.covariance * 0)
+    )
+    return [
+        array(matrix, values) for matrix in (process.A, process.Q, process.H, process.R, *start)
+    ]
+
+
+@functools.lru_cache(maxsize=32)
+def plain(process):
+    """The `Process` of x and, below it, the noise w of a `Coloured` one, or that of `FilterErrors`,
+    which at the start are those of the mean; any other as it is.
+
+    A correlation D exp(-a delay) belongs to w' = -a w + q with the intensity 2 a D, from w(0) with
+    the variance D on.
+    """
+    if isinstance(process, FilterErrors):
+        one, gain = plain(process.process), process.gain
+        return Process(
+            one.A - gain * one.H,
+            one.Q + gain * one.R * gain.T,
+            covariance=one.covariance,
+            discrete=one.discrete,
+        )
+    if not isinstance(process, Coloured):
+        return process
+    D, a = variance_and_rate(process)
+    n = process.A.rows
+    A, noise, start = (sp.zeros(n + 1) for _ in range(3))
+    A[:n, :n], A[:n, n:], A[n, n] = process.A, process.B, -a
+    noise[n, n], start[:n, :n], start[n, n] = 2 * a * D, process.covariance, D
+    return Process(A, noise, process.H.row_join(process.C), process.R, 0, start)
+
+
+def shape_of(name):
+    """The shape of a claim that is like this matrix of the process among the data."""
+    return lambda data: getattr(plain(data["process"]), name).shape
+
+
+def variance_and_rate(process):
+    """(D, a) of the correlation D exp(-a delay) of a `Coloured` process."""
+    D = process.correlation.subs(process.delay, 0)
+    a = sp.simplify(-process.correlation.diff(process.delay) / process.correlation)
+    if a.has(process.delay):
+        raise ValueError(f"the correlation {process.correlation} is not a single exponential")
+    return D, a
+
+
+def array(matrix, values):
+    return np.array(sp.Matrix(matrix).subs(values).evalf(30).tolist(), dtype=float).reshape(
+        matrix.shape
+    )
+
+
+def moved(one, duration):
+    """(F, N) with x(t + duration) = F x(t) + a vector of the covariance N that is independent of
+    x(t)."""
+    n = len(one.A)
+    if one.discrete:
+        powers = [np.linalg.matrix_power(one.A, k) for k in range(round(duration) + 1)]
+        return powers[-1], sum((F @ one.Q @ F.T for F in powers[:-1]), np.zeros((n, n)))
+    return _moved(one.A.tobytes(), one.Q.tobytes(), n, float(duration))
+
+
+@functools.lru_cache(maxsize=256)
+def _moved(A, Q, n, duration):
+    """The same in continuous time: it is asked again with every answer, and takes longer than all
+    else."""
+    from scipy.linalg import expm
+
+    A, Q = (np.frombuffer(part).reshape(n, n) for part in (A, Q))
+    # The linear equation of the n^2 entries of N, with 1 as one more: what decays stays small here.
+    # The exponential of the block matrix of -A, Q and A^T (Van Loan 1978) grows with it and leaves
+    # N few digits.
+    sums = np.kron(A, np.eye(n)) + np.kron(np.eye(n), A)
+    block = np.block([[sums, Q.reshape(-1, 1)], [np.zeros((1, n * n + 1))]])
+    noise = expm(duration * block)[:-1, -1].reshape(n, n)
+    found = expm(duration * A), (noise + noise.T) / 2
+    for matrix in found:
+        matrix.flags.writeable = False
+    return found
+
+
+def moments(one, time):
+    """Mean (n x 1) and covariance of x at a time."""
+    F, N = moved(one, time)
+    return F @ one.mean, F @ one.covariance @ F.T + N
+
+
+def jointly(one, times):
+    """Mean and covariance of the states at several times under each other."""
+    n, found = len(one.A), [moments(one, time) for time in times]
+    covariance = np.zeros((n * len(times), n * len(times)))
+    for i, early in enumerate(times):
+        for k, late in enumerate(times):
+            if early <= late:
+                block = moved(one, late - early)[0] @ found[i][1]
+                covariance[k * n : (k + 1) * n, i * n : (i + 1) * n] = block
+                covariance[i * n : (i + 1) * n, k * n : (k + 1) * n] = block.T
+    return np.vstack([mean for mean, _ in found]), covariance
+
+
+def given(one, measured, at):
+    """Mean and covariance of x(at) given [(time, z), ...], z a list of numbers each."""
+    n, m = len(one.A), len(one.H)
+    if not measured:
+        return moments(one, at)
+    mean, covariance = jointly(one, [*(time for time, _ in measured), at])
+    rows = np.kron(np.eye(len(measured)), one.H)
+    rows = np.hstack([rows, np.zeros((m * len(measured), n))])
+    noise = np.kron(np.eye(len(measured)), one.R)
+    crossed = covariance[-n:] @ rows.T
+    weights = np.linalg.solve(rows @ covariance @ rows.T + noise, crossed.T).T
+    innovation = np.reshape([z for _, z in measured], (-1, 1)) - rows @ mean
+    return mean[-n:] + weights @ innovation, covariance[-n:, -n:] - weights @ crossed.T
+
+
+def settled(one):
+    """The covariance that x tends to, whatever it is at the start."""
+    from scipy.linalg import solve_continuous_lyapunov, solve_discrete_lyapunov
+
+    return (
+        solve_discrete_lyapunov(one.A, one.Q)
+        if one.discrete
+        else solve_continuous_lyapunov(one.A, -one.Q)
+    )
+
+
+def steady(one):
+    """The covariance of the errors of the steady filter, in discrete time before a measurement and
+    after it.
+
+    Raises `numpy.linalg.LinAlgError` where no filter settles to one whose errors decay.
+    """
+    from scipy.linalg import solve_continuous_are, solve_discrete_are
+
+    solve = solve_discrete_are if one.discrete else solve_continuous_are
+    found = solve(one.A.T, one.H.T, one.Q, one.R)
+    for _ in range(2):  # Kleinman's iteration takes off the rounding of a pencil
+        gain = gain_of(one, found)
+        found = erring(one, (one.A @ gain if one.discrete else gain))
+    return (found, found - gain_of(one, found) @ one.H @ found) if one.discrete else (found, found)
+
+
+def gain_of(one, covariance):
+    """The gain K of the best correction K (z - Hx) at this covariance of the errors, before a
+    measurement."""
+    spread = one.H @ covariance @ one.H.T + one.R if one.discrete else one.R
+    return np.linalg.solve(spread.T, one.H @ covariance.T).T
+
+
+def erring(one, gain):
+    """The covariance that the errors x - y of y' = A y + L (z - H y) settle to, in discrete time
+    those of predictions.
+    """
+    loop = one.A - gain @ one.H
+    largest = np.linalg.eigvals(loop)
+    if (abs(largest).max() if one.discrete else 1 + largest.real.max()) >= 1 - 1e-12:
+        raise np.linalg.LinAlgError("the errors do not decay")
+    return settled(replace(one, A=loop, Q=one.Q + gain @ one.R @ gain.T))
+
+
+def steady_exists(process):
+    """The `Truth`, in the symbols of the process, that there is a steady filter whose errors decay.
+
+    By the test of Popov, for every number s = u + i w: the columns of s - A above H are independent
+    unless s is that of a mode that decays, and those of s - A^T above Q unless it decays or grows.
+    """
+    u, w = sp.symbols("u w", real=True, cls=sp.Dummy)
+    process = plain(process)
+    size = u**2 + w**2 - 1 if process.discrete else u
+    hidden, quiet = (
+        _dependent(u + sp.I * w, matrix, below)
+        for matrix, below in ((process.A, process.H), (process.A.T, process.Q))
+    )
+    spoiled = sp.Or(sp.And(size >= 0, hidden), sp.And(sp.Eq(size, 0), quiet))
+
+    def at(values):
+        if not all(value.is_Rational for value in values.values()):
+            return None
+        one = process.subs(values)
+        hidden, quiet = (
+            np.concatenate(fixed_eigenvalues(pair_of(matrix, below)))
+            for matrix, below in ((one.A, one.H), (one.A.T, one.Q))
+        )
+        rates = [abs(found) - 1 if process.discrete else found.real for found in (hidden, quiet)]
+        return not ((rates[0] > -ON_BORDER).any() or (abs(rates[1]) < ON_BORDER).any())
+
+    return Truth((Case(sp.Not(spoiled), (u, w), every=True),), (Case(spoiled, (u, w)),), at)
+
+
+def _dependent(s, A, below):
+    """Whether the columns of s - A above a matrix are dependent, for a complex s."""
+    pencil = (s * sp.eye(A.rows) - A).col_join(below)
+    minors = (
+        pencil.extract(list(rows), list(range(A.rows))).det(method="berkowitz")
+        for rows in itertools.combinations(range(pencil.rows), A.rows)
+    )
+    return sp.And(*(sp.Eq(part, 0) for minor in minors for part in sp.expand(minor).as_real_imag()))

@@ -1,0 +1,124 @@
+"""What the output of a system shows that is told as a record (`workbook.systems`), and what its
+control reaches, as a `Pair`."""
+
+import functools
+
+import sympy as sp
+
+from workbook.checks.references.constant_unknowns import constants_of
+from workbook.checks.references.initial_states import starts_of, starts_of_varying
+from workbook.checks.references.pairs import pair_of
+from workbook.systems import (
+    Deviations,
+    Linear,
+    Measurements,
+    Mechanical,
+    Process,
+    Varying,
+    WithError,
+)
+
+
+@functools.singledispatch
+def seen(system, parameters=()):
+    """The `Pair` of what an output shows; its unknowns are the numbers that a start consists of."""
+    raise TypeError(
+        f"system: expected a record of a system with an output, got {type(system).__name__}"
+    )
+
+
+@seen.register(Linear)
+@seen.register(Process)
+def _(system, parameters=()):
+    return pair_of(system.A, system.H, parameters)
+
+
+@seen.register
+def _(system: Mechanical, parameters=()):
+    return seen(_in_states(system), parameters)
+
+
+@seen.register
+def _(system: WithError, parameters=(), of=None):
+    """`of` are the positions of those unknowns that are asked for, if not all of them."""
+    both = augmented(system)
+    if not system.start:
+        return seen(both, parameters)
+    return starts_of(both.A, both.H, sp.diag(sp.eye(system.A.rows), system.start), parameters, of)
+
+
+@seen.register
+def _(system: Varying, parameters=()):
+    return starts_of_varying(system.A, system.H, system.time, parameters)
+
+
+@seen.register
+def _(system: Measurements, parameters=()):
+    return constants_of(system.jacobian, tuple(parameters))
+
+
+def reached(system, parameters=()):
+    """The `Pair` of what the control reaches: that of the transposed matrices."""
+    return seen(_in_states(system).dual, parameters)
+
+
+def augmented(system):
+    """The `Linear` system of x with the error w below it; without an error the system itself."""
+    if not isinstance(system, WithError):
+        return system
+    k, s = system.S.rows, system.B.cols
+    return Linear(
+        sp.diag(system.A, system.S), system.B.col_join(sp.zeros(k, s)), system.H.row_join(system.c)
+    )
+
+
+def matrix_of(system, parameters=()):
+    """The matrix of the equations."""
+    return (
+        row_of(system, *system.field, parameters=parameters)
+        if isinstance(system, Deviations)
+        else system.A
+    )
+
+
+def row_of(system, *quantities, parameters=()):
+    """What quantities of the state are in x: rows of numbers as they are, in deviations expressions
+    by their derivatives on the motion, which hold the parameters alone."""
+    if not isinstance(system, Deviations):
+        return sp.Matrix.vstack(*quantities)
+    found = (
+        sp.Matrix(quantities)
+        .jacobian(list(system.state))
+        .subs(system.motion)
+        .applyfunc(sp.simplify)
+    )
+    if not found.free_symbols <= set(parameters):
+        raise ValueError("the equations in deviations are not constant")
+    return found
+
+
+def by_control(system):
+    """Whether a system, which has a control or an output, has a control."""
+    if isinstance(system, Mechanical):
+        control, output = any(system.L), any(system.H1) or any(system.H2)
+    else:
+        control, output = bool(getattr(system, "B", ())), bool(system.H)
+    if control == output:
+        raise TypeError("system: expected one with either a control or an output")
+    return control
+
+
+def _in_states(system):
+    """A `Mechanical` system, with invertible M, as the `Linear` one of the state (x, x'); others as
+    they are."""
+    if not isinstance(system, Mechanical):
+        return system
+    n, inverse = system.M.rows, system.M.inv(method="ADJ")
+    A = (
+        sp.zeros(n)
+        .row_join(sp.eye(n))
+        .col_join((-inverse * system.K).row_join(-inverse * system.D))
+    )
+    return Linear(
+        A, sp.zeros(n, system.L.cols).col_join(inverse * system.L), system.H1.row_join(system.H2)
+    )

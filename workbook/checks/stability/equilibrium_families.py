@@ -1,0 +1,424 @@
+"""Stationary solutions that depend on parameters or repeat periodically, and what becomes of
+deviations from them.
+
+An equation of second order in x stands here as the field of its state (x, x'). A stationary
+solution x(t) = x* is named by the number x* alone; a periodic family of them is an expression in an
+integer and is judged by its members. What the problem assumes of its parameters (friction is
+positive) is handed over as a condition, `given`.
+"""
+
+import functools
+
+import numpy as np
+import sympy as sp
+
+from workbook.checks.contract import coercion
+from workbook.checks.contract.claims import Expression
+from workbook.checks.contract.members import VECTORS, families
+from workbook.checks.contract.tolerance import REPEATED, half_unit, in_decimals, same
+from workbook.checks.contract.verdict import Invalid, Wrong, judged
+from workbook.checks.references.fields import Field
+from workbook.checks.stability.equilibrium_sets import agreement
+from workbook.checks.tools.conditions import Case, Truth, compare, contrary
+from workbook.checks.tools.samples import allowed_values, in_every_case, joined
+from workbook.checks.tools.values import matrix_at, number_at, uncertain_at
+from workbook.checks.tools.wording import number_text, point_text, roots_text, where_text
+
+#: Stationary values are compared between -REACH and REACH; families are followed as far as that and
+#: a little further.
+REACH = 12.0
+#: What rounding leaves of a zero matrix, next to the largest one.
+ROUNDING = 1e-12
+#: By the word that `agreement` knows: what an answer names, and which of the rest points found
+#: belong to these.
+SORTED = {
+    "stationary": ("stationary solutions", lambda flow, point: True),
+    "asymptotically stable": (
+        "asymptotically stable ones",
+        lambda flow, point: _growth(flow, point) < 0,
+    ),
+    "unstable": ("unstable ones", lambda flow, point: _growth(flow, point) > 0),
+}
+KINDS = ("stable node", "stable focus", "unstable node", "unstable focus", "saddle", "centre")
+
+
+@judged
+def rest_values(answer, field, state, parameters=(), given=(), integer=None):
+    """The values x* of all stationary solutions x(t) = x*, as expressions in the parameters and an
+    integer.
+
+    Every member is one, and a search finds no other. Also read: SymPy sets, and points (x*, 0).
+    """
+    return (
+        "at each of them the right-hand sides vanish, and a search finds no other"
+        + _all_and_no_others("stationary", answer, field, state, parameters, given, integer)
+    )
+
+
+@judged
+def stable_rest_values(answer, field, state, parameters=(), given=(), integer=None):
+    """The values of the stationary solutions that Theorem 1.4 proves asymptotically stable."""
+    return (
+        "there, and nowhere else, all roots of the characteristic equation have negative real parts"
+        + _all_and_no_others(
+            "asymptotically stable", answer, field, state, parameters, given, integer
+        )
+    )
+
+
+@judged
+def unstable_rest_values(answer, field, state, parameters=(), given=(), integer=None):
+    """The values of the stationary solutions that Theorem 1.4 proves unstable."""
+    return (
+        "there, and nowhere else, a root of the characteristic equation has a positive real part"
+        + _all_and_no_others("unstable", answer, field, state, parameters, given, integer)
+    )
+
+
+def _all_and_no_others(word, answer, field, state, parameters, given, integer):
+    """How it is known that an answer names all rest points of a kind, a key of `SORTED`, and no
+    others."""
+    claims, (noun, belongs) = _claims(answer, state, parameters, integer), SORTED[word]
+    for values, flow, found in _systems(field, state, parameters, given, claims):
+        _judge_values(
+            claims,
+            values,
+            flow,
+            found,
+            [point for point in found if belongs(flow, point)],
+            integer,
+            noun,
+        )
+    return agreement(claims, integer, field, state, parameters, joined(given), word)
+
+
+@judged
+def deviation_matrices(answer, field, state, parameters=(), given=(), integer=None, zeros=None):
+    """The matrices A of the equations in deviations y' = A y that occur at the stationary
+    solutions, in any order.
+
+    Where A may be singular, `zeros` are functions that have the same zeros as the field, all
+    simple.
+    """
+    n = len(state)
+    matrices = [
+        coercion.as_matrix(part, [*parameters, *_symbols(integer)], (n, n))
+        for part in _list_of_matrices(answer)
+    ]
+    for values, flow, found in _systems(field, state, parameters, given, matrices, zeros):
+        true = [(point, flow.jacobian(point)) for point in found]
+        floor = ROUNDING * max(np.linalg.norm(other) for _, other in true)
+        claimed = [
+            matrix_at(matrix, values | {s: sp.Integer(k) for s in _symbols(integer)})
+            for matrix in matrices
+            for k in (range(-2, 3) if matrix.has(*_symbols(integer)) else (0,))
+        ]
+        for matrix in claimed:
+            if not any(_same(matrix, other, floor) for _, other in true):
+                raise Wrong(
+                    f"the matrix {_matrix_text(matrix)}{where_text(values)} belongs to no "
+                    "stationary solution: "
+                    "none has these rates of change of the right-hand sides under small deviations"
+                )
+        for _, other in true:
+            if not any(_same(matrix, other, floor) for matrix in claimed):
+                raise Wrong(
+                    "there is a stationary solution to which none of your matrices belongs"
+                    f"{where_text(values)}: under small deviations the right-hand sides change at "
+                    "other rates"
+                )
+    return (
+        "at every stationary solution found one of them gives the rates of change under small "
+        "deviations, and "
+        "none is left over"
+    )
+
+
+@judged(Expression("parameters"))
+def growth_rate(claim, field, state, parameters=(), given=()):
+    """The positive root of the characteristic equation at the unstable stationary solutions."""
+    for values, flow, found in _systems(field, state, parameters, given, claim):
+        number = number_at(claim, values)
+        for point in found:
+            matrix = flow.jacobian(point)
+            rate = max(np.linalg.eigvals(matrix).real)
+            if rate <= 1e-9 or same(number, rate, claim, 0, REPEATED, uncertain_at(claim, values)):
+                continue
+            residual = abs(np.linalg.det(number * np.eye(len(state)) - matrix))
+            # Which solution it is the student is asked for in another item.
+            told = (
+                "it is a root of the characteristic equation at an unstable stationary solution, "
+                "but not a "
+                "positive one"
+                if residual < 1e-9 * np.linalg.norm(matrix) ** len(state)
+                else "at an unstable stationary solution the characteristic determinant has the modulus "
+                f"{residual:.4g} for it, not zero"
+            )
+            raise Wrong(f"your expression gives {number_text(number)}{where_text(values)}; {told}")
+    return "it is positive and a root of the characteristic equation at every unstable stationary solution"
+
+
+@judged
+def single_rest(answer, field, state, parameters):
+    """The parameters for which x' = f(x) with polynomial f has one stationary solution only; real
+    roots are counted exactly."""
+    *others, force = [sp.sympify(f).subs(dict.fromkeys(state[1:], 0)) for f in field]
+    if any(other != 0 for other in others):
+        raise RuntimeError("this is no equation of second order")
+    x = state[0]
+    other = sp.Dummy("y", real=True)
+    two = sp.And(sp.Eq(force, 0), sp.Eq(force.subs(x, other), 0), sp.Ne(x, other))
+    # Where there is none at all the first case says too much, which `count` corrects.
+    inside = Case(sp.Not(two), (x, other), every=True)
+    outside = Case(two, (x, other)), Case(sp.Ne(force, 0), (x,), every=True)
+
+    def count(values):
+        return sp.Poly(force.subs(values), x).sqf_part().count_roots()
+
+    def told(values):
+        number = count(values)
+        places = (
+            "no value" if not number else "one value only" if number == 1 else "more than one value"
+        )
+        return f"there the right-hand sides vanish at {places} of {x}"
+
+    truth = Truth((inside,), outside, lambda values: count(values) == 1)
+    agreement = compare(answer, parameters, truth, contrary(told))
+    return f"the number of real roots of the equation of rest is one there and nowhere else: {agreement}"
+
+
+@judged
+def rest_kinds(answer, field, state):
+    """The kind of every stationary point of a planar portrait, as a dict {x*: word}; the words are
+    `KINDS`."""
+    ((_, flow, found),) = _systems(field, state, (), ())
+    left = list(found)
+    pairs = list(answer.items()) if isinstance(answer, dict) else answer
+    if not (
+        isinstance(pairs, (list, tuple))
+        and all(isinstance(p, (list, tuple)) and len(p) == 2 for p in pairs)
+    ):
+        raise Invalid("expected a dict such as {3: 'saddle'}, from the value to the word")
+    for value, word in pairs:
+        kind = coercion.as_choice(word, KINDS)
+        claim = coercion.as_number(_first_coordinate(value, state, ()))
+        number = float(claim)
+        near = [point for point in found if _is(number, point[0], claim, {})]
+        if not near:
+            raise Wrong(
+                f"x = {number:.4g} is no stationary solution: the right-hand sides are "
+                f"{point_text(flow([number, 0.0]))}, not zero"
+            )
+        eigenvalues = np.linalg.eigvals(flow.jacobian(near[0]))
+        if kind != _kind(eigenvalues):
+            raise Wrong(
+                f"at x = {number:.4g} the roots of the characteristic equation are "
+                f"{roots_text(eigenvalues)}: "
+                f"that is no {kind}"
+            )
+        left = [point for point in left if point is not near[0]]
+    if left:
+        raise Wrong("the portrait has a stationary point that your answer does not name")
+    return "at every stationary point the roots of the characteristic equation are as the word says"
+
+
+@judged
+def saddle_slopes(answer, field, state):
+    """The slopes of the motions through the saddles of an equation of second order: [of those that
+    leave, of those that come].
+
+    Judged by the direction of the field close to each saddle: along these lines it points to or
+    away from it.
+    """
+    claims = list(map(coercion.as_number, coercion.as_expressions(answer, (), 2)))
+    ((_, flow, found),) = _systems(field, state, (), ())
+    saddles = [point for point in found if np.linalg.det(flow.jacobian(point)) < 0]
+    if not saddles:
+        raise RuntimeError("the equation has no saddle")
+    for point in saddles:
+
+        def rates(slope, point=point):
+            line = np.array([1.0, slope]) / np.hypot(1, slope)
+            velocity = flow.derivative(point, line)
+            return line[0] * velocity[1] - line[1] * velocity[0], velocity @ line
+
+        for claim, sign, told in zip(claims, (1, -1), ("leave", "come to")):
+            slope = float(claim)
+            across, along = rates(slope)
+            moved = (
+                [slope - half_unit(slope), slope + half_unit(slope)] if in_decimals(claim) else []
+            )
+            allowed = 1e-7 * np.linalg.norm(flow.jacobian(point)) + max(
+                (abs(rates(other)[0] - across) for other in moved), default=0.0
+            )
+            if not abs(across) <= allowed or not along * sign > 0:
+                raise Wrong(
+                    f"along the line of slope {slope:.4g} through the saddle at {state[0]} = "
+                    f"{point[0]:.4g} "
+                    f"small deviations change at the rate {along:.3g} along it and {across:.3g} "
+                    "across it: "
+                    f"these motions do not {told} the saddle"
+                )
+    return "along these lines the linear field at each saddle points straight away from it and straight to it"
+
+
+def _systems(field, state, parameters, given, claim=(), zeros=None):
+    """Triples (values, field, rest points between -REACH and REACH) for four samples of the
+    parameters that satisfy `given`, and for more where the answer distinguishes cases that these do
+    not meet; the rest points are the zeros of `zeros`, if these are told."""
+    for values in in_every_case(allowed_values(parameters, given, 4), claim, given):
+        yield (
+            values,
+            *_searched(
+                tuple(field),
+                tuple(state),
+                tuple(field if zeros is None else zeros),
+                tuple(values.items()),
+            ),
+        )
+
+
+@functools.lru_cache(maxsize=64)
+def _searched(field, state, zeros, values):
+    # Several answers of a problem ask about the same equation: one search serves them all.
+    found = Field(zeros, state, dict(values)).rest_points(160, reach=1.2 * REACH)
+    return Field(field, state, dict(values)), [point for point in found if abs(point[0]) < REACH]
+
+
+def _claims(answer, state, parameters, integer):
+    """The expressions of an answer: from an expression, a list, a SymPy set of numbers, or points
+    (x*, 0)."""
+    symbols = [*parameters, *_symbols(integer)]
+    parts = families(
+        answer,
+        integer,
+        "the values written out: a list of expressions, or a set as solveset gives it",
+    )
+    return [_first_coordinate(part, state, symbols) for part in parts]
+
+
+def _first_coordinate(part, state, symbols):
+    """The value x* of a number or of a point (x*, 0, ...)."""
+    if isinstance(part, VECTORS) and np.ndim(part) > 0:
+        first, *others = coercion.as_expressions(part, symbols, len(state))
+        if any(other != 0 for other in others):
+            raise Wrong(
+                f"at a stationary solution {', '.join(f'{x} = 0' for x in state[1:])}: nothing "
+                "moves there"
+            )
+        return first
+    return coercion.as_expression(part, symbols)
+
+
+def _judge_values(claims, values, flow, found, wanted, integer, what):
+    claimed = []
+    for family in claims:
+        for told, number, here in _members(family, values, integer):
+            if abs(number.imag) > 1e-9 * (1 + abs(number)):
+                raise Wrong(f"your value{told} is not real{where_text(values)}")
+            number = number.real
+            if abs(number) > REACH:
+                continue
+            near = [point for point in found if _is(number, point[0], family, here)]
+            if not near:
+                rates = point_text(flow([number] + [0.0] * (len(flow.state) - 1)))
+                raise Wrong(
+                    f"your value {number:.4g}{told} is no stationary solution{where_text(values)}: "
+                    f"the right-hand sides are {rates} there"
+                )
+            if not any(point is near[0] for point in wanted):
+                rate = _growth(flow, near[0])
+                raise Wrong(
+                    f"at your value {number:.4g}{told} the largest real part of a root of the "
+                    "characteristic "
+                    f"equation is {rate:.4g}{where_text(values)}"
+                )
+            claimed.append(near[0])
+    if any(not any(point is other for other in claimed) for point in wanted):
+        raise Wrong(
+            f"not all {what} are there: between -{REACH:g} and {REACH:g} a search finds one that "
+            "your answer "
+            f"does not give{where_text(values)}"
+        )
+    if integer is None or any(family.has(integer) for family in claims):
+        return
+    for point in wanted:  # a finite list for what comes back with every turn
+        again = np.array([point[0] + 20 * np.pi, *point[1:]])
+        if np.all(abs(flow(again)) < 1e-9 * (1 + abs(again[0]))):
+            raise Wrong(
+                f"not all {what} are there: {again[0]:.4g} is one too{where_text(values)}, and a "
+                "list has "
+                f"an end; write the family with the integer {integer}"
+            )
+
+
+def _members(family, values, integer):
+    """Triples (text, number, values): the members of a family that can lie between -REACH and
+    REACH, and a few on either side."""
+
+    def member(k):
+        here = values | {s: sp.Integer(k) for s in _symbols(integer)}
+        return number_at(family, here, "your value"), here
+
+    if integer is None or not family.has(integer):
+        return [("", *member(0))]
+    (start, _), (after, _) = member(0), member(1)
+    step = abs(after - start)
+    centre = round((start / (start - after)).real) if step > 1e-9 else 0
+    extent = min(int(REACH / step) + 3, 60) if step > 1e-9 else 12
+    return [
+        (f" ({integer} = {k})", *member(k)) for k in range(centre - extent, centre + extent + 1)
+    ]
+
+
+def _growth(flow, point):
+    rate = max(np.linalg.eigvals(flow.jacobian(point)).real)
+    if abs(rate) < 1e-8:
+        raise RuntimeError("the first approximation does not decide here")
+    return rate
+
+
+def _list_of_matrices(answer):
+    """The matrices of an answer; a single one may come without its list, and each may stand under a
+    key."""
+    if isinstance(answer, dict):
+        answer = list(answer.values())
+    if isinstance(answer, sp.MatrixBase) or (isinstance(answer, np.ndarray) and answer.ndim == 2):
+        return [answer]
+    if isinstance(answer, (set, frozenset, np.ndarray, sp.FiniteSet)):
+        answer = list(answer)
+    if not isinstance(answer, (list, tuple)) or not answer:
+        raise Invalid("expected a list of matrices")
+    flat = all(
+        isinstance(row, (list, tuple))
+        and not any(isinstance(entry, (list, tuple)) for entry in row)
+        for row in answer
+    )
+    return [answer] if flat else list(answer)
+
+
+def _kind(eigenvalues):
+    real, imaginary = eigenvalues.real, max(abs(eigenvalues.imag))
+    if min(real) < 0 < max(real):
+        return "saddle"
+    if max(abs(real)) < 1e-9 * (1 + imaginary):
+        return "centre"
+    return f"{'stable' if max(real) < 0 else 'unstable'} {'focus' if imaginary > 1e-9 else 'node'}"
+
+
+def _symbols(integer):
+    return [] if integer is None else [integer]
+
+
+def _same(matrix, other, floor):
+    return np.linalg.norm(matrix - other) <= max(1e-6 * np.linalg.norm(other), floor)
+
+
+def _is(number, value, claim, values):
+    """Whether a number, that an expression became at values of its symbols, is one that was
+    searched for."""
+    return same(number, value, claim, 1, REPEATED, uncertain_at(claim, values))
+
+
+def _matrix_text(matrix):
+    return "; ".join(point_text(row.real) for row in matrix)

@@ -1,0 +1,71 @@
+"""The first approximation at a stationary solution, and what it says of stability."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import sympy as sp
+
+from workbook.checks.contract.claims import Choice
+from workbook.checks.contract.verdict import Wrong, judged
+from workbook.checks.references.fields import known_field
+from workbook.checks.references.near_equilibrium import by_motions
+from workbook.checks.references.records import matrix_of
+from workbook.checks.references.spectra import compare_region
+from workbook.checks.tools.comparisons import Word
+from workbook.checks.tools.values import matrix_at
+from workbook.checks.tools.wording import other_rate, where_text
+
+STABILITY = ("asymptotically stable", "stable", "unstable")
+#: Below this a derivative is zero: what complex steps leave of terms of higher order.
+FLOOR = 1e-25
+
+
+@dataclass
+class Rates:
+    """A matrix of equations in deviations says at which rates the right-hand sides change with each
+    of the symbols."""
+
+    claim: sp.MatrixBase
+    true: np.ndarray
+    symbols: list
+    values: dict
+
+    def judge(self):
+        said, size = matrix_at(self.claim, self.values), max(np.linalg.norm(self.true), FLOOR)
+        for symbol, own, column in zip(self.symbols, said.T, self.true.T):
+            if not np.linalg.norm(own - column) <= 1e-9 * size:
+                raise Wrong(f"{other_rate(symbol, own, column)}{where_text(self.values)}")
+
+
+@judged
+def first_approximation_unstable(answer, system, parameters):
+    """The parameters for which some eigenvalue of the first approximation in `Deviations` has a
+    positive real part."""
+    return compare_region(
+        answer,
+        matrix_of(system, parameters),
+        parameters,
+        "unstable by a root with positive real part",
+        unstable=True,
+    )
+
+
+@judged(Choice(words=STABILITY))
+def zero_stability(claim, field, state):
+    """Whether x = 0 is asymptotically stable, stable (and no more) or unstable.
+
+    Decided by the spectrum of the first approximation; where that is silent, by motions that start
+    close to zero.
+    """
+    flow = known_field(tuple(field), tuple(state))
+    real_part = max(np.linalg.eigvals(flow.jacobian([0.0] * len(state))).real)
+    if abs(real_part) > 1e-9:
+        truth = "unstable" if real_part > 0 else "asymptotically stable"
+        reason = (
+            f"the first approximation has an eigenvalue with real part {real_part:.4g}"
+            if real_part > 0
+            else f"all eigenvalues of the first approximation have real parts of at most {real_part:.4g}"
+        )
+    else:
+        truth, reason = by_motions(flow)
+    return (yield Word(claim, truth, reason, "this does not agree with the motions near zero: "))
