@@ -18,7 +18,7 @@ from classroom import RIGHT_1_15, hand_in, write_assignment
 from guide import like, steps
 
 from workbook.checks.contract.encoding import decode, describe
-from workbook.grading import commands, grader
+from workbook.grading import commands, grader, worker_pool
 from workbook.grading.assignment import BadInput
 from workbook.grading.judging import Judgement
 from workbook.notebooks import exercises

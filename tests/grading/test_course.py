@@ -19,6 +19,7 @@ from workbook.grading import (
     forkserver,
     grader,
     preloading,
+    worker_pool,
 )
 from workbook.grading.assignment import BadInput
 from workbook.grading.judging import Judgement, failed
@@ -97,7 +98,7 @@ def test_a_lane_that_dies_is_replaced(tmp_path, monkeypatch):
     monkeypatch.setattr(
         forkserver,
         "START",
-        "import os\nfrom workbook.grading import bench\nreal = grader.Bench.grade\n"
+        "import os\nfrom workbook.grading import grader\nreal = grader.Bench.grade\n"
         "grader.Bench.grade = lambda bench, unit: os._exit(1) if 'DIE' in ''.join(unit['sources']) "
         "else real(bench, unit)\n" + forkserver.START,
     )
